@@ -1,0 +1,31 @@
+# berg_options: the flags of every target of ours; third-party headers are SYSTEM and stay quiet.
+add_library(berg_options INTERFACE)
+target_include_directories(berg_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(
+  berg_options
+  INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+            -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion
+            # Designated initialisers leave members at their defaults on purpose.
+            -Wno-missing-field-initializers
+            # One result on every machine: no fused multiply-add, no value-changing optimisation.
+            -ffp-contract=off)
+if(BERGWATCH_WERROR)
+  target_compile_options(berg_options INTERFACE -Werror)
+endif()
+if(BERGWATCH_SANITIZE)
+  target_compile_options(berg_options INTERFACE -fsanitize=${BERGWATCH_SANITIZE}
+                                                -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(berg_options INTERFACE -fsanitize=${BERGWATCH_SANITIZE})
+endif()
+
+# berg_add_module(plan SOURCES a.cpp b.cpp LINKS base PRIVATE_LINKS PkgConfig::CBC)
+# A module of the core: static library berg_<name>, alias berg::<name>. Linking follows the layers
+# of ARCHITECTURE.md, so a wrong dependency does not link.
+function(berg_add_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(berg_${name} STATIC ${arg_SOURCES})
+  add_library(berg::${name} ALIAS berg_${name})
+  list(TRANSFORM arg_LINKS PREPEND berg::)
+  target_link_libraries(berg_${name} PUBLIC berg_options Eigen3::Eigen ${arg_LINKS}
+                                     PRIVATE ${arg_PRIVATE_LINKS})
+endfunction()

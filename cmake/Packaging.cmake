@@ -1,0 +1,26 @@
+# The Debian package and archive that CPack makes of what app/ and resources/ install. Included last.
+set(BERGWATCH_PACKAGE_CONTACT "The Bergwatch developers"
+    CACHE STRING "Maintainer named in packages: NAME <ADDRESS>")
+
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/bergwatch)
+
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_PACKAGE_NAME bergwatch)
+set(CPACK_PACKAGE_VENDOR "The Bergwatch developers")
+set(CPACK_PACKAGE_CONTACT "${BERGWATCH_PACKAGE_CONTACT}")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+set(CPACK_STRIP_FILES ON)
+# The same modes whatever the umask of whoever builds.
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+    "Bergwatch plans in which order an unmanned aircraft visits drifting icebergs,
+flies the plan in simulation while the icebergs drift, measures how well their
+positions are known, and exports plans to ground control stations.")
+include(CPack)

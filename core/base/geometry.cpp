@@ -1,0 +1,81 @@
+#include "core/base/geometry.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+int orientation(const Point& a, const Point& b, const Point& c)
+{
+    const double area = cross(b - a, c - a);
+    return area > 0 ? 1 : (area < 0 ? -1 : 0);
+}
+
+bool onSegment(const Point& a, const Point& b, const Point& p)
+{
+    return p.x() >= std::min(a.x(), b.x()) && p.x() <= std::max(a.x(), b.x()) &&
+           p.y() >= std::min(a.y(), b.y()) && p.y() <= std::max(a.y(), b.y());
+}
+
+bool segmentsMeet(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+    const int abc = orientation(a, b, c);
+    const int abd = orientation(a, b, d);
+    const int cda = orientation(c, d, a);
+    const int cdb = orientation(c, d, b);
+    if (abc != abd && cda != cdb)
+        return true;
+    return (abc == 0 && onSegment(a, b, c)) || (abd == 0 && onSegment(a, b, d)) ||
+           (cda == 0 && onSegment(c, d, a)) || (cdb == 0 && onSegment(c, d, b));
+}
+
+/** True when edge a-b and the next edge b-c fold back on each other. */
+bool foldsBack(const Point& a, const Point& b, const Point& c)
+{
+    return orientation(a, b, c) == 0 && (b - a).dot(c - b) <= 0;
+}
+
+} // namespace
+
+bool insidePolygon(std::span<const Point> polygon, const Point& p)
+{
+    bool inside = false;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Point& a = polygon[i];
+        const Point& b = polygon[j];
+        if ((a.y() > p.y()) == (b.y() > p.y()))
+            continue;
+        if (p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x())
+            inside = !inside;
+    }
+    return inside;
+}
+
+bool isSimplePolygon(std::span<const Point> polygon)
+{
+    const std::size_t n = polygon.size();
+    if (n < 3)
+        return false;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (foldsBack(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]))
+            return false;
+        for (std::size_t j = i + 2; j < n; ++j) {
+            if (i == 0 && j == n - 1)
+                continue; // neighbours through the closing edge
+            if (segmentsMeet(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n]))
+                return false;
+        }
+    }
+    return true;
+}
+
+double signedArea(std::span<const Point> polygon)
+{
+    double twice = 0;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
+        twice += cross(polygon[j], polygon[i]);
+    return twice / 2;
+}
+
+} // namespace berg

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+namespace berg {
+
+using Point = Eigen::Vector2d;
+
+/** z component of the cross product: positive when `b` points to the left of `a`. */
+[[nodiscard]] inline double cross(const Point& a, const Point& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/** Even-odd test; `polygon` holds its corners once, at least three. */
+[[nodiscard]] bool insidePolygon(std::span<const Point> polygon, const Point& p);
+
+/** True when the closed polygon neither touches nor crosses itself. Cost: corners squared. */
+[[nodiscard]] bool isSimplePolygon(std::span<const Point> polygon);
+
+/** Signed area, positive when the corners run counter-clockwise. */
+[[nodiscard]] double signedArea(std::span<const Point> polygon);
+
+} // namespace berg
