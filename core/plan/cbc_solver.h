@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/plan/solver.h"
+
+namespace berg {
+
+/**
+ * Branch and cut by COIN-OR CBC on one of the MILPs of `formulation.h`. The hint becomes CBC's
+ * starting incumbent; it uses nothing of our own engines. Work unit: branch-and-bound nodes.
+ */
+class CbcSolver final : public TvpSolver
+{
+public:
+    explicit CbcSolver(Formulation formulation);
+    [[nodiscard]] std::string name() const override { return "cbc"; }
+    [[nodiscard]] std::string whyNot(const TvpProblem& problem) const override;
+
+protected:
+    [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
+                                       const SolveOptions& options) const override;
+
+private:
+    Formulation m_formulation;
+};
+
+} // namespace berg

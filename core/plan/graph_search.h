@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/plan/layered_graph.h"
+
+namespace berg {
+
+/** How far `searchGraph` goes. */
+struct GraphSearchLimits
+{
+    int mostStates = 0; ///< kept for each position
+    CutQuestion cut;    ///< a search that is cut has a bound of -infinity and no order
+};
+
+/** What a truncated search over the orders inside a layered graph found. */
+struct GraphSearchResult
+{
+    double bound = 0;      ///< no order inside the graph costs less (capped at the cutoff)
+    VisitOrder order;      ///< best order found below the cutoff, empty when there is none
+    std::int64_t work = 0; ///< arcs looked at
+};
+
+/**
+ * Dynamic programming over (set of icebergs visited, last one) along the paths of a swept graph,
+ * keeping `mostStates` for each position at most: those of least length + completion. The least
+ * value dropped is a lower bound on every order lost by that; if nothing is dropped, the answer
+ * is exact.
+ */
+[[nodiscard]] GraphSearchResult searchGraph(const LayeredGraph& graph, const Prices& prices,
+                                            const GraphSearchLimits& limits);
+
+} // namespace berg

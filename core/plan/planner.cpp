@@ -1,0 +1,75 @@
+#include "core/plan/planner.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+/** Members of `order` that may be planned now. */
+std::vector<int> stillAvailable(const std::vector<int>& order, const PlanRequest& request)
+{
+    std::vector<int> rest;
+    for (const int id : order) {
+        const auto it = std::find(request.ids.begin(), request.ids.end(), id);
+        if (it == request.ids.end())
+            continue;
+        if (request.available[static_cast<std::size_t>(it - request.ids.begin())])
+            rest.push_back(id);
+    }
+    return rest;
+}
+
+/** With no plan in hand at all: the nearest available iceberg, the smallest node among equals. */
+std::vector<int> nearestAvailable(const PlanRequest& request)
+{
+    int best = -1;
+    for (int k = 0; k < static_cast<int>(request.ids.size()); ++k) {
+        if (!request.available[static_cast<std::size_t>(k)])
+            continue;
+        if (best < 0 || request.problem.distance_m(0, k + 1) < request.problem.distance_m(0, best + 1))
+            best = k;
+    }
+    return best < 0 ? std::vector<int>{} : std::vector<int>{request.ids[static_cast<std::size_t>(best)]};
+}
+
+} // namespace
+
+Planner::Planner(const PlannerSettings& settings, std::unique_ptr<TvpSolver> solver)
+    : m_settings(settings)
+    , m_ownSolver(solver != nullptr)
+    , m_solver(solver ? std::move(solver) : makeSolver(settings.backend, settings.formulation))
+    , m_policy(makePolicy(settings, *m_solver))
+{
+}
+
+void Planner::setSettings(const PlannerSettings& settings)
+{
+    if (settings == m_settings)
+        return;
+    std::unique_ptr<TvpSolver> solver;
+    if (!m_ownSolver)
+        solver = makeSolver(settings.backend, settings.formulation);
+    std::unique_ptr<Policy> policy = makePolicy(settings, solver ? *solver : *m_solver);
+    m_policy = std::move(policy);
+    if (solver)
+        m_solver = std::move(solver);
+    m_settings = settings;
+}
+
+PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options,
+                         bool warmStart)
+{
+    const std::vector<int> lastRest = stillAvailable(m_lastOrder, request);
+    PlanAnswer answer = m_policy->plan(request, warmStart ? lastRest : std::vector<int>{}, options);
+    if (answer.outcome.reason == StopReason::Cancelled)
+        return answer; // nothing is remembered: the same call will be made again
+    if (answer.order.empty()) {
+        answer.order = lastRest.empty() ? nearestAvailable(request) : lastRest;
+        answer.fellBack = !answer.order.empty();
+    }
+    m_lastOrder = answer.order;
+    return answer;
+}
+
+} // namespace berg

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/plan/policy.h"
+
+namespace berg {
+
+/**
+ * The paper's strategy around a policy: remembers the last order, gives its rest as warm start,
+ * and falls back to that rest when a limit leaves the solver without an order (section 4 of the
+ * paper, its second advantage). The autopilot therefore always has a next iceberg.
+ */
+class Planner
+{
+public:
+    /** `solver` replaces the back end of the settings when given (tests, fault injection). */
+    explicit Planner(const PlannerSettings& settings, std::unique_ptr<TvpSolver> solver = nullptr);
+
+    [[nodiscard]] const PlannerSettings& settings() const { return m_settings; }
+
+    /** Changes tau, policy or back end in flight; the last order stays as warm start. */
+    void setSettings(const PlannerSettings& settings);
+
+    /**
+     * The order to fly now; empty only when no iceberg is available, or when cancelled.
+     * `warmStart` off keeps the last order from the solver (the fall-back still uses it).
+     */
+    [[nodiscard]] PlanAnswer plan(const PlanRequest& request, const SolveOptions& options,
+                                  bool warmStart = true);
+
+private:
+    PlannerSettings m_settings;
+    bool m_ownSolver = false;
+    std::unique_ptr<TvpSolver> m_solver;
+    std::unique_ptr<Policy> m_policy;
+    std::vector<int> m_lastOrder;
+};
+
+} // namespace berg

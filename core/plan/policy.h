@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/plan/solver.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace berg {
+
+/** How the next iceberg is chosen. Names: `kPolicyNames`. */
+enum class PolicyKind { Visitation, Path, Tour, Nearest, Uncertainty, Latency, Coverage };
+
+/** The knobs of planning that a scenario stores. */
+struct PlannerSettings
+{
+    PolicyKind policy = PolicyKind::Visitation;
+    double tau = 1; ///< trade-off of Eq. (14); 0 most uncertain first, large shortest path
+    Route route = Route::Open;
+    Backend backend = Backend::Auto;
+    Formulation formulation = Formulation::Position;
+    bool operator==(const PlannerSettings&) const = default;
+};
+
+/** The picture at the instant of planning. Ids are the caller's own numbers of icebergs. */
+struct PlanRequest
+{
+    TvpProblem problem;          ///< UAV and every iceberg there is; `mu` and `route` are not read
+    std::vector<int> ids;        ///< N-1: id of iceberg node k+1
+    std::vector<bool> available; ///< N-1: may be planned, i.e. neither in view nor just reached
+    double speed_mps = 0;
+};
+
+struct PlanAnswer
+{
+    std::vector<int> order; ///< ids in visiting order, the first one available; may be empty
+    SolveOutcome outcome;   ///< of the solve behind it; its nodes are those of `problem`
+    TvpProblem problem;     ///< what was solved; empty when no solve was needed
+    std::vector<int> solvedIds; ///< id of node k+1 of `problem`
+    bool fellBack = false;      ///< no order from the solver: the rest of the last plan is flown
+};
+
+/** Chooses the order in which icebergs are flown to. One object serves one mission. */
+class Policy
+{
+public:
+    Policy() = default;
+    Policy(const Policy&) = delete;
+    Policy& operator=(const Policy&) = delete;
+    virtual ~Policy() = default;
+
+    /**
+     * The order to fly now. `lastRest` is what remains of the last answer (available ids), the
+     * warm start. An answer without order means that a limit came before any plan, or that there
+     * is nothing to plan (no iceberg available). `options.onProgress` is told orders in ids.
+     */
+    [[nodiscard]] virtual PlanAnswer plan(const PlanRequest& request, std::span<const int> lastRest,
+                                          const SolveOptions& options) = 0;
+};
+
+/**
+ * The policy of the settings, which solves with `solver` (borrowed, must outlive the policy).
+ * Throws `Error{Unsupported}` for policies this version does not fly.
+ */
+[[nodiscard]] std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings,
+                                                 const TvpSolver& solver);
+
+} // namespace berg

@@ -1,0 +1,138 @@
+#include "core/plan/tvp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace berg {
+
+bool isVisitOrder(const TvpProblem& problem, std::span<const int> order)
+{
+    if (static_cast<int>(order.size()) != problem.icebergCount())
+        return false;
+    std::vector<bool> seen(problem.sigma_m2.size(), false);
+    for (const int node : order) {
+        if (node < 1 || node >= problem.nodeCount() || seen[static_cast<std::size_t>(node)])
+            return false;
+        seen[static_cast<std::size_t>(node)] = true;
+    }
+    return true;
+}
+
+double flownDistance(const TvpProblem& problem, std::span<const int> order)
+{
+    double distance_m = 0;
+    int from = 0;
+    for (const int to : order) {
+        distance_m += problem.distance_m(from, to);
+        from = to;
+    }
+    if (problem.route == Route::Closed && !order.empty())
+        distance_m += problem.distance_m(from, 0);
+    return distance_m;
+}
+
+double uncertaintyReward(const TvpProblem& problem, std::span<const int> order)
+{
+    double reward = 0;
+    int t = 1; // t(UAV) = 1, Eq. (6)
+    for (const int node : order) {
+        ++t;
+        reward += problem.sigma_m2[static_cast<std::size_t>(node)] * (problem.nodeCount() - t);
+    }
+    return reward;
+}
+
+double objective(const TvpProblem& problem, std::span<const int> order)
+{
+    require(isVisitOrder(problem, order), "objective: not a visiting order of this problem");
+    return problem.mu * flownDistance(problem, order) - uncertaintyReward(problem, order);
+}
+
+double objectiveShift(const TvpProblem& problem)
+{
+    return problem.nodeCount() *
+           std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
+}
+
+double relativeGap(const TvpProblem& problem, double objective, double bound)
+{
+    const double scale = objective + objectiveShift(problem);
+    return scale > 0 ? std::max(0.0, objective - bound) / scale : 0.0;
+}
+
+TvpProblem restrictedTo(const TvpProblem& problem, std::span<const int> nodes)
+{
+    const auto size = static_cast<Eigen::Index>(nodes.size()) + 1;
+    std::vector<int> all{0};
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    TvpProblem sub{.distance_m = Eigen::MatrixXd(size, size),
+                   .sigma_m2 = {},
+                   .mu = problem.mu,
+                   .route = problem.route};
+    for (Eigen::Index j = 0; j < size; ++j)
+        for (Eigen::Index i = 0; i < size; ++i)
+            sub.distance_m(i, j) = problem.distance_m(all[static_cast<std::size_t>(i)],
+                                                      all[static_cast<std::size_t>(j)]);
+    for (const int node : all)
+        sub.sigma_m2.push_back(problem.sigma_m2[static_cast<std::size_t>(node)]);
+    return sub;
+}
+
+Eigen::MatrixXd euclideanDistances(const Eigen::MatrixX2d& points_m)
+{
+    const Eigen::Index n = points_m.rows();
+    Eigen::MatrixXd distance_m(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = 0; i < n; ++i)
+            distance_m(i, j) = std::hypot(points_m(i, 0) - points_m(j, 0), //
+                                          points_m(i, 1) - points_m(j, 1));
+    return distance_m;
+}
+
+namespace {
+
+std::string at(const char* field, Eigen::Index i)
+{
+    return std::string(field) + '[' + std::to_string(i) + ']';
+}
+
+void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
+{
+    const Eigen::Index n = problem.nodeCount();
+    if (problem.distance_m.rows() != n || problem.distance_m.cols() != n) {
+        issues.push_back({Severity::Error, "distance_m",
+                          "must be a square matrix with one row and column per sigma"});
+        return;
+    }
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const double d_m = problem.distance_m(i, j);
+            if (i != j && !(std::isfinite(d_m) && d_m >= 0))
+                issues.push_back({Severity::Error, at("distance_m", i) + '[' + std::to_string(j) + ']',
+                                  "must be a finite number of at least 0"});
+        }
+}
+
+} // namespace
+
+std::vector<Issue> validate(const TvpProblem& problem)
+{
+    std::vector<Issue> issues;
+    if (problem.sigma_m2.empty())
+        issues.push_back({Severity::Error, "sigma", "must hold at least the UAV's entry"});
+    for (std::size_t i = 0; i < problem.sigma_m2.size(); ++i) {
+        const double sigma_m2 = problem.sigma_m2[i];
+        if (!(std::isfinite(sigma_m2) && sigma_m2 >= 0))
+            issues.push_back({Severity::Error, at("sigma", static_cast<Eigen::Index>(i)),
+                              "must be a finite number of at least 0"});
+        else if (i == 0 && sigma_m2 != 0)
+            issues.push_back({Severity::Error, "sigma[0]", "is the UAV's and must be 0"});
+    }
+    validateDistances(problem, issues);
+    if (!(std::isfinite(problem.mu) && problem.mu >= 0))
+        issues.push_back({Severity::Error, "mu", "must be a finite number of at least 0"});
+    return issues;
+}
+
+} // namespace berg
