@@ -1,0 +1,141 @@
+#include "core/scenario/checks.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+
+namespace berg {
+
+namespace {
+
+/** Value of `count` digits at `from`, -1 when one of them is no digit. */
+int digits(std::string_view text, std::size_t from, std::size_t count)
+{
+    int value = 0;
+    for (const char c : text.substr(from, count)) {
+        if (c < '0' || c > '9')
+            return -1;
+        value = value * 10 + (c - '0');
+    }
+    return value;
+}
+
+/** Number of continuation bytes and smallest code point that a UTF-8 lead byte announces. */
+struct Utf8Lead
+{
+    std::size_t following = 0;
+    std::uint32_t bits = 0;     ///< payload of the lead byte
+    std::uint32_t smallest = 0; ///< a smaller code point would be an overlong form
+};
+
+bool readLead(unsigned char byte, Utf8Lead& lead)
+{
+    if (byte < 0x80U)
+        lead = {.following = 0, .bits = byte, .smallest = 0};
+    else if ((byte & 0xE0U) == 0xC0U)
+        lead = {.following = 1, .bits = byte & 0x1FU, .smallest = 0x80};
+    else if ((byte & 0xF0U) == 0xE0U)
+        lead = {.following = 2, .bits = byte & 0x0FU, .smallest = 0x800};
+    else if ((byte & 0xF8U) == 0xF0U)
+        lead = {.following = 3, .bits = byte & 0x07U, .smallest = 0x10000};
+    else
+        return false;
+    return true;
+}
+
+} // namespace
+
+std::string shortText(double value)
+{
+    std::array<char, 32> buffer{};
+    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+std::string limitsFault(double value, const Limits& limits)
+{
+    const bool lowOk = limits.above ? value > limits.low : value >= limits.low;
+    if (lowOk && value <= limits.high)
+        return {};
+    if (!std::isfinite(value))
+        return "must be a finite number";
+    if (limits.above)
+        return "must be above " + shortText(limits.low) + " and at most " + shortText(limits.high) +
+               ", not " + shortText(value);
+    return "must be from " + shortText(limits.low) + " to " + shortText(limits.high) + ", not " +
+           shortText(value);
+}
+
+std::string printable(std::string_view text)
+{
+    constexpr std::size_t kLongest = 40;
+    std::size_t end = std::min(text.size(), kLongest);
+    // Never cut inside a character.
+    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+        --end;
+    std::string shown(text.substr(0, end));
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F)
+            c = '?';
+    return end < text.size() ? shown + "..." : shown;
+}
+
+bool isUtf8(std::string_view text)
+{
+    Utf8Lead lead;
+    for (std::size_t i = 0; i < text.size(); i += lead.following + 1) {
+        if (!readLead(static_cast<unsigned char>(text[i]), lead) ||
+            text.size() - i <= lead.following)
+            return false;
+        std::uint32_t code = lead.bits;
+        for (std::size_t k = 1; k <= lead.following; ++k) {
+            const auto byte = static_cast<unsigned char>(text[i + k]);
+            if ((byte & 0xC0U) != 0x80U)
+                return false;
+            code = (code << 6U) | (byte & 0x3FU);
+        }
+        const bool surrogate = code >= 0xD800U && code <= 0xDFFFU;
+        if (code < lead.smallest || surrogate || code > 0x10FFFFU)
+            return false;
+    }
+    return true;
+}
+
+bool isUtcTime(std::string_view text)
+{
+    // YYYY-MM-DDThh:mm:ss, then an optional fraction, then Z.
+    constexpr std::string_view kPattern = "dddd-dd-ddTdd:dd:dd";
+    constexpr std::size_t kMostFractionDigits = 9;
+    const std::size_t length = kPattern.size();
+    constexpr std::size_t kWithoutSeconds = 17;
+    if (text.size() == kWithoutSeconds && text.back() == 'Z')
+        return isUtcTime(std::string(text.substr(0, kWithoutSeconds - 1)) + ":00Z");
+    if (text.size() <= length || text.back() != 'Z')
+        return false;
+    for (std::size_t i = 0; i < length; ++i)
+        if (kPattern[i] != 'd' && text[i] != kPattern[i])
+            return false;
+    const std::string_view fraction = text.substr(length, text.size() - length - 1);
+    if (!fraction.empty() &&
+        (fraction[0] != '.' || fraction.size() < 2 || fraction.size() > kMostFractionDigits + 1 ||
+         digits(fraction, 1, fraction.size() - 1) < 0))
+        return false;
+
+    const int year = digits(text, 0, 4);
+    const int month = digits(text, 5, 2);
+    const int day = digits(text, 8, 2);
+    const int hour = digits(text, 11, 2);
+    const int minute = digits(text, 14, 2);
+    const int second = digits(text, 17, 2);
+    if (std::min({year, month, day, hour, minute, second}) < 0)
+        return false;
+    const std::chrono::year_month_day date{std::chrono::year(year),
+                                           std::chrono::month(static_cast<unsigned>(month)),
+                                           std::chrono::day(static_cast<unsigned>(day))};
+    return date.ok() && hour <= 23 && minute <= 59 && second <= 59;
+}
+
+} // namespace berg

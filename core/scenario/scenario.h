@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/base/geodesy.h"
+#include "core/plan/policy.h"
+#include "core/tracking/observer.h"
+#include "core/vehicle/dubins.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berg {
+
+// Everything a user can set, as plain values. Angles are kept in the degrees the user typed (and
+// the file holds), so that saving never changes a number; the simulation converts.
+// `extraJson` keeps members of the file that this version does not know: the text of a JSON
+// object, empty when there are none; they are written back unchanged.
+
+struct Uav
+{
+    std::string id;
+    std::string name;
+    Point position_m = Point::Zero();
+    double heading_deg = 45; ///< clockwise from north
+    UavSpec spec;
+    Point fov_m = Point(600, 600); ///< field of view along and across the heading
+    std::string extraJson;
+    bool operator==(const Uav&) const = default;
+};
+
+struct Iceberg
+{
+    std::string id;
+    std::string name;
+    Point position_m = Point::Zero();   ///< estimate at t = 0, and truth in the simple model
+    Point velocity_mps = Point::Zero(); ///< known part
+    double q_m2ps = 0.025;
+    double sigma0_m2 = 5;
+    double observed_s = 0; ///< age of the last observation at t = 0: adds q x age to sigma0
+    double appears_s = 0;
+    double radius_m = 50;
+    std::string extraJson;
+    bool operator==(const Iceberg&) const = default;
+};
+
+/** Platform or ship to protect; its effect on priorities is not part of this version. */
+struct Asset
+{
+    std::string name;
+    Point position_m = Point::Zero();
+    Point velocity_mps = Point::Zero();
+    double range_m = 10000;
+    double gain = 5;
+    std::string extraJson;
+    bool operator==(const Asset&) const = default;
+};
+
+struct Scenario
+{
+    std::string name;
+    std::string notes;
+    LatLon origin{47, -48};
+    std::string startUtc; ///< ISO 8601 with Z; empty: times are relative
+    double duration_s = 1000;
+    std::int64_t seed = 1;
+    double dt_s = 0.1;
+    bool noise = true;
+    Point wind_mps = Point::Zero();
+    Point current_mps = Point::Zero(); ///< carries every iceberg in addition to its own velocity
+    std::vector<Point> area_m;         ///< empty: unbounded
+    std::vector<Uav> uavs;
+    std::vector<Iceberg> icebergs;
+    std::optional<Asset> asset;
+    PlannerSettings planner;
+    std::optional<double> reachRadius_m; ///< file: planner.reach_radius_m; none: reached in view
+    FovShape fovShape = FovShape::Body;  ///< file: planner.fov_shape
+    std::string plannerExtraJson;
+    std::string originExtraJson;
+    std::string extraJson;
+    bool operator==(const Scenario&) const = default;
+};
+
+/** Largest |coordinate| and |velocity component| a scenario may hold. */
+inline constexpr double kLargestCoordinate_m = 1e6;
+inline constexpr double kLargestVelocity_mps = 5;
+
+/** sigma at t = 0: sigma0 plus growth since the last observation. */
+[[nodiscard]] double initialSigma_m2(const Iceberg& iceberg);
+
+} // namespace berg

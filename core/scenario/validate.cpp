@@ -1,0 +1,288 @@
+#include "core/scenario/validate.h"
+
+#include "core/plan/names.h"
+#include "core/scenario/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace berg {
+
+namespace {
+
+constexpr double kLargestDuration_s = 604800;
+constexpr double kSmallestTimeStep_s = 0.01;
+constexpr double kLargestTimeStep_s = 1;
+constexpr std::int64_t kLargestSeed = std::int64_t{1} << 53;
+constexpr double kSmallestBank_deg = 1;
+constexpr double kLargestBank_deg = 80;
+constexpr double kLargestTau = 100;
+/** Part of the airspeed above which wind makes flight times grow without much warning. */
+constexpr double kStrongWind = 0.7;
+
+// Where the file format sets no upper limit, these keep every sum of a run finite.
+constexpr double kLargestLength_m = 1e6;
+constexpr double kLargestAirspeed_mps = 1000;
+constexpr double kLargestAssetSpeed_mps = 50;
+constexpr double kLargestTime_s = 1e9;
+constexpr double kLargestGrowth_m2ps = 1e6;
+constexpr double kLargestSigma_m2 = 1e12;
+constexpr double kLargestGain = 1e6;
+
+std::string at(const std::string& list, std::size_t i)
+{
+    return list + '[' + std::to_string(i) + ']';
+}
+
+/** Gathers the findings; the checks below call it field by field. */
+class Findings
+{
+public:
+    void error(std::string field, std::string message)
+    {
+        m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
+    }
+    void warn(std::string field, std::string message)
+    {
+        m_issues.push_back({Severity::Warning, std::move(field), std::move(message)});
+    }
+    void hint(std::string field, std::string message)
+    {
+        m_issues.push_back({Severity::Hint, std::move(field), std::move(message)});
+    }
+
+    /** False, with an error noted, when the number is not in the limits (NaN never is). */
+    bool inRange(double value, const Limits& limits, const std::string& field)
+    {
+        std::string fault = limitsFault(value, limits);
+        if (fault.empty())
+            return true;
+        error(field, std::move(fault));
+        return false;
+    }
+
+    bool inRange(const Point& value, const Limits& limits, const std::string& field)
+    {
+        const bool first = inRange(value.x(), limits, at(field, 0));
+        return inRange(value.y(), limits, at(field, 1)) && first;
+    }
+
+    void utf8(const std::string& text, const std::string& field)
+    {
+        if (!isUtf8(text))
+            error(field, "must be UTF-8 text");
+    }
+
+    [[nodiscard]] std::vector<Issue> take() { return std::move(m_issues); }
+
+private:
+    std::vector<Issue> m_issues;
+};
+
+constexpr Limits kCoordinate_m{.low = -kLargestCoordinate_m, .high = kLargestCoordinate_m};
+constexpr Limits kVelocity_mps{.low = -kLargestVelocity_mps, .high = kLargestVelocity_mps};
+constexpr Limits kExtent_m{.low = 0, .high = kLargestLength_m, .above = true};
+
+void checkRun(const Scenario& s, Findings& findings)
+{
+    findings.utf8(s.name, "name");
+    findings.utf8(s.notes, "notes");
+    findings.inRange(s.origin.latitude_deg, {.low = -90, .high = 90}, "origin.latitude_deg");
+    findings.inRange(s.origin.longitude_deg, {.low = -180, .high = 180}, "origin.longitude_deg");
+    if (!s.startUtc.empty() && !isUtcTime(s.startUtc))
+        findings.error("start_utc", "must be a UTC date and time such as 2024-05-01T06:00:00Z");
+    const bool duration = findings.inRange(
+        s.duration_s, {.low = 0, .high = kLargestDuration_s, .above = true}, "duration_s");
+    const bool dt =
+        findings.inRange(s.dt_s, {.low = kSmallestTimeStep_s, .high = kLargestTimeStep_s}, "dt_s");
+    if (duration && dt && s.dt_s > s.duration_s)
+        findings.error("dt_s", "must not be longer than duration_s");
+    if (s.seed < 0 || s.seed > kLargestSeed)
+        findings.error("seed", "must be from 0 to " + std::to_string(kLargestSeed) + ", not " +
+                                   std::to_string(s.seed));
+}
+
+void checkArea(const Scenario& s, Findings& findings)
+{
+    if (s.area_m.empty())
+        return;
+    if (s.area_m.size() < 3 || s.area_m.size() > kMostAreaCorners) {
+        findings.error("area_m", "must have from 3 to " + std::to_string(kMostAreaCorners) +
+                                     " corners, not " + std::to_string(s.area_m.size()));
+        return;
+    }
+    bool finite = true;
+    for (std::size_t i = 0; i < s.area_m.size(); ++i)
+        finite = findings.inRange(s.area_m[i], kCoordinate_m, at("area_m", i)) && finite;
+    if (finite && !isSimplePolygon(s.area_m))
+        findings.error("area_m", "must be a polygon that neither touches nor crosses itself");
+    findings.warn("area_m", "kept, but not used by this version");
+}
+
+/** An id must be there, readable and unique over UAVs and icebergs together. */
+void checkId(const std::string& id, const std::string& owner,
+             std::map<std::string, std::string>& ownerOfId, Findings& findings)
+{
+    findings.utf8(id, owner + ".id");
+    if (id.empty())
+        findings.error(owner + ".id", "must not be empty");
+    if (id.empty() || !isUtf8(id))
+        return;
+    const auto [it, isNew] = ownerOfId.try_emplace(id, owner);
+    if (!isNew)
+        findings.error(owner + ".id",
+                       '"' + printable(id) + "\" is the id of " + it->second + " already");
+}
+
+void checkUav(const Uav& uav, const std::string& path, Findings& findings)
+{
+    findings.utf8(uav.name, path + ".name");
+    findings.inRange(uav.position_m, kCoordinate_m, path + ".position_m");
+    if (!std::isfinite(uav.heading_deg))
+        findings.error(path + ".heading_deg", "must be a finite number");
+    findings.inRange(uav.spec.airspeed_mps, {.low = 0, .high = kLargestAirspeed_mps, .above = true},
+                     path + ".airspeed_mps");
+    findings.inRange(uav.spec.maxBank_deg, {.low = kSmallestBank_deg, .high = kLargestBank_deg},
+                     path + ".max_bank_deg");
+    findings.inRange(uav.fov_m, kExtent_m, path + ".fov_m");
+    findings.inRange(uav.spec.altitude_m, kExtent_m, path + ".altitude_m");
+    // In memory 0 stands for "none"; a file leaves the member out instead.
+    if (findings.inRange(uav.spec.endurance_s, {.low = 0, .high = kLargestTime_s},
+                         path + ".endurance_s") &&
+        uav.spec.endurance_s > 0)
+        findings.warn(path + ".endurance_s", "kept, but not used by this version");
+}
+
+void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId, Findings& findings)
+{
+    if (s.uavs.empty() || s.uavs.size() > kMostUavs) {
+        findings.error("uavs", "must hold from 1 to " + std::to_string(kMostUavs) + " UAVs, not " +
+                                   std::to_string(s.uavs.size()));
+        return;
+    }
+    for (std::size_t i = 0; i < s.uavs.size(); ++i) {
+        const std::string path = at("uavs", i);
+        checkId(s.uavs[i].id, path, ownerOfId, findings);
+        checkUav(s.uavs[i], path, findings);
+    }
+    if (s.uavs.size() > 1)
+        findings.warn("uavs[1]", "kept, but this version flies the first UAV only");
+}
+
+void checkIceberg(const Iceberg& iceberg, const std::string& path, Findings& findings)
+{
+    findings.utf8(iceberg.name, path + ".name");
+    findings.inRange(iceberg.position_m, kCoordinate_m, path + ".position_m");
+    findings.inRange(iceberg.velocity_mps, kVelocity_mps, path + ".velocity_mps");
+    findings.inRange(iceberg.q_m2ps, {.low = 0, .high = kLargestGrowth_m2ps}, path + ".q_m2ps");
+    findings.inRange(iceberg.sigma0_m2, {.low = 0, .high = kLargestSigma_m2}, path + ".sigma0_m2");
+    findings.inRange(iceberg.observed_s, {.low = 0, .high = kLargestTime_s}, path + ".observed_s");
+    findings.inRange(iceberg.appears_s, {.low = 0, .high = kLargestTime_s}, path + ".appears_s");
+    findings.inRange(iceberg.radius_m, {.low = 0, .high = kLargestLength_m}, path + ".radius_m");
+}
+
+void checkIcebergs(const Scenario& s, std::map<std::string, std::string>& ownerOfId,
+                   Findings& findings)
+{
+    if (s.icebergs.size() > kMostIcebergs) {
+        findings.error("icebergs", "must hold at most " + std::to_string(kMostIcebergs) +
+                                       " icebergs, not " + std::to_string(s.icebergs.size()));
+        return;
+    }
+    if (s.icebergs.empty())
+        findings.hint("icebergs", "none yet, so there is nothing to plan");
+    for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
+        const Iceberg& iceberg = s.icebergs[i];
+        const std::string path = at("icebergs", i);
+        checkId(iceberg.id, path, ownerOfId, findings);
+        checkIceberg(iceberg, path, findings);
+        if (iceberg.appears_s > s.duration_s && std::isfinite(iceberg.appears_s))
+            findings.hint(path + ".appears_s", "is after the end of the run");
+    }
+}
+
+/** The slowest UAV whose airspeed is valid; null when there is none. */
+const Uav* slowestUav(const Scenario& s)
+{
+    const Uav* slowest = nullptr;
+    for (const Uav& uav : s.uavs)
+        if (uav.spec.airspeed_mps > 0 &&
+            (slowest == nullptr || uav.spec.airspeed_mps < slowest->spec.airspeed_mps))
+            slowest = &uav;
+    return slowest;
+}
+
+/** Wind and current: what the UAV can still make way against, and follow. */
+void checkDrift(const Scenario& s, Findings& findings)
+{
+    const bool current = findings.inRange(s.current_mps, kVelocity_mps, "current_mps");
+    if (!s.wind_mps.allFinite()) {
+        findings.error("wind_mps", "must be two finite numbers");
+        return;
+    }
+    const Uav* slowest = slowestUav(s);
+    if (slowest == nullptr)
+        return;
+    const double airspeed_mps = slowest->spec.airspeed_mps;
+    const double wind_mps = s.wind_mps.norm();
+    const std::string speeds = "wind of " + shortText(wind_mps) + " m/s, airspeed of " +
+                               printable(slowest->id) + " " + shortText(airspeed_mps) + " m/s";
+    if (!(wind_mps < airspeed_mps)) {
+        findings.error("wind_mps", "must be slower than the UAV flies: " + speeds);
+        return;
+    }
+    if (wind_mps >= kStrongWind * airspeed_mps)
+        findings.warn("wind_mps", "the UAV will make little way against it: " + speeds);
+    if (!current || s.icebergs.size() > kMostIcebergs)
+        return;
+    for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
+        const Point drift_mps = s.icebergs[i].velocity_mps + s.current_mps;
+        if ((s.wind_mps - drift_mps).norm() >= airspeed_mps)
+            findings.warn(at("icebergs", i) + ".velocity_mps",
+                          "drifts so fast that the UAV may not catch up with it");
+    }
+}
+
+void checkAsset(const Scenario& s, Findings& findings)
+{
+    if (!s.asset)
+        return;
+    findings.utf8(s.asset->name, "asset.name");
+    findings.inRange(s.asset->position_m, kCoordinate_m, "asset.position_m");
+    findings.inRange(s.asset->velocity_mps,
+                     {.low = -kLargestAssetSpeed_mps, .high = kLargestAssetSpeed_mps},
+                     "asset.velocity_mps");
+    findings.inRange(s.asset->range_m, kExtent_m, "asset.range_m");
+    findings.inRange(s.asset->gain, {.low = 0, .high = kLargestGain}, "asset.gain");
+    findings.warn("asset", "kept, but not used by this version");
+}
+
+void checkPlanner(const Scenario& s, Findings& findings)
+{
+    findings.inRange(s.planner.tau, {.low = 0, .high = kLargestTau}, "planner.tau");
+    if (s.reachRadius_m)
+        findings.inRange(*s.reachRadius_m, kExtent_m, "planner.reach_radius_m");
+    const PolicyKind policy = s.planner.policy;
+    if (policy == PolicyKind::Latency || policy == PolicyKind::Coverage)
+        findings.warn("planner.policy",
+                      nameOf(kPolicyNames, policy) + " is kept, but not flown by this version");
+}
+
+} // namespace
+
+std::vector<Issue> validate(const Scenario& scenario)
+{
+    Findings findings;
+    std::map<std::string, std::string> ownerOfId;
+    checkRun(scenario, findings);
+    checkArea(scenario, findings);
+    checkUavs(scenario, ownerOfId, findings);
+    checkIcebergs(scenario, ownerOfId, findings);
+    checkDrift(scenario, findings);
+    checkAsset(scenario, findings);
+    checkPlanner(scenario, findings);
+    return findings.take();
+}
+
+} // namespace berg

@@ -1,0 +1,182 @@
+#include "core/sim/mission.h"
+
+#include "core/plan/names.h"
+#include "core/scenario/validate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+const Scenario& checked(const Scenario& scenario)
+{
+    std::vector<Issue> issues = validate(scenario);
+    std::erase_if(issues, [](const Issue& i) { return i.severity != Severity::Error; });
+    if (!issues.empty())
+        throw Error(ErrorCode::InvalidInput, scenario.name, std::move(issues));
+    return scenario;
+}
+
+/** What the log keeps of an answer; time and reason are the caller's. */
+PlanEvent planEvent(const PlanAnswer& answer)
+{
+    const SolveOutcome& outcome = answer.outcome;
+    PlanEvent event{.target = answer.order.empty() ? -1 : answer.order.front(),
+                    .order = answer.order,
+                    .status = outcome.status,
+                    .stop = outcome.reason,
+                    .backend = outcome.backend,
+                    .mu = answer.problem.mu,
+                    .objective = outcome.objective,
+                    .bound = outcome.bound,
+                    .elapsed_s = outcome.elapsed_s,
+                    .warmStarted = outcome.hintUsed,
+                    .fellBack = answer.fellBack};
+    if (!outcome.order.empty())
+        event.distance_m = flownDistance(answer.problem, outcome.order);
+    if (outcome.bound && outcome.status != SolveStatus::None)
+        event.gap = relativeGap(answer.problem, outcome.objective, *outcome.bound);
+    return event;
+}
+
+} // namespace
+
+Mission::Mission(const Scenario& scenario, const MissionOptions& options,
+                 std::unique_ptr<TvpSolver> solver)
+    : m_scenario(checked(scenario))
+    , m_options(options)
+    , m_icebergs(scenario.icebergs)
+    , m_simulation(scenario)
+    , m_planner(scenario.planner, std::move(solver))
+    , m_recorder(options.sampleInterval_s, options.keyframeInterval_s, scenario.dt_s)
+{
+    if (m_options.record)
+        m_recorder.record(m_simulation);
+}
+
+AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
+                               const std::function<void(double)>& onProgress)
+{
+    const double dt_s = m_simulation.dt_s();
+    const std::int64_t untilStep = std::llround(until_s / dt_s);
+    const std::int64_t second = std::max<std::int64_t>(1, std::llround(1 / dt_s));
+    while (!m_simulation.finished()) {
+        if (stop.stop_requested())
+            return AdvanceStatus::Cancelled;
+        if (m_simulation.planReason() != PlanReason::None && !planNow(stop))
+            return AdvanceStatus::Cancelled;
+        if (m_simulation.state().step >= untilStep)
+            return AdvanceStatus::Reached;
+        m_simulation.advanceStep();
+        noteStep();
+        if (m_options.record)
+            m_recorder.record(m_simulation);
+        if (onProgress && m_simulation.state().step % second == 0)
+            onProgress(m_simulation.time_s());
+    }
+    return AdvanceStatus::Finished;
+}
+
+bool Mission::planNow(const std::stop_token& stop)
+{
+    SolveOptions options;
+    options.timeLimit_s = m_options.timeLimit_s;
+    options.workLimit = m_options.workLimit;
+    options.gap = m_options.gap;
+    options.stop = stop;
+    if (m_incumbentListener)
+        options.onProgress = [this](const SolveProgress& progress) { tellIncumbent(progress); };
+    const PlanRequest request = m_simulation.planRequest();
+    const PlanAnswer answer = m_planner.plan(request, options, m_options.warmStart);
+    if (answer.outcome.reason == StopReason::Cancelled)
+        return false;
+
+    PlanEvent event = planEvent(answer);
+    event.time_s = m_simulation.time_s();
+    event.reason = m_simulation.planReason();
+    m_simulation.setTarget(event.target);
+    note(EventKind::Planned, event.target, answer.fellBack ? "last plan kept" : event.backend);
+    m_plans.push_back(std::move(event));
+    return true;
+}
+
+void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listener)
+{
+    m_incumbentListener = std::move(listener);
+}
+
+void Mission::tellIncumbent(const SolveProgress& progress)
+{
+    if (progress.order.empty())
+        return;
+    m_incumbentListener({.time_s = m_simulation.time_s(),
+                         .reason = m_simulation.planReason(),
+                         .target = progress.order.front(),
+                         .order = progress.order,
+                         .status = SolveStatus::Feasible,
+                         .objective = progress.objective,
+                         .bound = progress.bound,
+                         .elapsed_s = progress.elapsed_s});
+}
+
+void Mission::note(EventKind kind, int iceberg, std::string detail)
+{
+    if (m_options.record)
+        m_events.push_back({m_simulation.time_s(), kind, iceberg, std::move(detail)});
+}
+
+void Mission::noteStep()
+{
+    for (const int iceberg : m_simulation.newlyAppeared())
+        note(EventKind::Appeared, iceberg, {});
+    for (const int iceberg : m_simulation.newlySeen())
+        note(EventKind::Sighted, iceberg, {});
+    if (m_simulation.planReason() == PlanReason::TargetReached) {
+        ++m_visits;
+        note(EventKind::Reached, m_simulation.state().target, {});
+    }
+}
+
+void Mission::intervene(Intervention intervention)
+{
+    PlannerSettings settings = m_planner.settings();
+    settings.tau = intervention.tau.value_or(settings.tau);
+    settings.policy = intervention.policy.value_or(settings.policy);
+    Scenario after = m_scenario;
+    after.planner = settings;
+    after.icebergs = m_icebergs;
+    if (intervention.appears)
+        after.icebergs.push_back(*intervention.appears);
+    checked(after);
+
+    m_planner.setSettings(settings);
+    intervention.time_s = m_simulation.time_s();
+    if (intervention.tau || intervention.policy) {
+        m_simulation.requestPlan();
+        note(EventKind::Intervention, -1, nameOf(kPolicyNames, settings.policy));
+    }
+    if (intervention.appears) {
+        m_icebergs.push_back(*intervention.appears);
+        m_simulation.addIceberg(*intervention.appears);
+        note(EventKind::Appeared, m_simulation.icebergCount() - 1, {});
+    }
+    m_interventions.push_back(std::move(intervention));
+}
+
+Metrics Mission::metrics() const
+{
+    return {.zeta_m2s = m_simulation.state().zeta_m2s,
+            .visits = m_visits,
+            .replans = static_cast<int>(m_plans.size()),
+            .flown_m = m_simulation.state().flown_m};
+}
+
+PlanAnswer planFromStart(const Scenario& scenario, const SolveOptions& options)
+{
+    const PlanRequest request = Simulation(checked(scenario)).planRequest();
+    return Planner(scenario.planner).plan(request, options);
+}
+
+} // namespace berg

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "core/plan/planner.h"
+#include "core/sim/recorder.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+namespace berg {
+
+/** How a mission is flown beyond what the scenario says. */
+struct MissionOptions
+{
+    std::optional<std::int64_t> workLimit; ///< of each solve; the run stays repeatable
+    std::optional<double> timeLimit_s;     ///< of each solve; the run may not repeat
+    double gap = 0;                        ///< relative gap at which a solve may stop
+    bool warmStart = true;
+    bool record = true;          ///< keep samples and keyframes
+    double sampleInterval_s = 1;
+    double keyframeInterval_s = 60;
+    bool operator==(const MissionOptions&) const = default;
+};
+
+/** A change made in flight, replayed from the run file. Empty members change nothing. */
+struct Intervention
+{
+    double time_s = 0;
+    std::optional<double> tau;
+    std::optional<PolicyKind> policy;
+    std::optional<Iceberg> appears; ///< a new iceberg, here and now
+    bool operator==(const Intervention&) const = default;
+};
+
+/** The numbers a run is judged by. */
+struct Metrics
+{
+    double zeta_m2s = 0; ///< Eq. (24)
+    int visits = 0;      ///< targets reached
+    int replans = 0;     ///< plans made, the first included
+    double flown_m = 0;  ///< through the air
+    bool operator==(const Metrics&) const = default;
+};
+
+enum class AdvanceStatus { Reached, Finished, Cancelled };
+
+/**
+ * The closed loop: `Simulation` and `Planner`. The result depends on scenario, options and
+ * interventions only, not on how the time is sliced. Simulated time stands still during a solve.
+ * Used by one thread at a time.
+ */
+class Mission
+{
+public:
+    /**
+     * Throws `Error{InvalidInput}` when `validate(scenario)` finds errors and `Error{Unsupported}`
+     * for policies and back ends this build lacks. `solver` replaces the scenario's back end.
+     */
+    explicit Mission(const Scenario& scenario, const MissionOptions& options = {},
+                     std::unique_ptr<TvpSolver> solver = nullptr);
+
+    /**
+     * Flies until `until_s` (rounded to a step) or the end of the run. `onProgress(time_s)` is
+     * called about once per simulated second. After Cancelled the same call carries on unchanged.
+     */
+    AdvanceStatus advance(double until_s, const std::stop_token& stop = {},
+                          const std::function<void(double)>& onProgress = {});
+
+    /** Told of each better order while a solve runs, on the flying thread; `status` is Feasible. */
+    void setIncumbentListener(std::function<void(const PlanEvent&)> listener);
+
+    /** Applies the change now; its `time_s` is set to the present time. Throws as the constructor. */
+    void intervene(Intervention intervention);
+
+    [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
+    [[nodiscard]] const MissionOptions& options() const { return m_options; }
+    [[nodiscard]] const Simulation& simulation() const { return m_simulation; }
+    /** In force now, interventions applied. */
+    [[nodiscard]] const PlannerSettings& plannerSettings() const { return m_planner.settings(); }
+    [[nodiscard]] Metrics metrics() const;
+    [[nodiscard]] const Recorder& recorder() const { return m_recorder; }
+    [[nodiscard]] const std::vector<PlanEvent>& plans() const { return m_plans; }
+    [[nodiscard]] const std::vector<MissionEvent>& events() const { return m_events; }
+    [[nodiscard]] const std::vector<Intervention>& interventions() const { return m_interventions; }
+    /** Icebergs of the scenario and those added in flight, by index. */
+    [[nodiscard]] const std::vector<Iceberg>& icebergs() const { return m_icebergs; }
+
+private:
+    [[nodiscard]] bool planNow(const std::stop_token& stop);
+    void tellIncumbent(const SolveProgress& progress);
+    void note(EventKind kind, int iceberg, std::string detail);
+    void noteStep();
+
+    Scenario m_scenario;
+    MissionOptions m_options;
+    std::vector<Iceberg> m_icebergs;
+    Simulation m_simulation;
+    Planner m_planner;
+    Recorder m_recorder;
+    std::vector<PlanEvent> m_plans;
+    std::vector<MissionEvent> m_events;
+    std::vector<Intervention> m_interventions;
+    std::function<void(const PlanEvent&)> m_incumbentListener;
+    int m_visits = 0;
+};
+
+/** The plan a scenario starts with, ids = iceberg indices: what `Mission` flies at t = 0. */
+[[nodiscard]] PlanAnswer planFromStart(const Scenario& scenario, const SolveOptions& options = {});
+
+} // namespace berg

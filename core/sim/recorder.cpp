@@ -1,0 +1,56 @@
+#include "core/sim/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+std::int64_t stepsOf(double interval_s, double dt_s)
+{
+    return std::max<std::int64_t>(1, std::llround(interval_s / dt_s));
+}
+
+} // namespace
+
+Recorder::Recorder(double interval_s, double keyframe_s, double dt_s)
+    : m_sampleSteps(stepsOf(interval_s, dt_s))
+    , m_keyframeSteps(stepsOf(keyframe_s, dt_s))
+{
+}
+
+void Recorder::record(const Simulation& simulation)
+{
+    const WorldState& state = simulation.state();
+    const bool last = simulation.finished();
+    if (last || state.step % m_keyframeSteps == 0)
+        m_keyframes.push_back(state);
+    if (!last && state.step % m_sampleSteps != 0)
+        return;
+    m_samples.push_back({.time_s = simulation.time_s(),
+                         .uav = state.uav,
+                         .u_radps = state.u_radps,
+                         .crossTrack_m = state.crossTrack_m,
+                         .sigmaSum_m2 = state.sigmaSum_m2,
+                         .zeta_m2s = state.zeta_m2s,
+                         .flown_m = state.flown_m,
+                         .target = state.target});
+    m_rowStart.push_back(m_icebergs.size());
+    for (int i = 0; i < simulation.icebergCount(); ++i) {
+        const Track& track = simulation.track(i);
+        m_icebergs.push_back({.sigma_m2 = track.sigma_m2,
+                              .truth_m = simulation.truth_m(i),
+                              .inView = track.inView,
+                              .active = simulation.active(i)});
+    }
+}
+
+std::span<const IcebergSample> Recorder::icebergs(std::size_t row) const
+{
+    const std::size_t begin = m_rowStart.at(row);
+    const std::size_t end = row + 1 < m_rowStart.size() ? m_rowStart[row + 1] : m_icebergs.size();
+    return {m_icebergs.data() + begin, end - begin};
+}
+
+} // namespace berg

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/sim/simulation.h"
+
+#include <string>
+#include <vector>
+
+namespace berg {
+
+/** One re-planning, with what the solver said. */
+struct PlanEvent
+{
+    double time_s = 0;
+    PlanReason reason = PlanReason::None;
+    int target = -1;         ///< index of the iceberg flown to; -1: circling
+    std::vector<int> order;  ///< iceberg indices
+    SolveStatus status = SolveStatus::None;
+    StopReason stop = StopReason::Finished;
+    std::string backend;
+    double mu = 0;
+    double objective = 0;
+    std::optional<double> bound;
+    std::optional<double> gap; ///< relative
+    double distance_m = 0;
+    double elapsed_s = 0; ///< of the solve; the one thing that differs between equal runs
+    bool warmStarted = false;
+    bool fellBack = false;
+};
+
+enum class EventKind { Planned, Reached, Sighted, Appeared, Intervention };
+
+/** One line of the event log. */
+struct MissionEvent
+{
+    double time_s = 0;
+    EventKind kind = EventKind::Planned;
+    int iceberg = -1;   ///< index; -1: none
+    std::string detail; ///< English, for the log file
+};
+
+/** UAV and totals at one instant. */
+struct Sample
+{
+    double time_s = 0;
+    DubinsState uav;
+    double u_radps = 0;
+    double crossTrack_m = 0;
+    double sigmaSum_m2 = 0;
+    double zeta_m2s = 0;
+    double flown_m = 0;
+    int target = -1;
+};
+
+/** One iceberg at the instant of a sample. */
+struct IcebergSample
+{
+    double sigma_m2 = 0;
+    Point truth_m = Point::Zero();
+    bool inView = false;
+    bool active = true; ///< false until it appears
+};
+
+/**
+ * History of a mission: samples at a fixed interval (and at the last step), the state of every
+ * iceberg at each of them, keyframes. Row `i` of icebergs belongs to sample `i`; an iceberg added
+ * in flight has no entry in the rows before.
+ */
+class Recorder
+{
+public:
+    /** `interval_s` between samples, `keyframe_s` between keyframes; both rounded to steps. */
+    Recorder(double interval_s, double keyframe_s, double dt_s);
+
+    /** To be called at time 0 and after every step; keeps what is due. */
+    void record(const Simulation& simulation);
+
+    [[nodiscard]] const std::vector<Sample>& samples() const { return m_samples; }
+    /** Icebergs at sample `row`, by index. */
+    [[nodiscard]] std::span<const IcebergSample> icebergs(std::size_t row) const;
+    [[nodiscard]] const std::vector<WorldState>& keyframes() const { return m_keyframes; }
+
+private:
+    std::int64_t m_sampleSteps;
+    std::int64_t m_keyframeSteps;
+    std::vector<Sample> m_samples;
+    std::vector<IcebergSample> m_icebergs;
+    std::vector<std::size_t> m_rowStart;
+    std::vector<WorldState> m_keyframes;
+};
+
+} // namespace berg

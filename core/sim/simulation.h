@@ -1,0 +1,130 @@
+#pragma once
+
+#include "core/scenario/scenario.h"
+#include "core/tracking/drift.h"
+#include "core/vehicle/los_guidance.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace berg {
+
+/** Why a plan is needed at this instant. */
+enum class PlanReason { None, Start, TargetReached, OutOfView, Appeared, Intervention };
+
+/** What the autopilot is doing. */
+enum class FlightMode {
+    Idle,    ///< no iceberg at all: holding
+    Leg,     ///< to the target
+    RunOut,  ///< passed a target too close to turn onto: straight on before turning back
+    Circle   ///< every iceberg in view: round the last one reached
+};
+
+/** Everything that changes while flying: enough to continue from here, bit for bit. */
+struct WorldState
+{
+    std::int64_t step = 0;
+    DubinsState uav;
+    double u_radps = 0;
+    double crossTrack_m = 0;
+    std::vector<Track> tracks; ///< one per iceberg of the scenario, the not yet appeared included
+    double sigmaSum_m2 = 0;
+    double zeta_m2s = 0;
+    double flown_m = 0; ///< through the air
+    FlightMode mode = FlightMode::Idle;
+    int target = -1; ///< index into the icebergs; -1: none
+    int lastReached = -1;
+    LosGuidance guidance;
+    double runOut_m = 0; ///< left to fly straight in mode RunOut
+    int misses = 0;      ///< times the target was passed without reaching it
+    bool operator==(const WorldState&) const = default;
+};
+
+/**
+ * One deterministic world: icebergs, estimates, UAV and autopilot advanced with a fixed time step.
+ * It holds no planner: it says when a plan is needed (`needsPlan`) and is told the next target.
+ * One step, in this order: true drift, estimates, guidance, Dubins step, field of view and sigma
+ * (22)-(23), zeta (24). Flies the first UAV of the scenario. Not thread-safe; copyable, so that
+ * any instant can be kept and continued.
+ */
+class Simulation
+{
+public:
+    /** The scenario must have no errors (`validate`). Time 0: field of view tested, plan needed. */
+    explicit Simulation(const Scenario& scenario);
+
+    [[nodiscard]] double time_s() const { return static_cast<double>(m_state.step) * m_dt_s; }
+    [[nodiscard]] double dt_s() const { return m_dt_s; }
+    [[nodiscard]] std::int64_t lastStep() const { return m_lastStep; }
+    [[nodiscard]] bool finished() const { return m_state.step >= m_lastStep; }
+    [[nodiscard]] const WorldState& state() const { return m_state; }
+
+    [[nodiscard]] int icebergCount() const { return static_cast<int>(m_state.tracks.size()); }
+    /** Whether the iceberg has appeared. */
+    [[nodiscard]] bool active(int iceberg) const;
+    /** Whether it may be planned: active, outside the field of view, not within reach. */
+    [[nodiscard]] bool available(int iceberg) const;
+    [[nodiscard]] Point truth_m(int iceberg) const { return m_truth_m[index(iceberg)]; }
+    [[nodiscard]] Point estimate_m(int iceberg) const;
+    [[nodiscard]] const Track& track(int iceberg) const { return m_state.tracks[index(iceberg)]; }
+
+    /** Why a plan is needed now; None: fly on. */
+    [[nodiscard]] PlanReason planReason() const { return m_planReason; }
+
+    /** Distances over ground (air distances in wind) and sigmas of the active icebergs. */
+    [[nodiscard]] PlanRequest planRequest() const;
+
+    /** Fly to this iceberg from here; -1: none available, circle the last one reached. */
+    void setTarget(int iceberg);
+
+    /** Advances one dt. Must not be called while a plan is needed or when finished. */
+    void advanceStep();
+
+    /** Something changed from outside (tau, policy): a new plan is needed now. */
+    void requestPlan() { m_planReason = PlanReason::Intervention; }
+
+    /** Adds an iceberg that appears now; its index is the new last one. */
+    void addIceberg(const Iceberg& iceberg);
+
+    /** Icebergs that came into view in the last step, by index, ascending. */
+    [[nodiscard]] std::span<const int> newlySeen() const { return m_newlySeen; }
+    /** Icebergs that appeared in the last step. */
+    [[nodiscard]] std::span<const int> newlyAppeared() const { return m_newlyAppeared; }
+
+private:
+    [[nodiscard]] static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] FieldOfView fieldOfView() const;
+    [[nodiscard]] bool withinReach(int iceberg) const;
+    [[nodiscard]] int nearestActive() const;
+    /** `start_s`: when the iceberg is at its `position_m`; `appearsStep`: known from then on. */
+    void insert(const Iceberg& iceberg, double start_s, std::int64_t appearsStep);
+    void observe(double dt_s);
+    [[nodiscard]] double steer();
+    [[nodiscard]] double steerLeg();
+    [[nodiscard]] double steerRunOut();
+    [[nodiscard]] double steerCircle();
+    void updatePlanReason();
+
+    // What the scenario says.
+    Motion m_motion;
+    SensorSpec m_sensor;
+    std::optional<double> m_reachRadius_m;
+    Point m_current_mps;
+    double m_dt_s;
+    std::int64_t m_lastStep;
+    std::uint64_t m_seed;
+    bool m_noise;
+    double m_turnRadius_m;
+    bool m_needsRunOut; ///< reach smaller than the turn radius: see FlightMode::RunOut
+
+    std::vector<DriftModel> m_drift;
+    std::vector<std::int64_t> m_appearsStep;
+    WorldState m_state;
+    std::vector<Point> m_truth_m;
+    std::vector<int> m_newlySeen;
+    std::vector<int> m_newlyAppeared;
+    PlanReason m_planReason = PlanReason::Start;
+};
+
+} // namespace berg
