@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+namespace berg {
+
+/** Mean and spread of a set of numbers. */
+struct Summary
+{
+    int n = 0;
+    double mean = 0;
+    double standardError = 0; ///< of the mean; 0 for n < 2
+    double median = 0;
+    double quartile1 = 0;
+    double quartile3 = 0;
+    double decile1 = 0; ///< 10 %
+    double decile9 = 0; ///< 90 %
+};
+
+/** Quantiles interpolate linearly between order statistics (Hyndman and Fan 1996, type 7). */
+[[nodiscard]] Summary summarise(std::span<const double> values);
+
+/** Quantile of ascending values, `p` in [0, 1]. */
+[[nodiscard]] double quantile(std::span<const double> sorted, double p);
+
+} // namespace berg
