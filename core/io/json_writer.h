@@ -1,0 +1,69 @@
+#pragma once
+
+// Private to core/io: JSON text in the layout and with the numbers our own files have.
+
+#include "core/base/geometry.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace berg {
+
+/** Shortest number that reads back as the same double, in the C locale; `null` when not finite. */
+[[nodiscard]] std::string jsonText(double value);
+[[nodiscard]] std::string jsonText(std::int64_t value);
+[[nodiscard]] std::string jsonText(int value);
+[[nodiscard]] std::string jsonText(bool value);
+/** Quoted and escaped; bytes that are no UTF-8 become U+FFFD. */
+[[nodiscard]] std::string jsonText(std::string_view value);
+[[nodiscard]] std::string jsonText(const std::string& value);
+[[nodiscard]] std::string jsonText(const char* value);
+/** `[east, north]` */
+[[nodiscard]] std::string jsonText(const Point& value);
+
+/** `[a, b, c]` on one line. */
+[[nodiscard]] std::string jsonArray(const std::vector<std::string>& entries);
+/** Each entry on its own line, one blank further in than `indent`. */
+[[nodiscard]] std::string jsonLines(const std::vector<std::string>& entries, int indent);
+
+template <class T>
+[[nodiscard]] std::string jsonArrayOf(const std::vector<T>& values)
+{
+    std::vector<std::string> entries;
+    entries.reserve(values.size());
+    for (const T& value : values)
+        entries.push_back(jsonText(value));
+    return jsonArray(entries);
+}
+
+/** Members of one object in the order they are added. */
+class JsonObject
+{
+public:
+    template <class T>
+    void add(std::string_view name, const T& value)
+    {
+        addText(name, jsonText(value));
+    }
+    template <class T>
+    void addUnless(std::string_view name, const T& value, const T& fallback)
+    {
+        if (!(value == fallback))
+            add(name, value);
+    }
+    /** A value that is JSON text already. */
+    void addText(std::string_view name, const std::string& json);
+    /** The members of an `extraJson` text; empty adds nothing. */
+    void addExtra(const std::string& object);
+
+    [[nodiscard]] std::string inLine() const;
+    /** One member per line, the braces at `indent`. */
+    [[nodiscard]] std::string inLines(int indent) const;
+
+private:
+    std::vector<std::string> m_members;
+};
+
+} // namespace berg

@@ -1,0 +1,148 @@
+#include "core/io/result_csv.h"
+
+#include "core/base/angles.h"
+#include "core/io/export_numbers.h"
+
+#include <stdexcept>
+#include <vector>
+
+namespace berg {
+
+// Lines end in LF: every reader of RFC 4180 takes it, and line tools would keep the CR of CRLF in
+// the last column.
+
+namespace {
+
+/** Room for one row, bytes; only saves reallocation. */
+constexpr std::size_t kRowBytes = 128;
+
+/** Appends `value` and the separator that follows it. */
+void add(std::string& text, double value, char separator)
+{
+    appendNumber(text, value);
+    text += separator;
+}
+
+std::string_view eventName(EventKind kind)
+{
+    switch (kind) {
+    case EventKind::Planned:
+        return "planned";
+    case EventKind::Reached:
+        return "reached";
+    case EventKind::Sighted:
+        return "sighted";
+    case EventKind::Appeared:
+        return "appeared";
+    case EventKind::Intervention:
+        return "intervention";
+    }
+    throw std::logic_error("eventName: unknown kind");
+}
+
+/** Ids of the icebergs as CSV fields, by index. */
+std::vector<std::string> idFields(const Mission& mission)
+{
+    std::vector<std::string> fields;
+    for (const Iceberg& iceberg : mission.icebergs())
+        fields.push_back(csvField(iceberg.id));
+    return fields;
+}
+
+} // namespace
+
+std::string numberText(double value)
+{
+    std::string text;
+    appendNumber(text, value);
+    return text;
+}
+
+std::string csvField(const std::string& text)
+{
+    if (text.find_first_of(",\"\r\n") == std::string::npos)
+        return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"')
+            quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string trajectoryCsv(const Mission& mission)
+{
+    const LocalFrame frame(mission.scenario().origin);
+    const std::string uav = csvField(mission.scenario().uavs.at(0).id) + ',';
+    const std::vector<Sample>& samples = mission.recorder().samples();
+    std::string text = "time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,"
+                       "turn_rate_radps,cross_track_m\n";
+    text.reserve((samples.size() + 1) * kRowBytes);
+    for (const Sample& sample : samples) {
+        const LatLon place = frame.toGeographic(sample.uav.position_m);
+        add(text, sample.time_s, ',');
+        text += uav;
+        add(text, sample.uav.position_m.x(), ',');
+        add(text, sample.uav.position_m.y(), ',');
+        add(text, place.latitude_deg, ',');
+        add(text, place.longitude_deg, ',');
+        add(text, headingFromPsi(sample.uav.psi_rad), ',');
+        add(text, sample.u_radps, ',');
+        add(text, sample.crossTrack_m, '\n');
+    }
+    return text;
+}
+
+std::string sigmaCsv(const Mission& mission)
+{
+    const std::vector<std::string> ids = idFields(mission);
+    const Recorder& recorder = mission.recorder();
+    std::string text = "time_s,iceberg,sigma_m2,east_m,north_m,in_view\n";
+    for (std::size_t row = 0; row < recorder.samples().size(); ++row) {
+        const std::string time = numberText(recorder.samples()[row].time_s) + ',';
+        const std::span<const IcebergSample> icebergs = recorder.icebergs(row);
+        for (std::size_t i = 0; i < icebergs.size(); ++i) {
+            const IcebergSample& iceberg = icebergs[i];
+            if (!iceberg.active)
+                continue;
+            text += time;
+            text += ids[i];
+            text += ',';
+            add(text, iceberg.sigma_m2, ',');
+            add(text, iceberg.truth_m.x(), ',');
+            add(text, iceberg.truth_m.y(), ',');
+            text += iceberg.inView ? "1\n" : "0\n";
+        }
+    }
+    return text;
+}
+
+std::string eventsCsv(const Mission& mission)
+{
+    const std::vector<std::string> ids = idFields(mission);
+    const std::string uav = csvField(mission.scenario().uavs.at(0).id);
+    std::string text = "time_s,event,uav,iceberg,detail\n";
+    for (const MissionEvent& event : mission.events()) {
+        add(text, event.time_s, ',');
+        text += eventName(event.kind);
+        text += ',' + uav + ',';
+        if (event.iceberg >= 0)
+            text += ids.at(static_cast<std::size_t>(event.iceberg));
+        text += ',' + csvField(event.detail) + '\n';
+    }
+    return text;
+}
+
+std::string zetaCsv(const Mission& mission)
+{
+    std::string text = "time_s,sigma_sum_m2,zeta_m2s\n";
+    for (const Sample& sample : mission.recorder().samples()) {
+        add(text, sample.time_s, ',');
+        add(text, sample.sigmaSum_m2, ',');
+        add(text, sample.zeta_m2s, '\n');
+    }
+    return text;
+}
+
+} // namespace berg

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/sim/mission.h"
+
+#include <string>
+
+namespace berg {
+
+// Result tables of a recorded mission: RFC 4180, UTF-8, '.' decimals, numbers that read back
+// exactly, a header row with units.
+
+/** `time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,turn_rate_radps,cross_track_m` */
+[[nodiscard]] std::string trajectoryCsv(const Mission& mission);
+/** `time_s,iceberg,sigma_m2,east_m,north_m,in_view` (true positions) */
+[[nodiscard]] std::string sigmaCsv(const Mission& mission);
+/** `time_s,event,uav,iceberg,detail` */
+[[nodiscard]] std::string eventsCsv(const Mission& mission);
+/** `time_s,sigma_sum_m2,zeta_m2s` */
+[[nodiscard]] std::string zetaCsv(const Mission& mission);
+
+/** Shortest text that reads back as the same double, C locale; for CSV and XML. */
+[[nodiscard]] std::string numberText(double value);
+/** One CSV field, quoted when it must be. */
+[[nodiscard]] std::string csvField(const std::string& text);
+
+} // namespace berg

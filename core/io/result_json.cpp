@@ -1,0 +1,188 @@
+#include "core/io/result_json.h"
+
+#include "core/io/result_csv.h"
+#include "core/plan/names.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+namespace berg {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json orNull(const std::optional<T>& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
+std::string text(const Json& json)
+{
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::optional<double> gapOf(const TvpProblem& problem, const SolveOutcome& outcome)
+{
+    if (!outcome.bound || outcome.status == SolveStatus::None)
+        return std::nullopt;
+    return relativeGap(problem, outcome.objective, *outcome.bound);
+}
+
+const char* severityName(Severity severity)
+{
+    switch (severity) {
+    case Severity::Error:
+        return "error";
+    case Severity::Warning:
+        return "warning";
+    case Severity::Hint:
+        return "hint";
+    }
+    return "";
+}
+
+std::optional<PaperTime> paperTime(int icebergs)
+{
+    for (const PaperTime& time : paperTable2())
+        if (time.icebergs == icebergs)
+            return time;
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string solveJson(const SolveReport& report)
+{
+    const SolveOutcome& outcome = report.outcome;
+    const bool solved = outcome.status != SolveStatus::None;
+    Json json{{"status", nameOf(kStatusNames, outcome.status)},
+              {"objective", solved ? Json(outcome.objective) : Json(nullptr)},
+              {"bound", orNull(outcome.bound)},
+              {"gap", orNull(gapOf(report.problem, outcome))},
+              {"order", report.order},
+              {"distance_m", solved ? Json(flownDistance(report.problem, outcome.order))
+                                    : Json(nullptr)},
+              {"mu", report.problem.mu},
+              {"seconds", outcome.elapsed_s},
+              {"backend", outcome.backend}};
+    if (!report.ids.empty())
+        json["icebergs"] = report.ids;
+    if (const auto& second = report.verification) {
+        const bool secondSolved = second->outcome.status != SolveStatus::None;
+        json["verify"] = {{"backend", second->backend},
+                          {"status", nameOf(kStatusNames, second->outcome.status)},
+                          {"objective", secondSolved ? Json(second->outcome.objective)
+                                                     : Json(nullptr)},
+                          {"bound", orNull(second->outcome.bound)},
+                          {"agrees", second->agrees}};
+    }
+    return text(json);
+}
+
+std::string simulateJson(const Metrics& metrics, double elapsed_s)
+{
+    return text(Json{{"zeta_m2s", metrics.zeta_m2s},
+                     {"visits", metrics.visits},
+                     {"replans", metrics.replans},
+                     {"flown_m", metrics.flown_m},
+                     {"lower_bound_m2s", nullptr},
+                     {"seconds", elapsed_s}});
+}
+
+std::string sweepJson(const SweepResult& result, double elapsed_s)
+{
+    Json rows = Json::array();
+    for (const SweepRow& row : result.rows)
+        rows.push_back({{"policy", nameOf(kPolicyNames, row.policy)},
+                        {"tau", orNull(row.tau)},
+                        {"n", row.summary.n},
+                        {"mean_m2s", row.summary.mean},
+                        {"standard_error_m2s", row.summary.standardError},
+                        {"median_m2s", row.summary.median},
+                        {"quartile1_m2s", row.summary.quartile1},
+                        {"quartile3_m2s", row.summary.quartile3},
+                        {"decile1_m2s", row.summary.decile1},
+                        {"decile9_m2s", row.summary.decile9},
+                        {"stuck_share", row.stuckShare}});
+    return text(Json{{"rows", rows}, {"seconds", elapsed_s}});
+}
+
+std::string benchmarkJson(const std::vector<BenchmarkRow>& rows)
+{
+    Json list = Json::array();
+    for (const BenchmarkRow& row : rows) {
+        const bool timed = row.seconds.n > 0;
+        Json one{{"icebergs", row.icebergs},
+                 {"backend", nameOf(kBackendNames, row.backend)},
+                 {"instances", row.instances},
+                 {"proven", row.proven},
+                 {"cut", row.cut},
+                 {"average_s", timed ? Json(row.seconds.mean) : Json(nullptr)},
+                 {"median_s", timed ? Json(row.seconds.median) : Json(nullptr)},
+                 {"worst_s", timed ? Json(row.worst_s) : Json(nullptr)},
+                 {"worst_gap", orNull(row.worstGap)}};
+        if (const auto paper = paperTime(row.icebergs)) {
+            one["paper_average_s"] = paper->average_s;
+            one["paper_worst_s"] = paper->worst_s;
+            if (timed && row.seconds.mean > 0)
+                one["speed_up"] = paper->average_s / row.seconds.mean;
+        }
+        if (!row.note.empty())
+            one["note"] = row.note;
+        list.push_back(std::move(one));
+    }
+    return text(Json{{"rows", list}});
+}
+
+std::string findingsJson(const std::vector<FileFindings>& files)
+{
+    Json list = Json::array();
+    for (const FileFindings& file : files)
+        for (const Issue& issue : file.issues)
+            list.push_back({{"file", file.file},
+                            {"severity", severityName(issue.severity)},
+                            {"field", issue.field},
+                            {"message", issue.message}});
+    return text(list);
+}
+
+std::string sweepCsv(const SweepResult& result)
+{
+    std::string csv = "policy,tau,n,mean_m2s,standard_error_m2s,median_m2s,quartile1_m2s,"
+                      "quartile3_m2s,decile1_m2s,decile9_m2s,stuck_share\n";
+    for (const SweepRow& row : result.rows) {
+        const Summary& s = row.summary;
+        csv += nameOf(kPolicyNames, row.policy) + ',' + (row.tau ? numberText(*row.tau) : "") + ',' +
+               std::to_string(s.n);
+        for (const double value : {s.mean, s.standardError, s.median, s.quartile1, s.quartile3,
+                                   s.decile1, s.decile9, row.stuckShare})
+            csv += ',' + numberText(value);
+        csv += '\n';
+    }
+    return csv;
+}
+
+std::string benchmarkCsv(const std::vector<BenchmarkRow>& rows)
+{
+    std::string csv = "icebergs,backend,instances,proven,cut,average_s,median_s,worst_s,worst_gap,"
+                      "paper_average_s,paper_worst_s\n";
+    for (const BenchmarkRow& row : rows) {
+        csv += std::to_string(row.icebergs) + ',' + nameOf(kBackendNames, row.backend) + ',' +
+               std::to_string(row.instances) + ',' + std::to_string(row.proven) + ',' +
+               std::to_string(row.cut);
+        const bool timed = row.seconds.n > 0;
+        for (const double value : {row.seconds.mean, row.seconds.median, row.worst_s})
+            csv += ',' + (timed ? numberText(value) : std::string());
+        csv += ',' + (row.worstGap ? numberText(*row.worstGap) : std::string());
+        const auto paper = paperTime(row.icebergs);
+        csv += ',' + (paper ? numberText(paper->average_s) : std::string());
+        csv += ',' + (paper ? numberText(paper->worst_s) : std::string());
+        csv += '\n';
+    }
+    return csv;
+}
+
+} // namespace berg

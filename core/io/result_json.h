@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/sim/mission.h"
+#include "core/study/benchmark.h"
+#include "core/study/study.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berg {
+
+// What the command line prints with --json: one JSON document, stable member order.
+
+/** A second solver's opinion on the same problem. */
+struct Verification
+{
+    std::string backend;
+    SolveOutcome outcome;
+    bool agrees = false;
+};
+
+struct SolveReport
+{
+    const TvpProblem& problem;
+    const SolveOutcome& outcome;
+    std::optional<Verification> verification;
+    std::vector<int> order;       ///< as printed: 1-based
+    std::vector<std::string> ids; ///< iceberg ids in visiting order; empty for a bare problem
+};
+
+[[nodiscard]] std::string solveJson(const SolveReport& report);
+[[nodiscard]] std::string simulateJson(const Metrics& metrics, double elapsed_s);
+[[nodiscard]] std::string sweepJson(const SweepResult& result, double elapsed_s);
+[[nodiscard]] std::string benchmarkJson(const std::vector<BenchmarkRow>& rows);
+
+/** Findings about one file. */
+struct FileFindings
+{
+    std::string file;
+    std::vector<Issue> issues;
+};
+[[nodiscard]] std::string findingsJson(const std::vector<FileFindings>& files);
+
+// The same as CSV tables (RFC 4180).
+[[nodiscard]] std::string sweepCsv(const SweepResult& result);
+[[nodiscard]] std::string benchmarkCsv(const std::vector<BenchmarkRow>& rows);
+
+} // namespace berg

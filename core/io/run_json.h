@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/sim/mission.h"
+
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace berg {
+
+/** One re-planning as a run file keeps it. */
+struct RecordedPlan
+{
+    double time_s = 0;
+    int target = -1;
+    std::vector<int> order;
+    bool operator==(const RecordedPlan&) const = default;
+};
+
+/** A run: what it was flown with and enough of what happened to check a replay bit for bit. */
+struct RunFile
+{
+    Scenario scenario; ///< as flown, command-line changes applied
+    MissionOptions options;
+    double flownUntil_s = 0;
+    std::vector<Intervention> interventions;
+    std::vector<RecordedPlan> plans;
+    std::vector<WorldState> keyframes;
+    Metrics metrics;
+    bool operator==(const RunFile&) const = default;
+};
+
+/**
+ * The run flown so far. Keyframes of very long runs are thinned evenly, so that the file stays
+ * readable; the last one is always kept.
+ */
+[[nodiscard]] RunFile runOf(const Mission& mission);
+[[nodiscard]] std::string runToJson(const RunFile& run);
+/** Errors as for `scenarioFromJson`. */
+[[nodiscard]] RunFile runFromJson(std::string_view text, const std::string& subject);
+[[nodiscard]] RunFile loadRun(const std::string& path);
+void saveRun(const RunFile& run, const std::string& path);
+
+/**
+ * Flies the run again from its scenario and options, applying its interventions at their times,
+ * until `flownUntil_s`. Cancelled, the mission returned has flown less than that. Throws as the
+ * constructor of `Mission`.
+ */
+[[nodiscard]] Mission replay(const RunFile& run, const std::stop_token& stop = {},
+                             const std::function<void(double)>& onProgress = {});
+
+/**
+ * What of a recorded run a replay does not reproduce bit for bit: the first keyframe (with its
+ * time and first differing field), the first plan and the first metric that differ; empty when
+ * all are equal. A run with a time limit per solve is not bound to repeat; differences then come
+ * with a warning that says so.
+ */
+[[nodiscard]] std::vector<Issue> compareRun(const RunFile& recorded, const RunFile& replayed);
+
+/**
+ * Format of a file by its `format` member: "bergwatch-scenario", "bergwatch-problem" or
+ * "bergwatch-run". Throws `Error` SyntaxError, FileTooLarge, and WrongFormat for anything else.
+ */
+[[nodiscard]] std::string formatOf(std::string_view text, const std::string& subject);
+
+} // namespace berg

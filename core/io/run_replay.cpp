@@ -1,0 +1,183 @@
+#include "core/io/run_json.h"
+#include "core/scenario/checks.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Tracks over all keyframes that a file keeps: about 15 MB of text. */
+constexpr std::size_t kMostTracks = 100'000;
+
+std::vector<WorldState> thinned(const std::vector<WorldState>& keyframes)
+{
+    std::size_t tracks = 0;
+    for (const WorldState& keyframe : keyframes)
+        tracks += keyframe.tracks.size();
+    const std::size_t stride = tracks / kMostTracks + 1;
+    std::vector<WorldState> kept;
+    for (std::size_t i = 0; i < keyframes.size(); ++i)
+        if (i % stride == 0 || i + 1 == keyframes.size())
+            kept.push_back(keyframes[i]);
+    return kept;
+}
+
+/** A number of a keyframe and its name. */
+using Field = std::pair<std::string, double>;
+
+/** Every number of a keyframe, in the order in which differences are worth telling. */
+std::vector<Field> fieldsOf(const WorldState& state)
+{
+    const LosGuidance& guidance = state.guidance;
+    std::vector<Field> fields{{"position_m[0]", state.uav.position_m.x()},
+                              {"position_m[1]", state.uav.position_m.y()},
+                              {"psi_rad", state.uav.psi_rad},
+                              {"u_radps", state.u_radps},
+                              {"cross_track_m", state.crossTrack_m},
+                              {"mode", static_cast<double>(state.mode)},
+                              {"target", state.target},
+                              {"last_reached", state.lastReached},
+                              {"sigma_sum_m2", state.sigmaSum_m2},
+                              {"zeta_m2s", state.zeta_m2s},
+                              {"flown_m", state.flown_m},
+                              {"guidance[0]", guidance.gains.lookahead_m},
+                              {"guidance[1]", guidance.gains.integral_mps},
+                              {"guidance[2]", guidance.gains.turn_1ps},
+                              {"guidance[3]", guidance.start_m.x()},
+                              {"guidance[4]", guidance.start_m.y()},
+                              {"guidance[5]", guidance.integral_s},
+                              {"run_out_m", state.runOut_m},
+                              {"misses", state.misses},
+                              {"tracks", static_cast<double>(state.tracks.size())}};
+    for (std::size_t i = 0; i < state.tracks.size(); ++i) {
+        const Track& track = state.tracks[i];
+        const std::string name = "tracks[" + std::to_string(i) + "]";
+        fields.insert(fields.end(), {{name + "[0]", track.anchor_m.x()},
+                                     {name + "[1]", track.anchor_m.y()},
+                                     {name + "[2]", track.anchor_s},
+                                     {name + "[3]", track.velocity_mps.x()},
+                                     {name + "[4]", track.velocity_mps.y()},
+                                     {name + "[5]", track.sigma_m2},
+                                     {name + "[6]", track.q_m2ps},
+                                     {name + "[7]", track.inView ? 1.0 : 0.0}});
+    }
+    return fields;
+}
+
+std::string versus(double recorded, double replayed)
+{
+    return "recorded " + shortText(recorded) + ", replayed " + shortText(replayed);
+}
+
+std::string entry(const std::string& list, std::size_t i)
+{
+    return list + '[' + std::to_string(i) + ']';
+}
+
+void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
+{
+    auto other = replayed.keyframes.begin();
+    for (std::size_t i = 0; i < recorded.keyframes.size(); ++i) {
+        const WorldState& keyframe = recorded.keyframes[i];
+        const std::string path = entry("keyframes", i);
+        const std::string when =
+            "at " + shortText(static_cast<double>(keyframe.step) * recorded.scenario.dt_s) + " s: ";
+        other = std::find_if(other, replayed.keyframes.end(),
+                             [&](const WorldState& state) { return state.step == keyframe.step; });
+        if (other == replayed.keyframes.end()) {
+            issues.push_back({Severity::Error, path, when + "not reached by the replay"});
+            return;
+        }
+        if (*other == keyframe)
+            continue;
+        const std::vector<Field> left = fieldsOf(keyframe);
+        const std::vector<Field> right = fieldsOf(*other);
+        const auto [a, b] = std::mismatch(left.begin(), left.end(), right.begin(), right.end());
+        require(a != left.end() && b != right.end(), "compareKeyframes: a field was left out");
+        issues.push_back(
+            {Severity::Error, path + '.' + a->first, when + versus(a->second, b->second)});
+        return;
+    }
+}
+
+void comparePlans(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
+{
+    const auto [a, b] = std::mismatch(recorded.plans.begin(), recorded.plans.end(),
+                                      replayed.plans.begin(), replayed.plans.end());
+    const auto i = static_cast<std::size_t>(a - recorded.plans.begin());
+    if (a == recorded.plans.end() && b == replayed.plans.end())
+        return;
+    if (a == recorded.plans.end() || b == replayed.plans.end()) {
+        issues.push_back({Severity::Error, "plans",
+                          versus(static_cast<double>(recorded.plans.size()),
+                                 static_cast<double>(replayed.plans.size()))});
+        return;
+    }
+    const std::string path = entry("plans", i);
+    if (a->time_s != b->time_s)
+        issues.push_back({Severity::Error, path + ".time_s", versus(a->time_s, b->time_s)});
+    else if (a->target != b->target)
+        issues.push_back({Severity::Error, path + ".target",
+                          "at " + shortText(a->time_s) + " s: " + versus(a->target, b->target)});
+    else
+        issues.push_back(
+            {Severity::Error, path + ".order", "at " + shortText(a->time_s) + " s: another order"});
+}
+
+void compareMetrics(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
+{
+    const auto compare = [&](const std::string& field, double a, double b) {
+        if (a != b)
+            issues.push_back({Severity::Error, field, versus(a, b)});
+    };
+    compare("flown_until_s", recorded.flownUntil_s, replayed.flownUntil_s);
+    compare("metrics.zeta_m2s", recorded.metrics.zeta_m2s, replayed.metrics.zeta_m2s);
+    compare("metrics.visits", recorded.metrics.visits, replayed.metrics.visits);
+    compare("metrics.replans", recorded.metrics.replans, replayed.metrics.replans);
+    compare("metrics.flown_m", recorded.metrics.flown_m, replayed.metrics.flown_m);
+}
+
+} // namespace
+
+RunFile runOf(const Mission& mission)
+{
+    RunFile run{.scenario = mission.scenario(),
+                .options = mission.options(),
+                .flownUntil_s = mission.simulation().time_s(),
+                .interventions = mission.interventions(),
+                .plans = {},
+                .keyframes = thinned(mission.recorder().keyframes()),
+                .metrics = mission.metrics()};
+    for (const PlanEvent& plan : mission.plans())
+        run.plans.push_back({.time_s = plan.time_s, .target = plan.target, .order = plan.order});
+    return run;
+}
+
+Mission replay(const RunFile& run, const std::stop_token& stop,
+               const std::function<void(double)>& onProgress)
+{
+    Mission mission(run.scenario, run.options);
+    for (const Intervention& intervention : run.interventions) {
+        if (mission.advance(intervention.time_s, stop, onProgress) == AdvanceStatus::Cancelled)
+            return mission;
+        mission.intervene(intervention);
+    }
+    mission.advance(run.flownUntil_s, stop, onProgress);
+    return mission;
+}
+
+std::vector<Issue> compareRun(const RunFile& recorded, const RunFile& replayed)
+{
+    std::vector<Issue> issues;
+    compareKeyframes(recorded, replayed, issues);
+    comparePlans(recorded, replayed, issues);
+    compareMetrics(recorded, replayed, issues);
+    if (!issues.empty() && recorded.options.timeLimit_s)
+        issues.push_back({Severity::Warning, "options.time_limit_s",
+                          "solves were cut by the clock, so this run is not bound to repeat"});
+    return issues;
+}
+
+} // namespace berg

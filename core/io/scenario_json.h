@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/scenario/scenario.h"
+
+#include <string>
+#include <string_view>
+
+namespace berg {
+
+/**
+ * Scenario of a `.berg` text. `subject` (usually the path) names it in errors. Throws `Error`:
+ * SyntaxError (with line and column), WrongFormat, UnsupportedVersion, InvalidInput with every
+ * fault found: wrong types, missing and duplicate members, and the errors of `validate`.
+ */
+[[nodiscard]] Scenario scenarioFromJson(std::string_view text, const std::string& subject);
+
+/** Text of the `.berg` file: stable member order, numbers that read back exactly, final newline. */
+[[nodiscard]] std::string scenarioToJson(const Scenario& scenario);
+
+[[nodiscard]] Scenario loadScenario(const std::string& path);
+void saveScenario(const Scenario& scenario, const std::string& path);
+
+} // namespace berg

@@ -1,0 +1,26 @@
+#pragma once
+
+// Private to core/io: parts of the scenario file that the run file holds too.
+
+#include "core/io/json_reader.h"
+#include "core/io/json_writer.h"
+#include "core/scenario/scenario.h"
+
+namespace berg {
+
+inline constexpr Limits kTauLimits{.low = 0, .high = 100};
+
+/**
+ * Scenario of an object whose format and version are checked already. Notes what has the wrong
+ * type, is missing or is an error to `validate`; the value returned is whole only without faults.
+ */
+[[nodiscard]] Scenario readScenario(ObjectReader& object);
+
+/** One entry of `icebergs`; its id is empty when the file gives none. */
+[[nodiscard]] Iceberg readIceberg(const Json& value, const std::string& path, Faults& faults);
+
+/** The scenario as an object whose braces stand at `indent`. */
+[[nodiscard]] std::string scenarioText(const Scenario& scenario, int indent);
+[[nodiscard]] std::string icebergText(const Iceberg& iceberg);
+
+} // namespace berg

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/io/formats.h"
+
+#include <vector>
+
+namespace berg {
+
+/** The UAV over an iceberg, planned or flown. */
+struct Visit
+{
+    int iceberg = -1; ///< index; -1: back at the start, the end of a closed route
+    double time_s = 0;
+    Point position_m = Point::Zero(); ///< true or predicted position of the iceberg at `time_s`
+};
+
+/**
+ * Where and when the UAV of the plan meets each iceberg: the estimates drift with their velocity
+ * and the current while the UAV flies straight legs at its airspeed in the wind, each leg aimed
+ * ahead of the iceberg (flight time t = d / (w_par + sqrt(U^2 - w_n^2)) with wind minus drift in
+ * place of the wind). Turns take no time here, and an iceberg is met at its centre, although it
+ * comes into view earlier. One that drifts too fast to be sure of (relative wind not below the
+ * airspeed) is taken as standing still from the start of its leg, as in planning.
+ */
+[[nodiscard]] std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& plan);
+
+/** Targets reached, in order, at their true positions. Empty when the mission kept no record. */
+[[nodiscard]] std::vector<Visit> flownVisits(const Mission& mission);
+
+/** `flownVisits` of a run, else `plannedVisits`. */
+[[nodiscard]] std::vector<Visit> visitsOf(const ExportSource& source);
+
+/** Icebergs that the indices of `visitsOf` speak of, those added in flight included. */
+[[nodiscard]] const std::vector<Iceberg>& icebergsOf(const ExportSource& source);
+
+} // namespace berg
