@@ -1,0 +1,118 @@
+#include "app/cli/console.h"
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <thread>
+
+#include <pthread.h>
+#include <unistd.h>
+
+namespace berg::cli {
+
+namespace {
+
+double now_s()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string clock(double seconds)
+{
+    const auto whole = static_cast<long>(std::ceil(seconds));
+    char text[32];
+    std::snprintf(text, sizeof text, "%02ld:%02ld", whole / 60, whole % 60);
+    return text;
+}
+
+} // namespace
+
+std::stop_token interruptToken()
+{
+    // Signals are taken by one waiting thread: a stop request runs callbacks that a signal handler
+    // must not. All later threads inherit the mask.
+    static std::stop_source source;
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    sigaddset(&set, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &set, nullptr);
+    std::thread([set] {
+        int signal = 0;
+        sigwait(&set, &signal);
+        source.request_stop();
+        sigwait(&set, &signal);
+        _exit(kInterrupted);
+    }).detach();
+    std::signal(SIGPIPE, SIG_IGN);
+    return source.get_token();
+}
+
+void print(const std::string& text)
+{
+    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (std::fflush(stdout) != 0 || !written)
+        throw Error(ErrorCode::FileUnwritable, "standard output", "could not be written");
+}
+
+void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
+{
+    for (const Issue& issue : issues) {
+        if (issue.severity == Severity::Error)
+            continue;
+        const char* kind = issue.severity == Severity::Warning ? "warning" : "hint";
+        std::fprintf(stderr, "%s: %s: %s%s%s\n", subject.c_str(), kind, issue.field.c_str(),
+                     issue.field.empty() ? "" : ": ", issue.message.c_str());
+    }
+}
+
+ProgressBar::ProgressBar(std::string label, bool wanted)
+    : m_label(std::move(label))
+    , m_active(wanted && isatty(STDERR_FILENO) == 1)
+    , m_start_s(now_s())
+{
+}
+
+ProgressBar::~ProgressBar()
+{
+    if (m_active && m_lastDrawn_s >= 0)
+        std::fputs("\r\033[K", stderr);
+}
+
+void ProgressBar::update(double fraction)
+{
+    const double time_s = now_s();
+    if (!m_active || time_s - m_lastDrawn_s < 0.1)
+        return;
+    m_lastDrawn_s = time_s;
+    constexpr int kWidth = 30;
+    const int filled = static_cast<int>(std::lround(fraction * kWidth));
+    const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
+                            std::string(static_cast<std::size_t>(kWidth - filled), '.');
+    const double elapsed_s = time_s - m_start_s;
+    const std::string left = fraction > 0.01 ? clock(elapsed_s * (1 - fraction) / fraction) : "--:--";
+    std::fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  %s left", m_label.c_str(), bar.c_str(),
+                 100 * fraction, left.c_str());
+    std::fflush(stderr);
+}
+
+std::string fixed(double value, int decimals)
+{
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+std::string grouped(double value)
+{
+    std::string digits = fixed(value, 0);
+    const std::size_t first = digits.starts_with('-') ? 1 : 0;
+    for (std::size_t i = digits.size(); i > first + 3;) {
+        i -= 3;
+        digits.insert(i, 1, ' ');
+    }
+    return digits;
+}
+
+} // namespace berg::cli

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/base/error.h"
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace berg::cli {
+
+/** Exit codes: a promise to scripts. */
+enum ExitCode : int {
+    kDone = 0,
+    kFailure = 1,
+    kWrongUsage = 2,
+    kBadInput = 3,
+    kLimitWithoutPlan = 4,
+    kInterrupted = 130
+};
+
+/** Thrown where Ctrl-C ended a command; main turns it into `kInterrupted`. */
+struct Interrupted
+{
+};
+
+/** Thrown for options that contradict each other. */
+struct UsageError
+{
+    std::string message;
+};
+
+/**
+ * Makes Ctrl-C and termination a stop request, and lets a second one end the program at once. To be
+ * called first in main, before any thread starts. The token is requested at the first signal.
+ */
+[[nodiscard]] std::stop_token interruptToken();
+
+/** Prints to stdout, all or nothing: a closed pipe or full disk is an error. */
+void print(const std::string& text);
+
+/** Warnings and hints on stderr, one line each; errors are not for here. */
+void printWarnings(const std::string& subject, const std::vector<Issue>& issues);
+
+/**
+ * Progress bar with time left on stderr; draws nothing when `wanted` is false or stderr is no
+ * terminal. Erased when destroyed.
+ */
+class ProgressBar
+{
+public:
+    ProgressBar(std::string label, bool wanted);
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+    ~ProgressBar();
+
+    /** `fraction` in [0, 1]; draws at most ten times a second. */
+    void update(double fraction);
+
+private:
+    std::string m_label;
+    bool m_active;
+    double m_start_s;
+    double m_lastDrawn_s = -1;
+};
+
+/** 84 213 -> "84 213": rounded, thousands apart, for people. */
+[[nodiscard]] std::string grouped(double value);
+/** `decimals` after the point. */
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+} // namespace berg::cli

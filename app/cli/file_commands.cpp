@@ -1,0 +1,144 @@
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/formats.h"
+#include "core/io/problem_json.h"
+#include "core/io/result_json.h"
+#include "core/io/run_json.h"
+#include "core/io/scenario_json.h"
+#include "core/scenario/validate.h"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+namespace berg::cli {
+
+namespace {
+
+std::string formatIds()
+{
+    std::string ids;
+    for (const ExportFormat& format : exportFormats())
+        ids += (ids.empty() ? "" : ", ") + std::string(format.id);
+    return ids;
+}
+
+struct ExportArguments
+{
+    std::string file;
+    std::string format;
+    std::string outputFile;
+};
+
+std::string exported(const ExportFormat& format, const std::string& file, const std::string& text,
+                     const std::stop_token& stop)
+{
+    if (formatOf(text, file) != "bergwatch-run") {
+        const Scenario scenario = scenarioFromJson(text, file);
+        printWarnings(file, validate(scenario));
+        const PlanAnswer plan = planFromStart(scenario, {.stop = stop});
+        if (stop.stop_requested())
+            throw Interrupted{};
+        return format.write({.scenario = scenario, .plan = plan});
+    }
+    const RunFile run = runFromJson(text, file);
+    const Mission mission = replay(run, stop, {});
+    if (stop.stop_requested())
+        throw Interrupted{};
+    const PlanAnswer plan = planFromStart(run.scenario, {.stop = stop});
+    return format.write({.scenario = run.scenario, .plan = plan, .mission = &mission});
+}
+
+int exportFile(const ExportArguments& arguments, const std::stop_token& stop)
+{
+    const ExportFormat* format = findExportFormat(arguments.format);
+    if (format == nullptr)
+        throw UsageError{"--format: " + arguments.format + " is none of " + formatIds()};
+    const std::string text = readFile(arguments.file);
+    writeFileAtomically(arguments.outputFile, exported(*format, arguments.file, text, stop));
+    return kDone;
+}
+
+/** All findings about a file; reading stops at the first level that fails. */
+std::vector<Issue> findings(const std::string& file)
+{
+    try {
+        const std::string text = readFile(file);
+        const std::string format = formatOf(text, file);
+        if (format == "bergwatch-problem") {
+            const ProblemFile problem = problemFromJson(text, file);
+            return {};
+        }
+        if (format == "bergwatch-run")
+            return validate(runFromJson(text, file).scenario);
+        return validate(scenarioFromJson(text, file));
+    } catch (const Error& error) {
+        return error.issues();
+    }
+}
+
+int validateFiles(const std::vector<std::string>& files, bool json, const std::stop_token& stop)
+{
+    std::vector<FileFindings> all;
+    bool bad = false;
+    for (const std::string& file : files) {
+        if (stop.stop_requested())
+            throw Interrupted{};
+        all.push_back({.file = file, .issues = findings(file)});
+        bad = bad || hasErrors(all.back().issues);
+    }
+    if (json) {
+        print(findingsJson(all));
+        return bad ? kBadInput : kDone;
+    }
+    for (const FileFindings& one : all) {
+        printWarnings(one.file, one.issues);
+        for (const Issue& issue : one.issues)
+            if (issue.severity == Severity::Error)
+                std::fprintf(stderr, "%s: %s%s%s\n", one.file.c_str(), issue.field.c_str(),
+                             issue.field.empty() ? "" : ": ", issue.message.c_str());
+        if (!hasErrors(one.issues))
+            print(one.file + ": valid\n");
+    }
+    return bad ? kBadInput : kDone;
+}
+
+void addExport(CLI::App& app, Action& action)
+{
+    CLI::App* command = app.add_subcommand(
+        "export", "Write a scenario's plan or a run's flight in another tool's format");
+    const auto arguments = std::make_shared<ExportArguments>();
+    command->add_option("FILE", arguments->file, "Scenario (.berg) or run (.bergrun)")->required();
+    command->add_option("--format", arguments->format, formatIds())->required();
+    command->add_option("--output", arguments->outputFile, "File to write")->required();
+    command->callback([arguments, &action] {
+        action = [arguments](const std::stop_token& stop) { return exportFile(*arguments, stop); };
+    });
+}
+
+void addValidate(CLI::App& app, Action& action)
+{
+    CLI::App* command =
+        app.add_subcommand("validate", "Check files and name every fault in them");
+    const auto files = std::make_shared<std::vector<std::string>>();
+    const auto json = std::make_shared<bool>(false);
+    command->add_option("FILE", *files, "Scenarios, problems and runs")->required();
+    command->add_flag("--json", *json, "Print one JSON document");
+    command->callback([files, json, &action] {
+        action = [files, json](const std::stop_token& stop) {
+            return validateFiles(*files, *json, stop);
+        };
+    });
+}
+
+} // namespace
+
+void addFileCommands(CLI::App& app, Action& action)
+{
+    addExport(app, action);
+    addValidate(app, action);
+}
+
+} // namespace berg::cli

@@ -1,0 +1,193 @@
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+
+#include "core/io/problem_json.h"
+#include "core/io/result_json.h"
+#include "core/io/scenario_json.h"
+#include "core/plan/tuning.h"
+#include "core/scenario/validate.h"
+#include "core/sim/mission.h"
+
+#include <cmath>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+namespace berg::cli {
+
+namespace {
+
+/** What `solve` and `plan` share. */
+struct SolveArguments
+{
+    std::string file;
+    std::optional<double> tau;
+    std::optional<double> mu;
+    std::optional<Backend> backend;
+    std::optional<Formulation> formulation;
+    std::optional<Route> route;
+    bool verify = false;
+    std::optional<double> timeLimit_s;
+    std::optional<std::int64_t> workLimit;
+    double gap = 0;
+    bool json = false;
+};
+
+std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const std::string& fileName)
+{
+    auto arguments = std::make_shared<SolveArguments>();
+    SolveArguments& a = *arguments;
+    command.add_option(fileName, a.file, "The file to plan from")->required();
+    command.add_option("--tau", a.tau, "Trade-off: 0 most uncertain first, large shortest path")
+        ->check(CLI::Range(0.0, 100.0));
+    command.add_option("--mu", a.mu, "Weight of distance, in place of tau")
+        ->check(CLI::Range(0.0, 1e300));
+    addNamed(command, "--backend", a.backend, kBackendNames, "Solver");
+    addNamed(command, "--formulation", a.formulation, kFormulationNames, "MILP of the cbc solver");
+    addNamed(command, "--route", a.route, kRouteNames, "Path or round trip");
+    command.add_flag("--verify", a.verify, "Solve with a second, independent solver and compare");
+    command.add_option("--time-limit", a.timeLimit_s, "Seconds")->check(CLI::Range(0.0, 1e9));
+    command.add_option("--work-limit", a.workLimit, "Steps of the solver's own kind; repeatable")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 60));
+    command.add_option("--gap", a.gap, "Stop within this relative gap, e.g. 0.01")
+        ->check(CLI::Range(0.0, 1.0));
+    command.add_flag("--json", a.json, "Print one JSON document");
+    return arguments;
+}
+
+SolveOptions optionsOf(const SolveArguments& arguments, const std::stop_token& stop)
+{
+    return {.timeLimit_s = arguments.timeLimit_s,
+            .workLimit = arguments.workLimit,
+            .gap = arguments.gap,
+            .stop = stop};
+}
+
+/** Two answers contradict when one order beats the other's proof. */
+bool agree(const TvpProblem& problem, const SolveOutcome& a, const SolveOutcome& b)
+{
+    if (a.status == SolveStatus::None || b.status == SolveStatus::None)
+        return false;
+    const double tolerance = 1e-6 * std::max(1.0, std::abs(a.objective) + objectiveShift(problem));
+    const bool aHolds = !a.bound || *a.bound <= b.objective + tolerance;
+    const bool bHolds = !b.bound || *b.bound <= a.objective + tolerance;
+    return aHolds && bHolds;
+}
+
+/** Solved by the back end that is not the first one: CBC, or the exact solver for CBC's answers. */
+Verification secondOpinion(const TvpProblem& problem, const SolveOutcome& first,
+                           const SolveOptions& options)
+{
+    const Backend second = first.backend == "cbc" ? Backend::Auto : Backend::Cbc;
+    Verification verification{.outcome = makeSolver(second)->solve(problem, options)};
+    verification.backend = verification.outcome.backend;
+    verification.agrees = agree(problem, first, verification.outcome);
+    return verification;
+}
+
+std::string solverWords(const SolveReport& report)
+{
+    const SolveOutcome& outcome = report.outcome;
+    if (outcome.status == SolveStatus::Optimal)
+        return "proven optimal";
+    if (!outcome.bound)
+        return "not proven, no bound";
+    const double gap = relativeGap(report.problem, outcome.objective, *outcome.bound);
+    return "within " + fixed(100 * gap, 2) + " % of optimal";
+}
+
+void printReport(const SolveReport& report, bool json)
+{
+    if (json) {
+        print(solveJson(report));
+        return;
+    }
+    const SolveOutcome& outcome = report.outcome;
+    if (outcome.status == SolveStatus::None) {
+        print("No plan: " + (outcome.detail.empty() ? "a limit came first" : outcome.detail) + '\n');
+        return;
+    }
+    std::string text = "order     ";
+    for (std::size_t i = 0; i < report.order.size(); ++i)
+        text += ' ' + (report.ids.empty() ? std::to_string(report.order[i]) : report.ids[i]);
+    text += "\nobjective  " + fixed(outcome.objective, 3) + "  (" + solverWords(report) + ", " +
+            fixed(1000 * outcome.elapsed_s, 1) + " ms, " + outcome.backend + ")\ndistance   " +
+            grouped(flownDistance(report.problem, outcome.order)) + " m   mu " +
+            fixed(report.problem.mu, 6) + '\n';
+    if (const auto& second = report.verification)
+        text += "verified   " + std::string(second->agrees ? "agrees" : "DISAGREES") + " with " +
+                second->backend + " (" + nameOf(kStatusNames, second->outcome.status) +
+                ", objective " + fixed(second->outcome.objective, 3) + ")\n";
+    print(text);
+}
+
+int conclude(SolveReport& report, const SolveArguments& arguments, const SolveOptions& options)
+{
+    if (report.outcome.reason == StopReason::Cancelled)
+        throw Interrupted{};
+    if (report.outcome.reason == StopReason::Unable)
+        throw Error(ErrorCode::Unsupported, arguments.file, report.outcome.detail);
+    if (arguments.verify)
+        report.verification = secondOpinion(report.problem, report.outcome, options);
+    printReport(report, arguments.json);
+    if (report.outcome.status == SolveStatus::None)
+        return kLimitWithoutPlan;
+    return report.verification && !report.verification->agrees ? kFailure : kDone;
+}
+
+int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
+{
+    TvpProblem problem = loadProblem(arguments.file).problem;
+    problem.route = arguments.route.value_or(problem.route);
+    if (arguments.tau)
+        problem.mu = tuningWeight(problem, *arguments.tau).mu;
+    if (arguments.mu)
+        problem.mu = *arguments.mu;
+    const SolveOptions options = optionsOf(arguments, stop);
+    const auto solver = makeSolver(arguments.backend.value_or(Backend::Auto),
+                                   arguments.formulation.value_or(Formulation::Position));
+    const SolveOutcome outcome = solver->solve(problem, options);
+    SolveReport report{.problem = problem, .outcome = outcome, .order = outcome.order};
+    return conclude(report, arguments, options);
+}
+
+int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
+{
+    if (arguments.mu)
+        throw UsageError{"plan: --mu is for problem files; a scenario is planned with --tau"};
+    Scenario scenario = loadScenario(arguments.file);
+    PlannerSettings& planner = scenario.planner;
+    planner.tau = arguments.tau.value_or(planner.tau);
+    planner.route = arguments.route.value_or(planner.route);
+    planner.backend = arguments.backend.value_or(planner.backend);
+    planner.formulation = arguments.formulation.value_or(planner.formulation);
+    printWarnings(arguments.file, validate(scenario));
+
+    const SolveOptions options = optionsOf(arguments, stop);
+    const PlanAnswer answer = planFromStart(scenario, options);
+    SolveReport report{.problem = answer.problem, .outcome = answer.outcome};
+    for (const int node : answer.outcome.order) {
+        const int iceberg = answer.solvedIds[static_cast<std::size_t>(node - 1)];
+        report.order.push_back(iceberg + 1);
+        report.ids.push_back(scenario.icebergs[static_cast<std::size_t>(iceberg)].id);
+    }
+    return conclude(report, arguments, options);
+}
+
+} // namespace
+
+void addPlanCommands(CLI::App& app, Action& action)
+{
+    CLI::App* solve = app.add_subcommand("solve", "Solve one path-planning problem");
+    const auto problem = addArguments(*solve, "PROBLEM");
+    solve->callback([problem, &action] {
+        action = [problem](const std::stop_token& stop) { return solveProblem(*problem, stop); };
+    });
+    CLI::App* plan = app.add_subcommand("plan", "Plan the visiting order from a scenario's start");
+    const auto scenario = addArguments(*plan, "SCENARIO");
+    plan->callback([scenario, &action] {
+        action = [scenario](const std::stop_token& stop) { return planScenario(*scenario, stop); };
+    });
+}
+
+} // namespace berg::cli

@@ -1,0 +1,156 @@
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/result_csv.h"
+#include "core/io/result_json.h"
+#include "core/io/run_json.h"
+#include "core/io/scenario_json.h"
+#include "core/scenario/validate.h"
+
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+namespace berg::cli {
+
+namespace {
+
+struct SimulateArguments
+{
+    std::string file;
+    std::optional<double> tau;
+    std::optional<PolicyKind> policy;
+    std::optional<double> duration_s;
+    std::optional<double> dt_s;
+    std::optional<std::int64_t> seed;
+    bool noNoise = false;
+    std::string outputFolder;
+    bool json = false;
+
+    [[nodiscard]] bool changesScenario() const
+    {
+        return tau || policy || duration_s || dt_s || seed || noNoise;
+    }
+};
+
+/** The scenario with the changes of the command line; faults name the option's field. */
+Scenario changed(Scenario scenario, const SimulateArguments& arguments)
+{
+    scenario.planner.tau = arguments.tau.value_or(scenario.planner.tau);
+    scenario.planner.policy = arguments.policy.value_or(scenario.planner.policy);
+    scenario.duration_s = arguments.duration_s.value_or(scenario.duration_s);
+    scenario.dt_s = arguments.dt_s.value_or(scenario.dt_s);
+    scenario.seed = arguments.seed.value_or(scenario.seed);
+    scenario.noise = scenario.noise && !arguments.noNoise;
+    return scenario;
+}
+
+Mission flyScenario(const SimulateArguments& arguments, const std::string& text,
+                    const std::stop_token& stop)
+{
+    const Scenario scenario = changed(scenarioFromJson(text, arguments.file), arguments);
+    printWarnings(arguments.file, validate(scenario));
+    MissionOptions options;
+    options.record = !arguments.outputFolder.empty();
+    Mission mission(scenario, options);
+    ProgressBar bar("flying", !arguments.json);
+    const auto status = mission.advance(scenario.duration_s, stop, [&](double time_s) {
+        bar.update(time_s / scenario.duration_s);
+    });
+    if (status == AdvanceStatus::Cancelled)
+        throw Interrupted{};
+    return mission;
+}
+
+/** Flies a run file again and checks it against what it recorded. */
+Mission replayRun(const SimulateArguments& arguments, const std::string& text,
+                  const std::stop_token& stop)
+{
+    if (arguments.changesScenario())
+        throw UsageError{"simulate: a run file is replayed as it was flown; --tau, --policy, "
+                         "--duration, --dt, --seed and --no-noise are for scenarios"};
+    const RunFile run = runFromJson(text, arguments.file);
+    ProgressBar bar("replaying", !arguments.json);
+    Mission mission = replay(run, stop, [&](double time_s) {
+        bar.update(run.flownUntil_s > 0 ? time_s / run.flownUntil_s : 1);
+    });
+    if (stop.stop_requested())
+        throw Interrupted{};
+    if (std::vector<Issue> issues = compareRun(run, runOf(mission)); !issues.empty())
+        throw Error(ErrorCode::ReplayMismatch, arguments.file, std::move(issues));
+    return mission;
+}
+
+void writeResults(const Mission& mission, const std::string& folder)
+{
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure)
+        throw Error(ErrorCode::FileUnwritable, folder, failure.message());
+    writeFileAtomically(folder + "/trajectory.csv", trajectoryCsv(mission));
+    writeFileAtomically(folder + "/sigma.csv", sigmaCsv(mission));
+    writeFileAtomically(folder + "/events.csv", eventsCsv(mission));
+    writeFileAtomically(folder + "/zeta.csv", zetaCsv(mission));
+    saveRun(runOf(mission), folder + "/run.bergrun");
+}
+
+void printSummary(const Mission& mission, double elapsed_s, bool replayed)
+{
+    const Metrics metrics = mission.metrics();
+    const Scenario& scenario = mission.scenario();
+    std::string text = scenario.name.empty() ? "" : scenario.name + '\n';
+    text += "zeta      " + grouped(metrics.zeta_m2s) + " m2 s\nvisits    " +
+            std::to_string(metrics.visits) + "   plans " + std::to_string(metrics.replans) +
+            "\nflown     " + grouped(metrics.flown_m) + " m in " +
+            grouped(mission.simulation().time_s()) + " s  (policy " +
+            nameOf(kPolicyNames, scenario.planner.policy) + ", tau " +
+            fixed(scenario.planner.tau, 2) + ")\ncomputed  in " + fixed(elapsed_s, 3) + " s\n";
+    if (replayed)
+        text += "replay    equal to the recorded run\n";
+    print(text);
+}
+
+int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
+{
+    const Stopwatch watch;
+    const std::string text = readFile(arguments.file);
+    const bool replayed = formatOf(text, arguments.file) == "bergwatch-run";
+    const Mission mission = replayed ? replayRun(arguments, text, stop)
+                                     : flyScenario(arguments, text, stop);
+    if (!arguments.outputFolder.empty())
+        writeResults(mission, arguments.outputFolder);
+    if (arguments.json)
+        print(simulateJson(mission.metrics(), watch.elapsed_s()));
+    else
+        printSummary(mission, watch.elapsed_s(), replayed);
+    return kDone;
+}
+
+} // namespace
+
+void addSimulateCommand(CLI::App& app, Action& action)
+{
+    CLI::App* command = app.add_subcommand(
+        "simulate", "Fly a scenario and measure zeta, or replay and check a run");
+    const auto arguments = std::make_shared<SimulateArguments>();
+    SimulateArguments& a = *arguments;
+    command->add_option("FILE", a.file, "Scenario (.berg) or run (.bergrun)")->required();
+    command->add_option("--tau", a.tau, "Trade-off of the policy visitation")
+        ->check(CLI::Range(0.0, 100.0));
+    addNamed(*command, "--policy", a.policy, kPolicyNames, "How the next iceberg is chosen");
+    command->add_option("--duration", a.duration_s, "Seconds of flight")
+        ->check(CLI::Range(1e-9, 604800.0));
+    command->add_option("--dt", a.dt_s, "Time step, s")->check(CLI::Range(0.01, 1.0));
+    command->add_option("--seed", a.seed, "Seed of the noise")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53));
+    command->add_flag("--no-noise", a.noNoise, "Icebergs move with their known velocity alone");
+    command->add_option("--output", a.outputFolder, "Folder for tables and the run file");
+    command->add_flag("--json", a.json, "Print one JSON document");
+    command->callback([arguments, &action] {
+        action = [arguments](const std::stop_token& stop) { return simulate(*arguments, stop); };
+    });
+}
+
+} // namespace berg::cli
