@@ -23,7 +23,8 @@ inline constexpr double kPi = std::numbers::pi;
     return std::remainder(angle_rad, 2 * kPi);
 }
 
-/** The paper's psi (from the x = east axis, counter-clockwise) of a heading clockwise from north. */
+/** The paper's psi (from the x = east axis, counter-clockwise) of a heading clockwise from north.
+ */
 [[nodiscard]] inline double psiFromHeading(double heading_deg)
 {
     return wrapPi(radFromDeg(90.0 - heading_deg));

@@ -8,7 +8,8 @@
 namespace berg {
 
 /** What kind of failure an `Error` is; the interface maps each code to a translated text. */
-enum class ErrorCode {
+enum class ErrorCode
+{
     FileNotFound,
     FileUnreadable,
     FileUnwritable,
@@ -22,7 +23,12 @@ enum class ErrorCode {
     ReplayMismatch ///< a run file does not reproduce what it recorded
 };
 
-enum class Severity { Error, Warning, Hint };
+enum class Severity
+{
+    Error,
+    Warning,
+    Hint
+};
 
 /** One finding about a scenario or a file. */
 struct Issue

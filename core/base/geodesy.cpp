@@ -14,10 +14,7 @@ const GeographicLib::AzimuthalEquidistant& projection()
 
 } // namespace
 
-LocalFrame::LocalFrame(LatLon origin)
-    : m_origin(origin)
-{
-}
+LocalFrame::LocalFrame(LatLon origin) : m_origin(origin) {}
 
 Point LocalFrame::toPlane(LatLon place) const
 {

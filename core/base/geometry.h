@@ -1,8 +1,8 @@
 #pragma once
 
-#include <span>
-
 #include <Eigen/Core>
+
+#include <span>
 
 namespace berg {
 

@@ -15,7 +15,7 @@ namespace berg {
 struct ExportSource
 {
     const Scenario& scenario;
-    const PlanAnswer& plan; ///< of `planFromStart`
+    const PlanAnswer& plan;           ///< of `planFromStart`
     const Mission* mission = nullptr; ///< null: nothing flown, export the plan
 };
 

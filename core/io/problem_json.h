@@ -11,7 +11,7 @@ namespace berg {
 /** A problem file: one path-planning problem without simulation. */
 struct ProblemFile
 {
-    TvpProblem problem; ///< `mu` is set: from the file, or from `tau` by the tuning rule
+    TvpProblem problem;        ///< `mu` is set: from the file, or from `tau` by the tuning rule
     std::optional<double> tau; ///< as in the file; none when it gives `mu`
 };
 

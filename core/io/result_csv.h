@@ -9,7 +9,8 @@ namespace berg {
 // Result tables of a recorded mission: RFC 4180, UTF-8, '.' decimals, numbers that read back
 // exactly, a header row with units.
 
-/** `time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,turn_rate_radps,cross_track_m` */
+/** `time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,turn_rate_radps,cross_track_m`
+ */
 [[nodiscard]] std::string trajectoryCsv(const Mission& mission);
 /** `time_s,iceberg,sigma_m2,east_m,north_m,in_view` (true positions) */
 [[nodiscard]] std::string sigmaCsv(const Mission& mission);

@@ -3,9 +3,9 @@
 #include "core/io/result_csv.h"
 #include "core/plan/names.h"
 
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace berg {
 
@@ -58,26 +58,26 @@ std::string solveJson(const SolveReport& report)
 {
     const SolveOutcome& outcome = report.outcome;
     const bool solved = outcome.status != SolveStatus::None;
-    Json json{{"status", nameOf(kStatusNames, outcome.status)},
-              {"objective", solved ? Json(outcome.objective) : Json(nullptr)},
-              {"bound", orNull(outcome.bound)},
-              {"gap", orNull(gapOf(report.problem, outcome))},
-              {"order", report.order},
-              {"distance_m", solved ? Json(flownDistance(report.problem, outcome.order))
-                                    : Json(nullptr)},
-              {"mu", report.problem.mu},
-              {"seconds", outcome.elapsed_s},
-              {"backend", outcome.backend}};
+    Json json{
+        {"status", nameOf(kStatusNames, outcome.status)},
+        {"objective", solved ? Json(outcome.objective) : Json(nullptr)},
+        {"bound", orNull(outcome.bound)},
+        {"gap", orNull(gapOf(report.problem, outcome))},
+        {"order", report.order},
+        {"distance_m", solved ? Json(flownDistance(report.problem, outcome.order)) : Json(nullptr)},
+        {"mu", report.problem.mu},
+        {"seconds", outcome.elapsed_s},
+        {"backend", outcome.backend}};
     if (!report.ids.empty())
         json["icebergs"] = report.ids;
     if (const auto& second = report.verification) {
         const bool secondSolved = second->outcome.status != SolveStatus::None;
-        json["verify"] = {{"backend", second->backend},
-                          {"status", nameOf(kStatusNames, second->outcome.status)},
-                          {"objective", secondSolved ? Json(second->outcome.objective)
-                                                     : Json(nullptr)},
-                          {"bound", orNull(second->outcome.bound)},
-                          {"agrees", second->agrees}};
+        json["verify"] = {
+            {"backend", second->backend},
+            {"status", nameOf(kStatusNames, second->outcome.status)},
+            {"objective", secondSolved ? Json(second->outcome.objective) : Json(nullptr)},
+            {"bound", orNull(second->outcome.bound)},
+            {"agrees", second->agrees}};
     }
     return text(json);
 }
@@ -155,8 +155,8 @@ std::string sweepCsv(const SweepResult& result)
                       "quartile3_m2s,decile1_m2s,decile9_m2s,stuck_share\n";
     for (const SweepRow& row : result.rows) {
         const Summary& s = row.summary;
-        csv += nameOf(kPolicyNames, row.policy) + ',' + (row.tau ? numberText(*row.tau) : "") + ',' +
-               std::to_string(s.n);
+        csv += nameOf(kPolicyNames, row.policy) + ',' + (row.tau ? numberText(*row.tau) : "") +
+               ',' + std::to_string(s.n);
         for (const double value : {s.mean, s.standardError, s.median, s.quartile1, s.quartile3,
                                    s.decile1, s.decile9, row.stuckShare})
             csv += ',' + numberText(value);

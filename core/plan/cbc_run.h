@@ -20,6 +20,7 @@ public:
     /** Takes the hint of the options, if any, as incumbent. */
     CbcRun(const TvpProblem& problem, const SolveOptions& options, const MilpModel& milp);
 
+    [[nodiscard]] const TvpProblem& problem() const { return m_problem; }
     [[nodiscard]] const MilpModel& milp() const { return m_milp; }
     [[nodiscard]] const SolveOptions& options() const { return m_options; }
     [[nodiscard]] double scale() const { return m_scale; }
@@ -53,8 +54,18 @@ public:
     /** Reports incumbent and bound to the caller. */
     void report() const;
 
-    /** Keeps what a callback threw (nothing may pass through COIN) and ends the solve. */
-    void fail(std::exception_ptr failure) { m_failure = std::move(failure); }
+    /** Runs the body of a callback. What it throws may not pass through COIN: it ends the solve. */
+    template <typename Body>
+    void guard(const Body& body)
+    {
+        try {
+            body();
+        } catch (...) {
+            if (!m_failure)
+                m_failure = std::current_exception();
+        }
+    }
+    /** Throws what the callbacks threw, if anything. */
     void rethrow() const;
 
 private:

@@ -19,16 +19,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace berg {
 
 namespace {
 
-/** About 60 MB and ten seconds for the first relaxation; far beyond what the search can prove. */
+/** 80 MB and about ten seconds for the first relaxation; far beyond what the search can prove. */
 constexpr int kLargestPosition = 40;
-/** The printed model is small (n^2 columns), but its search ends in useful time to 8 icebergs only.
- */
+/** The printed model is small (n^2 columns), but beyond 8 icebergs its search takes for ever. */
 constexpr int kLargestPrinted = 60;
 
 /** Above it CbcModel takes some values of the node limit for debugging switches. */
@@ -52,8 +54,7 @@ double coinBound(double value)
     return std::isinf(value) ? std::copysign(COIN_DBL_MAX, value) : value;
 }
 
-/** Swallows everything: CBC raises log levels again by itself, and would abort on severe messages.
- */
+/** Swallows everything: CBC raises log levels by itself and aborts after severe messages. */
 class SilentHandler final : public CoinMessageHandler
 {
 public:
@@ -96,16 +97,12 @@ public:
     CbcAction event(CbcEvent which) override
     {
         const bool stopping = m_run->mustStop();
-        try {
-            // CBC's heuristics search models of their own with a copy of this handler.
-            if (m_run->isMain(model_)) {
-                // Only then the bound is that of all open nodes.
-                if (which == treeStatus && !stopping)
-                    m_run->raiseBound(model_->getBestPossibleObjValue());
-                harvestFrom(*m_run, *model_);
-            }
-        } catch (...) {
-            m_run->fail(std::current_exception());
+        // CBC's heuristics search models of their own with a copy of this handler.
+        if (m_run->isMain(model_)) {
+            // Only then the bound is that of all open nodes.
+            if (which == treeStatus && !stopping)
+                m_run->raiseBound(model_->getBestPossibleObjValue());
+            m_run->guard([this] { harvestFrom(*m_run, *model_); });
         }
         return stopping ? stop : noAction;
     }
@@ -121,10 +118,7 @@ private:
 class AdmissibleFlowCuts final : public CglCutGenerator
 {
 public:
-    explicit AdmissibleFlowCuts(const CbcRun& run, const AdmissibleFlow& flow)
-        : m_run(&run), m_flow(&flow)
-    {
-    }
+    AdmissibleFlowCuts(CbcRun& run, const AdmissibleFlow& flow) : m_run(&run), m_flow(&flow) {}
     [[nodiscard]] CglCutGenerator* clone() const override { return new AdmissibleFlowCuts(*this); }
     void generateCuts(const OsiSolverInterface& solver, OsiCuts& cuts, const CglTreeInfo) override
     {
@@ -132,9 +126,11 @@ public:
         if (solver.getNumCols() != static_cast<int>(columns))
             return; // a smaller model of one of CBC's heuristics
         constexpr double kLeastViolation = 1e-3;
-        for (const MilpRow& row :
-             m_flow->violated({solver.getColSolution(), columns}, kLeastViolation))
-            cuts.insert(cutOf(row));
+        m_run->guard([&] {
+            const std::span<const double> relaxed{solver.getColSolution(), columns};
+            for (const MilpRow& row : m_flow->violated(relaxed, kLeastViolation))
+                cuts.insert(cutOf(row));
+        });
     }
 
 private:
@@ -154,35 +150,42 @@ private:
         return cut;
     }
 
-    const CbcRun* m_run;
+    CbcRun* m_run;
     const AdmissibleFlow* m_flow;
 };
 
-/** `roundByPosition` for CBC: an incumbent from every relaxation. */
-class PositionRounding final : public CbcHeuristic
+/** `roundRelaxation` for CBC: an incumbent from every relaxation. */
+class RelaxationRounding final : public CbcHeuristic
 {
 public:
-    PositionRounding(CbcModel& model, const CbcRun& run) : CbcHeuristic(model), m_run(&run) {}
-    [[nodiscard]] CbcHeuristic* clone() const override { return new PositionRounding(*this); }
+    RelaxationRounding(CbcModel& model, CbcRun& run) : CbcHeuristic(model), m_run(&run) {}
+    [[nodiscard]] CbcHeuristic* clone() const override { return new RelaxationRounding(*this); }
     void resetModel(CbcModel* model) override { setModel(model); }
     int solution(double& objectiveValue, double* newSolution) override
     {
-        if (!m_run->isMain(model_))
-            return 0;
-        const MilpModel& milp = m_run->milp();
-        const double* relaxed = model_->solver()->getColSolution();
-        const VisitOrder order = roundByPosition(milp, {relaxed, milp.columns.size()});
-        const double value = m_run->scaledObjective(order);
-        if (value >= objectiveValue)
-            return 0;
-        const std::vector<double> columns = encode(milp, order);
-        std::copy(columns.begin(), columns.end(), newSolution);
-        objectiveValue = value;
-        return 1;
+        bool better = false;
+        if (m_run->isMain(model_))
+            m_run->guard([&] { better = round(objectiveValue, newSolution); });
+        return better ? 1 : 0;
     }
 
 private:
-    const CbcRun* m_run;
+    bool round(double& objectiveValue, double* newSolution) const
+    {
+        const MilpModel& milp = m_run->milp();
+        const std::span<const double> relaxed{model_->solver()->getColSolution(),
+                                              milp.columns.size()};
+        const VisitOrder order = roundRelaxation(m_run->problem(), milp, relaxed);
+        const double value = m_run->scaledObjective(order);
+        if (value >= objectiveValue)
+            return false;
+        const std::vector<double> columns = encode(milp, order);
+        std::copy(columns.begin(), columns.end(), newSolution);
+        objectiveValue = value;
+        return true;
+    }
+
+    CbcRun* m_run;
 };
 
 void load(const CbcRun& run, OsiClpSolverInterface& solver)
@@ -299,8 +302,8 @@ SolveOutcome branchAndCut(const OsiClpSolverInterface& relaxation, CbcRun& run)
         model.setMaximumCutPassesAtRoot(50);
         model.setMaximumCutPasses(10);
     }
-    PositionRounding rounding(model, run);
-    model.addHeuristic(&rounding, "PositionRounding");
+    RelaxationRounding rounding(model, run);
+    model.addHeuristic(&rounding, "RelaxationRounding");
     SearchWatcher watcher(run);
     model.passInEventHandler(&watcher);
     configure(model, run);

@@ -7,6 +7,7 @@ namespace berg {
 /**
  * Branch and cut by COIN-OR CBC on one of the MILPs of `formulation.h`. The hint becomes CBC's
  * starting incumbent; it uses nothing of our own engines. Work unit: branch-and-bound nodes.
+ * Throws `Error{SolverFailed}` when COIN gives up without an order.
  */
 class CbcSolver final : public TvpSolver
 {

@@ -244,7 +244,7 @@ private:
     void takeBound(double bound)
     {
         if (bound >= cutoff()) {
-            m_result.bound = cutoff();
+            m_result.bound = std::max(m_result.bound, cutoff());
             m_result.reached = true;
         } else {
             m_result.bound = std::max(m_result.bound, bound - kMargin * m_cost);

@@ -245,12 +245,12 @@ private:
         options.workLimit = m_costs.icebergs < 128 ? 900'000'000 : 2'000'000'000;
         options.cut = [this] { return !mayGoOn(); };
         options.onImproved = [this](const VisitOrder& order, double bound) {
-            m_watch.report(order, objective(m_problem, order), bound - m_shift);
+            m_watch.report(order, objective(m_problem, order), boundOfObjective(bound));
         };
         const BoundResult result = improveBound(m_costs, m_best, options);
         m_best = result.order;
         m_bestCost = m_costs.total(m_best);
-        m_outcome.bound = result.bound - m_shift;
+        m_outcome.bound = boundOfObjective(result.bound);
         if (!result.reached)
             return;
         constexpr double kProven = 2e-9; // the bound's own margin and its rounding
@@ -259,6 +259,12 @@ private:
         else
             m_outcome.reason = StopReason::GapReached;
         m_watch.report(m_best, objective(m_problem, m_best), m_outcome.bound);
+    }
+
+    /** Nothing for 0: that every cost is positive goes without saying. */
+    [[nodiscard]] std::optional<double> boundOfObjective(double bound) const
+    {
+        return bound > 0 ? std::optional(bound - m_shift) : std::nullopt;
     }
 
     void keep(const Descent& descent)

@@ -1,6 +1,7 @@
 #include "core/plan/milp_relaxation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 
@@ -10,7 +11,60 @@ namespace {
 
 std::size_t slot(const MilpModel& model, int position, int node)
 {
-    return static_cast<std::size_t>(position * model.nodeCount + node);
+    const auto nodes = static_cast<std::size_t>(model.nodeCount);
+    return static_cast<std::size_t>(position) * nodes + static_cast<std::size_t>(node);
+}
+
+VisitOrder byMeanPosition(const MilpModel& model, std::span<const double> relaxed)
+{
+    require(relaxed.size() == model.columns.size(),
+            "roundRelaxation: one value per column expected");
+    std::vector<double> mean(static_cast<std::size_t>(model.nodeCount), 0.0);
+    if (model.hasOrderColumns)
+        std::copy_n(relaxed.begin() + static_cast<std::ptrdiff_t>(model.arcs.size()), mean.size(),
+                    mean.begin());
+    else
+        for (std::size_t c = 0; c < model.arcs.size(); ++c)
+            mean[static_cast<std::size_t>(model.arcs[c].to)] += relaxed[c] * model.arcs[c].position;
+
+    VisitOrder order(mean.size() - 1);
+    std::iota(order.begin(), order.end(), 1);
+    std::stable_sort(order.begin(), order.end(), [&mean](int a, int b) {
+        return mean[static_cast<std::size_t>(a)] < mean[static_cast<std::size_t>(b)];
+    });
+    return order;
+}
+
+/** Eq. (1) without the check of the order. */
+double costOf(const TvpProblem& problem, const VisitOrder& order)
+{
+    return problem.mu * flownDistance(problem, order) - uncertaintyReward(problem, order);
+}
+
+/** One round of moves, each taken when it pays; false when none did. */
+bool improve(const TvpProblem& problem, VisitOrder& order, double& cost)
+{
+    const double leastGain = 1e-12 * (std::abs(cost) + objectiveShift(problem));
+    bool improved = false;
+    VisitOrder trial;
+    const auto keep = [&](auto&& change) {
+        trial = order;
+        change(trial.begin());
+        const double value = costOf(problem, trial);
+        if (value >= cost - leastGain)
+            return;
+        order.swap(trial);
+        cost = value;
+        improved = true;
+    };
+    const auto icebergs = static_cast<std::ptrdiff_t>(order.size());
+    for (std::ptrdiff_t i = 0; i + 1 < icebergs; ++i)
+        for (std::ptrdiff_t j = i + 1; j < icebergs; ++j) {
+            keep([i, j](auto first) { std::rotate(first + i, first + i + 1, first + j + 1); });
+            keep([i, j](auto first) { std::rotate(first + i, first + j, first + j + 1); });
+            keep([i, j](auto first) { std::reverse(first + i, first + j + 1); });
+        }
+    return improved;
 }
 
 } // namespace
@@ -53,23 +107,13 @@ std::vector<MilpRow> AdmissibleFlow::violated(std::span<const double> relaxed,
     return rows;
 }
 
-VisitOrder roundByPosition(const MilpModel& model, std::span<const double> relaxed)
+VisitOrder roundRelaxation(const TvpProblem& problem, const MilpModel& model,
+                           std::span<const double> relaxed)
 {
-    require(relaxed.size() == model.columns.size(),
-            "roundByPosition: one value per column expected");
-    std::vector<double> mean(static_cast<std::size_t>(model.nodeCount), 0.0);
-    if (model.hasOrderColumns)
-        std::copy_n(relaxed.begin() + static_cast<std::ptrdiff_t>(model.arcs.size()), mean.size(),
-                    mean.begin());
-    else
-        for (std::size_t c = 0; c < model.arcs.size(); ++c)
-            mean[static_cast<std::size_t>(model.arcs[c].to)] += relaxed[c] * model.arcs[c].position;
-
-    VisitOrder order(mean.size() - 1);
-    std::iota(order.begin(), order.end(), 1);
-    std::stable_sort(order.begin(), order.end(), [&mean](int a, int b) {
-        return mean[static_cast<std::size_t>(a)] < mean[static_cast<std::size_t>(b)];
-    });
+    VisitOrder order = byMeanPosition(model, relaxed);
+    double cost = objective(problem, order);
+    while (improve(problem, order, cost)) {
+    }
     return order;
 }
 

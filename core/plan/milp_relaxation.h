@@ -31,9 +31,11 @@ private:
 };
 
 /**
- * Visits the icebergs by their mean position in a solution of the relaxation (one value per column,
- * of either formulation); ties go to the smaller node.
+ * A good order from a solution of the relaxation (one value per column, of either formulation): the
+ * icebergs by their mean position in it, then moving one iceberg or turning round one stretch as
+ * long as that lowers Eq. (1). Deterministic. Cost: n^3 for each round of moves, a few rounds.
  */
-[[nodiscard]] VisitOrder roundByPosition(const MilpModel& model, std::span<const double> relaxed);
+[[nodiscard]] VisitOrder roundRelaxation(const TvpProblem& problem, const MilpModel& model,
+                                         std::span<const double> relaxed);
 
 } // namespace berg

@@ -27,10 +27,12 @@ std::vector<int> nearestAvailable(const PlanRequest& request)
     for (int k = 0; k < static_cast<int>(request.ids.size()); ++k) {
         if (!request.available[static_cast<std::size_t>(k)])
             continue;
-        if (best < 0 || request.problem.distance_m(0, k + 1) < request.problem.distance_m(0, best + 1))
+        if (best < 0 ||
+            request.problem.distance_m(0, k + 1) < request.problem.distance_m(0, best + 1))
             best = k;
     }
-    return best < 0 ? std::vector<int>{} : std::vector<int>{request.ids[static_cast<std::size_t>(best)]};
+    return best < 0 ? std::vector<int>{}
+                    : std::vector<int>{request.ids[static_cast<std::size_t>(best)]};
 }
 
 } // namespace
@@ -57,8 +59,7 @@ void Planner::setSettings(const PlannerSettings& settings)
     m_settings = settings;
 }
 
-PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options,
-                         bool warmStart)
+PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options, bool warmStart)
 {
     const std::vector<int> lastRest = stillAvailable(m_lastOrder, request);
     PlanAnswer answer = m_policy->plan(request, warmStart ? lastRest : std::vector<int>{}, options);

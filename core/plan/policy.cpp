@@ -60,7 +60,8 @@ PlanAnswer solved(TvpProblem sub, std::vector<int> solvedIds, std::span<const in
                 options.hint.push_back(node);
 
     if (options.onProgress)
-        options.onProgress = [told = options.onProgress, &solvedIds](const SolveProgress& progress) {
+        options.onProgress = [told = options.onProgress,
+                              &solvedIds](const SolveProgress& progress) {
             SolveProgress inIds = progress;
             inIds.order = orderAsIds(progress.order, solvedIds);
             told(inIds);
@@ -79,8 +80,7 @@ class VisitationPolicy final : public Policy
 {
 public:
     VisitationPolicy(const PlannerSettings& settings, const TvpSolver& solver)
-        : m_settings(settings)
-        , m_solver(solver)
+        : m_settings(settings), m_solver(solver)
     {
     }
 
@@ -103,10 +103,7 @@ private:
 class GreedyPolicy final : public Policy
 {
 public:
-    explicit GreedyPolicy(bool nearest)
-        : m_nearest(nearest)
-    {
-    }
+    explicit GreedyPolicy(bool nearest) : m_nearest(nearest) {}
 
     PlanAnswer plan(const PlanRequest& request, std::span<const int>, const SolveOptions&) override
     {
@@ -159,10 +156,7 @@ TvpProblem distanceOnly(TvpProblem problem, Route route)
 class FixedRoutePolicy : public Policy
 {
 public:
-    explicit FixedRoutePolicy(const TvpSolver& solver)
-        : m_solver(solver)
-    {
-    }
+    explicit FixedRoutePolicy(const TvpSolver& solver) : m_solver(solver) {}
 
     PlanAnswer plan(const PlanRequest& request, std::span<const int>,
                     const SolveOptions& options) final
@@ -265,8 +259,8 @@ private:
                          .sigma_m2 = std::vector<double>(request.ids.size(), 0.0),
                          .mu = 1,
                          .route = Route::Closed};
-        PlanAnswer answer = solved(std::move(cycle), {request.ids.begin() + 1, request.ids.end()}, {},
-                                   solver(), options);
+        PlanAnswer answer = solved(std::move(cycle), {request.ids.begin() + 1, request.ids.end()},
+                                   {}, solver(), options);
         if (answer.outcome.status != SolveStatus::None)
             answer.order.insert(answer.order.begin(), request.ids.front());
         return answer;

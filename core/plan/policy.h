@@ -10,7 +10,16 @@
 namespace berg {
 
 /** How the next iceberg is chosen. Names: `kPolicyNames`. */
-enum class PolicyKind { Visitation, Path, Tour, Nearest, Uncertainty, Latency, Coverage };
+enum class PolicyKind
+{
+    Visitation,
+    Path,
+    Tour,
+    Nearest,
+    Uncertainty,
+    Latency,
+    Coverage
+};
 
 /** The knobs of planning that a scenario stores. */
 struct PlannerSettings
@@ -34,9 +43,9 @@ struct PlanRequest
 
 struct PlanAnswer
 {
-    std::vector<int> order; ///< ids in visiting order, the first one available; may be empty
-    SolveOutcome outcome;   ///< of the solve behind it; its nodes are those of `problem`
-    TvpProblem problem;     ///< what was solved; empty when no solve was needed
+    std::vector<int> order;     ///< ids in visiting order, the first one available; may be empty
+    SolveOutcome outcome;       ///< of the solve behind it; its nodes are those of `problem`
+    TvpProblem problem;         ///< what was solved; empty when no solve was needed
     std::vector<int> solvedIds; ///< id of node k+1 of `problem`
     bool fellBack = false;      ///< no order from the solver: the rest of the last plan is flown
 };

@@ -58,10 +58,7 @@ void settle(const TvpProblem& problem, SolveOutcome& outcome)
 
 } // namespace
 
-Stopwatch::Stopwatch()
-    : m_start_ns(now_ns())
-{
-}
+Stopwatch::Stopwatch() : m_start_ns(now_ns()) {}
 
 double Stopwatch::elapsed_s() const
 {
@@ -108,7 +105,8 @@ std::unique_ptr<TvpSolver> makeSolver(Backend backend, [[maybe_unused]] Formulat
 #ifdef BERG_WITH_CBC
         return std::make_unique<CbcSolver>(formulation);
 #else
-        throw Error(ErrorCode::Unsupported, "backend cbc", "this build was made without COIN-OR CBC");
+        throw Error(ErrorCode::Unsupported, "backend cbc",
+                    "this build was made without COIN-OR CBC");
 #endif
     }
     throw std::logic_error("makeSolver: unknown back end");

@@ -12,14 +12,23 @@
 
 namespace berg {
 
-enum class SolveStatus {
+enum class SolveStatus
+{
     Optimal,  ///< proven
     Feasible, ///< an order, not proven; the bound may be missing
     None      ///< a limit, a cancellation or an unable back end came before any order
 };
 
 /** Why a solve ended. */
-enum class StopReason { Finished, GapReached, TimeLimit, WorkLimit, Cancelled, Unable };
+enum class StopReason
+{
+    Finished,
+    GapReached,
+    TimeLimit,
+    WorkLimit,
+    Cancelled,
+    Unable
+};
 
 /** What a long solve tells while it runs; each one is at least as good as the one before. */
 struct SolveProgress
@@ -32,11 +41,11 @@ struct SolveProgress
 
 struct SolveOptions
 {
-    std::optional<double> timeLimit_s;       ///< elapsed time; a run cut by it may not repeat
-    std::optional<std::int64_t> workLimit;   ///< back end's own unit (nodes, iterations); repeats
-    double gap = 0;                          ///< stop when the relative gap is at most this
-    VisitOrder hint;                         ///< warm start; ignored when not a valid order
-    std::stop_token stop;                    ///< checked at least every 10 ms
+    std::optional<double> timeLimit_s;     ///< elapsed time; a run cut by it may not repeat
+    std::optional<std::int64_t> workLimit; ///< back end's own unit (nodes, iterations); repeats
+    double gap = 0;                        ///< stop when the relative gap is at most this
+    VisitOrder hint;                       ///< warm start; ignored when not a valid order
+    std::stop_token stop;                  ///< checked at least every 10 ms
     std::function<void(const SolveProgress&)> onProgress; ///< called on the solving thread
 };
 
@@ -44,8 +53,8 @@ struct SolveOutcome
 {
     SolveStatus status = SolveStatus::None;
     StopReason reason = StopReason::Finished;
-    VisitOrder order;     ///< empty when status is None (or there is no iceberg)
-    double objective = 0; ///< Eq. (1) of `order`, re-scored outside the back end
+    VisitOrder order;            ///< empty when status is None (or there is no iceberg)
+    double objective = 0;        ///< Eq. (1) of `order`, re-scored outside the back end
     std::optional<double> bound; ///< valid lower bound, never above `objective`
     double elapsed_s = 0;
     std::int64_t work = 0; ///< what `workLimit` counts
@@ -56,7 +65,8 @@ struct SolveOutcome
 
 /**
  * One way to solve the target visitation problem. Stateless: one object may solve on several
- * threads at once. `solve` checks the problem, the hint and the answer; a back end writes `doSolve`.
+ * threads at once. `solve` checks the problem, the hint and the answer; a back end writes
+ * `doSolve`.
  */
 class TvpSolver
 {
@@ -84,17 +94,28 @@ protected:
                                                const SolveOptions& options) const = 0;
 };
 
-enum class Backend { Auto, Exact, Cbc, Heuristic };
+enum class Backend
+{
+    Auto,
+    Exact,
+    Cbc,
+    Heuristic
+};
 
 /** MILP used by `Backend::Cbc`: position-indexed, as printed in the paper, or reduced. */
-enum class Formulation { Position, Printed, Reduced };
+enum class Formulation
+{
+    Position,
+    Printed,
+    Reduced
+};
 
 /**
  * The solver of that name. `Auto` proves small problems by dynamic programming and gives larger
  * ones to the local search with its bound. Throws `Error{Unsupported}` for what this build lacks.
  */
-[[nodiscard]] std::unique_ptr<TvpSolver> makeSolver(Backend backend,
-                                                    Formulation formulation = Formulation::Position);
+[[nodiscard]] std::unique_ptr<TvpSolver>
+makeSolver(Backend backend, Formulation formulation = Formulation::Position);
 
 /** Monotonic seconds since construction: the one clock of the solvers. */
 class Stopwatch

@@ -17,8 +17,8 @@ struct TuningWeight
  * mu(tau) for a problem's distances and sigmas (`mu` and `route` are not read), tau >= 0.
  *
  * Eq. (10) is kept as printed: the sorted sigmas include the UAV's 0 and are weighted 0 .. N-1
- * although (1) pays N-2 at most; tau absorbs the difference. Special cases the paper leaves open: all
- * sigma 0 gives mu = 1; D_est = 0 or N < 2 gives mu = 0.
+ * although (1) pays N-2 at most; tau absorbs the difference. Special cases the paper leaves open:
+ * all sigma 0 gives mu = 1; D_est = 0 or N < 2 gives mu = 0.
  */
 [[nodiscard]] TuningWeight tuningWeight(const TvpProblem& problem, double tau);
 

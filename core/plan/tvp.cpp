@@ -109,7 +109,8 @@ void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
         for (Eigen::Index j = 0; j < n; ++j) {
             const double d_m = problem.distance_m(i, j);
             if (i != j && !(std::isfinite(d_m) && d_m >= 0))
-                issues.push_back({Severity::Error, at("distance_m", i) + '[' + std::to_string(j) + ']',
+                issues.push_back({Severity::Error,
+                                  at("distance_m", i) + '[' + std::to_string(j) + ']',
                                   "must be a finite number of at least 0"});
         }
 }

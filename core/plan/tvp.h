@@ -2,15 +2,19 @@
 
 #include "core/base/error.h"
 
+#include <Eigen/Core>
+
 #include <span>
 #include <vector>
-
-#include <Eigen/Core>
 
 namespace berg {
 
 /** Open: a path that ends at the last iceberg, (3)-(5). Closed: back to the start. */
-enum class Route { Open, Closed };
+enum class Route
+{
+    Open,
+    Closed
+};
 
 /**
  * The target visitation problem of Eq. (1)-(9): N nodes, node 0 is the UAV (the paper's node 1),

@@ -150,6 +150,10 @@ void Mission::intervene(Intervention intervention)
     if (intervention.appears)
         after.icebergs.push_back(*intervention.appears);
     checked(after);
+    // A plan still due is made before the change, as a replay does: it comes to this instant by
+    // `advance`, which leaves no plan due.
+    if (m_simulation.planReason() != PlanReason::None && !m_simulation.finished())
+        static_cast<void>(planNow({}));
 
     m_planner.setSettings(settings);
     intervention.time_s = m_simulation.time_s();

@@ -17,7 +17,7 @@ struct MissionOptions
     std::optional<double> timeLimit_s;     ///< of each solve; the run may not repeat
     double gap = 0;                        ///< relative gap at which a solve may stop
     bool warmStart = true;
-    bool record = true;          ///< keep samples and keyframes
+    bool record = true; ///< keep samples and keyframes
     double sampleInterval_s = 1;
     double keyframeInterval_s = 60;
     bool operator==(const MissionOptions&) const = default;
@@ -43,7 +43,12 @@ struct Metrics
     bool operator==(const Metrics&) const = default;
 };
 
-enum class AdvanceStatus { Reached, Finished, Cancelled };
+enum class AdvanceStatus
+{
+    Reached,
+    Finished,
+    Cancelled
+};
 
 /**
  * The closed loop: `Simulation` and `Planner`. The result depends on scenario, options and
@@ -70,7 +75,10 @@ public:
     /** Told of each better order while a solve runs, on the flying thread; `status` is Feasible. */
     void setIncumbentListener(std::function<void(const PlanEvent&)> listener);
 
-    /** Applies the change now; its `time_s` is set to the present time. Throws as the constructor. */
+    /**
+     * Applies the change now; its `time_s` is set to the present time. A plan that is due is made
+     * first. Throws as the constructor; then nothing has changed.
+     */
     void intervene(Intervention intervention);
 
     [[nodiscard]] const Scenario& scenario() const { return m_scenario; }

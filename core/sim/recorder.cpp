@@ -15,8 +15,7 @@ std::int64_t stepsOf(double interval_s, double dt_s)
 } // namespace
 
 Recorder::Recorder(double interval_s, double keyframe_s, double dt_s)
-    : m_sampleSteps(stepsOf(interval_s, dt_s))
-    , m_keyframeSteps(stepsOf(keyframe_s, dt_s))
+    : m_sampleSteps(stepsOf(interval_s, dt_s)), m_keyframeSteps(stepsOf(keyframe_s, dt_s))
 {
 }
 

@@ -12,8 +12,8 @@ struct PlanEvent
 {
     double time_s = 0;
     PlanReason reason = PlanReason::None;
-    int target = -1;         ///< index of the iceberg flown to; -1: circling
-    std::vector<int> order;  ///< iceberg indices
+    int target = -1;        ///< index of the iceberg flown to; -1: circling
+    std::vector<int> order; ///< iceberg indices
     SolveStatus status = SolveStatus::None;
     StopReason stop = StopReason::Finished;
     std::string backend;
@@ -27,7 +27,14 @@ struct PlanEvent
     bool fellBack = false;
 };
 
-enum class EventKind { Planned, Reached, Sighted, Appeared, Intervention };
+enum class EventKind
+{
+    Planned,
+    Reached,
+    Sighted,
+    Appeared,
+    Intervention
+};
 
 /** One line of the event log. */
 struct MissionEvent

@@ -116,8 +116,8 @@ PlanRequest Simulation::planRequest() const
     const bool calm = m_motion.wind_mps.isZero(0);
     for (Eigen::Index j = 0; j < n; ++j)
         for (Eigen::Index i = 0; i < n; ++i) {
-            const Point leg_m = nodes_m[static_cast<std::size_t>(j)] -
-                                nodes_m[static_cast<std::size_t>(i)];
+            const Point leg_m =
+                nodes_m[static_cast<std::size_t>(j)] - nodes_m[static_cast<std::size_t>(i)];
             // Air distance U t_ij: what a leg costs when the wind helps or hinders.
             request.problem.distance_m(i, j) =
                 calm ? leg_m.norm()
@@ -162,8 +162,8 @@ void Simulation::advanceStep()
     require(!finished(), "advanceStep: the run is over");
     ++m_state.step; // the estimates steered at are those at the end of the step
     m_state.u_radps = steer();
-    m_state.uav = berg::step(m_state.uav, m_motion.airspeed_mps, m_state.u_radps, m_dt_s,
-                             m_motion.wind_mps);
+    m_state.uav =
+        berg::step(m_state.uav, m_motion.airspeed_mps, m_state.u_radps, m_dt_s, m_motion.wind_mps);
     m_state.flown_m += m_motion.airspeed_mps * m_dt_s;
     m_newlySeen.clear();
     m_newlyAppeared.clear();

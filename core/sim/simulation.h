@@ -11,14 +11,23 @@
 namespace berg {
 
 /** Why a plan is needed at this instant. */
-enum class PlanReason { None, Start, TargetReached, OutOfView, Appeared, Intervention };
+enum class PlanReason
+{
+    None,
+    Start,
+    TargetReached,
+    OutOfView,
+    Appeared,
+    Intervention
+};
 
 /** What the autopilot is doing. */
-enum class FlightMode {
-    Idle,    ///< no iceberg at all: holding
-    Leg,     ///< to the target
-    RunOut,  ///< passed a target too close to turn onto: straight on before turning back
-    Circle   ///< every iceberg in view: round the last one reached
+enum class FlightMode
+{
+    Idle,   ///< no iceberg at all: holding
+    Leg,    ///< to the target
+    RunOut, ///< passed a target too close to turn onto: straight on before turning back
+    Circle  ///< every iceberg in view: round the last one reached
 };
 
 /** Everything that changes while flying: enough to continue from here, bit for bit. */

@@ -10,9 +10,9 @@ namespace berg {
 
 namespace {
 
-constexpr std::array kPaperTable2{
-    PaperTime{2, 0.02, 0.03}, PaperTime{6, 0.18, 0.42},    PaperTime{10, 0.64, 1.50},
-    PaperTime{12, 1.71, 4.24}, PaperTime{16, 31.20, 145.16}, PaperTime{20, 2969.69, 17269.17}};
+constexpr std::array kPaperTable2{PaperTime{2, 0.02, 0.03},     PaperTime{6, 0.18, 0.42},
+                                  PaperTime{10, 0.64, 1.50},    PaperTime{12, 1.71, 4.24},
+                                  PaperTime{16, 31.20, 145.16}, PaperTime{20, 2969.69, 17269.17}};
 
 BenchmarkRow runRow(const BenchmarkSpec& spec, int icebergs, Backend backend, double share_s,
                     const std::stop_token& stop)
@@ -24,7 +24,8 @@ BenchmarkRow runRow(const BenchmarkSpec& spec, int icebergs, Backend backend, do
     double worstGap = 0;
     bool bounded = true;
     for (int k = 1; k <= spec.repeat && !stop.stop_requested(); ++k) {
-        const TvpProblem problem = tableOneProblem(static_cast<std::uint64_t>(k), icebergs, spec.tau);
+        const TvpProblem problem =
+            tableOneProblem(static_cast<std::uint64_t>(k), icebergs, spec.tau);
         row.note = solver->whyNot(problem);
         const double left_s = share_s - watch.elapsed_s();
         if (!row.note.empty() || left_s <= 0)
@@ -76,9 +77,8 @@ std::span<const PaperTime> paperTable2()
     return kPaperTable2;
 }
 
-std::vector<BenchmarkRow>
-runBenchmark(const BenchmarkSpec& spec, const std::stop_token& stop,
-             const std::function<void(std::size_t, std::size_t)>& onRow)
+std::vector<BenchmarkRow> runBenchmark(const BenchmarkSpec& spec, const std::stop_token& stop,
+                                       const std::function<void(std::size_t, std::size_t)>& onRow)
 {
     const Stopwatch watch;
     std::vector<BenchmarkRow> rows;

@@ -31,7 +31,7 @@ struct BenchmarkSpec
     std::vector<int> sizes;
     std::vector<Backend> backends;
     Formulation formulation = Formulation::Position; ///< of the CBC back end
-    int repeat = 10;     ///< instances of each size: seeds 1 .. repeat
+    int repeat = 10;                                 ///< instances of each size: seeds 1 .. repeat
     double budget_s = 60; ///< of the whole benchmark; shared equally by what is left to do
     double tau = 0.5;
 };

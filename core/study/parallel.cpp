@@ -43,7 +43,8 @@ bool forEachIndex(std::size_t count, const std::function<void(std::size_t)>& job
     };
 
     const auto cores = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t wanted = options.threads > 0 ? static_cast<std::size_t>(options.threads) : cores;
+    const std::size_t wanted =
+        options.threads > 0 ? static_cast<std::size_t>(options.threads) : cores;
     {
         std::vector<std::jthread> pool;
         for (std::size_t t = 0; t < std::min(wanted, std::max<std::size_t>(1, count)); ++t)

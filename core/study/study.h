@@ -24,10 +24,10 @@ struct SweepSpec
 struct SweepRow
 {
     PolicyKind policy = PolicyKind::Visitation;
-    std::optional<double> tau;      ///< none for policies that do not use it
-    std::vector<double> zeta_m2s;   ///< by case: scenario-major, then run
-    std::vector<double> visits;     ///< by case
-    Summary summary;                ///< of zeta
+    std::optional<double> tau;    ///< none for policies that do not use it
+    std::vector<double> zeta_m2s; ///< by case: scenario-major, then run
+    std::vector<double> visits;   ///< by case
+    Summary summary;              ///< of zeta
     double stuckShare = 0; ///< cases that fly to two icebergs at most in the last half of the run
 };
 

@@ -18,7 +18,8 @@ bool FieldOfView::contains(const Point& p_m) const
     const Point d_m = p_m - m_centre_m;
     if (m_disk)
         return d_m.squaredNorm() <= m_half_m.x() * m_half_m.x();
-    return std::abs(m_along.dot(d_m)) <= m_half_m.x() && std::abs(cross(m_along, d_m)) <= m_half_m.y();
+    return std::abs(m_along.dot(d_m)) <= m_half_m.x() &&
+           std::abs(cross(m_along, d_m)) <= m_half_m.y();
 }
 
 } // namespace berg

@@ -4,7 +4,8 @@
 
 namespace berg {
 
-enum class FovShape {
+enum class FovShape
+{
     Body,  ///< rectangle turning with the UAV's heading
     North, ///< rectangle, along = north
     Disk   ///< diameter = the first extent

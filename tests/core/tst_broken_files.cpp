@@ -1,0 +1,248 @@
+#include "core/io/atomic_file.h"
+#include "core/io/problem_json.h"
+#include "core/io/run_json.h"
+#include "core/io/scenario_json.h"
+#include "tests/support/expect_error.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+const QString kFolder = QStringLiteral(BERG_TEST_DATA "/broken/");
+
+/** One line of EXPECTED.tsv: file, error code, texts that the message contains. */
+struct Row
+{
+    QString file;
+    QString code;
+    QStringList texts;
+};
+
+QList<Row> manifest()
+{
+    QList<Row> rows;
+    QFile file(kFolder + "EXPECTED.tsv");
+    if (!file.open(QIODevice::ReadOnly))
+        return rows;
+    for (const QByteArray& line : file.readAll().split('\n')) {
+        const QStringList cells = QString::fromUtf8(line).split('\t');
+        if (cells.size() == 3 && !line.startsWith('#'))
+            rows.append({cells[0], cells[1], cells[2].split(" | ")});
+    }
+    return rows;
+}
+
+/** Reads a file as the kind its name ends with. */
+void loadByName(const QString& path)
+{
+    const std::string name = path.toStdString();
+    if (path.endsWith(".berg"))
+        (void)loadScenario(name);
+    else if (path.endsWith(".json"))
+        (void)loadProblem(name);
+    else if (path.endsWith(".bergrun"))
+        (void)loadRun(name);
+    else
+        QFAIL("a file of unknown kind");
+}
+
+/** Reads a file as the kind its `format` member says, as the command line does. */
+void loadByFormat(const QString& path)
+{
+    const std::string name = path.toStdString();
+    const std::string text = readFile(name);
+    const std::string format = formatOf(text, name);
+    if (format == "bergwatch-scenario")
+        (void)scenarioFromJson(text, name);
+    else if (format == "bergwatch-problem")
+        (void)problemFromJson(text, name);
+    else
+        (void)runFromJson(text, name);
+}
+
+void write(const QString& path, const std::string& text)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(text.data(), static_cast<qint64>(text.size())),
+             static_cast<qint64>(text.size()));
+}
+
+const std::string kStart =
+    R"({"format": "bergwatch-scenario", "version": 1, "uavs": [{"position_m": [0, 0]}], )";
+
+} // namespace
+
+class TestBrokenFiles : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyFileIsListed()
+    {
+        QStringList listed;
+        for (const Row& row : manifest())
+            listed.append(row.file);
+        QStringList present = QDir(kFolder).entryList(QDir::Files);
+        present.removeOne("EXPECTED.tsv");
+        listed.sort();
+        present.sort();
+        QCOMPARE(listed, present);
+        QVERIFY(present.size() >= 45);
+    }
+
+    void refused_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("code");
+        QTest::addColumn<QStringList>("texts");
+        for (const Row& row : manifest())
+            QTest::newRow(row.file.toUtf8().constData()) << row.file << row.code << row.texts;
+    }
+    void refused()
+    {
+        QFETCH(const QString, file);
+        QFETCH(const QString, code);
+        QFETCH(const QStringList, texts);
+        const QString path = kFolder + file;
+        const std::optional<Error> error = errorOf([&] { loadByName(path); });
+        QVERIFY2(error, "the file was accepted");
+        const QString message = QString::fromStdString(error->what());
+        QCOMPARE(QString::fromStdString(codeName(error->code())), code);
+        QCOMPARE(QString::fromStdString(error->subject()), path);
+        QVERIFY2(!error->issues().empty(), error->what());
+        QVERIFY2(message.startsWith(path + ": "), error->what());
+        for (const QString& text : texts)
+            QVERIFY2(!text.isEmpty() && message.contains(text), error->what());
+        // A message is for a terminal: readable text without control characters.
+        QVERIFY(QString::fromUtf8(error->what()).toUtf8() == QByteArray(error->what()));
+        for (const QChar c : message)
+            QVERIFY(c.isPrint() || c == '\n');
+    }
+
+    void refusedByFormatToo_data() { refused_data(); }
+    void refusedByFormatToo()
+    {
+        QFETCH(const QString, file);
+        QVERIFY(errorOf([&] { loadByFormat(kFolder + file); }));
+    }
+
+    void faultsComeOneByOne_data() { refused_data(); }
+    void faultsComeOneByOne()
+    {
+        // One way to be wrong per file: a single complaint, not a cascade of them.
+        QFETCH(const QString, file);
+        const std::optional<Error> error = errorOf([&] { loadByName(kFolder + file); });
+        QVERIFY(error);
+        if (!file.startsWith("many-faults") && !file.startsWith("faults-"))
+            QVERIFY2(error->issues().size() == 1, error->what());
+    }
+
+    void wrongKindIsRefused_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("scenario") << "plain.berg";
+        QTest::newRow("problem") << "small-problem.json";
+        QTest::newRow("run") << "small.bergrun";
+    }
+    void wrongKindIsRefused()
+    {
+        QFETCH(const QString, file);
+        const std::string path = BERG_TEST_DATA "/scenarios/" + file.toStdString();
+        const std::string own = formatOf(readFile(path), path);
+        loadByName(QString::fromStdString(path)); // whole as it is
+        const auto check = [&](const std::string& format, auto load) {
+            if (own == format)
+                return;
+            const std::optional<Error> error = errorOf([&] { (void)load(path); });
+            QVERIFY(error);
+            QCOMPARE(codeName(error->code()), std::string("WrongFormat"));
+            QVERIFY(std::string(error->what()).find(own) != std::string::npos);
+        };
+        check("bergwatch-scenario", loadScenario);
+        check("bergwatch-problem", loadProblem);
+        check("bergwatch-run", loadRun);
+    }
+
+    void tooLarge()
+    {
+        const QTemporaryDir dir;
+        const QString path = dir.filePath("large.berg");
+        write(path, kStart + R"("icebergs": [])" + std::string(kLargestFile, ' ') + '}');
+        QCOMPARE(codeOf([&] { loadByName(path); }), std::string("FileTooLarge"));
+    }
+
+    void tooManyValues()
+    {
+        // 20 million values in 40 MB would take a gigabyte of memory.
+        std::string text = kStart + R"("icebergs": [], "x": [1)";
+        for (int i = 0; i < 20'000'000; ++i)
+            text += ",1";
+        text += "]}";
+        QCOMPARE(codeOf([&] { (void)scenarioFromJson(text, "x"); }), std::string("FileTooLarge"));
+    }
+
+    void aMillionIcebergs()
+    {
+        std::string text = kStart + R"("icebergs": [{"position_m": [1, 2]})";
+        for (int i = 1; i < 1'000'000; ++i)
+            text += R"(,{"position_m": [1, 2]})";
+        text += "]}";
+        const std::optional<Error> error = errorOf([&] { (void)scenarioFromJson(text, "x"); });
+        QVERIFY(error);
+        QCOMPARE(QString::fromUtf8(error->what()),
+                 QString("x: icebergs: must hold at most 1000 entries, not 1000000"));
+    }
+
+    void manyUnknownMembersAreKeptInReasonableTime()
+    {
+        // Quadratic handling of 200,000 names would take minutes.
+        std::string text = kStart + R"("icebergs": [])";
+        for (int i = 0; i < 200'000; ++i)
+            text += ", \"x" + std::to_string(i) + "\": 1";
+        text += '}';
+        const Scenario scenario = scenarioFromJson(text, "x");
+        QVERIFY(scenarioFromJson(scenarioToJson(scenario), "x") == scenario);
+    }
+
+    void everyPrefixOfAFileIsRefused()
+    {
+        const std::string text = readFile(BERG_TEST_DATA "/scenarios/small.bergrun");
+        const std::size_t end = text.find_last_of('}');
+        for (std::size_t size = 0; size <= end; ++size)
+            QCOMPARE(codeOf([&] { (void)runFromJson(text.substr(0, size), "x"); }),
+                     std::string("SyntaxError"));
+    }
+
+    void damagedBytesNeverCrash()
+    {
+        // Each byte in turn replaced by several others: read, or refused with an `Error`.
+        for (const char* name : {"every-field.berg", "small-problem.json", "small.bergrun"}) {
+            const std::string path = std::string(BERG_TEST_DATA "/scenarios/") + name;
+            const std::string text = readFile(path);
+            for (std::size_t i = 0; i < text.size(); ++i)
+                for (const char byte : {'\0', '"', '-', '9', '}', ',', '\xFF'}) {
+                    std::string damaged = text;
+                    damaged[i] = byte;
+                    const std::optional<Error> error = errorOf([&] {
+                        if (path.ends_with(".berg"))
+                            (void)scenarioFromJson(damaged, "x");
+                        else if (path.ends_with(".json"))
+                            (void)problemFromJson(damaged, "x");
+                        else
+                            (void)runFromJson(damaged, "x");
+                    });
+                    QVERIFY(!error || !error->issues().empty());
+                }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestBrokenFiles)
+#include "tst_broken_files.moc"

@@ -1,0 +1,98 @@
+#include "core/base/error.h"
+
+#include <QtTest>
+
+using namespace berg;
+
+class TestError : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void messageHasItsSubject()
+    {
+        const Error error(ErrorCode::FileNotFound, "a.berg", "no such file");
+        QCOMPARE(error.code(), ErrorCode::FileNotFound);
+        QCOMPARE(error.subject(), std::string("a.berg"));
+        QCOMPARE(std::string(error.what()), std::string("a.berg: no such file"));
+        const std::vector<Issue> expected{{Severity::Error, "", "no such file"}};
+        QVERIFY(error.issues() == expected);
+    }
+
+    void messageWithoutSubject()
+    {
+        const Error error(ErrorCode::Unsupported, "", "not in this build");
+        QCOMPARE(std::string(error.what()), std::string("not in this build"));
+        QCOMPARE(error.subject(), std::string());
+    }
+
+    void oneLineForEachIssue()
+    {
+        const std::vector<Issue> issues{
+            {Severity::Error, "uavs[0].airspeed_mps", "must be above 0"},
+            {Severity::Warning, "", "is old"},
+            {Severity::Error, "icebergs[3].q_m2ps", "must be a number"}};
+        const Error error(ErrorCode::InvalidInput, "b.berg", issues);
+        QCOMPARE(error.code(), ErrorCode::InvalidInput);
+        QCOMPARE(error.subject(), std::string("b.berg"));
+        QVERIFY(error.issues() == issues);
+        QCOMPARE(std::string(error.what()),
+                 std::string("b.berg: uavs[0].airspeed_mps: must be above 0\n"
+                             "b.berg: is old\n"
+                             "b.berg: icebergs[3].q_m2ps: must be a number"));
+    }
+
+    void caughtAsRuntimeErrorAndNotAsBug()
+    {
+        const auto fail = [] { throw Error(ErrorCode::SyntaxError, "c", "bad"); };
+        QVERIFY_EXCEPTION_THROWN(fail(), std::runtime_error);
+        const auto bug = [] { require(false, "a bug"); };
+        QVERIFY_EXCEPTION_THROWN(bug(), std::logic_error);
+    }
+
+    void requirePassesAndSaysWhat()
+    {
+        require(true, "never thrown");
+        try {
+            require(false, "count must be at least 1");
+            QFAIL("nothing thrown");
+        } catch (const std::logic_error& e) {
+            QCOMPARE(std::string(e.what()), std::string("count must be at least 1"));
+        }
+    }
+
+    void onlyErrorsCountAsErrors_data()
+    {
+        QTest::addColumn<QList<int>>("severities");
+        QTest::addColumn<bool>("expected");
+        const auto error = static_cast<int>(Severity::Error);
+        const auto warning = static_cast<int>(Severity::Warning);
+        const auto hint = static_cast<int>(Severity::Hint);
+        QTest::newRow("nothing") << QList<int>{} << false;
+        QTest::newRow("warning and hint") << QList<int>{warning, hint} << false;
+        QTest::newRow("error alone") << QList<int>{error} << true;
+        QTest::newRow("error last") << QList<int>{hint, warning, error} << true;
+    }
+
+    void onlyErrorsCountAsErrors()
+    {
+        QFETCH(QList<int>, severities);
+        QFETCH(bool, expected);
+        std::vector<Issue> issues;
+        for (const int severity : severities)
+            issues.push_back({static_cast<Severity>(severity), "field", "message"});
+        QCOMPARE(hasErrors(issues), expected);
+    }
+
+    void issuesDifferByEveryMember()
+    {
+        const Issue issue{Severity::Error, "a", "b"};
+        QVERIFY((issue == Issue{Severity::Error, "a", "b"}));
+        QVERIFY(!(issue == Issue{Severity::Hint, "a", "b"}));
+        QVERIFY(!(issue == Issue{Severity::Error, "x", "b"}));
+        QVERIFY(!(issue == Issue{Severity::Error, "a", "x"}));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestError)
+#include "tst_error.moc"

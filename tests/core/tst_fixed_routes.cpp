@@ -1,0 +1,222 @@
+#include "core/plan/policy.h"
+#include "tests/support/approx.h"
+#include "tests/support/request_builder.h"
+#include "tests/support/test_solvers.h"
+
+#include <algorithm>
+#include <memory>
+
+using namespace berg;
+using namespace berg::test;
+
+using Ids = std::vector<int>;
+
+namespace {
+
+/** Round the icebergs alone: the UAV's place has no part in it. */
+double cycleLength_m(const PlanRequest& request, const Ids& ids)
+{
+    double length_m = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        length_m += request.problem.distance_m(nodeOf(request, ids[i]),
+                                               nodeOf(request, ids[(i + 1) % ids.size()]));
+    return length_m;
+}
+
+/** sum sigma_i t_i with t_i the distance flown until iceberg i. */
+double waiting(const PlanRequest& request, const Ids& ids)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const Ids until(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        sum += pathLength_m(request, until) *
+               request.problem.sigma_m2[static_cast<std::size_t>(nodeOf(request, ids[i]))];
+    }
+    return sum;
+}
+
+} // namespace
+
+/** The two policies that keep one sequence: `path` and `tour`. */
+class TestFixedRoutes : public QObject
+{
+    Q_OBJECT
+
+private:
+    SolverScript m_script;
+    std::unique_ptr<ScriptedSolver> m_solver;
+
+    [[nodiscard]] std::unique_ptr<Policy> policy(PolicyKind kind) const
+    {
+        return makePolicy({.policy = kind}, *m_solver);
+    }
+
+private slots:
+    void init()
+    {
+        m_script = {.answer = triedAll};
+        m_solver = std::make_unique<ScriptedSolver>(m_script);
+    }
+
+    void pathIsTheShortest_data()
+    {
+        QTest::addColumn<int>("icebergs");
+        for (const int icebergs : {1, 2, 3, 5, 6, 7})
+            QTest::addRow("%d icebergs", icebergs) << icebergs;
+    }
+
+    void pathIsTheShortest()
+    {
+        QFETCH(int, icebergs);
+        Random random(3, static_cast<std::uint64_t>(icebergs));
+        for (int k = 0; k < 5; ++k) {
+            PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs));
+            for (double& sigma_m2 : request.problem.sigma_m2)
+                sigma_m2 *= 1000; // as large as the distances, and of no account
+            const PlanAnswer answer = policy(PolicyKind::Path)->plan(request, {}, {});
+            double shortest_m = 1e300;
+            forEachOrder(request, [&](const Ids& ids) {
+                shortest_m = std::min(shortest_m, pathLength_m(request, ids));
+            });
+            COMPARE_NEAR(pathLength_m(request, answer.order), shortest_m, 1e-9);
+            QCOMPARE(answer.order.size(), request.ids.size());
+        }
+    }
+
+    /** The path is flown to its end though the picture changes; only then is a new one made. */
+    void pathContinuesItsSequence()
+    {
+        const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
+        Ids rest = path->plan(five(), {}, {}).order;
+        while (rest.size() > 1) {
+            const int reached = rest.front();
+            rest.erase(rest.begin());
+            std::vector<Place> later = kFive;
+            for (Place& place : later) // nearest-first and sigma-first would both go elsewhere
+                place.sigma_m2 = 20 - place.sigma_m2;
+            const PlanRequest request = requestOf({4000, 4000}, later);
+            QVERIFY(path->plan(without(request, {reached}), {}, {}).order == rest);
+            QCOMPARE(m_script.problems.size(), std::size_t{1});
+        }
+        const PlanAnswer again = path->plan(without(five(), {rest.front()}), {}, {});
+        QCOMPARE(m_script.problems.size(), std::size_t{2});
+        QCOMPARE(again.order.size(), std::size_t{4}); // all but the one in view
+    }
+
+    /** An iceberg seen on the way is passed over when its turn comes. */
+    void pathPassesOverWhatIsInView()
+    {
+        const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
+        const Ids order = path->plan(five(), {}, {}).order;
+        const PlanAnswer answer = path->plan(without(five(), {order[0], order[1]}), {}, {});
+        QVERIFY((answer.order == Ids{order[2], order[3], order[4]}));
+        // It stays passed over, also when it is out of view again.
+        const PlanAnswer next = path->plan(without(five(), {order[2]}), {}, {});
+        QVERIFY((next.order == Ids{order[3], order[4]}));
+    }
+
+    /** In view long before its turn: it stays in the sequence. */
+    void pathKeepsWhatIsInViewEarly()
+    {
+        const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
+        const Ids order = path->plan(five(), {}, {}).order;
+        const PlanAnswer answer = path->plan(without(five(), {order[0], order[2]}), {}, {});
+        QVERIFY((answer.order == Ids{order[1], order[2], order[3], order[4]}));
+        QCOMPARE(path->plan(without(five(), {order[1]}), {}, {}).order.front(), order[2]);
+    }
+
+    void fixedRoutesStartAnewWithANewIceberg_data()
+    {
+        QTest::addColumn<PolicyKind>("kind");
+        QTest::newRow("path") << PolicyKind::Path;
+        QTest::newRow("tour") << PolicyKind::Tour;
+    }
+
+    void fixedRoutesStartAnewWithANewIceberg()
+    {
+        QFETCH(PolicyKind, kind);
+        const std::unique_ptr<Policy> route = policy(kind);
+        const Ids order = route->plan(five(), {}, {}).order;
+        (void)route->plan(without(five(), {order[0]}), {}, {});
+        QCOMPARE(m_script.problems.size(), std::size_t{1});
+        std::vector<Place> six = kFive;
+        six.push_back({77, {2000, 2000}, 5});
+        const PlanRequest request = requestOf({1000, 1000}, six);
+        const PlanAnswer answer = route->plan(request, {}, {});
+        QCOMPARE(m_script.problems.size(), std::size_t{2});
+        const PlanAnswer fresh = policy(kind)->plan(request, {}, {});
+        QVERIFY(answer.order == fresh.order);
+        QCOMPARE(answer.order.size(), std::size_t{6});
+    }
+
+    void tourIsTheShortestCycle_data()
+    {
+        QTest::addColumn<int>("icebergs");
+        QTest::addColumn<bool>("windy");
+        for (const int icebergs : {1, 2, 3, 4, 5, 6, 7})
+            for (const bool windy : {false, true})
+                QTest::addRow("%d icebergs, %s", icebergs, windy ? "windy" : "calm")
+                    << icebergs << windy;
+    }
+
+    void tourIsTheShortestCycle()
+    {
+        QFETCH(int, icebergs);
+        QFETCH(bool, windy);
+        Random random(4, static_cast<std::uint64_t>(icebergs));
+        for (int k = 0; k < 4; ++k) {
+            PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs));
+            for (Eigen::Index i = 0; windy && i <= icebergs; ++i)
+                for (Eigen::Index j = 0; j <= icebergs; ++j)
+                    request.problem.distance_m(i, j) *= random.uniform(1, 1.5);
+            const Ids order = policy(PolicyKind::Tour)->plan(request, {}, {}).order;
+            QCOMPARE(order.size(), request.ids.size());
+
+            double shortest_m = 1e300;
+            forEachOrder(request, [&](const Ids& ids) {
+                shortest_m = std::min(shortest_m, cycleLength_m(request, ids));
+            });
+            const Ids back(order.rbegin(), order.rend());
+            COMPARE_NEAR(std::min(cycleLength_m(request, order), cycleLength_m(request, back)),
+                         shortest_m, 1e-9);
+            // Of all ways to enter such a cycle, none lets the uncertain wait less.
+            double leastWaiting = 1e300;
+            forEachOrder(request, [&](const Ids& ids) {
+                const Ids other(ids.rbegin(), ids.rend());
+                if (std::min(cycleLength_m(request, ids), cycleLength_m(request, other)) <
+                    shortest_m + 1e-9)
+                    leastWaiting = std::min(leastWaiting, waiting(request, ids));
+            });
+            COMPARE_NEAR(waiting(request, order), leastWaiting, 1e-9 * leastWaiting);
+        }
+    }
+
+    /** Round after round in the same sequence, from one solve. */
+    void tourGoesRoundAndRound()
+    {
+        const std::unique_ptr<Policy> tour = policy(PolicyKind::Tour);
+        const Ids cycle = tour->plan(five(), {}, {}).order;
+        std::vector<int> flown{cycle.front()};
+        for (int leg = 0; leg < 12; ++leg) {
+            const PlanAnswer answer = tour->plan(without(five(), {flown.back()}), {}, {});
+            flown.push_back(answer.order.front());
+        }
+        for (std::size_t i = 0; i < flown.size(); ++i)
+            QCOMPARE(flown[i], cycle[i % cycle.size()]);
+        QCOMPARE(m_script.problems.size(), std::size_t{1});
+    }
+
+    /** Its outcome is that of the cycle, with the first iceberg in the UAV's place. */
+    void tourTellsWhatWasSolved()
+    {
+        const PlanRequest request = five();
+        const PlanAnswer answer = policy(PolicyKind::Tour)->plan(request, {}, {});
+        QCOMPARE(answer.problem.route, Route::Closed);
+        QCOMPARE(answer.problem.icebergCount(), 4);
+        QCOMPARE(answer.outcome.status, SolveStatus::Optimal);
+        COMPARE_NEAR(answer.outcome.objective, cycleLength_m(request, answer.order), 1e-9);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFixedRoutes)
+#include "tst_fixed_routes.moc"

@@ -1,0 +1,75 @@
+#include "core/io/mission_items.h"
+#include "tests/support/mission_builder.h"
+
+#include <QTest>
+
+using namespace berg;
+using namespace berg::test;
+
+class TestMissionItems : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void acceptanceRadius_data()
+    {
+        QTest::addColumn<double>("along_m");
+        QTest::addColumn<double>("across_m");
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<double>("reach_m");
+        QTest::addColumn<double>("expected_m");
+        const int body = static_cast<int>(FovShape::Body);
+        const int disk = static_cast<int>(FovShape::Disk);
+        QTest::newRow("default is cut to 8 bits") << 600.0 << 600.0 << body << 0.0 << 255.0;
+        QTest::newRow("half the smaller extent") << 600.0 << 301.0 << body << 0.0 << 150.0;
+        QTest::newRow("disk: first extent only") << 400.0 << 100.0 << disk << 0.0 << 200.0;
+        QTest::newRow("reach radius wins") << 600.0 << 600.0 << body << 80.5 << 80.0;
+        QTest::newRow("large reach radius") << 600.0 << 600.0 << body << 1000.0 << 255.0;
+        QTest::newRow("never 0, the autopilot's default") << 600.0 << 600.0 << body << 0.4 << 1.0;
+    }
+
+    void acceptanceRadius()
+    {
+        QFETCH(double, along_m);
+        QFETCH(double, across_m);
+        QFETCH(int, shape);
+        QFETCH(double, reach_m);
+        QFETCH(double, expected_m);
+        Scenario scenario = fourIcebergs();
+        scenario.uavs[0].fov_m = Point(along_m, across_m);
+        scenario.fovShape = static_cast<FovShape>(shape);
+        if (reach_m > 0)
+            scenario.reachRadius_m = reach_m;
+        QCOMPARE(acceptanceRadius_m(scenario), expected_m);
+    }
+
+    void loiterRadius_data()
+    {
+        QTest::addColumn<double>("airspeed_mps");
+        QTest::addColumn<double>("bank_deg");
+        QTest::addColumn<double>("wind_mps");
+        QTest::addColumn<double>("expected_m");
+        // U^2 / (9.81 tan(bank)) by hand: 105.81, 210.05, 257.35, 423.2 m.
+        QTest::newRow("default, rounded up") << 22.0 << 25.0 << 0.0 << 106.0;
+        QTest::newRow("faster") << 31.0 << 25.0 << 0.0 << 211.0;
+        QTest::newRow("above 255 m in steps of 10") << 34.31 << 25.0 << 0.0 << 260.0;
+        QTest::newRow("wind of the airspeed: four times") << 22.0 << 25.0 << 21.999999 << 430.0;
+        QTest::newRow("never 0") << 0.5 << 45.0 << 0.0 << 1.0;
+    }
+
+    void loiterRadius()
+    {
+        QFETCH(double, airspeed_mps);
+        QFETCH(double, bank_deg);
+        QFETCH(double, wind_mps);
+        QFETCH(double, expected_m);
+        Scenario scenario = fourIcebergs();
+        scenario.uavs[0].spec.airspeed_mps = airspeed_mps;
+        scenario.uavs[0].spec.maxBank_deg = bank_deg;
+        scenario.wind_mps = Point(0, wind_mps);
+        QCOMPARE(loiterRadius_m(scenario), expected_m);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMissionItems)
+#include "tst_mission_items.moc"

@@ -1,0 +1,305 @@
+#include "core/io/plan_qgc.h"
+#include "core/io/visits.h"
+#include "tests/support/golden.h"
+#include "tests/support/mission_builder.h"
+#include "tests/support/plan_mutations.h"
+
+#include <QTest>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+struct Reader
+{
+    const char* name;
+    std::vector<PlanRule> rules;
+};
+
+std::vector<Reader> readers()
+{
+    return {{"QGroundControl", qgroundcontrolRules()},
+            {"MAVSDK", mavsdkRules()},
+            {"Mission Planner", missionPlannerRules()}};
+}
+
+/** "reader: rule" of every rule that the text breaks. */
+QStringList brokenRules(const PlanText& plan)
+{
+    QStringList broken;
+    for (const Reader& reader : readers())
+        for (const PlanRule& rule : reader.rules)
+            if (!rule.fault(plan).isEmpty())
+                broken << QLatin1StringView(reader.name) + u": "_s + QLatin1StringView(rule.name);
+    return broken;
+}
+
+Scenario withoutIcebergs()
+{
+    Scenario scenario = fourIcebergs();
+    scenario.icebergs.clear();
+    return scenario;
+}
+
+QByteArray planText(const Scenario& scenario, const PlanAnswer& plan = fourIcebergPlan())
+{
+    return bytes(qgcPlan({.scenario = scenario, .plan = plan}));
+}
+
+QByteArray runText(const Scenario& scenario, double until_s = 1e9)
+{
+    const Mission mission = flown(scenario, until_s);
+    const PlanAnswer plan;
+    return bytes(qgcPlan({.scenario = scenario, .plan = plan, .mission = &mission}));
+}
+
+std::vector<std::pair<const char*, QByteArray>> documents()
+{
+    return {{"plan", planText(fourIcebergs())},
+            {"no icebergs", planText(withoutIcebergs(), planOf({}))},
+            {"no area", planText(changed([](Scenario& s) { s.area_m.clear(); }))},
+            {"closed route", planText(changed([](Scenario& s) {
+                 s.planner.policy = PolicyKind::Visitation;
+                 s.planner.route = Route::Closed;
+             }))},
+            {"fractional speed, wind", planText(changed([](Scenario& s) {
+                 s.uavs[0].spec.airspeed_mps = 22.5;
+                 s.wind_mps = Point(7.25, -3.5);
+             }))},
+            {"slow", planText(changed([](Scenario& s) { s.uavs[0].spec.airspeed_mps = 0.3; }))},
+            {"on the equator at 0 E", planText(changed([](Scenario& s) {
+                 s.origin = {.latitude_deg = 0, .longitude_deg = 0};
+                 s.uavs[0].position_m = Point::Zero();
+             }))},
+            {"run", runText(fourIcebergs())},
+            {"run without a visit", runText(fourIcebergs(), 1)}};
+}
+
+QJsonArray itemsOf(const QByteArray& text)
+{
+    return plan_rules::items(berg::test::planText(text));
+}
+
+} // namespace
+
+class TestPlanQgc : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QTest::failOnWarning(QRegularExpression(u".*"_s)); }
+
+    void everyReaderAccepts_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        for (const auto& [name, text] : documents())
+            QTest::newRow(name) << text;
+    }
+
+    void everyReaderAccepts()
+    {
+        QFETCH(QByteArray, text);
+        const PlanText plan = berg::test::planText(text);
+        for (const Reader& reader : readers())
+            for (const PlanRule& rule : reader.rules)
+                QVERIFY2(rule.fault(plan).isEmpty(),
+                         qPrintable(QLatin1StringView(reader.name) + u", "_s +
+                                    QLatin1StringView(rule.name) + u": "_s + rule.fault(plan)));
+    }
+
+    void rejectionIsCaught_data()
+    {
+        QTest::addColumn<int>("index");
+        int index = 0;
+        for (const Mutation& mutation : mutations())
+            QTest::newRow(mutation.name) << index++;
+    }
+
+    void rejectionIsCaught()
+    {
+        QFETCH(int, index);
+        const Mutation mutation = mutations()[static_cast<std::size_t>(index)];
+        QJsonObject root = berg::test::planText(planText(fourIcebergs())).root;
+        mutation.edit(root);
+        const QByteArray text = QJsonDocument(root).toJson();
+        QStringList expected = mutation.broken;
+        QStringList broken = brokenRules({.text = text, .root = root});
+        expected.sort();
+        broken.sort();
+        QCOMPARE(broken, expected);
+    }
+
+    void rejectedTextIsCaught_data()
+    {
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::addColumn<QStringList>("broken");
+        const QByteArray speed = "\"cruiseSpeed\": 22";
+        QTest::newRow("NaN") << speed << QByteArray("\"cruiseSpeed\": NaN")
+                             << everywhere(u"JSON"_s);
+        QTest::newRow("Infinity") << speed << QByteArray("\"cruiseSpeed\": Infinity")
+                                  << everywhere(u"JSON"_s);
+        QTest::newRow("cruiseSpeed 22.0") << speed << QByteArray("\"cruiseSpeed\": 22.0")
+                                          << QStringList{u"Mission Planner: integers"_s};
+    }
+
+    void rejectedTextIsCaught()
+    {
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QFETCH(QStringList, broken);
+        QByteArray text = planText(fourIcebergs());
+        QVERIFY(text.contains(from));
+        text.replace(from, to);
+        const QStringList found = brokenRules(berg::test::planText(text));
+        for (const QString& rule : broken)
+            QVERIFY2(found.contains(rule), qPrintable(rule));
+    }
+
+    void everyRuleCanFail()
+    {
+        QStringList caught = everywhere(u"JSON"_s);
+        for (const Mutation& mutation : mutations())
+            caught << mutation.broken;
+        for (const Reader& reader : readers())
+            for (const PlanRule& rule : reader.rules) {
+                const QString name =
+                    QLatin1StringView(reader.name) + u": "_s + QLatin1StringView(rule.name);
+                QVERIFY2(caught.contains(name), qPrintable(name));
+            }
+    }
+
+    void suffixIsTheOneReadAsJson()
+    {
+        QVERIFY(findExportFormat("plan") != nullptr);
+        QCOMPARE(findExportFormat("plan")->extension, std::string_view("plan"));
+        QVERIFY(findExportFormat("mission") == nullptr);
+    }
+
+    void itemsFlyThePlan()
+    {
+        const Scenario scenario = fourIcebergs();
+        const PlanAnswer plan = fourIcebergPlan();
+        const QJsonArray items = itemsOf(planText(scenario, plan));
+        const std::vector<Visit> visits = plannedVisits(scenario, plan);
+        QCOMPARE(items.size(), 6);
+        QCOMPARE(items[0]["command"_L1].toInt(), 178);
+        QCOMPARE(items[0]["params"_L1].toArray(), (QJsonArray{0, 22, -1, 0, 0, 0, 0}));
+        const LocalFrame frame(scenario.origin);
+        for (qsizetype row = 1; row <= 5; ++row) {
+            const bool loiter = row == 5;
+            const QJsonArray params = items[row]["params"_L1].toArray();
+            QCOMPARE(items[row]["command"_L1].toInt(), loiter ? 17 : 16);
+            // The field of view is 600 m, half of it more than 8 bits hold; the turn radius is
+            // 105.8 m.
+            QCOMPARE(params[1].toInt(), loiter ? 0 : 255);
+            QCOMPARE(params[2].toInt(), loiter ? 106 : 0);
+            QCOMPARE(params[6].toInt(), 120);
+            QCOMPARE(items[row]["Altitude"_L1].toInt(), 120);
+            const Visit& visit = visits[static_cast<std::size_t>(std::min<qsizetype>(row, 4) - 1)];
+            const Point placed_m = frame.toPlane(
+                {.latitude_deg = params[4].toDouble(), .longitude_deg = params[5].toDouble()});
+            // Nine decimals of a degree are 0.06 mm at most.
+            QVERIFY((placed_m - visit.position_m).norm() < 1e-4);
+        }
+    }
+
+    void speeds_data()
+    {
+        QTest::addColumn<double>("airspeed_mps");
+        QTest::addColumn<int>("cruise_mps");
+        QTest::newRow("whole") << 22.0 << 22;
+        QTest::newRow("rounded up") << 22.6 << 23;
+        QTest::newRow("rounded down") << 22.4 << 22;
+        QTest::newRow("never 0") << 0.3 << 1;
+    }
+
+    void speeds()
+    {
+        QFETCH(double, airspeed_mps);
+        QFETCH(int, cruise_mps);
+        const QByteArray text =
+            planText(changed([&](Scenario& s) { s.uavs[0].spec.airspeed_mps = airspeed_mps; }));
+        const QJsonValue mission = berg::test::planText(text).root["mission"_L1];
+        QCOMPARE(mission["cruiseSpeed"_L1].toInt(-1), cruise_mps);
+        QCOMPARE(mission["hoverSpeed"_L1].toInt(-1), cruise_mps);
+        QCOMPARE(itemsOf(text)[0]["params"_L1][1].toDouble(), airspeed_mps);
+        QVERIFY(!text.contains(".0,") && !text.contains(".0\n")); // whole numbers as integers
+    }
+
+    void emptyPlanLoitersAtHome()
+    {
+        const QByteArray text = planText(withoutIcebergs(), planOf({}));
+        const QJsonArray items = itemsOf(text);
+        QCOMPARE(items.size(), 2);
+        QCOMPARE(items[1]["command"_L1].toInt(), 17);
+        const QJsonArray home =
+            berg::test::planText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
+        QCOMPARE(items[1]["params"_L1].toArray()[4], home[0]);
+        QCOMPARE(items[1]["params"_L1].toArray()[5], home[1]);
+        QCOMPARE(home[2].toDouble(), 0.0);
+    }
+
+    void closedRouteLoitersAtHome()
+    {
+        const QByteArray text = planText(changed([](Scenario& s) {
+            s.planner.policy = PolicyKind::Visitation;
+            s.planner.route = Route::Closed;
+        }));
+        const QJsonArray items = itemsOf(text);
+        QCOMPARE(items.size(), 6);
+        const QJsonArray home =
+            berg::test::planText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
+        QCOMPARE(items[5]["params"_L1].toArray()[4], home[0]);
+        QCOMPARE(items[5]["params"_L1].toArray()[5], home[1]);
+    }
+
+    void runExportsWhatWasReached()
+    {
+        const Scenario scenario = fourIcebergs();
+        const Mission mission = flown(scenario);
+        const std::vector<Visit> visits = flownVisits(mission);
+        QVERIFY(visits.size() >= 4);
+        const QJsonArray items = itemsOf(runText(scenario));
+        QCOMPARE(items.size(), static_cast<qsizetype>(visits.size()) + 2);
+        const LocalFrame frame(scenario.origin);
+        for (std::size_t i = 0; i < visits.size(); ++i) {
+            const QJsonArray params = items[static_cast<qsizetype>(i) + 1]["params"_L1].toArray();
+            const Point placed_m = frame.toPlane(
+                {.latitude_deg = params[4].toDouble(), .longitude_deg = params[5].toDouble()});
+            QVERIFY((placed_m - visits[i].position_m).norm() < 1e-4);
+        }
+    }
+
+    void areaIsTheFence()
+    {
+        const Scenario scenario = fourIcebergs();
+        const QJsonObject fence =
+            berg::test::planText(planText(scenario)).root["geoFence"_L1].toObject();
+        const QJsonArray corners = fence["polygons"_L1][0]["polygon"_L1].toArray();
+        QCOMPARE(corners.size(), 4);
+        QVERIFY(fence["polygons"_L1][0]["inclusion"_L1].toBool());
+        const LocalFrame frame(scenario.origin);
+        for (qsizetype i = 0; i < 4; ++i) {
+            const Point corner_m = frame.toPlane({.latitude_deg = corners[i][0].toDouble(),
+                                                  .longitude_deg = corners[i][1].toDouble()});
+            QVERIFY((corner_m - scenario.area_m[static_cast<std::size_t>(i)]).norm() < 1e-4);
+        }
+        const QByteArray open = planText(changed([](Scenario& s) { s.area_m.clear(); }));
+        QVERIFY(berg::test::planText(open).root["geoFence"_L1]["polygons"_L1].toArray().isEmpty());
+    }
+
+    void golden()
+    {
+        const QByteArray actual = planText(fourIcebergs());
+        const QByteArray expected = berg::test::golden(u"four_icebergs.plan"_s, actual);
+        // 1e-9 of 47 degrees is 5 mm: rounding of another processor, not another place.
+        const QString found = difference(QJsonDocument::fromJson(actual).object(),
+                                         QJsonDocument::fromJson(expected).object(), 1e-9);
+        QVERIFY2(found.isEmpty(), qPrintable(found));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPlanQgc)
+#include "tst_plan_qgc.moc"

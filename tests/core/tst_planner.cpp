@@ -1,0 +1,252 @@
+#include "core/plan/planner.h"
+#include "tests/support/approx.h"
+#include "tests/support/request_builder.h"
+#include "tests/support/test_solvers.h"
+
+#include <memory>
+
+using namespace berg;
+using namespace berg::test;
+
+using Ids = std::vector<int>;
+
+namespace {
+
+// The icebergs of `five()` are 10, 7, 42, 3, 5; with all of them available these are nodes 1 to 5.
+
+SolveOutcome inOrder(const VisitOrder& order)
+{
+    return {.status = SolveStatus::Feasible, .order = order};
+}
+
+/** The script's next answers, whatever the problem. */
+auto answering(const SolveOutcome& outcome)
+{
+    return [outcome](const TvpProblem&) { return outcome; };
+}
+
+} // namespace
+
+class TestPlanner : public QObject
+{
+    Q_OBJECT
+
+private:
+    SolverScript m_script;
+
+    /** Planner on the script, with the order 3, 10, 42, 5, 7 in hand. */
+    [[nodiscard]] std::unique_ptr<Planner> plannerWithOrder(const PlannerSettings& settings = {})
+    {
+        auto planner =
+            std::make_unique<Planner>(settings, std::make_unique<ScriptedSolver>(m_script));
+        m_script.answer = answering(inOrder({4, 1, 3, 5, 2}));
+        const PlanAnswer answer = planner->plan(five(), {});
+        require(answer.order == Ids{3, 10, 42, 5, 7}, "the script's order is flown");
+        m_script = {};
+        return planner;
+    }
+
+private slots:
+    void init() { m_script = {}; }
+
+    void theSolversOrderIsFlown()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        m_script.answer = answering(inOrder({2, 1, 4, 3})); // nodes of 10, 7, 42, 5
+        const PlanAnswer answer = planner->plan(without(five(), {3}), {});
+        QVERIFY((answer.order == Ids{7, 10, 5, 42}));
+        QVERIFY(!answer.fellBack);
+    }
+
+    /** The paper's second advantage: no solution in time, so the next of the last plan. */
+    void fallsBackToTheRestOfTheLastPlan_data()
+    {
+        QTest::addColumn<StopReason>("reason");
+        QTest::newRow("time limit") << StopReason::TimeLimit;
+        QTest::newRow("work limit") << StopReason::WorkLimit;
+        QTest::newRow("unable") << StopReason::Unable;
+    }
+
+    void fallsBackToTheRestOfTheLastPlan()
+    {
+        QFETCH(StopReason, reason);
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        m_script.answer = answering(noOrder(reason));
+        const PlanAnswer first = planner->plan(without(five(), {3}), {});
+        QVERIFY((first.order == Ids{10, 42, 5, 7}));
+        QVERIFY(first.fellBack);
+        QCOMPARE(first.outcome.reason, reason);
+        // And again from there: 10 reached, 42 seen on the way.
+        const PlanAnswer second = planner->plan(without(five(), {10, 42}), {});
+        QVERIFY((second.order == Ids{5, 7}));
+        QVERIFY(second.fellBack);
+    }
+
+    void fallsBackToTheNearestWithNoPlanInHand()
+    {
+        Planner planner({}, std::make_unique<ScriptedSolver>(m_script));
+        m_script.answer = answering(noOrder(StopReason::TimeLimit));
+        const PlanAnswer answer = planner.plan(five(), {});
+        QVERIFY(answer.order == Ids{10});
+        QVERIFY(answer.fellBack);
+        // Of those the last plan holds none is left: again the nearest, now 7.
+        const PlanAnswer next = planner.plan(without(five(), {10}), {});
+        QVERIFY(next.order == Ids{7});
+        QVERIFY(next.fellBack);
+    }
+
+    void nearestTiesGoToTheFirst()
+    {
+        Planner planner({}, std::make_unique<ScriptedSolver>(m_script));
+        m_script.answer = answering(noOrder(StopReason::TimeLimit));
+        const PlanRequest request =
+            requestOf({0, 0}, {{1, {50, 0}, 1}, {9, {0, 700}, 1}, {4, {700, 0}, 8}});
+        QVERIFY(planner.plan(without(request, {1}), {}).order == Ids{9});
+    }
+
+    void nothingAvailableIsNoFallBack()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        const PlanAnswer answer = planner->plan(without(five(), {10, 7, 42, 3, 5}), {});
+        QVERIFY(answer.order.empty());
+        QVERIFY(!answer.fellBack);
+    }
+
+    /** Icebergs that are gone for good are not flown to. */
+    void fallBackForgetsWhatIsGone()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        m_script.answer = answering(noOrder(StopReason::TimeLimit));
+        const PlanRequest two = requestOf({0, 0}, {kFive[1], kFive[2]}); // 7 and 42
+        QVERIFY((planner->plan(two, {}).order == Ids{42, 7}));
+    }
+
+    void cancelledLeavesTheMemoryAsItWas_data()
+    {
+        QTest::addColumn<bool>("withOrder");
+        QTest::newRow("without order") << false;
+        QTest::newRow("with the best order so far") << true;
+    }
+
+    void cancelledLeavesTheMemoryAsItWas()
+    {
+        QFETCH(bool, withOrder);
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        SolveOutcome cancelled = withOrder ? inOrder({3, 4, 2, 1}) : noOrder(StopReason::Cancelled);
+        cancelled.reason = StopReason::Cancelled;
+        m_script.answer = answering(cancelled);
+        const PlanAnswer answer = planner->plan(without(five(), {3}), {});
+        QCOMPARE(answer.outcome.reason, StopReason::Cancelled);
+        QVERIFY(!answer.fellBack);
+
+        m_script = {};
+        m_script.answer = answering(noOrder(StopReason::TimeLimit));
+        QVERIFY((planner->plan(without(five(), {3}), {}).order == Ids{10, 42, 5, 7}));
+        QVERIFY((m_script.options.at(0).hint == VisitOrder{1, 3, 4, 2})); // still the first plan's
+    }
+
+    /** The paper's first advantage: the rest of the last plan starts the next solve. */
+    void warmStartReachesTheSolver()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        (void)planner->plan(without(five(), {3}), {.gap = 0.125});
+        QCOMPARE(m_script.options.size(), std::size_t{1});
+        // 10, 42, 5, 7 are left; 10, 7, 42, 5 are nodes 1 to 4.
+        QVERIFY((m_script.options[0].hint == VisitOrder{1, 3, 4, 2}));
+        QCOMPARE(m_script.options[0].gap, 0.125);
+        QCOMPARE(m_script.problems.at(0).icebergCount(), 4);
+    }
+
+    void firstPlanHasNoWarmStart()
+    {
+        Planner planner({}, std::make_unique<ScriptedSolver>(m_script));
+        (void)planner.plan(five(), {});
+        QVERIFY(m_script.options.at(0).hint.empty());
+    }
+
+    void newIcebergsGoToTheEndOfTheWarmStart()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        std::vector<Place> seven = kFive;
+        seven.insert(seven.begin(), {77, {4000, 4000}, 3}); // node 1: the others move up by one
+        seven.push_back({88, {100, 100}, 3});
+        (void)planner->plan(requestOf({0, 0}, seven), {});
+        // 3, 10, 42, 5, 7 are nodes 5, 2, 4, 6, 3; then 77 and 88.
+        QVERIFY((m_script.options.at(0).hint == VisitOrder{5, 2, 4, 6, 3, 1, 7}));
+    }
+
+    /** Without warm start the solver starts cold, but a limit still finds the last plan. */
+    void warmStartCanBeTurnedOff()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        m_script.answer = answering(noOrder(StopReason::WorkLimit));
+        const PlanAnswer answer = planner->plan(without(five(), {3}), {}, false);
+        QVERIFY(m_script.options.at(0).hint.empty());
+        QVERIFY((answer.order == Ids{10, 42, 5, 7}));
+        QVERIFY(answer.fellBack);
+    }
+
+    void settingsChangeInFlight()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder({.tau = 1});
+        planner->setSettings({.tau = 2.5, .route = Route::Closed});
+        QCOMPARE(planner->settings().tau, 2.5);
+        (void)planner->plan(without(five(), {3}), {});
+        const double muClosed = m_script.problems.at(0).mu;
+        QCOMPARE(m_script.problems[0].route, Route::Closed);
+        QVERIFY((m_script.options[0].hint == VisitOrder{1, 3, 4, 2})); // the last order stays
+
+        planner->setSettings({.tau = 5, .route = Route::Open});
+        (void)planner->plan(without(five(), {3}), {});
+        QCOMPARE(m_script.problems.at(1).route, Route::Open);
+        COMPARE_NEAR(m_script.problems[1].mu, 2 * muClosed, 1e-12); // Eq. (14): proportional to tau
+    }
+
+    void otherPolicyInFlightAndBack()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder();
+        planner->setSettings({.policy = PolicyKind::Nearest});
+        QVERIFY((planner->plan(without(five(), {3}), {}).order == Ids{10, 7, 5, 42}));
+        QVERIFY(m_script.problems.empty()); // no solver at work
+        planner->setSettings({});
+        (void)planner->plan(without(five(), {3, 10}), {});
+        // The warm start is what the other policy left: 7, 5, 42 of the nodes 7, 42, 5.
+        QVERIFY((m_script.options.at(0).hint == VisitOrder{1, 3, 2}));
+    }
+
+    void refusedSettingsChangeNothing()
+    {
+        const std::unique_ptr<Planner> planner = plannerWithOrder({.tau = 1.5});
+        QVERIFY_EXCEPTION_THROWN(planner->setSettings({.policy = PolicyKind::Latency}), Error);
+        QVERIFY((planner->settings() == PlannerSettings{.tau = 1.5}));
+        m_script.answer = answering(noOrder(StopReason::TimeLimit));
+        QVERIFY((planner->plan(without(five(), {3}), {}).order == Ids{10, 42, 5, 7}));
+    }
+
+    void unsupportedPolicyIsRefused()
+    {
+        try {
+            const Planner planner(PlannerSettings{.policy = PolicyKind::Coverage});
+            QFAIL("nothing thrown");
+        } catch (const Error& e) {
+            QCOMPARE(e.code(), ErrorCode::Unsupported);
+        }
+    }
+
+    /** Without a solver of its own it takes the back end of the settings, also after a change. */
+    void ownBackEndOfTheSettings()
+    {
+        Planner planner({.backend = Backend::Exact});
+        const PlanAnswer answer = planner.plan(five(), {});
+        QCOMPARE(answer.outcome.status, SolveStatus::Optimal);
+        QCOMPARE(answer.outcome.backend, std::string("exact"));
+        COMPARE_NEAR(answer.outcome.objective, bruteForce(answer.problem).objective, 1e-9);
+        planner.setSettings({.tau = 0.2, .backend = Backend::Auto});
+        const PlanAnswer changed = planner.plan(five(), {});
+        COMPARE_NEAR(changed.outcome.objective, bruteForce(changed.problem).objective, 1e-9);
+        COMPARE_NEAR(changed.problem.mu, 0.2 * answer.problem.mu, 1e-12);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPlanner)
+#include "tst_planner.moc"

@@ -1,0 +1,348 @@
+#include "core/plan/names.h"
+#include "core/plan/policy.h"
+#include "tests/support/approx.h"
+#include "tests/support/request_builder.h"
+#include "tests/support/test_solvers.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+
+using namespace berg;
+using namespace berg::test;
+
+using Ids = std::vector<int>;
+Q_DECLARE_METATYPE(Ids)
+
+namespace {
+
+/** mu by Eq. (10)-(14), written out once more. */
+double muByHand(const TvpProblem& problem, double tau)
+{
+    std::vector<double> sorted = problem.sigma_m2;
+    std::sort(sorted.begin(), sorted.end());
+    double f1Max = 0;
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+        f1Max += static_cast<double>(i) * sorted[i];
+    const auto n = static_cast<double>(sorted.size());
+    const double average_m = problem.distance_m.sum() / (n * (n - 1)); // the diagonal is 0
+    return tau * f1Max / (average_m * (n - 1));
+}
+
+/** UAV and available icebergs alone. */
+TvpProblem subProblem(const PlanRequest& request)
+{
+    std::vector<int> nodes{0};
+    for (std::size_t k = 0; k < request.ids.size(); ++k)
+        if (request.available[k])
+            nodes.push_back(static_cast<int>(k) + 1);
+    TvpProblem sub;
+    const auto n = static_cast<Eigen::Index>(nodes.size());
+    sub.distance_m.resize(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const int from = nodes[static_cast<std::size_t>(i)];
+        sub.sigma_m2.push_back(request.problem.sigma_m2[static_cast<std::size_t>(from)]);
+        for (Eigen::Index j = 0; j < n; ++j)
+            sub.distance_m(i, j) =
+                request.problem.distance_m(from, nodes[static_cast<std::size_t>(j)]);
+    }
+    return sub;
+}
+
+constexpr std::array kFlown{PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour,
+                            PolicyKind::Nearest, PolicyKind::Uncertainty};
+
+} // namespace
+
+class TestPolicy : public QObject
+{
+    Q_OBJECT
+
+private:
+    SolverScript m_script;
+    std::unique_ptr<ScriptedSolver> m_solver;
+
+    [[nodiscard]] std::unique_ptr<Policy> policy(PolicyKind kind) const
+    {
+        return makePolicy({.policy = kind}, *m_solver);
+    }
+
+private slots:
+    void init()
+    {
+        m_script = {.answer = triedAll};
+        m_solver = std::make_unique<ScriptedSolver>(m_script);
+    }
+
+    /** 10 is nearest; from there 7 (1803 m), 5 (2236 m), 42 (5000 m), 3. */
+    void nearestByHand()
+    {
+        const PlanAnswer answer = policy(PolicyKind::Nearest)->plan(five(), {}, {});
+        QVERIFY((answer.order == Ids{10, 7, 5, 42, 3}));
+        QVERIFY(m_script.problems.empty()); // it asks no solver
+        // Distances 1000, 1803, 2236, 5000, 1500 m; mu = 0 in the request: the reward alone.
+        COMPARE_NEAR(flownDistance(answer.problem, answer.outcome.order),
+                     1000 + std::sqrt(3.25e6) + std::sqrt(5e6) + 5000 + 1500, 1e-9);
+        // N = 6: 2 x 4 + 9 x 3 + 1 x 2 + 5 x 1
+        COMPARE_NEAR(answer.outcome.objective, -42, 1e-12);
+    }
+
+    void uncertaintyByHand()
+    {
+        const PlanAnswer answer = policy(PolicyKind::Uncertainty)->plan(five(), {}, {});
+        // 7 and 3 both have 9: the smaller node (7 comes first in the request), not the smaller id.
+        QVERIFY((answer.order == Ids{7, 3, 42, 10, 5}));
+        QVERIFY(m_script.problems.empty());
+    }
+
+    void nearestTiesGoToTheFirst()
+    {
+        const PlanRequest request =
+            requestOf({0, 0}, {{9, {0, 700}, 1}, {4, {700, 0}, 8}, {2, {-700, 0}, 9}});
+        QCOMPARE(policy(PolicyKind::Nearest)->plan(request, {}, {}).order.front(), 9);
+    }
+
+    void visitationIsTheOptimum_data()
+    {
+        QTest::addColumn<double>("tau");
+        QTest::addColumn<Route>("route");
+        QTest::addColumn<int>("icebergs");
+        for (const double tau : {0.3, 1.0, 3.0})
+            for (const auto& route : kRouteNames)
+                for (const int icebergs : {1, 2, 4, 6})
+                    QTest::addRow("tau %g, %s, %d icebergs", tau, route.name.data(), icebergs)
+                        << tau << route.value << icebergs;
+    }
+
+    void visitationIsTheOptimum()
+    {
+        QFETCH(double, tau);
+        QFETCH(Route, route);
+        QFETCH(int, icebergs);
+        Random random(1, static_cast<std::uint64_t>(icebergs));
+        const PlannerSettings settings{.tau = tau, .route = route};
+        const std::unique_ptr<Policy> policy = makePolicy(settings, *m_solver);
+        for (int k = 0; k < 5; ++k) {
+            // One iceberg more, which is in view and must have no part in it, not even in mu.
+            PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs + 1));
+            request = without(request, {request.ids[static_cast<std::size_t>(k % icebergs)]});
+            const PlanAnswer answer = policy->plan(request, {}, {});
+
+            TvpProblem expected = subProblem(request);
+            expected.mu = muByHand(expected, tau);
+            expected.route = route;
+            COMPARE_NEAR(answer.problem.mu, expected.mu, 1e-12 * expected.mu);
+            QCOMPARE(answer.problem.route, route);
+            QVERIFY(answer.problem.distance_m == expected.distance_m);
+            QVERIFY(answer.problem.sigma_m2 == expected.sigma_m2);
+            const BruteForce best = bruteForce(expected);
+            COMPARE_NEAR(answer.outcome.objective, best.objective, 1e-9);
+            COMPARE_NEAR(answer.outcome.objective, objective(expected, answer.outcome.order), 1e-9);
+            Ids ids;
+            for (const int node : answer.outcome.order)
+                ids.push_back(answer.solvedIds.at(static_cast<std::size_t>(node - 1)));
+            QVERIFY(answer.order == ids);
+            for (const int id : ids)
+                QVERIFY(request.available[static_cast<std::size_t>(nodeOf(request, id) - 1)]);
+        }
+    }
+
+    /** High tau: the shortest path. Low tau: largest sigma first. */
+    void tauTradesDistanceForUncertainty()
+    {
+        const PlanRequest request = five();
+        const auto order = [&](double tau) {
+            return makePolicy({.tau = tau}, *m_solver)->plan(request, {}, {}).order;
+        };
+        const Ids direct = order(1000);
+        forEachOrder(request, [&](const Ids& other) {
+            QVERIFY(pathLength_m(request, direct) <= pathLength_m(request, other) + 1e-9);
+        });
+        const Ids uncertain = order(1e-6);
+        // Of the two with sigma 9, mu D decides: 7, 3, 42, ... is shorter than 3, 7, 42, ...
+        QVERIFY((uncertain == Ids{7, 3, 42, 10, 5}));
+    }
+
+    /** With every sigma 0 the plan is by distance alone, not by mu = 0, which says nothing. */
+    void nothingUncertainMeansShortestPath()
+    {
+        std::vector<Place> places = kFive;
+        for (Place& place : places)
+            place.sigma_m2 = 0;
+        const PlanRequest request = requestOf({0, 0}, places);
+        const PlanAnswer answer = policy(PolicyKind::Visitation)->plan(request, {}, {});
+        QCOMPARE(answer.problem.mu, 1.0);
+        forEachOrder(request, [&](const Ids& other) {
+            QVERIFY(pathLength_m(request, answer.order) <= pathLength_m(request, other) + 1e-9);
+        });
+    }
+
+    /** Whatever is in view, the first of the order is not, and there is one if there can be. */
+    void firstIsAlwaysAvailable_data()
+    {
+        QTest::addColumn<PolicyKind>("kind");
+        for (const PolicyKind kind : kFlown)
+            QTest::newRow(nameOf(kPolicyNames, kind).c_str()) << kind;
+    }
+
+    void firstIsAlwaysAvailable()
+    {
+        QFETCH(PolicyKind, kind);
+        const std::unique_ptr<Policy> lasting = policy(kind);
+        Random random(2);
+        for (unsigned mask = 0; mask < 32; ++mask) {
+            // Each mask on a new policy, and a random walk of masks on one that remembers.
+            for (const bool remembers : {false, true}) {
+                const unsigned bits = remembers ? static_cast<unsigned>(random.below(32)) : mask;
+                PlanRequest request = five();
+                for (unsigned k = 0; k < 5; ++k)
+                    request.available[k] = (bits >> k & 1U) != 0;
+                const std::unique_ptr<Policy> fresh = policy(kind);
+                const PlanAnswer answer = (remembers ? *lasting : *fresh).plan(request, {}, {});
+                QCOMPARE(answer.order.empty(), bits == 0);
+                if (bits == 0)
+                    continue;
+                const auto first = static_cast<std::size_t>(nodeOf(request, answer.order[0]) - 1);
+                QVERIFY(request.available.at(first));
+                const std::set<int> different(answer.order.begin(), answer.order.end());
+                QCOMPARE(different.size(), answer.order.size());
+            }
+        }
+    }
+
+    void noIcebergNoOrder_data() { firstIsAlwaysAvailable_data(); }
+
+    void noIcebergNoOrder()
+    {
+        QFETCH(PolicyKind, kind);
+        const std::unique_ptr<Policy> lonely = policy(kind);
+        QVERIFY(lonely->plan(requestOf({0, 0}, {}), {}, {}).order.empty());
+        // And when the first one comes it is flown to.
+        QVERIFY((lonely->plan(requestOf({0, 0}, {kFive[0]}), {}, {}).order == Ids{10}));
+    }
+
+    /** Those that plan anew each time hold every available iceberg and no other. */
+    void ordersHoldTheAvailable_data()
+    {
+        QTest::addColumn<PolicyKind>("kind");
+        for (const PolicyKind kind : {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Nearest,
+                                      PolicyKind::Uncertainty})
+            QTest::newRow(nameOf(kPolicyNames, kind).c_str()) << kind;
+    }
+
+    void ordersHoldTheAvailable()
+    {
+        QFETCH(PolicyKind, kind);
+        for (const std::set<int>& available :
+             {std::set<int>{10, 7, 42, 3, 5}, {7, 3}, {5}, {42, 10, 5}}) {
+            const PlanAnswer answer = policy(kind)->plan(withAvailable(five(), available), {}, {});
+            QVERIFY(std::set<int>(answer.order.begin(), answer.order.end()) == available);
+            QCOMPARE(answer.order.size(), available.size());
+        }
+    }
+
+    /** The hint is the rest of the last plan by node numbers, newcomers last. */
+    void hintReachesTheSolver_data()
+    {
+        QTest::addColumn<Ids>("lastRest");
+        QTest::addColumn<Ids>("hint"); // nodes: 10, 42, 3, 5 are 1, 2, 3, 4 with 7 in view
+        QTest::newRow("none") << Ids{} << Ids{};
+        QTest::newRow("all") << Ids{5, 42, 3, 10} << Ids{4, 2, 3, 1};
+        QTest::newRow("some, the others follow") << Ids{3, 10} << Ids{3, 1, 2, 4};
+        QTest::newRow("one that is gone") << Ids{3, 99, 10, 42, 5} << Ids{3, 1, 2, 4};
+    }
+
+    void hintReachesTheSolver()
+    {
+        QFETCH(Ids, lastRest);
+        QFETCH(Ids, hint);
+        const SolveOptions options{.timeLimit_s = 12, .workLimit = 345, .gap = 0.25};
+        (void)policy(PolicyKind::Visitation)->plan(without(five(), {7}), lastRest, options);
+        QCOMPARE(m_script.options.size(), std::size_t{1});
+        QVERIFY(m_script.options[0].hint == hint);
+        QCOMPARE(m_script.options[0].timeLimit_s, options.timeLimit_s);
+        QCOMPARE(m_script.options[0].workLimit, options.workLimit);
+        QCOMPARE(m_script.options[0].gap, 0.25);
+    }
+
+    void noOrderFromTheSolver_data()
+    {
+        QTest::addColumn<PolicyKind>("kind");
+        for (const PolicyKind kind : {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour})
+            QTest::newRow(nameOf(kPolicyNames, kind).c_str()) << kind;
+    }
+
+    /** Without order there is no plan; the next call asks the solver again. */
+    void noOrderFromTheSolver()
+    {
+        QFETCH(PolicyKind, kind);
+        const std::unique_ptr<Policy> tried = policy(kind);
+        m_script.answer = [](const TvpProblem&) { return noOrder(StopReason::TimeLimit); };
+        const PlanAnswer nothing = tried->plan(five(), {}, {});
+        QVERIFY(nothing.order.empty());
+        QCOMPARE(nothing.outcome.reason, StopReason::TimeLimit);
+        m_script.answer = triedAll;
+        const PlanAnswer answer = tried->plan(five(), {}, {});
+        QVERIFY(answer.order == policy(kind)->plan(five(), {}, {}).order);
+    }
+
+    void cancelledSolveIsNotKept_data() { noOrderFromTheSolver_data(); }
+
+    /**
+     * A cancelled solve may come with the best order so far. The caller makes the same call
+     * again later, and then it must be as if nothing had happened.
+     */
+    void cancelledSolveIsNotKept()
+    {
+        QFETCH(PolicyKind, kind);
+        const std::unique_ptr<Policy> cancelled = policy(kind);
+        m_script.answer = [](const TvpProblem& problem) {
+            SolveOutcome outcome = triedAll(problem);
+            std::reverse(outcome.order.begin(), outcome.order.end());
+            std::swap(outcome.order.front(), outcome.order.back()); // an order of no merit
+            outcome.status = SolveStatus::Feasible;
+            outcome.reason = StopReason::Cancelled;
+            return outcome;
+        };
+        QCOMPARE(cancelled->plan(five(), {}, {}).outcome.reason, StopReason::Cancelled);
+        m_script.answer = triedAll;
+        const PlanAnswer answer = cancelled->plan(five(), {}, {});
+        QVERIFY(answer.order == policy(kind)->plan(five(), {}, {}).order);
+        QCOMPARE(answer.outcome.reason, StopReason::Finished);
+    }
+
+    void unsupportedPoliciesAreRefused_data()
+    {
+        QTest::addColumn<PolicyKind>("kind");
+        QTest::newRow("latency") << PolicyKind::Latency;
+        QTest::newRow("coverage") << PolicyKind::Coverage;
+    }
+
+    void unsupportedPoliciesAreRefused()
+    {
+        QFETCH(PolicyKind, kind);
+        try {
+            (void)policy(kind);
+            QFAIL("nothing thrown");
+        } catch (const Error& e) {
+            QCOMPARE(e.code(), ErrorCode::Unsupported);
+            QCOMPARE(e.subject(), std::string("planner.policy"));
+            QVERIFY(std::string(e.what()).find(nameOf(kPolicyNames, kind)) != std::string::npos);
+        }
+    }
+
+    void everyNameHasOneValue()
+    {
+        for (const auto& row : kPolicyNames) {
+            QCOMPARE(valueOf(kPolicyNames, row.name).value(), row.value);
+            QCOMPARE(nameOf(kPolicyNames, row.value), std::string(row.name));
+        }
+        QVERIFY(!valueOf(kPolicyNames, "Tour").has_value());
+        QVERIFY(!valueOf(kBackendNames, "").has_value());
+        QCOMPARE(allowedNames(kRouteNames), std::string("open, closed"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPolicy)
+#include "tst_policy.moc"

@@ -1,0 +1,219 @@
+#include "core/sim/recorder.h"
+#include "tests/support/approx.h"
+#include "tests/support/scenario_builder.h"
+
+#include <functional>
+#include <vector>
+
+using namespace berg;
+using test::addIceberg;
+using test::emptySea;
+
+namespace {
+
+/** Two icebergs, one of them in view at the start. */
+Scenario twoIcebergs(double duration_s)
+{
+    Scenario scenario = emptySea(duration_s);
+    addIceberg(scenario, 4000, 300, 4).velocity_mps = {0.2, -0.1};
+    addIceberg(scenario, 100, 50, 7);
+    return scenario;
+}
+
+/** Flies to iceberg 0 until the end, recording at time 0 and after every step. */
+void recordAll(Simulation& simulation, Recorder& recorder,
+               const std::function<void(Simulation&)>& afterStep = {})
+{
+    recorder.record(simulation);
+    while (!simulation.finished()) {
+        if (simulation.planReason() != PlanReason::None)
+            simulation.setTarget(simulation.available(0) ? 0 : -1);
+        simulation.advanceStep();
+        if (afterStep)
+            afterStep(simulation);
+        recorder.record(simulation);
+    }
+}
+
+} // namespace
+
+class TestRecorder : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void nothingIsKeptUntilAsked()
+    {
+        const Recorder recorder(1, 60, 0.1);
+        QVERIFY(recorder.samples().empty());
+        QVERIFY(recorder.keyframes().empty());
+    }
+
+    void samplesWhenDue_data()
+    {
+        QTest::addColumn<double>("duration_s");
+        QTest::addColumn<double>("dt_s");
+        QTest::addColumn<double>("interval_s");
+        QTest::addColumn<QList<int>>("steps");
+        const auto row = [](const char* name, double duration_s, double dt_s, double interval_s,
+                            const QList<int>& steps) {
+            QTest::newRow(name) << duration_s << dt_s << interval_s << steps;
+        };
+        row("each second", 3, 0.1, 1, {0, 10, 20, 30});
+        row("last step between samples", 2.5, 0.1, 1, {0, 10, 20, 25});
+        row("rounded to steps", 1, 0.1, 0.28, {0, 3, 6, 9, 10});
+        row("interval below a step: every step", 0.4, 0.1, 0.01, {0, 1, 2, 3, 4});
+        row("interval above the run: first and last", 2, 0.1, 60, {0, 20});
+        row("steps of a second", 4, 1, 2, {0, 2, 4});
+    }
+
+    void samplesWhenDue()
+    {
+        QFETCH(double, duration_s);
+        QFETCH(double, dt_s);
+        QFETCH(double, interval_s);
+        QFETCH(QList<int>, steps);
+        Scenario scenario = twoIcebergs(duration_s);
+        scenario.dt_s = dt_s;
+        Simulation simulation(scenario);
+        Recorder recorder(interval_s, 1000, dt_s);
+        recordAll(simulation, recorder);
+        QCOMPARE(recorder.samples().size(), static_cast<std::size_t>(steps.size()));
+        for (qsizetype i = 0; i < steps.size(); ++i)
+            COMPARE_NEAR(recorder.samples()[static_cast<std::size_t>(i)].time_s, steps[i] * dt_s,
+                         1e-12);
+    }
+
+    /** Each sample against the simulation at that instant, flown a second time. */
+    void samplesAreTheStates()
+    {
+        const Scenario scenario = twoIcebergs(120);
+        Simulation simulation(scenario);
+        Recorder recorder(0.7, 25, scenario.dt_s);
+        std::vector<Simulation> history{Simulation(scenario)};
+        history[0].setTarget(0);
+        recordAll(simulation, recorder, [&](Simulation& s) { history.push_back(s); });
+
+        std::size_t row = 0;
+        for (const Sample& sample : recorder.samples()) {
+            const Simulation& then =
+                history[static_cast<std::size_t>(std::llround(sample.time_s * 10))];
+            const WorldState& state = then.state();
+            QCOMPARE(sample.time_s, then.time_s());
+            QVERIFY(sample.uav == state.uav);
+            QCOMPARE(sample.u_radps, state.u_radps);
+            QCOMPARE(sample.crossTrack_m, state.crossTrack_m);
+            QCOMPARE(sample.sigmaSum_m2, state.sigmaSum_m2);
+            QCOMPARE(sample.zeta_m2s, state.zeta_m2s);
+            QCOMPARE(sample.flown_m, state.flown_m);
+            QCOMPARE(recorder.icebergs(row).size(), std::size_t{2});
+            for (int i = 0; i < 2; ++i) {
+                const IcebergSample& one = recorder.icebergs(row)[static_cast<std::size_t>(i)];
+                QCOMPARE(one.sigma_m2, then.track(i).sigma_m2);
+                QVERIFY(one.truth_m == then.truth_m(i));
+                QCOMPARE(one.inView, then.track(i).inView);
+                QVERIFY(one.active);
+            }
+            ++row;
+        }
+        QVERIFY(row > 100);
+        QCOMPARE(recorder.samples()[0].target, -1); // no plan yet at time 0
+        QCOMPARE(recorder.samples()[1].target, 0);
+        QVERIFY(recorder.icebergs(0)[1].inView);
+        QVERIFY(!recorder.icebergs(row - 1)[1].inView); // left behind
+    }
+
+    void keyframesWhenDue()
+    {
+        const Scenario scenario = twoIcebergs(130);
+        Simulation simulation(scenario);
+        Recorder recorder(1, 60, scenario.dt_s);
+        WorldState at60;
+        recordAll(simulation, recorder, [&](Simulation& s) {
+            if (s.state().step == 600)
+                at60 = s.state();
+        });
+        const std::vector<WorldState>& keyframes = recorder.keyframes();
+        QCOMPARE(keyframes.size(), std::size_t{4});
+        QCOMPARE(keyframes[0].step, 0);
+        QVERIFY(keyframes[1] == at60);
+        QCOMPARE(keyframes[2].step, 1200);
+        QVERIFY(keyframes[3] == simulation.state()); // the end, between two keyframes
+    }
+
+    /** An end that is due anyway is kept once. */
+    void endIsKeptOnce()
+    {
+        const Scenario scenario = twoIcebergs(120);
+        Simulation simulation(scenario);
+        Recorder recorder(1, 60, scenario.dt_s);
+        recordAll(simulation, recorder);
+        QCOMPARE(recorder.keyframes().size(), std::size_t{3});
+        QCOMPARE(recorder.samples().size(), std::size_t{121});
+    }
+
+    /** Added in flight: no entry before, one in every row after. */
+    void addedIcebergHasNoPast()
+    {
+        const Scenario scenario = twoIcebergs(10);
+        Simulation simulation(scenario);
+        Recorder recorder(1, 60, scenario.dt_s);
+        Iceberg late;
+        late.id = "late";
+        late.position_m = {2500, 2500};
+        late.sigma0_m2 = 3;
+        recordAll(simulation, recorder, [&](Simulation& s) {
+            if (s.state().step == 45)
+                s.addIceberg(late);
+        });
+        QCOMPARE(recorder.samples().size(), std::size_t{11});
+        for (std::size_t row = 0; row <= 10; ++row)
+            QCOMPARE(recorder.icebergs(row).size(), std::size_t{row <= 4 ? 2U : 3U});
+        // Added at 4.5 s: the first row with it is that of 5 s.
+        COMPARE_NEAR(recorder.icebergs(5)[2].sigma_m2, 3 + 0.025 * 0.5, 1e-12);
+        QVERIFY(recorder.icebergs(5)[2].truth_m == late.position_m);
+    }
+
+    /** An iceberg of the scenario that appears later has rows from the start, marked so. */
+    void notYetAppearedIsMarked()
+    {
+        Scenario scenario = twoIcebergs(10);
+        addIceberg(scenario, 3000, 2000).appears_s = 6;
+        Simulation simulation(scenario);
+        Recorder recorder(1, 60, scenario.dt_s);
+        recordAll(simulation, recorder);
+        for (std::size_t row = 0; row <= 10; ++row) {
+            QCOMPARE(recorder.icebergs(row).size(), std::size_t{3});
+            QVERIFY(recorder.icebergs(row)[0].active);
+            QCOMPARE(recorder.icebergs(row)[2].active, row >= 6);
+        }
+    }
+
+    void rowsThatAreNotThere()
+    {
+        const Scenario scenario = twoIcebergs(2);
+        Simulation simulation(scenario);
+        Recorder recorder(1, 60, scenario.dt_s);
+        recordAll(simulation, recorder);
+        QCOMPARE(recorder.icebergs(2).size(), std::size_t{2});
+        QVERIFY_EXCEPTION_THROWN((void)recorder.icebergs(3), std::out_of_range);
+    }
+
+    void noIcebergsAtAll()
+    {
+        const Scenario scenario = emptySea(3);
+        Simulation simulation(scenario);
+        simulation.setTarget(-1);
+        Recorder recorder(1, 60, scenario.dt_s);
+        recorder.record(simulation);
+        while (!simulation.finished()) {
+            simulation.advanceStep();
+            recorder.record(simulation);
+        }
+        QCOMPARE(recorder.samples().size(), std::size_t{4});
+        QVERIFY(recorder.icebergs(3).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRecorder)
+#include "tst_recorder.moc"

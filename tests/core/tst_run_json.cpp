@@ -1,0 +1,357 @@
+#include "core/io/run_json.h"
+#include "core/scenario/presets.h"
+#include "tests/support/expect_error.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <limits>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+Iceberg newcomer()
+{
+    Iceberg iceberg;
+    iceberg.id = "late";
+    iceberg.position_m = {2000, -1500};
+    iceberg.sigma0_m2 = 9;
+    iceberg.extraJson = R"({"reported_by":"ship"})";
+    return iceberg;
+}
+
+/** 200 s of a random field with three changes in flight; 12 icebergs are solved exactly. */
+RunFile flownRun()
+{
+    Scenario scenario = randomScenario(3);
+    scenario.duration_s = 200;
+    Mission mission(scenario, {.gap = 0, .keyframeInterval_s = 20});
+    mission.advance(60);
+    mission.intervene({.time_s = 0, .tau = 2.5, .policy = {}, .appears = {}});
+    mission.advance(90.05); // between two steps: rounds to one
+    mission.intervene({.time_s = 0, .tau = {}, .policy = {}, .appears = newcomer()});
+    mission.advance(120);
+    mission.intervene({.time_s = 0, .tau = 0.5, .policy = PolicyKind::Nearest, .appears = {}});
+    mission.advance(200);
+    return runOf(mission);
+}
+
+/** The one run that most tests look at. */
+const RunFile& recorded()
+{
+    static const RunFile run = flownRun();
+    return run;
+}
+
+RunFile again(const RunFile& run)
+{
+    return runFromJson(runToJson(run), "text");
+}
+
+} // namespace
+
+class TestRunJson : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void runHoldsWhatWasFlown()
+    {
+        const RunFile& run = recorded();
+        QVERIFY(run.scenario.icebergs.size() == 12);
+        QCOMPARE(run.scenario.planner.tau, 1.0); // as at the start, not as changed in flight
+        QCOMPARE(run.flownUntil_s, 200.0);
+        QCOMPARE(run.interventions.size(), std::size_t{3});
+        QCOMPARE(run.interventions[0].time_s, 60.0);
+        QCOMPARE(run.keyframes.size(), std::size_t{11});
+        QCOMPARE(run.keyframes.front().tracks.size(), std::size_t{12});
+        QCOMPARE(run.keyframes.back().tracks.size(), std::size_t{13});
+        QVERIFY(run.plans.size() >= 4);
+        QCOMPARE(run.metrics.replans, static_cast<int>(run.plans.size()));
+        QCOMPARE(run.metrics.zeta_m2s, run.keyframes.back().zeta_m2s);
+    }
+
+    void roundTripIsExact()
+    {
+        const std::string text = runToJson(recorded());
+        const RunFile read = runFromJson(text, "text");
+        QVERIFY(read == recorded());
+        QCOMPARE(runToJson(read), text);
+    }
+
+    void optionsRoundTrip()
+    {
+        RunFile run = recorded();
+        run.options = {.workLimit = 12345,
+                       .timeLimit_s = 0.1,
+                       .gap = 1.0 / 3,
+                       .warmStart = false,
+                       .record = false,
+                       .sampleInterval_s = 0.7,
+                       .keyframeInterval_s = 7};
+        QVERIFY(again(run) == run);
+    }
+
+    void statesRoundTrip()
+    {
+        RunFile run = recorded();
+        WorldState& state = run.keyframes[3];
+        state.mode = FlightMode::RunOut;
+        state.target = 12;
+        state.lastReached = 0;
+        state.runOut_m = 211.6;
+        state.misses = 3;
+        state.u_radps = -std::numeric_limits<double>::denorm_min();
+        state.guidance.gains.lookahead_m = std::nextafter(150.0, 0);
+        state.tracks[5].inView = !state.tracks[5].inView;
+        state.uav.psi_rad = -0.0;
+        run.keyframes[4].mode = FlightMode::Idle;
+        run.keyframes[5].mode = FlightMode::Circle;
+        const RunFile read = again(run);
+        QVERIFY(read == run);
+        QVERIFY(std::signbit(read.keyframes[3].uav.psi_rad));
+    }
+
+    void savedAndLoaded()
+    {
+        const QTemporaryDir dir;
+        const std::string path = dir.filePath("a.bergrun").toStdString();
+        saveRun(recorded(), path);
+        QVERIFY(loadRun(path) == recorded());
+        QVERIFY(loadRun(BERG_TEST_DATA "/scenarios/small.bergrun").keyframes.size() == 3);
+    }
+
+    void replayRepeatsBitForBit()
+    {
+        const QTemporaryDir dir;
+        const std::string path = dir.filePath("a.bergrun").toStdString();
+        saveRun(recorded(), path);
+        const RunFile file = loadRun(path);
+        double progress_s = 0;
+        const Mission mission = replay(file, {}, [&](double time_s) { progress_s = time_s; });
+        const RunFile flown = runOf(mission);
+        QVERIFY(flown.keyframes == recorded().keyframes);
+        QVERIFY(flown.metrics == recorded().metrics);
+        QVERIFY(flown.plans == recorded().plans);
+        QVERIFY(flown == recorded());
+        QVERIFY(compareRun(file, flown).empty());
+        QCOMPARE(progress_s, 200.0);
+    }
+
+    void replayOfAPart()
+    {
+        // A run that was stopped in flight replays until there.
+        Mission mission(recorded().scenario, recorded().options);
+        mission.advance(33.3);
+        const RunFile part = runOf(mission);
+        QVERIFY(std::abs(part.flownUntil_s - 33.3) < 1e-9); // 333 steps of 0.1 s
+        const RunFile flown = runOf(replay(again(part)));
+        QVERIFY(flown == part);
+        QVERIFY(compareRun(part, flown).empty());
+    }
+
+    void replayStopsWhenCancelled()
+    {
+        std::stop_source source;
+        const Mission mission = replay(recorded(), source.get_token(), [&](double time_s) {
+            if (time_s >= 30)
+                source.request_stop();
+        });
+        QCOMPARE(mission.simulation().time_s(), 30.0);
+    }
+
+    void differences_data()
+    {
+        QTest::addColumn<int>("change");
+        QTest::addColumn<QString>("field");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("position") << 0 << "keyframes[4].position_m[1]"
+                                  << "at 80 s: recorded ";
+        QTest::newRow("sigma") << 1 << "keyframes[2].tracks[7][5]"
+                               << "at 40 s: recorded ";
+        QTest::newRow("target") << 2 << "keyframes[6].target"
+                                << "at 120 s: recorded ";
+        QTest::newRow("tracks") << 3 << "keyframes[9].tracks"
+                                << "recorded 12, replayed 13";
+        QTest::newRow("no keyframe") << 4 << "keyframes[3]"
+                                     << "at 60.1 s: not reached";
+        QTest::newRow("plan time") << 5 << "plans[1].time_s"
+                                   << "recorded ";
+        QTest::newRow("plan target") << 6 << "plans[0].target"
+                                     << "at 0 s: recorded ";
+        QTest::newRow("plan order") << 7 << "plans[0].order"
+                                    << "at 0 s";
+        QTest::newRow("plan missing") << 8 << "plans"
+                                      << "recorded ";
+        QTest::newRow("zeta") << 9 << "metrics.zeta_m2s"
+                              << "recorded ";
+        QTest::newRow("visits") << 10 << "metrics.visits"
+                                << "recorded ";
+        QTest::newRow("flown") << 11 << "metrics.flown_m"
+                               << "recorded ";
+        QTest::newRow("end") << 12 << "flown_until_s"
+                             << "recorded 199, replayed 200";
+    }
+    void differences()
+    {
+        QFETCH(const int, change);
+        QFETCH(const QString, field);
+        QFETCH(const QString, text);
+        RunFile run = recorded();
+        WorldState& state = run.keyframes[4];
+        switch (change) {
+        case 0: // the last bit
+            state.uav.position_m.y() = std::nextafter(state.uav.position_m.y(), 1e9);
+            run.keyframes[8].zeta_m2s += 1; // later ones are not told
+            break;
+        case 1:
+            run.keyframes[2].tracks[7].sigma_m2 += 1e-12;
+            break;
+        case 2:
+            run.keyframes[6].target = -1;
+            break;
+        case 3:
+            run.keyframes[9].tracks.pop_back();
+            break;
+        case 4:
+            run.keyframes[3].step += 1;
+            break;
+        case 5:
+            run.plans[1].time_s += 0.1;
+            break;
+        case 6:
+            run.plans[0].target = -1;
+            break;
+        case 7:
+            std::swap(run.plans[0].order[1], run.plans[0].order[2]);
+            break;
+        case 8:
+            run.plans.pop_back();
+            break;
+        case 9:
+            run.metrics.zeta_m2s = std::nextafter(run.metrics.zeta_m2s, 0);
+            break;
+        case 10:
+            ++run.metrics.visits;
+            break;
+        case 11:
+            run.metrics.flown_m += 1;
+            break;
+        default:
+            run.flownUntil_s = 199;
+            break;
+        }
+        const std::vector<Issue> issues = compareRun(run, recorded());
+        QCOMPARE(issues.size(), std::size_t{1});
+        QCOMPARE(QString::fromStdString(issues[0].field), field);
+        QVERIFY2(QString::fromStdString(issues[0].message).contains(text),
+                 issues[0].message.c_str());
+        QVERIFY(issues[0].severity == Severity::Error);
+    }
+
+    void everyNumberOfAKeyframeIsCompared()
+    {
+        // Whatever field of the text is changed, the comparison names one.
+        const WorldState& state = recorded().keyframes[1];
+        std::vector<WorldState> changed(24, state);
+        changed[0].uav.position_m.x() += 1;
+        changed[1].uav.position_m.y() += 1;
+        changed[2].uav.psi_rad += 1;
+        changed[3].u_radps += 1;
+        changed[4].crossTrack_m += 1;
+        changed[5].sigmaSum_m2 += 1;
+        changed[6].zeta_m2s += 1;
+        changed[7].flown_m += 1;
+        changed[8].mode = FlightMode::Circle;
+        changed[9].target += 1;
+        changed[10].lastReached += 1;
+        changed[11].guidance.gains.lookahead_m += 1;
+        changed[12].guidance.gains.integral_mps += 1;
+        changed[13].guidance.gains.turn_1ps += 1;
+        changed[14].guidance.start_m.x() += 1;
+        changed[15].guidance.integral_s += 1;
+        changed[16].runOut_m += 1;
+        changed[17].misses += 1;
+        changed[18].tracks[0].anchor_m.x() += 1;
+        changed[19].tracks[1].anchor_s += 1;
+        changed[20].tracks[2].velocity_mps.y() += 1;
+        changed[21].tracks[3].sigma_m2 += 1;
+        changed[22].tracks[4].q_m2ps += 1;
+        changed[23].tracks[5].inView = !state.tracks[5].inView;
+        for (const WorldState& other : changed) {
+            RunFile run = recorded();
+            run.keyframes[1] = other;
+            const std::vector<Issue> issues = compareRun(run, recorded());
+            QCOMPARE(issues.size(), std::size_t{1});
+            QVERIFY(issues[0].field.starts_with("keyframes[1]."));
+        }
+    }
+
+    void timeLimitIsNoPromise()
+    {
+        RunFile run = recorded();
+        run.options.timeLimit_s = 1;
+        QVERIFY(compareRun(run, recorded()).empty());
+        run.metrics.visits += 1;
+        const std::vector<Issue> issues = compareRun(run, recorded());
+        QCOMPARE(issues.size(), std::size_t{2});
+        QVERIFY(issues[1].severity == Severity::Warning);
+        QCOMPARE(issues[1].field, std::string("options.time_limit_s"));
+    }
+
+    void longRunsAreThinned()
+    {
+        // 50 icebergs and a keyframe at each of 4000 steps: 200,000 tracks.
+        Scenario scenario = randomScenario(5, {.icebergs = 50});
+        scenario.planner.policy = PolicyKind::Nearest;
+        scenario.duration_s = 400;
+        Mission mission(scenario, {.keyframeInterval_s = 0.1});
+        mission.advance(400);
+        QCOMPARE(mission.recorder().keyframes().size(), std::size_t{4001});
+        const RunFile run = runOf(mission);
+        QVERIFY(run.keyframes.size() > 1000 && run.keyframes.size() < 2100);
+        QCOMPARE(run.keyframes.front().step, std::int64_t{0});
+        QCOMPARE(run.keyframes.back().step, std::int64_t{4000});
+        QVERIFY(again(run) == run);
+        QVERIFY(compareRun(run, runOf(replay(run))).empty());
+    }
+
+    void formats_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QString>("code");
+        QTest::newRow("scenario") << QByteArray(R"({"x": 1, "format": "bergwatch-scenario"})")
+                                  << "bergwatch-scenario"
+                                  << "nothing";
+        QTest::newRow("problem") << QByteArray(R"({"format": "bergwatch-problem"})")
+                                 << "bergwatch-problem"
+                                 << "nothing";
+        QTest::newRow("run") << QByteArray(R"({"format": "bergwatch-run"})") << "bergwatch-run"
+                             << "nothing";
+        QTest::newRow("another") << QByteArray(R"({"format": "geojson"})") << ""
+                                 << "WrongFormat";
+        QTest::newRow("none") << QByteArray("{}") << ""
+                              << "WrongFormat";
+        QTest::newRow("number") << QByteArray(R"({"format": 1})") << ""
+                                << "WrongFormat";
+        QTest::newRow("array") << QByteArray("[]") << ""
+                               << "WrongFormat";
+        QTest::newRow("no JSON") << QByteArray("{") << ""
+                                 << "SyntaxError";
+    }
+    void formats()
+    {
+        QFETCH(const QByteArray, text);
+        QFETCH(const QString, format);
+        QFETCH(const QString, code);
+        std::string found;
+        QCOMPARE(codeOf([&] { found = formatOf(text.toStdString(), "text"); }), code.toStdString());
+        QCOMPARE(QString::fromStdString(found), format);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRunJson)
+#include "tst_run_json.moc"

@@ -1,0 +1,127 @@
+#include "core/io/atomic_file.h"
+#include "core/io/scenario_json.h"
+#include "core/scenario/presets.h"
+#include "core/scenario/validate.h"
+
+#include <QDir>
+#include <QTest>
+
+#include <array>
+#include <vector>
+
+using namespace berg;
+
+namespace {
+
+const QString kFolder = QStringLiteral(BERG_SOURCE_DIR "/resources/scenarios");
+
+Scenario shipped(const char* name)
+{
+    return loadScenario(kFolder.toStdString() + '/' + name + ".berg");
+}
+
+/** What one of the files is there to show. */
+struct Feature
+{
+    const char* file;
+    std::size_t icebergs;
+    bool (*shows)(const Scenario&);
+};
+
+constexpr std::array<Feature, 9> kFeatures = {{
+    {"grand-banks-12", 12, [](const Scenario& s) { return s == defaultScenario(); }},
+    {"disko-bay-4", 4,
+     [](const Scenario& s) {
+         return s.origin == LatLon{.latitude_deg = 69.2, .longitude_deg = -51.5};
+     }},
+    {"labrador-20", 20, [](const Scenario& s) { return s.wind_mps.isZero(0); }},
+    {"scoresby-sund-40", 40, [](const Scenario& s) { return s.duration_s >= 3600; }},
+    {"barents-wind", 12,
+     [](const Scenario& s) { return s.wind_mps.norm() == 10 && !s.current_mps.isZero(0); }},
+    {"hibernia-asset", 10,
+     [](const Scenario& s) {
+         return s.asset && s.origin == LatLon{.latitude_deg = 46.75, .longitude_deg = -48.78};
+     }},
+    {"svalbard-two-uavs", 16, [](const Scenario& s) { return s.uavs.size() == 2; }},
+    {"fram-strait-endurance", 14,
+     [](const Scenario& s) {
+         return s.uavs[0].spec.endurance_s > 0 && s.uavs[0].spec.endurance_s < s.duration_s &&
+                s.area_m.size() >= 3;
+     }},
+    {"flemish-pass-appearing", 12,
+     [](const Scenario& s) {
+         return s.icebergs.back().appears_s > 0 && s.icebergs.back().appears_s < s.duration_s &&
+                s.icebergs[1].observed_s > 0;
+     }},
+}};
+
+} // namespace
+
+class TestShippedScenarios : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void files_data()
+    {
+        QTest::addColumn<int>("row");
+        for (std::size_t i = 0; i < kFeatures.size(); ++i)
+            QTest::newRow(kFeatures[i].file) << static_cast<int>(i);
+    }
+    void files()
+    {
+        QFETCH(const int, row);
+        const Feature& feature = kFeatures[static_cast<std::size_t>(row)];
+        const Scenario s = shipped(feature.file);
+        QVERIFY(!hasErrors(validate(s)));
+        QVERIFY(!s.name.empty());
+        QCOMPARE(s.icebergs.size(), feature.icebergs);
+        QVERIFY(feature.shows(s));
+    }
+
+    void allFilesAreListed()
+    {
+        const QStringList files = QDir(kFolder).entryList({"*.berg"}, QDir::Files);
+        QCOMPARE(files.size(), static_cast<qsizetype>(kFeatures.size()));
+    }
+
+    /** So that opening and saving one of them changes nothing. */
+    void filesAreInTheFormTheProgramWrites()
+    {
+        for (const Feature& feature : kFeatures) {
+            const std::string path = kFolder.toStdString() + '/' + feature.file + ".berg";
+            QCOMPARE(scenarioToJson(loadScenario(path)), readFile(path));
+        }
+    }
+
+    void notesSayWhatToLookAt()
+    {
+        for (const Feature& feature : kFeatures) {
+            const Scenario s = shipped(feature.file);
+            if (s == defaultScenario()) // the preset itself has none
+                continue;
+            const QString notes = QString::fromStdString(s.notes);
+            QVERIFY2(notes.count(". ") == 1 && notes.endsWith('.'), feature.file);
+            QVERIFY2(!s.startUtc.empty(), feature.file);
+        }
+    }
+
+    /** Each at its own place, and the icebergs where a UAV gets to in the time there is. */
+    void placesAndDistancesArePlausible()
+    {
+        std::vector<LatLon> origins;
+        for (const Feature& feature : kFeatures) {
+            const Scenario s = shipped(feature.file);
+            for (const LatLon& other : origins)
+                QVERIFY2(!(other == s.origin), feature.file);
+            origins.push_back(s.origin);
+            const double range_m = s.duration_s * s.uavs[0].spec.airspeed_mps;
+            for (const Iceberg& iceberg : s.icebergs)
+                QVERIFY2((iceberg.position_m - s.uavs[0].position_m).norm() < range_m,
+                         feature.file);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestShippedScenarios)
+#include "tst_shipped_scenarios.moc"

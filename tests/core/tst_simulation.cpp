@@ -1,0 +1,295 @@
+#include "core/base/angles.h"
+#include "core/scenario/presets.h"
+#include "core/sim/simulation.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QtTest>
+
+using namespace berg;
+using test::addIceberg;
+using test::emptySea;
+
+namespace {
+
+/** Flies to the iceberg given whenever a plan is asked for, until `done` or the end. */
+template <class Done>
+bool flyTo(Simulation& simulation, int iceberg, const Done& done)
+{
+    while (!simulation.finished()) {
+        if (simulation.planReason() != PlanReason::None)
+            simulation.setTarget(simulation.available(iceberg) ? iceberg : -1);
+        simulation.advanceStep();
+        if (done(simulation))
+            return true;
+    }
+    return false;
+}
+
+bool reached(const Simulation& simulation)
+{
+    return simulation.planReason() == PlanReason::TargetReached;
+}
+
+} // namespace
+
+class TestSimulation : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void startAsksForAPlan()
+    {
+        const Simulation simulation(emptySea());
+        QCOMPARE(simulation.planReason(), PlanReason::Start);
+        QCOMPARE(simulation.time_s(), 0.0);
+    }
+
+    void steppingWithoutPlanIsABug()
+    {
+        Simulation simulation(emptySea());
+        QVERIFY_EXCEPTION_THROWN(simulation.advanceStep(), std::logic_error);
+    }
+
+    /** Straight ahead: in view 300 m before the iceberg, sigma and zeta in closed form. */
+    void oneIcebergAhead()
+    {
+        Scenario scenario = emptySea(400);
+        addIceberg(scenario, 3000, 0, 4);
+        Simulation simulation(scenario);
+        QVERIFY(flyTo(simulation, 0, reached));
+
+        constexpr int kSteps = 1228; // first multiple of 0.1 s x 22 m/s beyond 2700 m
+        QCOMPARE(simulation.state().step, kSteps);
+        QCOMPARE(simulation.track(0).sigma_m2, 0.0);
+        // Eq. (22)-(24): sigma_k = 4 + q k dt after step k, 0 from the step that sees it.
+        double zeta_m2s = 0;
+        for (int k = 1; k < kSteps; ++k)
+            zeta_m2s += (4 + 0.025 * k * 0.1) * 0.1;
+        QVERIFY(std::abs(simulation.state().zeta_m2s - zeta_m2s) < 1e-9 * zeta_m2s); // rounding
+        QVERIFY(std::abs(simulation.state().uav.position_m.y()) < 1e-9);
+        QVERIFY(std::abs(simulation.state().flown_m - kSteps * 2.2) < 1e-6);
+    }
+
+    /** With every iceberg in view the UAV circles the last one reached and keeps it in view. */
+    void circlesWhileAllAreInView()
+    {
+        Scenario scenario = emptySea(1000);
+        addIceberg(scenario, 2000, 0);
+        Simulation simulation(scenario);
+        QVERIFY(flyTo(simulation, 0, reached));
+        const double zeta_m2s = simulation.state().zeta_m2s;
+        const double radius_m = turnRadius_m(scenario.uavs[0].spec);
+
+        simulation.setTarget(-1);
+        double nearest_m = 1e9;
+        double farthest_m = 0;
+        while (!simulation.finished()) {
+            simulation.advanceStep();
+            QCOMPARE(simulation.planReason(), PlanReason::None); // nothing to re-plan, ever
+            const double r_m = (simulation.state().uav.position_m - simulation.truth_m(0)).norm();
+            if (simulation.time_s() > 300) { // settled
+                nearest_m = std::min(nearest_m, r_m);
+                farthest_m = std::max(farthest_m, r_m);
+            }
+        }
+        QCOMPARE(simulation.state().zeta_m2s, zeta_m2s);
+        QVERIFY2(nearest_m >= radius_m, qPrintable(QString::number(nearest_m)));
+        QVERIFY2(farthest_m < 200, qPrintable(QString::number(farthest_m)));
+        QVERIFY(farthest_m - nearest_m < 2); // a circle, not an oval
+    }
+
+    void replansWhenAnIcebergLeavesTheView()
+    {
+        Scenario scenario = emptySea(2000);
+        addIceberg(scenario, 100, 0);
+        addIceberg(scenario, 0, 250).velocity_mps = {0, 1}; // drifts out of the field of view
+        Simulation simulation(scenario);
+        QVERIFY(!simulation.available(0));
+        QVERIFY(!simulation.available(1));
+        QCOMPARE(simulation.state().sigmaSum_m2, 0.0); // seen at t = 0
+
+        simulation.setTarget(-1);
+        while (!simulation.finished() && simulation.planReason() == PlanReason::None)
+            simulation.advanceStep();
+        QCOMPARE(simulation.planReason(), PlanReason::OutOfView);
+        QVERIFY(simulation.available(1));
+        QVERIFY(!simulation.available(0));
+    }
+
+    void seesEveryIcebergOnTheWay()
+    {
+        Scenario scenario = emptySea();
+        addIceberg(scenario, 4000, 0);
+        addIceberg(scenario, 2000, 290);  // just inside the 600 m wide view
+        addIceberg(scenario, 2000, -310); // just outside
+        Simulation simulation(scenario);
+        bool sawSecond = false;
+        QVERIFY(flyTo(simulation, 0, [&](const Simulation& s) {
+            for (const int iceberg : s.newlySeen())
+                sawSecond = sawSecond || iceberg == 1;
+            return reached(s);
+        }));
+        QVERIFY(sawSecond);
+        QVERIFY(simulation.track(1).sigma_m2 < 5); // restarted when it was passed
+        QVERIFY(std::abs(simulation.track(2).sigma_m2 - (5 + 0.025 * simulation.time_s())) < 1e-9);
+    }
+
+    /** Reach smaller than the turning circle: nothing may orbit for ever. */
+    void smallReachIsReached_data()
+    {
+        QTest::addColumn<double>("heading_deg");
+        QTest::addColumn<double>("reach_m");
+        QTest::addColumn<bool>("byView");
+        for (int heading = 0; heading < 360; heading += 30)
+            for (const double reach_m : {5.0, 30.0, 90.0, 150.0}) {
+                QTest::addRow("radius %g, heading %d", reach_m, heading)
+                    << double(heading) << reach_m << false;
+                QTest::addRow("view %g, heading %d", 2 * reach_m, heading)
+                    << double(heading) << reach_m << true;
+            }
+    }
+    void smallReachIsReached()
+    {
+        QFETCH(double, heading_deg);
+        QFETCH(double, reach_m);
+        QFETCH(bool, byView);
+        Scenario scenario = emptySea(3000);
+        scenario.uavs[0].heading_deg = heading_deg;
+        if (byView)
+            scenario.uavs[0].fov_m = {2 * reach_m, 2 * reach_m};
+        else
+            scenario.reachRadius_m = reach_m;
+        addIceberg(scenario, 70, 210).velocity_mps = {0.3, -0.2};
+        Simulation simulation(scenario);
+        if (!byView) // at the start it is in the large view: out of the way first
+            simulation = Simulation([&] {
+                Scenario far = scenario;
+                far.icebergs[0].position_m = {150, 420};
+                return far;
+            }());
+        QVERIFY(flyTo(simulation, 0, reached));
+        QVERIFY2(simulation.time_s() < 600, qPrintable(QString::number(simulation.time_s())));
+    }
+
+    void turnRateNeverExceedsTheLimit()
+    {
+        Simulation simulation(randomScenario(7));
+        const double limit_radps = maxTurnRate_radps(UavSpec{});
+        int target = 0;
+        while (!simulation.finished()) {
+            if (simulation.planReason() != PlanReason::None) {
+                target = (target + 5) % 12;
+                simulation.setTarget(simulation.available(target) ? target : (target + 1) % 12);
+            }
+            simulation.advanceStep();
+            QVERIFY(std::abs(simulation.state().u_radps) <= limit_radps);
+        }
+    }
+
+    void appearsOnTime()
+    {
+        Scenario scenario = emptySea(300);
+        addIceberg(scenario, 8000, 0);
+        Iceberg& later = addIceberg(scenario, 8000, 5000, 3);
+        later.appears_s = 100;
+        later.q_m2ps = 0.05;
+        Simulation simulation(scenario);
+        QVERIFY(!simulation.active(1));
+        QCOMPARE(simulation.planRequest().ids, std::vector<int>{0});
+        QVERIFY(flyTo(simulation, 0,
+                      [](const Simulation& s) { return s.planReason() == PlanReason::Appeared; }));
+        QCOMPARE(simulation.time_s(), 100.0);
+        QVERIFY(simulation.active(1));
+        // Unseen since t = 0: sigma0 + q t.
+        QVERIFY(std::abs(simulation.track(1).sigma_m2 - (3 + 0.05 * 100)) < 1e-9);
+        QCOMPARE(simulation.planRequest().ids, (std::vector<int>{0, 1}));
+    }
+
+    void addedInFlightStartsHereAndNow()
+    {
+        Scenario scenario = emptySea(300);
+        addIceberg(scenario, 8000, 0);
+        Simulation simulation(scenario);
+        QVERIFY(flyTo(simulation, 0, [](const Simulation& s) { return s.time_s() >= 50; }));
+        Iceberg added;
+        added.id = "new";
+        added.position_m = {4000, 4000};
+        added.velocity_mps = {1, 0};
+        simulation.addIceberg(added);
+        QCOMPARE(simulation.planReason(), PlanReason::Appeared);
+        QVERIFY((simulation.truth_m(1) - Point(4000, 4000)).norm() < 1e-9);
+        simulation.setTarget(0);
+        for (int k = 0; k < 100; ++k)
+            simulation.advanceStep();
+        QVERIFY((simulation.truth_m(1) - Point(4010, 4000)).norm() < 1e-6);
+        QVERIFY((simulation.estimate_m(1) - simulation.truth_m(1)).norm() < 1e-6);
+    }
+
+    /** In wind the flown time of a long leg is that of the wind triangle. */
+    void windTriangle_data()
+    {
+        QTest::addColumn<Point>("wind_mps");
+        QTest::addRow("head wind") << Point(-10, 0);
+        QTest::addRow("tail wind") << Point(10, 0);
+        QTest::addRow("cross wind") << Point(0, 12);
+        QTest::addRow("quartering") << Point(-8, -8);
+    }
+    void windTriangle()
+    {
+        QFETCH(Point, wind_mps);
+        Scenario scenario = emptySea(4000);
+        scenario.wind_mps = wind_mps;
+        addIceberg(scenario, 20000, 0);
+        Simulation simulation(scenario);
+        QVERIFY(flyTo(simulation, 0, reached));
+        const double expected_s = flightTime_s({20000 - 300, 0}, 22, wind_mps);
+        // The turn onto the crab angle and the turned field of view cost a few seconds.
+        QVERIFY2(std::abs(simulation.time_s() - expected_s) < 0.01 * expected_s,
+                 qPrintable(QString("%1 against %2").arg(simulation.time_s()).arg(expected_s)));
+        QVERIFY(std::abs(simulation.state().uav.position_m.y()) < 5);
+        // The same wind is what planning counts with: air distance U t.
+        const double air_m = Simulation(scenario).planRequest().problem.distance_m(0, 1);
+        QVERIFY(std::abs(air_m - 22 * flightTime_s({20000, 0}, 22, wind_mps)) < 1e-6);
+    }
+
+    void currentCarriesIcebergs()
+    {
+        Scenario scenario = emptySea(100);
+        scenario.current_mps = {0.5, -0.25};
+        addIceberg(scenario, 9000, 0).velocity_mps = {0.1, 0};
+        Simulation simulation(scenario);
+        flyTo(simulation, 0, [](const Simulation&) { return false; });
+        QVERIFY((simulation.truth_m(0) - Point(9060, -25)).norm() < 1e-6);
+        QVERIFY((simulation.estimate_m(0) - simulation.truth_m(0)).norm() < 1e-6);
+    }
+
+    /** The truth depends on seed and iceberg alone, not on the time step or where the UAV flies. */
+    void truthIsTheSameForEveryTimeStep()
+    {
+        Scenario scenario = randomScenario(3);
+        scenario.duration_s = 200;
+        std::vector<Point> ends;
+        for (const double dt_s : {0.05, 0.1, 0.5}) {
+            scenario.dt_s = dt_s;
+            Simulation simulation(scenario);
+            flyTo(simulation, dt_s > 0.2 ? 4 : 1, [](const Simulation&) { return false; });
+            ends.push_back(simulation.truth_m(7));
+        }
+        QVERIFY((ends[0] - ends[1]).norm() < 1e-9);
+        QVERIFY((ends[0] - ends[2]).norm() < 1e-9);
+    }
+
+    void aCopyContinuesTheSame()
+    {
+        Simulation first(randomScenario(5));
+        flyTo(first, 2, [](const Simulation& s) { return s.time_s() >= 60; });
+        Simulation second = first;
+        const auto end = [](const Simulation& s) { return s.time_s() >= 300; };
+        flyTo(first, 4, end);
+        flyTo(second, 4, end);
+        QVERIFY(first.state() == second.state());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSimulation)
+#include "tst_simulation.moc"

@@ -1,0 +1,496 @@
+#include "core/plan/solver.h"
+#include "tests/support/approx.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/expect_error.h"
+
+#include <QtTest>
+
+#include <array>
+#include <thread>
+
+using namespace berg;
+
+namespace {
+
+/** One back end as `makeSolver` gives it, and what it promises. */
+struct Contestant
+{
+    const char* name = "";
+    Backend backend = Backend::Auto;
+    bool proves = false;     ///< answers small problems with status Optimal, always
+    double tolerance = 2e-9; ///< of its proofs, relative to F + N sum(sigma)
+};
+
+#if BERG_EXPECT_CBC
+constexpr std::size_t kContestants = 4;
+#else
+constexpr std::size_t kContestants = 3;
+#endif
+
+constexpr std::array<Contestant, kContestants> kAll{{
+    {.name = "exact", .backend = Backend::Exact, .proves = true},
+    {.name = "heuristic", .backend = Backend::Heuristic},
+    {.name = "auto", .backend = Backend::Auto, .proves = true},
+#if BERG_EXPECT_CBC
+    // The linear programmes inside are solved to about 1e-7.
+    {.name = "cbc", .backend = Backend::Cbc, .proves = true, .tolerance = 1e-6},
+#endif
+}};
+
+/** What must hold of any answer to a problem whose optimum is known; empty when it does. */
+QString faultOf(const Contestant& contestant, const TvpProblem& problem,
+                const SolveOutcome& outcome, double optimum)
+{
+    const double scale = optimum + objectiveShift(problem);
+    const double tolerance = contestant.tolerance * scale + 1e-9;
+    if (outcome.backend.empty())
+        return QStringLiteral("no name");
+    if (outcome.elapsed_s < 0 || outcome.work < 0)
+        return QStringLiteral("negative effort");
+    if (outcome.status == SolveStatus::None) {
+        if (outcome.reason == StopReason::Finished)
+            return QStringLiteral("finished without an order");
+        return outcome.order.empty() ? QString() : QStringLiteral("an order, but status None");
+    }
+    if (!isVisitOrder(problem, outcome.order))
+        return QStringLiteral("not an order");
+    if (outcome.objective != objective(problem, outcome.order))
+        return QStringLiteral("objective is not that of the order");
+    if (std::abs(outcome.objective - test::costByVisitingNumbers(problem, outcome.order)) >
+        1e-11 * scale + 1e-9)
+        return QStringLiteral("objective is not that of the visiting numbers");
+    if (outcome.objective < optimum - 1e-11 * scale - 1e-9)
+        return QStringLiteral("better than the optimum");
+    if (outcome.bound && *outcome.bound > optimum + tolerance)
+        return QStringLiteral("bound %1 above the optimum %2").arg(*outcome.bound).arg(optimum);
+    if (outcome.bound && *outcome.bound > outcome.objective)
+        return QStringLiteral("bound above the objective");
+    if (outcome.status != SolveStatus::Optimal)
+        return {};
+    if (outcome.bound != outcome.objective)
+        return QStringLiteral("proven, but bound and objective differ");
+    if (outcome.objective > optimum + tolerance)
+        return QStringLiteral("claims %1 to be optimal, not %2")
+            .arg(outcome.objective)
+            .arg(optimum);
+    return {};
+}
+
+VisitOrder ascending(int icebergs)
+{
+    VisitOrder order(static_cast<std::size_t>(icebergs));
+    std::iota(order.begin(), order.end(), 1);
+    return order;
+}
+
+bool same(const SolveOutcome& a, const SolveOutcome& b)
+{
+    return a.status == b.status && a.reason == b.reason && a.order == b.order &&
+           a.objective == b.objective && a.bound == b.bound && a.work == b.work &&
+           a.hintUsed == b.hintUsed && a.backend == b.backend;
+}
+
+/** Small problems with something odd about them, by name. */
+std::vector<std::pair<const char*, TvpProblem>> oddProblems()
+{
+    const auto problem = [](int icebergs, double tau, Route route = Route::Open) {
+        return test::randomProblem(51, icebergs, tau, route, route == Route::Closed);
+    };
+    std::vector<std::pair<const char*, TvpProblem>> odd{
+        {"no iceberg", problem(0, 1)},
+        {"no iceberg, closed", problem(0, 1, Route::Closed)},
+        {"one iceberg", problem(1, 1)},
+        {"one iceberg, closed", problem(1, 1, Route::Closed)},
+        {"two icebergs", problem(2, 1)},
+        {"tau 0", problem(6, 0)},
+        {"tau 0, closed", problem(6, 0, Route::Closed)},
+        {"tau 100", problem(6, 100)},
+        {"tau 100, closed", problem(6, 100, Route::Closed)},
+        {"tiny mu", problem(6, 1e-9)},
+    };
+    TvpProblem ties = problem(6, 1);
+    ties.distance_m.setConstant(1000);
+    std::fill(ties.sigma_m2.begin() + 1, ties.sigma_m2.end(), 3.0);
+    odd.emplace_back("all orders tie", ties);
+
+    TvpProblem coincident = problem(6, 1);
+    for (const int j : {3, 5}) {
+        coincident.distance_m.row(j) = coincident.distance_m.row(1);
+        coincident.distance_m.col(j) = coincident.distance_m.col(1);
+    }
+    for (const int i : {1, 3, 5})
+        for (const int j : {1, 3, 5})
+            coincident.distance_m(i, j) = 0;
+    odd.emplace_back("three icebergs in one place", coincident);
+
+    TvpProblem atUav = problem(5, 1, Route::Closed);
+    atUav.distance_m.setZero();
+    odd.emplace_back("all in one place, mu not 0", atUav);
+
+    TvpProblem someZero = problem(6, 1);
+    someZero.sigma_m2[2] = someZero.sigma_m2[5] = 0;
+    odd.emplace_back("two sigmas zero", someZero);
+
+    for (const Route route : {Route::Open, Route::Closed}) {
+        TvpProblem zero = problem(6, 1, route);
+        std::fill(zero.sigma_m2.begin(), zero.sigma_m2.end(), 0.0);
+        zero.mu = tuningWeight(zero, 1).mu;
+        odd.emplace_back(route == Route::Open ? "all sigmas zero" : "all sigmas zero, closed",
+                         zero);
+    }
+    TvpProblem nothing = problem(4, 1);
+    std::fill(nothing.sigma_m2.begin(), nothing.sigma_m2.end(), 0.0);
+    nothing.distance_m.setZero();
+    odd.emplace_back("nothing costs anything", nothing);
+    return odd;
+}
+
+} // namespace
+
+/** What every back end owes its callers. A new one gets a row in `kAll`. */
+class TestSolverConformance : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    /** This build has the back ends it was configured with, so no row is missing silently. */
+    void buildHasTheExpectedBackEnds()
+    {
+        for (const Contestant& contestant : kAll)
+            QCOMPARE(makeSolver(contestant.backend)->name(), std::string(contestant.name));
+        const bool unsupported =
+            test::codeOf([] { (void)makeSolver(Backend::Cbc); }) == "Unsupported";
+        QCOMPARE(unsupported, BERG_EXPECT_CBC == 0);
+    }
+
+    // Optima ------------------------------------------------------------------------------------
+
+    void findsTheOptimum_data()
+    {
+        QTest::addColumn<int>("contestant");
+        QTest::addColumn<int>("icebergs");
+        QTest::addColumn<bool>("closed");
+        QTest::addColumn<bool>("asymmetric");
+        forEach([](int index, const char* name) {
+            for (int n = 1; n <= 8; ++n)
+                for (const bool closed : {false, true})
+                    for (const bool asymmetric : {false, true})
+                        QTest::addRow("%s, %d icebergs, %s, %s", name, n,
+                                      closed ? "closed" : "open",
+                                      asymmetric ? "asymmetric" : "symmetric")
+                            << index << n << closed << asymmetric;
+        });
+    }
+
+    void findsTheOptimum()
+    {
+        QFETCH(int, icebergs);
+        QFETCH(bool, closed);
+        QFETCH(bool, asymmetric);
+        for (const double tau : {0.5, 1.0, 3.0}) {
+            const TvpProblem problem =
+                test::randomProblem(static_cast<std::uint64_t>(60 + icebergs), icebergs, tau,
+                                    closed ? Route::Closed : Route::Open, asymmetric);
+            const SolveOutcome outcome = solver()->solve(problem, {});
+            const double optimum = test::bruteForce(problem).objective;
+            QCOMPARE(faultOf(contestant(), problem, outcome, optimum), QString());
+            QVERIFY(outcome.status == SolveStatus::Optimal || !contestant().proves);
+            QVERIFY(outcome.reason == StopReason::Finished);
+        }
+    }
+
+    void copesWithOddProblems_data()
+    {
+        QTest::addColumn<int>("contestant");
+        QTest::addColumn<TvpProblem>("problem");
+        forEach([](int index, const char* name) {
+            for (const auto& [what, problem] : oddProblems())
+                QTest::addRow("%s, %s", name, what) << index << problem;
+        });
+    }
+
+    void copesWithOddProblems()
+    {
+        QFETCH(TvpProblem, problem);
+        const SolveOutcome outcome = solver()->solve(problem, {});
+        const double optimum = test::bruteForce(problem).objective;
+        QCOMPARE(faultOf(contestant(), problem, outcome, optimum), QString());
+        QVERIFY(outcome.status == SolveStatus::Optimal || !contestant().proves);
+    }
+
+    /** Sizes that cannot be tried out: the back ends check each other. */
+    void agreesWithTheDynamicProgramme_data()
+    {
+        QTest::addColumn<int>("contestant");
+        QTest::addColumn<int>("icebergs");
+        forEach([](int index, const char* name) {
+            const bool cbc = kAll[static_cast<std::size_t>(index)].backend == Backend::Cbc;
+            for (int n = 9; n <= (cbc ? 11 : 14); ++n)
+                QTest::addRow("%s, %d icebergs", name, n) << index << n;
+        });
+    }
+
+    void agreesWithTheDynamicProgramme()
+    {
+        QFETCH(int, icebergs);
+        for (const Route route : {Route::Open, Route::Closed}) {
+            const TvpProblem problem =
+                test::randomProblem(static_cast<std::uint64_t>(80 + icebergs), icebergs, 1.0, route,
+                                    route == Route::Closed);
+            const SolveOutcome exact = makeSolver(Backend::Exact)->solve(problem, {});
+            const SolveOutcome outcome = solver()->solve(problem, {});
+            QCOMPARE(faultOf(contestant(), problem, outcome, exact.objective), QString());
+            QVERIFY(outcome.status == SolveStatus::Optimal || !contestant().proves);
+        }
+    }
+
+    // Hints -------------------------------------------------------------------------------------
+
+    void takesGoodAndBadHints_data() { solvers_data(); }
+    void takesGoodAndBadHints()
+    {
+        const TvpProblem problem = test::randomProblem(90, 7, 1, Route::Closed, true);
+        const test::BruteForce best = test::bruteForce(problem);
+        VisitOrder worst = ascending(7);
+        for (VisitOrder order = worst; std::next_permutation(order.begin(), order.end());)
+            if (objective(problem, order) > objective(problem, worst))
+                worst = order;
+        for (const VisitOrder& hint : {best.order, worst}) {
+            const SolveOutcome outcome = solver()->solve(problem, hinted(hint));
+            QCOMPARE(faultOf(contestant(), problem, outcome, best.objective), QString());
+            QVERIFY(outcome.status == SolveStatus::Optimal || !contestant().proves);
+        }
+        const SolveOutcome outcome = solver()->solve(problem, hinted(best.order));
+        QCOMPARE(outcome.objective, objective(problem, best.order));
+    }
+
+    void ignoresInvalidHints_data()
+    {
+        QTest::addColumn<int>("contestant");
+        QTest::addColumn<VisitOrder>("hint");
+        forEach([](int index, const char* name) {
+            QTest::addRow("%s, too short", name) << index << VisitOrder{1, 2};
+            QTest::addRow("%s, twice the same", name) << index << VisitOrder{1, 2, 3, 3, 5};
+            QTest::addRow("%s, the UAV in it", name) << index << VisitOrder{0, 1, 2, 3, 4};
+            QTest::addRow("%s, of another problem", name) << index << VisitOrder{9, 8, 7, 6, 5};
+        });
+    }
+
+    void ignoresInvalidHints()
+    {
+        QFETCH(VisitOrder, hint);
+        const TvpProblem problem = test::randomProblem(91, 5, 1, Route::Open);
+        const SolveOutcome outcome = solver()->solve(problem, hinted(hint));
+        QVERIFY(!outcome.hintUsed);
+        QVERIFY(same(outcome, solver()->solve(problem, {})));
+    }
+
+    // Limits ------------------------------------------------------------------------------------
+
+    void cancelledBeforeTheStart_data() { solvers_data(); }
+    void cancelledBeforeTheStart()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        SolveOptions options = hinted(ascending(6));
+        options.stop = stop.get_token();
+        const TvpProblem problem = test::randomProblem(92, 6, 1, Route::Open);
+        const SolveOutcome outcome = solver()->solve(problem, options);
+        QVERIFY(outcome.status == SolveStatus::None);
+        QVERIFY(outcome.reason == StopReason::Cancelled);
+        QVERIFY(outcome.order.empty());
+        QVERIFY(!outcome.bound);
+    }
+
+    void limitsAreOutcomes_data()
+    {
+        QTest::addColumn<int>("contestant");
+        QTest::addColumn<int>("workLimit"); // -1: no time instead
+        QTest::addColumn<bool>("withHint");
+        forEach([](int index, const char* name) {
+            for (const bool withHint : {false, true}) {
+                const char* with = withHint ? "hint" : "no hint";
+                QTest::addRow("%s, work 0, %s", name, with) << index << 0 << withHint;
+                QTest::addRow("%s, work 1, %s", name, with) << index << 1 << withHint;
+                QTest::addRow("%s, no time, %s", name, with) << index << -1 << withHint;
+            }
+        });
+    }
+
+    void limitsAreOutcomes()
+    {
+        QFETCH(int, workLimit);
+        QFETCH(bool, withHint);
+        const TvpProblem problem = test::randomProblem(93, 8, 1, Route::Open);
+        const double optimum = test::bruteForce(problem).objective;
+        SolveOptions options;
+        if (withHint)
+            options.hint = ascending(8);
+        if (workLimit >= 0)
+            options.workLimit = workLimit;
+        else
+            options.timeLimit_s = 0;
+        const SolveOutcome outcome = solver()->solve(problem, options);
+        QCOMPARE(faultOf(contestant(), problem, outcome, optimum), QString());
+        const StopReason limit = workLimit >= 0 ? StopReason::WorkLimit : StopReason::TimeLimit;
+        // A back end may be done before its first look at the limit.
+        QVERIFY(outcome.reason == limit || outcome.status == SolveStatus::Optimal);
+        if (withHint) {
+            QVERIFY(outcome.status != SolveStatus::None);
+            QVERIFY(outcome.objective <= objective(problem, options.hint));
+        }
+        if (workLimit >= 0) {
+            QVERIFY(same(outcome, solver()->solve(problem, options)));
+        }
+    }
+
+    /** Cancelled by its own first report: what has been found is not lost. */
+    void cancelledOnTheWay_data() { solvers_data(); }
+    void cancelledOnTheWay()
+    {
+        const TvpProblem problem = test::randomProblem(94, 8, 1, Route::Open);
+        std::stop_source stop;
+        SolveOptions options = hinted(ascending(8));
+        options.stop = stop.get_token();
+        options.onProgress = [&stop](const SolveProgress&) { stop.request_stop(); };
+        const SolveOutcome outcome = solver()->solve(problem, options);
+        QCOMPARE(faultOf(contestant(), problem, outcome, test::bruteForce(problem).objective),
+                 QString());
+        QVERIFY(outcome.reason == StopReason::Cancelled || outcome.status == SolveStatus::Optimal);
+        QVERIFY(outcome.status != SolveStatus::None);
+        QVERIFY(outcome.objective <= objective(problem, options.hint));
+    }
+
+    void keepsToTheGap_data() { solvers_data(); }
+    void keepsToTheGap()
+    {
+        const TvpProblem problem = test::randomProblem(95, 8, 1, Route::Closed);
+        SolveOptions options;
+        options.gap = 0.2;
+        const SolveOutcome outcome = solver()->solve(problem, options);
+        QCOMPARE(faultOf(contestant(), problem, outcome, test::bruteForce(problem).objective),
+                 QString());
+        QVERIFY(outcome.bound.has_value());
+        QVERIFY(relativeGap(problem, outcome.objective, *outcome.bound) <= 0.2 + 1e-9);
+        QVERIFY(outcome.status == SolveStatus::Optimal || outcome.reason == StopReason::GapReached);
+    }
+
+    // Conduct -----------------------------------------------------------------------------------
+
+    void reportsOnlyWhatIsTrue_data() { solvers_data(); }
+    void reportsOnlyWhatIsTrue()
+    {
+        const TvpProblem problem = test::randomProblem(96, 8, 1, Route::Open);
+        const double optimum = test::bruteForce(problem).objective;
+        const double margin = contestant().tolerance * (optimum + objectiveShift(problem));
+        std::vector<SolveProgress> reports;
+        SolveOptions options;
+        options.onProgress = [&](const SolveProgress& report) { reports.push_back(report); };
+        const SolveOutcome outcome = solver()->solve(problem, options);
+        QVERIFY(!reports.empty());
+        double last = std::numeric_limits<double>::infinity();
+        for (const SolveProgress& report : reports) {
+            QVERIFY(!report.bound || *report.bound <= optimum + margin);
+            if (report.order.empty())
+                continue;
+            QVERIFY(isVisitOrder(problem, report.order));
+            COMPARE_NEAR(report.objective, objective(problem, report.order), 1e-9);
+            QVERIFY(report.objective <= last + 1e-9);
+            last = report.objective;
+        }
+        QVERIFY(outcome.objective <= last + 1e-9);
+    }
+
+    void sameProblemSameAnswer_data() { solvers_data(); }
+    void sameProblemSameAnswer()
+    {
+        for (std::uint64_t seed = 100; seed < 104; ++seed) {
+            const TvpProblem problem = test::randomProblem(seed, 7, 1, Route::Closed, true);
+            const SolveOutcome first = solver()->solve(problem, {});
+            QVERIFY(same(first, solver()->solve(problem, {})));
+        }
+    }
+
+    /** One object on four threads, different problems: as if one after the other. */
+    void solvesConcurrently_data() { solvers_data(); }
+    void solvesConcurrently()
+    {
+        constexpr std::size_t kThreads = 4;
+        const std::unique_ptr<TvpSolver> shared = solver();
+        std::vector<TvpProblem> problems;
+        for (std::size_t k = 0; k < kThreads; ++k)
+            problems.push_back(test::randomProblem(110 + k, 6 + static_cast<int>(k % 3), 1,
+                                                   k % 2 ? Route::Open : Route::Closed));
+        std::array<SolveOutcome, kThreads> together;
+        {
+            std::vector<std::jthread> threads;
+            for (std::size_t k = 0; k < kThreads; ++k)
+                threads.emplace_back([&, k] { together[k] = shared->solve(problems[k], {}); });
+        }
+        for (std::size_t k = 0; k < kThreads; ++k)
+            QVERIFY(same(together[k], shared->solve(problems[k], {})));
+    }
+
+    void refusesInvalidProblems_data()
+    {
+        QTest::addColumn<int>("contestant");
+        QTest::addColumn<QString>("field");
+        QTest::addColumn<TvpProblem>("problem");
+        forEach([](int index, const char* name) {
+            const auto row = [&](const char* field, auto&& change) {
+                TvpProblem problem = test::randomProblem(120, 4, 1, Route::Open);
+                change(problem);
+                QTest::addRow("%s, %s", name, field)
+                    << index << QString::fromLatin1(field) << problem;
+            };
+            const double nan = std::numeric_limits<double>::quiet_NaN();
+            row("sigma", [](TvpProblem& p) { p.sigma_m2.clear(); });
+            row("sigma[0]", [](TvpProblem& p) { p.sigma_m2[0] = 2; });
+            row("sigma[2]", [](TvpProblem& p) { p.sigma_m2[2] = -1; });
+            row("distance_m", [](TvpProblem& p) { p.distance_m.resize(2, 2); });
+            row("distance_m[1][3]", [&](TvpProblem& p) { p.distance_m(1, 3) = nan; });
+            row("mu", [](TvpProblem& p) { p.mu = -0.5; });
+        });
+    }
+
+    void refusesInvalidProblems()
+    {
+        QFETCH(QString, field);
+        QFETCH(TvpProblem, problem);
+        const std::optional<Error> error =
+            test::errorOf([&] { (void)solver()->solve(problem, {}); });
+        QVERIFY(error.has_value());
+        QVERIFY(error->code() == ErrorCode::InvalidInput);
+        QVERIFY(test::names(error->issues(), field.toStdString()));
+    }
+
+private:
+    template <class Action>
+    static void forEach(Action&& action)
+    {
+        for (std::size_t k = 0; k < kAll.size(); ++k)
+            action(static_cast<int>(k), kAll[k].name);
+    }
+    static void solvers_data()
+    {
+        QTest::addColumn<int>("contestant");
+        forEach([](int index, const char* name) { QTest::newRow(name) << index; });
+    }
+    static const Contestant& contestant()
+    {
+        QFETCH(int, contestant);
+        return kAll.at(static_cast<std::size_t>(contestant));
+    }
+    static std::unique_ptr<TvpSolver> solver() { return makeSolver(contestant().backend); }
+    static SolveOptions hinted(const VisitOrder& hint)
+    {
+        SolveOptions options;
+        options.hint = hint;
+        return options;
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSolverConformance)
+#include "tst_solver_conformance.moc"

@@ -1,0 +1,327 @@
+#include "core/scenario/presets.h"
+#include "core/scenario/validate.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/random_scenario.h"
+
+#include <QTest>
+
+#include <functional>
+#include <limits>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+using Change = std::function<void(Scenario&)>;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/** A change to a clean scenario and the one finding it must lead to. */
+struct Case
+{
+    const char* name;
+    Change change;
+    Severity severity;
+    const char* field;
+};
+
+Asset platform()
+{
+    Asset asset;
+    asset.name = "Platform";
+    return asset;
+}
+
+const std::vector<Case>& cases()
+{
+    constexpr Severity kError = Severity::Error;
+    constexpr Severity kWarning = Severity::Warning;
+    constexpr Severity kHint = Severity::Hint;
+    using S = Scenario;
+    static const std::vector<Case> all = {
+        {"name no UTF-8", [](S& s) { s.name = std::string("\xFF"); }, kError, "name"},
+        {"notes no UTF-8", [](S& s) { s.notes = std::string("\xC3"); }, kError, "notes"},
+        {"latitude", [](S& s) { s.origin.latitude_deg = -90.5; }, kError, "origin.latitude_deg"},
+        {"longitude", [](S& s) { s.origin.longitude_deg = 181; }, kError, "origin.longitude_deg"},
+        {"longitude NaN", [](S& s) { s.origin.longitude_deg = kNan; }, kError,
+         "origin.longitude_deg"},
+        {"start without zone", [](S& s) { s.startUtc = "2024-05-01T06:00:00"; }, kError,
+         "start_utc"},
+        {"duration 0", [](S& s) { s.duration_s = 0; }, kError, "duration_s"},
+        {"duration above a week", [](S& s) { s.duration_s = 604800.5; }, kError, "duration_s"},
+        {"duration NaN", [](S& s) { s.duration_s = kNan; }, kError, "duration_s"},
+        {"dt too small", [](S& s) { s.dt_s = 0.0099; }, kError, "dt_s"},
+        {"dt too large", [](S& s) { s.dt_s = 1.01; }, kError, "dt_s"},
+        {"dt above duration", [](S& s) { s.duration_s = 0.05; }, kError, "dt_s"},
+        {"seed negative", [](S& s) { s.seed = -1; }, kError, "seed"},
+        {"seed above 2^53", [](S& s) { s.seed = (std::int64_t{1} << 53) + 1; }, kError, "seed"},
+        {"wind as fast as UAV",
+         [](S& s) {
+             s.wind_mps = {0, -22};
+         },
+         kError, "wind_mps"},
+        {"wind infinite",
+         [](S& s) {
+             s.wind_mps = {kInfinity, 0};
+         },
+         kError, "wind_mps"},
+        {"wind strong",
+         [](S& s) {
+             s.wind_mps = {0.7 * 22, 0};
+         },
+         kWarning, "wind_mps"},
+        {"current",
+         [](S& s) {
+             s.current_mps = {0, 5.01};
+         },
+         kError, "current_mps[1]"},
+        {"area of two points",
+         [](S& s) {
+             s.area_m = {{0, 0}, {1, 1}};
+         },
+         kError, "area_m"},
+        {"area unused",
+         [](S& s) {
+             s.area_m = {{0, 0}, {9, 0}, {0, 9}};
+         },
+         kWarning, "area_m"},
+        {"no UAV", [](S& s) { s.uavs.clear(); }, kError, "uavs"},
+        {"UAV without id", [](S& s) { s.uavs[0].id.clear(); }, kError, "uavs[0].id"},
+        {"UAV id no UTF-8", [](S& s) { s.uavs[0].id = std::string("\x80"); }, kError, "uavs[0].id"},
+        {"UAV name no UTF-8", [](S& s) { s.uavs[0].name = std::string("\x80"); }, kError,
+         "uavs[0].name"},
+        {"UAV far", [](S& s) { s.uavs[0].position_m.x() = 1.1e6; }, kError,
+         "uavs[0].position_m[0]"},
+        {"heading NaN", [](S& s) { s.uavs[0].heading_deg = kNan; }, kError, "uavs[0].heading_deg"},
+        {"airspeed 0", [](S& s) { s.uavs[0].spec.airspeed_mps = 0; }, kError,
+         "uavs[0].airspeed_mps"},
+        {"bank below 1", [](S& s) { s.uavs[0].spec.maxBank_deg = 0.9; }, kError,
+         "uavs[0].max_bank_deg"},
+        {"bank above 80", [](S& s) { s.uavs[0].spec.maxBank_deg = 80.1; }, kError,
+         "uavs[0].max_bank_deg"},
+        {"field of view 0", [](S& s) { s.uavs[0].fov_m.y() = 0; }, kError, "uavs[0].fov_m[1]"},
+        {"altitude 0", [](S& s) { s.uavs[0].spec.altitude_m = 0; }, kError, "uavs[0].altitude_m"},
+        {"endurance negative", [](S& s) { s.uavs[0].spec.endurance_s = -1; }, kError,
+         "uavs[0].endurance_s"},
+        {"endurance unused", [](S& s) { s.uavs[0].spec.endurance_s = 60; }, kWarning,
+         "uavs[0].endurance_s"},
+        {"no iceberg", [](S& s) { s.icebergs.clear(); }, kHint, "icebergs"},
+        {"too many icebergs", [](S& s) { s.icebergs.resize(1001); }, kError, "icebergs"},
+        {"iceberg without id", [](S& s) { s.icebergs[2].id.clear(); }, kError, "icebergs[2].id"},
+        {"id twice", [](S& s) { s.icebergs[3].id = s.icebergs[1].id; }, kError, "icebergs[3].id"},
+        {"id of a UAV", [](S& s) { s.icebergs[0].id = std::string("uav-1"); }, kError,
+         "icebergs[0].id"},
+        {"iceberg name no UTF-8", [](S& s) { s.icebergs[0].name = std::string("\xED\xA0\x80"); },
+         kError, "icebergs[0].name"},
+        {"iceberg far", [](S& s) { s.icebergs[0].position_m.y() = -1.1e6; }, kError,
+         "icebergs[0].position_m[1]"},
+        {"iceberg nowhere", [](S& s) { s.icebergs[0].position_m.x() = kNan; }, kError,
+         "icebergs[0].position_m[0]"},
+        {"iceberg fast", [](S& s) { s.icebergs[1].velocity_mps.x() = -5.1; }, kError,
+         "icebergs[1].velocity_mps[0]"},
+        {"q negative", [](S& s) { s.icebergs[0].q_m2ps = -1e-9; }, kError, "icebergs[0].q_m2ps"},
+        {"sigma negative", [](S& s) { s.icebergs[0].sigma0_m2 = -1; }, kError,
+         "icebergs[0].sigma0_m2"},
+        {"sigma infinite", [](S& s) { s.icebergs[0].sigma0_m2 = kInfinity; }, kError,
+         "icebergs[0].sigma0_m2"},
+        {"observed negative", [](S& s) { s.icebergs[0].observed_s = -1; }, kError,
+         "icebergs[0].observed_s"},
+        {"appears negative", [](S& s) { s.icebergs[0].appears_s = -1; }, kError,
+         "icebergs[0].appears_s"},
+        {"appears after the end", [](S& s) { s.icebergs[4].appears_s = 1000.5; }, kHint,
+         "icebergs[4].appears_s"},
+        {"radius negative", [](S& s) { s.icebergs[0].radius_m = -1; }, kError,
+         "icebergs[0].radius_m"},
+        {"iceberg runs away",
+         [](S& s) {
+             s.uavs[0].spec.airspeed_mps = 4;
+             s.icebergs[0].velocity_mps = {3, 3};
+         },
+         kWarning, "icebergs[0].velocity_mps"},
+        {"tau negative", [](S& s) { s.planner.tau = -0.1; }, kError, "planner.tau"},
+        {"tau above 100", [](S& s) { s.planner.tau = 100.1; }, kError, "planner.tau"},
+        {"tau NaN", [](S& s) { s.planner.tau = kNan; }, kError, "planner.tau"},
+        {"reach 0", [](S& s) { s.reachRadius_m = 0; }, kError, "planner.reach_radius_m"},
+        {"latency", [](S& s) { s.planner.policy = PolicyKind::Latency; }, kWarning,
+         "planner.policy"},
+        {"coverage", [](S& s) { s.planner.policy = PolicyKind::Coverage; }, kWarning,
+         "planner.policy"},
+        {"asset unused", [](S& s) { s.asset = platform(); }, kWarning, "asset"},
+        {"second UAV unused",
+         [](S& s) {
+             s.uavs.push_back(s.uavs[0]);
+             s.uavs[1].id = "uav-2";
+         },
+         kWarning, "uavs[1]"},
+    };
+    return all;
+}
+
+std::vector<Issue> errorsOf(const Scenario& scenario)
+{
+    std::vector<Issue> issues = validate(scenario);
+    std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::Error; });
+    return issues;
+}
+
+} // namespace
+
+class TestValidate : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void presetsAreClean()
+    {
+        QVERIFY(validate(defaultScenario()).empty());
+        for (std::int64_t seed = 0; seed < 50; ++seed)
+            QVERIFY(validate(randomScenario(seed)).empty());
+    }
+
+    void oneFinding_data()
+    {
+        QTest::addColumn<int>("row");
+        for (std::size_t i = 0; i < cases().size(); ++i)
+            QTest::newRow(cases()[i].name) << static_cast<int>(i);
+    }
+    void oneFinding()
+    {
+        QFETCH(const int, row);
+        const Case& expected = cases()[static_cast<std::size_t>(row)];
+        Scenario scenario = defaultScenario();
+        expected.change(scenario);
+        const std::vector<Issue> issues = validate(scenario);
+        QCOMPARE(issues.size(), std::size_t{1});
+        QCOMPARE(issues[0].field, std::string(expected.field));
+        QVERIFY(issues[0].severity == expected.severity);
+        QVERIFY(!issues[0].message.empty());
+    }
+
+    void assetFaults_data()
+    {
+        QTest::addColumn<double>("range_m");
+        QTest::addColumn<double>("gain");
+        QTest::addColumn<QString>("field");
+        QTest::newRow("range 0") << 0.0 << 5.0 << "asset.range_m";
+        QTest::newRow("range infinite") << kInfinity << 5.0 << "asset.range_m";
+        QTest::newRow("gain negative") << 1.0 << -0.5 << "asset.gain";
+        QTest::newRow("gain NaN") << 1.0 << kNan << "asset.gain";
+    }
+    void assetFaults()
+    {
+        QFETCH(const double, range_m);
+        QFETCH(const double, gain);
+        QFETCH(const QString, field);
+        Scenario scenario = defaultScenario();
+        scenario.asset = platform();
+        scenario.asset->range_m = range_m;
+        scenario.asset->gain = gain;
+        const std::vector<Issue> errors = errorsOf(scenario);
+        QCOMPARE(errors.size(), std::size_t{1});
+        QCOMPARE(QString::fromStdString(errors[0].field), field);
+    }
+
+    void areaFaults_data()
+    {
+        QTest::addColumn<QList<QPointF>>("corners");
+        QTest::addColumn<QString>("field");
+        QTest::newRow("crossing") << QList<QPointF>{{0, 0}, {9, 9}, {9, 0}, {0, 9}} << "area_m";
+        QTest::newRow("on a line") << QList<QPointF>{{0, 0}, {9, 0}, {18, 0}} << "area_m";
+        QTest::newRow("a corner twice")
+            << QList<QPointF>{{0, 0}, {9, 0}, {9, 0}, {0, 9}} << "area_m";
+        QTest::newRow("far") << QList<QPointF>{{0, 0}, {2e6, 0}, {0, 9}} << "area_m[1][0]";
+        QTest::newRow("nowhere") << QList<QPointF>{{0, 0}, {9, 0}, {0, kNan}} << "area_m[2][1]";
+    }
+    void areaFaults()
+    {
+        QFETCH(const QList<QPointF>, corners);
+        QFETCH(const QString, field);
+        Scenario scenario = defaultScenario();
+        for (const QPointF& corner : corners)
+            scenario.area_m.emplace_back(corner.x(), corner.y());
+        const std::vector<Issue> errors = errorsOf(scenario);
+        QCOMPARE(errors.size(), std::size_t{1});
+        QCOMPARE(QString::fromStdString(errors[0].field), field);
+    }
+
+    void endsOfRangesAreAllowed()
+    {
+        Scenario s = defaultScenario();
+        s.origin = {.latitude_deg = -90, .longitude_deg = 180};
+        s.duration_s = 604800;
+        s.dt_s = 1;
+        s.seed = std::int64_t{1} << 53;
+        s.wind_mps = {0, 21.999};
+        s.current_mps = {-5, 5};
+        s.uavs[0].position_m = {1e6, -1e6};
+        s.uavs[0].heading_deg = -1e6;
+        s.uavs[0].spec.maxBank_deg = 80;
+        s.icebergs[0].position_m = {-1e6, 1e6};
+        s.icebergs[0].velocity_mps = {5, -5};
+        s.icebergs[0].q_m2ps = 0;
+        s.icebergs[0].sigma0_m2 = 0;
+        s.icebergs[0].radius_m = 0;
+        s.planner.tau = 100;
+        QVERIFY(errorsOf(s).empty());
+        s.dt_s = 0.01;
+        s.duration_s = 0.01;
+        s.seed = 0;
+        s.planner.tau = 0;
+        s.uavs[0].spec.maxBank_deg = 1;
+        QVERIFY(errorsOf(s).empty());
+    }
+
+    void everyFaultIsReported()
+    {
+        Scenario s = defaultScenario();
+        s.duration_s = -1;
+        s.uavs[0].spec.airspeed_mps = kNan;
+        s.icebergs[0].q_m2ps = -1;
+        s.icebergs[11].velocity_mps = {6, 7};
+        s.planner.tau = 1000;
+        const std::vector<Issue> errors = errorsOf(s);
+        QCOMPARE(errors.size(), std::size_t{6});
+        for (const char* field :
+             {"duration_s", "uavs[0].airspeed_mps", "icebergs[0].q_m2ps",
+              "icebergs[11].velocity_mps[0]", "icebergs[11].velocity_mps[1]", "planner.tau"})
+            QVERIFY2(names(errors, field), field);
+    }
+
+    void windIsComparedWithTheSlowestUav()
+    {
+        Scenario s = defaultScenario();
+        s.uavs.push_back(s.uavs[0]);
+        s.uavs[1].id = "slow";
+        s.uavs[1].spec.airspeed_mps = 12;
+        s.wind_mps = {0, 13};
+        const std::vector<Issue> errors = errorsOf(s);
+        QCOMPARE(errors.size(), std::size_t{1});
+        QVERIFY(errors[0].message.find("slow") != std::string::npos);
+    }
+
+    void hugeListsAreCountedNotChecked()
+    {
+        Scenario s = defaultScenario();
+        s.icebergs.resize(1'000'000); // a distance matrix of these would need 8 TB
+        s.uavs.resize(100'000);
+        for (int i = 0; i < 100'000; ++i)
+            s.area_m.emplace_back(std::cos(i * 6e-5), std::sin(i * 6e-5));
+        const std::vector<Issue> errors = errorsOf(s);
+        QCOMPARE(errors.size(), std::size_t{3});
+        for (const char* field : {"icebergs", "uavs", "area_m"})
+            QVERIFY2(names(errors, field), field);
+    }
+
+    void anyScenarioHasNoErrors()
+    {
+        AnyScenario any(1);
+        for (int i = 0; i < 300; ++i) {
+            const std::vector<Issue> errors = errorsOf(any.draw());
+            QVERIFY2(errors.empty(), errors.empty() ? "" : errors[0].field.c_str());
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestValidate)
+#include "tst_validate.moc"

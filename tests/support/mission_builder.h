@@ -1,0 +1,81 @@
+#pragma once
+
+#include "core/io/formats.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace berg::test {
+
+/**
+ * Four drifting icebergs off Newfoundland, with a current, an area, a start time and names that
+ * need quoting. The policy needs no solver.
+ */
+inline Scenario fourIcebergs()
+{
+    Scenario scenario;
+    scenario.name = "Four icebergs";
+    scenario.origin = {.latitude_deg = 47, .longitude_deg = -48};
+    scenario.startUtc = "2026-05-01T23:59:30Z";
+    scenario.duration_s = 400;
+    scenario.seed = 7;
+    scenario.current_mps = Point(0.1, 0);
+    // Clockwise on purpose.
+    scenario.area_m = {Point(-1000, -500), Point(-1000, 4000), Point(5000, 4500),
+                       Point(5500, -500)};
+    scenario.planner.policy = PolicyKind::Nearest;
+    Uav uav;
+    uav.id = "uav-1";
+    uav.position_m = Point(-500, 500);
+    scenario.uavs = {uav};
+    const std::vector<std::pair<Point, Point>> places{{Point(2000, 1000), Point(0.3, -0.2)},
+                                                      {Point(3500, 2500), Point(-0.1, 0.25)},
+                                                      {Point(1200, 3000), Point(0, 0)},
+                                                      {Point(4200, 500), Point(-0.2, -0.2)}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        Iceberg iceberg;
+        iceberg.id = "berg-" + std::to_string(i + 1);
+        iceberg.position_m = places[i].first;
+        iceberg.velocity_mps = places[i].second;
+        iceberg.sigma0_m2 = 2.5 + static_cast<double>(i);
+        scenario.icebergs.push_back(iceberg);
+    }
+    scenario.icebergs[1].name = "Tabular \"B\", grounded\nsince May";
+    scenario.icebergs[2].name = "Isbjerg \xC3\x85";
+    scenario.icebergs[3].observed_s = 100;
+    return scenario;
+}
+
+/** `fourIcebergs` with a change. */
+inline Scenario changed(const std::function<void(Scenario&)>& change)
+{
+    Scenario scenario = fourIcebergs();
+    change(scenario);
+    return scenario;
+}
+
+/** An answer of the planner that holds nothing but an order. */
+inline PlanAnswer planOf(std::vector<int> order)
+{
+    PlanAnswer plan;
+    plan.order = std::move(order);
+    return plan;
+}
+
+/** The order in which the golden files visit `fourIcebergs`. */
+inline PlanAnswer fourIcebergPlan()
+{
+    return planOf({0, 3, 1, 2});
+}
+
+/** The mission flown until `until_s`, or to its end. */
+inline Mission flown(const Scenario& scenario, double until_s = 1e9)
+{
+    Mission mission(scenario);
+    mission.advance(until_s);
+    return mission;
+}
+
+} // namespace berg::test

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QRegularExpression>
+#include <QTranslator>
+#include <QWidget>
+#include <QtTest>
+
+namespace berg::test {
+
+/** A warning of Qt fails the test, except the known one of the offscreen platform. */
+inline void failOnWarnings()
+{
+    QTest::failOnWarning(
+        QRegularExpression(QStringLiteral("^(?!This plugin does not support propagateSizeHints)")));
+}
+
+/** The child of that object name and type; a missing one ends the program with its name. */
+template <class Widget>
+Widget& child(const QWidget& parent, const QString& name)
+{
+    auto* found = parent.findChild<Widget*>(name);
+    if (found == nullptr)
+        qFatal("no child %s", qPrintable(name));
+    return *found;
+}
+
+/** Makes every text 30 % longer, as translations may be. */
+class LongerTexts final : public QTranslator
+{
+public:
+    LongerTexts() { QCoreApplication::installTranslator(this); }
+    ~LongerTexts() override { QCoreApplication::removeTranslator(this); }
+    LongerTexts(const LongerTexts&) = delete;
+    LongerTexts& operator=(const LongerTexts&) = delete;
+
+    [[nodiscard]] bool isEmpty() const override { return false; }
+    [[nodiscard]] QString translate(const char*, const char* source, const char*,
+                                    int count) const override
+    {
+        QString text = QString::fromUtf8(source);
+        text.replace(QStringLiteral("%n"), QString::number(count));
+        return text + QString(1 + text.size() * 3 / 10, u'~');
+    }
+};
+
+/** Types over what an input holds and presses Return. */
+inline void enter(QWidget& input, const QString& text)
+{
+    input.setFocus();
+    QTest::keyClick(&input, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&input, text);
+    QTest::keyClick(&input, Qt::Key_Return);
+}
+
+inline constexpr int kDock_px = 300; ///< narrowest dock the panels are made for
+
+} // namespace berg::test

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/plan/solver.h"
+#include "tests/support/brute_force.h"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace berg::test {
+
+/** What a `ScriptedSolver` answers, and what it was asked. */
+struct SolverScript
+{
+    /** Default: the order of the node numbers. */
+    std::function<SolveOutcome(const TvpProblem&)> answer;
+    std::vector<TvpProblem> problems;
+    std::vector<SolveOptions> options;
+};
+
+/** Answers by a script that the test keeps. */
+class ScriptedSolver final : public TvpSolver
+{
+public:
+    explicit ScriptedSolver(SolverScript& script) : m_script(script) {}
+    [[nodiscard]] std::string name() const override { return "scripted"; }
+    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+
+protected:
+    [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
+                                       const SolveOptions& options) const override
+    {
+        m_script.problems.push_back(problem);
+        m_script.options.push_back(options);
+        if (m_script.answer)
+            return m_script.answer(problem);
+        SolveOutcome outcome{.status = SolveStatus::Feasible};
+        for (int node = 1; node <= problem.icebergCount(); ++node)
+            outcome.order.push_back(node);
+        return outcome;
+    }
+
+private:
+    SolverScript& m_script;
+};
+
+/** An optimum by trying every order; for at most 7 icebergs. */
+inline SolveOutcome triedAll(const TvpProblem& problem)
+{
+    return {.status = SolveStatus::Optimal, .order = bruteForce(problem).order};
+}
+
+/** No order: a limit or a cancellation came first. */
+inline SolveOutcome noOrder(StopReason reason)
+{
+    return {.status = SolveStatus::None, .reason = reason};
+}
+
+} // namespace berg::test
