@@ -15,9 +15,9 @@ namespace berg::cli {
 using Action = std::function<int(const std::stop_token&)>;
 
 // Each adds its sub-commands with their options to `app` and sets `action` when one is chosen.
-void addPlanCommands(CLI::App& app, Action& action);     ///< solve, plan
-void addSimulateCommand(CLI::App& app, Action& action);  ///< simulate
-void addStudyCommands(CLI::App& app, Action& action);    ///< sweep, benchmark
-void addFileCommands(CLI::App& app, Action& action);     ///< export, validate
+void addPlanCommands(CLI::App& app, Action& action);    ///< solve, plan
+void addSimulateCommand(CLI::App& app, Action& action); ///< simulate
+void addStudyCommands(CLI::App& app, Action& action);   ///< sweep, benchmark
+void addFileCommands(CLI::App& app, Action& action);    ///< export, validate
 
 } // namespace berg::cli

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <thread>
-
 #include <pthread.h>
+#include <thread>
 #include <unistd.h>
 
 namespace berg::cli {
@@ -15,7 +14,8 @@ namespace {
 
 double now_s()
 {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 std::string clock(double seconds)
@@ -68,9 +68,7 @@ void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
 }
 
 ProgressBar::ProgressBar(std::string label, bool wanted)
-    : m_label(std::move(label))
-    , m_active(wanted && isatty(STDERR_FILENO) == 1)
-    , m_start_s(now_s())
+    : m_label(std::move(label)), m_active(wanted && isatty(STDERR_FILENO) == 1), m_start_s(now_s())
 {
 }
 
@@ -91,7 +89,8 @@ void ProgressBar::update(double fraction)
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                             std::string(static_cast<std::size_t>(kWidth - filled), '.');
     const double elapsed_s = time_s - m_start_s;
-    const std::string left = fraction > 0.01 ? clock(elapsed_s * (1 - fraction) / fraction) : "--:--";
+    const std::string left =
+        fraction > 0.01 ? clock(elapsed_s * (1 - fraction) / fraction) : "--:--";
     std::fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  %s left", m_label.c_str(), bar.c_str(),
                  100 * fraction, left.c_str());
     std::fflush(stderr);

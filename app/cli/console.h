@@ -9,7 +9,8 @@
 namespace berg::cli {
 
 /** Exit codes: a promise to scripts. */
-enum ExitCode : int {
+enum ExitCode : int
+{
     kDone = 0,
     kFailure = 1,
     kWrongUsage = 2,

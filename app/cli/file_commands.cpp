@@ -1,6 +1,5 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-
 #include "core/io/atomic_file.h"
 #include "core/io/formats.h"
 #include "core/io/problem_json.h"
@@ -9,9 +8,8 @@
 #include "core/io/scenario_json.h"
 #include "core/scenario/validate.h"
 
-#include <memory>
-
 #include <CLI/CLI.hpp>
+#include <memory>
 
 namespace berg::cli {
 
@@ -120,8 +118,7 @@ void addExport(CLI::App& app, Action& action)
 
 void addValidate(CLI::App& app, Action& action)
 {
-    CLI::App* command =
-        app.add_subcommand("validate", "Check files and name every fault in them");
+    CLI::App* command = app.add_subcommand("validate", "Check files and name every fault in them");
     const auto files = std::make_shared<std::vector<std::string>>();
     const auto json = std::make_shared<bool>(false);
     command->add_option("FILE", *files, "Scenarios, problems and runs")->required();

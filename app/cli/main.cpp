@@ -1,9 +1,8 @@
 #include "app/cli/commands.h"
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-
-#include <CLI/CLI.hpp>
 
 namespace {
 

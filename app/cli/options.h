@@ -2,10 +2,9 @@
 
 #include "core/plan/names.h"
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
-
-#include <CLI/CLI.hpp>
 
 namespace berg::cli {
 

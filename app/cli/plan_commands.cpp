@@ -1,6 +1,5 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-
 #include "core/io/problem_json.h"
 #include "core/io/result_json.h"
 #include "core/io/scenario_json.h"
@@ -8,10 +7,9 @@
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
-
-#include <CLI/CLI.hpp>
 
 namespace berg::cli {
 
@@ -104,7 +102,8 @@ void printReport(const SolveReport& report, bool json)
     }
     const SolveOutcome& outcome = report.outcome;
     if (outcome.status == SolveStatus::None) {
-        print("No plan: " + (outcome.detail.empty() ? "a limit came first" : outcome.detail) + '\n');
+        print("No plan: " + (outcome.detail.empty() ? "a limit came first" : outcome.detail) +
+              '\n');
         return;
     }
     std::string text = "order     ";

@@ -1,6 +1,5 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-
 #include "core/io/atomic_file.h"
 #include "core/io/result_csv.h"
 #include "core/io/result_json.h"
@@ -8,10 +7,9 @@
 #include "core/io/scenario_json.h"
 #include "core/scenario/validate.h"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-
-#include <CLI/CLI.hpp>
 
 namespace berg::cli {
 
@@ -117,8 +115,8 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
     const Stopwatch watch;
     const std::string text = readFile(arguments.file);
     const bool replayed = formatOf(text, arguments.file) == "bergwatch-run";
-    const Mission mission = replayed ? replayRun(arguments, text, stop)
-                                     : flyScenario(arguments, text, stop);
+    const Mission mission =
+        replayed ? replayRun(arguments, text, stop) : flyScenario(arguments, text, stop);
     if (!arguments.outputFolder.empty())
         writeResults(mission, arguments.outputFolder);
     if (arguments.json)

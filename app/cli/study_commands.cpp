@@ -1,18 +1,16 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-
 #include "core/io/atomic_file.h"
 #include "core/io/result_json.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/presets.h"
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <sstream>
-
-#include <CLI/CLI.hpp>
 
 namespace berg::cli {
 
@@ -116,10 +114,10 @@ int runSweep(const SweepArguments& arguments, const std::stop_token& stop)
     const auto count = static_cast<double>(missionCount(spec));
     ProgressBar bar("flying " + grouped(count) + " missions", !arguments.json);
     const Stopwatch watch;
-    const SweepResult result =
-        sweep(spec, {.threads = arguments.threads, .stop = stop, .onProgress = [&](std::size_t done) {
-                         bar.update(static_cast<double>(done) / count);
-                     }});
+    const SweepResult result = sweep(
+        spec, {.threads = arguments.threads, .stop = stop, .onProgress = [&](std::size_t done) {
+                   bar.update(static_cast<double>(done) / count);
+               }});
     if (!result.complete)
         throw Interrupted{};
     if (!arguments.outputFile.empty())
@@ -233,7 +231,8 @@ void addBenchmark(CLI::App& app, Action& action)
     command->add_option("--sizes", a.sizes, "Numbers of icebergs, with commas")
         ->delimiter(',')
         ->check(CLI::Range(0, 500));
-    command->add_option("--repeat", a.repeat, "Instances of each size")->check(CLI::Range(1, 10000));
+    command->add_option("--repeat", a.repeat, "Instances of each size")
+        ->check(CLI::Range(1, 10000));
     command->add_option("--backends", a.backends, "With commas: " + allowedNames(kBackendNames));
     addNamed(*command, "--formulation", a.formulation, kFormulationNames, "MILP of cbc");
     command->add_option("--seconds", a.seconds, "Budget for everything")

@@ -1,0 +1,212 @@
+#include "app/pictures.h"
+#include "app/window_run.h"
+#include "core/base/error.h"
+#include "widgets/model/error_text.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTextStream>
+
+#include <cstdio>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+constexpr int kBadInput = 3;
+
+struct Main
+{
+    Q_DECLARE_TR_FUNCTIONS(Main)
+};
+
+/** Pictures need no screen: without one Qt must not look for it. */
+void choosePlatform()
+{
+    const bool hasDisplay =
+        qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
+    if (!hasDisplay && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+}
+
+void print(std::FILE* stream, const QString& text)
+{
+    QTextStream(stream) << text << Qt::endl;
+}
+
+/** What was asked for on the command line, or why it makes no sense. */
+struct Request
+{
+    berg::PictureOptions options;
+    QString input;
+    QString fault; ///< empty: none
+};
+
+std::optional<QSize> sizeOf(const QString& text)
+{
+    static const QRegularExpression pattern(u"^(\\d{1,5})[xX](\\d{1,5})$"_s);
+    const QRegularExpressionMatch match = pattern.match(text);
+    if (!match.hasMatch())
+        return std::nullopt;
+    const QSize size_px(match.captured(1).toInt(), match.captured(2).toInt());
+    const auto allowed = [](int side_px) {
+        return side_px >= berg::kSmallestPicture_px && side_px <= berg::kLargestPicture_px;
+    };
+    if (!allowed(size_px.width()) || !allowed(size_px.height()))
+        return std::nullopt;
+    return size_px;
+}
+
+struct Options
+{
+    QCommandLineOption pictures{u"pictures"_s,
+                                Main::tr("Write map.png, zeta.png and sigma.png of the run or the "
+                                         "scenario flown to its end into <folder>."),
+                                Main::tr("folder")};
+    QCommandLineOption size{
+        u"size"_s,
+        Main::tr("Size of each picture in pixels, e.g. 1920x1080 (default: 1600x1000 for the map, "
+                 "1600x700 for the charts)."),
+        Main::tr("WxH", "width x height")};
+    QCommandLineOption theme{u"theme"_s,
+                             Main::tr("Appearance of the pictures: light, dark or both."),
+                             Main::tr("theme"), u"light"_s};
+    QCommandLineOption screenshot{
+        u"screenshot"_s, Main::tr("Render the window with the scenario into <file>, then end."),
+        Main::tr("file")};
+    QCommandLineOption at{u"at"_s, Main::tr("Fly until this time before the screenshot."),
+                          Main::tr("seconds"), u"0"_s};
+    QCommandLineOption config{
+        u"config"_s, Main::tr("Keep settings in <file> in place of your own."), Main::tr("file")};
+};
+
+/** What the window is to show; `fault` in the request as for pictures. */
+berg::WindowOptions windowOptionsOf(const QCommandLineParser& parser, const Options& options,
+                                    QString& fault)
+{
+    berg::WindowOptions window{.config = parser.value(options.config),
+                               .screenshot = parser.value(options.screenshot)};
+    if (parser.isSet(options.size)) {
+        const std::optional<QSize> size_px = sizeOf(parser.value(options.size));
+        if (!size_px)
+            fault = Main::tr("--size: \"%1\" is not a size like 1920x1080.")
+                        .arg(parser.value(options.size));
+        window.size_px = size_px.value_or(window.size_px);
+    }
+    if (parser.isSet(options.theme)) {
+        const QString theme = parser.value(options.theme);
+        if (theme != u"light"_s && theme != u"dark"_s)
+            fault = Main::tr("--theme: \"%1\" is not light or dark.").arg(theme);
+        window.dark = theme == u"dark"_s;
+    }
+    bool isNumber = false;
+    window.at_s = parser.value(options.at).toDouble(&isNumber);
+    if (!isNumber || !(window.at_s >= 0))
+        fault = Main::tr("--at: \"%1\" is not a number of seconds.").arg(parser.value(options.at));
+    const QStringList files = parser.positionalArguments();
+    if (files.size() > 1)
+        fault = Main::tr("Name one scenario file at most; %1 were named.").arg(files.size());
+    window.scenario = files.value(0);
+    return window;
+}
+
+Request requestOf(const QCommandLineParser& parser, const Options& options)
+{
+    Request request;
+    request.options.folder = parser.value(options.pictures);
+    if (parser.isSet(options.size)) {
+        request.options.size_px = sizeOf(parser.value(options.size));
+        if (!request.options.size_px)
+            request.fault = Main::tr("--size: \"%1\" is not a size like 1920x1080 with sides from "
+                                     "%2 to %3 pixels.")
+                                .arg(parser.value(options.size))
+                                .arg(berg::kSmallestPicture_px)
+                                .arg(berg::kLargestPicture_px);
+    }
+    const QString theme = parser.value(options.theme);
+    if (theme == u"dark"_s)
+        request.options.theme = berg::PictureTheme::Dark;
+    else if (theme == u"both"_s)
+        request.options.theme = berg::PictureTheme::Both;
+    else if (theme != u"light"_s)
+        request.fault = Main::tr("--theme: \"%1\" is not light, dark or both.").arg(theme);
+    if (request.options.folder.isEmpty())
+        request.fault = Main::tr("--pictures: the name of a folder is missing.");
+    const QStringList files = parser.positionalArguments();
+    if (files.size() != 1)
+        request.fault = Main::tr("Name one run or scenario file; %1 were named.").arg(files.size());
+    else
+        request.input = files.front();
+    return request;
+}
+
+int makePictures(const Request& request)
+{
+    try {
+        const berg::Mission mission =
+            berg::flownMission(QFile::encodeName(request.input).toStdString());
+        for (const QString& path : berg::writePictures(mission, request.options, QLocale()))
+            print(stdout, path);
+        return kDone;
+    } catch (const berg::Error& error) {
+        print(stderr, berg::errorReport(error));
+        return error.code() == berg::ErrorCode::FileUnwritable ? kFailed : kBadInput;
+    } catch (const std::exception& error) {
+        print(stderr, Main::tr("Bergwatch stopped because of a fault of its own: %1")
+                          .arg(QString::fromUtf8(error.what())));
+        return kFailed;
+    }
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    choosePlatform();
+    QApplication app(argc, argv);
+    QApplication::setApplicationName(u"bergwatch"_s);
+    QApplication::setApplicationVersion(QStringLiteral(BERGWATCH_VERSION));
+    berg::installLanguage({});
+
+    const Options options;
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        Main::tr("Bergwatch draws missions of a UAV that keeps watch over drifting icebergs."));
+    const QCommandLineOption help = parser.addHelpOption();
+    const QCommandLineOption version = parser.addVersionOption();
+    parser.addOptions({options.pictures, options.size, options.theme, options.screenshot,
+                       options.at, options.config});
+    parser.addPositionalArgument(Main::tr("file"),
+                                 Main::tr("A run (.bergrun) or a scenario (.berg)."));
+    if (!parser.parse(QApplication::arguments())) {
+        print(stderr, parser.errorText());
+        return kWrongUsage;
+    }
+    if (parser.isSet(version)) {
+        print(stdout, u"bergwatch "_s + QApplication::applicationVersion());
+        return kDone;
+    }
+    if (parser.isSet(help)) {
+        print(stdout, parser.helpText());
+        return kDone;
+    }
+    if (!parser.isSet(options.pictures)) {
+        QString fault;
+        const berg::WindowOptions window = windowOptionsOf(parser, options, fault);
+        if (fault.isEmpty())
+            return berg::runWindow(window);
+        print(stderr, fault);
+        return kWrongUsage;
+    }
+    const Request request = requestOf(parser, options);
+    if (!request.fault.isEmpty()) {
+        print(stderr, request.fault);
+        return kWrongUsage;
+    }
+    return makePictures(request);
+}

@@ -1,0 +1,297 @@
+#include "app/main_window.h"
+#include "widgets/map/map_view.h"
+#include "widgets/panels/playback_bar.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QUndoStack>
+
+#include <algorithm>
+#include <array>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+template <class Slot>
+QAction* MainWindow::addAction(QMenu& menu, const ActionSpec& spec, const Slot& slot)
+{
+    QAction* action = menu.addAction(spec.text);
+    action->setObjectName(QLatin1String(spec.name));
+    action->setShortcut(spec.shortcut);
+    action->setStatusTip(spec.text);
+    if (spec.icon)
+        m_icons.emplace_back(action, *spec.icon);
+    connect(action, &QAction::triggered, this, slot);
+    return action;
+}
+
+void MainWindow::buildActions()
+{
+    buildFileMenu();
+    buildEditMenu();
+    buildViewMenu();
+    buildFlightMenu();
+    buildHelpMenu();
+    buildToolBar();
+}
+
+void MainWindow::buildFileMenu()
+{
+    QMenu& menu = *menuBar()->addMenu(tr("&File"));
+    addAction(menu, {"newAction", tr("&New scenario"), QKeySequence::New, IconName::NewFile},
+              [this] { newScenario(); });
+    addAction(menu, {"openAction", tr("&Open..."), QKeySequence::Open, IconName::Open},
+              [this] { openScenario(); });
+    m_recentMenu = menu.addMenu(tr("Open &recent"));
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    menu.addSeparator();
+    addAction(menu, {"saveAction", tr("&Save"), QKeySequence::Save, IconName::Save},
+              [this] { saveScenario(); });
+    addAction(menu,
+              {"saveAsAction", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+               std::nullopt},
+              [this] { saveScenarioAs(); });
+    addAction(
+        menu,
+        {"saveRunAction", tr("Save r&un..."), QKeySequence(Qt::CTRL | Qt::Key_R), std::nullopt},
+        [this] { saveRun(); });
+    addAction(menu,
+              {"exportAction", tr("&Export plan..."), QKeySequence(Qt::CTRL | Qt::Key_E),
+               IconName::ExportPlan},
+              [this] { exportPlan(); });
+    menu.addSeparator();
+    addAction(menu, {"quitAction", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), std::nullopt},
+              [this] { close(); });
+}
+
+void MainWindow::buildEditMenu()
+{
+    QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
+    QUndoStack* history = m_workspace.document().undoStack();
+    QAction* undo = history->createUndoAction(this, tr("&Undo"));
+    QAction* redo = history->createRedoAction(this, tr("&Redo"));
+    undo->setObjectName(u"undoAction"_s);
+    redo->setObjectName(u"redoAction"_s);
+    undo->setShortcut(QKeySequence::Undo);
+    redo->setShortcuts(
+        {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    m_icons.emplace_back(undo, IconName::Undo);
+    m_icons.emplace_back(redo, IconName::Redo);
+    menu.addActions({undo, redo});
+    connect(history, &QUndoStack::indexChanged, this, &MainWindow::updateActions,
+            Qt::QueuedConnection);
+    menu.addSeparator();
+    m_editActions = {undo, redo,
+                     addAction(menu,
+                               {"deleteAction", tr("&Delete"), QKeySequence::Delete, std::nullopt},
+                               [this] { m_map->deleteSelected(); })};
+    addAction(
+        menu,
+        {"selectAllAction", tr("Select &all icebergs"), QKeySequence::SelectAll, std::nullopt},
+        [this] { m_map->selectAll(); });
+}
+
+void MainWindow::addChoice(QMenu& menu, const QString& text, const QString& key,
+                           const QString& value)
+{
+    auto* group = menu.findChild<QActionGroup*>();
+    if (group == nullptr)
+        group = new QActionGroup(&menu);
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setData(value);
+    action->setObjectName(key + u'-' + value);
+    action->setChecked(m_settings.value(key).toString() == value);
+    menu.addAction(action);
+}
+
+void MainWindow::buildViewMenu()
+{
+    QMenu& menu = *menuBar()->addMenu(tr("&View"));
+    addAction(menu, {"fitAction", tr("&Fit everything"), Qt::Key_F, IconName::Fit},
+              [this] { m_map->fit(); });
+    m_followAction =
+        addAction(menu, {"followAction", tr("Fo&llow the UAV"), Qt::Key_L, IconName::Follow},
+                  [this](bool on) { m_map->setFollowUav(on); });
+    m_followAction->setCheckable(true);
+    addAction(menu, {"zoomInAction", tr("Zoom &in"), QKeySequence::ZoomIn, std::nullopt},
+              [this] { m_map->zoomBy(1.25, QRectF(m_map->rect()).center()); });
+    addAction(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut, std::nullopt},
+              [this] { m_map->zoomBy(0.8, QRectF(m_map->rect()).center()); });
+    menu.addSeparator();
+    QMenu& panels = *menu.addMenu(tr("&Panels"));
+    for (QDockWidget* dock : m_docks)
+        panels.addAction(dock->toggleViewAction());
+    addAction(menu, {"resetLayoutAction", tr("&Reset layout"), {}, std::nullopt}, [this] {
+        for (QDockWidget* dock : m_docks)
+            dock->show();
+        restoreState(m_defaultLayout, 1);
+    });
+    QAction* fullScreen =
+        addAction(menu, {"fullScreenAction", tr("F&ull screen"), Qt::Key_F11, std::nullopt},
+                  [this](bool on) { on ? showFullScreen() : showNormal(); });
+    fullScreen->setCheckable(true);
+    menu.addSeparator();
+    QMenu& appearance = *menu.addMenu(tr("&Appearance"));
+    const QStringList words{tr("Like the system"), tr("Light"), tr("Dark")};
+    for (qsizetype i = 0; i < words.size(); ++i)
+        addChoice(appearance, words[i], u"view/appearance"_s, QString::number(i));
+    connect(&appearance, &QMenu::triggered, this, [this](QAction* action) {
+        setAppearance(static_cast<Appearance>(action->data().toInt()));
+    });
+    QMenu& language = *menu.addMenu(tr("&Language"));
+    addChoice(language, tr("Like the system"), u"view/language"_s, u""_s);
+    addChoice(language, u"English"_s, u"view/language"_s, u"en"_s);
+    addChoice(language, u"Norsk bokmål"_s, u"view/language"_s, u"nb"_s);
+    connect(&language, &QMenu::triggered, this, [this](QAction* action) {
+        m_settings.setValue("view/language", action->data());
+        emit languageChosen(action->data().toString());
+    });
+}
+
+void MainWindow::buildFlightMenu()
+{
+    QMenu& menu = *menuBar()->addMenu(tr("F&light"));
+    m_playAction = addAction(menu, {"playAction", tr("Fly"), Qt::Key_Space, std::nullopt},
+                             [this] { togglePlay(); });
+    addAction(menu, {"stepAction", tr("&Step one second"), Qt::Key_Period, std::nullopt},
+              [this] { m_workspace.step(); });
+    addAction(menu,
+              {"resetAction", tr("&Reset to the start"), QKeySequence(Qt::CTRL | Qt::Key_Home),
+               std::nullopt},
+              [this] { m_workspace.reset(); });
+    menu.addSeparator();
+    addAction(menu, {"fasterAction", tr("&Faster"), Qt::Key_BracketRight, std::nullopt},
+              [this] { changeRate(+1); });
+    addAction(menu, {"slowerAction", tr("S&lower"), Qt::Key_BracketLeft, std::nullopt},
+              [this] { changeRate(-1); });
+}
+
+void MainWindow::changeRate(int steps)
+{
+    // The last one, 0, is as fast as possible.
+    constexpr std::array kRates{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 0.0};
+    const auto now = std::find(kRates.begin(), kRates.end(), m_playback->rate());
+    const auto index =
+        std::clamp<std::ptrdiff_t>(now - kRates.begin() + steps, 0, std::ssize(kRates) - 1);
+    m_playback->setRate(kRates[static_cast<std::size_t>(index)]);
+    m_workspace.setRate(m_playback->rate());
+}
+
+void MainWindow::buildHelpMenu()
+{
+    QMenu& menu = *menuBar()->addMenu(tr("&Help"));
+    addAction(menu, {"shortcutsAction", tr("&Shortcuts"), Qt::Key_Question, std::nullopt},
+              [this] { showShortcuts(); });
+    addAction(menu, {"aboutAction", tr("&About Bergwatch"), {}, std::nullopt},
+              [this] { showAbout(); });
+}
+
+void MainWindow::addTool(MapToolKind kind, const ActionSpec& spec)
+{
+    QAction* action = m_tools->addAction(spec.text);
+    action->setObjectName(QLatin1String(spec.name));
+    action->setShortcut(spec.shortcut);
+    action->setCheckable(true);
+    action->setToolTip(u"%1 (%2)"_s.arg(spec.text, spec.shortcut.toString()));
+    action->setData(static_cast<int>(kind));
+    m_icons.emplace_back(action, *spec.icon);
+    if (kind == MapToolKind::Iceberg || kind == MapToolKind::Uav)
+        m_editActions.push_back(action);
+    connect(action, &QAction::triggered, this, [this, kind] { m_map->setTool(kind); });
+}
+
+void MainWindow::buildToolBar()
+{
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(u"toolBar"_s);
+    bar->setMovable(false);
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_tools = new QActionGroup(this);
+    addTool(MapToolKind::Select, {"selectTool", tr("Select"), Qt::Key_S, IconName::Select});
+    addTool(MapToolKind::Iceberg, {"icebergTool", tr("Iceberg"), Qt::Key_I, IconName::Iceberg});
+    addTool(MapToolKind::Uav, {"uavTool", tr("UAV"), Qt::Key_U, IconName::Uav});
+    addTool(MapToolKind::Pan, {"panTool", tr("Pan"), Qt::Key_H, IconName::Pan});
+    m_tools->actions().front()->setChecked(true);
+    connect(m_map, &MapView::toolChanged, this, [this](MapToolKind kind) {
+        for (QAction* action : m_tools->actions())
+            if (action->data().toInt() == static_cast<int>(kind))
+                action->setChecked(true);
+    });
+    bar->addActions(m_tools->actions());
+    const QStringList groups[] = {{u"undoAction"_s, u"redoAction"_s},
+                                  {u"fitAction"_s, u"followAction"_s},
+                                  {u"exportAction"_s}};
+    for (const QStringList& group : groups) {
+        bar->addSeparator();
+        for (const QString& name : group)
+            bar->addAction(findChild<QAction*>(name));
+    }
+    QMenu& edit = *menuBar()->addMenu(tr("&Tools"));
+    edit.addActions(m_tools->actions());
+}
+
+void MainWindow::refreshIcons()
+{
+    for (const auto& [action, name] : m_icons)
+        action->setIcon(icon(name, m_theme));
+}
+
+void MainWindow::updateActions()
+{
+    const bool locked = m_workspace.inFlight();
+    const QUndoStack* history = m_workspace.document().undoStack();
+    for (QAction* action : m_editActions)
+        action->setEnabled(!locked);
+    findChild<QAction*>(u"undoAction"_s)->setEnabled(!locked && history->canUndo());
+    findChild<QAction*>(u"redoAction"_s)->setEnabled(!locked && history->canRedo());
+    findChild<QAction*>(u"deleteAction"_s)
+        ->setEnabled(!locked && !m_workspace.selection().isEmpty());
+}
+
+void MainWindow::showContextMenu(const QPoint& globalPos)
+{
+    QMenu menu;
+    menu.addAction(findChild<QAction*>(u"deleteAction"_s));
+    menu.addAction(findChild<QAction*>(u"selectAllAction"_s));
+    menu.addSeparator();
+    menu.addAction(findChild<QAction*>(u"fitAction"_s));
+    menu.addAction(m_followAction);
+    menu.exec(globalPos);
+}
+
+void MainWindow::showShortcuts()
+{
+    QString rows;
+    for (const QAction* action : findChildren<QAction*>())
+        if (!action->shortcut().isEmpty() && !action->text().isEmpty())
+            rows += u"<tr><td style='padding-right:24px'>%1</td><td><b>%2</b></td></tr>"_s.arg(
+                QString(action->text()).remove(u'&').toHtmlEscaped(),
+                action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped());
+    const auto row = [](const QString& what, const QString& how) {
+        return u"<tr><td style='padding-right:24px'>%1</td><td><b>%2</b></td></tr>"_s.arg(what,
+                                                                                          how);
+    };
+    rows += row(tr("Zoom at the cursor"), tr("wheel"));
+    rows += row(tr("Pan"), tr("middle button, or arrow keys"));
+    rows += row(tr("Nudge what is selected"), tr("arrow keys"));
+    rows += row(tr("Leave the tool, drop the selection"), tr("Esc"));
+    m_interaction.showInformation(this, tr("Shortcuts"), u"<table>%1</table>"_s.arg(rows));
+}
+
+void MainWindow::showAbout()
+{
+    m_interaction.showInformation(
+        this, tr("About Bergwatch"),
+        tr("<h3>Bergwatch %1</h3><p>Plans, flies and measures UAV missions that keep watch over "
+           "drifting icebergs.</p><p>Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: "
+           "EPL.</p>")
+            .arg(QApplication::applicationVersion()));
+}
+
+} // namespace berg

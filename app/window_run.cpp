@@ -1,0 +1,157 @@
+#include "app/window_run.h"
+
+#include "app/main_window.h"
+#include "core/io/atomic_file.h"
+#include "core/scenario/presets.h"
+#include "widgets/model/error_text.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QFile>
+#include <QLibraryInfo>
+#include <QTextStream>
+#include <QTranslator>
+
+#include <cstdio>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr int kBadInput = 3;
+
+void say(const QString& text)
+{
+    QTextStream(stderr) << text << Qt::endl;
+}
+
+/** The window as it is made anew for each language; the workspace stays. */
+class WindowHolder : public QObject
+{
+public:
+    WindowHolder(Workspace& workspace, Interaction& interaction, QSettings& settings)
+        : m_workspace(workspace), m_interaction(interaction), m_settings(settings)
+    {
+        make();
+    }
+
+    [[nodiscard]] MainWindow& window() { return *m_window; }
+
+private:
+    void make()
+    {
+        m_window = std::make_unique<MainWindow>(m_workspace, m_interaction, m_settings);
+        connect(
+            m_window.get(), &MainWindow::languageChosen, this,
+            [this](const QString& language) { change(language); }, Qt::QueuedConnection);
+    }
+
+    void change(const QString& language)
+    {
+        const QByteArray geometry = m_window->saveGeometry();
+        const QByteArray state = m_window->saveState();
+        const std::unique_ptr<MainWindow> old = std::move(m_window);
+        installLanguage(language);
+        make();
+        m_window->restoreGeometry(geometry);
+        m_window->restoreState(state);
+        m_window->show();
+    }
+
+    Workspace& m_workspace;
+    Interaction& m_interaction;
+    QSettings& m_settings;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void saveImage(const QPixmap& picture, const QString& path)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    picture.save(&buffer, "PNG");
+    writeFileAtomically(QFile::encodeName(path).toStdString(),
+                        {png.constData(), static_cast<std::size_t>(png.size())});
+}
+
+/** Flies to the time asked for, then renders the window and ends the program. */
+void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOptions& options)
+{
+    const auto done = [&window, path = options.screenshot] {
+        int code = 0;
+        try {
+            saveImage(window.grab(), path);
+        } catch (const Error& error) {
+            say(errorReport(error));
+            code = 1;
+        }
+        QApplication::exit(code);
+    };
+    const auto onFlight = [&workspace, &window, done, at_s = options.at_s,
+                           asked = false]() mutable {
+        const MissionSnapshot& now = workspace.record().now;
+        if (now.phase == RunPhase::Planning)
+            return;
+        if (!asked && now.phase == RunPhase::Ready && at_s > 0) {
+            asked = true;
+            workspace.runner().stepBy(at_s);
+            return;
+        }
+        // Charts are drawn a moment after the picture; wait for them.
+        QTimer::singleShot(300, &window, done);
+    };
+    QObject::connect(&workspace, &Workspace::flightChanged, &window, onFlight);
+}
+
+} // namespace
+
+void installLanguage(const QString& language)
+{
+    static QTranslator own;
+    static QTranslator qt;
+    QCoreApplication::removeTranslator(&own);
+    QCoreApplication::removeTranslator(&qt);
+    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    QLocale::setDefault(locale);
+    if (own.load(locale, u"bergwatch"_s, u"_"_s, u":/i18n"_s))
+        QCoreApplication::installTranslator(&own);
+    if (qt.load(locale, u"qtbase"_s, u"_"_s, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(&qt);
+}
+
+int runWindow(const WindowOptions& options)
+{
+    const bool picture = !options.screenshot.isEmpty();
+    // A screenshot shows the program as it comes, whatever the user has chosen for himself.
+    QSettings settings = options.config.isEmpty() && !picture
+                             ? QSettings(u"Bergwatch"_s, u"bergwatch"_s)
+                             : QSettings(options.config.isEmpty() ? u"/dev/null"_s : options.config,
+                                         QSettings::IniFormat);
+    if (const QString language = settings.value("view/language").toString(); !language.isEmpty())
+        installLanguage(language);
+
+    Workspace workspace;
+    DialogInteraction interaction;
+    workspace.document().reset(defaultScenario());
+    if (!options.scenario.isEmpty()) {
+        try {
+            workspace.document().open(options.scenario);
+        } catch (const Error& error) {
+            say(errorReport(error));
+            return kBadInput;
+        }
+    }
+    WindowHolder holder(workspace, interaction, settings);
+    MainWindow& window = holder.window();
+    window.resize(options.size_px);
+    if (options.dark)
+        window.applyTheme(*options.dark ? Theme::dark() : Theme::light());
+    if (picture)
+        arrangeScreenshot(workspace, window, options);
+    window.show();
+    return QApplication::exec();
+}
+
+} // namespace berg

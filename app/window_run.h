@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QSize>
+#include <QString>
+
+#include <optional>
+
+namespace berg {
+
+/** How the window is opened. */
+struct WindowOptions
+{
+    QString scenario;   ///< file to open; empty: the default scenario
+    QString config;     ///< settings file in place of the user's own
+    QString screenshot; ///< file to render the window into, then end; empty: stay open
+    QSize size_px{1280, 800};
+    std::optional<bool> dark; ///< none: as the user chose
+    double at_s = 0;          ///< flown until then before the screenshot
+};
+
+/** Translators of one language, its own words and Qt's; empty: the system's language. */
+void installLanguage(const QString& language);
+
+/** Runs the window until it is closed; the exit code of the program. */
+int runWindow(const WindowOptions& options);
+
+} // namespace berg

@@ -1,0 +1,202 @@
+#!/usr/bin/env bash
+# Command-line checks: run bergwatch-cli as a stranger would and look at what comes out.
+# Use: cli_checks.sh CLI SOURCE_DIR WORK_DIR CBC(ON|OFF)
+# Needs bash and python3 only, so that it also runs where there is no Qt.
+set -u
+cli=$1
+source_dir=$2
+work=$3
+with_cbc=$4
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work" || exit 1
+default="$source_dir/resources/scenarios/grand-banks-12.berg"
+checks=0
+failures=0
+
+# check NAME CONDITION...: counts and names a failed check.
+check() {
+    local name=$1
+    shift
+    checks=$((checks + 1))
+    if ! "$@"; then
+        failures=$((failures + 1))
+        echo "FAILED: $name"
+    fi
+}
+
+# exits CODE COMMAND...: runs quietly, true when it ends with that code.
+exits() {
+    local wanted=$1
+    shift
+    "$@" >stdout.txt 2>stderr.txt
+    local got=$?
+    [ "$got" -eq "$wanted" ] && return 0
+    echo "  exit $got in place of $wanted: $*"
+    sed 's/^/  /' stderr.txt | head -5
+    return 1
+}
+
+# json EXPRESSION: evaluates a python expression on `d`, the document in stdout.txt.
+json() {
+    python3 -c 'import json,sys; d=json.load(open("stdout.txt")); sys.exit(0 if eval(sys.argv[1]) else 1)' "$1"
+}
+
+says() { grep -qF -- "$1" stderr.txt; }
+
+# --- usage -----------------------------------------------------------------------------------
+check "help" exits 0 "$cli" --help
+check "version" exits 0 "$cli" --version
+check "no command is wrong usage" exits 2 "$cli"
+check "unknown command" exits 2 "$cli" fly
+check "unknown flag" exits 2 "$cli" simulate "$default" --fast
+check "unknown policy" exits 2 "$cli" simulate "$default" --policy drunken
+check "tau out of range" exits 2 "$cli" plan "$default" --tau -1
+check "tau not a number" exits 2 "$cli" sweep "$default" --tau 0:x:1
+check "sweep without scenarios" exits 2 "$cli" sweep --tau 1
+check "unknown export format" exits 2 "$cli" export "$default" --format docx --output x.docx
+check "no file left by a wrong format" test ! -e x.docx
+
+# --- solve -----------------------------------------------------------------------------------
+cat >problem.json <<'P'
+{"format":"bergwatch-problem","version":1,"sigma":[0,3.0,7.5],
+ "distance_m":[[0,900,1500],[900,0,700],[1500,700,0]],"tau":0.5,"route":"open"}
+P
+check "solve" exits 0 "$cli" solve problem.json --json
+# By hand: F1max = 3*1 + 7.5*2 = 18, D_est = 6200/6*2, mu = 0.5*18/D_est; order 1,2: -3*1 + mu 1600.
+check "solve: members" json 'list(d) == ["status","objective","bound","gap","order","distance_m","mu","seconds","backend"]'
+check "solve: mu" json 'abs(d["mu"] - 0.5*18/(6200/6*2)) < 1e-12'
+check "solve: order and objective" json 'd["order"] == [2,1] and abs(d["objective"] - (-7.5 + d["mu"]*2200)) < 1e-9 or d["order"] == [1,2] and abs(d["objective"] - (-3 + d["mu"]*1600)) < 1e-9'
+check "solve: best of both" json 'abs(d["objective"] - min(-7.5 + d["mu"]*2200, -3 + d["mu"]*1600)) < 1e-9'
+check "solve: proven" json 'd["status"] == "optimal" and d["gap"] == 0 and d["bound"] == d["objective"]'
+check "solve --mu wins over tau" exits 0 "$cli" solve problem.json --tau 5 --mu 0 --json
+check "solve --mu 0: most uncertain first" json 'd["order"] == [2,1] and d["mu"] == 0'
+check "solve --route closed" exits 0 "$cli" solve problem.json --route closed --json
+check "solve --route closed: distance" json 'd["distance_m"] == 3100'
+for backend in auto exact heuristic; do
+    check "solve --backend $backend" exits 0 "$cli" solve problem.json --backend $backend --json
+    check "solve --backend $backend: result" json 'd["order"] in ([1,2],[2,1])'
+done
+if [ "$with_cbc" = ON ]; then
+    check "solve --verify" exits 0 "$cli" solve problem.json --verify --json
+    check "solve --verify agrees" json 'd["verify"]["agrees"] and d["verify"]["backend"] == "cbc"'
+    for formulation in position printed; do
+        check "solve cbc $formulation" exits 0 "$cli" solve problem.json --backend cbc --formulation $formulation --json
+        check "solve cbc $formulation: proven" json 'd["status"] == "optimal" and d["backend"] == "cbc"'
+    done
+    python3 - <<'P'
+import json, random
+random.seed(3)
+n = 13
+json.dump({"format": "bergwatch-problem", "version": 1, "sigma": [0] + [random.randint(1, 10) for _ in range(n - 1)],
+           "position_m": [[random.uniform(0, 5000), random.uniform(0, 5000)] for _ in range(n)], "tau": 0.5},
+          open("hard.json", "w"))
+P
+    check "limit without a plan" exits 4 "$cli" solve hard.json --backend cbc --time-limit 0 --json
+    check "limit without a plan: says none" json 'd["status"] == "none" and d["order"] == []'
+    check "verify on 12 icebergs" exits 0 "$cli" solve hard.json --verify --json
+    check "verify on 12 icebergs agrees" json 'd["verify"]["agrees"]'
+else
+    check "cbc is missing, said clearly" exits 3 "$cli" solve problem.json --backend cbc
+    check "cbc is missing: words" says "without COIN-OR CBC"
+fi
+
+# --- plan ------------------------------------------------------------------------------------
+check "plan" exits 0 "$cli" plan "$default" --json
+check "plan: every iceberg once" json 'sorted(d["order"]) == list(range(1,13)) and len(d["icebergs"]) == 12'
+check "plan: proven" json 'd["status"] == "optimal"'
+check "plan 40" exits 0 "$cli" plan "$source_dir/resources/scenarios/scoresby-sund-40.berg" --json
+check "plan 40: an honest gap" json 'd["bound"] is not None and 0 <= d["gap"] < 0.1 and d["bound"] <= d["objective"]'
+check "plan with --mu is refused" exits 2 "$cli" plan "$default" --mu 1
+
+# --- simulate --------------------------------------------------------------------------------
+check "simulate" exits 0 "$cli" simulate "$default" --json
+check "simulate: members" json 'list(d) == ["zeta_m2s","visits","replans","flown_m","lower_bound_m2s","seconds"]'
+check "simulate: length" json 'abs(d["flown_m"] - 22000) < 1e-6'
+grep -v '"seconds"' stdout.txt >first.json
+check "simulate again" exits 0 "$cli" simulate "$default" --json --output out
+grep -v '"seconds"' stdout.txt >second.json
+check "simulate twice: the same bytes" cmp -s first.json second.json
+for file in trajectory.csv sigma.csv events.csv zeta.csv run.bergrun; do
+    check "simulate --output: $file" test -s out/$file
+done
+check "trajectory header" grep -qx 'time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,turn_rate_radps,cross_track_m' <(head -1 out/trajectory.csv)
+check "zeta.csv ends at zeta" python3 -c '
+import csv, json
+last = list(csv.DictReader(open("out/zeta.csv")))[-1]
+zeta = json.loads("{" + ",".join(open("first.json").read().strip(" {}\n\t").rstrip(",").split(",")) + "}")["zeta_m2s"]
+raise SystemExit(0 if float(last["zeta_m2s"]) == zeta and float(last["time_s"]) == 1000 else 1)'
+check "replay" exits 0 "$cli" simulate out/run.bergrun --json
+grep -v '"seconds"' stdout.txt >replayed.json
+check "replay: the same bytes" cmp -s first.json replayed.json
+sed 's/"tau": *1\(\.0\)\?/"tau": 0.9/' out/run.bergrun >tampered.bergrun
+check "tampered run differs" test "$(cmp -s out/run.bergrun tampered.bergrun; echo $?)" = 1
+check "tampered run is refused" exits 1 "$cli" simulate tampered.bergrun
+check "replay takes no changes" exits 2 "$cli" simulate out/run.bergrun --tau 2
+check "other seed, other zeta" exits 0 "$cli" simulate "$default" --seed 99 --json
+check "other seed differs" test "$(grep -v '"seconds"' stdout.txt | cmp -s - first.json; echo $?)" = 1
+check "no noise" exits 0 "$cli" simulate "$default" --no-noise --dt 0.05 --duration 300 --policy tour
+check "a policy of a later version" exits 3 "$cli" simulate "$default" --policy latency
+check "a policy of a later version: words" says "not flown by this version"
+check "output folder that cannot be" exits 1 "$cli" simulate "$default" --output problem.json/out
+for scenario in "$source_dir"/resources/scenarios/*.berg; do
+    check "simulate $(basename "$scenario")" exits 0 "$cli" simulate "$scenario" --json
+done
+
+# --- sweep -----------------------------------------------------------------------------------
+check "sweep" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 1 --json --output sweep.csv
+check "sweep: rows" json '[(r["policy"], r["tau"]) for r in d["rows"]] == [("visitation",0),("visitation",0.5),("visitation",1),("tour",None)]'
+check "sweep: sizes" json 'all(r["n"] == 6 and r["mean_m2s"] > 0 for r in d["rows"])'
+cp sweep.csv one.csv
+check "sweep on four threads" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 4 --output sweep.csv
+check "sweep: threads do not matter" cmp -s one.csv sweep.csv
+check "sweep: several noise seeds" exits 0 "$cli" sweep "$default" --tau 1 --runs 3 --json
+check "sweep: several noise seeds, n" json 'd["rows"][0]["n"] == 3'
+
+# --- export ----------------------------------------------------------------------------------
+for format in plan wpl geojson csv; do
+    check "export $format" exits 0 "$cli" export "$default" --format $format --output plan.$format
+    check "export $format of a run" exits 0 "$cli" export out/run.bergrun --format $format --output run.$format
+    check "export $format: not empty" test -s plan.$format -a -s run.$format
+done
+check "plan is JSON" python3 -c 'import json; assert json.load(open("plan.plan"))["fileType"] == "Plan"'
+check "wpl head" grep -qx 'QGC WPL 110' <(head -1 plan.wpl)
+
+# --- benchmark -------------------------------------------------------------------------------
+check "benchmark" exits 0 "$cli" benchmark --sizes 2,6,10 --repeat 3 --backends auto,heuristic --seconds 20 --json
+check "benchmark: rows" json 'len(d["rows"]) == 6 and all(r["instances"] == 3 for r in d["rows"])'
+check "benchmark: the paper beside it" json 'd["rows"][0]["paper_average_s"] == 0.02 and d["rows"][4]["paper_worst_s"] == 1.5'
+check "benchmark table" exits 0 "$cli" benchmark --sizes 6 --repeat 2 --backends auto --seconds 5 --output bench.csv
+
+# --- validate and broken files ---------------------------------------------------------------
+check "validate good files" exits 0 "$cli" validate "$source_dir"/resources/scenarios/*.berg problem.json out/run.bergrun
+broken=0
+while IFS= read -r -d '' file; do
+    broken=$((broken + 1))
+    check "validate $(basename "$file")" exits 3 "$cli" validate "$file"
+    check "validate $(basename "$file"): names the file" says "$(basename "$file")"
+    check "simulate $(basename "$file")" exits 3 "$cli" simulate "$file" --output never
+done < <(find "$source_dir/tests/data/broken" -type f ! -name 'EXPECTED.tsv' -print0)
+check "at least 40 broken files" test "$broken" -ge 40
+check "broken input writes nothing" test ! -e never
+check "validate --json" exits 3 "$cli" validate --json problem.json missing.berg
+check "validate --json: list" json 'len(d) == 1 and d[0]["file"] == "missing.berg" and d[0]["severity"] == "error"'
+
+# --- Ctrl-C ----------------------------------------------------------------------------------
+# From python: a shell lets its background jobs ignore the signal.
+interrupt() {
+    python3 - "$@" <<'P'
+import signal, subprocess, sys, time
+job = subprocess.Popen(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                       preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+time.sleep(1)
+job.send_signal(signal.SIGINT)
+sys.exit(job.wait(60))
+P
+}
+check "Ctrl-C gives 130" exits 130 interrupt "$cli" sweep --random 5000 --tau 0:5:0.1 --output interrupted.csv
+check "Ctrl-C leaves no file" test ! -e interrupted.csv
+check "Ctrl-C leaves no temporary file" test -z "$(find . -name '*interrupted*')"
+
+echo "$((checks - failures)) passed, $failures failed"
+[ "$failures" -eq 0 ]

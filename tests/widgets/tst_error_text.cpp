@@ -1,0 +1,52 @@
+#include "widgets/model/error_text.h"
+
+#include <QtTest>
+
+#include <set>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+class TestErrorText : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyCodeHasItsOwnText()
+    {
+        std::set<QString> texts;
+        const int last = static_cast<int>(ErrorCode::ReplayMismatch);
+        for (int code = 0; code <= last; ++code) {
+            const QString text = errorText(static_cast<ErrorCode>(code));
+            QVERIFY2(!text.isEmpty(), QByteArray::number(code).constData());
+            QVERIFY(text.endsWith(u'.'));
+            texts.insert(text);
+        }
+        QCOMPARE(static_cast<int>(texts.size()), last + 1);
+    }
+
+    void reportNamesSubjectAndFields()
+    {
+        const Error error(ErrorCode::InvalidInput, "ice.berg",
+                          {{.severity = Severity::Error,
+                            .field = "icebergs[3].q_m2ps",
+                            .message = "must not be negative"},
+                           {.severity = Severity::Error, .field = "", .message = "no UAV"}});
+        const QStringList lines = errorReport(error).split(u'\n');
+        QCOMPARE(lines.size(), 3);
+        QCOMPARE(lines[0], u"ice.berg: "_s + errorText(ErrorCode::InvalidInput));
+        QCOMPARE(lines[1], u"  icebergs[3].q_m2ps: must not be negative"_s);
+        QCOMPARE(lines[2], u"  no UAV"_s);
+    }
+
+    void reportOfAMessageKeepsIt()
+    {
+        const Error error(ErrorCode::SyntaxError, "ice.berg", "line 3, column 7: expected a comma");
+        const QString report = errorReport(error);
+        QVERIFY(report.startsWith(u"ice.berg: "_s + errorText(ErrorCode::SyntaxError)));
+        QVERIFY(report.contains(u"line 3, column 7: expected a comma"_s));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestErrorText)
+#include "tst_error_text.moc"

@@ -1,0 +1,313 @@
+#include "tests/support/approx.h"
+#include "tests/support/map_builder.h"
+#include "widgets/map/map_painter.h"
+#include "widgets/map/map_symbols.h"
+
+#include <QFontMetricsF>
+#include <QtTest>
+
+#include <set>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QLocale kLocale(QLocale::English);
+
+MapLayout layoutOf(const MapPicture& picture, const QSize& size)
+{
+    const Theme theme = Theme::light();
+    return arrangeMap(picture, {.theme = theme, .locale = kLocale},
+                      QRectF(QPointF(0, 0), QSizeF(size)));
+}
+
+/** Number of different colours in the image, counted up to `most`. */
+std::size_t colourCount(const QImage& image, std::size_t most)
+{
+    std::set<QRgb> colours;
+    for (int y = 0; y < image.height() && colours.size() < most; ++y)
+        for (int x = 0; x < image.width(); ++x)
+            colours.insert(image.pixel(x, y));
+    return colours.size();
+}
+
+/** Whether a pixel within `reach_px` of the place has the colour. */
+bool hasColourNear(const QImage& image, const QPointF& at, int reach_px, const QColor& colour)
+{
+    for (int dy = -reach_px; dy <= reach_px; ++dy)
+        for (int dx = -reach_px; dx <= reach_px; ++dx) {
+            const QPoint p = at.toPoint() + QPoint(dx, dy);
+            if (image.rect().contains(p) && image.pixelColor(p).rgb() == colour.rgb())
+                return true;
+        }
+    return false;
+}
+
+} // namespace
+
+class TestMapPainter : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void labelsOverlapNothing_data()
+    {
+        QTest::addColumn<int>("icebergs");
+        QTest::addColumn<int>("seed");
+        for (const int icebergs : {4, 12, 20, 40})
+            for (int seed = 1; seed <= 8; ++seed)
+                QTest::addRow("%d icebergs, seed %d", icebergs, seed) << icebergs << seed;
+    }
+
+    void labelsOverlapNothing()
+    {
+        QFETCH(int, icebergs);
+        QFETCH(int, seed);
+        const MapPicture picture = test::randomPicture(icebergs, static_cast<std::uint64_t>(seed));
+        const MapLayout layout = layoutOf(picture, {1280, 800});
+        QCOMPARE(layout.labels.size(), picture.icebergs.size());
+        for (std::size_t i = 0; i < layout.labels.size(); ++i) {
+            const QRectF& rect = layout.labels[i].rect;
+            QVERIFY(!rect.isNull());
+            QVERIFY(layout.rect.contains(rect));
+            for (const QRectF& overlay : layout.overlays())
+                QVERIFY(!rect.intersects(overlay));
+            for (const LabelDisk& disk : layout.icebergs)
+                QVERIFY(!overlaps(rect, disk));
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!rect.intersects(layout.labels[j].rect));
+        }
+    }
+
+    void fitKeepsSymbolsClearOfOverlays_data()
+    {
+        QTest::addColumn<int>("icebergs");
+        QTest::addColumn<QSize>("size");
+        for (const int icebergs : {1, 4, 12, 20, 40})
+            for (const QSize& size : {QSize(1280, 800), QSize(1920, 1080), QSize(900, 900)})
+                QTest::addRow("%d icebergs, %dx%d", icebergs, size.width(), size.height())
+                    << icebergs << size;
+    }
+
+    void fitKeepsSymbolsClearOfOverlays()
+    {
+        QFETCH(int, icebergs);
+        QFETCH(QSize, size);
+        const MapLayout layout = layoutOf(test::randomPicture(icebergs), size);
+        QVERIFY(!layout.title.isNull());
+        QVERIFY(!layout.legend.isNull());
+        QVERIFY(!layout.scaleBar.isNull());
+        QVERIFY(!layout.north.isNull());
+        for (const LabelDisk& disk : layout.icebergs) {
+            QVERIFY(layout.rect.contains(disk.centre_px));
+            for (const QRectF& overlay : layout.overlays())
+                QVERIFY(!overlaps(overlay, disk));
+        }
+    }
+
+    void overlaysAreApart()
+    {
+        const MapLayout layout = layoutOf(test::randomPicture(12), {1280, 800});
+        const std::vector<QRectF> overlays = layout.overlays();
+        QCOMPARE(overlays.size(), std::size_t{4});
+        for (std::size_t i = 0; i < overlays.size(); ++i) {
+            QVERIFY(layout.rect.contains(overlays[i]));
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!overlays[i].intersects(overlays[j]));
+        }
+    }
+
+    void everySizePaints_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<int>("icebergs");
+        for (const QSize& size : {QSize(200, 150), QSize(640, 480), QSize(1280, 800),
+                                  QSize(300, 1200), QSize(3840, 2160)})
+            for (const int icebergs : {0, 1, 12, 40})
+                QTest::addRow("%dx%d, %d icebergs", size.width(), size.height(), icebergs)
+                    << size << icebergs;
+    }
+
+    void everySizePaints()
+    {
+        QFETCH(QSize, size);
+        QFETCH(int, icebergs);
+        const MapPicture picture = test::randomPicture(icebergs);
+        for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+            const QImage image = mapImage(picture, {.theme = theme, .locale = kLocale}, size, 1);
+            QCOMPARE(image.size(), size);
+            QVERIFY(colourCount(image, 20) >= 20);
+        }
+    }
+
+    /** Painting into a part of a larger image leaves the rest as it was. */
+    void nothingIsPaintedOutside()
+    {
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = kLocale};
+        const QRect part(150, 90, 640, 420);
+        QImage image(1000, 700, QImage::Format_RGB32);
+        const QColor untouched(0xff00ff);
+        image.fill(untouched);
+        {
+            QPainter painter(&image);
+            const MapPicture picture = test::randomPicture(20);
+            // A view that puts much of the content outside.
+            const MapViewTransform view({2500, 2000}, QRectF(part).center(), 0.4);
+            paintMap(painter, picture, style, arrangeMap(picture, style, part, view));
+        }
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                if (!part.contains(x, y) && image.pixelColor(x, y) != untouched)
+                    QFAIL(qPrintable(u"painted at %1, %2"_s.arg(x).arg(y)));
+        QVERIFY(image.pixelColor(part.center()) != untouched);
+        QVERIFY(image.pixelColor(part.topLeft()) != untouched);
+        QVERIFY(image.pixelColor(part.bottomRight()) != untouched);
+    }
+
+    void samePictureSamePixels()
+    {
+        const Theme theme = Theme::dark();
+        const MapStyle style{.theme = theme, .locale = kLocale};
+        const MapPicture picture = test::randomPicture(12);
+        QCOMPARE(mapImage(picture, style, {800, 500}, 1), mapImage(picture, style, {800, 500}, 1));
+    }
+
+    void icebergShowsItsColourOfSigma()
+    {
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = kLocale};
+        MapPicture picture = test::randomPicture(0);
+        picture.icebergs = {{.id = u"B01"_s, .position_m = {4000, 3000}, .sigma_m2 = 18}};
+        const QSize size(1280, 800);
+        const QImage image = mapImage(picture, style, size, 1);
+        const MapLayout layout = layoutOf(picture, size);
+        const QColor colour = theme.sigma.colour(18, picture.sigmaFull_m2);
+        QVERIFY(hasColourNear(image, layout.icebergs[0].centre_px, 12, colour));
+        QVERIFY(hasColourNear(image, layout.view.toPixel(picture.uav->position_m), 12, theme.uav));
+    }
+
+    void seenIcebergHasNoRing()
+    {
+        const SymbolScale scale;
+        COMPARE_NEAR(scale.ringRadius_px(10, 0), 0, 1e-12);
+        QVERIFY(scale.ringRadius_px(10, 4) > 10);
+        // The ring grows with the root of sigma.
+        const double one = scale.ringRadius_px(10, 1);
+        const double four = scale.ringRadius_px(10, 4);
+        const double nine = scale.ringRadius_px(10, 9);
+        COMPARE_NEAR(nine - four, four - one, 1e-9);
+    }
+
+    void symbolsAreLargeEnoughAndGrowBySize()
+    {
+        double last_px = 0;
+        for (const double radius_m : {3.0, 20.0, 50.0, 90.0, 150.0}) {
+            const double radius_px = icebergSymbolRadius_px(radius_m);
+            QVERIFY(2 * radius_px >= 14);
+            QVERIFY(radius_px > last_px);
+            last_px = radius_px;
+        }
+    }
+
+    void legsStartAtTheUavAndEndAtTheSymbols()
+    {
+        const MapPicture picture = test::randomPicture(5);
+        const MapLayout layout = layoutOf(picture, {1280, 800});
+        const std::vector<QLineF> legs = planLegs(picture, layout);
+        QCOMPARE(legs.size(), picture.plan.size());
+        const QPointF uav = layout.view.toPixel(picture.uav->position_m);
+        COMPARE_NEAR(QLineF(legs[0].p1(), uav).length(), 0, 1e-6);
+        for (std::size_t k = 0; k < legs.size(); ++k) {
+            const LabelDisk& target = layout.icebergs[static_cast<std::size_t>(picture.plan[k])];
+            if (!legs[k].isNull())
+                COMPARE_NEAR(QLineF(legs[k].p2(), target.centre_px).length(), target.radius_px,
+                             1e-6);
+        }
+        QCOMPARE(layout.order, (std::vector<int>{1, 2, 3, 4, 5}));
+    }
+
+    void driftArrowsAreTrueToTheMap()
+    {
+        const MapPicture picture = test::randomPicture(12);
+        const MapLayout layout = layoutOf(picture, {1280, 800});
+        QVERIFY(layout.symbols.driftTime_s > 0);
+        double longest_px = 0;
+        for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
+            const QLineF arrow = driftArrow(picture, layout, i);
+            const double way_m =
+                picture.icebergs[i].velocity_mps.norm() * layout.symbols.driftTime_s;
+            COMPARE_NEAR(arrow.length(), way_m * layout.view.scale_pxpm(), 1e-6);
+            longest_px = std::max(longest_px, arrow.length());
+        }
+        QVERIFY(longest_px <= 44);
+        QVERIFY(longest_px >= 12); // times grow by at most 3 from step to step
+    }
+
+    void fieldOfViewHasItsSize_data()
+    {
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<QSizeF>("size_m"); ///< of the box round it on the screen
+        // Heading east: along is to the right.
+        QTest::newRow("turning with the heading") << int(FovShape::Body) << QSizeF(800, 400);
+        QTest::newRow("north up") << int(FovShape::North) << QSizeF(400, 800);
+        QTest::newRow("disk") << int(FovShape::Disk) << QSizeF(800, 800);
+    }
+
+    void fieldOfViewHasItsSize()
+    {
+        QFETCH(int, shape);
+        QFETCH(QSizeF, size_m);
+        const MapUav uav{.position_m = {100, 200},
+                         .psi_rad = 0,
+                         .sensor = {.fov_m = {800, 400}, .shape = static_cast<FovShape>(shape)}};
+        const MapViewTransform view({100, 200}, {500, 400}, 0.5);
+        const QRectF box = fieldOutline(uav, view).boundingRect();
+        // A disk is drawn with 72 corners: its box is at most 0.1 % smaller.
+        COMPARE_NEAR(box.width(), 0.5 * size_m.width(), 0.5);
+        COMPARE_NEAR(box.height(), 0.5 * size_m.height(), 0.5);
+        COMPARE_NEAR(box.center().x(), 500, 0.5);
+    }
+
+    void sigmaScalesAreRound_data()
+    {
+        QTest::addColumn<double>("largest");
+        QTest::addColumn<double>("full");
+        QTest::newRow("nothing known") << 0.0 << 1.0;
+        QTest::newRow("exactly round") << 30.0 << 30.0;
+        QTest::newRow("between") << 20.4 << 30.0;
+        QTest::newRow("tens") << 9.1 << 10.0;
+        QTest::newRow("small") << 0.07 << 0.08;
+        QTest::newRow("thousands") << 5500.0 << 6000.0;
+    }
+
+    void sigmaScalesAreRound()
+    {
+        QFETCH(double, largest);
+        QFETCH(double, full);
+        COMPARE_NEAR(roundSigmaScale(largest), full, 1e-9 * full);
+        const std::vector<double> ticks = sigmaTicks(full);
+        QVERIFY(ticks.size() >= 2 && ticks.size() <= 4);
+        COMPARE_NEAR(ticks.back(), full, 1e-9 * full);
+        COMPARE_NEAR(ticks[1], 2 * ticks[0], 1e-9 * full);
+    }
+
+    void tabularDigitsShareOneWidth()
+    {
+        const QFontMetricsF metrics(Theme::light().figure());
+        COMPARE_NEAR(tabularWidth(metrics, u"11:11"_s), tabularWidth(metrics, u"08:48"_s), 1e-9);
+    }
+
+    void longTitleIsShortenedNotClipped()
+    {
+        MapPicture picture = test::randomPicture(4);
+        picture.title = QString(400, QChar(u'W'));
+        const MapLayout layout = layoutOf(picture, {1280, 800});
+        QVERIFY(layout.title.width() <= 0.6 * 1280);
+        QVERIFY(layout.rect.contains(layout.title));
+    }
+};
+
+QTEST_MAIN(TestMapPainter)
+#include "tst_map_painter.moc"

@@ -1,0 +1,573 @@
+#include "tests/support/approx.h"
+#include "tests/support/map_fixture.h"
+
+#include <QSignalSpy>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using Ids = std::vector<std::string>;
+
+namespace {
+
+const Point kWater_m(2500, 2000); ///< between the icebergs
+
+} // namespace
+
+class TestMapTools : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        QTest::failOnWarning(
+            QRegularExpression(u"^(?!This plugin does not support propagateSizeHints)"_s));
+    }
+
+    void clickSelectsAndClears()
+    {
+        test::MapFixture map;
+        map.click(map.iceberg(0));
+        QCOMPARE(map.selection.ids(), (Ids{"berg-1"}));
+        map.click(map.iceberg(3));
+        QCOMPARE(map.selection.ids(), (Ids{"berg-4"}));
+        map.click(map.uav());
+        QCOMPARE(map.selection.ids(), (Ids{"uav-1"}));
+        map.click(map.pixelOf(kWater_m));
+        QVERIFY(map.selection.isEmpty());
+        QCOMPARE(map.undoCount(), 0);
+    }
+
+    void modifiersToggle_data()
+    {
+        QTest::addColumn<Qt::KeyboardModifiers>("keys");
+        QTest::newRow("Ctrl") << Qt::KeyboardModifiers(Qt::ControlModifier);
+        QTest::newRow("Shift") << Qt::KeyboardModifiers(Qt::ShiftModifier);
+    }
+
+    void modifiersToggle()
+    {
+        QFETCH(Qt::KeyboardModifiers, keys);
+        test::MapFixture map;
+        map.click(map.iceberg(0));
+        map.click(map.iceberg(1), keys);
+        map.click(map.uav(), keys);
+        QCOMPARE(map.selection.ids(), (Ids{"berg-1", "berg-2", "uav-1"}));
+        map.click(map.iceberg(0), keys);
+        QCOMPARE(map.selection.ids(), (Ids{"berg-2", "uav-1"}));
+        map.click(map.pixelOf(kWater_m), keys); // missed: nothing is lost
+        QCOMPARE(map.selection.ids(), (Ids{"berg-2", "uav-1"}));
+        map.click(map.iceberg(1)); // one of several, without the key: this one alone
+        QCOMPARE(map.selection.ids(), (Ids{"berg-2"}));
+    }
+
+    void dragIsOneUndoStep()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        const QPoint from = map.iceberg(2);
+        map.press(from);
+        for (int i = 1; i <= 25; ++i)
+            map.move(from + QPoint(3 * i, -2 * i));
+        map.release(from + QPoint(75, -50));
+        QCOMPARE(map.undoCount(), 1);
+        QVERIFY(QLineF(map.iceberg(2), from + QPoint(75, -50)).length() < 2);
+        QCOMPARE(map.selection.ids(), (Ids{"berg-3"}));
+        QVERIFY(map.scenario().icebergs[0] == before.icebergs[0]);
+        const Scenario after = map.scenario();
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
+        map.document.undoStack()->redo();
+        QVERIFY(map.scenario() == after);
+    }
+
+    void twoDragsAreTwoSteps()
+    {
+        test::MapFixture map;
+        map.drag(map.iceberg(0), map.iceberg(0) + QPoint(40, 20));
+        map.drag(map.iceberg(0), map.iceberg(0) + QPoint(40, 20));
+        QCOMPARE(map.undoCount(), 2);
+    }
+
+    void wholeSelectionMoves()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        map.selection.set({"berg-1", "berg-4", "uav-1"});
+        map.drag(map.iceberg(3), map.iceberg(3) + QPoint(-50, 35));
+        QCOMPARE(map.undoCount(), 1);
+        const Point way_m = map.scenario().icebergs[3].position_m - before.icebergs[3].position_m;
+        QVERIFY(way_m.norm() > 100);
+        // Rounding of doubles only: the same way is added to all.
+        const auto moved = [&](const Point& now_m, const Point& was_m) {
+            return (now_m - was_m - way_m).norm() < 1e-9;
+        };
+        QVERIFY(moved(map.scenario().icebergs[0].position_m, before.icebergs[0].position_m));
+        QVERIFY(moved(map.scenario().uavs[0].position_m, before.uavs[0].position_m));
+        QVERIFY(map.scenario().icebergs[1] == before.icebergs[1]);
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
+    }
+
+    void undoTextsCount_data()
+    {
+        QTest::addColumn<QStringList>("ids");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("iceberg") << QStringList{u"berg-1"_s} << u"Move iceberg"_s;
+        QTest::newRow("icebergs") << QStringList{u"berg-1"_s, u"berg-2"_s} << u"Move 2 icebergs"_s;
+        QTest::newRow("UAV") << QStringList{u"uav-1"_s} << u"Move UAV"_s;
+        QTest::newRow("both") << QStringList{u"berg-1"_s, u"uav-1"_s} << u"Move 2 objects"_s;
+    }
+
+    void undoTextsCount()
+    {
+        QFETCH(QStringList, ids);
+        QFETCH(QString, text);
+        test::MapFixture map;
+        Ids selected;
+        for (const QString& id : ids)
+            selected.push_back(id.toStdString());
+        map.selection.set(selected);
+        map.view.nudge(10, 0);
+        QCOMPARE(map.document.undoStack()->undoText(), text);
+    }
+
+    void belowTheThresholdNothingMoves()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        const QPoint at = map.iceberg(1);
+        const int almost = QApplication::startDragDistance() - 1;
+        map.drag(at, at + QPoint(almost, 0));
+        QVERIFY(map.scenario() == before);
+        QCOMPARE(map.undoCount(), 0);
+        QCOMPARE(map.selection.ids(), (Ids{"berg-2"}));
+    }
+
+    void escapeTakesADragBack()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        const QPoint from = map.iceberg(1);
+        map.drag(from, from + QPoint(70, 40), {}, false);
+        QVERIFY(!(map.scenario() == before)); // plans follow while it is dragged
+        QTest::keyClick(&map.view, Qt::Key_Escape);
+        QVERIFY(map.scenario() == before);
+        map.move(from + QPoint(90, 60)); // the button is still down, but means nothing now
+        map.release(from + QPoint(90, 60));
+        QVERIFY(map.scenario() == before);
+        QCOMPARE(map.undoCount(), 0);
+        QVERIFY(map.document.isClean());
+    }
+
+    /** What was undone can still be redone after a drag that was taken back. */
+    void aDragTakenBackKeepsRedo()
+    {
+        test::MapFixture map;
+        map.drag(map.iceberg(0), map.iceberg(0) + QPoint(40, 40));
+        const Scenario moved = map.scenario();
+        map.document.undoStack()->undo();
+        const Scenario before = map.scenario();
+        const QPoint from = map.iceberg(1);
+        map.drag(from, from + QPoint(70, 40), {}, false);
+        // Seen although it is not in the document yet: the symbol is under the cursor.
+        QVERIFY(map.scenario() == before);
+        const QImage dragged = map.view.grab().toImage();
+        QTest::keyClick(&map.view, Qt::Key_Escape);
+        QVERIFY(map.view.grab().toImage() != dragged);
+        map.release(from + QPoint(70, 40));
+        QVERIFY(map.document.undoStack()->canRedo());
+        map.document.undoStack()->redo();
+        QVERIFY(map.scenario() == moved);
+    }
+
+    /** With something to redo a finished drag is one step all the same. */
+    void aFinishedDragReplacesRedo()
+    {
+        test::MapFixture map;
+        map.drag(map.iceberg(0), map.iceberg(0) + QPoint(40, 40));
+        map.document.undoStack()->undo();
+        const Scenario before = map.scenario();
+        map.drag(map.iceberg(1), map.iceberg(1) + QPoint(50, 30));
+        QCOMPARE(map.undoCount(), 1);
+        QVERIFY(!map.document.undoStack()->canRedo());
+        QVERIFY(!(map.scenario().icebergs[1] == before.icebergs[1]));
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
+    }
+
+    void dropOutsideTakesBack_data()
+    {
+        QTest::addColumn<QPoint>("outside");
+        QTest::newRow("left") << QPoint(-30, 300);
+        QTest::newRow("below") << QPoint(500, 760);
+        QTest::newRow("right and above") << QPoint(1100, -5);
+    }
+
+    void dropOutsideTakesBack()
+    {
+        QFETCH(QPoint, outside);
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        map.drag(map.iceberg(1), outside);
+        QVERIFY(map.scenario() == before);
+        QCOMPARE(map.undoCount(), 0);
+    }
+
+    void anotherButtonTakesBack()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        const QSignalSpy menu(&map.view, &MapView::contextMenuRequested);
+        const QPoint from = map.iceberg(1);
+        map.drag(from, from + QPoint(70, 40), {}, false);
+        QTest::mouseClick(&map.view, Qt::RightButton, {}, from + QPoint(70, 40));
+        map.release(from + QPoint(70, 40));
+        QVERIFY(map.scenario() == before);
+        QCOMPARE(map.undoCount(), 0);
+        QCOMPARE(menu.count(), 0);
+    }
+
+    /** What else ends a row of nudges does not split a drag. */
+    void aDragIsOneStepWhateverHappens()
+    {
+        test::MapFixture map;
+        const QPoint from = map.iceberg(1);
+        map.drag(from, from + QPoint(40, 20), {}, false);
+        map.view.clearFocus();
+        map.move(from + QPoint(50, 30));
+        map.selection.set({"berg-2", "berg-3"});
+        QTest::mousePress(&map.view, Qt::MiddleButton, {}, from + QPoint(50, 30));
+        QTest::mouseRelease(&map.view, Qt::MiddleButton, {}, from + QPoint(50, 30));
+        map.move(from + QPoint(60, 40));
+        map.release(from + QPoint(60, 40));
+        QCOMPARE(map.undoCount(), 1);
+    }
+
+    /** Ctrl+Z in the middle of a drag undoes the drag and ends it. */
+    void undoInADragEndsIt()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        const QPoint from = map.iceberg(1);
+        map.drag(from, from + QPoint(70, 40), {}, false);
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
+        map.move(from + QPoint(90, 50));
+        map.release(from + QPoint(90, 50));
+        QVERIFY(map.scenario() == before);
+    }
+
+    void openingInADragEndsIt()
+    {
+        test::MapFixture map;
+        const QPoint from = map.iceberg(1);
+        map.drag(from, from + QPoint(70, 40), {}, false);
+        Scenario other = test::emptySea();
+        test::addIceberg(other, 700, 700);
+        map.document.reset(other);
+        map.move(from + QPoint(90, 50));
+        map.release(from + QPoint(90, 50));
+        QVERIFY(map.scenario() == other);
+        QCOMPARE(map.undoCount(), 0);
+    }
+
+    void rubberBandSelectsWhatIsInside()
+    {
+        test::MapFixture map;
+        map.selection.set({"berg-2"});
+        const QPoint corner = map.pixelOf({1000, 3400});
+        map.drag(corner, map.pixelOf({1900, 600}));
+        QCOMPARE(map.selection.ids(), (Ids{"berg-1", "berg-3"}));
+        map.drag(map.pixelOf({4000, 3500}), map.pixelOf({3000, 2600}), Qt::ControlModifier);
+        QCOMPARE(map.selection.ids(), (Ids{"berg-1", "berg-3", "berg-4"}));
+        QCOMPARE(map.undoCount(), 0);
+    }
+
+    void escapeTakesARubberBandBack()
+    {
+        test::MapFixture map;
+        map.selection.set({"berg-2"});
+        map.drag(map.pixelOf({1000, 3400}), map.pixelOf({1900, 600}), {}, false);
+        QCOMPARE(map.selection.ids(), (Ids{"berg-1", "berg-3"}));
+        QTest::keyClick(&map.view, Qt::Key_Escape);
+        QCOMPARE(map.selection.ids(), (Ids{"berg-2"}));
+        map.release(map.pixelOf({1900, 600}));
+        QCOMPARE(map.selection.ids(), (Ids{"berg-2"}));
+    }
+
+    void lockedMapEditsNothing()
+    {
+        test::MapFixture map;
+        map.view.setTool(MapToolKind::Iceberg);
+        map.view.setPicture(withScenario({}, map.scenario())); // in flight the picture is all
+        map.view.setLocked(true);
+        QVERIFY(map.view.tool() == MapToolKind::Select);
+        const Scenario before = map.scenario();
+        map.click(map.iceberg(2));
+        QCOMPARE(map.selection.ids(), (Ids{"berg-3"}));
+        map.drag(map.iceberg(2), map.iceberg(2) + QPoint(60, 40));
+        map.view.nudge(10, 10);
+        map.view.deleteSelected();
+        QTest::keyClick(&map.view, Qt::Key_Delete);
+        QTest::keyClick(&map.view, Qt::Key_Up);
+        map.view.setTool(MapToolKind::Uav);
+        QVERIFY(map.view.tool() == MapToolKind::Select);
+        map.click(map.pixelOf(kWater_m));
+        QVERIFY(map.scenario() == before);
+        QCOMPARE(map.undoCount(), 0);
+        map.view.setLocked(false);
+        map.drag(map.iceberg(2), map.iceberg(2) + QPoint(60, 40));
+        QCOMPARE(map.undoCount(), 1);
+    }
+
+    void takeOffInADragTakesItBack()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        const QPoint from = map.iceberg(1);
+        map.drag(from, from + QPoint(70, 40), {}, false);
+        map.view.setLocked(true);
+        QVERIFY(map.scenario() == before);
+        map.release(from + QPoint(70, 40));
+        QCOMPARE(map.undoCount(), 0);
+    }
+
+    void nudgesMergeWhileTheyFollowEachOther()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        map.selection.set({"berg-1", "berg-2"});
+        for (int i = 0; i < 5; ++i)
+            QTest::keyClick(&map.view, Qt::Key_Right);
+        QTest::keyClick(&map.view, Qt::Key_Up, Qt::ShiftModifier);
+        QCOMPARE(map.undoCount(), 1);
+        const Point way_m = map.scenario().icebergs[0].position_m - before.icebergs[0].position_m;
+        QVERIFY(way_m.x() > 0);
+        COMPARE_NEAR(way_m.y(), 2 * way_m.x(), 1e-9); // one step of ten, five of one
+        map.selection.set({"berg-3"});
+        QTest::keyClick(&map.view, Qt::Key_Right);
+        QCOMPARE(map.undoCount(), 2);
+        map.document.undoStack()->undo();
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
+    }
+
+    void clickAddsAnIceberg()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        const QSignalSpy toolChanged(&map.view, &MapView::toolChanged);
+        map.view.setTool(MapToolKind::Iceberg);
+        QCOMPARE(toolChanged.count(), 1);
+        map.click(map.pixelOf(kWater_m));
+        QCOMPARE(map.scenario().icebergs.size(), std::size_t{5});
+        const Iceberg& added = map.scenario().icebergs.back();
+        QCOMPARE(added.id, std::string("berg-5"));
+        COMPARE_NEAR(added.sigma0_m2, 5, 0);
+        QVERIFY(added.velocity_mps == Point::Zero());
+        // One pixel is some metres.
+        QVERIFY((added.position_m - kWater_m).norm() < 2 / map.view.view().scale_pxpm());
+        QCOMPARE(map.selection.ids(), (Ids{"berg-5"}));
+        QCOMPARE(map.undoCount(), 1);
+        QCOMPARE(map.document.undoStack()->undoText(), u"Add iceberg"_s);
+        QVERIFY(map.view.tool() == MapToolKind::Iceberg); // stays until it is left
+        map.click(map.pixelOf({2500, 2900}));
+        QCOMPARE(map.undoCount(), 2);
+        map.document.undoStack()->undo();
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
+        QVERIFY(map.selection.isEmpty());
+    }
+
+    void clickOnAnIcebergAddsNothing()
+    {
+        test::MapFixture map;
+        map.view.setTool(MapToolKind::Iceberg);
+        map.click(map.iceberg(0));
+        QCOMPARE(map.undoCount(), 0);
+        QCOMPARE(map.selection.ids(), (Ids{"berg-1"}));
+    }
+
+    void enterAddsInTheMiddle()
+    {
+        test::MapFixture map;
+        map.view.setTool(MapToolKind::Iceberg);
+        QTest::keyClick(&map.view, Qt::Key_Return);
+        QCOMPARE(map.scenario().icebergs.size(), std::size_t{5});
+        const QPointF at = map.view.toScreen(map.scenario().icebergs.back().position_m);
+        QVERIFY(QLineF(at, QRectF(map.view.rect()).center()).length() < 1);
+    }
+
+    /** Press and drag: the tip of the map's drift arrow is where the button is let go. */
+    void pressDragSetsTheDrift()
+    {
+        test::MapFixture map;
+        map.document.edit(u"Current"_s, [](Scenario& s) { s.current_mps = {0.05, -0.02}; });
+        const int steps = map.undoCount();
+        map.view.setTool(MapToolKind::Iceberg);
+        const QPoint from = map.pixelOf(kWater_m);
+        map.drag(from, from + QPoint(48, -36));
+        QCOMPARE(map.undoCount(), steps + 1);
+        const Point drift_mps = map.scenario().icebergs.back().velocity_mps + Point(0.05, -0.02);
+        // 60 px at 37 degrees; the drift is rounded to 1 mm/s, some tenths of a degree.
+        COMPARE_NEAR(std::atan2(drift_mps.y(), drift_mps.x()), std::atan2(36.0, 48.0), 0.01);
+        QVERIFY(drift_mps.norm() > 0.05 && drift_mps.norm() < 5);
+        QVERIFY(map.selection.contains("berg-5"));
+    }
+
+    void driftGrowsWithTheArrow()
+    {
+        std::vector<double> speeds_mps;
+        for (const int length_px : {60, 100, 140}) {
+            test::MapFixture map;
+            map.view.setTool(MapToolKind::Iceberg);
+            const QPoint from = map.pixelOf(kWater_m);
+            map.drag(from, from + QPoint(length_px, 0));
+            speeds_mps.push_back(map.scenario().icebergs.back().velocity_mps.norm());
+        }
+        QVERIFY(speeds_mps[0] > 0);
+        // Equal steps of the arrow are equal steps of speed, rounded to 1 mm/s.
+        COMPARE_NEAR(speeds_mps[2] - speeds_mps[1], speeds_mps[1] - speeds_mps[0], 0.0021);
+    }
+
+    void driftStaysWithinTheLimits()
+    {
+        test::MapFixture map;
+        map.view.zoomBy(0.002, QRectF(map.view.rect()).center());
+        map.view.setTool(MapToolKind::Iceberg);
+        const QPoint from(480, 200);
+        map.drag(from, QPoint(990, 690));
+        const Point drift_mps = map.scenario().icebergs.back().velocity_mps;
+        QVERIFY(drift_mps.cwiseAbs().maxCoeff() <= kLargestVelocity_mps);
+        QVERIFY(drift_mps.norm() > 0);
+    }
+
+    void dragFromAnIcebergChangesItsDrift()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        map.view.setTool(MapToolKind::Iceberg);
+        map.drag(map.iceberg(0), map.iceberg(0) + QPoint(70, 0));
+        QCOMPARE(map.undoCount(), 1);
+        QCOMPARE(map.scenario().icebergs.size(), std::size_t{4});
+        QVERIFY(map.scenario().icebergs[0].position_m == before.icebergs[0].position_m);
+        QVERIFY(map.scenario().icebergs[0].velocity_mps.x() > 0);
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
+    }
+
+    void escapeTakesAnIcebergBack()
+    {
+        test::MapFixture map;
+        map.view.setTool(MapToolKind::Iceberg);
+        const QPoint from = map.pixelOf(kWater_m);
+        map.drag(from, from + QPoint(70, 30), {}, false);
+        QTest::keyClick(&map.view, Qt::Key_Escape);
+        QVERIFY(map.view.tool() == MapToolKind::Iceberg); // the first Esc is for the drag
+        map.release(from + QPoint(70, 30));
+        QCOMPARE(map.scenario().icebergs.size(), std::size_t{4});
+        QCOMPARE(map.undoCount(), 0);
+        QVERIFY(map.selection.isEmpty());
+    }
+
+    void clickPlacesTheUav()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        map.view.setTool(MapToolKind::Uav);
+        map.click(map.pixelOf(kWater_m));
+        QCOMPARE(map.undoCount(), 1);
+        const Uav& uav = map.scenario().uavs.front();
+        QVERIFY((uav.position_m - kWater_m).norm() < 2 / map.view.view().scale_pxpm());
+        COMPARE_NEAR(uav.heading_deg, before.uavs.front().heading_deg, 0);
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
+    }
+
+    void pressDragTurnsTheUav_data()
+    {
+        QTest::addColumn<QPoint>("way");
+        QTest::addColumn<double>("heading_deg");
+        QTest::newRow("north") << QPoint(0, -80) << 0.0;
+        QTest::newRow("east") << QPoint(80, 0) << 90.0;
+        QTest::newRow("south-west") << QPoint(-60, 60) << 225.0;
+    }
+
+    void pressDragTurnsTheUav()
+    {
+        QFETCH(QPoint, way);
+        QFETCH(double, heading_deg);
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        map.view.setTool(MapToolKind::Uav);
+        const QPoint from = map.pixelOf(kWater_m);
+        map.drag(from, from + way);
+        QCOMPARE(map.undoCount(), 1);
+        COMPARE_NEAR(map.scenario().uavs.front().heading_deg, heading_deg, 0);
+        map.document.undoStack()->undo();
+        // From the UAV itself it turns on the spot. Its centre is up to half a pixel from where the
+        // press can be, which over 80 px is half a degree.
+        const Point place_m = before.uavs.front().position_m;
+        map.drag(map.uav(), map.uav() + way);
+        QVERIFY(map.scenario().uavs.front().position_m == place_m);
+        const double off_deg =
+            std::remainder(map.scenario().uavs.front().heading_deg - heading_deg, 360.0);
+        QVERIFY(std::abs(off_deg) <= 1);
+    }
+
+    void aScenarioWithoutUavGetsOne()
+    {
+        test::MapFixture map;
+        Scenario scenario = map.scenario();
+        scenario.uavs.clear();
+        map.document.reset(scenario);
+        map.view.setTool(MapToolKind::Uav);
+        map.click(map.pixelOf(kWater_m));
+        QCOMPARE(map.scenario().uavs.size(), std::size_t{1});
+        QCOMPARE(map.scenario().uavs.front().id, std::string("uav-1"));
+        QCOMPARE(map.selection.ids(), (Ids{"uav-1"}));
+    }
+
+    void panToolMovesTheMapOnly()
+    {
+        test::MapFixture map;
+        const Scenario before = map.scenario();
+        map.view.setTool(MapToolKind::Pan);
+        const QPointF corner = map.view.toScreen({0, 0});
+        map.drag(map.iceberg(2), map.iceberg(2) + QPoint(50, 20));
+        COMPARE_NEAR(map.view.toScreen({0, 0}).x(), corner.x() + 50, 1e-6);
+        COMPARE_NEAR(map.view.toScreen({0, 0}).y(), corner.y() + 20, 1e-6);
+        QVERIFY(map.scenario() == before);
+        QCOMPARE(map.undoCount(), 0);
+    }
+
+    void positionsStayInRange()
+    {
+        test::MapFixture map;
+        map.view.zoomBy(1e-9, QRectF(map.view.rect()).center()); // the whole range and more
+        map.view.setTool(MapToolKind::Iceberg);
+        map.click({985, 300});
+        const Iceberg& added = map.scenario().icebergs.back();
+        QVERIFY(added.position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m);
+        QVERIFY(map.document.issues().empty() || !hasErrors(map.document.issues()));
+    }
+
+    void toolsSayWhatTheyExpect()
+    {
+        test::MapFixture map;
+        QSignalSpy said(&map.view, &MapView::statusText);
+        QSet<QString> texts;
+        for (const MapToolKind kind :
+             {MapToolKind::Iceberg, MapToolKind::Uav, MapToolKind::Pan, MapToolKind::Select}) {
+            map.view.setTool(kind);
+            QVERIFY(!said.isEmpty());
+            texts.insert(said.last().at(0).toString());
+        }
+        QCOMPARE(texts.size(), 4);
+        QVERIFY(!texts.contains(QString()));
+    }
+};
+
+QTEST_MAIN(TestMapTools)
+#include "tst_map_tools.moc"

@@ -1,0 +1,141 @@
+#include "core/scenario/presets.h"
+#include "tests/support/approx.h"
+#include "widgets/charts/mission_charts.h"
+#include "widgets/map/mission_picture.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <set>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QLocale kLocale(QLocale::English);
+
+/** Five icebergs, the last appearing at 100 s, flown for `time_s`. */
+Mission flown(double time_s)
+{
+    FieldSpec field;
+    field.icebergs = 5;
+    Scenario scenario = randomScenario(7, field);
+    scenario.duration_s = 300;
+    scenario.name = "Test field";
+    scenario.planner.policy = PolicyKind::Nearest;
+    scenario.icebergs.back().appears_s = 100;
+    scenario.icebergs.front().name = "Big one";
+    scenario.current_mps = {0.2, 0};
+    Mission mission(scenario);
+    mission.advance(time_s);
+    return mission;
+}
+
+} // namespace
+
+class TestMissionPicture : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void pictureShowsThePresent()
+    {
+        const Mission mission = flown(300);
+        const MapPicture picture = missionPicture(recordOf(mission), kLocale);
+        QCOMPARE(picture.title, u"Test field"_s);
+        QCOMPARE(picture.icebergs.size(), std::size_t{5});
+        QCOMPARE(picture.icebergs[0].id, u"Big one"_s);
+        QCOMPARE(picture.icebergs[1].id, QString::fromStdString(mission.scenario().icebergs[1].id));
+        for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
+            const int index = static_cast<int>(i);
+            const MapIceberg& shown = picture.icebergs[i];
+            QVERIFY(shown.position_m == mission.simulation().estimate_m(index));
+            COMPARE_NEAR(shown.sigma_m2, mission.simulation().track(index).sigma_m2, 0);
+            QVERIFY(shown.sigma_m2 <= picture.sigmaFull_m2);
+            // The arrow shows the way over ground: own velocity and current.
+            const Point expected_mps = mission.scenario().icebergs[i].velocity_mps + Point(0.2, 0);
+            QVERIFY(shown.velocity_mps == expected_mps);
+        }
+        QVERIFY(picture.uav->position_m == mission.simulation().state().uav.position_m);
+        QCOMPARE(picture.readouts[0].value, u"05:00"_s);
+        QCOMPARE(picture.readouts[2].value, QString::number(mission.metrics().visits));
+    }
+
+    void wholeTrackIsShown()
+    {
+        const Mission mission = flown(300);
+        const MapPicture picture = missionPicture(recordOf(mission), kLocale);
+        QCOMPARE(picture.track.size(), mission.recorder().samples().size());
+        COMPARE_NEAR(picture.track.front().time_s, 0, 0);
+        COMPARE_NEAR(picture.track.back().time_s, 300, 1e-9);
+    }
+
+    void planIsTheOneInForce()
+    {
+        const Mission mission = flown(300);
+        const MapPicture picture = missionPicture(recordOf(mission), kLocale);
+        QCOMPARE(picture.plan, mission.plans().back().order);
+        const std::set<int> once(picture.plan.begin(), picture.plan.end());
+        QCOMPARE(once.size(), picture.plan.size());
+    }
+
+    void icebergsToComeAreNotShown()
+    {
+        const Mission mission = flown(50);
+        const MapPicture picture = missionPicture(recordOf(mission), kLocale);
+        QCOMPARE(picture.icebergs.size(), std::size_t{4});
+        for (const int index : picture.plan)
+            QVERIFY(index < 4);
+    }
+
+    void zetaChartEndsAtTheMetrics()
+    {
+        const Mission mission = flown(300);
+        const TimeChartContent content = zetaContent(recordOf(mission), kLocale);
+        QCOMPARE(content.lines.size(), std::size_t{2});
+        const TimeLine& zeta = content.lines[0];
+        QVERIFY(zeta.onRightAxis);
+        COMPARE_NEAR(zeta.points.back().y(), mission.metrics().zeta_m2s, 1e-9);
+        COMPARE_NEAR(zeta.points.back().x(), 300, 1e-9);
+        QCOMPARE(static_cast<int>(content.marks_s.size()), mission.metrics().visits);
+        COMPARE_NEAR(content.duration_s, 300, 1e-9);
+    }
+
+    void oneFormerlyUncertainIcebergDoesNotSetTheScale()
+    {
+        Scenario scenario = flown(0).scenario();
+        for (Iceberg& iceberg : scenario.icebergs) {
+            iceberg.sigma0_m2 = 4;
+            iceberg.appears_s = 0;
+            iceberg.q_m2ps = 0.01; // 7 m^2 at most at the end
+        }
+        // In view of the UAV at the start, so that its 900 m^2 are gone at once.
+        scenario.icebergs[0].sigma0_m2 = 900;
+        scenario.icebergs[0].position_m = scenario.uavs[0].position_m + Point(250, 250);
+        Mission mission(scenario);
+        mission.advance(300);
+        COMPARE_NEAR(sigmaScaleEnd_m2(recordOf(mission)), 8, 1e-9);
+        // An uncertainty that is there now always counts.
+        scenario.icebergs[0].position_m = Point(90000, 0);
+        Mission away(scenario);
+        away.advance(30);
+        COMPARE_NEAR(sigmaScaleEnd_m2(recordOf(away)), 1000, 1e-9);
+    }
+
+    void sigmaChartHasALineForEachIceberg()
+    {
+        const Mission mission = flown(300);
+        const TimeChartContent content = sigmaContent(recordOf(mission), kLocale);
+        QCOMPARE(content.lines.size(), std::size_t{5});
+        QCOMPARE(content.lines[0].label, u"Big one"_s);
+        for (std::size_t i = 0; i < content.lines.size(); ++i) {
+            QVERIFY(!content.lines[i].points.empty());
+            COMPARE_NEAR(content.lines[i].points.back().y(),
+                         mission.simulation().track(static_cast<int>(i)).sigma_m2, 1e-12);
+        }
+    }
+};
+
+QTEST_MAIN(TestMissionPicture)
+#include "tst_mission_picture.moc"

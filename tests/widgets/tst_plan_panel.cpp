@@ -1,0 +1,272 @@
+#include "tests/support/approx.h"
+#include "tests/support/panel_test.h"
+#include "tests/support/scenario_builder.h"
+#include "widgets/panels/plan_model.h"
+#include "widgets/panels/plan_panel.h"
+
+#include <QLabel>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTableView>
+
+#include <cmath>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+std::vector<PlanRow> rowsOf(const std::vector<std::string>& ids)
+{
+    std::vector<PlanRow> rows;
+    for (const std::string& id : ids)
+        rows.push_back({.id = id,
+                        .name = QString::fromStdString(id),
+                        .leg_m = 1000,
+                        .arrival_s = 60 * static_cast<double>(rows.size() + 1),
+                        .sigma_m2 = 4});
+    return rows;
+}
+
+std::vector<std::string> manyIds()
+{
+    std::vector<std::string> ids;
+    for (int i = 0; i < 40; ++i)
+        ids.push_back(u"b%1"_s.arg(i).toStdString());
+    return ids;
+}
+
+/** UAV at (0, 0); icebergs estimated at (300, 400) and, drifting, (300, 1000) at time 100. */
+MissionSnapshot twoIcebergs(const Scenario& scenario)
+{
+    MissionSnapshot now;
+    now.time_s = 100;
+    now.icebergs = scenario.icebergs;
+    now.world.tracks = {
+        {.anchor_m = Point(300, 400), .sigma_m2 = 2.5},
+        {.anchor_m = Point(250, 900), .anchor_s = 50, .velocity_mps = Point(1, 2), .sigma_m2 = 7}};
+    now.plan = PlanEvent{.order = {0, 1}};
+    return now;
+}
+
+Scenario twoIcebergScenario()
+{
+    Scenario scenario = test::emptySea();
+    scenario.uavs.front().spec.airspeed_mps = 20;
+    test::addIceberg(scenario, 0, 0);
+    test::addIceberg(scenario, 0, 0).name = "Tabular";
+    return scenario;
+}
+
+struct Fixture
+{
+    PlanPanel panel;
+    QTableView& table = test::child<QTableView>(panel, u"planTable"_s);
+    QAbstractItemModel& model = *table.model();
+    QSignalSpy hovered{&panel, &PlanPanel::hovered};
+    QSignalSpy activated{&panel, &PlanPanel::activated};
+
+    Fixture()
+    {
+        panel.setLocale(QLocale::c());
+        panel.resize(test::kDock_px, 240);
+        panel.show();
+    }
+    [[nodiscard]] QString cell(int row, int column) const
+    {
+        return model.index(row, column).data().toString();
+    }
+    [[nodiscard]] QPoint centre(int row) const
+    {
+        return table.visualRect(model.index(row, PlanModel::Name)).center();
+    }
+    [[nodiscard]] int chosenRow() const
+    {
+        const QModelIndexList rows = table.selectionModel()->selectedRows();
+        return rows.isEmpty() ? -1 : rows.front().row();
+    }
+};
+
+std::string lastId(const QSignalSpy& spy)
+{
+    return spy.back().front().value<std::string>();
+}
+
+} // namespace
+
+class TestPlanPanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { qRegisterMetaType<std::string>("std::string"); }
+    void init() { test::failOnWarnings(); }
+
+    void legsAndArrivalsInCalmAir()
+    {
+        const Scenario scenario = twoIcebergScenario();
+        const std::vector<PlanRow> rows = planRows(twoIcebergs(scenario), scenario);
+        QCOMPARE(rows.size(), std::size_t{2});
+        QCOMPARE(rows[0].id, "berg-1");
+        QCOMPARE(rows[0].name, u"berg-1"_s);
+        QCOMPARE(rows[1].name, u"Tabular"_s);
+        // 3-4-5 triangle of 500 m, then 600 m due north, at 20 m/s; rounding only.
+        COMPARE_NEAR(rows[0].leg_m, 500.0, 1e-9);
+        COMPARE_NEAR(rows[0].arrival_s, 25.0, 1e-9);
+        COMPARE_NEAR(rows[1].leg_m, 600.0, 1e-9);
+        COMPARE_NEAR(rows[1].arrival_s, 55.0, 1e-9);
+        QCOMPARE(rows[0].sigma_m2, 2.5);
+        QCOMPARE(rows[1].sigma_m2, 7.0);
+    }
+
+    void windChangesTimesNotLegs()
+    {
+        Scenario scenario = twoIcebergScenario();
+        scenario.wind_mps = Point(0, 12);
+        const std::vector<PlanRow> rows = planRows(twoIcebergs(scenario), scenario);
+        // Leg (300, 400): along (0.6, 0.8) the wind gives 9.6, across it 7.2 m/s, so the ground
+        // speed is 9.6 + sqrt(20^2 - 7.2^2). Leg due north: 20 + 12.
+        const double first_s = 500 / (9.6 + std::sqrt(400 - 51.84));
+        COMPARE_NEAR(rows[0].leg_m, 500.0, 1e-9);
+        COMPARE_NEAR(rows[0].arrival_s, first_s, 1e-9);
+        COMPARE_NEAR(rows[1].arrival_s, first_s + 600.0 / 32, 1e-9);
+    }
+
+    void noPlanNoRows()
+    {
+        const Scenario scenario = twoIcebergScenario();
+        MissionSnapshot now = twoIcebergs(scenario);
+        now.plan.reset();
+        QVERIFY(planRows(now, scenario).empty());
+    }
+
+    void cellsHaveWordsAndUnits()
+    {
+        Fixture f;
+        f.panel.showPlan({{.id = "berg-7",
+                           .name = u"Tabular"_s,
+                           .leg_m = 1852,
+                           .arrival_s = 86,
+                           .sigma_m2 = 8.1}});
+        QCOMPARE(f.cell(0, PlanModel::Number), u"1"_s);
+        QCOMPARE(f.cell(0, PlanModel::Name), u"Tabular"_s);
+        QCOMPARE(f.cell(0, PlanModel::Leg), u"1.85 km"_s);
+        QCOMPARE(f.cell(0, PlanModel::Arrival), u"in 01:26"_s);
+        QCOMPARE(f.cell(0, PlanModel::Sigma), u"8.10"_s);
+        QVERIFY(f.model.headerData(PlanModel::Sigma, Qt::Horizontal).toString().contains(u"m²"_s));
+        const QString toolTip = f.model.index(0, PlanModel::Sigma).data(Qt::ToolTipRole).toString();
+        QVERIFY2(toolTip.contains(u"2.85 m"_s), qPrintable(toolTip)); // root of 8.1
+    }
+
+    void onlyChangedRowsAreRedrawn()
+    {
+        Fixture f;
+        std::vector<PlanRow> rows = rowsOf({"a", "b", "c"});
+        f.panel.showPlan(rows);
+        QSignalSpy reset(&f.model, &QAbstractItemModel::modelReset);
+        QSignalSpy changed(&f.model, &QAbstractItemModel::dataChanged);
+        rows[1].arrival_s += 0.1; // still 02:00
+        f.panel.showPlan(rows);
+        QCOMPARE(changed.count(), 0);
+        rows[1].arrival_s += 1;
+        f.panel.showPlan(rows);
+        QCOMPARE(changed.count(), 1);
+        QCOMPARE(changed.front().front().toModelIndex().row(), 1);
+        QCOMPARE(reset.count(), 0);
+    }
+
+    void chosenRowFollowsItsIceberg()
+    {
+        Fixture f;
+        f.panel.showPlan(rowsOf({"a", "b", "c"}));
+        QTest::mouseClick(f.table.viewport(), Qt::LeftButton, {}, f.centre(2));
+        QCOMPARE(f.activated.count(), 1);
+        QCOMPARE(lastId(f.activated), "c");
+        f.panel.showPlan(rowsOf({"b", "c", "a"}));
+        QCOMPARE(f.chosenRow(), 1);
+        f.panel.showPlan(rowsOf({"b"}));
+        QCOMPARE(f.chosenRow(), -1);
+        f.panel.showPlan(rowsOf({"c", "b"}));
+        QCOMPARE(f.chosenRow(), 0);
+        QCOMPARE(f.activated.count(), 1);
+    }
+
+    void scrollPositionStays()
+    {
+        Fixture f;
+        f.panel.showPlan(rowsOf(manyIds()));
+        QTest::mouseClick(f.table.viewport(), Qt::LeftButton, {}, f.centre(0));
+        QScrollBar* bar = f.table.verticalScrollBar();
+        bar->setValue(bar->maximum() / 2);
+        const int at_px = bar->value();
+        QVERIFY(at_px > 0);
+        std::vector<std::string> ids = manyIds();
+        std::rotate(ids.begin(), ids.begin() + 1, ids.end());
+        f.panel.showPlan(rowsOf(ids)); // the chosen one is last now
+        QCOMPARE(bar->value(), at_px);
+        QCOMPARE(f.chosenRow(), static_cast<int>(ids.size()) - 1);
+    }
+
+    void keysWalkAndReturnActivates()
+    {
+        Fixture f;
+        f.panel.showPlan(rowsOf({"a", "b", "c"}));
+        f.table.setCurrentIndex(f.model.index(0, 0));
+        QTest::keyClick(&f.table, Qt::Key_Down);
+        f.panel.showPlan(rowsOf({"a", "b", "c"})); // an update does not undo the step
+        QCOMPARE(f.chosenRow(), 1);
+        QTest::keyClick(&f.table, Qt::Key_Return);
+        QCOMPARE(f.activated.count(), 1);
+        QCOMPARE(lastId(f.activated), "b");
+    }
+
+    void pointerTellsWhichIceberg()
+    {
+        Fixture f;
+        f.panel.showPlan(rowsOf({"a", "b"}));
+        QTest::mouseMove(f.table.viewport(), f.centre(1));
+        QTRY_COMPARE(f.hovered.count(), 1);
+        QCOMPARE(lastId(f.hovered), "b");
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(f.table.viewport(), &leave);
+        QCOMPARE(f.hovered.count(), 2);
+        QVERIFY(lastId(f.hovered).empty());
+    }
+
+    void highlightMarksOneRow()
+    {
+        Fixture f;
+        f.panel.showPlan(rowsOf({"a", "b"}));
+        f.panel.setHighlight("b");
+        QVERIFY(!f.model.index(0, 0).data(PlanModel::HighlightRole).toBool());
+        QVERIFY(f.model.index(1, 0).data(PlanModel::HighlightRole).toBool());
+        f.panel.setHighlight({});
+        QVERIFY(!f.model.index(1, 0).data(PlanModel::HighlightRole).toBool());
+        QCOMPARE(f.hovered.count() + f.activated.count(), 0);
+    }
+
+    void emptyPlanSaysWhy()
+    {
+        Fixture f;
+        f.panel.showPlan({});
+        QVERIFY(test::child<QLabel>(f.panel, u"planEmpty"_s).isVisible());
+        f.panel.showPlan(rowsOf({"a"}));
+        QVERIFY(!test::child<QLabel>(f.panel, u"planEmpty"_s).isVisible());
+    }
+
+    void columnsFitTheDock()
+    {
+        const test::LongerTexts longer;
+        Fixture f;
+        f.panel.showPlan(rowsOf(manyIds()));
+        int width_px = 0;
+        for (int column = 0; column < PlanModel::ColumnCount; ++column)
+            width_px += f.table.columnWidth(column);
+        QVERIFY(width_px <= f.table.viewport()->width());
+        QVERIFY(f.table.columnWidth(PlanModel::Name) >=
+                QFontMetrics(f.table.font()).horizontalAdvance(u"b39"_s));
+    }
+};
+
+QTEST_MAIN(TestPlanPanel)
+#include "tst_plan_panel.moc"

@@ -1,0 +1,210 @@
+#include "tests/support/panel_test.h"
+#include "widgets/panels/playback_bar.h"
+#include "widgets/theme/icons.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QSignalSpy>
+#include <QToolButton>
+
+#include <set>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Fixture
+{
+    PlaybackBar bar;
+    QToolButton& play = test::child<QToolButton>(bar, u"playButton"_s);
+    QToolButton& step = test::child<QToolButton>(bar, u"stepButton"_s);
+    QToolButton& reset = test::child<QToolButton>(bar, u"resetButton"_s);
+    QComboBox& rate = test::child<QComboBox>(bar, u"rateCombo"_s);
+    QSignalSpy played{&bar, &PlaybackBar::playRequested};
+    QSignalSpy paused{&bar, &PlaybackBar::pauseRequested};
+    QSignalSpy stepped{&bar, &PlaybackBar::stepRequested};
+    QSignalSpy wasReset{&bar, &PlaybackBar::resetRequested};
+    QSignalSpy rateEdited{&bar, &PlaybackBar::rateEdited};
+
+    Fixture()
+    {
+        bar.resize(600, bar.sizeHint().height());
+        bar.show();
+    }
+};
+
+/** The icon on a transparent ground, `side_px` high. */
+QImage drawn(IconName name, const Theme& theme, int side_px, QIcon::Mode mode = QIcon::Normal)
+{
+    return icon(name, theme).pixmap(QSize(side_px, side_px), mode).toImage();
+}
+
+void addThemes()
+{
+    QTest::addColumn<bool>("isDark");
+    QTest::newRow("light") << false;
+    QTest::newRow("dark") << true;
+}
+
+} // namespace
+
+class TestPlaybackBar : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void buttonsFollowThePhase_data()
+    {
+        QTest::addColumn<RunPhase>("phase");
+        QTest::addColumn<bool>("play");
+        QTest::addColumn<bool>("step");
+        QTest::addColumn<bool>("reset");
+        QTest::newRow("planning") << RunPhase::Planning << false << false << false;
+        QTest::newRow("ready") << RunPhase::Ready << true << true << false;
+        QTest::newRow("flying") << RunPhase::Flying << true << true << true;
+        QTest::newRow("paused") << RunPhase::Paused << true << true << true;
+        QTest::newRow("finished") << RunPhase::Finished << true << false << true;
+        QTest::newRow("failed") << RunPhase::Failed << false << false << false;
+    }
+
+    void buttonsFollowThePhase()
+    {
+        QFETCH(RunPhase, phase);
+        QFETCH(bool, play);
+        QFETCH(bool, step);
+        QFETCH(bool, reset);
+        Fixture f;
+        f.bar.showState(phase, 0, 1000);
+        QCOMPARE(f.play.isEnabled(), play);
+        QCOMPARE(f.step.isEnabled(), step);
+        QCOMPARE(f.reset.isEnabled(), reset);
+        QVERIFY(!f.play.toolTip().isEmpty());
+    }
+
+    void eachButtonAsksOnce()
+    {
+        Fixture f;
+        f.bar.showState(RunPhase::Paused, 10, 1000);
+        f.play.click();
+        QCOMPARE(f.played.count(), 1);
+        QCOMPARE(f.paused.count(), 0);
+        f.bar.showState(RunPhase::Flying, 10, 1000);
+        QCOMPARE(f.play.accessibleName(), u"Pause"_s);
+        f.play.click();
+        QCOMPARE(f.played.count(), 1);
+        QCOMPARE(f.paused.count(), 1);
+        f.step.click();
+        f.reset.click();
+        QCOMPARE(f.stepped.count(), 1);
+        QCOMPARE(f.wasReset.count(), 1);
+    }
+
+    void rateIsToldByTheUserOnly()
+    {
+        Fixture f;
+        QCOMPARE(f.bar.rate(), 10.0);
+        f.bar.setRate(50);
+        QCOMPARE(f.bar.rate(), 50.0);
+        QCOMPARE(f.rateEdited.count(), 0);
+        QTest::keyClick(&f.rate, Qt::Key_End);
+        QCOMPARE(f.rateEdited.count(), 1);
+        QCOMPARE(f.rateEdited.front().front().toDouble(), 0.0);
+        QCOMPARE(f.bar.rate(), 0.0);
+    }
+
+    void nearestRateIsChosen_data()
+    {
+        QTest::addColumn<double>("asked");
+        QTest::addColumn<double>("chosen");
+        QTest::newRow("on offer") << 20.0 << 20.0;
+        QTest::newRow("between") << 40.0 << 50.0;
+        QTest::newRow("beyond") << 1e6 << 100.0;
+        QTest::newRow("as fast as possible") << 0.0 << 0.0;
+    }
+
+    void nearestRateIsChosen()
+    {
+        QFETCH(double, asked);
+        QFETCH(double, chosen);
+        Fixture f;
+        f.bar.setRate(asked);
+        QCOMPARE(f.bar.rate(), chosen);
+    }
+
+    void timeAndProgress()
+    {
+        Fixture f;
+        const auto& time = test::child<QLabel>(f.bar, u"runTime"_s);
+        const auto& progress = test::child<QProgressBar>(f.bar, u"runProgress"_s);
+        f.bar.showState(RunPhase::Flying, 201, 1000);
+        QCOMPARE(time.text(), u"03:21 / 16:40"_s);
+        QCOMPARE(progress.value(), progress.maximum() * 201 / 1000);
+        f.bar.showState(RunPhase::Flying, 3725, 7200);
+        QCOMPARE(time.text(), u"1:02:05 / 2:00:00"_s);
+        f.bar.showState(RunPhase::Ready, 0, 0);
+        QCOMPARE(progress.value(), 0);
+    }
+
+    void barFitsTheDock()
+    {
+        const test::LongerTexts longer;
+        Fixture f;
+        f.bar.showState(RunPhase::Flying, 201, 1000);
+        QVERIFY(f.bar.minimumSizeHint().width() <= test::kDock_px);
+    }
+
+    void iconsAreReadable_data() { addThemes(); }
+
+    void iconsAreReadable()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = isDark ? Theme::dark() : Theme::light();
+        for (int i = 0; i < kIconCount; ++i) {
+            const QImage image = drawn(static_cast<IconName>(i), theme, 48);
+            int inked = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x) {
+                    const QColor colour = image.pixelColor(x, y);
+                    if (colour.alpha() < 250)
+                        continue;
+                    ++inked;
+                    // Lines that carry meaning: WCAG 2.1, 1.4.11.
+                    QVERIFY(contrastRatio(colour, theme.panel) >= 3);
+                }
+            // A line of a tenth of the side across the icon at least, and far from a blot.
+            QVERIFY2(inked > 48 * 48 / 25, QByteArray::number(i).constData());
+            QVERIFY2(inked < 48 * 48 / 2, QByteArray::number(i).constData());
+        }
+    }
+
+    void iconsDifferAndStayInside()
+    {
+        std::set<QByteArray> seen;
+        for (int i = 0; i < kIconCount; ++i) {
+            const QImage image = drawn(static_cast<IconName>(i), Theme::light(), 96);
+            seen.insert(
+                QByteArray(reinterpret_cast<const char*>(image.constBits()), image.sizeInBytes()));
+            for (int at = 0; at < 96; ++at) {
+                QCOMPARE(image.pixelColor(at, 0).alpha(), 0);
+                QCOMPARE(image.pixelColor(at, 95).alpha(), 0);
+                QCOMPARE(image.pixelColor(0, at).alpha(), 0);
+                QCOMPARE(image.pixelColor(95, at).alpha(), 0);
+            }
+        }
+        QCOMPARE(static_cast<int>(seen.size()), kIconCount);
+    }
+
+    void disabledIconsAreFainter()
+    {
+        const Theme theme = Theme::light();
+        QVERIFY(drawn(IconName::Play, theme, 24) !=
+                drawn(IconName::Play, theme, 24, QIcon::Disabled));
+    }
+};
+
+QTEST_MAIN(TestPlaybackBar)
+#include "tst_playback_bar.moc"

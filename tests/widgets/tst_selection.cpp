@@ -1,0 +1,111 @@
+#include "tests/support/scenario_builder.h"
+#include "widgets/model/scenario_edits.h"
+#include "widgets/model/selection.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace berg;
+using Ids = std::vector<std::string>;
+
+class TestSelection : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void keepsTheOrderOfSelecting()
+    {
+        Selection selection;
+        QVERIFY(selection.isEmpty());
+        selection.toggle("berg-2");
+        selection.toggle("uav-1");
+        selection.toggle("berg-1");
+        QCOMPARE(selection.ids(), (Ids{"berg-2", "uav-1", "berg-1"}));
+        selection.toggle("uav-1");
+        QCOMPARE(selection.ids(), (Ids{"berg-2", "berg-1"}));
+        QVERIFY(selection.contains("berg-1"));
+        QVERIFY(!selection.contains("uav-1"));
+    }
+
+    void anIdCountsOnce()
+    {
+        Selection selection;
+        selection.set({"a", "b", "a"});
+        QCOMPARE(selection.ids(), (Ids{"a", "b"}));
+    }
+
+    void tellsOnlyOfRealChanges()
+    {
+        Selection selection;
+        const QSignalSpy changed(&selection, &Selection::changed);
+        selection.clear();
+        selection.set({});
+        QCOMPARE(changed.count(), 0);
+        selection.set({"a", "b"});
+        QCOMPARE(changed.count(), 1);
+        selection.set({"a", "b"});
+        selection.set({"a", "b", "b"});
+        QCOMPARE(changed.count(), 1);
+        selection.set({"b", "a"});
+        QCOMPARE(changed.count(), 2);
+        selection.toggle("a");
+        QCOMPARE(changed.count(), 3);
+        selection.clear();
+        QCOMPARE(changed.count(), 4);
+    }
+
+    void dropsWhatIsGone()
+    {
+        Scenario scenario = test::emptySea();
+        test::addIceberg(scenario, 100, 0);
+        test::addIceberg(scenario, 200, 0);
+        Selection selection;
+        selection.set({"berg-2", "berg-7", "uav-1", "uav-9"});
+        const QSignalSpy changed(&selection, &Selection::changed);
+        selection.keepExisting(scenario);
+        QCOMPARE(selection.ids(), (Ids{"berg-2", "uav-1"}));
+        selection.keepExisting(scenario);
+        QCOMPARE(changed.count(), 1);
+    }
+
+    void freshIdsClashWithNothing()
+    {
+        Scenario scenario = test::emptySea();
+        QCOMPARE(freshIcebergId(scenario), std::string("berg-1"));
+        test::addIceberg(scenario, 0, 0).id = "berg-2";
+        // One iceberg: the search begins at 2, which is taken.
+        QCOMPARE(freshIcebergId(scenario), std::string("berg-3"));
+        scenario.uavs[0].id = "berg-3";
+        QCOMPARE(freshIcebergId(scenario), std::string("berg-4"));
+        test::addIceberg(scenario, 0, 0).id = "uav-1";
+        QCOMPARE(freshUavId(scenario), std::string("uav-2"));
+    }
+
+    void aGroupKeepsItsFormAtTheLimit()
+    {
+        Scenario scenario = test::emptySea();
+        test::addIceberg(scenario, kLargestCoordinate_m - 100, 0);
+        test::addIceberg(scenario, 0, -kLargestCoordinate_m + 300);
+        moveObjects(scenario, Ids{"berg-1", "berg-2", "gone"}, {500, -1000});
+        QVERIFY(scenario.icebergs[0].position_m == Point(kLargestCoordinate_m, -300));
+        QVERIFY(scenario.icebergs[1].position_m == Point(100, -kLargestCoordinate_m));
+        moveObjects(scenario, Ids{"uav-1"}, {5e6, -5e6});
+        QVERIFY(scenario.uavs[0].position_m == Point(kLargestCoordinate_m, -kLargestCoordinate_m));
+    }
+
+    void removesIcebergsOnly()
+    {
+        Scenario scenario = test::emptySea();
+        test::addIceberg(scenario, 0, 0);
+        test::addIceberg(scenario, 1, 0);
+        removeIcebergs(scenario, Ids{"berg-1", "uav-1"});
+        QCOMPARE(scenario.icebergs.size(), std::size_t{1});
+        QCOMPARE(scenario.icebergs[0].id, std::string("berg-2"));
+        QCOMPARE(scenario.uavs.size(), std::size_t{1});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSelection)
+#include "tst_selection.moc"

@@ -1,0 +1,172 @@
+#include "tests/support/approx.h"
+#include "widgets/theme/theme.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace berg;
+
+namespace {
+
+constexpr double kTextContrast = 4.5; // WCAG 2.1, 1.4.3
+constexpr double kLineContrast = 3.0; // WCAG 2.1, 1.4.11
+
+/** CIE lightness L* of a colour, 0 to 100. */
+double lightness(const QColor& colour)
+{
+    const double y = relativeLuminance(colour);
+    return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
+}
+
+struct Pair
+{
+    const char* name;
+    QColor Theme::*on;
+    QColor Theme::*below;
+    double least;
+};
+
+const std::vector<Pair>& pairs()
+{
+    static const std::vector<Pair> all = {
+        {"text on sea", &Theme::text, &Theme::sea, kTextContrast},
+        {"text on land", &Theme::text, &Theme::land, kTextContrast},
+        {"text on panel", &Theme::text, &Theme::panel, kTextContrast},
+        {"text on chart", &Theme::text, &Theme::chart, kTextContrast},
+        {"muted text on panel", &Theme::mutedText, &Theme::panel, kTextContrast},
+        {"muted text on chart", &Theme::mutedText, &Theme::chart, kTextContrast},
+        {"graticule text on sea", &Theme::graticuleText, &Theme::sea, kTextContrast},
+        {"number in an order circle", &Theme::planText, &Theme::plan, kTextContrast},
+        {"label of the sum of sigma", &Theme::momentary, &Theme::chart, kTextContrast},
+        {"label of zeta", &Theme::accumulated, &Theme::chart, kTextContrast},
+        {"UAV on sea", &Theme::uav, &Theme::sea, kLineContrast},
+        {"UAV on panel", &Theme::uav, &Theme::panel, kLineContrast},
+        {"marks on chart", &Theme::uav, &Theme::chart, kLineContrast},
+        {"plan on sea", &Theme::plan, &Theme::sea, kLineContrast},
+        {"track on sea", &Theme::track, &Theme::sea, kLineContrast},
+        {"comparison on sea", &Theme::comparison, &Theme::sea, kLineContrast},
+        {"symbol outline on sea", &Theme::ink, &Theme::sea, kLineContrast},
+        {"symbol outline on panel", &Theme::ink, &Theme::panel, kLineContrast},
+        {"coast against sea", &Theme::coast, &Theme::sea, kLineContrast},
+        {"coast against land", &Theme::coast, &Theme::land, kLineContrast},
+        {"axis on chart", &Theme::chartAxis, &Theme::chart, kLineContrast},
+    };
+    return all;
+}
+
+void addThemes()
+{
+    QTest::addColumn<bool>("isDark");
+    QTest::newRow("light") << false;
+    QTest::newRow("dark") << true;
+}
+
+Theme themeOf(bool isDark)
+{
+    return isDark ? Theme::dark() : Theme::light();
+}
+
+} // namespace
+
+class TestTheme : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void contrastOfKnownColours()
+    {
+        // Definition of WCAG 2.1: 21 for black on white, 1 for equal colours.
+        COMPARE_NEAR(contrastRatio(Qt::black, Qt::white), 21.0, 1e-9);
+        COMPARE_NEAR(contrastRatio(Qt::white, Qt::black), 21.0, 1e-9);
+        COMPARE_NEAR(contrastRatio(Qt::red, Qt::red), 1.0, 1e-12);
+        // #767676 is the well-known lightest grey that passes 4.5 on white.
+        COMPARE_NEAR(contrastRatio(QColor(0x767676), Qt::white), 4.54, 0.005);
+    }
+
+    void contrastIsEnough_data()
+    {
+        QTest::addColumn<bool>("isDark");
+        QTest::addColumn<int>("pair");
+        for (const bool isDark : {false, true})
+            for (std::size_t i = 0; i < pairs().size(); ++i)
+                QTest::addRow("%s: %s", isDark ? "dark" : "light", pairs()[i].name)
+                    << isDark << static_cast<int>(i);
+    }
+
+    void contrastIsEnough()
+    {
+        QFETCH(bool, isDark);
+        QFETCH(int, pair);
+        const Theme theme = themeOf(isDark);
+        const Pair& p = pairs()[static_cast<std::size_t>(pair)];
+        const double ratio = contrastRatio(theme.*p.on, theme.*p.below);
+        QVERIFY2(ratio >= p.least, QByteArray::number(ratio).constData());
+    }
+
+    void sigmaIsVisibleEverywhere_data() { addThemes(); }
+
+    void sigmaIsVisibleEverywhere()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = themeOf(isDark);
+        for (int i = 0; i <= 100; ++i)
+            for (const QColor& below : {theme.sea, theme.panel, theme.chart})
+                QVERIFY2(contrastRatio(theme.sigma.at(i / 100.0), below) >= kLineContrast,
+                         QByteArray::number(i).constData());
+    }
+
+    void sigmaIsMonotoneAndEven_data() { addThemes(); }
+
+    /**
+     * Lightness runs one way, away from the background, in nearly equal steps: viridis is even to
+     * a few tenths of a unit of L*, and the table adds rounding to 8 bits.
+     */
+    void sigmaIsMonotoneAndEven()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = themeOf(isDark);
+        const double sign = isDark ? 1 : -1;
+        constexpr int kSteps = 20;
+        const double mean = (lightness(theme.sigma.at(1)) - lightness(theme.sigma.at(0))) / kSteps;
+        QVERIFY(sign * mean > 1); // a difference one can see from step to step
+        for (int i = 0; i < kSteps; ++i) {
+            const double step = lightness(theme.sigma.at((i + 1.0) / kSteps)) -
+                                lightness(theme.sigma.at(static_cast<double>(i) / kSteps));
+            QVERIFY(sign * step > 0);
+            COMPARE_NEAR(step, mean, 0.6);
+        }
+        QVERIFY(contrastRatio(theme.sigma.at(1), theme.sea) >
+                contrastRatio(theme.sigma.at(0), theme.sea));
+    }
+
+    void sigmaIsClamped()
+    {
+        const SigmaScale scale(false);
+        QCOMPARE(scale.colour(-1, 10), scale.at(0));
+        QCOMPARE(scale.colour(25, 10), scale.at(1));
+        QCOMPARE(scale.colour(5, 10), scale.at(0.5));
+        QCOMPARE(scale.colour(5, 0), scale.at(0));
+    }
+
+    void mixingEndsAtItsColours()
+    {
+        const QColor from(10, 20, 30);
+        const QColor to(200, 100, 0);
+        QCOMPARE(mixed(from, to, 0).rgba(), from.rgba());
+        QCOMPARE(mixed(from, to, 1).rgba(), to.rgba());
+        QCOMPARE(mixed(from, to, 0.5).rgb(), QColor(105, 60, 15).rgb());
+    }
+
+    void fontsAreInPixels()
+    {
+        const Theme theme = Theme::light();
+        QCOMPARE(theme.body().pixelSize(), 13);
+        QCOMPARE(theme.small().pixelSize(), 11);
+        QVERIFY(theme.strong().bold());
+        QVERIFY(theme.figure().pixelSize() > theme.body().pixelSize());
+    }
+};
+
+QTEST_MAIN(TestTheme)
+#include "tst_theme.moc"

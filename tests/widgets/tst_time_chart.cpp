@@ -1,0 +1,288 @@
+#include "tests/support/approx.h"
+#include "widgets/charts/chart_image.h"
+#include "widgets/charts/chart_labels.h"
+#include "widgets/charts/nice_ticks.h"
+#include "widgets/charts/time_chart.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <set>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/** Saw teeth of `lines` icebergs over 1000 s. */
+TimeChartContent sawTeeth(int lines)
+{
+    TimeChartContent content;
+    content.title = u"Uncertainty of each iceberg"_s;
+    content.leftTitle = u"σ, m²"_s;
+    content.sigmaFull_m2 = 30;
+    for (int i = 0; i < lines; ++i) {
+        TimeLine line{.label = u"B%1"_s.arg(i + 1), .points = {}, .role = LineRole::Sigma};
+        for (int t = 0; t <= 1000; ++t)
+            line.points.emplace_back(t, 0.025 * ((t + 83 * i) % 1000));
+        content.lines.push_back(line);
+    }
+    return content;
+}
+
+TimeChartContent zetaAndSum()
+{
+    TimeChartContent content;
+    content.title = u"Uncertainty now and accumulated"_s;
+    content.leftTitle = u"Sum of σ, m²"_s;
+    content.rightTitle = u"Zeta, m² s"_s;
+    TimeLine zeta{
+        .label = u"Zeta"_s, .points = {}, .role = LineRole::Accumulated, .onRightAxis = true};
+    TimeLine sum{.label = u"Sum of σ"_s, .points = {}, .role = LineRole::Momentary};
+    for (int t = 0; t <= 1000; ++t) {
+        sum.points.emplace_back(t, 80 + 20 * std::sin(0.03 * t));
+        zeta.points.emplace_back(t, 82.0 * t);
+    }
+    content.lines = {zeta, sum};
+    content.marks_s = {100, 300, 650};
+    content.marksTitle = u"iceberg reached"_s;
+    return content;
+}
+
+bool hasColour(const QImage& image, const QColor& colour)
+{
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (image.pixelColor(x, y).rgb() == colour.rgb())
+                return true;
+    return false;
+}
+
+} // namespace
+
+class TestTimeChart : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void linesAreDecimatedToThePixels()
+    {
+        TimeChartContent content = zetaAndSum();
+        for (TimeLine& line : content.lines) {
+            line.points.clear();
+            for (int i = 0; i < 100000; ++i)
+                line.points.emplace_back(0.01 * i, std::abs(std::sin(i)));
+        }
+        TimeChart chart(Theme::light());
+        chart.resize(900, 400);
+        chart.show();
+        chart.setContent(content);
+        for (const QList<QPointF>& points : chart.drawnPoints()) {
+            QVERIFY(points.size() <= 2 * 900);
+            QVERIFY(points.size() >= 900); // and no coarser than the pixels
+            QCOMPARE(points.front(), content.lines[0].points.front());
+            QCOMPARE(points.back(), content.lines[0].points.back());
+        }
+    }
+
+    void contentCanBeReplaced()
+    {
+        TimeChart chart(Theme::dark());
+        chart.resize(900, 400);
+        chart.show();
+        chart.setContent(sawTeeth(12));
+        QCOMPARE(chart.drawnPoints().size(), std::size_t{12});
+        chart.setContent(zetaAndSum());
+        QCOMPARE(chart.drawnPoints().size(), std::size_t{2});
+        QCOMPARE(chart.labelRects().size(), std::size_t{2});
+        QCOMPARE(chart.accessibleName(), u"Uncertainty now and accumulated"_s);
+    }
+
+    void labelsAreApartAndInside_data()
+    {
+        QTest::addColumn<int>("lines");
+        QTest::addColumn<QSize>("size");
+        for (const int lines : {0, 1, 4, 12, 20, 40})
+            for (const QSize& size : {QSize(900, 400), QSize(1280, 800), QSize(300, 160)})
+                QTest::addRow("%d lines, %dx%d", lines, size.width(), size.height())
+                    << lines << size;
+    }
+
+    void labelsAreApartAndInside()
+    {
+        QFETCH(int, lines);
+        QFETCH(QSize, size);
+        TimeChart chart(Theme::light());
+        chart.resize(size);
+        chart.show();
+        chart.setContent(lines == 0 ? zetaAndSum() : sawTeeth(lines));
+        const std::vector<QRectF> rects = chart.labelRects();
+        const QRectF view(QPointF(0, 0), QSizeF(size));
+        for (std::size_t i = 0; i < rects.size(); ++i) {
+            QVERIFY(view.contains(rects[i]));
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!rects[i].adjusted(0, 0.5, 0, -0.5).intersects(rects[j]));
+        }
+        if (lines > 0 && lines <= 12 && size.height() >= 400)
+            QCOMPARE(rects.size(), static_cast<std::size_t>(lines));
+    }
+
+    void imagesHaveTheColoursOfTheTheme_data()
+    {
+        QTest::addColumn<bool>("isDark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+
+    void imagesHaveTheColoursOfTheTheme()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = isDark ? Theme::dark() : Theme::light();
+        const QImage image = chartImage(zetaAndSum(), theme, {1000, 440}, 1);
+        QCOMPARE(image.size(), QSize(1000, 440));
+        QCOMPARE(image.pixelColor(0, 0).rgb(), theme.chart.rgb()); // no frame
+        QCOMPARE(image.pixelColor(999, 439).rgb(), theme.chart.rgb());
+        QVERIFY(hasColour(image, theme.accumulated));
+        QVERIFY(hasColour(image, theme.momentary));
+    }
+
+    void changingTheThemeChangesEverything()
+    {
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        chart.setContent(zetaAndSum());
+        const Theme dark = Theme::dark();
+        chart.setTheme(dark);
+        const QImage image = chart.grab().toImage();
+        QCOMPARE(image.pixelColor(0, 0).rgb(), dark.chart.rgb());
+        QVERIFY(!hasColour(image, Qt::white));
+    }
+
+    /** The grid has to reach the far end of the plot, also after a change of size. */
+    void gridSpansThePlot()
+    {
+        const Theme theme = Theme::light();
+        TimeChartContent content = zetaAndSum();
+        content.lines[1].points = {{0, 0}, {1000, 80}}; // leaves the upper right free
+        content.lines[0].points = {{0, 0}, {1000, 8000}};
+        const QImage image = chartImage(content, theme, {1400, 600}, 1);
+        int gridPixels = 0;
+        for (int y = 60; y < 300; ++y)
+            gridPixels += image.pixelColor(1200, y).rgb() == theme.chart.rgb() ? 0 : 1;
+        QVERIFY2(gridPixels >= 4, QByteArray::number(gridPixels).constData());
+    }
+
+    void emptyChartSaysSo()
+    {
+        TimeChartContent content = zetaAndSum();
+        const Theme theme = Theme::light();
+        for (TimeLine& line : content.lines)
+            line.points.clear();
+        const QImage without = chartImage(content, theme, {800, 400}, 1);
+        content.emptyText = u"Nothing flown yet"_s;
+        const QImage with = chartImage(content, theme, {800, 400}, 1);
+        QVERIFY(with != without);
+    }
+
+    void ticksAreRoundAndCover_data()
+    {
+        QTest::addColumn<double>("largest");
+        QTest::addColumn<int>("most");
+        QTest::newRow("sum of sigma") << 134.2 << 8;
+        QTest::newRow("zeta") << 90620.0 << 7;
+        QTest::newRow("small") << 0.0037 << 5;
+        QTest::newRow("exactly a tick") << 20.0 << 4;
+        QTest::newRow("one step") << 7.0 << 1;
+    }
+
+    void ticksAreRoundAndCover()
+    {
+        QFETCH(double, largest);
+        QFETCH(int, most);
+        for (const NiceTicks& ticks : {niceTicks(largest, most), niceTicksExactly(largest, most)}) {
+            QVERIFY(ticks.count >= 1 && ticks.count <= most);
+            QVERIFY(ticks.end() >= largest * (1 - 1e-9));
+            QVERIFY(ticks.step <= 2.5 * largest); // no empty axis
+            const double leading =
+                ticks.step / std::pow(10.0, std::floor(std::log10(ticks.step) + 1e-9));
+            const std::set<int> round = {10, 20, 25, 50};
+            QVERIFY(round.count(static_cast<int>(std::lround(10 * leading))) == 1);
+        }
+    }
+
+    void ticksOfNothing()
+    {
+        QCOMPARE(niceTicks(0, 5).count, 1);
+        COMPARE_NEAR(niceTicks(0, 5).end(), 1, 1e-12);
+        COMPARE_NEAR(niceTicksExactly(0, 3).end(), 3, 1e-12);
+        QCOMPARE((NiceTicks{.step = 2.5}).decimals(), 1);
+        QCOMPARE((NiceTicks{.step = 20}).decimals(), 0);
+        QCOMPARE((NiceTicks{.step = 0.025}).decimals(), 3);
+    }
+
+    void timeSteps_data()
+    {
+        QTest::addColumn<double>("duration_s");
+        QTest::addColumn<int>("most");
+        QTest::addColumn<double>("step_s");
+        QTest::newRow("run of the paper") << 1000.0 << 10 << 120.0;
+        QTest::newRow("short") << 9.0 << 10 << 1.0;
+        QTest::newRow("a day") << 86400.0 << 12 << 7200.0;
+        QTest::newRow("a week") << 604800.0 << 10 << 86400.0;
+        QTest::newRow("narrow") << 604800.0 << 2 << 345600.0;
+    }
+
+    void timeSteps()
+    {
+        QFETCH(double, duration_s);
+        QFETCH(int, most);
+        QFETCH(double, step_s);
+        COMPARE_NEAR(timeStep_s(duration_s, most), step_s, 1e-9);
+    }
+
+    void spreadingMovesAsLittleAsPossible()
+    {
+        const LabelColumn column{.top = 0, .bottom = 200, .spacing = 10};
+        const std::vector<double> free = {20, 60, 100};
+        QCOMPARE(spreadLabels(free, column), free);
+        // Two that coincide share the move; least squares puts their mean where it was.
+        const std::vector<double> pair = spreadLabels(std::vector<double>{50, 50}, column);
+        COMPARE_NEAR(pair[0], 45, 1e-9);
+        COMPARE_NEAR(pair[1], 55, 1e-9);
+        // At the end of the column the block slides inside.
+        const std::vector<double> low = spreadLabels(std::vector<double>{198, 199, 200}, column);
+        COMPARE_NEAR(low[2], 195, 1e-9);
+        COMPARE_NEAR(low[0], 175, 1e-9);
+    }
+
+    void onlyNearLabelsAreNamed()
+    {
+        const LabelColumn column{.top = 0, .bottom = 400, .spacing = 10};
+        const std::vector<double> wanted(30, 200.0);
+        const auto middles = nameableLabels(wanted, column, 25);
+        // Symmetric about 200 with neighbours 10 apart: six reach at most 25 away.
+        QCOMPARE(std::count_if(middles.begin(), middles.end(),
+                               [](const auto& m) { return m.has_value(); }),
+                 6);
+        QVERIFY(middles[0].has_value()); // the first are the most important
+        QVERIFY(!middles[29].has_value());
+    }
+
+    void labelBesideALineTouchesNone()
+    {
+        const QPolygonF own{{0, 100}, {300, 50}};
+        const QPolygonF other{{0, 60}, {300, 40}};
+        const std::vector<QPolygonF> lines = {own, other};
+        const QRectF plot(0, 0, 300, 200);
+        const auto rect = labelBesideLine(own, lines, {}, {60, 14}, plot);
+        QVERIFY(rect.has_value());
+        QVERIFY(plot.contains(*rect));
+        QVERIFY(rect->top() > 50); // the room is below its own line
+        QVERIFY(!labelBesideLine(own, lines, {}, {400, 14}, plot).has_value());
+        QVERIFY(!labelBesideLine({}, lines, {}, {60, 14}, plot).has_value());
+    }
+};
+
+QTEST_MAIN(TestTimeChart)
+#include "tst_time_chart.moc"

@@ -1,0 +1,387 @@
+#include "tests/support/approx.h"
+#include "tests/support/panel_test.h"
+#include "widgets/panels/number_field.h"
+#include "widgets/panels/tradeoff_panel.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QStandardItemModel>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/** The panel on screen, its inputs and a spy on each intent. */
+struct Fixture
+{
+    TradeoffPanel panel;
+    QSlider& slider = test::child<QSlider>(panel, u"tauSlider"_s);
+    NumberField& field = test::child<NumberField>(panel, u"tauField"_s);
+    QComboBox& policy = test::child<QComboBox>(panel, u"policyCombo"_s);
+    QComboBox& solver = test::child<QComboBox>(panel, u"solverCombo"_s);
+    QComboBox& route = test::child<QComboBox>(panel, u"routeCombo"_s);
+    QSignalSpy tauEdited{&panel, &TradeoffPanel::tauEdited};
+    QSignalSpy tauFinished{&panel, &TradeoffPanel::tauEditFinished};
+    QSignalSpy policyEdited{&panel, &TradeoffPanel::policyEdited};
+    QSignalSpy backendEdited{&panel, &TradeoffPanel::backendEdited};
+    QSignalSpy routeEdited{&panel, &TradeoffPanel::routeEdited};
+
+    Fixture()
+    {
+        panel.resize(test::kDock_px, 360);
+        panel.show();
+    }
+    [[nodiscard]] qsizetype intents() const
+    {
+        return tauEdited.count() + tauFinished.count() + policyEdited.count() +
+               backendEdited.count() + routeEdited.count();
+    }
+    [[nodiscard]] QString text(const QString& name) const
+    {
+        return test::child<QLabel>(panel, name).text();
+    }
+};
+
+PlanEvent provenPlan()
+{
+    return {.target = 1,
+            .order = {1, 0},
+            .status = SolveStatus::Optimal,
+            .backend = "exact",
+            .mu = 0.02,
+            .objective = -130,
+            .bound = -130.0,
+            .gap = 0.0,
+            .distance_m = 14200,
+            .elapsed_s = 0.004};
+}
+
+PlanEvent planWith(const std::function<void(PlanEvent&)>& change)
+{
+    PlanEvent plan = provenPlan();
+    change(plan);
+    return plan;
+}
+
+/** Not proven, with this gap. */
+PlanEvent goodPlan(std::optional<double> gap)
+{
+    return planWith([gap](PlanEvent& plan) {
+        plan.status = SolveStatus::Feasible;
+        plan.backend = "heuristic";
+        plan.elapsed_s = 0.012;
+        plan.gap = gap;
+    });
+}
+
+} // namespace
+
+class TestTradeoffPanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void showingSettingsTellsNobody()
+    {
+        Fixture f;
+        f.panel.showSettings({.policy = PolicyKind::Tour,
+                              .tau = 2.345,
+                              .route = Route::Closed,
+                              .backend = Backend::Heuristic});
+        QCOMPARE(f.slider.value(), 235); // 2.345 is nearer to it than to 234 in binary
+        QCOMPARE(f.field.value(), 2.345);
+        QCOMPARE(f.policy.currentData().toInt(), static_cast<int>(PolicyKind::Tour));
+        QCOMPARE(f.solver.currentData().toInt(), static_cast<int>(Backend::Heuristic));
+        QCOMPARE(f.route.currentData().toInt(), static_cast<int>(Route::Closed));
+        f.panel.showSettings({.tau = 1.0 / 3});
+        QCOMPARE(f.field.value(), 0.333);
+        QCOMPARE(f.intents(), 0);
+    }
+
+    void sliderTellsTheDecimalNumberOnce()
+    {
+        Fixture f;
+        f.slider.setSliderDown(true);
+        f.slider.setValue(130);
+        QCOMPARE(f.tauEdited.count(), 1);
+        QCOMPARE(f.tauEdited.front().front().toDouble(), 1.3); // the double one would type
+        f.panel.showSettings({.tau = 1.3});                    // what the document answers
+        QCOMPARE(f.field.value(), 1.3);
+        f.slider.setSliderDown(false);
+        QCOMPARE(f.tauEdited.count(), 1);
+        QCOMPARE(f.tauFinished.count(), 1);
+    }
+
+    void dragIsNotPulledBackByAnOlderPicture()
+    {
+        Fixture f;
+        f.slider.setSliderDown(true);
+        f.slider.setValue(200);
+        f.panel.showSettings({.tau = 1.0});
+        QCOMPARE(f.slider.value(), 200);
+        f.slider.setSliderDown(false);
+        f.panel.showSettings({.tau = 1.0});
+        QCOMPARE(f.slider.value(), 100);
+        QCOMPARE(f.tauEdited.count(), 1);
+    }
+
+    void pressOnTheGrooveJumpsThere()
+    {
+        Fixture f;
+        const QPoint at(f.slider.width() * 8 / 10, f.slider.height() / 2);
+        QTest::mousePress(&f.slider, Qt::LeftButton, {}, at);
+        // The handle is some 15 px wide on some 280 px: tau 4 within what it covers.
+        COMPARE_NEAR(f.tauEdited.back().front().toDouble(), 4.0, 0.3);
+        QCOMPARE(f.tauFinished.count(), 0);
+        QTest::mouseRelease(&f.slider, Qt::LeftButton, {}, at);
+        QCOMPARE(f.tauFinished.count(), 1);
+    }
+
+    void keysMoveTheSlider_data()
+    {
+        QTest::addColumn<int>("key");
+        QTest::addColumn<double>("tau");
+        QTest::newRow("right") << int{Qt::Key_Right} << 1.01;
+        QTest::newRow("left") << int{Qt::Key_Left} << 0.99;
+        QTest::newRow("page up") << int{Qt::Key_PageUp} << 1.25;
+        QTest::newRow("home") << int{Qt::Key_Home} << 0.0;
+        QTest::newRow("end") << int{Qt::Key_End} << 5.0;
+    }
+
+    void keysMoveTheSlider()
+    {
+        QFETCH(int, key);
+        QFETCH(double, tau);
+        Fixture f;
+        QTest::keyClick(&f.slider, static_cast<Qt::Key>(key));
+        QCOMPARE(f.tauEdited.count(), 1);
+        QCOMPARE(f.tauEdited.front().front().toDouble(), tau);
+        QTRY_COMPARE(f.tauFinished.count(), 1); // keys have no release of their own
+    }
+
+    void typedValueBeyondTheSliderPinsIt()
+    {
+        Fixture f;
+        test::enter(f.field, u"12.5"_s);
+        QCOMPARE(f.tauEdited.count(), 1);
+        QCOMPARE(f.tauEdited.front().front().toDouble(), 12.5);
+        QCOMPARE(f.tauFinished.count(), 1);
+        QCOMPARE(f.slider.value(), f.slider.maximum());
+        f.panel.showSettings({.tau = 12.5});
+        QCOMPARE(f.tauEdited.count(), 1);
+        QCOMPARE(f.field.value(), 12.5);
+    }
+
+    void equalSettingsLeaveTypingAlone()
+    {
+        Fixture f;
+        f.field.setFocus();
+        QTest::keyClick(&f.field, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(&f.field, u"3."_s);
+        f.panel.showSettings({});
+        QCOMPARE(f.field.text(), u"3."_s);
+        QCOMPARE(f.tauEdited.count(), 0);
+    }
+
+    void choicesAreToldOnce()
+    {
+        Fixture f;
+        QTest::keyClick(&f.policy, Qt::Key_Down);
+        QCOMPARE(f.policyEdited.count(), 1);
+        QCOMPARE(f.policyEdited.front().front().value<PolicyKind>(), PolicyKind::Path);
+        f.panel.showSettings({.policy = PolicyKind::Path});
+        f.panel.showSettings({});
+        QTest::keyClick(&f.solver, Qt::Key_Down);
+        QCOMPARE(f.backendEdited.count(), 1);
+        QCOMPARE(f.backendEdited.front().front().value<Backend>(), Backend::Exact);
+        QTest::keyClick(&f.route, Qt::Key_Down);
+        QCOMPARE(f.routeEdited.count(), 1);
+        QCOMPARE(f.routeEdited.front().front().value<Route>(), Route::Closed);
+        QCOMPARE(f.intents(), 3);
+    }
+
+    void policiesThatCannotBeFlownAreShownOnly()
+    {
+        Fixture f;
+        QCOMPARE(f.policy.count(), 5);
+        f.panel.showSettings({.policy = PolicyKind::Coverage});
+        QCOMPARE(f.policy.count(), 6);
+        QVERIFY(f.policy.currentText().contains(u"not available"_s));
+        const auto* model = qobject_cast<QStandardItemModel*>(f.policy.model());
+        QVERIFY(!model->item(f.policy.currentIndex())->isEnabled());
+        QVERIFY(!f.policy.currentData(Qt::ToolTipRole).toString().isEmpty());
+        f.panel.showSettings({});
+        QCOMPARE(f.policy.count(), 5);
+        QCOMPARE(f.intents(), 0);
+    }
+
+    void solversThatThisBuildLacksCannotBeChosen()
+    {
+        const Fixture f;
+        const auto* model = qobject_cast<QStandardItemModel*>(f.solver.model());
+        for (int row = 0; row < f.solver.count(); ++row) {
+            bool there = true;
+            try {
+                there = makeSolver(static_cast<Backend>(f.solver.itemData(row).toInt())) != nullptr;
+            } catch (const Error&) {
+                there = false;
+            }
+            QCOMPARE(model->item(row)->isEnabled(), there);
+            QCOMPARE(f.solver.itemData(row, Qt::ToolTipRole).toString().isEmpty(), there);
+        }
+    }
+
+    void flightLocksSolverAndRoute()
+    {
+        Fixture f;
+        const QString before = f.solver.toolTip();
+        f.panel.setInFlight(true);
+        QVERIFY(f.slider.isEnabled() && f.field.isEnabled() && f.policy.isEnabled());
+        QVERIFY(!f.solver.isEnabled() && !f.route.isEnabled());
+        QVERIFY(f.solver.toolTip().contains(u"Locked in flight"_s));
+        QVERIFY(f.route.toolTip().contains(u"Locked in flight"_s));
+        f.panel.setInFlight(false);
+        QVERIFY(f.solver.isEnabled() && f.route.isEnabled());
+        QCOMPARE(f.solver.toolTip(), before);
+    }
+
+    void inputsThePolicyDoesNotUseAreOff_data()
+    {
+        QTest::addColumn<PolicyKind>("policy");
+        QTest::addColumn<bool>("tau");
+        QTest::addColumn<bool>("solver");
+        QTest::newRow("visitation") << PolicyKind::Visitation << true << true;
+        QTest::newRow("tour") << PolicyKind::Tour << false << true;
+        QTest::newRow("nearest") << PolicyKind::Nearest << false << false;
+    }
+
+    void inputsThePolicyDoesNotUseAreOff()
+    {
+        QFETCH(PolicyKind, policy);
+        QFETCH(bool, tau);
+        QFETCH(bool, solver);
+        Fixture f;
+        f.panel.showSettings({.policy = policy});
+        QCOMPARE(f.slider.isEnabled(), tau);
+        QCOMPARE(f.field.isEnabled(), tau);
+        QCOMPARE(f.solver.isEnabled(), solver);
+        QVERIFY(f.policy.isEnabled());
+    }
+
+    void stateIsInWords_data()
+    {
+        QTest::addColumn<PlanReadout>("readout");
+        QTest::addColumn<PlanVerdict>("verdict");
+        QTest::addColumn<QString>("text");
+        const auto row = [](const char* name, PlanReadout readout, PlanVerdict verdict,
+                            const QString& text) {
+            QTest::newRow(name) << std::move(readout) << verdict << text;
+        };
+        row("nothing", {}, PlanVerdict::None, u"No plan yet"_s);
+        row("first plan", {.solving = true}, PlanVerdict::None, u"Planning…"_s);
+        row("proven", {.plan = provenPlan()}, PlanVerdict::Proven,
+            u"Proven optimal, 4 ms (exact)"_s);
+        row("gap", {.plan = goodPlan(0.008)}, PlanVerdict::Estimate,
+            u"Within 0.8 % of optimal, 12 ms"_s);
+        row("gap is rounded up", {.plan = goodPlan(0.0121)}, PlanVerdict::Estimate,
+            u"Within 1.3 % of optimal, 12 ms"_s);
+        row("tiny gap is not called none", {.plan = goodPlan(1e-7)}, PlanVerdict::Estimate,
+            u"Within 0.1 % of optimal, 12 ms"_s);
+        row("no bound", {.plan = goodPlan(std::nullopt)}, PlanVerdict::Estimate,
+            u"Best order found, 12 ms"_s);
+        row("while solving", {.plan = goodPlan(std::nullopt), .solving = true},
+            PlanVerdict::Estimate, u"Best order so far"_s);
+        row("limit", {.plan = planWith([](PlanEvent& plan) {
+                          plan.status = SolveStatus::None;
+                          plan.stop = StopReason::TimeLimit;
+                          plan.reason = PlanReason::TargetReached;
+                          plan.fellBack = true;
+                      })},
+            PlanVerdict::Warning, u"Limit reached, flying the previous plan"_s);
+        row("limit at the start", {.plan = planWith([](PlanEvent& plan) {
+                                       plan.status = SolveStatus::None;
+                                       plan.reason = PlanReason::Start;
+                                       plan.fellBack = true;
+                                   })},
+            PlanVerdict::Warning, u"Limit reached, flying to the nearest iceberg"_s);
+        row("too large", {.plan = planWith([](PlanEvent& plan) {
+                              plan.status = SolveStatus::None;
+                              plan.stop = StopReason::Unable;
+                              plan.fellBack = true;
+                          })},
+            PlanVerdict::Warning, u"This solver cannot plan so many icebergs. Choose Automatic."_s);
+        row("all in view", {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); })},
+            PlanVerdict::None, u"Nothing to visit now"_s);
+        row("greedy", {.plan = planWith([](PlanEvent& plan) { plan.backend = "greedy"; })},
+            PlanVerdict::None, u"Chosen one iceberg at a time"_s);
+    }
+
+    void stateIsInWords()
+    {
+        QFETCH(PlanReadout, readout);
+        QFETCH(PlanVerdict, verdict);
+        QFETCH(QString, text);
+        const PlanState state = planState(readout, QLocale::c());
+        QCOMPARE(state.text, text);
+        QCOMPARE(state.verdict, verdict);
+    }
+
+    void solverDetailsAreInTheToolTip()
+    {
+        Fixture f;
+        f.panel.showPlan({.plan = provenPlan()});
+        QCOMPARE(f.text(u"planState"_s), u"Proven optimal, 4 ms (exact)"_s);
+        const QString details = test::child<QLabel>(f.panel, u"planState"_s).toolTip();
+        for (const QString& part : {u"exact"_s, u"optimal"_s, u"-130"_s})
+            QVERIFY2(details.contains(part), qPrintable(details));
+    }
+
+    void figuresFollowTheObjective()
+    {
+        Fixture f;
+        f.panel.setLocale(QLocale::c());
+        f.panel.showPlan({.plan = provenPlan()});
+        QCOMPARE(f.text(u"planDistance"_s), u"14.2 km"_s);
+        QCOMPARE(f.text(u"planReward"_s), u"414 m²"_s); // 0.02 x 14200 + 130
+        QCOMPARE(f.text(u"planObjective"_s), u"-130.0 m²"_s);
+        QCOMPARE(f.text(u"planMu"_s), u"0.0200 m²/m"_s);
+    }
+
+    void figuresThatAPolicyDoesNotWeighAreLeftOut()
+    {
+        const PlanFigures path = planFigures({.plan = provenPlan()}, PolicyKind::Path);
+        QVERIFY(path.distance_m && !path.reward_m2 && !path.objective_m2 && !path.mu_m);
+        const PlanFigures none = planFigures({.plan = planWith([](PlanEvent& plan) {
+                                                  plan.status = SolveStatus::None;
+                                                  plan.fellBack = true;
+                                              })},
+                                             PolicyKind::Visitation);
+        QVERIFY(!none.distance_m && !none.reward_m2);
+    }
+
+    void longTextsFitTheDock()
+    {
+        const test::LongerTexts longer;
+        Fixture f;
+        f.panel.showPlan({.plan = goodPlan(0.008)});
+        QVERIFY(f.panel.minimumSizeHint().width() <= test::kDock_px);
+    }
+
+    void everyInputIsNamed()
+    {
+        const Fixture f;
+        for (const QWidget* input : std::initializer_list<const QWidget*>{
+                 &f.slider, &f.field, &f.policy, &f.solver, &f.route}) {
+            QVERIFY(!input->accessibleName().isEmpty());
+            QVERIFY(!input->toolTip().isEmpty());
+        }
+    }
+};
+
+QTEST_MAIN(TestTradeoffPanel)
+#include "tst_tradeoff_panel.moc"

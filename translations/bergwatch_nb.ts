@@ -1,0 +1,1708 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="nb_NO">
+<context>
+    <name>Dialogs</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ulagrede endringer</translation>
+    </message>
+    <message>
+        <source>Save the changes to "%1"?</source>
+        <translation>Lagre endringene i «%1»?</translation>
+    </message>
+    <message>
+        <source>They are lost if you do not save them.</source>
+        <translation>De går tapt hvis du ikke lagrer dem.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Åpne</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Lagre</translation>
+    </message>
+    <message>
+        <source>Bergwatch</source>
+        <translation>Bergwatch</translation>
+    </message>
+</context>
+<context>
+    <name>DomainText</name>
+    <message>
+        <source>Shortest path, repeated</source>
+        <translation>Korteste vei, gjentatt</translation>
+    </message>
+    <message>
+        <source>Shortest round tour, repeated</source>
+        <translation>Korteste rundtur, gjentatt</translation>
+    </message>
+    <message>
+        <source>Nearest iceberg first</source>
+        <translation>Nærmeste isfjell først</translation>
+    </message>
+    <message>
+        <source>Most uncertain iceberg first</source>
+        <translation>Mest usikre isfjell først</translation>
+    </message>
+    <message>
+        <source>Best predicted coverage</source>
+        <translation>Best forventet dekning</translation>
+    </message>
+    <message>
+        <source>Least waiting time, weighted by uncertainty</source>
+        <translation>Kortest ventetid, vektet med usikkerheten</translation>
+    </message>
+    <message>
+        <source>Balanced visiting order, trade-off τ %1</source>
+        <translation>Balansert besøksrekkefølge, avveining τ %1</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorText</name>
+    <message>
+        <source>There is no such file. Check the name and the folder.</source>
+        <translation>Filen finnes ikke. Kontroller navnet og mappen.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read. Check that it is a file and that you have permission to read it.</source>
+        <translation>Filen kan ikke leses. Kontroller at det er en fil, og at du har lov til å lese den.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Check that the folder exists, that you have permission to write there and that the disk is not full.</source>
+        <translation>Filen kan ikke skrives. Kontroller at mappen finnes, at du har lov til å skrive der, og at disken ikke er full.</translation>
+    </message>
+    <message>
+        <source>The file is too large to be one of Bergwatch's.</source>
+        <translation>Filen er for stor til å være en fil fra Bergwatch.</translation>
+    </message>
+    <message>
+        <source>The file is not well-formed JSON. Correct it at the place named.</source>
+        <translation>Filen er ikke gyldig JSON. Rett den på stedet som er oppgitt.</translation>
+    </message>
+    <message>
+        <source>The file is of another kind than the one expected here.</source>
+        <translation>Filen er av et annet slag enn det som ventes her.</translation>
+    </message>
+    <message>
+        <source>The file was made by a newer version of Bergwatch. Update the program to open it.</source>
+        <translation>Filen er laget av en nyere versjon av Bergwatch. Oppdater programmet for å åpne den.</translation>
+    </message>
+    <message>
+        <source>The values named cannot be used. Correct them and try again.</source>
+        <translation>Verdiene som er oppgitt, kan ikke brukes. Rett dem og prøv igjen.</translation>
+    </message>
+    <message>
+        <source>This version of Bergwatch cannot do that.</source>
+        <translation>Denne versjonen av Bergwatch kan ikke gjøre det.</translation>
+    </message>
+    <message>
+        <source>The planner failed. Choose another planner back end.</source>
+        <translation>Planleggeren mislyktes. Velg en annen løser.</translation>
+    </message>
+    <message>
+        <source>Flying the run again gave another result than the one it recorded. It may come from another version of Bergwatch.</source>
+        <translation>Da turen ble fløyet på nytt, ble resultatet et annet enn det som er lagret. Den kan komme fra en annen versjon av Bergwatch.</translation>
+    </message>
+</context>
+<context>
+    <name>EventText</name>
+    <message>
+        <source>Every iceberg is in view: circling</source>
+        <translation>Alle isfjell er i synsfeltet: sirkler</translation>
+    </message>
+    <message>
+        <source>Planned: next %1</source>
+        <translation>Planlagt: neste er %1</translation>
+    </message>
+    <message>
+        <source>%1 reached</source>
+        <translation>%1 nådd</translation>
+    </message>
+    <message>
+        <source>%1 in view</source>
+        <translation>%1 er i synsfeltet</translation>
+    </message>
+    <message>
+        <source>%1 appeared</source>
+        <translation>%1 dukket opp</translation>
+    </message>
+    <message>
+        <source>Trade-off or policy changed</source>
+        <translation>Avveining eller strategi endret</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorRows</name>
+    <message>
+        <source>Change drift</source>
+        <translation>Endre drift</translation>
+    </message>
+    <message>
+        <source>Drift east</source>
+        <translation>Drift østover</translation>
+    </message>
+    <message>
+        <source>Known drift to the east; the current comes on top.</source>
+        <translation>Kjent drift mot øst; strømmen kommer i tillegg.</translation>
+    </message>
+    <message>
+        <source>Drift north</source>
+        <translation>Drift nordover</translation>
+    </message>
+    <message>
+        <source>Known drift to the north; the current comes on top.</source>
+        <translation>Kjent drift mot nord; strømmen kommer i tillegg.</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ₀</source>
+        <translation>Usikkerhet σ₀</translation>
+    </message>
+    <message>
+        <source>Variance of the position when it was last seen.</source>
+        <translation>Posisjonens varians da det sist ble sett.</translation>
+    </message>
+    <message>
+        <source>Change uncertainty</source>
+        <translation>Endre usikkerhet</translation>
+    </message>
+    <message>
+        <source>Growth q</source>
+        <translation>Vekst q</translation>
+    </message>
+    <message>
+        <source>What the uncertainty grows by in a second out of view.</source>
+        <translation>Det usikkerheten vokser med per sekund utenfor synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Change growth of uncertainty</source>
+        <translation>Endre usikkerhetens vekst</translation>
+    </message>
+    <message>
+        <source>standard deviation %1 m</source>
+        <translation>standardavvik %1 m</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Sist sett</translation>
+    </message>
+    <message>
+        <source>How long before the start it was last seen; σ has grown since.</source>
+        <translation>Hvor lenge før start det sist ble sett; σ har vokst siden.</translation>
+    </message>
+    <message>
+        <source>Change time last seen</source>
+        <translation>Endre når det sist ble sett</translation>
+    </message>
+    <message>
+        <source> s ago</source>
+        <comment>unit after a number</comment>
+        <translation> s siden</translation>
+    </message>
+    <message>
+        <source>Appears at</source>
+        <translation>Dukker opp</translation>
+    </message>
+    <message>
+        <source>Time of the run from which on it is known; 0 is the start.</source>
+        <translation>Tidspunktet da det blir kjent; 0 er starten.</translation>
+    </message>
+    <message>
+        <source>Change time of appearing</source>
+        <translation>Endre når det dukker opp</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Halvlengde</translation>
+    </message>
+    <message>
+        <source>Half its length; decides its size on the map.</source>
+        <translation>Halve lengden; bestemmer størrelsen på kartet.</translation>
+    </message>
+    <message>
+        <source>Change radius</source>
+        <translation>Endre halvlengde</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Shown on the map in place of the id.</source>
+        <translation>Vises på kartet i stedet for id.</translation>
+    </message>
+    <message>
+        <source>Change name</source>
+        <translation>Endre navn</translation>
+    </message>
+    <message>
+        <source>Change position</source>
+        <translation>Endre posisjon</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Øst</translation>
+    </message>
+    <message>
+        <source>Position at the start, east of the scenario's origin.</source>
+        <translation>Posisjon ved start, øst for scenarioets origo.</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Position at the start, north of the scenario's origin.</source>
+        <translation>Posisjon ved start, nord for scenarioets origo.</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>står stille</translation>
+    </message>
+    <message>
+        <source>%1 m/s towards %2°</source>
+        <translation>%1 m/s mot %2°</translation>
+    </message>
+    <message>
+        <source>Change wind</source>
+        <translation>Endre vind</translation>
+    </message>
+    <message>
+        <source>Wind east</source>
+        <translation>Vind østover</translation>
+    </message>
+    <message>
+        <source>Towards the east; always slower than the UAV flies.</source>
+        <translation>Mot øst; alltid langsommere enn UAV-en flyr.</translation>
+    </message>
+    <message>
+        <source>Wind north</source>
+        <translation>Vind nordover</translation>
+    </message>
+    <message>
+        <source>Towards the north; always slower than the UAV flies.</source>
+        <translation>Mot nord; alltid langsommere enn UAV-en flyr.</translation>
+    </message>
+    <message>
+        <source>no wind</source>
+        <translation>vindstille</translation>
+    </message>
+    <message>
+        <source>Change current</source>
+        <translation>Endre strøm</translation>
+    </message>
+    <message>
+        <source>Current east</source>
+        <translation>Strøm østover</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the east.</source>
+        <translation>Fører alle isfjell mot øst.</translation>
+    </message>
+    <message>
+        <source>Current north</source>
+        <translation>Strøm nordover</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the north.</source>
+        <translation>Fører alle isfjell mot nord.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Varighet</translation>
+    </message>
+    <message>
+        <source>Length of the run, at most seven days.</source>
+        <translation>Flygingens lengde, høyst sju døgn.</translation>
+    </message>
+    <message>
+        <source>Change duration</source>
+        <translation>Endre varighet</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Tidssteg</translation>
+    </message>
+    <message>
+        <source>Step of the simulation; small is exact and slow.</source>
+        <translation>Simuleringens steg; lite er nøyaktig og langsomt.</translation>
+    </message>
+    <message>
+        <source>Change time step</source>
+        <translation>Endre tidssteg</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startfrø</translation>
+    </message>
+    <message>
+        <source>Names the random drift: the same seed, the same run.</source>
+        <translation>Bestemmer den tilfeldige driften: samme frø, samme flyging.</translation>
+    </message>
+    <message>
+        <source>Change seed</source>
+        <translation>Endre startfrø</translation>
+    </message>
+    <message>
+        <source>Random drift</source>
+        <translation>Tilfeldig drift</translation>
+    </message>
+    <message>
+        <source>Off: icebergs drift exactly as known.</source>
+        <translation>Av: isfjellene driver nøyaktig som kjent.</translation>
+    </message>
+    <message>
+        <source>Change random drift</source>
+        <translation>Endre tilfeldig drift</translation>
+    </message>
+    <message>
+        <source>Title of the scenario, shown on the map.</source>
+        <translation>Scenarioets tittel, vises på kartet.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notater</translation>
+    </message>
+    <message>
+        <source>Anything worth knowing, kept in the file.</source>
+        <translation>Alt som er verdt å vite, lagres i filen.</translation>
+    </message>
+    <message>
+        <source>Change notes</source>
+        <translation>Endre notater</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Clockwise from north, at the start.</source>
+        <translation>Med klokken fra nord, ved start.</translation>
+    </message>
+    <message>
+        <source>Change heading</source>
+        <translation>Endre kurs</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Flyfart</translation>
+    </message>
+    <message>
+        <source>Always faster than the wind.</source>
+        <translation>Alltid raskere enn vinden.</translation>
+    </message>
+    <message>
+        <source>Change airspeed</source>
+        <translation>Endre flyfart</translation>
+    </message>
+    <message>
+        <source>Change field of view</source>
+        <translation>Endre synsfelt</translation>
+    </message>
+    <message>
+        <source>View along</source>
+        <translation>Synsfelt langs</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view along the heading.</source>
+        <translation>Synsfeltets utstrekning langs kursen.</translation>
+    </message>
+    <message>
+        <source>View across</source>
+        <translation>Synsfelt tvers</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view across the heading.</source>
+        <translation>Synsfeltets utstrekning på tvers av kursen.</translation>
+    </message>
+    <message>
+        <source>Largest bank</source>
+        <translation>Største krengning</translation>
+    </message>
+    <message>
+        <source>Bank in a turn; the larger, the tighter the turns.</source>
+        <translation>Krengning i sving; jo større, desto krappere svinger.</translation>
+    </message>
+    <message>
+        <source>Change largest bank</source>
+        <translation>Endre største krengning</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Høyde</translation>
+    </message>
+    <message>
+        <source>Height above the sea, for exports.</source>
+        <translation>Høyde over havet, for eksport.</translation>
+    </message>
+    <message>
+        <source>Change altitude</source>
+        <translation>Endre høyde</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Utholdenhet</translation>
+    </message>
+    <message>
+        <source>Longest flight; 0 is unlimited.</source>
+        <translation>Lengste flyging; 0 er ubegrenset.</translation>
+    </message>
+    <message>
+        <source>Change endurance</source>
+        <translation>Endre utholdenhet</translation>
+    </message>
+    <message>
+        <source>unlimited</source>
+        <translation>ubegrenset</translation>
+    </message>
+</context>
+<context>
+    <name>IssueText</name>
+    <message>
+        <source>This version flies the first UAV only; the others are kept.</source>
+        <translation>Denne versjonen flyr bare den første UAV-en; de andre beholdes.</translation>
+    </message>
+    <message>
+        <source>The endurance is kept, but not used by this version.</source>
+        <translation>Utholdenheten beholdes, men brukes ikke av denne versjonen.</translation>
+    </message>
+    <message>
+        <source>Drifts so fast that the UAV may not catch up with it.</source>
+        <translation>Driver så fort at UAV-en kanskje ikke tar det igjen.</translation>
+    </message>
+    <message>
+        <source>The UAV will make little way against this wind.</source>
+        <translation>UAV-en kommer knapt fremover mot denne vinden.</translation>
+    </message>
+    <message>
+        <source>The area is kept, but not used by this version.</source>
+        <translation>Området beholdes, men brukes ikke av denne versjonen.</translation>
+    </message>
+    <message>
+        <source>The asset is kept, but not used by this version.</source>
+        <translation>Objektet som skal vernes beholdes, men brukes ikke av denne versjonen.</translation>
+    </message>
+    <message>
+        <source>This version cannot fly the policy chosen.</source>
+        <translation>Denne versjonen kan ikke fly den valgte strategien.</translation>
+    </message>
+    <message>
+        <source>There are no icebergs yet, so there is nothing to plan.</source>
+        <translation>Det er ingen isfjell ennå, så det er ingenting å planlegge.</translation>
+    </message>
+    <message>
+        <source>Appears after the end of the run, so it is never planned.</source>
+        <translation>Dukker opp etter flygingens slutt, så det blir aldri planlagt.</translation>
+    </message>
+</context>
+<context>
+    <name>Main</name>
+    <message>
+        <source>Write map.png, zeta.png and sigma.png of the run or the scenario flown to its end into &lt;folder&gt;.</source>
+        <translation>Skriv map.png, zeta.png og sigma.png av turen, eller av scenariet fløyet til ende, i &lt;mappe&gt;.</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>mappe</translation>
+    </message>
+    <message>
+        <source>Size of each picture in pixels, e.g. 1920x1080 (default: 1600x1000 for the map, 1600x700 for the charts).</source>
+        <translation>Størrelsen på hvert bilde i piksler, f.eks. 1920x1080 (forvalg: 1600x1000 for kartet, 1600x700 for diagrammene).</translation>
+    </message>
+    <message>
+        <source>WxH</source>
+        <comment>width x height</comment>
+        <translation>BxH</translation>
+    </message>
+    <message>
+        <source>Appearance of the pictures: light, dark or both.</source>
+        <translation>Utseendet på bildene: light (lyst), dark (mørkt) eller both (begge).</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>tema</translation>
+    </message>
+    <message>
+        <source>--size: "%1" is not a size like 1920x1080 with sides from %2 to %3 pixels.</source>
+        <translation>--size: «%1» er ikke en størrelse som 1920x1080 med sider fra %2 til %3 piksler.</translation>
+    </message>
+    <message>
+        <source>--theme: "%1" is not light, dark or both.</source>
+        <translation>--theme: «%1» er ikke light, dark eller both.</translation>
+    </message>
+    <message>
+        <source>--pictures: the name of a folder is missing.</source>
+        <translation>--pictures: navnet på en mappe mangler.</translation>
+    </message>
+    <message>
+        <source>Bergwatch draws missions of a UAV that keeps watch over drifting icebergs.</source>
+        <translation>Bergwatch tegner oppdrag for et ubemannet fly som holder øye med drivende isfjell.</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>fil</translation>
+    </message>
+    <message>
+        <source>A run (.bergrun) or a scenario (.berg).</source>
+        <translation>En tur (.bergrun) eller et scenario (.berg).</translation>
+    </message>
+    <message>
+        <source>Name one run or scenario file; %1 were named.</source>
+        <translation>Oppgi én tur- eller scenariofil; %1 ble oppgitt.</translation>
+    </message>
+    <message>
+        <source>Bergwatch stopped because of a fault of its own: %1</source>
+        <translation>Bergwatch stanset på grunn av en feil i programmet selv: %1</translation>
+    </message>
+    <message>
+        <source>Render the window with the scenario into &lt;file&gt;, then end.</source>
+        <translation>Tegn vinduet med scenarioet til &lt;fil&gt;, og avslutt.</translation>
+    </message>
+    <message>
+        <source>Fly until this time before the screenshot.</source>
+        <translation>Fly til dette tidspunktet før skjermbildet.</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>sekunder</translation>
+    </message>
+    <message>
+        <source>Keep settings in &lt;file&gt; in place of your own.</source>
+        <translation>Lagre innstillinger i &lt;fil&gt; i stedet for dine egne.</translation>
+    </message>
+    <message>
+        <source>--size: "%1" is not a size like 1920x1080.</source>
+        <translation>--size: «%1» er ikke en størrelse som 1920x1080.</translation>
+    </message>
+    <message>
+        <source>--theme: "%1" is not light or dark.</source>
+        <translation>--theme: «%1» er verken light eller dark.</translation>
+    </message>
+    <message>
+        <source>--at: "%1" is not a number of seconds.</source>
+        <translation>--at: «%1» er ikke et antall sekunder.</translation>
+    </message>
+    <message>
+        <source>Name one scenario file at most; %1 were named.</source>
+        <translation>Oppgi høyst én scenariofil; %1 ble oppgitt.</translation>
+    </message>
+</context>
+<context>
+    <name>MapLegend</name>
+    <message>
+        <source>In view now: σ is 0</source>
+        <translation>I synsfeltet nå: σ er 0</translation>
+    </message>
+    <message>
+        <source>Plan, next leg thicker</source>
+        <translation>Plan, neste etappe tykkere</translation>
+    </message>
+    <message>
+        <source>Flown, older parts fainter</source>
+        <translation>Fløyet, eldre deler svakere</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Synsfelt</translation>
+    </message>
+    <message>
+        <source>Drift in %1</source>
+        <translation>Drift på %1</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ</source>
+        <translation>Usikkerhet σ</translation>
+    </message>
+    <message>
+        <source>Still to come, with its time</source>
+        <translation>Kommer senere, med tidspunkt</translation>
+    </message>
+</context>
+<context>
+    <name>MapOverlays</name>
+    <message>
+        <source>%1 nmi</source>
+        <translation>%1 nmi</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north on the compass</comment>
+        <translation>N</translation>
+    </message>
+</context>
+<context>
+    <name>MapTools</name>
+    <message>
+        <source>Drag moves the map, the wheel zooms. Esc leaves the tool.</source>
+        <translation>Dra flytter kartet, hjulet zoomer. Esc forlater verktøyet.</translation>
+    </message>
+    <message>
+        <source>Move UAV</source>
+        <translation>Flytt UAV</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n objects</source>
+        <translation>
+            <numerusform>Flytt %n objekt</numerusform>
+            <numerusform>Flytt %n objekter</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move iceberg</source>
+        <translation>Flytt isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n icebergs</source>
+        <translation>
+            <numerusform>Flytt %n isfjell</numerusform>
+            <numerusform>Flytt %n isfjell</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>MissionCharts</name>
+    <message>
+        <source>iceberg reached</source>
+        <translation>isfjell nådd</translation>
+    </message>
+    <message>
+        <source>Nothing flown yet</source>
+        <translation>Ingenting fløyet ennå</translation>
+    </message>
+    <message>
+        <source>Uncertainty now and accumulated</source>
+        <translation>Usikkerhet nå og oppsamlet</translation>
+    </message>
+    <message>
+        <source>Sum of σ, m²</source>
+        <translation>Sum av σ, m²</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zeta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Sum of σ</source>
+        <translation>Sum av σ</translation>
+    </message>
+    <message>
+        <source>Zeta %1 m² s</source>
+        <translation>Zeta %1 m² s</translation>
+    </message>
+    <message>
+        <source>Uncertainty of each iceberg</source>
+        <translation>Usikkerheten til hvert isfjell</translation>
+    </message>
+    <message>
+        <source>σ, m²</source>
+        <translation>σ, m²</translation>
+    </message>
+</context>
+<context>
+    <name>MissionPicture</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Zeta ζ</source>
+        <translation>Zeta ζ</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøk</translation>
+    </message>
+    <message>
+        <source>No icebergs yet</source>
+        <translation>Ingen isfjell ennå</translation>
+    </message>
+    <message>
+        <source>Add icebergs with their positions to the scenario file, then draw the map again.</source>
+        <translation>Legg isfjell med posisjoner inn i scenariofilen, og tegn kartet på nytt.</translation>
+    </message>
+</context>
+<context>
+    <name>PlacingTools</name>
+    <message>
+        <source>%1 m/s (%2 kn)</source>
+        <translation>%1 m/s (%2 knop)</translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Legg til isfjell</translation>
+    </message>
+    <message>
+        <source>Change drift</source>
+        <translation>Endre drift</translation>
+    </message>
+    <message>
+        <source>The arrow is the way drifted in %1. Esc takes it back.</source>
+        <translation>Pilen er drivveien på %1. Esc angrer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n icebergs.</source>
+        <translation>
+            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
+            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click adds an iceberg, drag on to set its drift. Esc leaves the tool.</source>
+        <translation>Klikk legger til et isfjell, dra videre for å sette driften. Esc forlater verktøyet.</translation>
+    </message>
+    <message>
+        <source>Place UAV</source>
+        <translation>Plasser UAV</translation>
+    </message>
+    <message>
+        <source>Heading %1</source>
+        <translation>Kurs %1</translation>
+    </message>
+    <message>
+        <source>Let go to keep this heading. Esc takes it back.</source>
+        <translation>Slipp for å beholde denne kursen. Esc angrer.</translation>
+    </message>
+    <message>
+        <source>Click places the UAV, drag on to turn it. Esc leaves the tool.</source>
+        <translation>Klikk plasserer UAV-en, dra videre for å dreie den. Esc forlater verktøyet.</translation>
+    </message>
+</context>
+<context>
+    <name>PlannerText</name>
+    <message>
+        <source>Shortest path, repeated</source>
+        <translation>Korteste vei, gjentatt</translation>
+    </message>
+    <message>
+        <source>Shortest round tour, repeated</source>
+        <translation>Korteste rundtur, gjentatt</translation>
+    </message>
+    <message>
+        <source>Nearest iceberg first</source>
+        <translation>Nærmeste isfjell først</translation>
+    </message>
+    <message>
+        <source>Most uncertain iceberg first</source>
+        <translation>Mest usikre isfjell først</translation>
+    </message>
+    <message>
+        <source>Best predicted coverage</source>
+        <translation>Best forventet dekning</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <comment>solver</comment>
+        <translation>eksakt</translation>
+    </message>
+    <message>
+        <source>local search</source>
+        <comment>solver</comment>
+        <translation>lokalsøk</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC</source>
+        <comment>solver</comment>
+        <translation>COIN-OR CBC</translation>
+    </message>
+    <message>
+        <source>Solver: %1</source>
+        <translation>Løser: %1</translation>
+    </message>
+    <message>
+        <source>Status: %1</source>
+        <translation>Tilstand: %1</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <translation>Tid: %1</translation>
+    </message>
+    <message>
+        <source>Objective: %1 m²</source>
+        <translation>Målfunksjon: %1 m²</translation>
+    </message>
+    <message>
+        <source>Lower bound: %1 m²</source>
+        <translation>Nedre grense: %1 m²</translation>
+    </message>
+    <message>
+        <source>Started from the plan before</source>
+        <translation>Startet fra forrige plan</translation>
+    </message>
+    <message>
+        <source>Proven optimal, %1 (%2)</source>
+        <translation>Bevist optimal, %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Best order so far, within %1 % of optimal</source>
+        <translation>Beste rekkefølge så langt, innenfor %1 % av optimum</translation>
+    </message>
+    <message>
+        <source>Best order so far</source>
+        <translation>Beste rekkefølge så langt</translation>
+    </message>
+    <message>
+        <source>Within %1 % of optimal, %2</source>
+        <translation>Innenfor %1 % av optimum, %2</translation>
+    </message>
+    <message>
+        <source>Best order found, %1</source>
+        <translation>Beste rekkefølge funnet, %1</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>Planlegger …</translation>
+    </message>
+    <message>
+        <source>No plan yet</source>
+        <translation>Ingen plan ennå</translation>
+    </message>
+    <message>
+        <source>Nothing to visit now</source>
+        <translation>Ingenting å besøke nå</translation>
+    </message>
+    <message>
+        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
+        <translation>Denne løseren kan ikke planlegge så mange isfjell. Velg Automatisk.</translation>
+    </message>
+    <message>
+        <source>Limit reached, flying to the nearest iceberg</source>
+        <translation>Grensen er nådd, flyr til nærmeste isfjell</translation>
+    </message>
+    <message>
+        <source>Limit reached, flying the previous plan</source>
+        <translation>Grensen er nådd, flyr den forrige planen</translation>
+    </message>
+    <message>
+        <source>Chosen one iceberg at a time</source>
+        <translation>Valgt ett isfjell om gangen</translation>
+    </message>
+    <message>
+        <source>Following the route made before</source>
+        <translation>Følger ruten som alt er lagt</translation>
+    </message>
+    <message>
+        <source>Paper: weighted visiting order</source>
+        <translation>Artikkelen: vektet besøksrekkefølge</translation>
+    </message>
+    <message>
+        <source>Least waiting time</source>
+        <translation>Kortest ventetid</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Eksakt</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC</source>
+        <translation>COIN-OR CBC</translation>
+    </message>
+    <message>
+        <source>Local search</source>
+        <translation>Lokalsøk</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <comment>route</comment>
+        <translation>Én vei</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <comment>route</comment>
+        <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>under 1 ms</source>
+        <translation>mindre enn 1 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>QuantityText</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 t</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 S</source>
+        <comment>latitude</comment>
+        <translation>%1 S</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <comment>latitude</comment>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 W</source>
+        <comment>longitude</comment>
+        <translation>%1 V</translation>
+    </message>
+    <message>
+        <source>%1 E</source>
+        <comment>longitude</comment>
+        <translation>%1 Ø</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+</context>
+<context>
+    <name>SelectTool</name>
+    <message>
+        <source>Let go to place it here. Esc takes the move back.</source>
+        <translation>Slipp for å plassere her. Esc angrer flyttingen.</translation>
+    </message>
+    <message>
+        <source>Locked while a flight is under way. Stop the flight to change the scenario.</source>
+        <translation>Låst mens en flyging pågår. Stopp flygingen for å endre scenarioet.</translation>
+    </message>
+    <message>
+        <source>Everything inside the frame is selected.</source>
+        <translation>Alt innenfor rammen blir valgt.</translation>
+    </message>
+    <message>
+        <source>Click selects. The scenario is locked while flying.</source>
+        <translation>Klikk velger. Scenarioet er låst under flyging.</translation>
+    </message>
+    <message>
+        <source>Click selects, drag moves. Ctrl adds, a drag on water selects what is inside the frame.</source>
+        <translation>Klikk velger, dra flytter. Ctrl legger til, dra på sjøen velger det som er innenfor rammen.</translation>
+    </message>
+</context>
+<context>
+    <name>TimeChartText</name>
+    <message>
+        <source>Time, h:mm:ss</source>
+        <translation>Tid, t:mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, mm:ss</source>
+        <translation>Tid, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>berg::IdField</name>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Names the iceberg in files and lists; each id is there once.</source>
+        <translation>Navngir isfjellet i filer og lister; hver id finnes bare én gang.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::InspectorForm</name>
+    <message>
+        <source>mixed</source>
+        <translation>ulike</translation>
+    </message>
+</context>
+<context>
+    <name>berg::InspectorPanel</name>
+    <message>
+        <source>Locked in flight. Reset the flight to edit.</source>
+        <translation>Låst under flyging. Tilbakestill flygingen for å redigere.</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scenarioet</translation>
+    </message>
+    <message>
+        <source>Select an iceberg or a UAV on the map to edit it.</source>
+        <translation>Velg et isfjell eller en UAV på kartet for å redigere.</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n isfjell</numerusform>
+            <numerusform>%n isfjell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only the icebergs selected are edited here.</source>
+        <translation>Bare de valgte isfjellene redigeres her.</translation>
+    </message>
+    <message>
+        <source>What is entered here goes to all of them.</source>
+        <translation>Det som skrives her, gjelder for alle.</translation>
+    </message>
+    <message>
+        <source>UAV %1</source>
+        <translation>UAV-en %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n UAV</numerusform>
+            <numerusform>%n UAV-er</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>An iceberg needs an id.</source>
+        <translation>Et isfjell må ha en id.</translation>
+    </message>
+    <message>
+        <source>The id "%1" is taken. Every iceberg and UAV needs one of its own.</source>
+        <translation>Id-en «%1» er opptatt. Hvert isfjell og hver UAV må ha sin egen.</translation>
+    </message>
+    <message>
+        <source>Change id</source>
+        <translation>Endre id</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MainWindow</name>
+    <message>
+        <source>Planning</source>
+        <translation>Planlegger</translation>
+    </message>
+    <message>
+        <source>Ready: Space flies it</source>
+        <translation>Klar: mellomrom starter flygingen</translation>
+    </message>
+    <message>
+        <source>Flying: the scenario is locked, tau and policy are not</source>
+        <translation>Flyr: scenarioet er låst, men ikke tau og strategi</translation>
+    </message>
+    <message>
+        <source>Paused: reset to edit the scenario</source>
+        <translation>Pause: tilbakestill for å redigere scenarioet</translation>
+    </message>
+    <message>
+        <source>Flown to the end: reset to edit the scenario</source>
+        <translation>Fløyet til slutten: tilbakestill for å redigere scenarioet</translation>
+    </message>
+    <message>
+        <source>Cannot be planned: %1</source>
+        <translation>Kan ikke planlegges: %1</translation>
+    </message>
+    <message>
+        <source>Trade-off</source>
+        <translation>Avveining</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Rute</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Egenskaper</translation>
+    </message>
+    <message>
+        <source>Zeta</source>
+        <translation>Zeta-kurve</translation>
+    </message>
+    <message>
+        <source>Sigma</source>
+        <translation>Sigma-kurver</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Hendelser</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Ta pause</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Fly av sted</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>%1  %2   %3 m E  %4 m N</source>
+        <translation>%1  %2   %3 m Ø  %4 m N</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fil</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>&amp;Nytt scenario</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Åpne …</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Åpne &amp;nylige</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Lagre</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Lagre &amp;som …</translation>
+    </message>
+    <message>
+        <source>Save r&amp;un...</source>
+        <translation>Lagre flyg&amp;ing …</translation>
+    </message>
+    <message>
+        <source>&amp;Export plan...</source>
+        <translation>&amp;Eksporter plan …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Avslutt</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Rediger</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Angre</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gjør om</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Slett</translation>
+    </message>
+    <message>
+        <source>Select &amp;all icebergs</source>
+        <translation>Velg &amp;alle isfjell</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vis</translation>
+    </message>
+    <message>
+        <source>&amp;Fit everything</source>
+        <translation>&amp;Tilpass alt</translation>
+    </message>
+    <message>
+        <source>Fo&amp;llow the UAV</source>
+        <translation>&amp;Følg UAV-en</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom &amp;inn</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Paneler</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Til&amp;bakestill oppsettet</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>F&amp;ullskjerm</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Utseende</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Som systemet</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lyst</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mørkt</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Språk</translation>
+    </message>
+    <message>
+        <source>F&amp;light</source>
+        <translation>F&amp;lyging</translation>
+    </message>
+    <message>
+        <source>&amp;Step one second</source>
+        <translation>&amp;Steg på ett sekund</translation>
+    </message>
+    <message>
+        <source>&amp;Reset to the start</source>
+        <translation>&amp;Tilbake til start</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>&amp;Raskere</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>S&amp;aktere</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hjelp</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Hurtigtaster</translation>
+    </message>
+    <message>
+        <source>&amp;About Bergwatch</source>
+        <translation>&amp;Om Bergwatch</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Verktøy</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Velg</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Panorer</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>Verk&amp;tøy</translation>
+    </message>
+    <message>
+        <source>Zoom at the cursor</source>
+        <translation>Zoom ved pekeren</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>hjulet</translation>
+    </message>
+    <message>
+        <source>middle button, or arrow keys</source>
+        <translation>midterste knapp eller piltastene</translation>
+    </message>
+    <message>
+        <source>Nudge what is selected</source>
+        <translation>Skyv det som er valgt</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>piltastene</translation>
+    </message>
+    <message>
+        <source>Leave the tool, drop the selection</source>
+        <translation>Forlat verktøyet, fjern utvalget</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Hurtigtaster</translation>
+    </message>
+    <message>
+        <source>About Bergwatch</source>
+        <translation>Om Bergwatch</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlegger, flyr og måler UAV-oppdrag som holder øye med drivende isfjell.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-lisens. Qt Charts: GPL 3. COIN-OR CBC: EPL.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.berg);;All files (*)</source>
+        <translation>Scenarioer (*.berg);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>New scenario</source>
+        <translation>Nytt scenario</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Lagret %1</translation>
+    </message>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Flyginger (*.bergrun);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>The ending of the file name says the format: .plan, .waypoints, .geojson or .csv; "%1" is none of them.</source>
+        <translation>Filendelsen bestemmer formatet: .plan, .waypoints, .geojson eller .csv; «%1» er ingen av dem.</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Eksportert til %1</translation>
+    </message>
+    <message>
+        <source>No files yet</source>
+        <translation>Ingen filer ennå</translation>
+    </message>
+</context>
+<context>
+    <name>berg::MapView</name>
+    <message>
+        <source>Delete iceberg</source>
+        <translation>Slett isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n icebergs</source>
+        <translation>
+            <numerusform>Slett %n isfjell</numerusform>
+            <numerusform>Slett %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Kart</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits.</source>
+        <translation>
+            <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser.</numerusform>
+            <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>drifting %1 m/s towards %2</source>
+        <translation>driver %1 m/s mot %2</translation>
+    </message>
+    <message>
+        <source>not drifting</source>
+        <translation>driver ikke</translation>
+    </message>
+    <message>
+        <source>%1: σ %2 m² (√σ %3 m), %4</source>
+        <translation>%1: σ er %2 m² (√σ %3 m), %4</translation>
+    </message>
+</context>
+<context>
+    <name>berg::NumberField</name>
+    <message>
+        <source>mixed</source>
+        <translation>ulike</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlanModel</name>
+    <message>
+        <source>in %1</source>
+        <translation>om %1</translation>
+    </message>
+    <message>
+        <source>%1 (id %2)</source>
+        <translation>%1 (id-en er %2)</translation>
+    </message>
+    <message>
+        <source>σ is %1 m² now, a standard deviation of %2 m</source>
+        <translation>σ er %1 m² nå, et standardavvik på %2 m</translation>
+    </message>
+    <message>
+        <source>Place in the visiting order</source>
+        <translation>Plass i besøksrekkefølgen</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>Name of the iceberg</source>
+        <translation>Isfjellets navn</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Etappe</translation>
+    </message>
+    <message>
+        <source>Distance from the one before, the first from the UAV</source>
+        <translation>Avstand fra det forrige, det første fra UAV-en</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankomst</translation>
+    </message>
+    <message>
+        <source>Time from now until the UAV is there</source>
+        <translation>Tid fra nå til UAV-en er der</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position now</source>
+        <translation>Posisjonens usikkerhet nå</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlanPanel</name>
+    <message>
+        <source>Nothing to visit: there are no icebergs yet, or all of them are in view.</source>
+        <translation>Ingenting å besøke: det er ingen isfjell ennå, eller alle er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Plan: icebergs in visiting order</source>
+        <translation>Plan: isfjell i besøksrekkefølge</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlanReadoutView</name>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Avstand</translation>
+    </message>
+    <message>
+        <source>Way of the whole plan.</source>
+        <translation>Hele planens vei.</translation>
+    </message>
+    <message>
+        <source>Uncertainty reward</source>
+        <translation>Usikkerhetsgevinst</translation>
+    </message>
+    <message>
+        <source>Each iceberg's σ times the number of places after its own in the order: the sooner the uncertain ones come, the more.</source>
+        <translation>Hvert isfjells σ ganger antall plasser etter dets egen i rekkefølgen: jo før de usikre kommer, desto mer.</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Målfunksjon</translation>
+    </message>
+    <message>
+        <source>Price of distance minus uncertainty reward: what the solver makes as small as it can.</source>
+        <translation>Avstandens pris minus usikkerhetsgevinsten: det løseren gjør så lite som mulig.</translation>
+    </message>
+    <message>
+        <source>Price of distance μ</source>
+        <translation>Avstandens pris μ</translation>
+    </message>
+    <message>
+        <source>Uncertainty that one metre of way must be worth; follows from τ.</source>
+        <translation>Usikkerheten som én meter vei må være verd; følger av τ.</translation>
+    </message>
+    <message>
+        <source>State of the plan</source>
+        <translation>Planens tilstand</translation>
+    </message>
+    <message>
+        <source>%1 m²/m</source>
+        <translation>%1 m²/m</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlaybackBar</name>
+    <message>
+        <source>Fly</source>
+        <translation>Fly av sted</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Tilbakestill</translation>
+    </message>
+    <message>
+        <source>Part of the run flown</source>
+        <translation>Fløyet del av turen</translation>
+    </message>
+    <message>
+        <source>Time flown and length of the run</source>
+        <translation>Fløyet tid og turens lengde</translation>
+    </message>
+    <message>
+        <source>Rate of the flight</source>
+        <translation>Flygingens hastighet</translation>
+    </message>
+    <message>
+        <source>Simulated seconds flown in one second</source>
+        <translation>Simulerte sekunder fløyet per sekund</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>Så fort som mulig</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Planen lages fortsatt.</translation>
+    </message>
+    <message>
+        <source>This scenario cannot be flown. Correct what is reported first.</source>
+        <translation>Dette scenarioet kan ikke flys. Rett først det som er meldt.</translation>
+    </message>
+    <message>
+        <source>The run has ended.</source>
+        <translation>Turen er slutt.</translation>
+    </message>
+    <message>
+        <source>Fly again from the start (Space)</source>
+        <translation>Fly på nytt fra start (mellomrom)</translation>
+    </message>
+    <message>
+        <source>Pause the flight (Space)</source>
+        <translation>Ta pause i flygingen (mellomrom)</translation>
+    </message>
+    <message>
+        <source>Fly the plan (Space)</source>
+        <translation>Fly planen (mellomrom)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Ta pause</translation>
+    </message>
+    <message>
+        <source>Fly one second and pause</source>
+        <translation>Fly ett sekund og ta pause</translation>
+    </message>
+    <message>
+        <source>Back to the start, where everything can be edited</source>
+        <translation>Tilbake til start, der alt kan redigeres</translation>
+    </message>
+</context>
+<context>
+    <name>berg::TradeoffPanel</name>
+    <message>
+        <source>This version of Bergwatch cannot fly this policy. Choose another one.</source>
+        <translation>Denne versjonen av Bergwatch kan ikke fly denne strategien. Velg en annen.</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Avveining τ</translation>
+    </message>
+    <message>
+        <source>Trade-off τ from most uncertain first to shortest path</source>
+        <translation>Avveining τ fra mest usikre først til korteste vei</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Mest usikre først</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Korteste vei</translation>
+    </message>
+    <message>
+        <source>Policy</source>
+        <translation>Strategi</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Løser</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Rutetype</translation>
+    </message>
+    <message>
+        <source>This build of Bergwatch was made without this solver.</source>
+        <translation>Denne utgaven av Bergwatch er bygd uten denne løseren.</translation>
+    </message>
+    <message>
+        <source>%1 (not available)</source>
+        <translation>%1 (ikke tilgjengelig)</translation>
+    </message>
+    <message>
+        <source>The policy chosen does not use this.</source>
+        <translation>Den valgte strategien bruker ikke dette.</translation>
+    </message>
+    <message>
+        <source>Locked in flight. Reset the flight to change this.</source>
+        <translation>Låst under flyging. Tilbakestill flygingen for å endre dette.</translation>
+    </message>
+    <message>
+        <source>Small: icebergs of great uncertainty come first. Large: the way gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
+        <translation>Liten: isfjell med stor usikkerhet kommer først. Stor: veien blir kort. Piltaster endrer τ med 0,01, Page-taster med 0,25.</translation>
+    </message>
+    <message>
+        <source>Trade-off τ from 0 to 100.</source>
+        <translation>Avveining τ fra 0 til 100.</translation>
+    </message>
+    <message>
+        <source>How the next iceberg is chosen.</source>
+        <translation>Hvordan neste isfjell velges.</translation>
+    </message>
+    <message>
+        <source>What makes the plan. Automatic proves small problems and searches in large ones.</source>
+        <translation>Det som lager planen. Automatisk beviser små problemer og søker i store.</translation>
+    </message>
+    <message>
+        <source>One way ends at the last iceberg; a round trip counts the way back as well.</source>
+        <translation>Én vei slutter ved det siste isfjellet; en rundtur regner også med tilbakeveien.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Workspace</name>
+    <message>
+        <source>Change trade-off</source>
+        <translation>Endre avveining</translation>
+    </message>
+    <message>
+        <source>Change policy</source>
+        <translation>Endre strategi</translation>
+    </message>
+    <message>
+        <source>Change solver</source>
+        <translation>Endre løser</translation>
+    </message>
+    <message>
+        <source>Change route</source>
+        <translation>Endre rutetype</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,109 @@
+#include "widgets/charts/chart_frame.h"
+
+#include <QFontMetricsF>
+
+namespace berg {
+namespace {
+
+int flags(Qt::Alignment alignment)
+{
+    return static_cast<int>(alignment) | static_cast<int>(Qt::TextDontClip);
+}
+
+void paintAxes(QPainter& painter, const ChartFrame& frame, const Theme& theme)
+{
+    const QRectF& plot = frame.plot;
+    painter.setPen(QPen(theme.chartAxis, 1));
+    painter.drawLine(plot.bottomLeft(), plot.bottomRight());
+    painter.setFont(theme.small());
+    painter.setPen(theme.mutedText);
+    for (const ChartTick& tick : frame.left)
+        painter.drawText(QRectF(0, tick.at_px - 8, plot.left() - kChartTickGap_px, 16),
+                         flags(Qt::AlignRight | Qt::AlignVCenter), tick.text);
+    for (const ChartTick& tick : frame.right)
+        painter.drawText(QRectF(plot.right() + kChartTickGap_px, tick.at_px - 8, 100, 16),
+                         flags(Qt::AlignLeft | Qt::AlignVCenter), tick.text);
+    for (const ChartTick& tick : frame.times)
+        painter.drawText(QRectF(tick.at_px - 40, plot.bottom() + 5, 80, 16), flags(Qt::AlignCenter),
+                         tick.text);
+    painter.drawText(QRectF(plot.left(), plot.bottom() + 22, plot.width(), 16),
+                     flags(Qt::AlignCenter), frame.timeTitle);
+}
+
+/** Width of the key of the marks at the right end of the title row; 0: none, or no room. */
+double marksKeyWidth(const ChartFrame& frame, const Theme& theme)
+{
+    if (frame.marks_px.empty() || !frame.emptyText.isEmpty())
+        return 0;
+    const double width_px = QFontMetricsF(theme.small()).horizontalAdvance(frame.marksTitle) + 14;
+    return width_px < 0.3 * frame.size.width() ? width_px : 0;
+}
+
+void paintTitles(QPainter& painter, const ChartFrame& frame, const Theme& theme)
+{
+    const double width_px = frame.size.width() - 2 * kChartSide_px - marksKeyWidth(frame, theme);
+    painter.setFont(theme.strong());
+    painter.setPen(theme.text);
+    painter.drawText(
+        QRectF(kChartSide_px, 12, width_px, 18), flags(Qt::AlignLeft | Qt::AlignVCenter),
+        QFontMetricsF(theme.strong()).elidedText(frame.title, Qt::ElideRight, width_px));
+    painter.setFont(theme.small());
+    const QRectF row(kChartSide_px, kChartTop_px - 27, frame.size.width() - 2 * kChartSide_px, 16);
+    painter.setPen(frame.leftColour);
+    painter.drawText(row, flags(Qt::AlignLeft | Qt::AlignVCenter), frame.leftTitle);
+    painter.setPen(frame.rightColour);
+    painter.drawText(row, flags(Qt::AlignRight | Qt::AlignVCenter), frame.rightTitle);
+}
+
+void paintMarks(QPainter& painter, const ChartFrame& frame, const Theme& theme)
+{
+    painter.setPen(QPen(theme.uav, 1.6, Qt::SolidLine, Qt::FlatCap));
+    const double foot = frame.plot.bottom();
+    for (const double x : frame.marks_px)
+        painter.drawLine(QPointF(x, foot - kChartMark_px), QPointF(x, foot));
+    const double key_px = marksKeyWidth(frame, theme);
+    if (key_px == 0)
+        return;
+    const double left_px = frame.size.width() - kChartSide_px - key_px + 14;
+    painter.drawLine(QPointF(left_px - 7, 17), QPointF(left_px - 7, 17 + kChartMark_px));
+    painter.setFont(theme.small());
+    painter.setPen(theme.mutedText);
+    painter.drawText(QRectF(left_px, 12, key_px, 18), flags(Qt::AlignLeft | Qt::AlignVCenter),
+                     frame.marksTitle);
+}
+
+void paintLabels(QPainter& painter, const ChartFrame& frame, const Theme& theme)
+{
+    for (const ChartLabel& label : frame.labels) {
+        painter.setFont(label.inMargin ? theme.small() : theme.strong());
+        if (label.inMargin) {
+            painter.setPen(QPen(label.colour, 1));
+            const double y = label.rect.center().y();
+            painter.drawPolyline(QPolygonF{label.end, QPointF(label.end.x() + 5, y),
+                                           QPointF(label.rect.left() - 3, y)});
+        }
+        painter.setPen(label.inMargin ? theme.text : label.colour);
+        painter.drawText(label.rect, flags(Qt::AlignLeft | Qt::AlignVCenter), label.text);
+    }
+}
+
+} // namespace
+
+void paintChartFrame(QPainter& painter, const ChartFrame& frame, const Theme& theme)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintAxes(painter, frame, theme);
+    paintTitles(painter, frame, theme);
+    if (frame.emptyText.isEmpty()) {
+        paintMarks(painter, frame, theme);
+        paintLabels(painter, frame, theme);
+    } else {
+        painter.setFont(theme.body());
+        painter.setPen(theme.mutedText);
+        painter.drawText(frame.plot, flags(Qt::AlignCenter), frame.emptyText);
+    }
+    painter.restore();
+}
+
+} // namespace berg

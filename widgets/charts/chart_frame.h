@@ -1,0 +1,58 @@
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QPainter>
+
+#include <vector>
+
+namespace berg {
+
+/** A number at an axis: its place along the axis and what it says. */
+struct ChartTick
+{
+    double at_px = 0;
+    QString text;
+};
+
+/** A name beside a line. */
+struct ChartLabel
+{
+    QString text;
+    QRectF rect;
+    QPointF end; ///< of its line
+    QColor colour;
+    bool inMargin = false; ///< right of the plot, joined to its line by a leader
+};
+
+/** Everything round and on top of the lines of a chart, device-independent pixels. */
+struct ChartFrame
+{
+    QSizeF size;
+    QRectF plot;
+    QString title;
+    QString leftTitle;
+    QString rightTitle;
+    QString timeTitle;
+    QColor leftColour; ///< of the axis titles: those of their lines
+    QColor rightColour;
+    std::vector<ChartTick> times;
+    std::vector<ChartTick> left;
+    std::vector<ChartTick> right;
+    std::vector<double> marks_px; ///< abscissas of the small ticks at the foot of the plot
+    QString marksTitle;
+    std::vector<ChartLabel> labels;
+    QString emptyText; ///< in the middle; empty when there is something to see
+};
+
+// Room round the plot and sizes of its furniture.
+inline constexpr double kChartTop_px = 62;    ///< title and axis titles
+inline constexpr double kChartBottom_px = 46; ///< times and their title
+inline constexpr double kChartSide_px = 18;
+inline constexpr double kChartTickGap_px = 7; ///< between axis and number
+inline constexpr double kChartMark_px = 7;
+
+/** Paints titles, numbers, marks and labels; the painter is left as it was. */
+void paintChartFrame(QPainter& painter, const ChartFrame& frame, const Theme& theme);
+
+} // namespace berg

@@ -1,0 +1,123 @@
+#include "widgets/charts/decimate.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace berg {
+namespace {
+
+/** Lowest and highest point of one column. */
+struct Extremes
+{
+    QPointF lowest;
+    QPointF highest;
+
+    void include(const QPointF& p)
+    {
+        if (p.y() < lowest.y())
+            lowest = p;
+        if (p.y() > highest.y())
+            highest = p;
+    }
+};
+
+/** Adds a point after the others unless it is the last one again. */
+void append(QList<QPointF>& out, const QPointF& p)
+{
+    if (out.isEmpty() || out.back() != p)
+        out.push_back(p);
+}
+
+void append(QList<QPointF>& out, const Extremes& extremes)
+{
+    const bool rising = extremes.lowest.x() <= extremes.highest.x();
+    append(out, rising ? extremes.lowest : extremes.highest);
+    append(out, rising ? extremes.highest : extremes.lowest);
+}
+
+} // namespace
+
+QList<QPointF> decimate(std::span<const QPointF> points, const DecimationWindow& window)
+{
+    require(window.to > window.from && window.columns > 0, "decimation window is empty");
+    const double perColumn = (window.to - window.from) / window.columns;
+    QList<QPointF> out;
+    std::optional<QPointF> before;
+    std::optional<QPointF> last;
+    std::optional<Extremes> column;
+    int columnIndex = -1;
+    for (const QPointF& p : points) {
+        if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+            continue;
+        if (p.x() < window.from) {
+            before = p;
+            continue;
+        }
+        if (p.x() > window.to) {
+            if (column)
+                append(out, *std::exchange(column, std::nullopt));
+            if (last)
+                append(out, *last);
+            if (!last && before)
+                append(out, *before);
+            append(out, p);
+            return out;
+        }
+        if (!last) {
+            if (before)
+                append(out, *before);
+            append(out, p);
+        }
+        last = p;
+        const int index =
+            std::min(window.columns - 1, static_cast<int>((p.x() - window.from) / perColumn));
+        if (column && index == columnIndex) {
+            column->include(p);
+            continue;
+        }
+        if (column)
+            append(out, *column);
+        column = Extremes{.lowest = p, .highest = p};
+        columnIndex = index;
+    }
+    if (column)
+        append(out, *column);
+    if (last)
+        append(out, *last);
+    return out;
+}
+
+QList<QPointF> simplified(const QList<QPointF>& points, double tolerance)
+{
+    if (points.size() < 3)
+        return points;
+    // The slopes from the last point kept that pass all points since then closely enough.
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    QList<QPointF> out{points.front()};
+    double lowest = -kInfinity;
+    double highest = kInfinity;
+    for (qsizetype i = 1; i < points.size(); ++i) {
+        QPointF way = points[i] - out.back();
+        const bool reachable =
+            way.x() > 0 && way.y() >= lowest * way.x() && way.y() <= highest * way.x();
+        if (!reachable && points[i - 1] != out.back()) {
+            out.push_back(points[i - 1]);
+            way = points[i] - out.back();
+            lowest = -kInfinity;
+            highest = kInfinity;
+        }
+        if (way.x() > 0) {
+            lowest = std::max(lowest, (way.y() - tolerance) / way.x());
+            highest = std::min(highest, (way.y() + tolerance) / way.x());
+        }
+    }
+    out.push_back(points.back());
+    return out;
+}
+
+} // namespace berg

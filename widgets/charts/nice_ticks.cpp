@@ -1,0 +1,54 @@
+#include "widgets/charts/nice_ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace berg {
+namespace {
+
+constexpr std::array<double, 17> kTimeSteps_s = {
+    1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 21600, 43200, 86400};
+
+/** Smallest round step at or above `value` > 0. */
+double roundUp(double value)
+{
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double leading : {1.0, 2.0, 2.5, 5.0})
+        if (value <= leading * decade * (1 + 1e-12))
+            return leading * decade;
+    return 10 * decade;
+}
+
+} // namespace
+
+int NiceTicks::decimals() const
+{
+    int decimals = 0;
+    for (double s = step; decimals < 9 && std::abs(s - std::round(s)) > 1e-6 * s; s *= 10)
+        ++decimals;
+    return decimals;
+}
+
+NiceTicks niceTicks(double largest, int most)
+{
+    if (!(largest > 0))
+        return {.step = 1, .count = 1};
+    const double step = roundUp(largest / most);
+    return {.step = step, .count = std::max(1, static_cast<int>(std::ceil(largest / step - 1e-9)))};
+}
+
+NiceTicks niceTicksExactly(double largest, int count)
+{
+    return {.step = largest > 0 ? roundUp(largest / count) : 1, .count = count};
+}
+
+double timeStep_s(double duration_s, int most)
+{
+    for (const double step_s : kTimeSteps_s)
+        if (duration_s <= step_s * most)
+            return step_s;
+    return 86400 * std::ceil(duration_s / 86400 / most);
+}
+
+} // namespace berg

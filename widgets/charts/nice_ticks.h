@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+namespace berg {
+
+/** Ticks of an axis from 0: 0, step, 2 step, ... `count` steps. */
+struct NiceTicks
+{
+    double step = 1;
+    int count = 1;
+    [[nodiscard]] double end() const { return step * count; }
+    /** Decimals needed to write the ticks. */
+    [[nodiscard]] int decimals() const;
+};
+
+/** Steps of 1, 2, 2.5 or 5 times a power of ten that cover [0, largest] in at most `most` steps. */
+[[nodiscard]] NiceTicks niceTicks(double largest, int most);
+
+/** Exactly `count` steps, so that two axes share one grid. */
+[[nodiscard]] NiceTicks niceTicksExactly(double largest, int count);
+
+/** Step of a time axis in seconds that people read well (10 s, 1 min, 5 min, 1 h, ...). */
+[[nodiscard]] double timeStep_s(double duration_s, int most);
+
+} // namespace berg

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "widgets/map/label_placement.h"
+#include "widgets/theme/theme.h"
+
+#include <QPainter>
+
+namespace berg {
+
+// Marks that the interactive map adds to its picture: what is selected, meant or being done. All
+// are told by shape, not by colour alone; each function leaves the painter as it found it.
+
+/** Selected: a ring with four handles round the symbol. */
+void paintSelectionMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme);
+
+/** Under the cursor or meant by a row of a list: a thin ring. */
+void paintHoverMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme);
+
+/** The frame that selects what is inside. */
+void paintRubberBand(QPainter& painter, const QRectF& band, const Theme& theme);
+
+/** From where something was taken to where it is now. */
+void paintDragTrail(QPainter& painter, const QLineF& way, const Theme& theme);
+
+/** Words beside the cursor, inside `area`, on a panel. */
+void paintBubble(QPainter& painter, const QPointF& at, const QString& text, const QRectF& area,
+                 const Theme& theme);
+
+/** A frame inside the edge: this widget has the keys. */
+void paintFocusFrame(QPainter& painter, const QRectF& rect, const Theme& theme);
+
+} // namespace berg

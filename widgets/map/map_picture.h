@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/base/geodesy.h"
+#include "core/tracking/observer.h"
+
+#include <QString>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berg {
+
+/** One iceberg as the map shows it. */
+struct MapIceberg
+{
+    QString id;
+    Point position_m = Point::Zero();   ///< estimate
+    Point velocity_mps = Point::Zero(); ///< over ground, current included
+    double sigma_m2 = 0;
+    double radius_m = 50; ///< decides the size class of the symbol
+    bool inView = false;
+    double appears_s = 0; ///< > 0: not there yet, drawn faint with this time
+    std::string key;      ///< id in the scenario; empty: the same as `id`
+};
+
+struct MapUav
+{
+    Point position_m = Point::Zero();
+    double psi_rad = 0; ///< from the x = east axis, counter-clockwise
+    SensorSpec sensor;
+    std::string key; ///< id in the scenario; empty: cannot be selected
+};
+
+/** One point of the flown track. */
+struct MapTrackPoint
+{
+    Point position_m = Point::Zero();
+    double time_s = 0;
+};
+
+struct MapAsset
+{
+    QString name;
+    Point position_m = Point::Zero();
+};
+
+/** A number shown large in the title overlay, e.g. {"Zeta", "84 420", "m² s"}. */
+struct MapReadout
+{
+    QString caption;
+    QString value;
+    QString unit;
+};
+
+/** Everything one picture of the map shows, as plain values. */
+struct MapPicture
+{
+    QString title;
+    QString subtitle;
+    std::vector<MapReadout> readouts;
+    LatLon origin{47, -48}; ///< of the local plane
+    std::optional<MapUav> uav;
+    std::vector<MapIceberg> icebergs;
+    std::vector<int> plan; ///< indices of `icebergs` in the order to be visited
+    std::vector<MapTrackPoint> track;
+    std::vector<Point> area_m; ///< corners; empty: unbounded
+    std::optional<MapAsset> asset;
+    double sigmaFull_m2 = 10; ///< end of the colour scale, > 0
+    QString emptyTitle;       ///< shown when there is no iceberg
+    QString emptyHint;        ///< what to do about it
+};
+
+/** Smallest "round" end of a sigma scale at or above `sigma_m2`: 1, 2, 5, 10, 15, 20, 30, ... */
+[[nodiscard]] double roundSigmaScale(double sigma_m2);
+
+} // namespace berg

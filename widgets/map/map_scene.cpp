@@ -1,0 +1,196 @@
+#include "widgets/map/map_scene.h"
+
+#include "widgets/map/scenario_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace berg {
+namespace {
+
+constexpr double kUavReach_px = 17;      // half the size of the UAV's symbol and a little more
+constexpr double kSmallestReach_px = 13; // symbols are at least this easy to hit
+constexpr double kReachMargin_px = 2;
+
+/** Labels that can be placed anew in every frame, a few milliseconds. */
+constexpr int kLabelsPerFrame = 60;
+
+} // namespace
+
+MapScene::MapScene() : m_theme(Theme::light()) {}
+
+void MapScene::setPicture(MapPicture picture)
+{
+    if (!(picture.origin == m_picture.origin)) {
+        m_graticule.reset();
+        m_ground = {};
+    }
+    m_picture = std::move(picture);
+    m_layout.reset();
+}
+
+void MapScene::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    m_sprites.clear();
+    m_ground = {};
+    m_layout.reset();
+}
+
+void MapScene::setLocale(const QLocale& locale)
+{
+    m_locale = locale;
+    m_sprites.clear();
+    m_layout.reset();
+}
+
+void MapScene::setRect(const QRectF& rect)
+{
+    m_rect = rect;
+    m_graticule.reset();
+    m_ground = {};
+    m_layout.reset();
+}
+
+void MapScene::setView(const MapViewTransform& view)
+{
+    m_view = view;
+    m_graticule.reset();
+    m_ground = {};
+    m_layout.reset();
+}
+
+void MapScene::fit()
+{
+    m_continuity = {};
+    const MapLayout fitted = arrangeMap(m_picture, {.theme = m_theme, .locale = m_locale}, m_rect);
+    setView(fitted.view);
+}
+
+void MapScene::setDriftTime(std::optional<double> driftTime_s)
+{
+    m_driftTime_s = driftTime_s;
+    m_layout.reset();
+}
+
+const MapLayout& MapScene::layout()
+{
+    if (m_layout)
+        return *m_layout;
+    const auto inSight = std::count_if(
+        m_picture.icebergs.begin(), m_picture.icebergs.end(), [&](const MapIceberg& iceberg) {
+            return m_rect.contains(m_view.toPixel(iceberg.position_m));
+        });
+    m_continuity.driftTime_s = m_driftTime_s;
+    m_continuity.keepLabels = inSight > kLabelsPerFrame && !m_mayTakeTime;
+    m_isUnsettled = m_continuity.keepLabels;
+    m_mayTakeTime = false;
+    m_layout =
+        arrangeMap(m_picture, {.theme = m_theme, .locale = m_locale}, m_rect, m_view, m_continuity);
+    m_continuity = continuityOf(m_picture, *m_layout);
+    return *m_layout;
+}
+
+void MapScene::settle()
+{
+    m_mayTakeTime = true;
+    m_layout.reset();
+}
+
+std::string MapScene::objectAt(const QPointF& at)
+{
+    if (isOverlay(at))
+        return {};
+    const MapLayout& map = layout();
+    std::string nearest;
+    double nearest_px = std::numeric_limits<double>::infinity();
+    const auto offer = [&](const std::string& key, double distance_px) {
+        if (distance_px >= nearest_px)
+            return;
+        nearest_px = distance_px;
+        nearest = key;
+    };
+    if (m_picture.uav && !m_picture.uav->key.empty()) {
+        const QLineF way(at, map.view.toPixel(m_picture.uav->position_m));
+        if (way.length() <= kUavReach_px)
+            offer(m_picture.uav->key, way.length());
+    }
+    for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i) {
+        const LabelDisk& disk = map.icebergs[i];
+        const QLineF way(at, disk.centre_px);
+        const double reach_px = std::max(disk.radius_px + kReachMargin_px, kSmallestReach_px);
+        if (way.length() <= reach_px)
+            offer(keyOf(m_picture.icebergs[i]), way.length());
+        else if (nearest.empty() && map.labels[i].rect.contains(at))
+            offer(keyOf(m_picture.icebergs[i]), 1e6); // any symbol under the name comes first
+    }
+    return nearest;
+}
+
+std::vector<std::string> MapScene::objectsIn(const QRectF& rect)
+{
+    const MapLayout& map = layout();
+    std::vector<std::string> keys;
+    for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i)
+        if (rect.contains(map.icebergs[i].centre_px))
+            keys.push_back(keyOf(m_picture.icebergs[i]));
+    if (m_picture.uav && !m_picture.uav->key.empty() &&
+        rect.contains(map.view.toPixel(m_picture.uav->position_m)))
+        keys.push_back(m_picture.uav->key);
+    return keys;
+}
+
+std::optional<LabelDisk> MapScene::symbolOf(const std::string& key)
+{
+    const MapLayout& map = layout();
+    if (m_picture.uav && m_picture.uav->key == key && !key.empty())
+        return LabelDisk{.centre_px = map.view.toPixel(m_picture.uav->position_m),
+                         .radius_px = kUavReach_px};
+    for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i)
+        if (keyOf(m_picture.icebergs[i]) == key)
+            return map.icebergs[i];
+    return std::nullopt;
+}
+
+bool MapScene::isOverlay(const QPointF& at)
+{
+    const std::vector<QRectF> overlays = layout().overlays();
+    return std::any_of(overlays.begin(), overlays.end(),
+                       [&](const QRectF& overlay) { return overlay.contains(at); });
+}
+
+void MapScene::paintGround(QPainter& painter, const MapFrame& frame)
+{
+    const double ratio = painter.device()->devicePixelRatioF();
+    if (m_ground.isNull() || m_ground.devicePixelRatioF() != ratio) {
+        const QSizeF size = m_rect.size() * ratio;
+        m_ground = QPixmap(static_cast<int>(std::ceil(size.width())),
+                           static_cast<int>(std::ceil(size.height())));
+        m_ground.setDevicePixelRatio(ratio);
+        m_ground.fill(m_theme.sea); // opaque, so that copying is all there is to do
+        QPainter own(&m_ground);
+        paintMapGround(own, frame);
+    }
+    painter.drawPixmap(m_rect.topLeft(), m_ground);
+}
+
+void MapScene::paint(QPainter& painter, const std::function<void()>& marks)
+{
+    const MapLayout& map = layout();
+    if (!m_graticule)
+        m_graticule = graticuleOf(LocalFrame(m_picture.origin), m_view, m_rect);
+    const MapStyle style{.theme = m_theme, .locale = m_locale};
+    const MapFrame frame{.picture = m_picture,
+                         .style = style,
+                         .layout = map,
+                         .graticule = *m_graticule,
+                         .sprites = &m_sprites};
+    paintGround(painter, frame);
+    paintMapContent(painter, frame);
+    marks();
+    paintMapLabels(painter, frame);
+    paintMapOverlays(painter, frame);
+}
+
+} // namespace berg

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QPainter>
+
+namespace berg {
+
+// The signs of the map. All sizes are device-independent pixels; each function leaves the painter
+// as it found it.
+
+/** Half the width of an iceberg's symbol by size class (WMO: small < 60 m, medium < 120 m long). */
+[[nodiscard]] double icebergSymbolRadius_px(double radius_m);
+
+/** How an iceberg is drawn. */
+struct IcebergLook
+{
+    double radius_px = 10; ///< of the symbol
+    double ring_px = 0;    ///< radius of the sigma ring; 0: none
+    QColor sigma;          ///< colour of sigma
+    bool inView = false;   ///< seen now: pure ice, no ring
+    bool later = false;    ///< still to come: faint and dashed
+    unsigned variant = 0;  ///< which of the forms
+};
+
+/**
+ * An angular form of ice with a lit and a shaded facet inside its sigma ring. Seen now: white ice
+ * with a corner bracket on each side, so that the state is told by shape too.
+ */
+void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& look,
+                 const Theme& theme);
+
+/** UAV as a swept dart; `direction_rad` counter-clockwise from the right of the screen. */
+void drawUav(QPainter& painter, const QPointF& centre, double direction_rad, const Theme& theme);
+
+/** Platform to protect: a square on four legs. */
+void drawAsset(QPainter& painter, const QPointF& centre, const Theme& theme);
+
+/** Line with a filled head at its end. */
+void drawArrow(QPainter& painter, const QLineF& line, const QPen& pen, double head_px);
+
+/** Arrow head in the middle of a line, to show which way it is flown. */
+void drawDirectionMark(QPainter& painter, const QLineF& line, const QColor& colour, double size_px);
+
+/** Number in a filled disk. */
+void drawOrderDisk(QPainter& painter, const QPointF& centre, double radius_px, int number,
+                   const Theme& theme);
+
+/** Text over the map with a halo of the background's colour. */
+void drawHaloText(QPainter& painter, const QRectF& rect, Qt::Alignment alignment,
+                  const QString& text, const QColor& colour, const QColor& halo);
+
+/**
+ * Text whose digits all take the width of the widest one, so that a running number does not
+ * jitter in fonts without tabular figures. Starts at `baseline`.
+ */
+void drawTabular(QPainter& painter, const QPointF& baseline, const QString& text);
+/** Advance of `drawTabular`. */
+[[nodiscard]] double tabularWidth(const QFontMetricsF& metrics, const QString& text);
+
+} // namespace berg

@@ -1,0 +1,358 @@
+#include "widgets/map/map_view.h"
+
+#include "widgets/map/map_marks.h"
+#include "widgets/map/scenario_picture.h"
+#include "widgets/model/scenario_edits.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+// The whole range of coordinates fits on the smallest scale, a tenth of a metre is a pixel on the
+// largest.
+constexpr double kSmallestScale_pxpm = 2e-4;
+constexpr double kLargestScale_pxpm = 10;
+
+/** Half the part of the view that a followed UAV may be in. */
+constexpr double kFollowShare = 0.2;
+
+constexpr int kSettle_ms = 150;
+
+bool isEditing(MapToolKind kind)
+{
+    return kind == MapToolKind::Iceberg || kind == MapToolKind::Uav;
+}
+
+} // namespace
+
+MapView::MapView(ScenarioDocument& document, Selection& selection, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_selection(selection)
+    , m_tool(makeMapTool(MapToolKind::Select, {m_document, m_selection, m_scene, *this}))
+{
+    setObjectName(u"mapView"_s);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    grabGesture(Qt::PinchGesture);
+    m_scene.setLocale(locale());
+    m_settleTimer.setSingleShot(true);
+    m_settleTimer.setInterval(kSettle_ms);
+    connect(&m_settleTimer, &QTimer::timeout, this, [this] {
+        m_scene.settle();
+        update();
+    });
+    connect(&m_document, &ScenarioDocument::replaced, this, &MapView::scenarioReplaced);
+    connect(&m_document, &ScenarioDocument::scenarioChanged, this, &MapView::scenarioChanged);
+    connect(&m_selection, &Selection::changed, this, &MapView::selectionChanged);
+    refreshPicture();
+    updateTexts();
+}
+
+MapView::~MapView() = default;
+
+void MapView::setPicture(MapPicture picture)
+{
+    m_picture = std::move(picture);
+    refreshPicture();
+    if (m_fitsNextPicture)
+        fit();
+    m_fitsNextPicture = false;
+}
+
+void MapView::setTheme(const Theme& theme)
+{
+    m_scene.setTheme(theme);
+    update();
+}
+
+void MapView::setLocked(bool locked)
+{
+    if (m_isLocked == locked)
+        return;
+    m_tool->cancel();
+    m_isLocked = locked;
+    if (locked && isEditing(m_toolKind))
+        setTool(MapToolKind::Select);
+    refreshPicture();
+    toolActed();
+}
+
+void MapView::setTool(MapToolKind kind)
+{
+    if (kind == m_toolKind || (m_isLocked && isEditing(kind)))
+        return;
+    m_tool->cancel();
+    endNudges();
+    m_tool = makeMapTool(kind, {m_document, m_selection, m_scene, *this});
+    m_toolKind = kind;
+    toolActed();
+    emit toolChanged(kind);
+}
+
+void MapView::fit()
+{
+    m_scene.fit();
+    m_scene.settle();
+    m_isFitted = true;
+    updateHover();
+    update();
+}
+
+void MapView::zoomBy(double factor, const QPointF& at)
+{
+    const double scale_pxpm = view().scale_pxpm();
+    const double wanted_pxpm =
+        std::clamp(scale_pxpm * factor, kSmallestScale_pxpm, kLargestScale_pxpm);
+    if (wanted_pxpm == scale_pxpm)
+        return;
+    // A followed UAV stays where it is; else the place under the cursor does.
+    const bool staysAtUav = m_followsUav && m_scene.picture().uav;
+    const QPointF fixed = staysAtUav ? toScreen(m_scene.picture().uav->position_m) : at;
+    setView(view().zoomed(wanted_pxpm / scale_pxpm, fixed));
+}
+
+void MapView::panBy(const QPointF& offset_px)
+{
+    stopFollowing();
+    setView(view().moved(offset_px));
+}
+
+void MapView::setFollowUav(bool follow)
+{
+    if (m_followsUav == follow)
+        return;
+    m_followsUav = follow;
+    if (follow && m_scene.picture().uav)
+        setView(
+            view().moved(m_scene.rect().center() - toScreen(m_scene.picture().uav->position_m)));
+    emit followUavChanged(follow);
+}
+
+void MapView::stopFollowing()
+{
+    setFollowUav(false);
+}
+
+void MapView::setView(const MapViewTransform& view)
+{
+    // The middle of the map stays where a scenario can have something.
+    const QPointF middle = m_scene.rect().center();
+    const Point middle_m = view.toWorld(middle);
+    const QPointF offset_px = middle - view.toPixel(clampedPosition(middle_m));
+    m_scene.setView(view.moved(offset_px));
+    m_isFitted = false;
+    updateHover();
+    update();
+}
+
+void MapView::keepUavInSight()
+{
+    if (!m_followsUav || !m_scene.picture().uav)
+        return;
+    const QRectF rect = m_scene.rect();
+    const QPointF half(kFollowShare * rect.width(), kFollowShare * rect.height());
+    const QPointF at = toScreen(m_scene.picture().uav->position_m);
+    const QPointF middle = rect.center();
+    const QPointF inside(std::clamp(at.x(), middle.x() - half.x(), middle.x() + half.x()),
+                         std::clamp(at.y(), middle.y() - half.y(), middle.y() + half.y()));
+    if (inside != at)
+        setView(view().moved(inside - at));
+}
+
+void MapView::setHighlight(const std::string& id)
+{
+    if (m_highlighted == id)
+        return;
+    m_highlighted = id;
+    update();
+}
+
+void MapView::setPreview(const Scenario* scenario)
+{
+    if (scenario != nullptr)
+        m_preview = *scenario;
+    else
+        m_preview.reset();
+    refreshPicture();
+}
+
+void MapView::refreshPicture()
+{
+    const Scenario& scenario = m_preview ? *m_preview : m_document.scenario();
+    MapPicture shown = m_isLocked ? m_picture : withScenario(m_picture, scenario);
+    if (shown.uav && shown.uav->key.empty() && !scenario.uavs.empty())
+        shown.uav->key = scenario.uavs.front().id;
+    const bool isOtherCount = shown.icebergs.size() != m_scene.picture().icebergs.size();
+    m_scene.setPicture(std::move(shown));
+    keepUavInSight();
+    if (isOtherCount)
+        updateTexts();
+    updateHover();
+    update();
+}
+
+void MapView::scenarioReplaced()
+{
+    m_tool->documentChanged(); // taking back would bring the old scenario into the new one
+    m_fitsNextPicture = true;
+    MapPicture empty;
+    empty.emptyTitle = m_picture.emptyTitle;
+    empty.emptyHint = m_picture.emptyHint;
+    m_picture = std::move(empty);
+}
+
+void MapView::scenarioChanged()
+{
+    m_selection.keepExisting(m_document.scenario());
+    m_tool->documentChanged();
+    refreshPicture();
+    if (m_fitsNextPicture)
+        fit();
+}
+
+void MapView::selectionChanged()
+{
+    endNudges(); // those of another selection are another step
+    update();
+}
+
+void MapView::endNudges()
+{
+    // The gesture of a tool ends with the tool's own press, not in the middle of it.
+    if (!m_tool->isBusy())
+        m_document.endGesture();
+}
+
+void MapView::deleteSelected()
+{
+    m_tool->cancel();
+    if (m_isLocked)
+        return;
+    const std::vector<std::string> ids = m_selection.ids();
+    const auto count = std::count_if(ids.begin(), ids.end(), [&](const std::string& id) {
+        return findIceberg(m_document.scenario(), id) != nullptr;
+    });
+    if (count == 0)
+        return;
+    m_document.edit(count == 1 ? tr("Delete iceberg")
+                               : tr("Delete %n icebergs", nullptr, static_cast<int>(count)),
+                    [&](Scenario& scenario) { removeIcebergs(scenario, ids); });
+}
+
+void MapView::selectAll()
+{
+    std::vector<std::string> ids;
+    for (const MapIceberg& iceberg : m_scene.picture().icebergs)
+        ids.push_back(keyOf(iceberg));
+    m_selection.set(std::move(ids));
+}
+
+void MapView::nudge(double east_m, double north_m)
+{
+    m_tool->cancel();
+    if (m_isLocked || m_selection.isEmpty())
+        return;
+    const std::vector<std::string> ids = m_selection.ids();
+    m_document.edit(
+        moveText(m_document.scenario(), ids),
+        [&](Scenario& scenario) {
+            moveObjects(scenario, ids, {east_m, north_m});
+        },
+        u"nudge"_s);
+}
+
+void MapView::toolActed()
+{
+    setCursor(m_tool->cursor(m_hovered));
+    if (const QString status = m_tool->status(); status != m_status) {
+        m_status = status;
+        emit statusText(m_status);
+    }
+    update();
+}
+
+void MapView::setHovered(const std::string& id)
+{
+    if (m_hovered == id)
+        return;
+    m_hovered = id;
+    setCursor(m_tool->cursor(m_hovered));
+    update();
+    emit hovered(m_hovered);
+}
+
+void MapView::updateHover()
+{
+    if (m_tool->isBusy() || m_panFrom)
+        return;
+    setHovered(m_cursor ? m_scene.objectAt(*m_cursor) : std::string());
+}
+
+void MapView::updateTexts()
+{
+    setAccessibleName(tr("Map"));
+    setAccessibleDescription(
+        tr("%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus "
+           "and minus zoom, F fits.",
+           nullptr, static_cast<int>(m_scene.picture().icebergs.size())));
+}
+
+void MapView::paintMarks(QPainter& painter)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme& theme = m_scene.theme();
+    const auto hover = [&](const std::string& id) {
+        if (id.empty() || m_selection.contains(id))
+            return;
+        if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
+            paintHoverMark(painter, *symbol, theme);
+    };
+    hover(m_hovered);
+    if (m_highlighted != m_hovered)
+        hover(m_highlighted);
+    for (const std::string& id : m_selection.ids())
+        if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
+            paintSelectionMark(painter, *symbol, theme);
+}
+
+void MapView::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    m_scene.paint(painter, [&] { paintMarks(painter); });
+    painter.setRenderHint(QPainter::Antialiasing);
+    m_tool->paint(painter);
+    if (m_hasKeyboardFocus)
+        paintFocusFrame(painter, rect(), m_scene.theme());
+    if (m_scene.isUnsettled() && !m_settleTimer.isActive())
+        m_settleTimer.start();
+}
+
+void MapView::resizeEvent(QResizeEvent*)
+{
+    const QPointF before = m_scene.rect().center();
+    m_scene.setRect(QRectF(rect()));
+    if (m_isFitted)
+        fit();
+    else
+        setView(view().moved(m_scene.rect().center() - before));
+}
+
+void MapView::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
+        m_scene.setLocale(locale());
+        updateTexts();
+        toolActed();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace berg

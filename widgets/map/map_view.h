@@ -1,0 +1,142 @@
+#pragma once
+
+#include "widgets/map/map_scene.h"
+#include "widgets/map/map_tools.h"
+#include "widgets/model/scenario_document.h"
+#include "widgets/model/selection.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QGestureEvent;
+class QHelpEvent;
+class QNativeGestureEvent;
+
+namespace berg {
+
+/**
+ * The map one works with: shows a picture in a view that mouse, wheel, pinch and keys move, and
+ * edits the scenario with tools. While it is not locked it shows what can be edited as the document
+ * has it, so that edits are seen in the next frame; everything else comes from the picture. GUI
+ * thread.
+ */
+class MapView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /** Both must outlive the view. */
+    explicit MapView(ScenarioDocument& document, Selection& selection, QWidget* parent = nullptr);
+    ~MapView() override;
+
+    /** The first one, and the first one after another scenario was opened, is fitted. */
+    void setPicture(MapPicture picture);
+    void setTheme(const Theme& theme);
+    /** In flight: the picture is shown as it is, tools that edit are left, a click still selects.
+     */
+    void setLocked(bool locked);
+    [[nodiscard]] bool isLocked() const { return m_isLocked; }
+
+    /** Leaves what was under way. A tool that edits is not taken up while the map is locked. */
+    void setTool(MapToolKind kind);
+    [[nodiscard]] MapToolKind tool() const { return m_toolKind; }
+
+    void fit();
+    void zoomBy(double factor, const QPointF& at);
+    /** Moves what is shown by `offset_px`. */
+    void panBy(const QPointF& offset_px);
+    /** Keeps the UAV in the middle part of the view until the map is moved by hand. */
+    void setFollowUav(bool follow);
+    [[nodiscard]] bool followsUav() const { return m_followsUav; }
+
+    [[nodiscard]] MapViewTransform view() const { return m_scene.view(); }
+    [[nodiscard]] Point toWorld(const QPointF& p_px) const { return m_scene.view().toWorld(p_px); }
+    [[nodiscard]] QPointF toScreen(const Point& p_m) const { return m_scene.view().toPixel(p_m); }
+
+    /** Marks an object that a list or chart points at; empty: none. */
+    void setHighlight(const std::string& id);
+
+    /** Shows this scenario in place of that of the document; null: the document's again. */
+    void setPreview(const Scenario* scenario);
+
+    [[nodiscard]] QSize sizeHint() const override { return {900, 600}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
+
+public slots:
+    void deleteSelected();
+    void selectAll();
+    /** Moves the selection, metres east and north; calls that follow each other are one undo step.
+     */
+    void nudge(double east_m, double north_m);
+
+signals:
+    void cursorMoved(const berg::Point& position_m);
+    void cursorLeft();
+    void toolChanged(berg::MapToolKind kind);
+    void followUavChanged(bool follows);
+    /** What the tool expects now. */
+    void statusText(const QString& text);
+    /** The object under the cursor; empty: none. */
+    void hovered(const std::string& id);
+    void editRequested(const std::string& id);
+    void contextMenuRequested(const QPoint& globalPos, const berg::Point& position_m);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void scenarioChanged();
+    void scenarioReplaced();
+    void selectionChanged();
+    void refreshPicture();
+    void keepUavInSight();
+    void setView(const MapViewTransform& view);
+    void stopFollowing();
+    void endNudges();
+    void toolActed();
+    void setHovered(const std::string& id);
+    void updateHover();
+    void requestContextMenu(const QPoint& globalPos, const QPointF& at);
+    void pressArrow(const QKeyEvent& event);
+    bool nativeGesture(const QNativeGestureEvent& event);
+    bool gesture(QGestureEvent& event);
+    bool showToolTip(const QHelpEvent& event);
+    void updateTexts();
+    void paintMarks(QPainter& painter);
+    [[nodiscard]] MapPointer pointerOf(const QMouseEvent& event) const;
+
+    ScenarioDocument& m_document;
+    Selection& m_selection;
+    MapScene m_scene;
+    MapPicture m_picture; ///< as the owner gave it
+    std::optional<Scenario> m_preview;
+    MapToolKind m_toolKind = MapToolKind::Select;
+    std::unique_ptr<MapTool> m_tool;
+
+    bool m_isLocked = false;
+    bool m_isFitted = true;        ///< not moved since `fit`: a new size is fitted again
+    bool m_fitsNextPicture = true; ///< the first one of a scenario
+    bool m_followsUav = false;
+    bool m_hasKeyboardFocus = false;
+    std::optional<QPointF> m_cursor;  ///< none: not over the map
+    std::optional<QPointF> m_panFrom; ///< of the middle button
+    std::string m_hovered;
+    std::string m_highlighted;
+    QString m_status;
+    QTimer m_settleTimer;
+};
+
+} // namespace berg

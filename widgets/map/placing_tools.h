@@ -1,0 +1,75 @@
+#pragma once
+
+#include "widgets/map/map_tools.h"
+
+namespace berg {
+
+/**
+ * A click adds an iceberg and selects it; dragging from it on sets its drift over ground by the
+ * arrow of the map, whose tip follows the cursor. Dragging from an iceberg that is there sets the
+ * drift of that one. Enter adds one in the middle of the map.
+ */
+class IcebergTool final : public MapTool
+{
+public:
+    using MapTool::MapTool;
+
+    void press(const MapPointer& pointer) override;
+    void move(const MapPointer& pointer) override;
+    void release(const MapPointer& pointer) override;
+    bool key(const QKeyEvent& event) override;
+    [[nodiscard]] bool isBusy() const override { return m_isPressed; }
+    void cancel() override;
+    void documentChanged() override;
+    void paint(QPainter& painter) const override;
+    [[nodiscard]] QCursor cursor(const std::string& over) const override;
+    [[nodiscard]] QString status() const override;
+
+private:
+    /** Adds the iceberg unless it is there already, and sets its drift when one is drawn. */
+    void apply();
+    void beginDrift();
+    void end();
+    [[nodiscard]] Point drawnDrift_mps() const;
+
+    bool m_isPressed = false;
+    bool m_isDrawing = false;
+    Iceberg m_iceberg; ///< as it was pressed on, or as it is to be added
+    MapPointer m_press;
+    MapPointer m_now;
+    double m_driftTime_s = 0; ///< that the arrow stands for
+    std::unique_ptr<EditGesture> m_gesture;
+};
+
+/**
+ * A click places the UAV, dragging on turns it towards the cursor. Dragging from the UAV itself
+ * turns it where it is. Enter places it in the middle of the map.
+ */
+class UavTool final : public MapTool
+{
+public:
+    using MapTool::MapTool;
+
+    void press(const MapPointer& pointer) override;
+    void move(const MapPointer& pointer) override;
+    void release(const MapPointer& pointer) override;
+    bool key(const QKeyEvent& event) override;
+    [[nodiscard]] bool isBusy() const override { return m_gesture != nullptr; }
+    void cancel() override { end(true); }
+    void documentChanged() override;
+    void paint(QPainter& painter) const override;
+    [[nodiscard]] QCursor cursor(const std::string& over) const override;
+    [[nodiscard]] QString status() const override;
+
+private:
+    void apply();
+    void end(bool takeBack);
+
+    MapPointer m_press;
+    MapPointer m_now;
+    Uav m_uav; ///< as it is to be
+    bool m_isTurning = false;
+    std::unique_ptr<EditGesture> m_gesture;
+};
+
+} // namespace berg

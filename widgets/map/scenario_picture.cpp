@@ -1,0 +1,80 @@
+#include "widgets/map/scenario_picture.h"
+
+#include "core/base/angles.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace berg {
+namespace {
+
+MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario)
+{
+    return {.id = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name),
+            .position_m = iceberg.position_m,
+            .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
+            .sigma_m2 = initialSigma_m2(iceberg),
+            .radius_m = iceberg.radius_m,
+            .appears_s = iceberg.appears_s,
+            .key = iceberg.id};
+}
+
+/** What the UAV sees at t = 0 is certain. */
+void markInView(MapPicture& picture)
+{
+    if (!picture.uav)
+        return;
+    const FieldOfView field(picture.uav->sensor, picture.uav->position_m, picture.uav->psi_rad);
+    for (MapIceberg& iceberg : picture.icebergs) {
+        iceberg.inView = iceberg.appears_s <= 0 && field.contains(iceberg.position_m);
+        if (iceberg.inView)
+            iceberg.sigma_m2 = 0;
+    }
+}
+
+} // namespace
+
+std::string keyOf(const MapIceberg& iceberg)
+{
+    return iceberg.key.empty() ? iceberg.id.toStdString() : iceberg.key;
+}
+
+MapPicture withScenario(MapPicture picture, const Scenario& scenario)
+{
+    std::vector<std::string> planned;
+    for (const int place : picture.plan)
+        planned.push_back(keyOf(picture.icebergs[static_cast<std::size_t>(place)]));
+
+    std::unordered_map<std::string, int> places;
+    picture.icebergs.clear();
+    for (const Iceberg& iceberg : scenario.icebergs) {
+        places.emplace(iceberg.id, static_cast<int>(picture.icebergs.size()));
+        picture.icebergs.push_back(mapIceberg(iceberg, scenario));
+    }
+    picture.plan.clear();
+    for (const std::string& id : planned)
+        if (const auto place = places.find(id); place != places.end())
+            picture.plan.push_back(place->second);
+
+    picture.uav.reset();
+    if (!scenario.uavs.empty()) {
+        const Uav& uav = scenario.uavs.front();
+        picture.uav = MapUav{.position_m = uav.position_m,
+                             .psi_rad = psiFromHeading(uav.heading_deg),
+                             .sensor = {.fov_m = uav.fov_m, .shape = scenario.fovShape},
+                             .key = uav.id};
+    }
+    markInView(picture);
+
+    picture.origin = scenario.origin;
+    picture.area_m = scenario.area_m;
+    picture.asset.reset();
+    if (scenario.asset)
+        picture.asset = MapAsset{.name = QString::fromStdString(scenario.asset->name),
+                                 .position_m = scenario.asset->position_m};
+    for (const MapIceberg& iceberg : picture.icebergs)
+        picture.sigmaFull_m2 = std::max(picture.sigmaFull_m2, roundSigmaScale(iceberg.sigma_m2));
+    return picture;
+}
+
+} // namespace berg

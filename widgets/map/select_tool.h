@@ -1,0 +1,54 @@
+#pragma once
+
+#include "widgets/map/map_tools.h"
+
+namespace berg {
+
+/**
+ * Click selects, Ctrl or Shift toggles; a drag of an object moves the selection, a drag on water
+ * selects what is inside the frame. When the map is locked it selects but does not move.
+ */
+class SelectTool final : public MapTool
+{
+public:
+    using MapTool::MapTool;
+
+    void press(const MapPointer& pointer) override;
+    void move(const MapPointer& pointer) override;
+    void release(const MapPointer& pointer) override;
+    bool key(const QKeyEvent& event) override;
+    [[nodiscard]] bool isBusy() const override { return m_phase != Phase::Idle; }
+    void cancel() override;
+    void documentChanged() override;
+    void paint(QPainter& painter) const override;
+    [[nodiscard]] QCursor cursor(const std::string& over) const override;
+    [[nodiscard]] QString status() const override;
+
+private:
+    enum class Phase
+    {
+        Idle,
+        Object, ///< pressed on an object, not yet moved
+        Water,
+        Moving,
+        Banding,
+        Refused ///< would move something, but the map is locked
+    };
+
+    void pressObject(const MapPointer& pointer);
+    void beginDrag();
+    void moveSelection(const MapPointer& pointer);
+    void stretchBand(const MapPointer& pointer);
+    void end();
+
+    Phase m_phase = Phase::Idle;
+    MapPointer m_press;
+    MapPointer m_now;
+    std::string m_object;              ///< pressed on
+    bool m_wasSelected = false;        ///< before the press
+    std::vector<std::string> m_before; ///< selected before the press
+    std::vector<std::string> m_moved;  ///< by the drag under way
+    std::unique_ptr<EditGesture> m_gesture;
+};
+
+} // namespace berg

@@ -1,0 +1,65 @@
+#include "widgets/model/error_text.h"
+
+#include <QCoreApplication>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct ErrorText
+{
+    Q_DECLARE_TR_FUNCTIONS(ErrorText)
+};
+
+} // namespace
+
+QString errorText(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::FileNotFound:
+        return ErrorText::tr("There is no such file. Check the name and the folder.");
+    case ErrorCode::FileUnreadable:
+        return ErrorText::tr("The file cannot be read. Check that it is a file and that you have "
+                             "permission to read it.");
+    case ErrorCode::FileUnwritable:
+        return ErrorText::tr("The file cannot be written. Check that the folder exists, that you "
+                             "have permission to write there and that the disk is not full.");
+    case ErrorCode::FileTooLarge:
+        return ErrorText::tr("The file is too large to be one of Bergwatch's.");
+    case ErrorCode::SyntaxError:
+        return ErrorText::tr("The file is not well-formed JSON. Correct it at the place named.");
+    case ErrorCode::WrongFormat:
+        return ErrorText::tr("The file is of another kind than the one expected here.");
+    case ErrorCode::UnsupportedVersion:
+        return ErrorText::tr("The file was made by a newer version of Bergwatch. Update the "
+                             "program to open it.");
+    case ErrorCode::InvalidInput:
+        return ErrorText::tr("The values named cannot be used. Correct them and try again.");
+    case ErrorCode::Unsupported:
+        return ErrorText::tr("This version of Bergwatch cannot do that.");
+    case ErrorCode::SolverFailed:
+        return ErrorText::tr("The planner failed. Choose another planner back end.");
+    case ErrorCode::ReplayMismatch:
+        return ErrorText::tr("Flying the run again gave another result than the one it recorded. "
+                             "It may come from another version of Bergwatch.");
+    }
+    return {};
+}
+
+QString errorReport(const Error& error)
+{
+    QString report =
+        u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorText(error.code()));
+    if (error.issues().empty())
+        return report + u"\n  "_s + QString::fromUtf8(error.what());
+    for (const Issue& issue : error.issues()) {
+        const QString message = QString::fromStdString(issue.message);
+        report += u"\n  "_s + (issue.field.empty()
+                                   ? message
+                                   : u"%1: %2"_s.arg(QString::fromStdString(issue.field), message));
+    }
+    return report;
+}
+
+} // namespace berg

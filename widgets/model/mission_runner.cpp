@@ -1,0 +1,120 @@
+#include "widgets/model/mission_runner.h"
+
+#include "widgets/model/mission_worker.h"
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+/** A drag of tau in flight: only the newest of the values that wait is flown. */
+void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
+{
+    for (Intervention& change : next) {
+        Intervention& last = waiting.back();
+        if (last.appears || change.appears) {
+            waiting.push_back(std::move(change));
+            continue;
+        }
+        last.tau = change.tau ? change.tau : last.tau;
+        last.policy = change.policy ? change.policy : last.policy;
+    }
+}
+
+} // namespace
+
+MissionRunner::MissionRunner(QObject* parent)
+    : QObject(parent), m_worker(new MissionWorker(m_requests, m_interventions, m_snapshots))
+{
+    m_thread.setObjectName(u"mission"_s);
+    m_worker->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
+    connect(m_worker, &MissionWorker::published, this, &MissionRunner::updated);
+    connect(m_worker, &MissionWorker::refused, this, &MissionRunner::commandRefused);
+    connect(m_worker, &MissionWorker::exportReady, this, &MissionRunner::exportReady);
+    connect(m_worker, &MissionWorker::runReady, this, &MissionRunner::runReady);
+    m_thread.start();
+}
+
+MissionRunner::~MissionRunner()
+{
+    m_stop.request_stop();
+    m_thread.quit();
+    m_thread.wait();
+}
+
+/** Runs `command` on the mission thread, in order. */
+template <class Command>
+void MissionRunner::post(Command command)
+{
+    QMetaObject::invokeMethod(
+        m_worker, [worker = m_worker, command] { command(*worker); }, Qt::QueuedConnection);
+}
+
+void MissionRunner::setScenario(const Scenario& scenario, const MissionOptions& options)
+{
+    m_scenario = scenario;
+    m_options = options;
+    begin();
+}
+
+void MissionRunner::restart()
+{
+    begin();
+}
+
+void MissionRunner::begin()
+{
+    m_stop.request_stop();
+    m_stop = std::stop_source();
+    ++m_generation;
+    const bool mustTell = m_requests.put({.generation = m_generation,
+                                          .scenario = m_scenario,
+                                          .options = m_options,
+                                          .stop = m_stop.get_token()});
+    if (mustTell)
+        post([](MissionWorker& worker) { worker.start(); });
+}
+
+void MissionRunner::fly(double rate)
+{
+    post([rate](MissionWorker& worker) { worker.fly(rate); });
+}
+
+void MissionRunner::pause()
+{
+    post([](MissionWorker& worker) { worker.pause(); });
+}
+
+void MissionRunner::stepBy(double seconds)
+{
+    post([seconds](MissionWorker& worker) { worker.stepBy(seconds); });
+}
+
+void MissionRunner::intervene(const Intervention& intervention)
+{
+    const bool mustTell = m_interventions.put({intervention}, join);
+    if (mustTell)
+        post([](MissionWorker& worker) { worker.intervene(); });
+}
+
+void MissionRunner::requestRun()
+{
+    post([](MissionWorker& worker) { worker.sendRun(); });
+}
+
+void MissionRunner::requestExport(const std::string& formatId)
+{
+    post([formatId](MissionWorker& worker) { worker.sendExport(formatId); });
+}
+
+std::optional<MissionSnapshot> MissionRunner::takeSnapshot()
+{
+    std::optional<MissionSnapshot> snapshot = m_snapshots.take();
+    if (snapshot && snapshot->generation != m_generation)
+        return std::nullopt;
+    return snapshot;
+}
+
+} // namespace berg

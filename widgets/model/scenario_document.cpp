@@ -1,0 +1,136 @@
+#include "widgets/model/scenario_document.h"
+
+#include "core/io/scenario_json.h"
+#include "core/scenario/validate.h"
+
+#include <QUndoCommand>
+#include <QUndoStack>
+
+namespace berg {
+
+/** The one undo command: the scenario before and after. Scenarios are a few kilobytes. */
+class EditScenario final : public QUndoCommand
+{
+public:
+    EditScenario(ScenarioDocument& document, const QString& text, Scenario after, QString gesture)
+        : QUndoCommand(text)
+        , m_document(document)
+        , m_before(document.scenario())
+        , m_after(std::move(after))
+        , m_gesture(std::move(gesture))
+    {
+    }
+
+    void undo() override { m_document.setScenario(m_before); }
+    void redo() override { m_document.setScenario(m_after); }
+    [[nodiscard]] int id() const override { return m_gesture.isEmpty() ? -1 : 1; }
+
+    bool mergeWith(const QUndoCommand* other) override
+    {
+        const auto* next = dynamic_cast<const EditScenario*>(other);
+        if (next == nullptr || next->m_gesture != m_gesture)
+            return false;
+        m_after = next->m_after;
+        setObsolete(m_after == m_before);
+        return true;
+    }
+
+private:
+    ScenarioDocument& m_document;
+    Scenario m_before;
+    Scenario m_after;
+    QString m_gesture;
+};
+
+ScenarioParts changedParts(const Scenario& a, const Scenario& b)
+{
+    ScenarioParts parts;
+    parts.setFlag(ScenarioPart::Icebergs, a.icebergs != b.icebergs);
+    parts.setFlag(ScenarioPart::Uavs, a.uavs != b.uavs);
+    parts.setFlag(ScenarioPart::Planner, a.planner != b.planner ||
+                                             a.reachRadius_m != b.reachRadius_m ||
+                                             a.fovShape != b.fovShape);
+    Scenario rest = b;
+    rest.icebergs = a.icebergs;
+    rest.uavs = a.uavs;
+    rest.planner = a.planner;
+    rest.reachRadius_m = a.reachRadius_m;
+    rest.fovShape = a.fovShape;
+    parts.setFlag(ScenarioPart::Settings, rest != a);
+    return parts;
+}
+
+ScenarioDocument::ScenarioDocument(QObject* parent)
+    : QObject(parent), m_undoStack(new QUndoStack(this))
+{
+    m_undoStack->setUndoLimit(1000);
+    connect(m_undoStack, &QUndoStack::cleanChanged, this, &ScenarioDocument::cleanChanged);
+}
+
+ScenarioDocument::~ScenarioDocument()
+{
+    // The stack is a child and would tell of its end when this object is half gone.
+    m_undoStack->disconnect(this);
+}
+
+bool ScenarioDocument::isClean() const
+{
+    return m_undoStack->isClean();
+}
+
+bool ScenarioDocument::edit(const QString& text, const std::function<void(Scenario&)>& change,
+                            const QString& gesture)
+{
+    Scenario after = m_scenario;
+    change(after);
+    if (after == m_scenario)
+        return false;
+    const QString key =
+        gesture.isEmpty() ? QString() : gesture + u'#' + QString::number(m_gestureNumber);
+    m_undoStack->push(new EditScenario(*this, text, std::move(after), key));
+    return true;
+}
+
+void ScenarioDocument::endGesture()
+{
+    ++m_gestureNumber;
+}
+
+void ScenarioDocument::setScenario(const Scenario& scenario)
+{
+    const ScenarioParts parts = changedParts(m_scenario, scenario);
+    m_scenario = scenario;
+    m_issues = validate(m_scenario);
+    if (parts)
+        emit scenarioChanged(parts);
+}
+
+void ScenarioDocument::reset(const Scenario& scenario)
+{
+    m_undoStack->clear();
+    m_filePath.clear();
+    m_scenario = scenario;
+    m_issues = validate(m_scenario);
+    emit replaced();
+    emit filePathChanged(m_filePath);
+    emit scenarioChanged(ScenarioPart::Icebergs | ScenarioPart::Uavs | ScenarioPart::Planner |
+                         ScenarioPart::Settings);
+}
+
+void ScenarioDocument::open(const QString& path)
+{
+    const Scenario scenario = loadScenario(path.toStdString());
+    reset(scenario);
+    m_filePath = path;
+    emit filePathChanged(m_filePath);
+}
+
+void ScenarioDocument::save(const QString& path)
+{
+    saveScenario(m_scenario, path.toStdString());
+    m_filePath = path;
+    m_undoStack->setClean();
+    emit filePathChanged(m_filePath);
+}
+
+} // namespace berg

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/scenario/scenario.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QUndoStack;
+
+namespace berg {
+
+enum class ScenarioPart
+{
+    Icebergs = 1,
+    Uavs = 2,
+    Planner = 4, ///< policy, tau, route, solver, reach
+    Settings = 8 ///< everything else
+};
+Q_DECLARE_FLAGS(ScenarioParts, ScenarioPart)
+Q_DECLARE_OPERATORS_FOR_FLAGS(ScenarioParts)
+
+/** Parts in which two scenarios differ. */
+[[nodiscard]] ScenarioParts changedParts(const Scenario& a, const Scenario& b);
+
+/**
+ * The scenario being edited: the only place that changes it, one undo step per gesture. Views read
+ * `scenario()` after `scenarioChanged` and ask for changes with `edit`. GUI thread.
+ */
+class ScenarioDocument : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit ScenarioDocument(QObject* parent = nullptr);
+    ~ScenarioDocument() override;
+
+    [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
+    /** Findings of `validate` about the present scenario. */
+    [[nodiscard]] const std::vector<Issue>& issues() const { return m_issues; }
+    [[nodiscard]] QUndoStack* undoStack() const { return m_undoStack; }
+
+    /** Empty: never saved. */
+    [[nodiscard]] QString filePath() const { return m_filePath; }
+    [[nodiscard]] bool isClean() const;
+
+    /**
+     * Applies `change` to a copy and makes it the scenario, undoable under `text`. Edits with the
+     * same `gesture` (not empty), one directly after the other, are one step; `endGesture` closes
+     * it. A change that changes nothing leaves the history alone. Returns whether it changed.
+     */
+    bool edit(const QString& text, const std::function<void(Scenario&)>& change,
+              const QString& gesture = {});
+    void endGesture();
+
+    /** Replaces everything and forgets the history: a new, unsaved scenario. */
+    void reset(const Scenario& scenario);
+
+    /** Throws `Error` of `loadScenario`; then nothing has changed. */
+    void open(const QString& path);
+    /** Throws `Error{FileUnwritable}`; then the document is as dirty as before. */
+    void save(const QString& path);
+
+signals:
+    void scenarioChanged(berg::ScenarioParts parts);
+    /** Another scenario altogether: `reset` or `open`. Comes before `scenarioChanged`. */
+    void replaced();
+    void filePathChanged(const QString& path);
+    void cleanChanged(bool clean);
+
+private:
+    friend class EditScenario;
+    void setScenario(const Scenario& scenario);
+
+    Scenario m_scenario;
+    std::vector<Issue> m_issues;
+    QUndoStack* m_undoStack;
+    QString m_filePath;
+    int m_gestureNumber = 0; ///< distinguishes equal gestures that follow each other
+};
+
+} // namespace berg

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QObject>
+
+#include <string>
+#include <vector>
+
+namespace berg {
+
+struct Scenario;
+
+/**
+ * The icebergs and UAVs that map, tables and inspector act on, by id, in the order in which they
+ * were selected. GUI thread.
+ */
+class Selection : public QObject
+{
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    [[nodiscard]] const std::vector<std::string>& ids() const { return m_ids; }
+    [[nodiscard]] bool contains(const std::string& id) const;
+    [[nodiscard]] bool isEmpty() const { return m_ids.empty(); }
+
+    /** Selects these and nothing else; an id that comes twice counts once. */
+    void set(std::vector<std::string> ids);
+    void toggle(const std::string& id);
+    void clear();
+    /** Drops the ids that are not in the scenario. */
+    void keepExisting(const Scenario& scenario);
+
+signals:
+    /** Other ids than before, or another order of them. */
+    void changed();
+
+private:
+    std::vector<std::string> m_ids;
+};
+
+} // namespace berg

@@ -1,0 +1,274 @@
+#include "widgets/panels/inspector_form.h"
+
+#include "widgets/panels/number_field.h"
+#include "widgets/panels/panel_labels.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kNotesLines = 3;
+constexpr int kRowGap_px = 4;
+constexpr int kColumnGap_px = 8;
+
+/** A page of text that tells when the focus leaves it. */
+class NotesEdit final : public QPlainTextEdit
+{
+public:
+    NotesEdit(std::function<void()> finished, QWidget* parent)
+        : QPlainTextEdit(parent), m_finished(std::move(finished))
+    {
+        setTabChangesFocus(true);
+        const QFontMetrics metrics(font());
+        setFixedHeight(kNotesLines * metrics.lineSpacing() + 2 * frameWidth() +
+                       static_cast<int>(2 * document()->documentMargin()));
+    }
+
+protected:
+    void focusOutEvent(QFocusEvent* event) override
+    {
+        QPlainTextEdit::focusOutEvent(event);
+        m_finished();
+    }
+
+private:
+    std::function<void()> m_finished;
+};
+
+/** A locked input stays as readable as it was, but no longer looks like one to write in. */
+void setReadOnlyLook(QWidget& input, bool locked)
+{
+    QPalette colours;
+    if (locked)
+        colours.setColor(QPalette::Base, input.palette().color(QPalette::Window));
+    input.setPalette(colours);
+}
+
+} // namespace
+
+InspectorForm::InspectorForm(ScenarioDocument& document, const std::vector<InspectorRow>& rows,
+                             QWidget* parent)
+    : QWidget(parent), m_document(document), m_form(new QFormLayout(this))
+{
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setVerticalSpacing(kRowGap_px);
+    m_form->setHorizontalSpacing(kColumnGap_px);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    for (const InspectorRow& row : rows)
+        std::visit([this](const auto& one) { add(one); }, row);
+}
+
+void InspectorForm::addOnTop(const QString& label, QWidget* input)
+{
+    m_top = input;
+    m_form->insertRow(0, label, input);
+    for (int row = 1; row < m_form->rowCount(); ++row) {
+        QWidget* next = m_form->itemAt(row, QFormLayout::FieldRole)->widget();
+        setTabOrder(input, next);
+        input = next;
+    }
+}
+
+void InspectorForm::setTopVisible(bool visible)
+{
+    m_top->setVisible(visible);
+    m_form->labelForField(m_top)->setVisible(visible);
+}
+
+void InspectorForm::addInput(const RowWords& words, QWidget* input)
+{
+    input->setObjectName(words.key);
+    input->setAccessibleName(words.label);
+    input->setToolTip(words.toolTip);
+    m_form->addRow(words.label, input); // which makes the label its buddy
+    if (m_first == nullptr)
+        m_first = input;
+}
+
+template <class Read>
+auto InspectorForm::common(const Read& read) const
+{
+    using Value = decltype(read(m_document.scenario(), std::string()));
+    std::optional<Value> value;
+    for (const std::string& id : m_ids) {
+        Value next = read(m_document.scenario(), id);
+        if (value && *value != next)
+            return std::optional<Value>();
+        value = std::move(next);
+    }
+    return value;
+}
+
+void InspectorForm::add(const NumberRow& row)
+{
+    auto* field = new NumberField;
+    field->setNumberFormat(row.decimals, row.unit);
+    field->setSingleStep(row.step);
+    field->setLowestText(row.lowestText);
+    addInput(row.words, field);
+    connect(field, &NumberField::edited, this, [this, row](double value) {
+        edit(row.words,
+             [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, value); });
+    });
+    connect(field, &NumberField::editFinished, &m_document, &ScenarioDocument::endGesture);
+    m_inputs.push_back({.show =
+                            [this, row, field] {
+                                const Limits range = row.range(m_document.scenario());
+                                field->limit(range.low, range.high);
+                                if (const std::optional<double> value = common(row.read))
+                                    field->showValue(*value);
+                                else
+                                    field->showMixed(
+                                        row.read(m_document.scenario(), m_ids.front()));
+                            },
+                        .lock =
+                            [field](bool locked) {
+                                field->setReadOnly(locked);
+                                field->setButtonSymbols(locked ? QAbstractSpinBox::NoButtons
+                                                               : QAbstractSpinBox::UpDownArrows);
+                                setReadOnlyLook(*field, locked);
+                            }});
+}
+
+void InspectorForm::add(const TextRow& row)
+{
+    if (row.multiLine)
+        addPage(row);
+    else
+        addLine(row);
+}
+
+void InspectorForm::addLine(const TextRow& row)
+{
+    auto* line = new QLineEdit;
+    addInput(row.words, line);
+    connect(line, &QLineEdit::textEdited, this, [this, row](const QString& text) {
+        edit(row.words, [&](Scenario& scenario, const std::string& id) {
+            row.write(scenario, id, text.toStdString());
+        });
+    });
+    connect(line, &QLineEdit::editingFinished, &m_document, &ScenarioDocument::endGesture);
+    m_inputs.push_back({.show =
+                            [this, row, line] {
+                                const std::optional<std::string> value = common(row.read);
+                                const QString text = QString::fromStdString(value.value_or(""));
+                                line->setPlaceholderText(value ? QString() : tr("mixed"));
+                                if (text != line->text()) {
+                                    line->setText(text);
+                                    line->setCursorPosition(0);
+                                }
+                            },
+                        .lock =
+                            [line](bool locked) {
+                                line->setReadOnly(locked);
+                                setReadOnlyLook(*line, locked);
+                            }});
+}
+
+void InspectorForm::addPage(const TextRow& row)
+{
+    auto* page = new NotesEdit([this] { m_document.endGesture(); }, this);
+    addInput(row.words, page);
+    connect(page, &QPlainTextEdit::textChanged, this, [this, row, page] {
+        const std::string text = page->toPlainText().toStdString();
+        if (common(row.read) == text)
+            return; // shown, not written
+        edit(row.words,
+             [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, text); });
+    });
+    m_inputs.push_back({.show =
+                            [this, row, page] {
+                                const QString text =
+                                    QString::fromStdString(common(row.read).value_or(""));
+                                if (text != page->toPlainText())
+                                    page->setPlainText(text);
+                            },
+                        .lock =
+                            [page](bool locked) {
+                                page->setReadOnly(locked);
+                                setReadOnlyLook(*page, locked);
+                            }});
+}
+
+void InspectorForm::add(const FlagRow& row)
+{
+    auto* box = new QCheckBox;
+    addInput(row.words, box);
+    connect(box, &QCheckBox::clicked, this, [this, row](bool on) {
+        edit(row.words, [&](Scenario& scenario, const std::string&) { row.write(scenario, on); });
+        m_document.endGesture();
+    });
+    m_inputs.push_back(
+        {.show = [this, row, box] { box->setChecked(row.read(m_document.scenario())); },
+         .lock = [box](bool locked) { box->setEnabled(!locked); }});
+}
+
+void InspectorForm::add(const InfoRow& row)
+{
+    auto* text = new CaptionLabel;
+    text->setObjectName(row.key);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_form->addRow(QString(), text);
+    m_inputs.push_back({.show =
+                            [this, row, text] {
+                                const auto read = [&](const Scenario& scenario,
+                                                      const std::string& id) {
+                                    return row.text(scenario, id, locale());
+                                };
+                                text->setText(common(read).value_or(tr("mixed")));
+                            },
+                        .lock = [](bool) {}});
+}
+
+void InspectorForm::edit(const RowWords& words,
+                         const std::function<void(Scenario&, const std::string& id)>& change)
+{
+    QString gesture = words.key;
+    for (const std::string& id : m_ids)
+        gesture += u'|' + QString::fromStdString(id);
+    m_document.edit(
+        words.undoText,
+        [&](Scenario& scenario) {
+            for (const std::string& id : m_ids)
+                change(scenario, id);
+        },
+        gesture);
+    showAll(); // also what came out as it was, e.g. 360° for 0°
+}
+
+void InspectorForm::showObjects(std::vector<std::string> ids)
+{
+    m_ids = std::move(ids);
+    showAll();
+}
+
+void InspectorForm::showAll()
+{
+    if (m_ids.empty())
+        return;
+    for (const Input& input : m_inputs)
+        input.show();
+}
+
+void InspectorForm::setLocked(bool locked)
+{
+    for (const Input& input : m_inputs)
+        input.lock(locked);
+}
+
+void InspectorForm::finishTyping()
+{
+    for (NumberField* field : findChildren<NumberField*>())
+        field->finishTyping();
+    m_document.endGesture();
+}
+
+} // namespace berg

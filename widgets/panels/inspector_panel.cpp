@@ -1,0 +1,261 @@
+#include "widgets/panels/inspector_panel.h"
+
+#include "widgets/panels/id_field.h"
+#include "widgets/panels/inspector_form.h"
+#include "widgets/panels/issue_text.h"
+#include "widgets/panels/panel_labels.h"
+#include "widgets/theme/icons.h"
+
+#include <QFormLayout>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kMargin_px = 10;
+constexpr int kGap_px = 6;
+constexpr int kMark_px = 16;
+
+/** The ids that are among `objects`, in the order selected. */
+template <class Object>
+std::vector<std::string> idsAmong(const std::vector<Object>& objects,
+                                  const std::vector<std::string>& ids)
+{
+    std::vector<std::string> found;
+    for (const std::string& id : ids)
+        if (std::any_of(objects.begin(), objects.end(),
+                        [&](const Object& object) { return object.id == id; }))
+            found.push_back(id);
+    return found;
+}
+
+/** Whether the finding is about one of `ids`, an element of `list` in the file. */
+template <class Object>
+bool isAbout(const Issue& issue, std::string_view list, const std::vector<Object>& objects,
+             const std::vector<std::string>& ids)
+{
+    const int index = issueIndex(issue, list);
+    if (index < 0 || index >= static_cast<int>(objects.size()))
+        return false;
+    const std::string& id = objects[static_cast<std::size_t>(index)].id;
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+} // namespace
+
+InspectorPanel::InspectorPanel(ScenarioDocument& document, Selection& selection, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection)
+{
+    QVBoxLayout* column = addScrollArea();
+    m_title = new QLabel;
+    m_title->setObjectName(u"inspectorTitle"_s);
+    m_subtitle = new CaptionLabel;
+    m_subtitle->setObjectName(u"inspectorSubtitle"_s);
+    column->addWidget(m_title);
+    column->addWidget(m_subtitle);
+    m_lock = addNotice(*column, u"inspectorLock"_s);
+    m_lock.text->setText(tr("Locked in flight. Reset the flight to edit."));
+    m_lock.row->hide();
+    m_issues = addNotice(*column, u"inspectorIssues"_s);
+    column->addSpacing(2);
+    addForms(*column);
+    column->addStretch();
+
+    connect(&document, &ScenarioDocument::scenarioChanged, this, &InspectorPanel::refresh);
+    connect(&selection, &Selection::changed, this, &InspectorPanel::changeSelection);
+    setTheme(Theme::light());
+    refresh();
+}
+
+InspectorPanel::~InspectorPanel()
+{
+    // Inputs take what is being typed when they are hidden, and that is after this body.
+    m_document.disconnect(this);
+    m_selection.disconnect(this);
+}
+
+QVBoxLayout* InspectorPanel::addScrollArea()
+{
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    auto* area = new QScrollArea(this);
+    area->setObjectName(u"inspectorScroll"_s);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    auto* page = new QWidget;
+    area->setWidget(page);
+    outer->addWidget(area);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
+    column->setSpacing(kGap_px);
+    return column;
+}
+
+InspectorPanel::Notice InspectorPanel::addNotice(QVBoxLayout& column, const QString& name)
+{
+    Notice notice{.row = new QWidget, .mark = new QLabel, .text = new QLabel};
+    auto* row = new QHBoxLayout(notice.row);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kGap_px);
+    notice.mark->setFixedSize(kMark_px, kMark_px);
+    notice.text->setObjectName(name);
+    notice.text->setWordWrap(true);
+    row->addWidget(notice.mark, 0, Qt::AlignTop);
+    row->addWidget(notice.text, 1);
+    column.addWidget(notice.row);
+    return notice;
+}
+
+void InspectorPanel::addForms(QVBoxLayout& column)
+{
+    m_icebergForm = new InspectorForm(m_document, icebergRows());
+    m_uavForm = new InspectorForm(m_document, uavRows());
+    m_scenarioForm = new InspectorForm(m_document, scenarioRows());
+    m_id = new IdField([this](const QString& id) { return whyNotId(id); });
+    m_icebergForm->addOnTop(tr("Id"), m_id);
+    connect(m_id, &IdField::edited, this, &InspectorPanel::rename);
+    for (InspectorForm* form : {m_icebergForm, m_uavForm, m_scenarioForm})
+        column.addWidget(form);
+}
+
+void InspectorPanel::setTheme(const Theme& theme)
+{
+    setCaptionTheme(*this, theme);
+    m_title->setFont(theme.strong());
+    m_lock.mark->setPixmap(
+        icon(IconName::Locked, theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
+    m_issues.mark->setPixmap(
+        icon(IconName::Warning, theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
+    lockInputs(); // whose ground is a colour of the palette
+}
+
+void InspectorPanel::setLocked(bool locked)
+{
+    if (locked == m_locked)
+        return;
+    m_locked = locked;
+    m_lock.row->setVisible(locked);
+    lockInputs();
+}
+
+void InspectorPanel::lockInputs()
+{
+    m_id->setLocked(m_locked);
+    for (InspectorForm* form : {m_icebergForm, m_uavForm, m_scenarioForm})
+        form->setLocked(m_locked);
+}
+
+void InspectorPanel::finishTyping()
+{
+    if (m_locked)
+        return;
+    if (m_id->isVisible())
+        m_id->finishTyping();
+    for (InspectorForm* form : {m_icebergForm, m_uavForm, m_scenarioForm})
+        form->finishTyping();
+}
+
+void InspectorPanel::changeSelection()
+{
+    finishTyping();
+    refresh();
+}
+
+void InspectorPanel::refresh()
+{
+    const Scenario& scenario = m_document.scenario();
+    m_icebergs = idsAmong(scenario.icebergs, m_selection.ids());
+    m_uavs = idsAmong(scenario.uavs, m_selection.ids());
+    const bool showsIcebergs = !m_icebergs.empty();
+    const bool showsUavs = !showsIcebergs && !m_uavs.empty();
+    m_icebergForm->showObjects(m_icebergs);
+    m_uavForm->showObjects(m_uavs);
+    m_scenarioForm->showObjects({std::string()});
+    const bool hasId = m_icebergs.size() == 1;
+    m_icebergForm->setTopVisible(hasId);
+    if (hasId)
+        m_id->showId(QString::fromStdString(m_icebergs.front()));
+    m_icebergForm->setVisible(showsIcebergs);
+    m_uavForm->setVisible(showsUavs);
+    m_scenarioForm->setVisible(!showsIcebergs && !showsUavs);
+    const InspectorForm* shown =
+        showsIcebergs ? m_icebergForm : (showsUavs ? m_uavForm : m_scenarioForm);
+    setFocusProxy(shown->firstInput());
+    showTitle();
+    showIssues();
+}
+
+void InspectorPanel::showTitle()
+{
+    QString title = tr("Scenario");
+    QString subtitle = tr("Select an iceberg or a UAV on the map to edit it.");
+    if (!m_icebergs.empty()) {
+        const auto count = static_cast<int>(m_icebergs.size());
+        title = count == 1 ? tr("Iceberg") : tr("%n icebergs", nullptr, count);
+        subtitle = m_uavs.empty() ? QString() : tr("Only the icebergs selected are edited here.");
+        if (m_uavs.empty() && count > 1)
+            subtitle = tr("What is entered here goes to all of them.");
+    } else if (!m_uavs.empty()) {
+        const auto count = static_cast<int>(m_uavs.size());
+        title = count == 1 ? tr("UAV %1").arg(QString::fromStdString(m_uavs.front()))
+                           : tr("%n UAVs", nullptr, count);
+        subtitle = count > 1 ? tr("What is entered here goes to all of them.") : QString();
+    }
+    m_title->setText(title);
+    m_subtitle->setText(subtitle);
+    m_subtitle->setVisible(!subtitle.isEmpty());
+}
+
+void InspectorPanel::showIssues()
+{
+    const Scenario& scenario = m_document.scenario();
+    QStringList texts;
+    for (const Issue& issue : m_document.issues()) {
+        bool concerned = false;
+        if (!m_icebergs.empty())
+            concerned = isAbout(issue, "icebergs", scenario.icebergs, m_icebergs);
+        else if (!m_uavs.empty())
+            concerned = isAbout(issue, "uavs", scenario.uavs, m_uavs);
+        else
+            concerned = issueIndex(issue, "icebergs") < 0 && issueIndex(issue, "uavs") < 0;
+        if (concerned)
+            texts << issueText(issue);
+    }
+    texts.removeDuplicates(); // the same of several icebergs
+    m_issues.text->setText(texts.join(u'\n'));
+    m_issues.row->setVisible(!texts.isEmpty());
+}
+
+QString InspectorPanel::whyNotId(const QString& id) const
+{
+    if (id.isEmpty())
+        return tr("An iceberg needs an id.");
+    const Scenario& scenario = m_document.scenario();
+    const std::vector<std::string> ids{id.toStdString()};
+    if (idsAmong(scenario.icebergs, ids).empty() && idsAmong(scenario.uavs, ids).empty())
+        return {};
+    return tr("The id \"%1\" is taken. Every iceberg and UAV needs one of its own.").arg(id);
+}
+
+void InspectorPanel::rename(const QString& id)
+{
+    const std::string before = m_icebergs.front();
+    const std::string after = id.toStdString();
+    // Both are selected while the document changes, so that the selection is never empty between.
+    m_selection.set({before, after});
+    m_document.edit(tr("Change id"), [&](Scenario& scenario) {
+        for (Iceberg& iceberg : scenario.icebergs)
+            if (iceberg.id == before)
+                iceberg.id = after;
+    });
+    m_selection.set({after});
+}
+
+} // namespace berg

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "widgets/model/scenario_document.h"
+#include "widgets/model/selection.h"
+#include "widgets/theme/theme.h"
+
+#include <QWidget>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace berg {
+
+class CaptionLabel;
+class IdField;
+class InspectorForm;
+
+/**
+ * The numbers of what is selected: icebergs, UAVs, or the scenario when nothing is. Edits go to
+ * the document, one undo step for each gesture; with icebergs and UAVs selected together the
+ * icebergs are shown. What is being typed belongs to what was selected when it was typed.
+ */
+class InspectorPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /** Both are borrowed and must outlive the panel. */
+    InspectorPanel(ScenarioDocument& document, Selection& selection, QWidget* parent = nullptr);
+    ~InspectorPanel() override;
+
+    void setTheme(const Theme& theme);
+    /** In flight: values can be read but not changed. */
+    void setLocked(bool locked);
+    /** Takes what is being typed as if Return had been pressed, e.g. before saving. */
+    void finishTyping();
+
+private:
+    /** A row of a mark and a text that may wrap. */
+    struct Notice
+    {
+        QWidget* row;
+        QLabel* mark;
+        QLabel* text;
+    };
+
+    [[nodiscard]] QVBoxLayout* addScrollArea();
+    [[nodiscard]] Notice addNotice(QVBoxLayout& column, const QString& name);
+    void addForms(QVBoxLayout& column);
+    void lockInputs();
+    void changeSelection();
+    void refresh();
+    void showTitle();
+    void showIssues();
+    [[nodiscard]] QString whyNotId(const QString& id) const;
+    void rename(const QString& id);
+
+    ScenarioDocument& m_document;
+    Selection& m_selection;
+    QLabel* m_title;
+    CaptionLabel* m_subtitle;
+    Notice m_lock;
+    Notice m_issues;
+    InspectorForm* m_icebergForm;
+    InspectorForm* m_uavForm;
+    InspectorForm* m_scenarioForm;
+    IdField* m_id;
+    std::vector<std::string> m_icebergs; ///< selected, in the scenario
+    std::vector<std::string> m_uavs;
+    bool m_locked = false;
+};
+
+} // namespace berg

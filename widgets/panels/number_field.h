@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+
+#include <optional>
+
+namespace berg {
+
+/** Decimals of a number: trailing zeros beyond `least` are not written. */
+struct Decimals
+{
+    int least = 0;
+    int most = 0;
+};
+
+/**
+ * A number to be edited. Shows what it is given without telling anybody; tells what the user made
+ * of it. Typing counts when it is finished (Return, focus leaves). It can stand for several things
+ * with different numbers: then it is empty and says "mixed". The wheel needs the focus.
+ */
+class NumberField : public QDoubleSpinBox
+{
+    Q_OBJECT
+
+public:
+    explicit NumberField(QWidget* parent = nullptr);
+
+    void setNumberFormat(Decimals decimals, const QString& unit);
+    /** In place of the lowest value. */
+    void setLowestText(const QString& text);
+    /** As `setRange`, which would take away what the user is typing even if nothing changes. */
+    void limit(double low, double high);
+
+    void showValue(double value);
+    /** Several numbers; stepping starts from `base`. */
+    void showMixed(double base);
+    [[nodiscard]] bool isMixed() const { return m_mixed; }
+
+    /** Takes what is typed as if Return had been pressed. */
+    void finishTyping();
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    /** By the user, to a number other than the one shown. */
+    void edited(double value);
+    /** The last `edited` of a row: Return was pressed or the focus left. */
+    void editFinished();
+
+protected:
+    [[nodiscard]] QString textFromValue(double value) const override;
+
+private:
+    void showNumber(double value, bool mixed);
+    void setMixed(bool mixed);
+    [[nodiscard]] bool isShown(double value) const;
+    void noteTyping(const QString& text);
+    void commit(double value);
+    void finish();
+
+    int m_leastDecimals = 0;
+    QString m_unit;
+    QString m_lowestText;
+    double m_shown = 0;
+    bool m_mixed = false;
+    bool m_editing = false;
+    std::optional<double> m_typed; ///< while mixed
+};
+
+} // namespace berg

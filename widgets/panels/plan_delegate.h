@@ -1,0 +1,34 @@
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QStyledItemDelegate>
+
+namespace berg {
+
+/** Draws the plan table: the order in disks as on the map, sigma with its colour. */
+class PlanDelegate : public QStyledItemDelegate
+{
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void setTheme(const Theme& theme) { m_theme = theme; }
+    void setSigmaFull(double full_m2) { m_sigmaFull_m2 = full_m2; }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+
+    /** Room that the colour takes left of the text of sigma. */
+    [[nodiscard]] static int swatchWidth();
+
+private:
+    void paintNumber(QPainter& painter, const QRect& cell, int number) const;
+    void paintSwatch(QPainter& painter, const QStyleOptionViewItem& option, double sigma_m2) const;
+
+    Theme m_theme = Theme::light();
+    double m_sigmaFull_m2 = 0;
+};
+
+} // namespace berg

@@ -1,0 +1,202 @@
+#include "widgets/panels/plan_panel.h"
+
+#include "widgets/panels/plan_delegate.h"
+#include "widgets/panels/plan_model.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QScrollBar>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kRow_px = 24;
+constexpr int kNumberColumn_px = 30;
+constexpr int kCellMargins_px = 10;
+constexpr double kHour_s = 3600;
+
+} // namespace
+
+PlanPanel::PlanPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_model(new PlanModel(locale(), this))
+    , m_delegate(new PlanDelegate(this))
+    , m_table(new QTableView(this))
+    , m_empty(new QLabel(tr("Nothing to visit: there are no icebergs yet, or all of them are in "
+                            "view."),
+                         m_table->viewport()))
+{
+    setUpTable();
+    m_empty->setObjectName(u"planEmpty"_s);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    m_empty->setMargin(kCellMargins_px);
+    auto* over = new QVBoxLayout(m_table->viewport());
+    over->setContentsMargins(0, 0, 0, 0);
+    over->addWidget(m_empty);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_table);
+
+    connect(m_table, &QTableView::entered, this, [this](const QModelIndex& index) {
+        setHovered(m_model->rows()[static_cast<std::size_t>(index.row())].id);
+    });
+    connect(m_table, &QTableView::viewportEntered, this, [this] { setHovered({}); });
+    connect(m_table, &QTableView::clicked, this, &PlanPanel::choose);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& current) {
+                if (!current.isValid())
+                    return;
+                m_chosen = m_model->rows()[static_cast<std::size_t>(current.row())].id;
+                m_table->selectionModel()->select(current, QItemSelectionModel::ClearAndSelect |
+                                                               QItemSelectionModel::Rows);
+            });
+    setTheme(Theme::light());
+}
+
+void PlanPanel::setUpTable()
+{
+    m_table->setObjectName(u"planTable"_s);
+    m_table->setAccessibleName(tr("Plan: icebergs in visiting order"));
+    m_table->setModel(m_model);
+    m_table->setItemDelegate(m_delegate);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setTabKeyNavigation(false);
+    m_table->setMouseTracking(true);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setDefaultSectionSize(kRow_px);
+    QHeaderView* header = m_table->horizontalHeader();
+    header->setHighlightSections(false);
+    header->setSectionsClickable(false);
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    header->setSectionResizeMode(PlanModel::Name, QHeaderView::Stretch);
+    header->setMinimumSectionSize(kNumberColumn_px);
+    m_table->installEventFilter(this);
+    m_table->viewport()->installEventFilter(this);
+}
+
+void PlanPanel::setTheme(const Theme& theme)
+{
+    m_delegate->setTheme(theme);
+    m_table->setFont(theme.body());
+    m_table->horizontalHeader()->setFont(theme.small());
+    QPalette colours = m_empty->palette();
+    colours.setColor(QPalette::WindowText, theme.mutedText);
+    m_empty->setPalette(colours);
+    m_empty->setFont(theme.body());
+    setColumnWidths();
+    m_table->viewport()->update();
+}
+
+/** As wide as the longest usual texts, not the present ones: columns stand still in flight. */
+void PlanPanel::setColumnWidths()
+{
+    const QFontMetrics metrics(m_table->font());
+    const QFontMetrics headerMetrics(m_table->horizontalHeader()->font());
+    const auto setWidth = [&](PlanModel::Column column, const QString& sample, int extra_px) {
+        const QString title =
+            m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const int width_px = std::max(metrics.horizontalAdvance(sample) + extra_px,
+                                      headerMetrics.horizontalAdvance(title));
+        m_table->setColumnWidth(column, width_px + kCellMargins_px);
+    };
+    m_table->setColumnWidth(PlanModel::Number, kNumberColumn_px);
+    setWidth(PlanModel::Leg, distanceText(8880, locale()), 0);
+    setWidth(PlanModel::Arrival, PlanModel::arrivalText(m_hasHours ? 9 * kHour_s : kHour_s - 1), 0);
+    setWidth(PlanModel::Sigma, significantText(88.8, 3, locale()), PlanDelegate::swatchWidth());
+}
+
+void PlanPanel::setSigmaFull(double full_m2)
+{
+    if (full_m2 == m_sigmaFull_m2)
+        return;
+    m_sigmaFull_m2 = full_m2;
+    m_delegate->setSigmaFull(full_m2);
+    m_table->viewport()->update();
+}
+
+void PlanPanel::showPlan(std::vector<PlanRow> rows)
+{
+    if (m_sigmaFull_m2 == 0) {
+        double largest_m2 = 0;
+        for (const PlanRow& row : rows)
+            largest_m2 = std::max(largest_m2, row.sigma_m2);
+        m_delegate->setSigmaFull(largest_m2);
+    }
+    const bool hasHours = !rows.empty() && rows.back().arrival_s >= kHour_s - 0.5;
+    if (hasHours != m_hasHours) {
+        m_hasHours = hasHours;
+        setColumnWidths();
+    }
+    QScrollBar* bar = m_table->verticalScrollBar();
+    const int scroll_px = bar->value();
+    const std::string chosen = m_chosen;
+    m_model->setRows(std::move(rows));
+    m_chosen = chosen; // when the current row goes, Qt makes a neighbour the current one
+    m_empty->setVisible(m_model->rowCount() == 0);
+
+    const int row = m_model->rowOf(m_chosen);
+    QItemSelectionModel* selection = m_table->selectionModel();
+    if (row < 0) {
+        selection->clear();
+    } else if (!selection->isRowSelected(row)) {
+        // The iceberg has moved in the order; the row follows it, the view stays.
+        selection->setCurrentIndex(m_model->index(row, 0),
+                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    }
+    bar->setValue(scroll_px);
+}
+
+void PlanPanel::setHighlight(const std::string& id)
+{
+    m_model->setHighlight(id);
+}
+
+void PlanPanel::setHovered(const std::string& id)
+{
+    if (id == m_hovered)
+        return;
+    m_hovered = id;
+    emit hovered(id);
+}
+
+void PlanPanel::choose(const QModelIndex& index)
+{
+    if (!index.isValid())
+        return;
+    m_chosen = m_model->rows()[static_cast<std::size_t>(index.row())].id;
+    emit activated(m_chosen);
+}
+
+bool PlanPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_table->viewport() && event->type() == QEvent::Leave)
+        setHovered({});
+    if (watched == m_table && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            choose(m_table->currentIndex());
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace berg

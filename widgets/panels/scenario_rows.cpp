@@ -1,0 +1,166 @@
+#include "widgets/panels/inspector_row_makers.h"
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr Limits kSeed{.low = 0, .high = 9007199254740992};
+constexpr double kLargestAirspeed_mps = 1000;
+constexpr double kLargestDuration_s = 604800;
+constexpr double kSmallestTimeStep_s = 0.01;
+constexpr double kLargestTimeStep_s = 1;
+constexpr double kWindStep_mps = 0.5;
+
+/** Row of a number of the scenario itself. */
+template <class Number>
+NumberRow scenarioRow(const RowWords& words, const QString& unit, Number number,
+                      const std::function<Limits(const Scenario&)>& range)
+{
+    return {.words = words,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 2},
+            .read = [number](const Scenario& scenario, const std::string&) -> double {
+                return number(scenario);
+            },
+            .write = [number](Scenario& scenario, const std::string&,
+                              double value) { number(scenario) = value; },
+            .range = range};
+}
+
+/** What is left for one component of the wind beside the other: slower than the slowest UAV. */
+Limits windRange(const Scenario& scenario, double other_mps)
+{
+    double airspeed_mps = kLargestAirspeed_mps;
+    for (const Uav& uav : scenario.uavs)
+        airspeed_mps = std::min(airspeed_mps, uav.spec.airspeed_mps);
+    const double room_mps =
+        std::sqrt(std::max(0.0, airspeed_mps * airspeed_mps - other_mps * other_mps));
+    const double largest_mps = std::max(0.0, std::ceil(100 * room_mps - 1) / 100);
+    return {.low = -largest_mps, .high = largest_mps};
+}
+
+std::vector<InspectorRow> windRows()
+{
+    const QString undoText = InspectorRows::tr("Change wind");
+    NumberRow east = scenarioRow(
+        {.key = u"scenarioWindEast"_s,
+         .label = InspectorRows::tr("Wind east"),
+         .toolTip = InspectorRows::tr("Towards the east; always slower than the UAV flies."),
+         .undoText = undoText},
+        u" m/s"_s, [](auto& scenario) -> auto& { return scenario.wind_mps.x(); },
+        [](const Scenario& scenario) { return windRange(scenario, scenario.wind_mps.y()); });
+    NumberRow north = scenarioRow(
+        {.key = u"scenarioWindNorth"_s,
+         .label = InspectorRows::tr("Wind north"),
+         .toolTip = InspectorRows::tr("Towards the north; always slower than the UAV flies."),
+         .undoText = undoText},
+        u" m/s"_s, [](auto& scenario) -> auto& { return scenario.wind_mps.y(); },
+        [](const Scenario& scenario) { return windRange(scenario, scenario.wind_mps.x()); });
+    east.step = north.step = kWindStep_mps;
+    return {
+        east, north,
+        InfoRow{.key = u"scenarioWind"_s,
+                .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+                    return scenario.wind_mps.isZero(0) ? InspectorRows::tr("no wind")
+                                                       : towardsText(scenario.wind_mps, locale);
+                }}};
+}
+
+std::vector<InspectorRow> currentRows()
+{
+    const QString undoText = InspectorRows::tr("Change current");
+    NumberRow east = scenarioRow(
+        {.key = u"scenarioCurrentEast"_s,
+         .label = InspectorRows::tr("Current east"),
+         .toolTip = InspectorRows::tr("Carries every iceberg towards the east."),
+         .undoText = undoText},
+        u" m/s"_s, [](auto& scenario) -> auto& { return scenario.current_mps.x(); },
+        always(kVelocity_mps));
+    NumberRow north = scenarioRow(
+        {.key = u"scenarioCurrentNorth"_s,
+         .label = InspectorRows::tr("Current north"),
+         .toolTip = InspectorRows::tr("Carries every iceberg towards the north."),
+         .undoText = undoText},
+        u" m/s"_s, [](auto& scenario) -> auto& { return scenario.current_mps.y(); },
+        always(kVelocity_mps));
+    east.step = north.step = kVelocityStep_mps;
+    east.decimals = north.decimals = {.least = 2, .most = 3};
+    return {east, north};
+}
+
+std::vector<InspectorRow> runRows()
+{
+    NumberRow duration = scenarioRow(
+        {.key = u"scenarioDuration"_s,
+         .label = InspectorRows::tr("Duration"),
+         .toolTip = InspectorRows::tr("Length of the run, at most seven days."),
+         .undoText = InspectorRows::tr("Change duration")},
+        u" s"_s, [](auto& scenario) -> auto& { return scenario.duration_s; },
+        [](const Scenario& scenario) {
+            return Limits{.low = std::max(kSmallestTimeStep_s, scenario.dt_s),
+                          .high = kLargestDuration_s};
+        });
+    duration.step = 60;
+    NumberRow timeStep = scenarioRow(
+        {.key = u"scenarioTimeStep"_s,
+         .label = InspectorRows::tr("Time step"),
+         .toolTip = InspectorRows::tr("Step of the simulation; small is exact and slow."),
+         .undoText = InspectorRows::tr("Change time step")},
+        u" s"_s, [](auto& scenario) -> auto& { return scenario.dt_s; },
+        [](const Scenario& scenario) {
+            return Limits{.low = kSmallestTimeStep_s,
+                          .high = std::min(kLargestTimeStep_s, scenario.duration_s)};
+        });
+    timeStep.step = 0.05;
+    timeStep.decimals = {.least = 2, .most = 3};
+    const NumberRow seed{
+        .words = {.key = u"scenarioSeed"_s,
+                  .label = InspectorRows::tr("Seed"),
+                  .toolTip = InspectorRows::tr("Names the random drift: the same seed, the same "
+                                               "run."),
+                  .undoText = InspectorRows::tr("Change seed")},
+        .read = [](const Scenario& scenario,
+                   const std::string&) { return static_cast<double>(scenario.seed); },
+        .write = [](Scenario& scenario, const std::string&,
+                    double value) { scenario.seed = std::llround(value); },
+        .range = always(kSeed)};
+    const FlagRow noise{
+        .words = {.key = u"scenarioNoise"_s,
+                  .label = InspectorRows::tr("Random drift"),
+                  .toolTip = InspectorRows::tr("Off: icebergs drift exactly as known."),
+                  .undoText = InspectorRows::tr("Change random drift")},
+        .read = [](const Scenario& scenario) { return scenario.noise; },
+        .write = [](Scenario& scenario, bool on) { scenario.noise = on; }};
+    return {duration, timeStep, seed, noise};
+}
+
+} // namespace
+
+std::vector<InspectorRow> scenarioRows()
+{
+    std::vector<InspectorRow> rows{
+        TextRow{.words = {.key = u"scenarioName"_s,
+                          .label = InspectorRows::tr("Name"),
+                          .toolTip = InspectorRows::tr("Title of the scenario, shown on the map."),
+                          .undoText = InspectorRows::tr("Change name")},
+                .read = [](const Scenario& scenario, const std::string&) { return scenario.name; },
+                .write = [](Scenario& scenario, const std::string&,
+                            const std::string& name) { scenario.name = name; }},
+        TextRow{.words = {.key = u"scenarioNotes"_s,
+                          .label = InspectorRows::tr("Notes"),
+                          .toolTip = InspectorRows::tr("Anything worth knowing, kept in the file."),
+                          .undoText = InspectorRows::tr("Change notes")},
+                .multiLine = true,
+                .read = [](const Scenario& scenario, const std::string&) { return scenario.notes; },
+                .write = [](Scenario& scenario, const std::string&,
+                            const std::string& notes) { scenario.notes = notes; }}};
+    append(rows, runRows());
+    append(rows, windRows());
+    append(rows, currentRows());
+    return rows;
+}
+
+} // namespace berg

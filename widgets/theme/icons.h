@@ -1,0 +1,40 @@
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QIcon>
+
+namespace berg {
+
+enum class IconName
+{
+    Play,
+    Pause,
+    Step,
+    Reset,
+    Select,
+    Iceberg,
+    Uav,
+    Pan,
+    Undo,
+    Redo,
+    Fit,
+    Follow,
+    ExportPlan,
+    Open,
+    Save,
+    NewFile,
+    Proven,   ///< a tick in a circle
+    Estimate, ///< two waves: about
+    Warning,
+    Locked
+};
+inline constexpr int kIconCount = static_cast<int>(IconName::Locked) + 1;
+
+/**
+ * Line icon on a grid of 24 px in the theme's text colour, fainter when disabled; drawn anew, so
+ * sharp, at every size.
+ */
+[[nodiscard]] QIcon icon(IconName name, const Theme& theme);
+
+} // namespace berg

@@ -1,0 +1,47 @@
+#include "widgets/theme/palette.h"
+
+#include <QGuiApplication>
+
+namespace berg {
+
+QPalette paletteOf(const Theme& theme)
+{
+    const QColor base = theme.chart;
+    const QColor window = mixed(base, theme.text, theme.isDark ? 0.06 : 0.03);
+    QPalette palette;
+    palette.setColor(QPalette::Window, window);
+    palette.setColor(QPalette::WindowText, theme.text);
+    palette.setColor(QPalette::Base, base);
+    palette.setColor(QPalette::AlternateBase, mixed(base, theme.text, 0.04));
+    palette.setColor(QPalette::Text, theme.text);
+    palette.setColor(QPalette::PlaceholderText, theme.mutedText);
+    palette.setColor(QPalette::Button, mixed(base, theme.text, theme.isDark ? 0.12 : 0.05));
+    palette.setColor(QPalette::ButtonText, theme.text);
+    palette.setColor(QPalette::ToolTipBase, theme.panel);
+    palette.setColor(QPalette::ToolTipText, theme.text);
+    palette.setColor(QPalette::BrightText, theme.uav);
+    palette.setColor(QPalette::Link, theme.plan);
+    palette.setColor(QPalette::Highlight, theme.plan);
+    palette.setColor(QPalette::HighlightedText, theme.planText);
+    palette.setColor(QPalette::Light, mixed(window, Qt::white, theme.isDark ? 0.1 : 0.6));
+    palette.setColor(QPalette::Midlight, mixed(window, theme.text, 0.08));
+    palette.setColor(QPalette::Mid, mixed(window, theme.text, 0.25));
+    palette.setColor(QPalette::Dark, mixed(window, theme.text, 0.35));
+    palette.setColor(QPalette::Shadow, mixed(window, Qt::black, 0.6));
+    const QColor disabled = mixed(window, theme.text, 0.45);
+    for (const QPalette::ColorRole role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, disabled);
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, mixed(window, theme.text, 0.3));
+    return palette;
+}
+
+bool systemIsDark()
+{
+    // Kept from the first call, before our own palette takes its place.
+    static const bool dark =
+        relativeLuminance(QGuiApplication::palette().color(QPalette::Window)) < 0.2;
+    return dark;
+}
+
+} // namespace berg

@@ -1,0 +1,120 @@
+#include "widgets/theme/theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+namespace {
+
+QFont sized(QFont font, int size_px, QFont::Weight weight = QFont::Normal)
+{
+    font.setPixelSize(size_px);
+    font.setWeight(weight);
+    return font;
+}
+
+double linear(double channel)
+{
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+} // namespace
+
+Theme Theme::light()
+{
+    Theme theme;
+    theme.sea = QColor(0xe6eff4);
+    theme.land = QColor(0xe7e1d3);
+    theme.coast = QColor(0x74827c);
+    theme.graticule = QColor(0xc3d3dc);
+    theme.graticuleText = QColor(0x4c626f);
+    theme.ice = QColor(0xffffff);
+    theme.ink = QColor(0x22313b);
+    theme.uav = QColor(0xd9541e);
+    theme.plan = QColor(0x1769aa);
+    theme.planText = QColor(0xffffff);
+    theme.track = QColor(0x43535f);
+    theme.comparison = QColor(0xb3263a);
+    theme.text = QColor(0x16222b);
+    theme.mutedText = QColor(0x4c5e6a);
+    theme.panel = QColor(0xfafcfd);
+    theme.panelLine = QColor(0xcbd8e0);
+    theme.chart = QColor(0xffffff);
+    theme.chartGrid = QColor(0xe3eaee);
+    theme.chartAxis = QColor(0x84949e);
+    theme.accumulated = QColor(0x16222b);
+    theme.momentary = QColor(0x1769aa);
+    theme.sigma = SigmaScale(false);
+    return theme;
+}
+
+Theme Theme::dark()
+{
+    Theme theme;
+    theme.isDark = true;
+    theme.sea = QColor(0x0e1a23);
+    theme.land = QColor(0x27313a);
+    theme.coast = QColor(0x71828e);
+    theme.graticule = QColor(0x203442);
+    theme.graticuleText = QColor(0x8aa0ae);
+    theme.ice = QColor(0xf2f7fa);
+    theme.ink = QColor(0xc3d0d8);
+    theme.uav = QColor(0xff8a4c);
+    theme.plan = QColor(0x5fb3f2);
+    theme.planText = QColor(0x0b1720);
+    theme.track = QColor(0x9fb1bd);
+    theme.comparison = QColor(0xff7a8a);
+    theme.text = QColor(0xe8eff3);
+    theme.mutedText = QColor(0x9cb0bc);
+    theme.panel = QColor(0x152530);
+    theme.panelLine = QColor(0x2c4150);
+    theme.chart = QColor(0x111e28);
+    theme.chartGrid = QColor(0x223441);
+    theme.chartAxis = QColor(0x6b7f8c);
+    theme.accumulated = QColor(0xe8eff3);
+    theme.momentary = QColor(0x5fb3f2);
+    theme.sigma = SigmaScale(true);
+    return theme;
+}
+
+QFont Theme::body() const
+{
+    return sized(font, 13);
+}
+
+QFont Theme::small() const
+{
+    return sized(font, 11);
+}
+
+QFont Theme::strong() const
+{
+    return sized(font, 13, QFont::Bold);
+}
+
+QFont Theme::figure() const
+{
+    return sized(font, 22);
+}
+
+double relativeLuminance(const QColor& colour)
+{
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+double contrastRatio(const QColor& a, const QColor& b)
+{
+    const auto [low, high] = std::minmax({relativeLuminance(a), relativeLuminance(b)});
+    return (high + 0.05) / (low + 0.05);
+}
+
+QColor mixed(const QColor& from, const QColor& to, double fraction)
+{
+    const auto t = static_cast<float>(std::clamp(fraction, 0.0, 1.0));
+    const auto mix = [t](float a, float b) { return a + t * (b - a); };
+    return QColor::fromRgbF(mix(from.redF(), to.redF()), mix(from.greenF(), to.greenF()),
+                            mix(from.blueF(), to.blueF()), mix(from.alphaF(), to.alphaF()));
+}
+
+} // namespace berg
