@@ -19,7 +19,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMimeData>
-#include <QScrollArea>
 #include <QStatusBar>
 #include <QUndoStack>
 #include <QVBoxLayout>
@@ -82,7 +81,10 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     showCharts();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    hide(); // fields commit what is being typed while there still is a window to take it
+}
 
 void MainWindow::buildPanels()
 {
@@ -125,16 +127,12 @@ void MainWindow::buildDocks()
         m_docks.push_back(widget);
         return widget;
     };
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(m_inspector);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     QDockWidget* tradeoff =
         dock("tradeoffDock", tr("Trade-off"), m_tradeoff, Qt::RightDockWidgetArea);
     QDockWidget* plan = dock("planDock", tr("Plan"), m_plan, Qt::RightDockWidgetArea);
     QDockWidget* inspector =
-        dock("inspectorDock", tr("Inspector"), scroll, Qt::RightDockWidgetArea);
+        dock("inspectorDock", tr("Inspector"), m_inspector, Qt::RightDockWidgetArea);
     tabifyDockWidget(plan, inspector);
     plan->raise();
     QDockWidget* zeta = dock("zetaDock", tr("Zeta"), m_zetaChart, Qt::BottomDockWidgetArea);
@@ -306,6 +304,7 @@ void MainWindow::applyTheme(const Theme& theme)
     m_map->setTheme(theme);
     m_tradeoff->setTheme(theme);
     m_plan->setTheme(theme);
+    m_inspector->setTheme(theme);
     m_playback->setTheme(theme);
     m_zetaChart->setTheme(theme);
     m_sigmaChart->setTheme(theme);

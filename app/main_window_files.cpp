@@ -5,6 +5,7 @@
 #include "core/scenario/presets.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/error_text.h"
+#include "widgets/panels/inspector_panel.h"
 
 #include <QCloseEvent>
 #include <QFile>
@@ -109,6 +110,7 @@ bool MainWindow::saveScenarioAs()
 
 bool MainWindow::saveTo(const QString& path)
 {
+    m_inspector->finishTyping();
     try {
         m_workspace.document().save(path);
         rememberFile(path);

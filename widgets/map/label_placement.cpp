@@ -28,8 +28,9 @@ constexpr double kStayGain = 14; // what another place must be better by to move
 
 double overlapArea(const QRectF& a, const QRectF& b)
 {
-    const QRectF common = a.intersected(b);
-    return common.isEmpty() ? 0 : common.width() * common.height();
+    const double width_px = std::min(a.right(), b.right()) - std::max(a.left(), b.left());
+    const double height_px = std::min(a.bottom(), b.bottom()) - std::max(a.top(), b.top());
+    return width_px > 0 && height_px > 0 ? width_px * height_px : 0;
 }
 
 /** The rectangle beside the anchor in a direction, its near side `gap_px` away from the disk. */
@@ -136,11 +137,15 @@ std::vector<Candidate> candidatesOf(const LabelRequest& request,
         for (const double angle_deg : kAngles_deg) {
             Candidate c{.rect = candidate(request, angle_deg, gap_px),
                         .apart = gap_px >= kApart_px};
-            c.cost = near.faults(c.rect) + near.crossings(c.rect) + kGapCost * gap_px + preference;
+            c.cost = near.faults(c.rect) + kGapCost * gap_px + preference;
+            if (c.cost < kFault) // a place with a fault is not shown: lines do not matter there
+                c.cost += near.crossings(c.rect);
             candidates.push_back(c);
             preference += kAngleCost;
         }
     }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
     return candidates;
 }
 
@@ -185,13 +190,14 @@ std::vector<PlacedLabel> placeLabels(std::span<const LabelRequest> requests,
     std::vector<PlacedLabel> placed(requests.size());
     std::vector<double> ownCost(requests.size(), 0); // of the place taken, other labels not counted
     std::vector<bool> done(requests.size(), false);
-    const auto clashes = [&](std::size_t self, const QRectF& rect) {
-        const QRectF padded = rect.adjusted(-kMargin_px, -kMargin_px, kMargin_px, kMargin_px);
-        double cost = 0;
-        for (std::size_t other = 0; other < requests.size(); ++other)
+    // Cost of a place, other labels counted; it may stop at `limit`, which is too dear anyway.
+    const auto costOf = [&](std::size_t self, const Candidate& c, double limit) {
+        const QRectF padded = c.rect.adjusted(-kMargin_px, -kMargin_px, kMargin_px, kMargin_px);
+        double cost = c.cost;
+        for (std::size_t other = 0; other < requests.size() && cost < limit; ++other)
             if (other != self && done[other])
-                cost += overlapArea(padded, placed[other].rect);
-        return kFault * cost;
+                cost += kFault * overlapArea(padded, placed[other].rect);
+        return cost;
     };
     // The first sweep is greedy; later ones let each label move where the others left room.
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -201,8 +207,8 @@ std::vector<PlacedLabel> placeLabels(std::span<const LabelRequest> requests,
             PlacedLabel label;
             for (const Candidate& c : candidates[i]) {
                 if (c.cost >= best)
-                    continue;
-                const double cost = c.cost + clashes(i, c.rect);
+                    break; // they are in the order of their cost
+                const double cost = costOf(i, c, best);
                 if (cost < best) {
                     best = cost;
                     label = {.rect = c.rect, .apart = c.apart};
