@@ -11,16 +11,16 @@ namespace {
 /** Tracks over all keyframes that a file keeps: about 15 MB of text. */
 constexpr std::size_t kMostTracks = 100'000;
 
-std::vector<WorldState> thinned(const std::vector<WorldState>& keyframes)
+std::vector<WorldState> thinned(const std::vector<Simulation>& keyframes)
 {
     std::size_t tracks = 0;
-    for (const WorldState& keyframe : keyframes)
-        tracks += keyframe.tracks.size();
+    for (const Simulation& keyframe : keyframes)
+        tracks += keyframe.state().tracks.size();
     const std::size_t stride = tracks / kMostTracks + 1;
     std::vector<WorldState> kept;
     for (std::size_t i = 0; i < keyframes.size(); ++i)
         if (i % stride == 0 || i + 1 == keyframes.size())
-            kept.push_back(keyframes[i]);
+            kept.push_back(keyframes[i].state());
     return kept;
 }
 

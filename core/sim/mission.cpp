@@ -1,5 +1,6 @@
 #include "core/sim/mission.h"
 
+#include "core/base/solving_guard.h"
 #include "core/plan/names.h"
 #include "core/scenario/validate.h"
 
@@ -59,6 +60,7 @@ Mission::Mission(const Scenario& scenario, const MissionOptions& options,
 AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
                                const std::function<void(double)>& onProgress)
 {
+    requireSolvingAllowed();
     const double dt_s = m_simulation.dt_s();
     const std::int64_t untilStep = std::llround(until_s / dt_s);
     const std::int64_t second = std::max<std::int64_t>(1, std::llround(1 / dt_s));
@@ -88,8 +90,8 @@ bool Mission::planNow(const std::stop_token& stop)
     options.stop = stop;
     if (m_incumbentListener)
         options.onProgress = [this](const SolveProgress& progress) { tellIncumbent(progress); };
-    const PlanRequest request = m_simulation.planRequest();
-    const PlanAnswer answer = m_planner.plan(request, options, m_options.warmStart);
+    const auto request = std::make_shared<const PlanRequest>(m_simulation.planRequest());
+    const PlanAnswer answer = m_planner.plan(*request, options, m_options.warmStart);
     if (answer.outcome.reason == StopReason::Cancelled)
         return false;
 
@@ -99,6 +101,7 @@ bool Mission::planNow(const std::stop_token& stop)
     m_simulation.setTarget(event.target);
     note(EventKind::Planned, event.target, answer.fellBack ? "last plan kept" : event.backend);
     m_plans.push_back(std::move(event));
+    m_lastRequest = request;
     return true;
 }
 
@@ -167,6 +170,7 @@ void Mission::intervene(Intervention intervention)
         note(EventKind::Appeared, m_simulation.icebergCount() - 1, {});
     }
     m_interventions.push_back(std::move(intervention));
+    m_plansBefore.push_back(m_plans.size());
 }
 
 Metrics Mission::metrics() const

@@ -89,8 +89,15 @@ public:
     [[nodiscard]] Metrics metrics() const;
     [[nodiscard]] const Recorder& recorder() const { return m_recorder; }
     [[nodiscard]] const std::vector<PlanEvent>& plans() const { return m_plans; }
+    /** What the last of the plans was asked for; null: none yet. */
+    [[nodiscard]] const std::shared_ptr<const PlanRequest>& lastRequest() const
+    {
+        return m_lastRequest;
+    }
     [[nodiscard]] const std::vector<MissionEvent>& events() const { return m_events; }
     [[nodiscard]] const std::vector<Intervention>& interventions() const { return m_interventions; }
+    /** So many plans had been made when intervention `i` came. */
+    [[nodiscard]] std::size_t plansBefore(std::size_t i) const { return m_plansBefore.at(i); }
     /** Icebergs of the scenario and those added in flight, by index. */
     [[nodiscard]] const std::vector<Iceberg>& icebergs() const { return m_icebergs; }
 
@@ -107,8 +114,10 @@ private:
     Planner m_planner;
     Recorder m_recorder;
     std::vector<PlanEvent> m_plans;
+    std::shared_ptr<const PlanRequest> m_lastRequest;
     std::vector<MissionEvent> m_events;
     std::vector<Intervention> m_interventions;
+    std::vector<std::size_t> m_plansBefore; ///< by intervention
     std::function<void(const PlanEvent&)> m_incumbentListener;
     int m_visits = 0;
 };

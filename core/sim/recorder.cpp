@@ -24,7 +24,7 @@ void Recorder::record(const Simulation& simulation)
     const WorldState& state = simulation.state();
     const bool last = simulation.finished();
     if (last || state.step % m_keyframeSteps == 0)
-        m_keyframes.push_back(state);
+        m_keyframes.push_back(simulation);
     if (!last && state.step % m_sampleSteps != 0)
         return;
     m_samples.push_back({.time_s = simulation.time_s(),

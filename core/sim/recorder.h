@@ -84,7 +84,8 @@ public:
     [[nodiscard]] const std::vector<Sample>& samples() const { return m_samples; }
     /** Icebergs at sample `row`, by index. */
     [[nodiscard]] std::span<const IcebergSample> icebergs(std::size_t row) const;
-    [[nodiscard]] const std::vector<WorldState>& keyframes() const { return m_keyframes; }
+    /** From each of them the mission can be flown on, bit for bit; a plan may be due at once. */
+    [[nodiscard]] const std::vector<Simulation>& keyframes() const { return m_keyframes; }
 
 private:
     std::int64_t m_sampleSteps;
@@ -92,7 +93,7 @@ private:
     std::vector<Sample> m_samples;
     std::vector<IcebergSample> m_icebergs;
     std::vector<std::size_t> m_rowStart;
-    std::vector<WorldState> m_keyframes;
+    std::vector<Simulation> m_keyframes;
 };
 
 } // namespace berg

@@ -133,12 +133,12 @@ private slots:
             if (s.state().step == 600)
                 at60 = s.state();
         });
-        const std::vector<WorldState>& keyframes = recorder.keyframes();
+        const std::vector<Simulation>& keyframes = recorder.keyframes();
         QCOMPARE(keyframes.size(), std::size_t{4});
-        QCOMPARE(keyframes[0].step, 0);
-        QVERIFY(keyframes[1] == at60);
-        QCOMPARE(keyframes[2].step, 1200);
-        QVERIFY(keyframes[3] == simulation.state()); // the end, between two keyframes
+        QCOMPARE(keyframes[0].state().step, 0);
+        QVERIFY(keyframes[1].state() == at60);
+        QCOMPARE(keyframes[2].state().step, 1200);
+        QVERIFY(keyframes[3].state() == simulation.state()); // the end, between two keyframes
     }
 
     /** An end that is due anyway is kept once. */

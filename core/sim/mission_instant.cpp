@@ -1,0 +1,114 @@
+#include "core/sim/mission_instant.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+/** Flies a copy of a keyframe on, with what the mission has on record. */
+class Rewind
+{
+public:
+    Rewind(const Mission& mission, const Simulation& start) : m_mission(mission), m_world(start)
+    {
+        m_plan = countBefore(mission.plans());
+        m_intervention = countBefore(mission.interventions());
+        apply();
+    }
+
+    void flyTo(std::int64_t step)
+    {
+        while (m_world.state().step < step) {
+            m_world.advanceStep();
+            apply();
+        }
+    }
+
+    [[nodiscard]] MissionInstant instant() const
+    {
+        const std::vector<MissionEvent>& events = m_mission.events();
+        const auto end = std::find_if(events.begin(), events.end(), [this](const MissionEvent& e) {
+            return stepOf(e.time_s) > m_world.state().step;
+        });
+        MissionInstant instant{.simulation = m_world,
+                               .planner = m_mission.scenario().planner,
+                               .plans = m_plan,
+                               .events = static_cast<std::size_t>(end - events.begin()),
+                               .interventions = m_intervention};
+        for (std::size_t i = 0; i < m_intervention; ++i) {
+            const Intervention& change = m_mission.interventions()[i];
+            instant.planner.tau = change.tau.value_or(instant.planner.tau);
+            instant.planner.policy = change.policy.value_or(instant.planner.policy);
+        }
+        instant.metrics = {.zeta_m2s = m_world.state().zeta_m2s,
+                           .visits = static_cast<int>(std::count_if(
+                               events.begin(), end,
+                               [](const MissionEvent& e) { return e.kind == EventKind::Reached; })),
+                           .replans = static_cast<int>(m_plan),
+                           .flown_m = m_world.state().flown_m};
+        return instant;
+    }
+
+private:
+    [[nodiscard]] std::int64_t stepOf(double time_s) const
+    {
+        return std::llround(time_s / m_world.dt_s());
+    }
+    [[nodiscard]] bool isNow(double time_s) const { return stepOf(time_s) == m_world.state().step; }
+
+    /** Entries of a record in order of time that came before this step. */
+    template <class Entry>
+    [[nodiscard]] std::size_t countBefore(const std::vector<Entry>& record) const
+    {
+        const auto now = std::lower_bound(
+            record.begin(), record.end(), m_world.state().step,
+            [this](const Entry& e, std::int64_t s) { return stepOf(e.time_s) < s; });
+        return static_cast<std::size_t>(now - record.begin());
+    }
+
+    /** Plans and interventions of this step, in the order they came. */
+    void apply()
+    {
+        const std::vector<PlanEvent>& plans = m_mission.plans();
+        const std::vector<Intervention>& changes = m_mission.interventions();
+        for (;;) {
+            if (m_intervention < changes.size() && isNow(changes[m_intervention].time_s) &&
+                m_mission.plansBefore(m_intervention) <= m_plan) {
+                if (const auto& appears = changes[m_intervention].appears)
+                    m_world.addIceberg(*appears);
+                ++m_intervention;
+            } else if (m_plan < plans.size() && isNow(plans[m_plan].time_s)) {
+                m_world.setTarget(plans[m_plan].target);
+                ++m_plan;
+            } else {
+                return;
+            }
+        }
+    }
+
+    const Mission& m_mission;
+    Simulation m_world;
+    std::size_t m_plan = 0;
+    std::size_t m_intervention = 0;
+};
+
+} // namespace
+
+MissionInstant instantAt(const Mission& mission, double time_s)
+{
+    const Simulation& head = mission.simulation();
+    const std::int64_t step =
+        std::clamp<std::int64_t>(std::llround(time_s / head.dt_s()), 0, head.state().step);
+    const std::vector<Simulation>& keyframes = mission.recorder().keyframes();
+    const auto after =
+        std::upper_bound(keyframes.begin(), keyframes.end(), step,
+                         [](std::int64_t s, const Simulation& k) { return s < k.state().step; });
+    require(after != keyframes.begin(), "instantAt: the mission was flown without a record");
+    Rewind rewind(mission, *std::prev(after));
+    rewind.flyTo(step);
+    return rewind.instant();
+}
+
+} // namespace berg

@@ -1,0 +1,126 @@
+#include "core/scenario/presets.h"
+#include "core/sim/mission_instant.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QtTest>
+
+using namespace berg;
+
+namespace {
+
+struct Change
+{
+    double time_s;
+    Intervention intervention;
+};
+
+/** Interventions of every kind, two of them at one instant, one where a plan is due anyway. */
+std::vector<Change> changes()
+{
+    Iceberg added;
+    added.id = "added";
+    added.position_m = Point(1500, 1500);
+    added.velocity_mps = Point(0.1, 0.2);
+    return {{.time_s = 0, .intervention = {.tau = 2.0}},
+            {.time_s = 123.4, .intervention = {.appears = added}},
+            {.time_s = 123.4, .intervention = {.tau = 0.25}},
+            {.time_s = 300, .intervention = {.policy = PolicyKind::Nearest}}};
+}
+
+/** Flies to `until_s` with all changes up to then. */
+Mission flown(const Scenario& scenario, const std::vector<Change>& changes, double until_s,
+              const MissionOptions& options = {})
+{
+    Mission mission(scenario, options);
+    for (const Change& change : changes) {
+        if (change.time_s > until_s)
+            break;
+        mission.advance(change.time_s);
+        mission.intervene(change.intervention);
+    }
+    mission.advance(until_s);
+    return mission;
+}
+
+void compareWithFlight(const MissionInstant& instant, const Mission& then)
+{
+    QCOMPARE(instant.simulation.state().step, then.simulation().state().step);
+    QVERIFY(instant.simulation.state() == then.simulation().state());
+    QVERIFY(instant.metrics == then.metrics());
+    QVERIFY(instant.planner == then.plannerSettings());
+    QCOMPARE(instant.plans, then.plans().size());
+    QCOMPARE(instant.events, then.events().size());
+    QCOMPARE(instant.interventions, then.interventions().size());
+    for (int i = 0; i < then.simulation().icebergCount(); ++i) {
+        QVERIFY(instant.simulation.truth_m(i) == then.simulation().truth_m(i));
+        QCOMPARE(instant.simulation.active(i), then.simulation().active(i));
+    }
+}
+
+} // namespace
+
+/** Any instant looked back at is the one that was flown, bit for bit. */
+class TestMissionInstant : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void equalsTheFlight_data()
+    {
+        QTest::addColumn<int>("seed");
+        QTest::addColumn<bool>("changed");
+        QTest::addColumn<double>("keyframe_s");
+        QTest::newRow("undisturbed") << 1 << false << 60.0;
+        QTest::newRow("with interventions") << 2 << true << 60.0;
+        QTest::newRow("keyframe where an intervention comes") << 3 << true << 12.34;
+        QTest::newRow("keyframe at each step") << 4 << true << 0.1;
+        QTest::newRow("one keyframe") << 5 << true << 10000.0;
+    }
+
+    void equalsTheFlight()
+    {
+        QFETCH(int, seed);
+        QFETCH(bool, changed);
+        QFETCH(double, keyframe_s);
+        Scenario scenario = randomScenario(static_cast<std::uint64_t>(seed), {.icebergs = 8});
+        scenario.duration_s = 500;
+        scenario.icebergs[5].appears_s = 200.05; // between steps
+        const std::vector<Change> list = changed ? changes() : std::vector<Change>();
+        const MissionOptions options{.keyframeInterval_s = keyframe_s};
+        const Mission mission = flown(scenario, list, 500, options);
+        for (const double time_s : {0.0, 0.1, 59.9, 60.0, 60.1, 123.3, 123.4, 123.5, 200.0, 200.1,
+                                    299.9, 300.0, 417.7, 499.9, 500.0})
+            compareWithFlight(instantAt(mission, time_s), flown(scenario, list, time_s, options));
+        for (const PlanEvent& plan : mission.plans())
+            compareWithFlight(instantAt(mission, plan.time_s),
+                              flown(scenario, list, plan.time_s, options));
+    }
+
+    void timesOutsideAreTheEnds()
+    {
+        const Scenario scenario = randomScenario(9, {.icebergs = 4});
+        const Mission mission = flown(scenario, {}, 100);
+        QCOMPARE(instantAt(mission, -5).simulation.state().step, std::int64_t{0});
+        QVERIFY(instantAt(mission, 1e9).simulation.state() == mission.simulation().state());
+    }
+
+    void backwardsAndForwards()
+    {
+        const Scenario scenario = randomScenario(10, {.icebergs = 6});
+        const Mission mission = flown(scenario, {}, 400);
+        const WorldState late = instantAt(mission, 390).simulation.state();
+        QVERIFY(instantAt(mission, 10).simulation.state() !=
+                late); // another instant in between changes nothing
+        QVERIFY(instantAt(mission, 390).simulation.state() == late);
+    }
+
+    void withoutRecordItIsRefused()
+    {
+        const Mission mission =
+            flown(randomScenario(1, {.icebergs = 3}), {}, 10, {.record = false});
+        QVERIFY_EXCEPTION_THROWN(static_cast<void>(instantAt(mission, 5)), std::logic_error);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMissionInstant)
+#include "tst_mission_instant.moc"
