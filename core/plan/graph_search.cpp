@@ -9,6 +9,8 @@ namespace berg {
 
 namespace {
 
+constexpr std::size_t kStatesPerCheck = 1024;
+
 struct State
 {
     NodeSet visited;
@@ -101,12 +103,12 @@ GraphSearchResult searchGraph(const LayeredGraph& graph, const Prices& prices,
     std::vector<std::vector<State>> layers(1);
     layers[0].push_back({.visited = {}, .estimate = graph.completion(0)});
     for (int p = 0; p < graph.icebergs(); ++p) {
-        if (limits.cut && limits.cut()) {
-            result.bound = -std::numeric_limits<double>::infinity();
-            return result;
-        }
         const std::vector<State>& from = layers.back();
         for (std::size_t k = 0; k < from.size(); ++k) {
+            if (k % kStatesPerCheck == 0 && limits.cut && limits.cut()) {
+                result.bound = -std::numeric_limits<double>::infinity();
+                return result;
+            }
             const int i = graph.iceberg(from[k].node);
             for (const int to : graph.successors(from[k].node)) {
                 const int j = graph.iceberg(to);

@@ -1,13 +1,17 @@
 #include "core/plan/layered_bound.h"
 
+#include "core/base/error.h"
 #include "core/plan/graph_search.h"
 #include "core/plan/layered_graph.h"
+#include "core/plan/ng_memory.h"
+#include "core/plan/price_ascent.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <deque>
 #include <limits>
-#include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace berg {
 
@@ -15,194 +19,51 @@ namespace {
 
 /** Relative margin of every cut and of every bound: far above rounding, far below interest. */
 constexpr double kMargin = 1e-9;
-/** Steps of the multipliers: first relaxation (at least), first graph, later graphs. */
-constexpr int kPlainSteps = 80;
-constexpr int kFirstSteps = 60;
+/** Steps of the multipliers: before the first suggestion, in all without a graph (at least, and
+ * with multipliers given), on the first graph, on later graphs. */
+constexpr std::int64_t kFirstSteps = 10;
+constexpr std::int64_t kPlainSteps = 80;
+constexpr std::int64_t kWarmSteps = 20;
+constexpr int kFirstGraphSteps = 60;
 constexpr int kLaterSteps = 20;
-constexpr int kMostRounds = 60;
-/** Largest graph: 24 MB, and a sweep takes under 10 ms. */
-constexpr std::int64_t kMostArcs = 6'000'000;
 /** Work counts the arcs of a sweep as 1; the rest by measurement. */
 constexpr std::int64_t kWorkOfNode = 3;
 constexpr std::int64_t kWorkOfRefining = 10;
 constexpr std::int64_t kWorkOfSearching = 25;
 /** Relaxed paths whose cycles make the memory grow: those of the last steps. */
-constexpr std::size_t kRecentPaths = 12;
-constexpr std::size_t kMostCyclesAtOnce = 800;
-/** A cycle is forbidden where it was seen and in as many positions before and behind. */
-constexpr int kMemoryWindow = 10;
+constexpr std::size_t kRecentPaths = 20;
+/** Gaps certified on the way when the graph gets large: what can beat the order by so much is
+ * little, and soon deleted. */
+constexpr std::array kStages{0.005, 0.002};
 
-/**
- * Subgradient ascent of the multipliers: step length by the distance to the incumbent (Polyak
- * 1969), direction deflected by the one before (Camerini, Fratta and Maffioli 1975).
- */
-class Ascent
+/** The arcs of a graph without their memories, sorted. */
+std::vector<PositionArc> arcsOf(const LayeredGraph& graph)
 {
-public:
-    explicit Ascent(Eigen::VectorXd lambda)
-        : m_lambda(std::move(lambda))
-        , m_best(m_lambda)
-        , m_direction(Eigen::VectorXd::Zero(m_lambda.size()))
-    {
+    std::vector<PositionArc> arcs;
+    const auto less = [](const PositionArc& a, const PositionArc& b) {
+        return std::tie(a.position, a.from, a.to) < std::tie(b.position, b.from, b.to);
+    };
+    int node = 0;
+    for (int p = 0; p < graph.icebergs(); ++p) {
+        const std::size_t begin = arcs.size();
+        for (const int end = graph.layerEnd(p); node < end; ++node)
+            for (const int to : graph.successors(node))
+                arcs.push_back({graph.iceberg(node), graph.iceberg(to), p + 1});
+        const auto first = arcs.begin() + static_cast<std::ptrdiff_t>(begin);
+        std::sort(first, arcs.end(), less);
+        arcs.erase(std::unique(first, arcs.end()), arcs.end());
     }
+    return arcs;
+}
 
-    /** Best bound since the last restart. */
-    [[nodiscard]] double bound() const { return m_bound; }
-    [[nodiscard]] Prices here(double cutoff) const { return {m_lambda, m_lambda.sum(), cutoff}; }
-    [[nodiscard]] Prices best(double cutoff) const { return {m_best, m_best.sum(), cutoff}; }
-
-    /** For another graph: goes on from the best multipliers. */
-    void restart()
-    {
-        m_lambda = m_best;
-        m_direction.setZero();
-        m_bound = -std::numeric_limits<double>::infinity();
-        m_step = kFirstStep;
-        m_idle = 0;
-    }
-
-    /** `path` and `bound` belong to the multipliers `here`; `target` is the incumbent's cost. */
-    void step(const std::vector<int>& path, double bound, double target)
-    {
-        m_idle = bound > m_bound + 1e-7 * target ? 0 : m_idle + 1;
-        if (m_idle >= kPatience) {
-            m_step *= 0.7;
-            m_idle = 0;
-        }
-        if (bound > m_bound) {
-            m_bound = bound;
-            m_best = m_lambda;
-        }
-        Eigen::VectorXd gradient = Eigen::VectorXd::Ones(m_lambda.size());
-        gradient(0) = 0;
-        for (const int i : path)
-            gradient(i) -= 1;
-        m_direction = gradient + 0.7 * m_direction;
-        const double norm = m_direction.squaredNorm();
-        if (norm > 0)
-            m_lambda += m_step * std::max(target - bound, 0.0) / norm * m_direction;
-    }
-
-private:
-    static constexpr double kFirstStep = 0.4;
-    static constexpr int kPatience = 8;
-
-    Eigen::VectorXd m_lambda;
-    Eigen::VectorXd m_best;
-    Eigen::VectorXd m_direction;
-    double m_bound = -std::numeric_limits<double>::infinity();
-    double m_step = kFirstStep;
-    int m_idle = 0;
+/** A graph, the memory it is to be refined with next, and how it came about. */
+struct Stage
+{
+    LayeredGraph graph;
+    NgSets sets;
+    int cap = 0; ///< icebergs that a memory may grow to
+    PriceAscent ascent;
 };
-
-/**
- * First multipliers: about what an iceberg must cost. The shortest leg to it, and for waiting
- * the integral over sigma of t(sigma), a line fitted to the order: at that price an iceberg of
- * any sigma is indifferent to a small change of its position.
- */
-Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order)
-{
-    const int n = costs.icebergs;
-    const Eigen::VectorXd sigma = Eigen::Map<const Eigen::VectorXd>(costs.sigma.data(), n + 1);
-    Eigen::VectorXd t = Eigen::VectorXd::Zero(n + 1);
-    for (int k = 0; k < n; ++k)
-        t(order[static_cast<std::size_t>(k)]) = k + 2;
-    const double meanSigma = sigma.tail(n).mean();
-    const double meanT = t.tail(n).mean();
-    const Eigen::ArrayXd deviation = sigma.tail(n).array() - meanSigma;
-    const double square = deviation.square().sum();
-    const double slope =
-        square > 0 ? (deviation * (t.tail(n).array() - meanT)).sum() / square : 0.0;
-    const double start = meanT - slope * meanSigma;
-
-    Eigen::VectorXd prices = Eigen::VectorXd::Zero(n + 1);
-    for (int j = 1; j <= n; ++j) {
-        double shortest = costs.leg(0, j);
-        for (int i = 1; i <= n; ++i)
-            if (i != j)
-                shortest = std::min(shortest, costs.leg(i, j));
-        prices(j) = shortest + start * sigma(j) + slope * sigma(j) * sigma(j) / 2;
-    }
-    return prices;
-}
-
-/** Every iceberg remembers its `count` nearest ones, in all positions. */
-NgSets nearestSets(const VisitCosts& costs, int count)
-{
-    const int n = costs.icebergs;
-    NgSets sets(n);
-    std::vector<int> others;
-    for (int i = 1; i <= n; ++i) {
-        others.resize(static_cast<std::size_t>(n));
-        std::iota(others.begin(), others.end(), 1);
-        others.erase(others.begin() + (i - 1));
-        const auto distance = [&](int j) { return costs.leg(i, j) + costs.leg(j, i); };
-        std::sort(others.begin(), others.end(), [&](int a, int b) {
-            return std::pair(distance(a), a) < std::pair(distance(b), b);
-        });
-        others.resize(std::min(others.size(), static_cast<std::size_t>(count)));
-        for (int p = 1; p <= n; ++p)
-            for (const int j : others)
-                sets.at(p, i).insert(j);
-    }
-    return sets;
-}
-
-/** A path's return to an iceberg: it is at positions `first` and `last`, not between. */
-struct Cycle
-{
-    const std::vector<int>* path = nullptr;
-    int first = 0;
-    int last = 0;
-};
-
-/** All cycles of the paths, the shortest first. */
-std::vector<Cycle> cyclesOf(const std::deque<std::vector<int>>& paths)
-{
-    std::vector<Cycle> cycles;
-    std::vector<int> seen;
-    for (const std::vector<int>& path : paths) {
-        seen.assign(path.size() + 1, 0);
-        for (std::size_t k = 0; k < path.size(); ++k) {
-            int& before = seen[static_cast<std::size_t>(path[k])];
-            const int position = static_cast<int>(k) + 1;
-            if (before > 0)
-                cycles.push_back({&path, before, position});
-            before = position;
-        }
-    }
-    std::stable_sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
-        return a.last - a.first < b.last - b.first;
-    });
-    cycles.resize(std::min(cycles.size(), kMostCyclesAtOnce));
-    return cycles;
-}
-
-/**
- * Makes the icebergs between the two ends of each cycle remember its iceberg, as far as no
- * memory grows above `cap`: many memories grown at once would make the graph explode.
- */
-void forbidCycles(NgSets& sets, const std::deque<std::vector<int>>& paths, int cap)
-{
-    for (const Cycle& cycle : cyclesOf(paths)) {
-        const auto node = [&](int position) {
-            return (*cycle.path)[static_cast<std::size_t>(position) - 1];
-        };
-        const int twice = node(cycle.first);
-        bool room = true;
-        for (int p = cycle.first + 1; p < cycle.last; ++p) {
-            const NodeSet& memory = sets.at(p, node(p));
-            room = room && (memory.contains(twice) || memory.size() < cap);
-        }
-        if (!room)
-            continue;
-        const int n = static_cast<int>(cycle.path->size());
-        for (int p = cycle.first + 1; p < cycle.last; ++p)
-            for (int q = std::max(1, p - kMemoryWindow); q <= std::min(n, p + kMemoryWindow); ++q)
-                if (sets.at(q, node(p)).size() < cap + 2)
-                    sets.at(q, node(p)).insert(twice);
-    }
-}
 
 /** The run of `improveBound`: an incumbent, a bound, and a graph of what may lie between. */
 class BoundSearch
@@ -212,27 +73,75 @@ public:
         : m_costs(costs)
         , m_options(options)
         , m_cost(costs.total(order))
-        , m_ascent(firstPrices(costs, order))
+        , m_ascent(options.lambda ? *options.lambda : firstPrices(costs, order))
     {
+        require(!options.lambda || options.lambda->size() == costs.icebergs + 1,
+                "improveBound: one multiplier for each node");
         m_result.order = order;
     }
 
     BoundResult run()
     {
         LayeredPaths paths(m_costs);
-        relaxWithoutMemory(paths);
+        relax(paths, kFirstSteps);
+        takeSuggestion();
+        m_gap = m_options.gap;
+        takeBound(m_result.bound);
+        relax(paths, plainSteps() - kFirstSteps);
         if (!finished() && m_costs.icebergs < NodeSet::kCapacity)
-            relaxWithMemory(paths);
+            tighten(paths);
+        m_result.lambda = m_ascent.best(0).lambda;
         return std::move(m_result);
+    }
+
+    std::vector<PositionArc> arcs()
+    {
+        m_keepEqual = true;
+        LayeredPaths paths(m_costs);
+        relax(paths, plainSteps());
+        Stage stage = firstStage(paths);
+        std::vector<PositionArc> arcs = arcsOf(stage.graph);
+        if (m_costs.icebergs >= NodeSet::kCapacity)
+            return arcs;
+        constexpr double kPays = 0.98;
+        for (bool pays = true; pays && !finished() && refine(stage, 0);) {
+            ascend(stage.graph);
+            if (m_cut)
+                break;
+            std::vector<PositionArc> fewer = arcsOf(stage.graph);
+            pays = m_graphs == 1 ||
+                   static_cast<double>(fewer.size()) < kPays * static_cast<double>(arcs.size());
+            arcs = std::move(fewer);
+            forbidCycles(stage.sets, m_recent, ++stage.cap);
+        }
+        return arcs;
     }
 
 private:
     /** Orders of at least this cost are of no interest. */
-    [[nodiscard]] double cutoff() const { return m_cost * (1 - std::max(kMargin, m_options.gap)); }
-    [[nodiscard]] bool finished() const
+    [[nodiscard]] double cutoff() const
     {
-        return m_result.reached || m_result.work >= m_options.workLimit ||
-               (m_options.cut && m_options.cut());
+        return m_keepEqual ? m_cost * (1 + kMargin) : m_cost * (1 - std::max(kMargin, m_gap));
+    }
+    bool cut()
+    {
+        m_cut = m_cut || (m_options.cut && m_options.cut());
+        return m_cut;
+    }
+    bool finished()
+    {
+        return m_result.reached || m_result.memoryOut || m_workOut ||
+               m_result.work >= m_options.workLimit || cut();
+    }
+    [[nodiscard]] CutQuestion cutQuestion()
+    {
+        return [this] { return cut(); };
+    }
+    [[nodiscard]] std::int64_t plainSteps() const
+    {
+        // The order of magnitude of a bound matters more than the last tenth of it.
+        return m_options.lambda ? kWarmSteps
+                                : std::max<std::int64_t>(kPlainSteps, 2 * m_costs.icebergs);
     }
 
     [[nodiscard]] static std::int64_t workOfSweep(const LayeredGraph& graph)
@@ -245,7 +154,8 @@ private:
     {
         if (bound >= cutoff()) {
             m_result.bound = std::max(m_result.bound, cutoff());
-            m_result.reached = true;
+            m_stageDone = true;
+            m_result.reached = m_gap <= m_options.gap;
         } else {
             m_result.bound = std::max(m_result.bound, bound - kMargin * m_cost);
         }
@@ -254,7 +164,7 @@ private:
     bool takeOrder(const VisitOrder& order)
     {
         const double cost = m_costs.total(order);
-        if (cost >= m_cost * (1 - kMargin))
+        if (m_keepEqual || cost >= m_cost * (1 - kMargin))
             return false;
         m_cost = cost;
         m_result.order = order;
@@ -271,19 +181,27 @@ private:
         if (takeOrder(path))
             report();
     }
+    void takeSuggestion()
+    {
+        if (!m_options.suggest || finished())
+            return;
+        const OrderSuggestion found =
+            m_options.suggest(m_result.work, m_options.workLimit - m_result.work);
+        m_result.work += found.work;
+        if (!found.order.empty() && takeOrder(found.order))
+            report();
+    }
     void report() const
     {
-        if (m_options.onImproved)
+        if (m_options.onImproved && !m_keepEqual)
             m_options.onImproved(m_result.order, m_result.bound);
     }
 
-    void relaxWithoutMemory(LayeredPaths& paths)
+    void relax(LayeredPaths& paths, std::int64_t steps)
     {
         const std::int64_t n = m_costs.icebergs;
-        // The order of magnitude of a bound matters more than the last tenth of it.
-        const std::int64_t steps = std::max<std::int64_t>(kPlainSteps, 2 * n);
         for (std::int64_t k = 0; k < steps && !finished(); ++k) {
-            const double bound = paths.sweep(m_ascent.here(cutoff()), m_options.cut);
+            const double bound = paths.sweep(m_ascent.here(cutoff()), cutQuestion());
             m_result.work += n * n * n / 2;
             if (!std::isfinite(bound))
                 return;
@@ -291,56 +209,115 @@ private:
             takePath(path);
             m_ascent.step(path, bound, m_cost);
             takeBound(m_ascent.bound());
+            if (k % kFirstSteps == 0)
+                report();
         }
         report();
     }
 
-    void relaxWithMemory(LayeredPaths& paths)
+    /** The graph without memory, and the memory to begin with. */
+    Stage firstStage(LayeredPaths& paths)
     {
         const std::int64_t n = m_costs.icebergs;
+        const int nearest = n <= 50 ? 3 : 2; // large graphs must grow slowly
         const Prices prices = m_ascent.best(cutoff());
-        if (!std::isfinite(paths.sweep(prices, m_options.cut)))
-            return;
-        LayeredGraph graph(m_costs, paths, prices);
+        paths.sweep(prices, {});
         m_result.work += 2 * n * n * n;
+        return {.graph = LayeredGraph(m_costs, paths, prices),
+                .sets = nearestSets(m_costs, nearest),
+                .cap = nearest,
+                .ascent = m_ascent};
+    }
 
-        constexpr int kNearest = 3;
-        const int nearest = n <= 50 ? kNearest : 1; // large graphs must grow slowly
-        NgSets sets = nearestSets(m_costs, nearest);
-        for (int round = 0; round < kMostRounds && !finished(); ++round) {
-            if (!refine(graph, sets))
+    /** Rounds of refining, ascent, exact search and more memory. */
+    void tighten(LayeredPaths& paths)
+    {
+        Stage stage = firstStage(paths);
+        std::optional<Stage> saved; // where the next gap is gone for from
+        bool staged = false;
+        while (!finished()) {
+            if (!staged && isLarge(stage.graph)) {
+                staged = true;
+                m_gap = nextGap();
+                if (m_gap > m_options.gap) {
+                    stage.ascent = m_ascent;
+                    saved = stage;
+                }
+            }
+            if (!refine(stage, saved ? saved->graph.bytes() : 0))
                 return;
-            ascend(graph, round == 0 ? kFirstSteps : kLaterSteps);
+            ascend(stage.graph);
+            if (!finished() && !m_stageDone)
+                searchIn(stage.graph);
+            report();
+            takeSuggestion();
             if (finished())
                 return;
-            searchIn(graph);
-            report();
-            forbidCycles(sets, m_recent, nearest + 1 + round);
+            if (m_stageDone) {
+                m_stageDone = false;
+                m_gap = nextGap();
+                stage = *saved;
+                m_ascent = stage.ascent;
+                if (m_gap == m_options.gap)
+                    saved.reset();
+            } else {
+                forbidCycles(stage.sets, m_recent, ++stage.cap);
+            }
         }
     }
 
-    /** False when the refined graph would be larger than the work that is left allows. */
-    bool refine(LayeredGraph& graph, const NgSets& sets)
+    /** Whether it is time to certify other gaps first. */
+    [[nodiscard]] bool isLarge(const LayeredGraph& graph) const
     {
+        constexpr std::int64_t kMemoryShare = 20;
+        return graph.arcCount() > m_options.manyArcs ||
+               graph.bytes() > m_options.memoryLimit_bytes / kMemoryShare;
+    }
+
+    /** The next gap worth certifying. */
+    [[nodiscard]] double nextGap() const
+    {
+        for (const double gap : kStages)
+            if (gap > m_options.gap && m_result.bound < m_cost * (1 - gap))
+                return gap;
+        return m_options.gap;
+    }
+
+    /** False when cut, or when the refined graph would be larger than the limits allow. */
+    bool refine(Stage& stage, std::int64_t otherBytes)
+    {
+        constexpr std::int64_t kGrowth = 3; // of vectors, and what the search needs
         const Prices prices = m_ascent.best(cutoff());
-        graph.sweep(prices);
-        const std::int64_t left = m_options.workLimit - m_result.work;
-        const std::int64_t most = std::min(kMostArcs, left / (kWorkOfRefining + kLaterSteps));
-        std::optional<LayeredGraph> refined = graph.refined(sets, prices, most, m_options.cut);
-        if (!refined)
+        stage.graph.sweep(prices, cutQuestion());
+        if (cut())
             return false;
-        graph = std::move(*refined);
-        m_result.work += kWorkOfRefining * workOfSweep(graph);
+        const std::int64_t left = m_options.workLimit - m_result.work;
+        const std::int64_t left_bytes =
+            m_options.memoryLimit_bytes - stage.graph.bytes() - otherBytes;
+        Refinement refined = stage.graph.refined(
+            stage.sets, prices,
+            {.arcs = left / (kWorkOfRefining + kLaterSteps), .bytes = left_bytes / kGrowth},
+            cutQuestion());
+        m_result.memoryOut = refined.memoryOut;
+        m_workOut = !refined.graph;
+        if (!refined.graph)
+            return false;
+        stage.graph = std::move(*refined.graph);
+        m_result.work += kWorkOfRefining * workOfSweep(stage.graph);
+        ++m_graphs;
         return true;
     }
 
-    void ascend(LayeredGraph& graph, int steps)
+    void ascend(LayeredGraph& graph)
     {
+        const int steps = m_graphs == 1 ? kFirstGraphSteps : kLaterSteps;
         m_ascent.restart();
         m_recent.clear();
-        for (int k = 0; k < steps && !finished(); ++k) {
-            const double bound = graph.sweep(m_ascent.here(cutoff()));
+        for (int k = 0; k < steps && !finished() && !m_stageDone; ++k) {
+            const double bound = graph.sweep(m_ascent.here(cutoff()), cutQuestion());
             m_result.work += workOfSweep(graph);
+            if (cut())
+                return;
             const std::vector<int> path = graph.shortestPath();
             if (path.empty()) {
                 takeBound(cutoff()); // nothing below the cutoff is left
@@ -349,32 +326,36 @@ private:
             takePath(path);
             m_recent.push_back(path);
             if (m_recent.size() > kRecentPaths)
-                m_recent.pop_front();
+                m_recent.erase(m_recent.begin());
             m_ascent.step(path, bound, m_cost);
             takeBound(m_ascent.bound());
             // Early steps gain most, so they are followed by a clearing up sooner.
-            if (k == 0 || k == 3 || k == 6 || k % 10 == 9)
+            if (k == 0 || k % 20 == 6)
                 trim(graph);
         }
-        trim(graph);
+        if (!finished())
+            trim(graph);
     }
 
     void trim(LayeredGraph& graph)
     {
         const Prices prices = m_ascent.best(cutoff());
-        graph.sweep(prices);
-        graph.trim(prices, m_options.cut);
+        graph.sweep(prices, cutQuestion());
+        if (!cut() && !graph.trim(prices, cutQuestion()))
+            m_cut = true;
         m_result.work += 3 * workOfSweep(graph);
     }
 
     void searchIn(LayeredGraph& graph)
     {
         const Prices prices = m_ascent.best(cutoff());
-        graph.sweep(prices);
-        // The mean width of the graph: about the work of a few sweeps.
-        const int states = std::max(100, graph.nodeCount() / m_costs.icebergs);
+        graph.sweep(prices, cutQuestion());
+        if (cut())
+            return;
+        // Half the mean width of the graph: the work of a few sweeps.
+        const int states = std::max(100, graph.nodeCount() / (2 * m_costs.icebergs));
         const GraphSearchResult found =
-            searchGraph(graph, prices, {.mostStates = states, .cut = m_options.cut});
+            searchGraph(graph, prices, {.mostStates = states, .cut = cutQuestion()});
         m_result.work += kWorkOfSearching * found.work;
         if (!found.order.empty())
             takeOrder(found.order);
@@ -385,8 +366,14 @@ private:
     const BoundOptions& m_options;
     BoundResult m_result;
     double m_cost; ///< of m_result.order
-    Ascent m_ascent;
-    std::deque<std::vector<int>> m_recent; ///< relaxed paths of the last steps
+    PriceAscent m_ascent;
+    std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
+    double m_gap = 0;                       ///< that is being certified
+    int m_graphs = 0;                       ///< refined so far
+    bool m_stageDone = false;               ///< m_gap has been certified
+    bool m_keepEqual = false;               ///< orders as good as the given one are to be kept
+    bool m_workOut = false; ///< the work that is left does not suffice for a refined graph
+    bool m_cut = false;
 };
 
 } // namespace
@@ -395,6 +382,12 @@ BoundResult improveBound(const VisitCosts& costs, const VisitOrder& order,
                          const BoundOptions& options)
 {
     return BoundSearch(costs, order, options).run();
+}
+
+std::vector<PositionArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
+                                       const BoundOptions& options)
+{
+    return BoundSearch(costs, order, options).arcs();
 }
 
 } // namespace berg

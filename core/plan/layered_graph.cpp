@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
 
 namespace berg {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/** Nodes of a refined graph made between two looks at the clock. */
+constexpr int kNodesPerCheck = 4096;
 
 /** The (old node, memory) pairs of one layer: open addressing, grown by doubling. */
 class LabelTable
@@ -181,17 +184,26 @@ LayeredGraph::LayeredGraph(const VisitCosts& costs, const LayeredPaths& paths, c
     m_firstArc.resize(m_iceberg.size() + 1, m_arcs.size());
 }
 
-double LayeredGraph::sweep(const Prices& prices)
+std::int64_t LayeredGraph::bytes() const
+{
+    constexpr std::size_t kNode = sizeof(int) + sizeof(std::size_t) + 2 * sizeof(double);
+    return static_cast<std::int64_t>(m_arcs.size() * sizeof(int) + m_iceberg.size() * kNode);
+}
+
+double LayeredGraph::sweep(const Prices& prices, const CutQuestion& cut)
 {
     m_completion.resize(m_iceberg.size());
     m_entry.resize(m_iceberg.size());
-    for (int p = icebergs(); p >= 0; --p)
+    for (int p = icebergs(); p >= 0; --p) {
+        if (cut && cut())
+            return -kInfinity;
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
             const int i = iceberg(v);
             const double least = p == icebergs() ? m_costs->leg(i, 0) : leastOnwards(v);
             m_completion[static_cast<std::size_t>(v)] = least;
             m_entry[static_cast<std::size_t>(v)] = least + m_costs->visit(i, p) - prices.lambda(i);
         }
+    }
     return prices.sum + completion(0);
 }
 
@@ -257,11 +269,11 @@ std::vector<double> LayeredGraph::lengthsFromStart(const Prices& prices,
     return length;
 }
 
-void LayeredGraph::trim(const Prices& prices, const CutQuestion& cut)
+bool LayeredGraph::trim(const Prices& prices, const CutQuestion& cut)
 {
     const std::vector<double> length = lengthsFromStart(prices, cut);
     if (length.empty())
-        return;
+        return false;
     const double allowed = prices.cutoff - prices.sum;
     const auto at = [](int v) { return static_cast<std::size_t>(v); };
 
@@ -277,8 +289,11 @@ void LayeredGraph::trim(const Prices& prices, const CutQuestion& cut)
     for (int v = 0; v < nodeCount(); ++v) {
         if (id[at(v)] < 0)
             continue;
-        while (m_firstNode[layer] <= v)
+        while (m_firstNode[layer] <= v) {
+            if (cut && cut())
+                return false;
             firstNode[layer++] = id[at(v)];
+        }
         const std::size_t begin = m_firstArc[at(v)];
         const std::size_t end = m_firstArc[at(v) + 1];
         const std::size_t newBegin = arcs;
@@ -299,11 +314,11 @@ void LayeredGraph::trim(const Prices& prices, const CutQuestion& cut)
     m_firstArc.resize(at(kept) + 1);
     m_firstArc[at(kept)] = arcs;
     m_completion.resize(at(kept));
+    return true;
 }
 
-std::optional<LayeredGraph> LayeredGraph::refined(const NgSets& sets, const Prices& prices,
-                                                  std::int64_t mostArcs,
-                                                  const CutQuestion& cut) const
+Refinement LayeredGraph::refined(const NgSets& sets, const Prices& prices,
+                                 const GraphLimits& limits, const CutQuestion& cut) const
 {
     LayeredGraph result(*m_costs);
     result.m_firstNode.push_back(0);
@@ -316,6 +331,8 @@ std::optional<LayeredGraph> LayeredGraph::refined(const NgSets& sets, const Pric
         const int end = begin + static_cast<int>(current.labels().size());
         result.m_firstNode.push_back(end);
         for (const LabelTable::Label& label : current.labels()) {
+            if (result.nodeCount() % kNodesPerCheck == 0 && cut && cut())
+                return {};
             const int i = iceberg(label.node);
             const double length = label.length + m_costs->visit(i, p) - prices.lambda(i);
             const NodeSet visited = i == 0 ? label.memory : label.memory.with(i);
@@ -332,15 +349,17 @@ std::optional<LayeredGraph> LayeredGraph::refined(const NgSets& sets, const Pric
                 result.m_arcs.push_back(end + id);
             }
         }
-        if (result.arcCount() > mostArcs || (cut && cut()))
-            return std::nullopt;
+        if (result.bytes() > limits.bytes)
+            return {.graph = {}, .memoryOut = true};
+        if (result.arcCount() > limits.arcs || (cut && cut()))
+            return {};
         if (p == icebergs())
             break;
         std::swap(current, next);
         next.clear();
     }
     result.m_firstArc.push_back(result.m_arcs.size());
-    return result;
+    return {.graph = std::move(result)};
 }
 
 } // namespace berg

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -86,6 +87,13 @@ struct Prices
     double cutoff = 0; ///< paths of at least this cost are not wanted
 };
 
+/** How large a graph may become. */
+struct GraphLimits
+{
+    std::int64_t arcs = std::numeric_limits<std::int64_t>::max();
+    std::int64_t bytes = std::numeric_limits<std::int64_t>::max();
+};
+
 /**
  * Shortest paths by positions 1 .. n in the complete graph (any iceberg after any other one, no
  * memory), without building it: O(n^3) vector operations a sweep, O(n^2) memory. Any n.
@@ -112,6 +120,8 @@ private:
     int m_last = 0;            ///< iceberg the shortest path ends at
 };
 
+struct Refinement;
+
 /**
  * The position-layered graph of Picard and Queyranne (1978): a node is an iceberg in a position,
  * with a memory of icebergs visited before that may not be visited next (ng-paths: Baldacci,
@@ -130,9 +140,9 @@ public:
 
     /**
      * Finds all shortest lengths to the end. Returns the lower bound sum(lambda) + shortest
-     * length, +infinity when no path is left.
+     * length, +infinity when no path is left, -infinity when cut.
      */
-    double sweep(const Prices& prices);
+    double sweep(const Prices& prices, const CutQuestion& cut = {});
     /** Shortest path of the last sweep: icebergs by position; empty when there is none. */
     [[nodiscard]] std::vector<int> shortestPath() const;
     /** Length from `node` to the end at the last sweep's multipliers. */
@@ -143,24 +153,27 @@ public:
 
     /**
      * Deletes for good what is on no path below the cutoff. Sweep at the same prices first, and
-     * again afterwards. No effect when cut.
+     * again afterwards. False when cut: the graph is of no use any more then.
      */
-    void trim(const Prices& prices, const CutQuestion& cut);
+    [[nodiscard]] bool trim(const Prices& prices, const CutQuestion& cut);
 
     /**
      * The product of this graph with the memory that `sets` prescribe, less what is on no path
-     * below the cutoff. Sweep at the same prices first. Empty when it would exceed `mostArcs` or
-     * when cut.
+     * below the cutoff. Sweep at the same prices first. No graph when it would exceed the limits
+     * or when cut. Needs up to three times `GraphLimits::bytes` on the way.
      */
-    [[nodiscard]] std::optional<LayeredGraph> refined(const NgSets& sets, const Prices& prices,
-                                                      std::int64_t mostArcs,
-                                                      const CutQuestion& cut) const;
+    [[nodiscard]] Refinement refined(const NgSets& sets, const Prices& prices,
+                                     const GraphLimits& limits, const CutQuestion& cut) const;
 
     [[nodiscard]] const VisitCosts& costs() const { return *m_costs; }
     [[nodiscard]] int icebergs() const { return m_costs->icebergs; }
     [[nodiscard]] int iceberg(int node) const { return m_iceberg[static_cast<std::size_t>(node)]; }
     [[nodiscard]] int nodeCount() const { return static_cast<int>(m_iceberg.size()); }
+    /** Nodes of `layer` 0 .. n are numbered from `layerEnd(layer - 1)` to this less one. */
+    [[nodiscard]] int layerEnd(int layer) const { return layerBegin(layer + 1); }
     [[nodiscard]] std::int64_t arcCount() const { return static_cast<std::int64_t>(m_arcs.size()); }
+    /** Memory in use. */
+    [[nodiscard]] std::int64_t bytes() const;
     /** Nodes of the next layer that may follow `node`. */
     [[nodiscard]] std::span<const int> successors(int node) const
     {
@@ -186,6 +199,13 @@ private:
     std::vector<int> m_arcs;             ///< node each arc leads to; its cost follows from its ends
     std::vector<double> m_completion;    ///< by node, of the last sweep
     std::vector<double> m_entry;         ///< completion + cost of the visit - its multiplier
+};
+
+/** What `LayeredGraph::refined` made. */
+struct Refinement
+{
+    std::optional<LayeredGraph> graph;
+    bool memoryOut = false; ///< no graph because of `GraphLimits::bytes`
 };
 
 } // namespace berg

@@ -5,10 +5,8 @@
 namespace berg {
 
 /**
- * Iterated local search (2-opt, swap, or-opt of up to three, both directions; every move valued in
- * O(1) by prefix sums, asymmetric distances included), followed by a lower bound from Lagrangian
- * relaxation of "each iceberg once" on the position-layered graph of Picard and Queyranne.
- * Deterministic. Work unit: restarts of the descent from a disturbed order.
+ * The engine of `ExactSolver` with about a second's work: a good order of any number of icebergs
+ * and a lower bound, mostly the proof up to 60 icebergs. Deterministic. Work unit: as there.
  */
 class LocalSearch final : public TvpSolver
 {

@@ -1,5 +1,7 @@
 #include "core/plan/solver.h"
 
+#include "core/base/solving_guard.h"
+#include "core/plan/engine.h"
 #include "core/plan/exact_solver.h"
 #include "core/plan/local_search.h"
 #ifdef BERG_WITH_CBC
@@ -18,7 +20,7 @@ std::int64_t now_ns()
     return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
-/** Exact where dynamic programming answers in milliseconds, local search with a bound above. */
+/** Dynamic programming where that is faster, else the engine with about a second's work. */
 class AutoSolver final : public TvpSolver
 {
 public:
@@ -29,13 +31,12 @@ protected:
     [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
                                        const SolveOptions& options) const override
     {
-        if (problem.icebergCount() <= kLargestProvenAtOnce)
+        if (subsetsPay(problem, options))
             return m_exact.solve(problem, options);
         return m_heuristic.solve(problem, options);
     }
 
 private:
-    static constexpr int kLargestProvenAtOnce = 14;
     ExactSolver m_exact;
     LocalSearch m_heuristic;
 };
@@ -67,6 +68,7 @@ double Stopwatch::elapsed_s() const
 
 SolveOutcome TvpSolver::solve(const TvpProblem& problem, const SolveOptions& options) const
 {
+    requireSolvingAllowed();
     const Stopwatch watch;
     if (std::vector<Issue> issues = validate(problem); !issues.empty())
         throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));

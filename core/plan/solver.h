@@ -26,6 +26,7 @@ enum class StopReason
     GapReached,
     TimeLimit,
     WorkLimit,
+    MemoryLimit,
     Cancelled,
     Unable
 };
@@ -42,10 +43,12 @@ struct SolveProgress
 struct SolveOptions
 {
     std::optional<double> timeLimit_s;     ///< elapsed time; a run cut by it may not repeat
-    std::optional<std::int64_t> workLimit; ///< back end's own unit (nodes, iterations); repeats
-    double gap = 0;                        ///< stop when the relative gap is at most this
-    VisitOrder hint;                       ///< warm start; ignored when not a valid order
-    std::stop_token stop;                  ///< checked at least every 10 ms
+    std::optional<std::int64_t> workLimit; ///< back end's own unit (nodes, arcs); repeats
+    /** About what a solve may use at its peak; none = no limit. CBC does not know it. */
+    std::optional<std::int64_t> memoryLimit_bytes = 1'500'000'000;
+    double gap = 0;       ///< stop when the relative gap is at most this
+    VisitOrder hint;      ///< warm start; ignored when not a valid order
+    std::stop_token stop; ///< checked at least every 10 ms
     std::function<void(const SolveProgress&)> onProgress; ///< called on the solving thread
 };
 
@@ -111,8 +114,9 @@ enum class Formulation
 };
 
 /**
- * The solver of that name. `Auto` proves small problems by dynamic programming and gives larger
- * ones to the local search with its bound. Throws `Error{Unsupported}` for what this build lacks.
+ * The solver of that name. `Exact`, `Auto` and `Heuristic` share one engine: `Exact` goes on until
+ * the proof, the other two end after about a second's work, the same for every run; `Auto` proves
+ * small problems by dynamic programming. Throws `Error{Unsupported}` for what this build lacks.
  */
 [[nodiscard]] std::unique_ptr<TvpSolver>
 makeSolver(Backend backend, Formulation formulation = Formulation::Position);

@@ -1,6 +1,8 @@
 #include "core/plan/exact_solver.h"
+#include "core/plan/order_moves.h"
+#include "core/plan/subset_solver.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
+#include "tests/support/hard_problems.h"
 
 #include <QtTest>
 
@@ -8,27 +10,58 @@ using namespace berg;
 
 namespace {
 
-/** The order of the node numbers. */
-VisitOrder ascending(int icebergs)
+/** Relative to F + N sum(sigma): the margin of a proof, and the rounding of sums. */
+constexpr double kProven = 2e-9;
+constexpr double kRounding = 1e-11;
+
+VisitOrder shuffled(int icebergs, std::uint64_t seed)
 {
     VisitOrder order(static_cast<std::size_t>(icebergs));
     std::iota(order.begin(), order.end(), 1);
+    Random random(seed, 5);
+    for (std::size_t k = order.size(); k > 1; --k)
+        std::swap(order[k - 1], order[static_cast<std::size_t>(random.below(k))]);
     return order;
 }
 
-/** All legs and all sigmas alike: every order costs the same. */
-TvpProblem indifferent(int icebergs)
+/** Reports of a solve, and what is wrong with them given the optimum; empty when nothing is. */
+class Reports
 {
-    return {.distance_m = Eigen::MatrixXd::Constant(icebergs + 1, icebergs + 1, 100.0),
-            .sigma_m2 =
-                [&] {
-                    std::vector<double> sigma_m2(static_cast<std::size_t>(icebergs) + 1, 4.0);
-                    sigma_m2[0] = 0;
-                    return sigma_m2;
-                }(),
-            .mu = 0.25,
-            .route = Route::Closed};
-}
+public:
+    explicit Reports(const TvpProblem& problem) : m_problem(problem) {}
+
+    [[nodiscard]] std::function<void(const SolveProgress&)> taker()
+    {
+        return [this](const SolveProgress& report) { m_reports.push_back(report); };
+    }
+    [[nodiscard]] const std::vector<SolveProgress>& all() const { return m_reports; }
+
+    [[nodiscard]] QString fault(double optimum) const
+    {
+        const double scale = optimum + objectiveShift(m_problem);
+        for (std::size_t k = 0; k < m_reports.size(); ++k) {
+            const SolveProgress& report = m_reports[k];
+            if (!isVisitOrder(m_problem, report.order))
+                return QStringLiteral("report %1 has no order").arg(k);
+            if (report.objective != objective(m_problem, report.order))
+                return QStringLiteral("report %1 has a wrong objective").arg(k);
+            if (report.bound && *report.bound > optimum + kRounding * scale)
+                return QStringLiteral("report %1 has a bound above the optimum").arg(k);
+            if (k == 0)
+                continue;
+            const SolveProgress& before = m_reports[k - 1];
+            if (report.objective > before.objective + kRounding * scale)
+                return QStringLiteral("report %1 has a worse order").arg(k);
+            if (before.bound && (!report.bound || *report.bound < *before.bound))
+                return QStringLiteral("report %1 has a worse bound").arg(k);
+        }
+        return {};
+    }
+
+private:
+    const TvpProblem& m_problem;
+    std::vector<SolveProgress> m_reports;
+};
 
 } // namespace
 
@@ -40,150 +73,238 @@ class TestExactSolver : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    /** Every row length the table is compiled for up to 9 icebergs, even and odd sizes. */
-    void agreesWithTryingAllOrders_data()
+    /** Two sizes that both methods can do: they never see each other's answer. */
+    void agreesWithDynamicProgramming_data()
     {
         QTest::addColumn<int>("icebergs");
-        for (int n = 1; n <= 9; ++n)
-            QTest::addRow("%d icebergs", n) << n;
+        QTest::newRow("15 icebergs") << 15;
+        QTest::newRow("17 icebergs") << 17;
     }
 
-    void agreesWithTryingAllOrders()
+    void agreesWithDynamicProgramming()
     {
         QFETCH(int, icebergs);
-        const int instances = icebergs <= 7 ? 12 : 1;
-        for (int k = 0; k < instances; ++k) {
-            const TvpProblem problem =
-                test::randomProblem(static_cast<std::uint64_t>(k), icebergs, 0.5 * (1 + k % 4),
-                                    k % 2 == 0 ? Route::Closed : Route::Open, k % 3 == 0);
-            const test::BruteForce best = test::bruteForce(problem);
-            const SolveOutcome outcome = ExactSolver().solve(problem, {});
+        for (int number = 0; number < 144; number += 5) {
+            const TvpProblem problem = test::variedProblem(icebergs, number);
+            const double optimum = SubsetSolver().solve(problem, {}).objective;
+            Reports reports(problem);
+            SolveOptions options;
+            options.hint = shuffled(icebergs, static_cast<std::uint64_t>(number));
+            options.onProgress = reports.taker();
+            const SolveOutcome outcome = ExactSolver().solve(problem, options);
             QVERIFY(outcome.status == SolveStatus::Optimal);
-            QVERIFY(outcome.order == best.order);
-            QCOMPARE(outcome.work, std::int64_t{1} << icebergs);
+            QVERIFY(outcome.reason == StopReason::Finished);
+            const double scale = optimum + objectiveShift(problem);
+            COMPARE_NEAR(outcome.objective, optimum, kProven * scale);
+            QCOMPARE(reports.fault(optimum), QString());
         }
     }
 
-    /** 20 icebergs is the most; nobody tries all orders, so it is held against itself. */
-    void largestSizeIsConsistent()
+    /** Where the one method hands over to the other. */
+    void usesTheFasterMethod()
     {
-        TvpProblem problem = test::randomProblem(3, 20, 1, Route::Open);
-        const SolveOutcome whole = ExactSolver().solve(problem, {});
-        QVERIFY(whole.status == SolveStatus::Optimal);
-
-        // The end of an optimal order is optimal from where it starts (Bellman): the last ten
-        // icebergs seen from the tenth.
-        const VisitOrder rest(whole.order.begin() + 10, whole.order.end());
-        TvpProblem tail = restrictedTo(problem, rest);
-        for (int j = 1; j <= 10; ++j)
-            tail.distance_m(0, j) =
-                problem.distance_m(whole.order[9], rest[static_cast<std::size_t>(j) - 1]);
-        const SolveOutcome part = ExactSolver().solve(tail, {});
-        QVERIFY(part.order == ascending(10));
-    }
-
-    void refusesWhatDoesNotFit()
-    {
-        const TvpProblem problem = test::randomProblem(1, 21, 1, Route::Open);
-        QVERIFY(!ExactSolver().whyNot(problem).empty());
-        const SolveOutcome outcome = ExactSolver().solve(problem, {});
-        QVERIFY(outcome.status == SolveStatus::None);
-        QVERIFY(outcome.reason == StopReason::Unable);
-        QVERIFY(!outcome.detail.empty());
-        QVERIFY(ExactSolver().whyNot(test::randomProblem(1, 20, 1, Route::Open)).empty());
-    }
-
-    void sortsAnyNumberWithoutDistances()
-    {
-        const TvpProblem problem = test::randomProblem(1, 150, 0, Route::Open);
-        QCOMPARE(problem.mu, 0.0);
-        const SolveOutcome outcome = ExactSolver().solve(problem, {});
-        QVERIFY(outcome.status == SolveStatus::Optimal);
-        QCOMPARE(outcome.order.size(), std::size_t{150});
-        for (std::size_t k = 1; k < outcome.order.size(); ++k) {
-            const int a = outcome.order[k - 1];
-            const int b = outcome.order[k];
-            const double sigmaA = problem.sigma_m2[static_cast<std::size_t>(a)];
-            const double sigmaB = problem.sigma_m2[static_cast<std::size_t>(b)];
-            QVERIFY(sigmaA > sigmaB ||
-                    (sigmaA == sigmaB && problem.distance_m(0, a) <= problem.distance_m(0, b)));
-        }
-    }
-
-    void tiesGoToTheSmallestNumbers()
-    {
-        for (const int n : {1, 2, 3, 6, 11, 14})
-            QVERIFY(ExactSolver().solve(indifferent(n), {}).order == ascending(n));
-    }
-
-    void reportsTheHintThenTheOptimum()
-    {
-        const TvpProblem problem = test::randomProblem(8, 9, 1, Route::Closed);
-        std::vector<SolveProgress> reports;
+        const auto work = [](int icebergs, const SolveOptions& options) {
+            return ExactSolver()
+                .solve(test::randomProblem(1, icebergs, 1, Route::Open), options)
+                .work;
+        };
+        QCOMPARE(work(14, {}), SubsetSolver::workFor(14));
+        QVERIFY(work(15, {}) < SubsetSolver::workFor(15));
+        // A table that the limits do not allow is not begun with.
         SolveOptions options;
-        options.hint = ascending(9);
-        options.onProgress = [&](const SolveProgress& progress) { reports.push_back(progress); };
-        const SolveOutcome outcome = ExactSolver().solve(problem, options);
-        QCOMPARE(reports.size(), std::size_t{2});
-        QVERIFY(reports[0].order == options.hint);
-        QVERIFY(!reports[0].bound);
-        QVERIFY(reports[1].order == outcome.order);
-        QCOMPARE(reports[1].bound.value(), outcome.objective);
-        QCOMPARE(reports[1].objective, outcome.objective);
-        QVERIFY(!outcome.hintUsed); // the optimum owes nothing to it
-    }
-
-    void cutShort_data()
-    {
-        QTest::addColumn<int>("reason");
-        QTest::addColumn<bool>("hinted");
-        for (const bool hinted : {false, true}) {
-            const char* with = hinted ? "hint" : "no hint";
-            QTest::addRow("cancelled, %s", with)
-                << static_cast<int>(StopReason::Cancelled) << hinted;
-            QTest::addRow("time limit, %s", with)
-                << static_cast<int>(StopReason::TimeLimit) << hinted;
-            QTest::addRow("work limit, %s", with)
-                << static_cast<int>(StopReason::WorkLimit) << hinted;
-        }
-    }
-
-    void cutShort()
-    {
-        QFETCH(int, reason);
-        QFETCH(bool, hinted);
-        const TvpProblem problem = test::randomProblem(8, 13, 1, Route::Open);
-        std::stop_source stop;
-        SolveOptions options;
-        options.stop = stop.get_token();
-        if (hinted)
-            options.hint = ascending(13);
-        if (reason == static_cast<int>(StopReason::TimeLimit))
-            options.timeLimit_s = 0;
-        if (reason == static_cast<int>(StopReason::WorkLimit))
-            options.workLimit = (std::int64_t{1} << 13) - 1;
-        if (reason == static_cast<int>(StopReason::Cancelled)) {
-            if (!hinted)
-                stop.request_stop();
-            options.onProgress = [&](const SolveProgress&) { stop.request_stop(); };
-        }
-        const SolveOutcome outcome = ExactSolver().solve(problem, options);
-        QCOMPARE(static_cast<int>(outcome.reason), reason);
-        QCOMPARE(outcome.hintUsed, hinted);
-        QVERIFY(outcome.status == (hinted ? SolveStatus::Feasible : SolveStatus::None));
-        QVERIFY(outcome.order == options.hint);
-        QVERIFY(!outcome.bound);
-    }
-
-    void enoughWorkIsNoLimit()
-    {
-        SolveOptions options;
-        options.workLimit = std::int64_t{1} << 8;
+        options.memoryLimit_bytes = SubsetSolver::bytesFor(14) - 1;
+        QVERIFY(work(14, options) != SubsetSolver::workFor(14));
+        options = {};
+        options.workLimit = 1000;
         const SolveOutcome outcome =
-            ExactSolver().solve(test::randomProblem(8, 8, 1, Route::Open), options);
+            ExactSolver().solve(test::randomProblem(1, 14, 1, Route::Open), options);
+        QVERIFY(outcome.status == SolveStatus::Feasible);
+        QVERIFY(outcome.reason == StopReason::WorkLimit);
+    }
+
+    /** Any number of icebergs is a sort without distances; proofs have their limit. */
+    void refusesWhatItCannotProve()
+    {
+        QVERIFY(ExactSolver().whyNot(test::randomProblem(1, 127, 1, Route::Open)).empty());
+        const TvpProblem large = test::randomProblem(1, 128, 1, Route::Open);
+        const SolveOutcome outcome = ExactSolver().solve(large, {});
+        QVERIFY(outcome.reason == StopReason::Unable);
+        QVERIFY(outcome.detail.find("127") != std::string::npos);
+
+        const TvpProblem sorted = test::randomProblem(1, 150, 0, Route::Open);
+        const SolveOutcome order = ExactSolver().solve(sorted, {});
+        QVERIFY(order.status == SolveStatus::Optimal);
+        QVERIFY(order.order == sigmaOrder(sorted));
+    }
+
+    void provesFortyIcebergs_data()
+    {
+        QTest::addColumn<double>("tau");
+        QTest::addColumn<bool>("closed");
+        for (const double tau : {0.25, 1.0, 10.0, 100.0})
+            for (const bool closed : {false, true})
+                QTest::addRow("tau %g, %s", tau, closed ? "closed, wind" : "open") << tau << closed;
+    }
+
+    /** No other method proves this size, so the bound is held against better and better limits. */
+    void provesFortyIcebergs()
+    {
+        QFETCH(double, tau);
+        QFETCH(bool, closed);
+        const TvpProblem problem =
+            test::randomProblem(3, 40, tau, closed ? Route::Closed : Route::Open, closed);
+        Reports reports(problem);
+        SolveOptions options;
+        options.onProgress = reports.taker();
+        const SolveOutcome outcome = ExactSolver().solve(problem, options);
         QVERIFY(outcome.status == SolveStatus::Optimal);
-        QVERIFY(outcome.reason == StopReason::Finished);
-        QCOMPARE(outcome.work, *options.workLimit);
+        QCOMPARE(reports.fault(outcome.objective), QString());
+        // The first bound comes with the first local optimum, long before the proof.
+        const auto bounded = std::find_if(reports.all().begin(), reports.all().end(),
+                                          [](const SolveProgress& r) { return r.bound; });
+        QVERIFY(bounded != reports.all().end());
+        QVERIFY(bounded->objective > outcome.objective || bounded->bound < outcome.objective);
+
+        // From another start: the same optimum.
+        options = {};
+        options.hint = shuffled(40, 1);
+        const SolveOutcome hinted = ExactSolver().solve(problem, options);
+        QVERIFY(hinted.hintUsed);
+        COMPARE_NEAR(hinted.objective, outcome.objective,
+                     kProven * (outcome.objective + objectiveShift(problem)));
+    }
+
+    void difficultProblems_data()
+    {
+        QTest::addColumn<int>("oddity");
+        QTest::addColumn<bool>("closed");
+        QTest::newRow("real sigmas") << static_cast<int>(test::Oddity::RealSigmas) << false;
+        QTest::newRow("zero sigmas") << static_cast<int>(test::Oddity::ZeroSigmas) << false;
+        QTest::newRow("equal sigmas") << static_cast<int>(test::Oddity::EqualSigmas) << true;
+        QTest::newRow("coincident") << static_cast<int>(test::Oddity::Coincident) << false;
+        QTest::newRow("grid") << static_cast<int>(test::Oddity::Grid) << true;
+    }
+
+    /** Ties and the like do not make it take forever: two hundred times the usual work. */
+    void difficultProblems()
+    {
+        QFETCH(int, oddity);
+        QFETCH(bool, closed);
+        const Route route = closed ? Route::Closed : Route::Open;
+        const TvpProblem problem = test::madeOdd(test::randomProblem(4, 24, 1, route),
+                                                 static_cast<test::Oddity>(oddity), 4);
+        SolveOptions options;
+        options.workLimit = 800'000'000;
+        QVERIFY(ExactSolver().solve(problem, options).status == SolveStatus::Optimal);
+    }
+
+    /** Wherever the work limit cuts: bounds and orders that are true, and the same each time. */
+    void anyWorkLimit()
+    {
+        for (const int number : {3, 20, 40, 64}) {
+            const TvpProblem problem = test::variedProblem(17, number);
+            const double optimum = SubsetSolver().solve(problem, {}).objective;
+            const double scale = optimum + objectiveShift(problem);
+            double lastBound = -std::numeric_limits<double>::infinity();
+            double lastObjective = std::numeric_limits<double>::infinity();
+            SolveStatus status = SolveStatus::None;
+            for (std::int64_t limit = 1; status != SolveStatus::Optimal; limit += limit / 4 + 1) {
+                Reports reports(problem);
+                SolveOptions options;
+                options.workLimit = limit;
+                options.onProgress = reports.taker();
+                const SolveOutcome outcome = ExactSolver().solve(problem, options);
+                status = outcome.status;
+                QVERIFY(isVisitOrder(problem, outcome.order));
+                QVERIFY(status == SolveStatus::Optimal || outcome.reason == StopReason::WorkLimit);
+                QCOMPARE(reports.fault(optimum), QString());
+                QVERIFY(outcome.bound.value_or(lastBound) >= lastBound - kRounding * scale);
+                QVERIFY(outcome.bound.value_or(optimum) <= optimum + kRounding * scale);
+                QVERIFY(outcome.objective <= lastObjective + kRounding * scale);
+                lastBound = outcome.bound.value_or(lastBound);
+                lastObjective = outcome.objective;
+
+                const SolveOutcome again = ExactSolver().solve(problem, options);
+                QVERIFY(again.order == outcome.order);
+                QVERIFY(again.bound == outcome.bound);
+                QCOMPARE(again.work, outcome.work);
+                QVERIFY(limit < 1'000'000'000);
+            }
+            COMPARE_NEAR(lastObjective, optimum, kProven * scale);
+        }
+    }
+
+    /** Cancelled at any of its reports it ends there, with what it reported. */
+    void cancelledAtAnyReport()
+    {
+        const TvpProblem problem = test::randomProblem(5, 36, 3, Route::Closed, true);
+        const double optimum = ExactSolver().solve(problem, {}).objective;
+        for (int atReport = 1;; ++atReport) {
+            std::stop_source stop;
+            int reports = 0;
+            SolveProgress last;
+            SolveOptions options;
+            options.stop = stop.get_token();
+            options.onProgress = [&](const SolveProgress& progress) {
+                last = progress;
+                if (++reports == atReport)
+                    stop.request_stop();
+            };
+            const SolveOutcome outcome = ExactSolver().solve(problem, options);
+            if (outcome.status == SolveStatus::Optimal)
+                break;
+            QVERIFY(outcome.reason == StopReason::Cancelled);
+            QCOMPARE(outcome.objective, last.objective);
+            QVERIFY(outcome.bound == last.bound);
+            QVERIFY(outcome.bound.value_or(optimum) <= optimum);
+            QVERIFY(reports <= atReport + 1); // what it had when it noticed
+            QVERIFY(atReport < 1000);
+        }
+    }
+
+    /** Less memory, less of a proof, but a valid bound at every limit. */
+    void memoryLimit()
+    {
+        const TvpProblem problem = test::randomProblem(6, 40, 3, Route::Open);
+        const double optimum = ExactSolver().solve(problem, {}).objective;
+        bool limited = false;
+        bool proven = false;
+        for (std::int64_t limit_bytes = 1000; !proven; limit_bytes *= 4) {
+            Reports reports(problem);
+            SolveOptions options;
+            options.memoryLimit_bytes = limit_bytes;
+            options.onProgress = reports.taker();
+            const SolveOutcome outcome = ExactSolver().solve(problem, options);
+            proven = outcome.status == SolveStatus::Optimal;
+            QVERIFY(proven || outcome.reason == StopReason::MemoryLimit);
+            QVERIFY(proven || outcome.status == SolveStatus::Feasible);
+            QVERIFY(outcome.bound.has_value());
+            QVERIFY(*outcome.bound <= optimum);
+            QCOMPARE(reports.fault(optimum), QString());
+            limited = limited || !proven;
+            QVERIFY(limit_bytes < 2'000'000'000);
+        }
+        QVERIFY(limited);
+        SolveOptions unlimited;
+        unlimited.memoryLimit_bytes.reset();
+        QCOMPARE(ExactSolver().solve(problem, unlimited).objective, optimum);
+    }
+
+    void stopsAtTheGap()
+    {
+        const TvpProblem problem = test::randomProblem(7, 36, 1, Route::Open);
+        const double optimum = ExactSolver().solve(problem, {}).objective;
+        std::int64_t lastWork = 0;
+        for (const double gap : {0.05, 0.01, 0.002}) {
+            SolveOptions options;
+            options.gap = gap;
+            const SolveOutcome outcome = ExactSolver().solve(problem, options);
+            QVERIFY(outcome.reason == StopReason::GapReached);
+            QVERIFY(relativeGap(problem, outcome.objective, outcome.bound.value()) <= gap + 1e-12);
+            QVERIFY(*outcome.bound <= optimum);
+            QVERIFY(outcome.work > lastWork);
+            lastWork = outcome.work;
+        }
     }
 };
 

@@ -136,7 +136,7 @@ private slots:
             COMPARE_NEAR(graph.sweep(prices), plain, kRounding);
             QVERIFY(graph.shortestPath() == paths.shortestPath());
 
-            std::optional<LayeredGraph> some = graph.refined(someMemory(7), prices, 1'000'000, {});
+            std::optional<LayeredGraph> some = graph.refined(someMemory(7), prices, {}, {}).graph;
             QVERIFY(some.has_value());
             const double better = some->sweep(prices);
             QVERIFY(better >= plain - kRounding);
@@ -156,7 +156,7 @@ private slots:
         (void)paths.sweep(prices, {});
         LayeredGraph graph(costs, paths, prices);
         (void)graph.sweep(prices);
-        std::optional<LayeredGraph> full = graph.refined(fullMemory(6), prices, 1'000'000, {});
+        std::optional<LayeredGraph> full = graph.refined(fullMemory(6), prices, {}, {}).graph;
         QVERIFY(full.has_value());
         COMPARE_NEAR(full->sweep(prices), optimum, kRounding);
         QVERIFY(isElementary(full->shortestPath()));
@@ -189,17 +189,17 @@ private slots:
                 prices = roughPrices(costs, cutoff, 100 * seed);
                 (void)graph.sweep(prices);
                 const std::int64_t before = graph.arcCount();
-                graph.trim(prices, {});
+                QVERIFY(graph.trim(prices, {}));
                 QVERIFY(graph.arcCount() <= before);
                 QVERIFY(allHeld(graph));
             }
             (void)graph.sweep(prices);
             std::optional<LayeredGraph> refined =
-                graph.refined(someMemory(6), prices, 1'000'000, {});
+                graph.refined(someMemory(6), prices, {}, {}).graph;
             QVERIFY(refined.has_value());
             QVERIFY(allHeld(*refined));
             (void)refined->sweep(prices);
-            refined->trim(prices, {});
+            QVERIFY(refined->trim(prices, {}));
             QVERIFY(allHeld(*refined));
         }
     }
@@ -215,18 +215,18 @@ private slots:
         (void)paths.sweep(prices, {});
         LayeredGraph graph(costs, paths, prices);
         (void)graph.sweep(prices);
-        graph = graph.refined(fullMemory(8), prices, 10'000'000, {}).value();
+        graph = graph.refined(fullMemory(8), prices, {}, {}).graph.value();
 
         // All memory: at any multipliers the shortest path is the optimum, so a cutoff just
         // above it leaves that path alone, one below it nothing.
         prices.cutoff = optimum * (1 + 1e-6);
         (void)graph.sweep(prices);
-        graph.trim(prices, {});
+        QVERIFY(graph.trim(prices, {}));
         QCOMPARE(graph.nodeCount(), 1 + 8);
         QCOMPARE(graph.arcCount(), std::int64_t{8});
         prices.cutoff = optimum * (1 - 1e-6);
         (void)graph.sweep(prices);
-        graph.trim(prices, {});
+        QVERIFY(graph.trim(prices, {}));
         QCOMPARE(graph.arcCount(), std::int64_t{0});
         QCOMPARE(graph.sweep(prices), std::numeric_limits<double>::infinity());
         QVERIFY(graph.shortestPath().empty());
@@ -283,16 +283,18 @@ private slots:
         (void)paths.sweep(prices, {});
         LayeredGraph graph(costs, paths, prices);
         (void)graph.sweep(prices);
-        QVERIFY(!graph.refined(fullMemory(8), prices, 1'000'000, cut));
-        QVERIFY(!graph.refined(fullMemory(8), prices, 100, {})); // too large
-        const std::int64_t before = graph.arcCount();
-        Prices strict = prices;
-        strict.cutoff = 0;
-        graph.trim(strict, cut);
-        QCOMPARE(graph.arcCount(), before);
+        QCOMPARE(graph.sweep(prices, cut), -std::numeric_limits<double>::infinity());
+        (void)graph.sweep(prices);
+        const Refinement whenCut = graph.refined(fullMemory(8), prices, {}, cut);
+        QVERIFY(!whenCut.graph && !whenCut.memoryOut);
+        const Refinement manyArcs = graph.refined(fullMemory(8), prices, {.arcs = 100}, {});
+        QVERIFY(!manyArcs.graph && !manyArcs.memoryOut);
+        const Refinement large = graph.refined(fullMemory(8), prices, {.bytes = 1000}, {});
+        QVERIFY(!large.graph && large.memoryOut);
         const GraphSearchResult found = searchGraph(graph, prices, {.mostStates = 10, .cut = cut});
         QCOMPARE(found.bound, -std::numeric_limits<double>::infinity());
         QVERIFY(found.order.empty());
+        QVERIFY(!graph.trim(prices, cut));
     }
 
 private:

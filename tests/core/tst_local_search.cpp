@@ -68,57 +68,30 @@ private slots:
         QVERIFY(outcome.status == SolveStatus::Optimal || gapOf(problem, outcome) > 0);
     }
 
-    /** Without any restart, the first orders are within a tenth of the optimum. */
-    void firstOrdersAreGood_data() { problems_data(); }
-    void firstOrdersAreGood()
+    /** Work ends it where the time of an impatient caller would, but the same each time. */
+    void endsByItself()
     {
-        const TvpProblem problem = fetched(33, 16);
+        const TvpProblem problem = test::randomProblem(35, 100, 3, Route::Open);
         SolveOptions options;
-        options.workLimit = 0;
         const SolveOutcome outcome = LocalSearch().solve(problem, options);
         QVERIFY(outcome.status == SolveStatus::Feasible);
-        QVERIFY(outcome.reason == StopReason::WorkLimit);
-        QCOMPARE(outcome.work, std::int64_t{0});
-        QVERIFY(!outcome.bound);
-        const double optimum = ExactSolver().solve(problem, {}).objective;
-        QVERIFY(relativeGap(problem, outcome.objective, optimum) <= 0.1);
-    }
-
-    /** A descent ends where no move helps. */
-    void ordersAreLocallyOptimal()
-    {
-        const TvpProblem problem = test::randomProblem(34, 60, 1, Route::Closed, true);
-        SolveOptions options;
-        options.workLimit = 0;
-        const SolveOutcome outcome = LocalSearch().solve(problem, options);
-        const VisitCosts costs(problem);
-        const OrderMoves moves(costs, outcome.order);
-        int improving = 0;
-        for (int position = 1; position <= 60; ++position)
-            improving += moves.bestMoveAt(position).delta < -1e-9 * costs.total(outcome.order);
-        // Icebergs are not looked at again as long as their neighbours stay: a few may be missed.
-        QVERIFY2(improving <= 6, QByteArray::number(improving).constData());
-    }
-
-    void workIsRestarts()
-    {
-        const TvpProblem problem = test::randomProblem(35, 24, 1, Route::Open);
-        const std::int64_t usual = LocalSearch().solve(problem, {}).work;
-        QCOMPARE(usual, std::int64_t{24 * 24 / 8});
-        SolveOptions options;
-        double last = std::numeric_limits<double>::infinity();
-        for (const std::int64_t limit : {std::int64_t{0}, std::int64_t{1}, std::int64_t{7}}) {
-            options.workLimit = limit;
-            const SolveOutcome outcome = LocalSearch().solve(problem, options);
-            QCOMPARE(outcome.work, limit);
-            QVERIFY(outcome.reason == StopReason::WorkLimit);
-            QVERIFY(outcome.objective <= last);
-            last = outcome.objective;
-        }
-        options.workLimit = 10 * usual; // a limit, not a wish
-        const SolveOutcome outcome = LocalSearch().solve(problem, options);
-        QCOMPARE(outcome.work, usual);
         QVERIFY(outcome.reason == StopReason::Finished);
+        QVERIFY(gapOf(problem, outcome) <= 0.05);
+        // Limits are looked at between sweeps and rounds.
+        QVERIFY(outcome.work <= 1'000'000'000);
+
+        options.workLimit = 10 * outcome.work; // a limit, not a wish
+        const SolveOutcome again = LocalSearch().solve(problem, options);
+        QCOMPARE(again.work, outcome.work);
+        QVERIFY(again.order == outcome.order);
+        QVERIFY(again.bound == outcome.bound);
+        QVERIFY(again.reason == StopReason::Finished);
+
+        options.workLimit = outcome.work / 10;
+        const SolveOutcome less = LocalSearch().solve(problem, options);
+        QVERIFY(less.reason == StopReason::WorkLimit);
+        QVERIFY(less.work < outcome.work / 5);
+        QVERIFY(less.bound.value() <= outcome.bound.value());
     }
 
     void stopsAtTheGap()
@@ -195,7 +168,7 @@ private slots:
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QVERIFY(outcome.reason == StopReason::TimeLimit);
         QVERIFY(isVisitOrder(problem, outcome.order));
-        QCOMPARE(outcome.work, std::int64_t{0});
+        QVERIFY(!outcome.bound);
     }
 
     void startsFromTheHint()
@@ -223,24 +196,20 @@ private slots:
     void worksForManyIcebergs_data()
     {
         QTest::addColumn<int>("icebergs");
-        QTest::addColumn<int>("restarts");
         QTest::addColumn<double>("gap");
         // Gaps: twice to four times what was measured when this was written.
-        QTest::newRow("127: the last size with memory") << 127 << -1 << 0.1;
-        QTest::newRow("128: the first without") << 128 << -1 << 0.2;
-        QTest::newRow("500, first orders") << 500 << 0 << 1.0;
+        QTest::newRow("127: the last size with memory") << 127 << 0.1;
+        QTest::newRow("128: the first without") << 128 << 0.2;
+        QTest::newRow("500") << 500 << 0.5;
     }
 
     void worksForManyIcebergs()
     {
         QFETCH(int, icebergs);
-        QFETCH(int, restarts);
         QFETCH(double, gap);
         const TvpProblem problem = test::randomProblem(42, icebergs, 1, Route::Open);
         SolveOptions options;
         options.gap = gap;
-        if (restarts >= 0)
-            options.workLimit = restarts;
         const SolveOutcome outcome = LocalSearch().solve(problem, options);
         QVERIFY(isVisitOrder(problem, outcome.order));
         QVERIFY(gapOf(problem, outcome) <= gap + 1e-12);

@@ -1,3 +1,4 @@
+#include "core/plan/engine.h"
 #include "core/plan/solver.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
@@ -12,24 +13,40 @@ using namespace berg;
 
 namespace {
 
-/** One back end as `makeSolver` gives it, and what it promises. */
+/** The engine of `ExactSolver` at sizes where that uses dynamic programming. */
+class BareEngine final : public TvpSolver
+{
+public:
+    [[nodiscard]] std::string name() const override { return "engine"; }
+    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+
+protected:
+    [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
+                                       const SolveOptions& options) const override
+    {
+        return solveByEngine(problem, options, std::nullopt);
+    }
+};
+
+/** One back end as `makeSolver` gives it (none: the bare engine), and what it promises. */
 struct Contestant
 {
     const char* name = "";
-    Backend backend = Backend::Auto;
+    std::optional<Backend> backend;
     bool proves = false;     ///< answers small problems with status Optimal, always
     double tolerance = 2e-9; ///< of its proofs, relative to F + N sum(sigma)
 };
 
 #if BERG_EXPECT_CBC
-constexpr std::size_t kContestants = 4;
+constexpr std::size_t kContestants = 5;
 #else
-constexpr std::size_t kContestants = 3;
+constexpr std::size_t kContestants = 4;
 #endif
 
 constexpr std::array<Contestant, kContestants> kAll{{
     {.name = "exact", .backend = Backend::Exact, .proves = true},
-    {.name = "heuristic", .backend = Backend::Heuristic},
+    {.name = "heuristic", .backend = Backend::Heuristic, .proves = true},
+    {.name = "engine", .proves = true},
     {.name = "auto", .backend = Backend::Auto, .proves = true},
 #if BERG_EXPECT_CBC
     // The linear programmes inside are solved to about 1e-7.
@@ -159,7 +176,7 @@ private slots:
     void buildHasTheExpectedBackEnds()
     {
         for (const Contestant& contestant : kAll)
-            QCOMPARE(makeSolver(contestant.backend)->name(), std::string(contestant.name));
+            QCOMPARE(made(contestant)->name(), std::string(contestant.name));
         const bool unsupported =
             test::codeOf([] { (void)makeSolver(Backend::Cbc); }) == "Unsupported";
         QCOMPARE(unsupported, BERG_EXPECT_CBC == 0);
@@ -483,7 +500,13 @@ private:
         QFETCH(int, contestant);
         return kAll.at(static_cast<std::size_t>(contestant));
     }
-    static std::unique_ptr<TvpSolver> solver() { return makeSolver(contestant().backend); }
+    static std::unique_ptr<TvpSolver> made(const Contestant& contestant)
+    {
+        if (contestant.backend)
+            return makeSolver(*contestant.backend);
+        return std::make_unique<BareEngine>();
+    }
+    static std::unique_ptr<TvpSolver> solver() { return made(contestant()); }
     static SolveOptions hinted(const VisitOrder& hint)
     {
         SolveOptions options;

@@ -1,0 +1,70 @@
+#include "core/plan/price_ascent.h"
+
+#include <algorithm>
+
+namespace berg {
+
+PriceAscent::PriceAscent(Eigen::VectorXd lambda) : m_lambda(std::move(lambda))
+{
+    m_lambda(0) = 0;
+    m_best = m_lambda;
+    m_direction = Eigen::VectorXd::Zero(m_lambda.size());
+}
+
+void PriceAscent::restart()
+{
+    m_lambda = m_best;
+    m_direction.setZero();
+    m_bound = -std::numeric_limits<double>::infinity();
+    m_step = kFirstStep;
+    m_idle = 0;
+}
+
+void PriceAscent::step(const std::vector<int>& path, double bound, double target)
+{
+    m_idle = bound > m_bound + 1e-7 * target ? 0 : m_idle + 1;
+    if (m_idle >= kPatience) {
+        m_step *= 0.7;
+        m_idle = 0;
+    }
+    if (bound > m_bound) {
+        m_bound = bound;
+        m_best = m_lambda;
+    }
+    Eigen::VectorXd gradient = Eigen::VectorXd::Ones(m_lambda.size());
+    gradient(0) = 0;
+    for (const int i : path)
+        gradient(i) -= 1;
+    m_direction = gradient + 0.7 * m_direction;
+    const double norm = m_direction.squaredNorm();
+    if (norm > 0)
+        m_lambda += m_step * std::max(target - bound, 0.0) / norm * m_direction;
+}
+
+Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order)
+{
+    const int n = costs.icebergs;
+    const Eigen::VectorXd sigma = Eigen::Map<const Eigen::VectorXd>(costs.sigma.data(), n + 1);
+    Eigen::VectorXd t = Eigen::VectorXd::Zero(n + 1);
+    for (int k = 0; k < n; ++k)
+        t(order[static_cast<std::size_t>(k)]) = k + 2;
+    const double meanSigma = sigma.tail(n).mean();
+    const double meanT = t.tail(n).mean();
+    const Eigen::ArrayXd deviation = sigma.tail(n).array() - meanSigma;
+    const double square = deviation.square().sum();
+    const double slope =
+        square > 0 ? (deviation * (t.tail(n).array() - meanT)).sum() / square : 0.0;
+    const double start = meanT - slope * meanSigma;
+
+    Eigen::VectorXd prices = Eigen::VectorXd::Zero(n + 1);
+    for (int j = 1; j <= n; ++j) {
+        double shortest = costs.leg(0, j);
+        for (int i = 1; i <= n; ++i)
+            if (i != j)
+                shortest = std::min(shortest, costs.leg(i, j));
+        prices(j) = shortest + start * sigma(j) + slope * sigma(j) * sigma(j) / 2;
+    }
+    return prices;
+}
+
+} // namespace berg

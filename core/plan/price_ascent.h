@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/plan/layered_graph.h"
+
+#include <limits>
+#include <vector>
+
+namespace berg {
+
+/**
+ * Subgradient ascent of the multipliers of "each iceberg once": step length by the distance to
+ * the incumbent (Polyak 1969), direction deflected by the one before (Camerini, Fratta and
+ * Maffioli 1975).
+ */
+class PriceAscent
+{
+public:
+    /** `lambda`: one per node, [0] is taken as 0. */
+    explicit PriceAscent(Eigen::VectorXd lambda);
+
+    /** Best bound since the last restart; -infinity before the first step. */
+    [[nodiscard]] double bound() const { return m_bound; }
+    [[nodiscard]] Prices here(double cutoff) const { return {m_lambda, m_lambda.sum(), cutoff}; }
+    [[nodiscard]] Prices best(double cutoff) const { return {m_best, m_best.sum(), cutoff}; }
+
+    /** For another graph: goes on from the best multipliers. */
+    void restart();
+
+    /**
+     * `path` and `bound` (sum lambda + length of that shortest path) belong to the multipliers
+     * `here`; `target` is the incumbent's cost.
+     */
+    void step(const std::vector<int>& path, double bound, double target);
+
+private:
+    static constexpr double kFirstStep = 0.4;
+    static constexpr int kPatience = 8;
+
+    Eigen::VectorXd m_lambda;
+    Eigen::VectorXd m_best;
+    Eigen::VectorXd m_direction;
+    double m_bound = -std::numeric_limits<double>::infinity();
+    double m_step = kFirstStep;
+    int m_idle = 0;
+};
+
+/**
+ * First multipliers: about what an iceberg must cost. The shortest leg to it, and for waiting the
+ * integral over sigma of t(sigma), a line fitted to the order: at that price an iceberg of any
+ * sigma is indifferent to a small change of its position.
+ */
+[[nodiscard]] Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order);
+
+} // namespace berg
