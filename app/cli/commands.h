@@ -16,6 +16,7 @@ using Action = std::function<int(const std::stop_token&)>;
 
 // Each adds its sub-commands with their options to `app` and sets `action` when one is chosen.
 void addPlanCommands(CLI::App& app, Action& action);    ///< solve, plan
+void addCurveCommand(CLI::App& app, Action& action);    ///< curve
 void addSimulateCommand(CLI::App& app, Action& action); ///< simulate
 void addStudyCommands(CLI::App& app, Action& action);   ///< sweep, benchmark
 void addFileCommands(CLI::App& app, Action& action);    ///< export, validate

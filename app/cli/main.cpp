@@ -38,6 +38,7 @@ int run(int argc, char** argv, const std::stop_token& stop)
     app.get_formatter()->column_width(34);
     Action action;
     addPlanCommands(app, action);
+    addCurveCommand(app, action);
     addSimulateCommand(app, action);
     addStudyCommands(app, action);
     addFileCommands(app, action);

@@ -1,0 +1,92 @@
+#include "app/cli/commands.h"
+#include "core/io/atomic_file.h"
+#include "core/io/curve_result.h"
+#include "core/io/scenario_json.h"
+#include "core/scenario/validate.h"
+#include "core/sim/mission.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+namespace berg::cli {
+
+namespace {
+
+struct CurveArguments
+{
+    std::string file;
+    double tauMax = 5;
+    std::string outputFile;
+    bool json = false;
+};
+
+std::string column(const std::string& text, std::size_t width)
+{
+    return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+std::string curveTable(const CurveReport& report)
+{
+    std::string text = "tau from    tau to  distance m   reward m2  proven  order\n";
+    for (const CurveInterval& interval : report.curve.intervals) {
+        text += column(fixed(interval.tauFrom, 5), 8) + column(fixed(interval.tauTo, 5), 10) +
+                column(grouped(interval.distance_m), 12) +
+                column(fixed(interval.reward_m2, 2), 12) +
+                column(interval.proven ? "yes" : "no", 8) + ' ';
+        for (const int number : icebergNumbers(report, interval.order))
+            text += ' ' + std::to_string(number);
+        text += '\n';
+    }
+    return text + "order: icebergs by their place in the scenario, 1 is the first\n";
+}
+
+int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
+{
+    const Scenario scenario = loadScenario(arguments.file);
+    printWarnings(arguments.file, validate(scenario));
+    const Mission mission(scenario, {.record = false});
+    const VisitationProblem visitation =
+        visitationProblem(mission.simulation().planRequest(), scenario.planner.route);
+
+    const Stopwatch watch;
+    TauCurve curve;
+    {
+        ProgressBar bar("proving the curve", !arguments.json);
+        curve = tauCurve(
+            visitation.problem,
+            {.tauMax = arguments.tauMax, .stop = stop, .onProgress = [&bar](const TauCurve& known) {
+                 const auto proven = std::count_if(known.intervals.begin(), known.intervals.end(),
+                                                   [](const CurveInterval& i) { return i.proven; });
+                 bar.update(static_cast<double>(proven) /
+                            static_cast<double>(known.intervals.size()));
+             }});
+    }
+    if (curve.reason == StopReason::Cancelled)
+        throw Interrupted{};
+    const CurveReport report{.curve = curve, .scenario = scenario, .ids = visitation.ids};
+    if (!arguments.outputFile.empty())
+        writeFileAtomically(arguments.outputFile, curveCsv(report));
+    print(arguments.json ? curveJson(report, watch.elapsed_s()) : curveTable(report));
+    return kDone;
+}
+
+} // namespace
+
+void addCurveCommand(CLI::App& app, Action& action)
+{
+    CLI::App* command =
+        app.add_subcommand("curve", "All optimal plans from a scenario's start, for every tau");
+    const auto arguments = std::make_shared<CurveArguments>();
+    CurveArguments& a = *arguments;
+    command->add_option("SCENARIO", a.file, "The file to plan from")->required();
+    command->add_option("--tau-max", a.tauMax, "Largest trade-off, 5 by default")
+        ->check(CLI::Range(1e-6, 100.0));
+    command->add_option("--output", a.outputFile, "CSV file for the table");
+    command->add_flag("--json", a.json, "Print one JSON document");
+    command->callback([arguments, &action] {
+        action = [arguments](const std::stop_token& stop) { return runCurve(*arguments, stop); };
+    });
+}
+
+} // namespace berg::cli
