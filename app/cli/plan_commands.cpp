@@ -8,7 +8,7 @@
 #include "core/sim/mission.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <cstdio>
 #include <memory>
 
 namespace berg::cli {
@@ -41,7 +41,8 @@ std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const std::strin
     command.add_option("--mu", a.mu, "Weight of distance, in place of tau")
         ->check(CLI::Range(0.0, 1e300));
     addNamed(command, "--backend", a.backend, kBackendNames, "Solver");
-    addNamed(command, "--formulation", a.formulation, kFormulationNames, "MILP of the cbc solver");
+    addNamed(command, "--formulation", a.formulation, kFormulationNames,
+             "MILP of the cbc solver, also of --verify");
     addNamed(command, "--route", a.route, kRouteNames, "Path or round trip");
     command.add_flag("--verify", a.verify, "Solve with a second, independent solver and compare");
     command.add_option("--time-limit", a.timeLimit_s, "Seconds")->check(CLI::Range(0.0, 1e9));
@@ -61,37 +62,66 @@ SolveOptions optionsOf(const SolveArguments& arguments, const std::stop_token& s
             .stop = stop};
 }
 
-/** Two answers contradict when one order beats the other's proof. */
-bool agree(const TvpProblem& problem, const SolveOutcome& a, const SolveOutcome& b)
+std::string solverWords(const TvpProblem& problem, const SolveOutcome& outcome)
 {
-    if (a.status == SolveStatus::None || b.status == SolveStatus::None)
-        return false;
-    const double tolerance = 1e-6 * std::max(1.0, std::abs(a.objective) + objectiveShift(problem));
-    const bool aHolds = !a.bound || *a.bound <= b.objective + tolerance;
-    const bool bHolds = !b.bound || *b.bound <= a.objective + tolerance;
-    return aHolds && bHolds;
-}
-
-/** Solved by the back end that is not the first one: CBC, or the exact solver for CBC's answers. */
-Verification secondOpinion(const TvpProblem& problem, const SolveOutcome& first,
-                           const SolveOptions& options)
-{
-    const Backend second = first.backend == "cbc" ? Backend::Auto : Backend::Cbc;
-    Verification verification{.outcome = makeSolver(second)->solve(problem, options)};
-    verification.backend = verification.outcome.backend;
-    verification.agrees = agree(problem, first, verification.outcome);
-    return verification;
-}
-
-std::string solverWords(const SolveReport& report)
-{
-    const SolveOutcome& outcome = report.outcome;
     if (outcome.status == SolveStatus::Optimal)
         return "proven optimal";
     if (!outcome.bound)
         return "not proven, no bound";
-    const double gap = relativeGap(report.problem, outcome.objective, *outcome.bound);
+    const double gap = relativeGap(problem, outcome.objective, *outcome.bound);
     return "within " + fixed(100 * gap, 2) + " % of optimal";
+}
+
+/** "cbc" or, when it matters, "cbc (reduced)". */
+std::string nameOfSecond(const SecondOpinion& second)
+{
+    std::string name = second.outcome.backend;
+    if (second.formulation)
+        name += " (" + nameOf(kFormulationNames, *second.formulation) + ')';
+    return name;
+}
+
+/** Why the second opinion is none. */
+std::string whyNotVerified(const SolveReport& report)
+{
+    const SolveOutcome& second = report.secondOpinion->outcome;
+    switch (second.reason) {
+    case StopReason::TimeLimit:
+        return "came to the time limit";
+    case StopReason::MemoryLimit:
+        return "came to the memory limit";
+    case StopReason::Unable:
+        return "cannot: " + second.detail;
+    case StopReason::Cancelled:
+    case StopReason::WorkLimit:
+    case StopReason::GapReached:
+    case StopReason::Finished:
+        break;
+    }
+    return second.status == SolveStatus::Optimal ? "proves that a better order exists"
+                                                 : "gave no proof";
+}
+
+std::string verificationLine(const SolveReport& report)
+{
+    const SecondOpinion& second = *report.secondOpinion;
+    std::string text = "verify     ";
+    switch (second.verdict) {
+    case Verdict::Agrees:
+        text += "agrees: " + nameOfSecond(second);
+        break;
+    case Verdict::Disagrees:
+        text += "DISAGREES: " + nameOfSecond(second);
+        break;
+    case Verdict::NotVerified:
+        text += "not verified: " + nameOfSecond(second) + ' ' + whyNotVerified(report);
+        break;
+    }
+    if (second.outcome.status != SolveStatus::None)
+        text += ", objective " + fixed(second.outcome.objective, 3) + " (" +
+                solverWords(report.problem, second.outcome) + ", " +
+                fixed(1000 * second.outcome.elapsed_s, 1) + " ms)";
+    return text + '\n';
 }
 
 void printReport(const SolveReport& report, bool json)
@@ -109,14 +139,13 @@ void printReport(const SolveReport& report, bool json)
     std::string text = "order     ";
     for (std::size_t i = 0; i < report.order.size(); ++i)
         text += ' ' + (report.ids.empty() ? std::to_string(report.order[i]) : report.ids[i]);
-    text += "\nobjective  " + fixed(outcome.objective, 3) + "  (" + solverWords(report) + ", " +
-            fixed(1000 * outcome.elapsed_s, 1) + " ms, " + outcome.backend + ")\ndistance   " +
+    text += "\nobjective  " + fixed(outcome.objective, 3) + "  (" +
+            solverWords(report.problem, outcome) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
+            " ms, " + outcome.backend + ")\ndistance   " +
             grouped(flownDistance(report.problem, outcome.order)) + " m   mu " +
             fixed(report.problem.mu, 6) + '\n';
-    if (const auto& second = report.verification)
-        text += "verified   " + std::string(second->agrees ? "agrees" : "DISAGREES") + " with " +
-                second->backend + " (" + nameOf(kStatusNames, second->outcome.status) +
-                ", objective " + fixed(second->outcome.objective, 3) + ")\n";
+    if (report.secondOpinion)
+        text += verificationLine(report);
     print(text);
 }
 
@@ -127,11 +156,21 @@ int conclude(SolveReport& report, const SolveArguments& arguments, const SolveOp
     if (report.outcome.reason == StopReason::Unable)
         throw Error(ErrorCode::Unsupported, arguments.file, report.outcome.detail);
     if (arguments.verify)
-        report.verification = secondOpinion(report.problem, report.outcome, options);
+        report.secondOpinion =
+            secondOpinion(report.problem, report.outcome, options, arguments.formulation);
+    if (report.secondOpinion && report.secondOpinion->outcome.reason == StopReason::Cancelled)
+        throw Interrupted{};
     printReport(report, arguments.json);
     if (report.outcome.status == SolveStatus::None)
         return kLimitWithoutPlan;
-    return report.verification && !report.verification->agrees ? kFailure : kDone;
+    if (!report.secondOpinion || report.secondOpinion->verdict != Verdict::Disagrees)
+        return kDone;
+    const std::string message =
+        arguments.file + ": " + report.outcome.backend + " and " +
+        nameOfSecond(*report.secondOpinion) +
+        " contradict each other: one of the two is wrong. Do not trust this order.\n";
+    std::fputs(message.c_str(), stderr);
+    return kFailure;
 }
 
 int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)

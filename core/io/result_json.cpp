@@ -44,12 +44,37 @@ const char* severityName(Severity severity)
     return "";
 }
 
+Json secondOpinionJson(const SecondOpinion& second)
+{
+    const SolveOutcome& outcome = second.outcome;
+    const bool solved = outcome.status != SolveStatus::None;
+    Json agrees = nullptr; // not verified
+    if (second.verdict != Verdict::NotVerified)
+        agrees = second.verdict == Verdict::Agrees;
+    return {{"agrees", agrees},
+            {"backend", outcome.backend},
+            {"formulation", second.formulation
+                                ? Json(nameOf(kFormulationNames, *second.formulation))
+                                : Json(nullptr)},
+            {"status", nameOf(kStatusNames, outcome.status)},
+            {"objective", solved ? Json(outcome.objective) : Json(nullptr)},
+            {"bound", orNull(outcome.bound)},
+            {"seconds", outcome.elapsed_s}};
+}
+
 std::optional<PaperTime> paperTime(int icebergs)
 {
     for (const PaperTime& time : paperTable2())
         if (time.icebergs == icebergs)
             return time;
     return std::nullopt;
+}
+
+std::optional<std::string> formulationOf(const BenchmarkSolver& solver)
+{
+    if (solver.backend != Backend::Cbc)
+        return std::nullopt;
+    return nameOf(kFormulationNames, solver.formulation);
 }
 
 } // namespace
@@ -70,15 +95,8 @@ std::string solveJson(const SolveReport& report)
         {"backend", outcome.backend}};
     if (!report.ids.empty())
         json["icebergs"] = report.ids;
-    if (const auto& second = report.verification) {
-        const bool secondSolved = second->outcome.status != SolveStatus::None;
-        json["verify"] = {
-            {"backend", second->backend},
-            {"status", nameOf(kStatusNames, second->outcome.status)},
-            {"objective", secondSolved ? Json(second->outcome.objective) : Json(nullptr)},
-            {"bound", orNull(second->outcome.bound)},
-            {"agrees", second->agrees}};
-    }
+    if (report.secondOpinion)
+        json["verify"] = secondOpinionJson(*report.secondOpinion);
     return text(json);
 }
 
@@ -116,19 +134,24 @@ std::string benchmarkJson(const std::vector<BenchmarkRow>& rows)
     for (const BenchmarkRow& row : rows) {
         const bool timed = row.seconds.n > 0;
         Json one{{"icebergs", row.icebergs},
-                 {"backend", nameOf(kBackendNames, row.backend)},
+                 {"backend", nameOf(kBackendNames, row.solver.backend)},
+                 {"formulation", orNull(formulationOf(row.solver))},
                  {"instances", row.instances},
                  {"proven", row.proven},
                  {"cut", row.cut},
                  {"average_s", timed ? Json(row.seconds.mean) : Json(nullptr)},
                  {"median_s", timed ? Json(row.seconds.median) : Json(nullptr)},
                  {"worst_s", timed ? Json(row.worst_s) : Json(nullptr)},
-                 {"worst_gap", orNull(row.worstGap)}};
+                 {"worst_gap", orNull(row.worstGap)},
+                 {"mean_objective", timed ? Json(row.meanObjective) : Json(nullptr)},
+                 {"work", timed ? Json(row.work) : Json(nullptr)}};
         if (const auto paper = paperTime(row.icebergs)) {
             one["paper_average_s"] = paper->average_s;
             one["paper_worst_s"] = paper->worst_s;
             if (timed && row.seconds.mean > 0)
                 one["speed_up"] = paper->average_s / row.seconds.mean;
+            if (timed && row.worst_s > 0)
+                one["worst_speed_up"] = paper->worst_s / row.worst_s;
         }
         if (!row.note.empty())
             one["note"] = row.note;
@@ -167,20 +190,22 @@ std::string sweepCsv(const SweepResult& result)
 
 std::string benchmarkCsv(const std::vector<BenchmarkRow>& rows)
 {
-    std::string csv = "icebergs,backend,instances,proven,cut,average_s,median_s,worst_s,worst_gap,"
-                      "paper_average_s,paper_worst_s\n";
+    std::string csv = "icebergs,backend,formulation,instances,proven,cut,average_s,median_s,"
+                      "worst_s,worst_gap,mean_objective,work,paper_average_s,paper_worst_s,note\n";
     for (const BenchmarkRow& row : rows) {
-        csv += std::to_string(row.icebergs) + ',' + nameOf(kBackendNames, row.backend) + ',' +
-               std::to_string(row.instances) + ',' + std::to_string(row.proven) + ',' +
-               std::to_string(row.cut);
+        csv += std::to_string(row.icebergs) + ',' + nameOf(kBackendNames, row.solver.backend) +
+               ',' + formulationOf(row.solver).value_or("") + ',' + std::to_string(row.instances) +
+               ',' + std::to_string(row.proven) + ',' + std::to_string(row.cut);
         const bool timed = row.seconds.n > 0;
         for (const double value : {row.seconds.mean, row.seconds.median, row.worst_s})
             csv += ',' + (timed ? numberText(value) : std::string());
         csv += ',' + (row.worstGap ? numberText(*row.worstGap) : std::string());
+        csv += ',' + (timed ? numberText(row.meanObjective) : std::string());
+        csv += ',' + (timed ? std::to_string(row.work) : std::string());
         const auto paper = paperTime(row.icebergs);
         csv += ',' + (paper ? numberText(paper->average_s) : std::string());
         csv += ',' + (paper ? numberText(paper->worst_s) : std::string());
-        csv += '\n';
+        csv += ',' + csvField(row.note) + '\n';
     }
     return csv;
 }

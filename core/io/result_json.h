@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/plan/second_opinion.h"
 #include "core/sim/mission.h"
 #include "core/study/benchmark.h"
 #include "core/study/study.h"
@@ -12,19 +13,11 @@ namespace berg {
 
 // What the command line prints with --json: one JSON document, stable member order.
 
-/** A second solver's opinion on the same problem. */
-struct Verification
-{
-    std::string backend;
-    SolveOutcome outcome;
-    bool agrees = false;
-};
-
 struct SolveReport
 {
     const TvpProblem& problem;
     const SolveOutcome& outcome;
-    std::optional<Verification> verification;
+    std::optional<SecondOpinion> secondOpinion;
     std::vector<int> order;       ///< as printed: 1-based
     std::vector<std::string> ids; ///< iceberg ids in visiting order; empty for a bare problem
 };

@@ -2,6 +2,7 @@
 
 #include "core/plan/cbc_run.h"
 #include "core/plan/milp_relaxation.h"
+#include "core/plan/reduced_model.h"
 
 #include <CbcEventHandler.hpp>
 #include <CbcHeuristic.hpp>
@@ -32,22 +33,11 @@ namespace {
 constexpr int kLargestPosition = 40;
 /** The printed model is small (n^2 columns), but beyond 8 icebergs its search takes for ever. */
 constexpr int kLargestPrinted = 60;
+/** As far as our bound leaves few columns. */
+constexpr int kLargestReduced = 60;
 
 /** Above it CbcModel takes some values of the node limit for debugging switches. */
 constexpr std::int64_t kLargestNodeLimit = 900'000'000;
-
-MilpModel modelOf(Formulation formulation, const TvpProblem& problem)
-{
-    switch (formulation) {
-    case Formulation::Position:
-        return positionModel(problem);
-    case Formulation::Printed:
-        return printedModel(problem);
-    case Formulation::Reduced:
-        break; // refused by whyNot
-    }
-    throw std::logic_error("CbcSolver: no such formulation");
-}
 
 double coinBound(double value)
 {
@@ -78,6 +68,42 @@ public:
     }
 
 private:
+    CbcRun* m_run;
+};
+
+/**
+ * Clp that solves nothing any more after a stop. CBC tidies up with several relaxations then, each
+ * of which would cost its preparation before the stopper is asked.
+ */
+class StoppableClp final : public OsiClpSolverInterface
+{
+public:
+    explicit StoppableClp(CbcRun& run) : m_run(&run) {}
+    [[nodiscard]] OsiSolverInterface* clone(bool copyData = true) const override
+    {
+        return copyData ? new StoppableClp(*this) : new StoppableClp(*m_run);
+    }
+    void initialSolve() override
+    {
+        if (!skipped())
+            OsiClpSolverInterface::initialSolve();
+    }
+    void resolve() override
+    {
+        if (!skipped())
+            OsiClpSolverInterface::resolve();
+    }
+
+private:
+    bool skipped()
+    {
+        constexpr int kInfeasible = 1; // as an interrupted relaxation looks to CBC
+        const bool skip = m_run->mustStop();
+        if (skip)
+            getModelPtr()->setProblemStatus(kInfeasible);
+        return skip;
+    }
+
     CbcRun* m_run;
 };
 
@@ -180,6 +206,8 @@ private:
         if (value >= objectiveValue)
             return false;
         const std::vector<double> columns = encode(milp, order);
+        if (decode(milp, columns) != order)
+            return false; // flies an arc that the reduced model does not have
         std::copy(columns.begin(), columns.end(), newSolution);
         objectiveValue = value;
         return true;
@@ -326,12 +354,15 @@ SolveOutcome branchAndCut(const OsiClpSolverInterface& relaxation, CbcRun& run)
 SolveOutcome search(CbcRun& run)
 {
     SilentHandler silent;
-    OsiClpSolverInterface solver;
+    StoppableClp solver(run);
     solver.passInMessageHandler(&silent);
     solver.setHintParam(OsiDoReducePrint, true, OsiHintTry);
     SimplexStopper stopper(run);
     solver.getModelPtr()->passInEventHandler(&stopper);
     load(run, solver);
+    constexpr int kNoScaling = 0;
+    if (!run.milp().hasOrderColumns)
+        solver.getModelPtr()->scaling(kNoScaling); // its coefficients are 1 and -1
     // The dual simplex, because initialSolve() begins with a crash that does not ask the stopper.
     solver.resolve();
     if (run.mustStop()) {
@@ -347,39 +378,21 @@ SolveOutcome search(CbcRun& run)
     return branchAndCut(solver, run);
 }
 
-} // namespace
-
-CbcSolver::CbcSolver(Formulation formulation) : m_formulation(formulation) {}
-
-std::string CbcSolver::whyNot(const TvpProblem& problem) const
+/** Ended before the search; the hint, if any, comes back. */
+SolveOutcome unsolved(const VisitOrder& hint, StopReason reason)
 {
-    if (m_formulation == Formulation::Reduced)
-        return "the reduced formulation needs the bound of the exact engine, which this version "
-               "does not have";
-    const bool printed = m_formulation == Formulation::Printed;
-    const int largest = printed ? kLargestPrinted : kLargestPosition;
-    if (problem.icebergCount() <= largest)
-        return {};
-    return std::string(printed ? "the printed" : "the position-indexed") +
-           " MILP is offered for at most " + std::to_string(largest) + " icebergs, not for " +
-           std::to_string(problem.icebergCount());
+    SolveOutcome outcome;
+    outcome.status = hint.empty() ? SolveStatus::None : SolveStatus::Feasible;
+    outcome.reason = reason;
+    outcome.order = hint;
+    outcome.hintUsed = !hint.empty();
+    return outcome;
 }
 
-SolveOutcome CbcSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const
+SolveOutcome solveMilp(const TvpProblem& problem, const SolveOptions& options,
+                       const MilpModel& milp)
 {
-    const bool noWork = options.workLimit && *options.workLimit <= 0;
-    const bool noTime = options.timeLimit_s && *options.timeLimit_s <= 0;
-    const bool hinted = !options.hint.empty();
     SolveOutcome outcome;
-    if (noWork || noTime) {
-        outcome.status = hinted ? SolveStatus::Feasible : SolveStatus::None;
-        outcome.reason = noWork ? StopReason::WorkLimit : StopReason::TimeLimit;
-        outcome.order = options.hint;
-        outcome.hintUsed = hinted;
-        return outcome;
-    }
-
-    const MilpModel milp = modelOf(m_formulation, problem);
     CbcRun run(problem, options, milp);
     try {
         outcome = search(run);
@@ -392,8 +405,69 @@ SolveOutcome CbcSolver::doSolve(const TvpProblem& problem, const SolveOptions& o
         throw Error(ErrorCode::SolverFailed, "cbc", outcome.detail);
     outcome.order = run.best();
     outcome.bound = run.bound();
-    outcome.hintUsed = hinted;
+    outcome.hintUsed = !options.hint.empty();
     return outcome;
+}
+
+SolveOutcome solveReduced(const TvpProblem& problem, const SolveOptions& options)
+{
+    const SolveWatch watch(options);
+    const Stopwatch stopwatch;
+    const ReducedModel reduced = reducedModel(problem, options);
+    SolveOutcome outcome;
+    if (const std::optional<StopReason> cut = watch.cut()) {
+        outcome = unsolved(reduced.incumbent, *cut);
+    } else {
+        SolveOptions warm = options;
+        warm.hint = reduced.incumbent;
+        if (warm.timeLimit_s)
+            *warm.timeLimit_s -= stopwatch.elapsed_s();
+        outcome = solveMilp(problem, warm, reduced.milp);
+        outcome.detail += ", " + std::to_string(reduced.milp.arcs.size()) + " columns";
+    }
+    outcome.hintUsed = !options.hint.empty();
+    return outcome;
+}
+
+} // namespace
+
+CbcSolver::CbcSolver(Formulation formulation) : m_formulation(formulation) {}
+
+std::string CbcSolver::whyNot(const TvpProblem& problem) const
+{
+    const auto limit = [this]() -> std::pair<const char*, int> {
+        switch (m_formulation) {
+        case Formulation::Position:
+            return {"position-indexed", kLargestPosition};
+        case Formulation::Printed:
+            return {"printed", kLargestPrinted};
+        case Formulation::Reduced:
+            return {"reduced", kLargestReduced};
+        }
+        throw std::logic_error("CbcSolver: no such formulation");
+    };
+    const auto [name, largest] = limit();
+    if (problem.icebergCount() <= largest)
+        return {};
+    return "the " + std::string(name) + " MILP is offered for at most " + std::to_string(largest) +
+           " icebergs, not for " + std::to_string(problem.icebergCount());
+}
+
+SolveOutcome CbcSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const
+{
+    const bool noWork = options.workLimit && *options.workLimit <= 0;
+    const bool noTime = options.timeLimit_s && *options.timeLimit_s <= 0;
+    if (noWork || noTime)
+        return unsolved(options.hint, noWork ? StopReason::WorkLimit : StopReason::TimeLimit);
+    switch (m_formulation) {
+    case Formulation::Position:
+        return solveMilp(problem, options, positionModel(problem));
+    case Formulation::Printed:
+        return solveMilp(problem, options, printedModel(problem));
+    case Formulation::Reduced:
+        return solveReduced(problem, options);
+    }
+    throw std::logic_error("CbcSolver: no such formulation");
 }
 
 } // namespace berg

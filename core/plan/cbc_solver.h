@@ -6,7 +6,9 @@ namespace berg {
 
 /**
  * Branch and cut by COIN-OR CBC on one of the MILPs of `formulation.h`. The hint becomes CBC's
- * starting incumbent; it uses nothing of our own engines. Work unit: branch-and-bound nodes.
+ * starting incumbent. The position-indexed and the printed MILP use nothing of our own engines; the
+ * reduced one takes incumbent and columns from them (`reducedModel`), and CBC proves which of the
+ * orders left is the best. Work unit: branch-and-bound nodes.
  * Throws `Error{SolverFailed}` when COIN gives up without an order.
  */
 class CbcSolver final : public TvpSolver

@@ -109,85 +109,64 @@ void addPrintedSequence(MilpModel& model)
 
 // ---- position-indexed ------------------------------------------------------------------------
 
-/** Numbering of the columns z(i,j,k): the n arcs of the UAV, then the layers k = 2..n. */
-class PositionLayout
+/** All arcs: the n of the UAV, then the layers k = 2..n. */
+std::vector<MilpArc> allPositionArcs(int icebergs)
 {
-public:
-    explicit PositionLayout(int icebergs) : m_icebergs(icebergs) {}
-
-    /** Column of z(from, to, position); from = 0 if and only if position = 1, from != to. */
-    [[nodiscard]] int column(int from, int to, int position) const
-    {
-        if (position == 1)
-            return to - 1;
-        const int layer = (position - 2) * m_icebergs * (m_icebergs - 1);
-        const int inLayer = (from - 1) * (m_icebergs - 1) + (to < from ? to - 1 : to - 2);
-        return m_icebergs + layer + inLayer;
-    }
-
-private:
-    int m_icebergs;
-};
-
-void addPositionColumn(const TvpProblem& problem, MilpModel& model, const MilpArc& arc)
-{
-    double distance_m = problem.distance_m(arc.from, arc.to);
-    if (problem.route == Route::Closed && arc.position == problem.icebergCount())
-        distance_m += problem.distance_m(arc.to, 0);
-    model.arcs.push_back(arc);
-    model.columns.push_back(
-        {.name = label("z", {arc.from, arc.to, arc.position}),
-         .objective = problem.mu * distance_m + problem.sigma_m2[at(arc.to)] * (arc.position + 1)});
-}
-
-void addPositionColumns(const TvpProblem& problem, MilpModel& model)
-{
-    const int icebergs = problem.icebergCount();
+    std::vector<MilpArc> arcs;
     for (int j = 1; j <= icebergs; ++j)
-        addPositionColumn(problem, model, {.from = 0, .to = j, .position = 1});
+        arcs.push_back({.from = 0, .to = j, .position = 1});
     for (int k = 2; k <= icebergs; ++k)
         for (int i = 1; i <= icebergs; ++i)
             for (int j = 1; j <= icebergs; ++j)
                 if (i != j)
-                    addPositionColumn(problem, model, {.from = i, .to = j, .position = k});
+                    arcs.push_back({.from = i, .to = j, .position = k});
+    return arcs;
 }
 
-void addVisitRows(const PositionLayout& layout, MilpModel& model)
+void addPositionColumns(const TvpProblem& problem, MilpModel& model)
 {
-    const int icebergs = model.nodeCount - 1;
-    for (int j = 1; j <= icebergs; ++j) {
-        MilpRow row{.name = label("visit", {j}), .lower = 1, .upper = 1, .terms = {}};
-        row.terms.push_back({layout.column(0, j, 1), 1});
-        for (int k = 2; k <= icebergs; ++k)
-            for (int i = 1; i <= icebergs; ++i)
-                if (i != j)
-                    row.terms.push_back({layout.column(i, j, k), 1});
-        model.rows.push_back(std::move(row));
+    for (const MilpArc& arc : model.arcs) {
+        double distance_m = problem.distance_m(arc.from, arc.to);
+        if (problem.route == Route::Closed && arc.position == problem.icebergCount())
+            distance_m += problem.distance_m(arc.to, 0);
+        model.columns.push_back({.name = label("z", {arc.from, arc.to, arc.position}),
+                                 .objective = problem.mu * distance_m +
+                                              problem.sigma_m2[at(arc.to)] * (arc.position + 1)});
     }
 }
 
-/** One unit leaves the UAV; what enters iceberg j at position k leaves it from there. */
-void addFlowRows(const PositionLayout& layout, MilpModel& model)
+/**
+ * Each iceberg is visited; one unit leaves the UAV; what enters iceberg j at position k leaves it
+ * from there. Rows without a column are left out.
+ */
+void addPositionRows(MilpModel& model)
 {
     const int icebergs = model.nodeCount - 1;
-    MilpRow start{.name = "start", .lower = 1, .upper = 1, .terms = {}};
+    std::vector<MilpRow> visits;
     for (int j = 1; j <= icebergs; ++j)
-        start.terms.push_back({layout.column(0, j, 1), 1});
-    model.rows.push_back(std::move(start));
-
+        visits.push_back({.name = label("visit", {j}), .lower = 1, .upper = 1, .terms = {}});
+    MilpRow start{.name = "start", .lower = 1, .upper = 1, .terms = {}};
+    std::vector<MilpRow> flows; // (j, k), k = 2..n
     for (int k = 2; k <= icebergs; ++k)
-        for (int j = 1; j <= icebergs; ++j) {
-            MilpRow row{.name = label("flow", {j, k}), .lower = 0, .upper = 0, .terms = {}};
-            if (k == 2)
-                row.terms.push_back({layout.column(0, j, 1), 1});
-            for (int i = 1; i <= icebergs; ++i)
-                if (i != j) {
-                    if (k > 2)
-                        row.terms.push_back({layout.column(i, j, k - 1), 1});
-                    row.terms.push_back({layout.column(j, i, k), -1});
-                }
-            model.rows.push_back(std::move(row));
-        }
+        for (int j = 1; j <= icebergs; ++j)
+            flows.push_back({.name = label("flow", {j, k}), .lower = 0, .upper = 0, .terms = {}});
+    const auto flow = [&](int j, int k) -> MilpRow& {
+        return flows[at((k - 2) * icebergs + j - 1)];
+    };
+
+    for (int c = 0; c < static_cast<int>(model.arcs.size()); ++c) {
+        const MilpArc& arc = model.arcs[at(c)];
+        visits[at(arc.to - 1)].terms.push_back({c, 1});
+        MilpRow& source = arc.position == 1 ? start : flow(arc.from, arc.position);
+        source.terms.push_back({c, arc.position == 1 ? 1.0 : -1.0});
+        if (arc.position < icebergs)
+            flow(arc.to, arc.position + 1).terms.push_back({c, 1});
+    }
+    visits.push_back(std::move(start));
+    for (std::vector<MilpRow>* rows : {&visits, &flows})
+        for (MilpRow& row : *rows)
+            if (!row.terms.empty())
+                model.rows.push_back(std::move(row));
 }
 
 } // namespace
@@ -203,11 +182,15 @@ MilpModel printedModel(const TvpProblem& problem)
 
 MilpModel positionModel(const TvpProblem& problem)
 {
+    return positionModel(problem, allPositionArcs(problem.icebergCount()));
+}
+
+MilpModel positionModel(const TvpProblem& problem, std::vector<MilpArc> arcs)
+{
     MilpModel model = emptyModel(problem);
-    const PositionLayout layout(problem.icebergCount());
+    model.arcs = std::move(arcs);
     addPositionColumns(problem, model);
-    addVisitRows(layout, model);
-    addFlowRows(layout, model);
+    addPositionRows(model);
     return model;
 }
 

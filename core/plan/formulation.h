@@ -84,6 +84,9 @@ struct MilpModel
  */
 [[nodiscard]] MilpModel positionModel(const TvpProblem& problem);
 
+/** The same with the columns of these arcs only, which must hold at least one order. */
+[[nodiscard]] MilpModel positionModel(const TvpProblem& problem, std::vector<MilpArc> arcs);
+
 /** Visiting order of a solution (one value per column); empty when its arcs do not form one. */
 [[nodiscard]] VisitOrder decode(const MilpModel& model, std::span<const double> solution);
 

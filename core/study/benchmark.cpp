@@ -4,7 +4,7 @@
 #include "core/plan/tuning.h"
 
 #include <algorithm>
-#include <array>
+#include <memory>
 
 namespace berg {
 
@@ -14,44 +14,167 @@ constexpr std::array kPaperTable2{PaperTime{2, 0.02, 0.03},     PaperTime{6, 0.1
                                   PaperTime{10, 0.64, 1.50},    PaperTime{12, 1.71, 4.24},
                                   PaperTime{16, 31.20, 145.16}, PaperTime{20, 2969.69, 17269.17}};
 
-BenchmarkRow runRow(const BenchmarkSpec& spec, int icebergs, Backend backend, double share_s,
-                    const std::stop_token& stop)
+/** The instances of one row, one after the other. */
+class RowRun
 {
-    BenchmarkRow row{.icebergs = icebergs, .backend = backend};
-    const std::unique_ptr<TvpSolver> solver = makeSolver(backend, spec.formulation);
-    const Stopwatch watch;
-    std::vector<double> seconds;
-    double worstGap = 0;
-    bool bounded = true;
-    for (int k = 1; k <= spec.repeat && !stop.stop_requested(); ++k) {
-        const TvpProblem problem =
-            tableOneProblem(static_cast<std::uint64_t>(k), icebergs, spec.tau);
-        row.note = solver->whyNot(problem);
-        const double left_s = share_s - watch.elapsed_s();
-        if (!row.note.empty() || left_s <= 0)
-            break;
-        const SolveOutcome outcome = solver->solve(problem, {.timeLimit_s = left_s, .stop = stop});
+public:
+    RowRun(const BenchmarkSpec& spec, BenchmarkRow& row) : m_spec(spec), m_row(row) {}
+
+    /** False when the row is to end: cancelled, or nothing left of the budget. */
+    bool solveNext(const TvpSolver& solver, double left_s, const std::stop_token& stop)
+    {
+        const auto seed = static_cast<std::uint64_t>(m_row.instances + 1);
+        const TvpProblem problem = tableOneProblem(seed, m_row.icebergs, m_spec.tau);
+        const SolveOutcome outcome = solver.solve(problem, {.timeLimit_s = left_s, .stop = stop});
         if (outcome.reason == StopReason::Cancelled)
-            break;
-        ++row.instances;
-        row.proven += outcome.status == SolveStatus::Optimal ? 1 : 0;
+            return false;
+        take(problem, outcome);
+        return true;
+    }
+
+    void summariseRow()
+    {
+        m_row.seconds = summarise(m_seconds);
+        if (!m_seconds.empty()) {
+            m_row.worst_s = *std::max_element(m_seconds.begin(), m_seconds.end());
+            m_row.meanObjective = m_objectives / static_cast<double>(m_seconds.size());
+        }
+        if (m_row.instances > 0 && m_bounded)
+            m_row.worstGap = m_worstGap;
+    }
+
+private:
+    void take(const TvpProblem& problem, const SolveOutcome& outcome)
+    {
+        ++m_row.instances;
+        m_row.proven += outcome.status == SolveStatus::Optimal ? 1 : 0;
         if (outcome.reason == StopReason::TimeLimit) {
-            ++row.cut;
+            ++m_row.cut;
         } else {
-            seconds.push_back(outcome.elapsed_s);
-            row.worst_s = std::max(row.worst_s, outcome.elapsed_s);
+            m_seconds.push_back(outcome.elapsed_s);
+            m_objectives += outcome.objective;
+            m_row.work += outcome.work;
         }
         // A bound without an order has no gap to it.
-        const bool hasGap = outcome.bound && outcome.status != SolveStatus::None;
-        bounded = bounded && hasGap;
-        if (hasGap)
-            worstGap = std::max(worstGap, relativeGap(problem, outcome.objective, *outcome.bound));
+        m_bounded = m_bounded && outcome.bound && outcome.status != SolveStatus::None;
+        if (m_bounded)
+            m_worstGap =
+                std::max(m_worstGap, relativeGap(problem, outcome.objective, *outcome.bound));
     }
-    row.seconds = summarise(seconds);
-    if (row.instances > 0 && bounded)
-        row.worstGap = worstGap;
-    return row;
+
+    const BenchmarkSpec& m_spec;
+    BenchmarkRow& m_row;
+    std::vector<double> m_seconds;
+    double m_objectives = 0;
+    double m_worstGap = 0;
+    bool m_bounded = true;
+};
+
+/** One contestant and how far it came. */
+struct Contestant
+{
+    BenchmarkSolver is;
+    std::unique_ptr<TvpSolver> solver;
+    std::optional<int> unfinished; ///< the size it did not finish
+
+    /** Empty when it may try this size. */
+    [[nodiscard]] std::string whyNot(int icebergs) const
+    {
+        if (unfinished)
+            return "not tried: " + std::to_string(*unfinished) + " icebergs took too long";
+        return solver->whyNot(tableOneProblem(1, icebergs));
+    }
+};
+
+std::vector<int> ascending(std::vector<int> sizes)
+{
+    std::sort(sizes.begin(), sizes.end());
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    return sizes;
 }
+
+/** The whole benchmark, row by row. */
+class BenchmarkRun
+{
+public:
+    BenchmarkRun(const BenchmarkSpec& spec, const std::stop_token& stop,
+                 const std::function<void(const BenchmarkProgress&)>& onProgress)
+        : m_spec(spec), m_stop(stop), m_onProgress(onProgress), m_sizes(ascending(spec.sizes))
+    {
+        for (const BenchmarkSolver& solver : spec.solvers)
+            m_contestants.push_back(
+                {.is = solver, .solver = makeSolver(solver.backend, solver.formulation)});
+    }
+
+    std::vector<BenchmarkRow> run()
+    {
+        for (std::size_t size = 0; size < m_sizes.size(); ++size)
+            for (std::size_t who = 0; who < m_contestants.size(); ++who) {
+                if (m_stop.stop_requested())
+                    return std::move(m_rows);
+                const double share_s = (m_spec.budget_s - m_watch.elapsed_s()) /
+                                       static_cast<double>(rowsToSolve(size, who));
+                runRow(m_sizes[size], m_contestants[who], share_s);
+            }
+        return std::move(m_rows);
+    }
+
+private:
+    /** Rows of this size from this one on, and of the next size, that take time; at least 1. */
+    [[nodiscard]] std::size_t rowsToSolve(std::size_t size, std::size_t who) const
+    {
+        std::size_t rows = 0;
+        for (std::size_t s = size; s < std::min(size + 2, m_sizes.size()); ++s)
+            for (std::size_t w = s == size ? who : 0; w < m_contestants.size(); ++w)
+                rows += m_contestants[w].whyNot(m_sizes[s]).empty() ? 1U : 0U;
+        return std::max<std::size_t>(rows, 1);
+    }
+
+    void runRow(int icebergs, Contestant& contestant, double share_s)
+    {
+        const Stopwatch watch;
+        BenchmarkRow row{
+            .icebergs = icebergs, .solver = contestant.is, .note = contestant.whyNot(icebergs)};
+        RowRun run(m_spec, row);
+        bool goesOn = row.note.empty();
+        while (goesOn && row.instances < m_spec.repeat) {
+            const double left_s = share_s - watch.elapsed_s();
+            goesOn = left_s > 0 && run.solveNext(*contestant.solver, left_s, m_stop);
+            if (goesOn && row.instances < m_spec.repeat)
+                tell(row.instances);
+        }
+        run.summariseRow();
+        const bool tried = row.note.empty();
+        const bool finished = row.instances == m_spec.repeat && row.cut == 0;
+        if (tried && !finished)
+            contestant.unfinished = icebergs;
+        if (tried && row.instances == 0) {
+            if (m_stop.stop_requested())
+                return;
+            row.note = "not tried: no time left";
+        }
+        m_rows.push_back(std::move(row));
+        tell(0);
+    }
+
+    /** `instances` of the row under way are done. */
+    void tell(int instances) const
+    {
+        const auto repeat = static_cast<std::size_t>(m_spec.repeat);
+        if (m_onProgress)
+            m_onProgress({.rows = m_rows,
+                          .done = m_rows.size() * repeat + static_cast<std::size_t>(instances),
+                          .count = m_sizes.size() * m_contestants.size() * repeat});
+    }
+
+    const BenchmarkSpec& m_spec;
+    const std::stop_token& m_stop;
+    const std::function<void(const BenchmarkProgress&)>& m_onProgress;
+    std::vector<int> m_sizes;
+    std::vector<Contestant> m_contestants;
+    std::vector<BenchmarkRow> m_rows;
+    Stopwatch m_watch;
+};
 
 } // namespace
 
@@ -77,23 +200,27 @@ std::span<const PaperTime> paperTable2()
     return kPaperTable2;
 }
 
-std::vector<BenchmarkRow> runBenchmark(const BenchmarkSpec& spec, const std::stop_token& stop,
-                                       const std::function<void(std::size_t, std::size_t)>& onRow)
+std::vector<BenchmarkSolver> benchmarkSolvers()
 {
-    const Stopwatch watch;
-    std::vector<BenchmarkRow> rows;
-    const std::size_t count = spec.sizes.size() * spec.backends.size();
-    for (const int icebergs : spec.sizes)
-        for (const Backend backend : spec.backends) {
-            if (stop.stop_requested())
-                return rows;
-            const auto left = static_cast<double>(count - rows.size());
-            const double share_s = (spec.budget_s - watch.elapsed_s()) / left;
-            rows.push_back(runRow(spec, icebergs, backend, std::max(0.0, share_s), stop));
-            if (onRow)
-                onRow(rows.size(), count);
+    std::vector<BenchmarkSolver> solvers;
+    for (const Named<BenchmarkSolver>& named : kBenchmarkSolverNames) {
+        if (named.value.backend == Backend::Auto)
+            continue;
+        try {
+            static_cast<void>(makeSolver(named.value.backend, named.value.formulation));
+            solvers.push_back(named.value);
+        } catch (const Error&) {
+            continue; // not in this build
         }
-    return rows;
+    }
+    return solvers;
+}
+
+std::vector<BenchmarkRow>
+runBenchmark(const BenchmarkSpec& spec, const std::stop_token& stop,
+             const std::function<void(const BenchmarkProgress&)>& onProgress)
+{
+    return BenchmarkRun(spec, stop, onProgress).run();
 }
 
 } // namespace berg

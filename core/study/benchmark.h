@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/plan/solver.h"
+#include "core/plan/names.h"
 #include "core/study/statistics.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -26,33 +27,71 @@ struct PaperTime
 };
 [[nodiscard]] std::span<const PaperTime> paperTable2();
 
+/** A contestant: a back end, and for CBC the MILP it is given. */
+struct BenchmarkSolver
+{
+    Backend backend = Backend::Auto;
+    Formulation formulation = Formulation::Position; ///< counts for `Backend::Cbc` only
+    bool operator==(const BenchmarkSolver&) const = default;
+};
+
+inline constexpr std::array<Named<BenchmarkSolver>, 6> kBenchmarkSolverNames{{
+    {{.backend = Backend::Auto}, "auto"},
+    {{.backend = Backend::Exact}, "exact"},
+    {{.backend = Backend::Heuristic}, "heuristic"},
+    {{.backend = Backend::Cbc, .formulation = Formulation::Reduced}, "cbc-reduced"},
+    {{.backend = Backend::Cbc, .formulation = Formulation::Position}, "cbc-position"},
+    {{.backend = Backend::Cbc, .formulation = Formulation::Printed}, "cbc-printed"},
+}};
+
+/** Those of this build, without `auto`, which is one of the others. */
+[[nodiscard]] std::vector<BenchmarkSolver> benchmarkSolvers();
+
 struct BenchmarkSpec
 {
-    std::vector<int> sizes;
-    std::vector<Backend> backends;
-    Formulation formulation = Formulation::Position; ///< of the CBC back end
-    int repeat = 10;                                 ///< instances of each size: seeds 1 .. repeat
-    double budget_s = 60; ///< of the whole benchmark; shared equally by what is left to do
+    std::vector<int> sizes; ///< run in ascending order, each once
+    std::vector<BenchmarkSolver> solvers;
+    int repeat = 10;      ///< instances of each size: seeds 1 .. repeat
+    double budget_s = 60; ///< of the whole benchmark
     double tau = 0.5;
 };
 
-/** One size and back end. Times are of the instances that ended by themselves. */
+/**
+ * One size and contestant. Times, `meanObjective` and `work` are of the instances that ended by
+ * themselves: with all of them done, everything but the seconds is the same at every run.
+ */
 struct BenchmarkRow
 {
     int icebergs = 0;
-    Backend backend = Backend::Auto;
+    BenchmarkSolver solver;
     int instances = 0; ///< tried before the share of the budget was used up
     int proven = 0;
     int cut = 0; ///< stopped by the budget
     Summary seconds;
     double worst_s = 0;
+    double meanObjective = 0;       ///< F of Eq. (1)
+    std::int64_t work = 0;          ///< sum, in the back end's own unit
     std::optional<double> worstGap; ///< of all tried, none when a bound is missing
-    std::string note;               ///< why the back end cannot, when it cannot
+    std::string note;               ///< why there is nothing, when there is nothing
 };
 
-/** Runs row by row, `onRow` after each; ends early when stopped. */
+/** After each instance; `done` of `count` instances, those not tried included. */
+struct BenchmarkProgress
+{
+    std::span<const BenchmarkRow> rows; ///< finished ones
+    std::size_t done = 0;
+    std::size_t count = 0;
+};
+
+/**
+ * Small sizes first, for each of them one contestant after the other. A row may take an equal share
+ * of the budget that is left with the rows of its size and of the next one. Who does not finish a
+ * size is not given a larger one, so that the others get more. When
+ * stopped, the rows so far are returned, the last one with the instances that were done. Throws
+ * `Error{Unsupported}` for a back end that this build lacks.
+ */
 [[nodiscard]] std::vector<BenchmarkRow>
 runBenchmark(const BenchmarkSpec& spec, const std::stop_token& stop,
-             const std::function<void(std::size_t done, std::size_t count)>& onRow = {});
+             const std::function<void(const BenchmarkProgress&)>& onProgress = {});
 
 } // namespace berg

@@ -79,8 +79,13 @@ for backend in auto exact heuristic; do
 done
 if [ "$with_cbc" = ON ]; then
     check "solve --verify" exits 0 "$cli" solve problem.json --verify --json
-    check "solve --verify agrees" json 'd["verify"]["agrees"] and d["verify"]["backend"] == "cbc"'
-    for formulation in position printed; do
+    check "solve --verify: members" json 'list(d["verify"]) == ["agrees","backend","formulation","status","objective","bound","seconds"]'
+    check "solve --verify agrees" json 'd["verify"]["agrees"] is True and d["verify"]["backend"] == "cbc" and d["verify"]["formulation"] == "position"'
+    check "solve --verify in words" exits 0 "$cli" solve problem.json --verify
+    check "solve --verify in words: agrees" grep -q "^verify  *agrees: cbc (position), objective .* ms)" stdout.txt
+    check "cbc is verified by the exact solver" exits 0 "$cli" solve problem.json --backend cbc --verify --json
+    check "cbc is verified by the exact solver: agrees" json 'd["verify"]["agrees"] is True and d["verify"]["backend"] == "exact" and d["verify"]["formulation"] is None'
+    for formulation in position printed reduced; do
         check "solve cbc $formulation" exits 0 "$cli" solve problem.json --backend cbc --formulation $formulation --json
         check "solve cbc $formulation: proven" json 'd["status"] == "optimal" and d["backend"] == "cbc"'
     done
@@ -96,9 +101,31 @@ P
     check "limit without a plan: says none" json 'd["status"] == "none" and d["order"] == []'
     check "verify on 12 icebergs" exits 0 "$cli" solve hard.json --verify --json
     check "verify on 12 icebergs agrees" json 'd["verify"]["agrees"]'
+    check "reduced on 12 icebergs" exits 0 "$cli" solve hard.json --backend cbc --formulation reduced --verify --json
+    check "reduced on 12 icebergs: proven and verified" json 'd["status"] == "optimal" and d["verify"]["agrees"]'
+    python3 - <<'P'
+import json, random
+random.seed(5)
+for n in (31, 81):
+    json.dump({"format": "bergwatch-problem", "version": 1, "sigma": [0] + [random.randint(1, 10) for _ in range(n - 1)],
+               "position_m": [[random.uniform(0, 5000), random.uniform(0, 5000)] for _ in range(n)], "tau": 0.5},
+              open(f"large{n - 1}.json", "w"))
+P
+    check "verify on 30 icebergs" exits 0 "$cli" solve large30.json --verify --json
+    check "verify on 30 icebergs agrees" json 'd["verify"]["agrees"] is True and d["verify"]["formulation"] == "reduced"'
+    check "verify with the formulation asked for" exits 0 "$cli" solve problem.json --formulation printed --verify --json
+    check "verify with the formulation asked for: printed" json 'd["verify"]["formulation"] == "printed" and d["verify"]["agrees"]'
+    check "no verdict is no failure" exits 0 "$cli" solve large30.json --formulation position --verify --time-limit 0.05
+    check "no verdict: words" grep -q "not verified: cbc (position) came to the time limit" stdout.txt
+    check "too large to verify" exits 0 "$cli" solve large80.json --tau 0 --verify --json
+    check "too large to verify: null" json 'd["verify"]["agrees"] is None and d["verify"]["status"] == "none"'
 else
     check "cbc is missing, said clearly" exits 3 "$cli" solve problem.json --backend cbc
     check "cbc is missing: words" says "without COIN-OR CBC"
+    check "nothing to verify with" exits 3 "$cli" solve problem.json --verify
+    check "nothing to verify with: words" says "without COIN-OR CBC"
+    check "benchmark of the solvers there are" exits 0 "$cli" benchmark --sizes 4 --repeat 2 --json
+    check "benchmark of the solvers there are: rows" json '[r["backend"] for r in d["rows"]] == ["exact","heuristic"]'
 fi
 
 # --- plan ------------------------------------------------------------------------------------
@@ -108,6 +135,26 @@ check "plan: proven" json 'd["status"] == "optimal"'
 check "plan 40" exits 0 "$cli" plan "$source_dir/resources/scenarios/scoresby-sund-40.berg" --json
 check "plan 40: an honest gap" json 'd["bound"] is not None and 0 <= d["gap"] < 0.1 and d["bound"] <= d["objective"]'
 check "plan with --mu is refused" exits 2 "$cli" plan "$default" --mu 1
+
+# --- curve -----------------------------------------------------------------------------------
+check "plan at tau 0.6" exits 0 "$cli" plan "$default" --tau 0.6 --json
+cp stdout.txt plan06.json
+check "curve" exits 0 "$cli" curve "$default" --json --output curve.csv
+check "curve: members" json 'list(d) == ["intervals","complete","seconds"] and list(d["intervals"][0]) == ["tau_from","tau_to","distance_m","reward_m2","proven","order","icebergs"]'
+check "curve: no gap from 0 to 5" json '[d["intervals"][0]["tau_from"]] + [i["tau_to"] for i in d["intervals"]] == [i["tau_from"] for i in d["intervals"]] + [5]'
+check "curve: proven" json 'd["complete"] and all(i["proven"] for i in d["intervals"])'
+check "curve: the plan is on it" json '[i["order"] for i in d["intervals"] if i["tau_from"] <= 0.6 < i["tau_to"]] == [json.load(open("plan06.json"))["order"]]'
+check "curve --output" python3 -c '
+import csv, json
+table = list(csv.DictReader(open("curve.csv", newline="")))
+d = json.load(open("stdout.txt"))["intervals"]
+same = [[float(r["tau_to"]), [int(k) for k in r["order"].split()], r["icebergs"].split(";"), r["proven"]] for r in table] \
+    == [[i["tau_to"], i["order"], i["icebergs"], "1"] for i in d]
+raise SystemExit(0 if same else 1)'
+check "curve table" exits 0 "$cli" curve "$default" --tau-max 1
+check "curve table: its end" grep -q ' 1\.00000 .* yes ' stdout.txt
+check "curve: tau-max out of range" exits 2 "$cli" curve "$default" --tau-max 0
+check "curve of a missing file" exits 3 "$cli" curve missing.berg
 
 # --- simulate --------------------------------------------------------------------------------
 check "simulate" exits 0 "$cli" simulate "$default" --json
@@ -163,10 +210,27 @@ check "plan is JSON" python3 -c 'import json; assert json.load(open("plan.plan")
 check "wpl head" grep -qx 'QGC WPL 110' <(head -1 plan.wpl)
 
 # --- benchmark -------------------------------------------------------------------------------
-check "benchmark" exits 0 "$cli" benchmark --sizes 2,6,10 --repeat 3 --backends auto,heuristic --seconds 20 --json
+check "benchmark" exits 0 "$cli" benchmark --sizes 10,6,2,6 --repeat 3 --backends auto,heuristic --seconds 20 --json
 check "benchmark: rows" json 'len(d["rows"]) == 6 and all(r["instances"] == 3 for r in d["rows"])'
+check "benchmark: small sizes first" json '[r["icebergs"] for r in d["rows"]] == [2,2,6,6,10,10]'
 check "benchmark: the paper beside it" json 'd["rows"][0]["paper_average_s"] == 0.02 and d["rows"][4]["paper_worst_s"] == 1.5'
+facts() { python3 -c 'import json; print([[r[k] for k in ("icebergs","backend","formulation","instances","proven","worst_gap","mean_objective","work")] for r in json.load(open("stdout.txt"))["rows"]])'; }
+facts >facts.txt
+check "benchmark again" exits 0 "$cli" benchmark --sizes 2,6,10 --repeat 3 --backends auto,heuristic --seconds 20 --json
+check "benchmark: all but the seconds repeats" cmp -s facts.txt <(facts)
 check "benchmark table" exits 0 "$cli" benchmark --sizes 6 --repeat 2 --backends auto --seconds 5 --output bench.csv
+check "benchmark table: the paper beside it" grep -q "^ *6  auto .* 0.18 .* 0.42 .* x" stdout.txt
+check "benchmark csv" grep -qx 'icebergs,backend,formulation,instances,proven,cut,average_s,median_s,worst_s,worst_gap,mean_objective,work,paper_average_s,paper_worst_s,note' <(head -1 bench.csv)
+check "benchmark of an unknown solver" exits 2 "$cli" benchmark --backends cplex
+check "benchmark without time" exits 0 "$cli" benchmark --sizes 4,400 --repeat 2 --backends exact --seconds 0.001 --json
+check "benchmark without time: a word for what is not tried" json '"note" in d["rows"][1] and d["rows"][1]["instances"] == 0'
+if [ "$with_cbc" = ON ]; then
+    check "benchmark of every solver" exits 0 "$cli" benchmark --sizes 2,4 --repeat 2 --seconds 60 --json
+    check "benchmark of every solver: rows" json '[(r["backend"], r["formulation"]) for r in d["rows"]] == 2 * [("exact", None), ("heuristic", None), ("cbc", "reduced"), ("cbc", "position"), ("cbc", "printed")]'
+    check "benchmark of every solver: they agree" json 'all(abs(r["mean_objective"] - d["rows"][5 * (i // 5)]["mean_objective"]) < 1e-6 and r["proven"] == 2 for i, r in enumerate(d["rows"]))'
+    check "benchmark: cbc is its default formulation" exits 0 "$cli" benchmark --sizes 41 --repeat 2 --backends cbc --seconds 1 --json
+    check "benchmark: beyond its ability" json 'd["rows"][0]["formulation"] == "position" and "at most 40" in d["rows"][0]["note"]'
+fi
 
 # --- validate and broken files ---------------------------------------------------------------
 check "validate good files" exits 0 "$cli" validate "$source_dir"/resources/scenarios/*.berg problem.json out/run.bergrun
@@ -197,6 +261,9 @@ P
 check "Ctrl-C gives 130" exits 130 interrupt "$cli" sweep --random 5000 --tau 0:5:0.1 --output interrupted.csv
 check "Ctrl-C leaves no file" test ! -e interrupted.csv
 check "Ctrl-C leaves no temporary file" test -z "$(find . -name '*interrupted*')"
+
+check "Ctrl-C of a benchmark gives 130" exits 130 interrupt "$cli" benchmark --sizes 8,100 --repeat 200 --backends exact,heuristic --seconds 1000 --output part.csv
+check "Ctrl-C of a benchmark keeps what is done" test "$(wc -l <part.csv)" -ge 2
 
 echo "$((checks - failures)) passed, $failures failed"
 [ "$failures" -eq 0 ]

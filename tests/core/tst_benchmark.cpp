@@ -10,6 +10,9 @@ using namespace berg;
 
 namespace {
 
+constexpr BenchmarkSolver kExact{.backend = Backend::Exact};
+constexpr BenchmarkSolver kHeuristic{.backend = Backend::Heuristic};
+
 /** Mean and its standard error. */
 struct Mean
 {
@@ -120,24 +123,29 @@ private slots:
         }
     }
 
-    void rowsBySizeThenBackend()
+    /** Sizes in ascending order, each once, whatever the order they were given in. */
+    void rowsBySizeThenSolver()
     {
-        std::vector<std::size_t> progress;
-        const BenchmarkSpec spec{.sizes = {3, 5},
-                                 .backends = {Backend::Exact, Backend::Heuristic},
-                                 .repeat = 4,
-                                 .budget_s = 1000};
+        std::vector<std::size_t> done;
+        std::vector<std::size_t> finished;
+        const BenchmarkSpec spec{
+            .sizes = {5, 3, 5}, .solvers = {kExact, kHeuristic}, .repeat = 4, .budget_s = 1000};
         const std::vector<BenchmarkRow> rows =
-            runBenchmark(spec, {}, [&](std::size_t done, std::size_t count) {
-                progress.push_back(done);
-                QCOMPARE(count, std::size_t{4});
+            runBenchmark(spec, {}, [&](const BenchmarkProgress& progress) {
+                done.push_back(progress.done);
+                finished.push_back(progress.rows.size());
+                QCOMPARE(progress.count, std::size_t{16});
             });
-        QVERIFY((progress == std::vector<std::size_t>{1, 2, 3, 4}));
         QCOMPARE(rows.size(), std::size_t{4});
+        QCOMPARE(done.size(), std::size_t{16});
+        for (std::size_t i = 0; i < done.size(); ++i) {
+            QCOMPARE(done[i], i + 1);
+            QCOMPARE(finished[i], (i + 1) / 4);
+        }
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const BenchmarkRow& row = rows[i];
             QCOMPARE(row.icebergs, i < 2 ? 3 : 5);
-            QCOMPARE(row.backend, i % 2 == 0 ? Backend::Exact : Backend::Heuristic);
+            QVERIFY(row.solver == (i % 2 == 0 ? kExact : kHeuristic));
             QCOMPARE(row.instances, 4);
             QCOMPARE(row.cut, 0);
             QCOMPARE(row.seconds.n, 4);
@@ -150,13 +158,57 @@ private slots:
         }
     }
 
+    /** All but the seconds is the same at every run, and the objective is that of the optima. */
+    void resultsRepeat()
+    {
+        const BenchmarkSpec spec{
+            .sizes = {5, 7}, .solvers = {kExact, kHeuristic}, .repeat = 3, .budget_s = 1000};
+        const std::vector<BenchmarkRow> first = runBenchmark(spec, {});
+        const std::vector<BenchmarkRow> again = runBenchmark(spec, {});
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            QCOMPARE(first[i].meanObjective, again[i].meanObjective);
+            QCOMPARE(first[i].work, again[i].work);
+            QCOMPARE(first[i].proven, again[i].proven);
+            QCOMPARE(first[i].worstGap, again[i].worstGap);
+            double sum = 0;
+            for (std::uint64_t seed = 1; seed <= 3; ++seed)
+                sum += test::bruteForce(tableOneProblem(seed, first[i].icebergs)).objective;
+            COMPARE_NEAR(first[i].meanObjective, sum / 3, 1e-9);
+            QVERIFY(first[i].work > 0);
+        }
+    }
+
+    /** Who cannot finish a size is not given a larger one; the others are. */
+    void noLargerSizeAfterAnUnfinishedOne()
+    {
+        const BenchmarkSpec spec{.sizes = {3, 21, 22},
+                                 .solvers = {kExact, kHeuristic},
+                                 .repeat = 1000000,
+                                 .budget_s = 0.2};
+        const std::vector<BenchmarkRow> rows = runBenchmark(spec, {});
+        QCOMPARE(rows.size(), std::size_t{6});
+        QVERIFY(rows[0].note.empty() && rows[0].instances > 0);
+        for (const std::size_t larger : {2U, 3U, 4U, 5U}) {
+            QVERIFY(rows[larger].note.starts_with("not tried: 3 icebergs"));
+            QCOMPARE(rows[larger].instances, 0);
+        }
+    }
+
+    void everySolverHasAName()
+    {
+        for (const BenchmarkSolver& solver : benchmarkSolvers()) {
+            const std::string name = nameOf(kBenchmarkSolverNames, solver);
+            QVERIFY(!name.empty() && name != "auto");
+            QVERIFY(valueOf(kBenchmarkSolverNames, name) == solver);
+        }
+        QVERIFY(benchmarkSolvers().front() == kExact);
+    }
+
     /** Without a second to spend nothing is solved, and nothing waits. */
     void noBudget()
     {
-        const BenchmarkSpec spec{.sizes = {4, 12},
-                                 .backends = {Backend::Exact, Backend::Heuristic},
-                                 .repeat = 100000000,
-                                 .budget_s = 0};
+        const BenchmarkSpec spec{
+            .sizes = {4, 12}, .solvers = {kExact, kHeuristic}, .repeat = 100000000, .budget_s = 0};
         const std::vector<BenchmarkRow> rows = runBenchmark(spec, {});
         QCOMPARE(rows.size(), std::size_t{4});
         for (const BenchmarkRow& row : rows) {
@@ -165,6 +217,7 @@ private slots:
             QCOMPARE(row.cut, 0);
             QCOMPARE(row.seconds.n, 0);
             QVERIFY(!row.worstGap);
+            QVERIFY(row.note.starts_with("not tried"));
         }
     }
 
@@ -172,7 +225,7 @@ private slots:
     void smallBudgetEnds()
     {
         const BenchmarkSpec spec{.sizes = {6, 30},
-                                 .backends = {Backend::Exact, Backend::Heuristic},
+                                 .solvers = {kExact, kHeuristic},
                                  .repeat = 100000000,
                                  .budget_s = 0.2};
         const std::vector<BenchmarkRow> rows = runBenchmark(spec, {});
@@ -186,7 +239,7 @@ private slots:
     void backEndThatCannot()
     {
         const BenchmarkSpec spec{
-            .sizes = {40}, .backends = {Backend::Exact}, .repeat = 3, .budget_s = 1000};
+            .sizes = {500}, .solvers = {kExact}, .repeat = 3, .budget_s = 1000};
         const std::vector<BenchmarkRow> rows = runBenchmark(spec, {});
         QCOMPARE(rows.size(), std::size_t{1});
         QVERIFY(!rows[0].note.empty());
@@ -196,16 +249,21 @@ private slots:
 
     void stopEndsEarly()
     {
-        const BenchmarkSpec spec{.sizes = {3, 4, 5}, .backends = {Backend::Exact}, .repeat = 2};
+        const BenchmarkSpec spec{.sizes = {3, 4, 5}, .solvers = {kExact}, .repeat = 2};
         std::stop_source before;
         before.request_stop();
         QVERIFY(runBenchmark(spec, before.get_token()).empty());
         std::stop_source under;
-        const auto stopAfterTwo = [&](std::size_t done, std::size_t) {
-            if (done == 2)
+        const auto stopAfterThree = [&](const BenchmarkProgress& progress) {
+            if (progress.done == 3)
                 under.request_stop();
         };
-        QCOMPARE(runBenchmark(spec, under.get_token(), stopAfterTwo).size(), std::size_t{2});
+        const std::vector<BenchmarkRow> rows =
+            runBenchmark(spec, under.get_token(), stopAfterThree);
+        QCOMPARE(rows.size(), std::size_t{2}); // what was done is kept
+        QCOMPARE(rows[0].instances, 2);
+        QCOMPARE(rows[1].instances, 1);
+        QCOMPARE(rows[1].seconds.n, 1);
     }
 
     /** The instances are those of seeds 1 .. repeat: their optimum is what brute force finds. */

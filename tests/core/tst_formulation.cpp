@@ -151,6 +151,27 @@ private slots:
         QCOMPARE(positionModel(problem).columns.size(), std::size_t{20 + 19 * 20 * 19});
     }
 
+    /** With the arcs of two orders, those two are what is feasible. */
+    void fewerArcsFewerOrders()
+    {
+        const TvpProblem problem = randomProblem(2, 4, 1, Route::Closed);
+        const std::vector<MilpArc> arcs{{0, 1, 1}, {1, 2, 2}, {2, 3, 3}, {3, 4, 4},
+                                        {1, 3, 2}, {3, 2, 3}, {2, 4, 4}};
+        const MilpModel model = positionModel(problem, arcs);
+        QCOMPARE(model.columns.size(), arcs.size());
+        std::set<VisitOrder> found;
+        forEachIntegerPoint(model, [&](const std::vector<double>& point) {
+            if (violation(model, point) == 0)
+                found.insert(decode(model, point));
+        });
+        QVERIFY((found == std::set<VisitOrder>{{1, 2, 3, 4}, {1, 3, 2, 4}}));
+        for (const VisitOrder& order : found)
+            COMPARE_NEAR(objectiveValue(model, encode(model, order)), objective(problem, order),
+                         roundingOf(problem, 0));
+        // An order that flies another arc loses it.
+        QVERIFY(decode(model, encode(model, VisitOrder{4, 3, 2, 1})).empty());
+    }
+
     void printedRowsFollowThePaper()
     {
         const TvpProblem problem = randomProblem(1, 4, 1, Route::Open);

@@ -1,0 +1,84 @@
+#include "core/plan/reduced_model.h"
+
+#include "core/plan/layered_bound.h"
+#include "core/plan/local_search.h"
+#include "core/plan/order_moves.h"
+#include "core/plan/solve_watch.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+/** A relative margin leaves nothing where all costs are 0; the incumbent must not go with it. */
+void addArcsOf(const VisitOrder& order, std::vector<PositionArc>& arcs)
+{
+    int from = 0;
+    int position = 1;
+    for (const int to : order) {
+        const PositionArc arc{.from = from, .to = to, .position = position++};
+        if (std::find(arcs.begin(), arcs.end(), arc) == arcs.end())
+            arcs.push_back(arc);
+        from = to;
+    }
+}
+
+/** The cheapest order one move away that costs more; the order itself when there is none. */
+VisitOrder cheapestNeighbour(const VisitCosts& costs, const VisitOrder& order)
+{
+    using Kind = OrderMove::Kind;
+    OrderMoves moves(costs, order);
+    const double least = 1e-7 * costs.total(order); // what is nearer is the same but for rounding
+    OrderMove cheapest;
+    const auto consider = [&](double delta, const OrderMove& move) {
+        if (delta > least && (cheapest.kind == Kind::None || delta < cheapest.delta)) {
+            cheapest = move;
+            cheapest.delta = delta;
+        }
+    };
+    for (int a = 1; a < costs.icebergs; ++a)
+        for (int b = a + 1; b <= costs.icebergs; ++b) {
+            consider(moves.reversal(a, b), {.kind = Kind::Reverse, .first = a, .last = b});
+            consider(moves.exchange(a, b), {.kind = Kind::Exchange, .first = a, .last = b});
+        }
+    moves.apply(cheapest);
+    return moves.order();
+}
+
+std::vector<MilpArc> milpArcs(const std::vector<PositionArc>& arcs)
+{
+    std::vector<MilpArc> result;
+    for (const PositionArc& arc : arcs)
+        result.push_back({.from = arc.from, .to = arc.to, .position = arc.position});
+    return result;
+}
+
+} // namespace
+
+ReducedModel reducedModel(const TvpProblem& problem, const SolveOptions& options)
+{
+    const SolveWatch watch(options);
+    ReducedModel reduced;
+    // With the optimum as incumbent few columns are left; so it pays to look for it with the bound.
+    reduced.incumbent =
+        LocalSearch()
+            .solve(problem,
+                   {.timeLimit_s = options.timeLimit_s, .hint = options.hint, .stop = options.stop})
+            .order;
+    if (reduced.incumbent.empty() || watch.cut())
+        return reduced;
+
+    constexpr std::int64_t kMostWork = 900'000'000; // seldom used up
+    const VisitCosts costs(problem);
+    const BoundOptions bound{.workLimit = kMostWork,
+                             .cut = [&watch] { return watch.cut().has_value(); }};
+    std::vector<PositionArc> arcs =
+        survivingArcs(costs, cheapestNeighbour(costs, reduced.incumbent), bound);
+    addArcsOf(reduced.incumbent, arcs);
+    if (!watch.cut())
+        reduced.milp = positionModel(problem, milpArcs(arcs));
+    return reduced;
+}
+
+} // namespace berg
