@@ -40,6 +40,8 @@ std::string interventionText(const Intervention& intervention)
         object.add("policy", nameOf(kPolicyNames, *intervention.policy));
     if (intervention.appears)
         object.addText("appears", icebergText(*intervention.appears));
+    if (intervention.seen)
+        object.add("seen", *intervention.seen);
     return object.inLine();
 }
 
@@ -113,9 +115,31 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
             intervention.policy = object.choice("policy", PolicyKind::Visitation, kPolicyNames);
         if (const Json* appears = object.find("appears"))
             intervention.appears = readIceberg(*appears, object.path("appears"), run.faults());
+        if (object.find("seen") != nullptr)
+            intervention.seen = object.text("seen");
         interventions.push_back(std::move(intervention));
     }
     return interventions;
+}
+
+/** Who is reported seen must be there by then. */
+void checkSeen(const RunFile& file, Faults& faults)
+{
+    std::vector<Iceberg> there = file.scenario.icebergs;
+    for (std::size_t i = 0; i < file.interventions.size(); ++i) {
+        const Intervention& change = file.interventions[i];
+        if (change.appears)
+            there.push_back(*change.appears);
+        if (!change.seen)
+            continue;
+        const bool known = std::any_of(there.begin(), there.end(), [&](const Iceberg& iceberg) {
+            return iceberg.id == *change.seen &&
+                   iceberg.appears_s <= change.time_s + file.scenario.dt_s;
+        });
+        if (!known)
+            faults.add(entryPath("interventions", i) + ".seen",
+                       "no iceberg of this id is there at this time");
+    }
 }
 
 /** The icebergs of the interventions must fit to the scenario as those in it do. */
@@ -244,6 +268,7 @@ RunFile readRun(ObjectReader& run)
         return file;
     file.interventions = readInterventions(run, file.flownUntil_s);
     checkAppearing(file, run.faults());
+    checkSeen(file, run.faults());
     if (!run.faults().empty())
         return file;
     const RunContext context = contextOf(file);

@@ -153,6 +153,7 @@ void Mission::intervene(Intervention intervention)
     if (intervention.appears)
         after.icebergs.push_back(*intervention.appears);
     checked(after);
+    const int seen = intervention.seen ? appearedIceberg(*intervention.seen) : -1;
     // A plan still due is made before the change, as a replay does: it comes to this instant by
     // `advance`, which leaves no plan due.
     if (m_simulation.planReason() != PlanReason::None && !m_simulation.finished())
@@ -169,8 +170,21 @@ void Mission::intervene(Intervention intervention)
         m_simulation.addIceberg(*intervention.appears);
         note(EventKind::Appeared, m_simulation.icebergCount() - 1, {});
     }
+    if (seen >= 0) {
+        m_simulation.reportSighting(seen);
+        note(EventKind::Sighted, seen, kReported);
+    }
     m_interventions.push_back(std::move(intervention));
     m_plansBefore.push_back(m_plans.size());
+}
+
+int Mission::appearedIceberg(const std::string& id) const
+{
+    for (int i = 0; i < m_simulation.icebergCount(); ++i)
+        if (m_icebergs[static_cast<std::size_t>(i)].id == id && m_simulation.active(i))
+            return i;
+    throw Error(ErrorCode::InvalidInput, m_scenario.name,
+                {{Severity::Error, "seen", "no iceberg \"" + id + "\" is there at this time"}});
 }
 
 Metrics Mission::metrics() const

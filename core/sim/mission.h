@@ -29,7 +29,8 @@ struct Intervention
     double time_s = 0;
     std::optional<double> tau;
     std::optional<PolicyKind> policy;
-    std::optional<Iceberg> appears; ///< a new iceberg, here and now
+    std::optional<Iceberg> appears;  ///< a new iceberg, here and now
+    std::optional<std::string> seen; ///< id of one that somebody else sees now
     bool operator==(const Intervention&) const = default;
 };
 
@@ -106,6 +107,8 @@ private:
     void tellIncumbent(const SolveProgress& progress);
     void note(EventKind kind, int iceberg, std::string detail);
     void noteStep();
+    /** Index; throws `Error{InvalidInput}` when there is none of that id now. */
+    [[nodiscard]] int appearedIceberg(const std::string& id) const;
 
     Scenario m_scenario;
     MissionOptions m_options;

@@ -76,8 +76,7 @@ private:
         for (;;) {
             if (m_intervention < changes.size() && isNow(changes[m_intervention].time_s) &&
                 m_mission.plansBefore(m_intervention) <= m_plan) {
-                if (const auto& appears = changes[m_intervention].appears)
-                    m_world.addIceberg(*appears);
+                apply(changes[m_intervention]);
                 ++m_intervention;
             } else if (m_plan < plans.size() && isNow(plans[m_plan].time_s)) {
                 m_world.setTarget(plans[m_plan].target);
@@ -86,6 +85,19 @@ private:
                 return;
             }
         }
+    }
+
+    void apply(const Intervention& change)
+    {
+        if (change.appears)
+            m_world.addIceberg(*change.appears);
+        if (!change.seen)
+            return;
+        const std::vector<Iceberg>& icebergs = m_mission.icebergs();
+        const auto seen =
+            std::find_if(icebergs.begin(), icebergs.end(),
+                         [&change](const Iceberg& iceberg) { return iceberg.id == *change.seen; });
+        m_world.reportSighting(static_cast<int>(seen - icebergs.begin()));
     }
 
     const Mission& m_mission;

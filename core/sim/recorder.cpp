@@ -35,21 +35,20 @@ void Recorder::record(const Simulation& simulation)
                          .zeta_m2s = state.zeta_m2s,
                          .flown_m = state.flown_m,
                          .target = state.target});
-    m_rowStart.push_back(m_icebergs.size());
+    std::vector<IcebergSample>& row = m_rows.emplace_back();
+    row.reserve(static_cast<std::size_t>(simulation.icebergCount()));
     for (int i = 0; i < simulation.icebergCount(); ++i) {
         const Track& track = simulation.track(i);
-        m_icebergs.push_back({.sigma_m2 = track.sigma_m2,
-                              .truth_m = simulation.truth_m(i),
-                              .inView = track.inView,
-                              .active = simulation.active(i)});
+        row.push_back({.sigma_m2 = track.sigma_m2,
+                       .inView = track.inView,
+                       .active = simulation.active(i),
+                       .truth_m = simulation.truth_m(i)});
     }
 }
 
 std::span<const IcebergSample> Recorder::icebergs(std::size_t row) const
 {
-    const std::size_t begin = m_rowStart.at(row);
-    const std::size_t end = row + 1 < m_rowStart.size() ? m_rowStart[row + 1] : m_icebergs.size();
-    return {m_icebergs.data() + begin, end - begin};
+    return m_rows.at(row);
 }
 
 } // namespace berg

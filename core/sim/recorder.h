@@ -36,6 +36,9 @@ enum class EventKind
     Intervention
 };
 
+/** Detail of a sighting that was not the UAV's own. */
+inline constexpr const char* kReported = "reported";
+
 /** One line of the event log. */
 struct MissionEvent
 {
@@ -62,9 +65,9 @@ struct Sample
 struct IcebergSample
 {
     double sigma_m2 = 0;
-    Point truth_m = Point::Zero();
     bool inView = false;
     bool active = true; ///< false until it appears
+    Point truth_m = Point::Zero();
 };
 
 /**
@@ -91,8 +94,7 @@ private:
     std::int64_t m_sampleSteps;
     std::int64_t m_keyframeSteps;
     std::vector<Sample> m_samples;
-    std::vector<IcebergSample> m_icebergs;
-    std::vector<std::size_t> m_rowStart;
+    std::vector<std::vector<IcebergSample>> m_rows; ///< no large block to copy when it grows
     std::vector<Simulation> m_keyframes;
 };
 

@@ -72,6 +72,16 @@ void Simulation::addIceberg(const Iceberg& iceberg)
     m_planReason = PlanReason::Appeared;
 }
 
+void Simulation::reportSighting(int iceberg)
+{
+    require(active(iceberg), "reportSighting: the iceberg has not appeared");
+    Track& track = m_state.tracks[index(iceberg)];
+    const bool inView = track.inView;
+    track.seen(truth_m(iceberg), time_s());
+    track.inView = inView;
+    m_planReason = PlanReason::Intervention;
+}
+
 bool Simulation::active(int iceberg) const
 {
     return m_appearsStep[index(iceberg)] <= m_state.step;

@@ -93,6 +93,12 @@ public:
     /** Something changed from outside (tau, policy): a new plan is needed now. */
     void requestPlan() { m_planReason = PlanReason::Intervention; }
 
+    /**
+     * An iceberg that has appeared is reported by somebody else: its position is known now as if it
+     * were in view, and a new plan is needed.
+     */
+    void reportSighting(int iceberg);
+
     /** Adds an iceberg that appears now; its index is the new last one. */
     void addIceberg(const Iceberg& iceberg);
 

@@ -234,6 +234,39 @@ private slots:
                 QCOMPARE(plan.mu, 0.0);
     }
 
+    /** As if it were in view for this instant, and planned anew without the need to go there. */
+    void reportedSightingIsBelieved()
+    {
+        const Scenario scenario = randomScenario(3, {.icebergs = 6});
+        Mission mission(scenario);
+        mission.advance(50);
+        const int target = mission.plans().back().target;
+        const std::size_t plans = mission.plans().size();
+        const std::string id = scenario.icebergs[static_cast<std::size_t>(target)].id;
+        QVERIFY(mission.simulation().track(target).sigma_m2 > 0);
+        mission.intervene({.seen = id});
+        QCOMPARE(mission.simulation().track(target).sigma_m2, 0.0);
+        QVERIFY(!mission.simulation().track(target).inView);
+        QVERIFY(mission.simulation().estimate_m(target) == mission.simulation().truth_m(target));
+        QVERIFY(mission.events().back().kind == EventKind::Sighted);
+        QCOMPARE(mission.events().back().detail, std::string(kReported));
+        mission.advance(50.1);
+        QCOMPARE(mission.plans().size(), plans + 1);
+        QVERIFY(mission.plans().back().target != target); // it is of no interest any more
+    }
+
+    void unknownSightingIsRefused()
+    {
+        Scenario scenario = randomScenario(3, {.icebergs = 6});
+        scenario.icebergs[2].appears_s = 500;
+        Mission mission(scenario);
+        mission.advance(50);
+        for (const std::string& id :
+             {std::string("nobody"), std::string(), scenario.icebergs[2].id})
+            QVERIFY_EXCEPTION_THROWN(mission.intervene({.seen = id}), Error);
+        QVERIFY(mission.interventions().empty());
+    }
+
     /** An intervention while a plan is due must leave the same trace as in a replay. */
     void interventionsBeforeAPlanRepeat()
     {

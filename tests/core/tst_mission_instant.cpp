@@ -24,6 +24,7 @@ std::vector<Change> changes()
     return {{.time_s = 0, .intervention = {.tau = 2.0}},
             {.time_s = 123.4, .intervention = {.appears = added}},
             {.time_s = 123.4, .intervention = {.tau = 0.25}},
+            {.time_s = 210, .intervention = {.seen = "added"}},
             {.time_s = 300, .intervention = {.policy = PolicyKind::Nearest}}};
 }
 

@@ -81,6 +81,34 @@ private slots:
         QCOMPARE(runToJson(read), text);
     }
 
+    void reportedSightingsReplay()
+    {
+        Mission mission(randomScenario(5));
+        mission.advance(80);
+        mission.intervene({.seen = mission.icebergs()[4].id});
+        mission.advance(200);
+        const RunFile run = runFromJson(runToJson(runOf(mission)), "text");
+        QCOMPARE(run.interventions.size(), std::size_t{1});
+        QCOMPARE(*run.interventions[0].seen, mission.icebergs()[4].id);
+        QVERIFY(compareRun(run, runOf(replay(run))).empty());
+    }
+
+    void sightingOfNobodyIsAFault()
+    {
+        Mission mission(randomScenario(5));
+        mission.advance(80);
+        mission.intervene({.seen = mission.icebergs()[4].id});
+        RunFile run = runOf(mission);
+        run.interventions[0].seen = "nobody";
+        try {
+            static_cast<void>(runFromJson(runToJson(run), "text"));
+            QFAIL("read");
+        } catch (const Error& error) {
+            QCOMPARE(error.issues().size(), std::size_t{1});
+            QCOMPARE(error.issues()[0].field, std::string("interventions[0].seen"));
+        }
+    }
+
     void optionsRoundTrip()
     {
         RunFile run = recorded();
