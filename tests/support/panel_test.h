@@ -7,11 +7,10 @@
 
 namespace berg::test {
 
-/** A warning of Qt fails the test, except the known one of the offscreen platform. */
+/** A warning of Qt fails the test, except those about what the offscreen platform lacks. */
 inline void failOnWarnings()
 {
-    QTest::failOnWarning(
-        QRegularExpression(QStringLiteral("^(?!This plugin does not support propagateSizeHints)")));
+    QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
 }
 
 /** The child of that object name and type; a missing one ends the program with its name. */
@@ -24,11 +23,14 @@ Widget& child(const QWidget& parent, const QString& name)
     return *found;
 }
 
-/** Makes every text 30 % longer, as translations may be. */
+/** Makes every text longer, as translations may be. */
 class LongerTexts final : public QTranslator
 {
 public:
-    LongerTexts() { QCoreApplication::installTranslator(this); }
+    explicit LongerTexts(int percent = 30) : m_percent(percent)
+    {
+        QCoreApplication::installTranslator(this);
+    }
     ~LongerTexts() override { QCoreApplication::removeTranslator(this); }
     LongerTexts(const LongerTexts&) = delete;
     LongerTexts& operator=(const LongerTexts&) = delete;
@@ -39,8 +41,11 @@ public:
     {
         QString text = QString::fromUtf8(source);
         text.replace(QStringLiteral("%n"), QString::number(count));
-        return text + QString(1 + text.size() * 3 / 10, u'~');
+        return text + QString(1 + text.size() * m_percent / 100, u'~');
     }
+
+private:
+    int m_percent;
 };
 
 /** Types over what an input holds and presses Return. */

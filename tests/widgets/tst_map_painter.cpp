@@ -188,6 +188,40 @@ private slots:
         QVERIFY(hasColourNear(image, layout.view.toPixel(picture.uav->position_m), 12, theme.uav));
     }
 
+    /** Another run's track: seen, in the legend, taken into account, below the flown one. */
+    void comparisonTrackIsDrawn()
+    {
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = kLocale};
+        const QSize size(1280, 800);
+        MapPicture picture = test::randomPicture(0);
+        picture.icebergs = {{.id = u"B01"_s, .position_m = {4000, 3000}, .sigma_m2 = 18}};
+        const MapLayout before = layoutOf(picture, size);
+        picture.comparisonName = u"Tour"_s;
+        QCOMPARE(layoutOf(picture, size).legend, before.legend); // a name alone is no track
+        for (int k = 0; k <= 100; ++k)
+            picture.comparisonTrack.push_back(
+                {.position_m = {500.0 + 60.0 * k, 600}, .time_s = 1.0 * k});
+        const MapLayout layout = layoutOf(picture, size);
+        QVERIFY(layout.legend.height() > before.legend.height());
+        const QRectF inside = layout.rect;
+        QVERIFY(inside.contains(layout.view.toPixel(picture.comparisonTrack.back().position_m)));
+        const QImage image = mapImage(picture, style, size, 1);
+        const QPointF at = layout.view.toPixel({5300, 600});
+        QVERIFY(hasColourNear(image, at, 90, theme.comparison)); // an arrow head is near
+        QVERIFY(hasColourNear(image, layout.legend.center(), 130, theme.comparison));
+        // A track over all of it hides all but the arrow heads.
+        picture.track = picture.comparisonTrack;
+        const QImage both = mapImage(picture, style, size, 1);
+        const MapViewTransform view = layoutOf(picture, size).view;
+        int red = 0;
+        for (int east_m = 600; east_m < 6400; east_m += 20) {
+            const QColor colour = both.pixelColor(view.toPixel({1.0 * east_m, 600}).toPoint());
+            red += colour.red() - colour.blue() > 60 ? 1 : 0;
+        }
+        QVERIFY2(red < 90, QByteArray::number(red).constData()); // of 290
+    }
+
     void seenIcebergHasNoRing()
     {
         const SymbolScale scale;

@@ -63,10 +63,11 @@ private slots:
             mission.advance(scenario.duration_s);
             QVERIFY(record.now.metrics == mission.metrics());
             QVERIFY(record.now.world == mission.simulation().state());
-            QCOMPARE(record.samples.size(), mission.recorder().samples().size());
-            QCOMPARE(record.rows.size(), record.samples.size());
-            for (std::size_t i = 0; i < record.samples.size(); ++i)
-                QCOMPARE(record.samples[i].zeta_m2s, mission.recorder().samples()[i].zeta_m2s);
+            QCOMPARE(record.history.samples.size(), mission.recorder().samples().size());
+            QCOMPARE(record.history.rows.size(), record.history.samples.size());
+            for (std::size_t i = 0; i < record.history.samples.size(); ++i)
+                QCOMPARE(record.history.samples[i].zeta_m2s,
+                         mission.recorder().samples()[i].zeta_m2s);
         }
     }
 
@@ -114,7 +115,7 @@ private slots:
         runner.restart();
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
         QCOMPARE(record.now.time_s, 0.0);
-        QCOMPARE(record.samples.size(), 1U);
+        QCOMPARE(record.history.samples.size(), 1U);
     }
 
     /** A flight with interventions is saved as a run that replays bit for bit. */
@@ -137,8 +138,9 @@ private slots:
         QCOMPARE(record.now.planner.tau, 3.0);
 
         std::shared_ptr<const RunFile> run;
-        connect(&runner, &MissionRunner::runReady, this,
-                [&run](const std::shared_ptr<const RunFile>& ready) { run = ready; });
+        connect(
+            &runner, &MissionRunner::runReady, this,
+            [&run](const QString&, const std::shared_ptr<const RunFile>& ready) { run = ready; });
         runner.requestRun();
         QTRY_VERIFY_WITH_TIMEOUT(run != nullptr, kPatience_ms);
         const RunFile read = runFromJson(runToJson(*run), "run");

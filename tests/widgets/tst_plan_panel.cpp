@@ -42,9 +42,12 @@ MissionSnapshot twoIcebergs(const Scenario& scenario)
     MissionSnapshot now;
     now.time_s = 100;
     now.icebergs = scenario.icebergs;
-    now.world.tracks = {
-        {.anchor_m = Point(300, 400), .sigma_m2 = 2.5},
-        {.anchor_m = Point(250, 900), .anchor_s = 50, .velocity_mps = Point(1, 2), .sigma_m2 = 7}};
+    now.world.tracks = {{.anchor_m = Point(300, 400), .sigma_m2 = 2.5, .q_m2ps = 0.02},
+                        {.anchor_m = Point(250, 900),
+                         .anchor_s = 50,
+                         .velocity_mps = Point(1, 2),
+                         .sigma_m2 = 7,
+                         .q_m2ps = 0.1}};
     now.plan = PlanEvent{.order = {0, 1}};
     return now;
 }
@@ -117,6 +120,22 @@ private slots:
         COMPARE_NEAR(rows[1].arrival_s, 55.0, 1e-9);
         QCOMPARE(rows[0].sigma_m2, 2.5);
         QCOMPARE(rows[1].sigma_m2, 7.0);
+        // Eq. (22): grown by q for 25 and 55 s.
+        COMPARE_NEAR(rows[0].arrivalSigma_m2, 2.5 + 0.02 * 25, 1e-9);
+        COMPARE_NEAR(rows[1].arrivalSigma_m2, 7 + 0.1 * 55, 1e-9);
+    }
+
+    void changeIsThatOfThePlanShown()
+    {
+        FlightRecord record;
+        QVERIFY(!planChange_m(record));
+        record.history.plans = {{.distance_m = 9000}, {.distance_m = 10200}, {.distance_m = 8000}};
+        record.now.planCount = 3;
+        QCOMPARE(planChange_m(record).value(), -2200.0);
+        record.instant = MissionSnapshot{.planCount = 2};
+        QCOMPARE(planChange_m(record).value(), 1200.0);
+        record.instant->planCount = 1;
+        QVERIFY(!planChange_m(record));
     }
 
     void windChangesTimesNotLegs()
@@ -147,7 +166,9 @@ private slots:
                            .name = u"Tabular"_s,
                            .leg_m = 1852,
                            .arrival_s = 86,
-                           .sigma_m2 = 8.1}});
+                           .sigma_m2 = 8.1,
+                           .arrivalSigma_m2 = 10.25}});
+        QCOMPARE(f.cell(0, PlanModel::ArrivalSigma), u"10.3"_s);
         QCOMPARE(f.cell(0, PlanModel::Number), u"1"_s);
         QCOMPARE(f.cell(0, PlanModel::Name), u"Tabular"_s);
         QCOMPARE(f.cell(0, PlanModel::Leg), u"1.85 km"_s);
@@ -156,6 +177,50 @@ private slots:
         QVERIFY(f.model.headerData(PlanModel::Sigma, Qt::Horizontal).toString().contains(u"m²"_s));
         const QString toolTip = f.model.index(0, PlanModel::Sigma).data(Qt::ToolTipRole).toString();
         QVERIFY2(toolTip.contains(u"2.85 m"_s), qPrintable(toolTip)); // root of 8.1
+        QVERIFY2(toolTip.contains(u"10.3 m²"_s), qPrintable(toolTip));
+    }
+
+    void summaryTellsLengthEndAndChange()
+    {
+        Fixture f;
+        f.panel.resize(600, 240);
+        const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
+        QVERIFY(summary.text().isEmpty());
+        f.panel.showPlan(rowsOf({"a", "b", "c"})); // 1 km each, the last in 3 min
+        QCOMPARE(summary.text(), u"3.00 km, flown in 03:00"_s);
+        f.panel.showChange(1234);
+        QCOMPARE(summary.text(), u"3.00 km, flown in 03:00; +1.2 km against the plan before"_s);
+        f.panel.showChange(-850);
+        QCOMPARE(summary.text(), u"3.00 km, flown in 03:00; −850 m against the plan before"_s);
+        f.panel.showChange(-4); // as good as the same
+        QCOMPARE(summary.text(), u"3.00 km, flown in 03:00"_s);
+        f.panel.showPlan({});
+        QVERIFY(summary.text().isEmpty());
+    }
+
+    void longSummaryIsInTheToolTip()
+    {
+        Fixture f;
+        f.panel.resize(150, 240);
+        f.panel.showPlan(rowsOf({"a"}));
+        f.panel.showChange(1234);
+        const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
+        QVERIFY(summary.text().endsWith(u'…'));
+        QVERIFY(summary.toolTip().endsWith(u"plan before"_s));
+        QCOMPARE(f.panel.width(), 150);
+    }
+
+    void furtherColumnNeedsRoom()
+    {
+        Fixture f;
+        f.panel.showPlan(rowsOf({"a"}));
+        f.panel.resize(500, 240);
+        QVERIFY(!f.table.isColumnHidden(PlanModel::ArrivalSigma));
+        QVERIFY(f.table.columnWidth(PlanModel::ArrivalSigma) > 0);
+        f.panel.resize(240, 240);
+        QVERIFY(f.table.isColumnHidden(PlanModel::ArrivalSigma));
+        f.panel.resize(500, 240);
+        QVERIFY(!f.table.isColumnHidden(PlanModel::ArrivalSigma));
     }
 
     void onlyChangedRowsAreRedrawn()

@@ -1,10 +1,11 @@
 #include "tests/support/panel_test.h"
 #include "widgets/panels/playback_bar.h"
+#include "widgets/panels/run_time_line.h"
 #include "widgets/theme/icons.h"
 
 #include <QComboBox>
 #include <QLabel>
-#include <QProgressBar>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -26,6 +27,7 @@ struct Fixture
     QSignalSpy paused{&bar, &PlaybackBar::pauseRequested};
     QSignalSpy stepped{&bar, &PlaybackBar::stepRequested};
     QSignalSpy wasReset{&bar, &PlaybackBar::resetRequested};
+    QSignalSpy timeEdited{&bar, &PlaybackBar::timeEdited};
     QSignalSpy rateEdited{&bar, &PlaybackBar::rateEdited};
 
     Fixture()
@@ -122,7 +124,8 @@ private slots:
         QTest::addColumn<double>("chosen");
         QTest::newRow("on offer") << 20.0 << 20.0;
         QTest::newRow("between") << 40.0 << 50.0;
-        QTest::newRow("beyond") << 1e6 << 100.0;
+        QTest::newRow("beyond") << 1e6 << 1000.0;
+        QTest::newRow("slow motion") << 0.11 << 0.1;
         QTest::newRow("as fast as possible") << 0.0 << 0.0;
     }
 
@@ -138,23 +141,63 @@ private slots:
     void timeAndProgress()
     {
         Fixture f;
-        const auto& time = test::child<QLabel>(f.bar, u"runTime"_s);
-        const auto& progress = test::child<QProgressBar>(f.bar, u"runProgress"_s);
+        const auto& time = test::child<QLineEdit>(f.bar, u"timeField"_s);
+        const auto& length = test::child<QLabel>(f.bar, u"runLength"_s);
+        const auto& line = test::child<RunTimeLine>(f.bar, u"timeLine"_s);
         f.bar.showState(RunPhase::Flying, 201, 1000);
-        QCOMPARE(time.text(), u"03:21 / 16:40"_s);
-        QCOMPARE(progress.value(), progress.maximum() * 201 / 1000);
-        f.bar.showState(RunPhase::Flying, 3725, 7200);
-        QCOMPARE(time.text(), u"1:02:05 / 2:00:00"_s);
+        QCOMPARE(time.text(), u"03:21"_s);
+        QCOMPARE(length.text(), u"/ 16:40"_s);
+        QCOMPARE(line.value(), 201'000);
+        QCOMPARE(line.maximum(), 201'000);
+        f.bar.showState(RunPhase::Paused, 3725, 7200, 6000);
+        QCOMPARE(time.text(), u"1:02:05"_s);
+        QCOMPARE(length.text(), u"/ 2:00:00"_s);
+        QCOMPARE(line.value(), 3'725'000);
+        QCOMPARE(line.maximum(), 6'000'000);
         f.bar.showState(RunPhase::Ready, 0, 0);
-        QCOMPARE(progress.value(), 0);
+        QCOMPARE(line.value(), 0);
     }
 
-    void barFitsTheDock()
+    void typedTimeIsToldOnce()
+    {
+        Fixture f;
+        f.bar.showState(RunPhase::Paused, 201, 1000, 500);
+        auto& time = test::child<QLineEdit>(f.bar, u"timeField"_s);
+        f.bar.editTime();
+        QTest::keyClicks(&time, u"2:05"_s);
+        f.bar.showState(RunPhase::Paused, 202, 1000, 500);
+        QCOMPARE(time.text(), u"2:05"_s); // typing is not disturbed
+        QTest::keyClick(&time, Qt::Key_Return);
+        QCOMPARE(f.timeEdited.count(), 1);
+        QCOMPARE(f.timeEdited.front().front().toDouble(), 125.0);
+        f.bar.editTime();
+        QTest::keyClicks(&time, u"soon"_s);
+        QTest::keyClick(&time, Qt::Key_Return);
+        QCOMPARE(f.timeEdited.count(), 1);
+        QCOMPARE(time.text(), u"03:22"_s); // what is shown again
+    }
+
+    void ratesStepAndStopAtTheEnds()
+    {
+        Fixture f;
+        f.bar.setRate(500);
+        f.bar.stepRate(+1);
+        QCOMPARE(f.bar.rate(), 1000.0);
+        f.bar.stepRate(+5);
+        QCOMPARE(f.bar.rate(), 0.0);
+        f.bar.setRate(0.1);
+        f.bar.stepRate(-1);
+        QCOMPARE(f.bar.rate(), 0.1);
+    }
+
+    void barLeavesTheMapNarrow()
     {
         const test::LongerTexts longer;
         Fixture f;
         f.bar.showState(RunPhase::Flying, 201, 1000);
-        QVERIFY(f.bar.minimumSizeHint().width() <= test::kDock_px);
+        constexpr int kNarrowMap_px = 340; // below that the map itself is of no use
+        QVERIFY2(f.bar.minimumSizeHint().width() <= kNarrowMap_px,
+                 QByteArray::number(f.bar.minimumSizeHint().width()).constData());
     }
 
     void iconsAreReadable_data() { addThemes(); }

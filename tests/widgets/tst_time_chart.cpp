@@ -3,7 +3,10 @@
 #include "widgets/charts/chart_labels.h"
 #include "widgets/charts/nice_ticks.h"
 #include "widgets/charts/time_chart.h"
+#include "widgets/theme/quantity_text.h"
 
+#include <QMouseEvent>
+#include <QWheelEvent>
 #include <QtTest>
 
 #include <cmath>
@@ -56,6 +59,21 @@ bool hasColour(const QImage& image, const QColor& colour)
             if (image.pixelColor(x, y).rgb() == colour.rgb())
                 return true;
     return false;
+}
+
+void moveMouse(const TimeChart& chart, const QPoint& to, Qt::MouseButton held)
+{
+    QMouseEvent event(QEvent::MouseMove, QPointF(to), QPointF(chart.mapToGlobal(to)), Qt::NoButton,
+                      held == Qt::NoButton ? Qt::MouseButtons() : Qt::MouseButtons(held),
+                      Qt::NoModifier);
+    QCoreApplication::sendEvent(chart.viewport(), &event);
+}
+
+void turnWheel(const TimeChart& chart, const QPointF& at, int notches)
+{
+    QWheelEvent event(at, chart.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(chart.viewport(), &event);
 }
 
 } // namespace
@@ -183,6 +201,247 @@ private slots:
         content.emptyText = u"Nothing flown yet"_s;
         const QImage with = chartImage(content, theme, {800, 400}, 1);
         QVERIFY(with != without);
+    }
+
+    void negativeValuesAreShown()
+    {
+        TimeChartContent content;
+        TimeLine line{.label = u"Turn rate"_s, .points = {}, .role = LineRole::Signed};
+        for (int t = 0; t <= 1000; ++t)
+            line.points.emplace_back(t, 12 * std::sin(0.02 * t));
+        content.lines = {line};
+        content.references = {{.value = 12, .label = u"Limit"_s}, {.value = -12, .label = {}}};
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        chart.setContent(content);
+        const ChartFrame& frame = chart.frame();
+        QVERIFY(frame.left.front().text.startsWith(QLocale().negativeSign()));
+        QVERIFY(std::any_of(frame.left.begin(), frame.left.end(),
+                            [](const ChartTick& tick) { return tick.text == u"0"_s; }));
+        QVERIFY(frame.references[0].at_px < frame.references[1].at_px);
+        for (const ChartReference& reference : frame.references)
+            QVERIFY(frame.plot.top() <= reference.at_px && reference.at_px <= frame.plot.bottom());
+        QVERIFY(hasColour(chart.grab().toImage(), Theme::light().momentary));
+    }
+
+    void wheelZoomsAtThePointer()
+    {
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        chart.setContent(zetaAndSum());
+        const QSignalSpy changed(&chart, &TimeChart::windowChanged);
+        const QRectF plot = chart.frame().plot;
+        const QPointF pointer(plot.left() + 0.25 * plot.width(), plot.center().y());
+        turnWheel(chart, pointer, 3);
+        QCOMPARE(changed.count(), 1);
+        QVERIFY(chart.isZoomed());
+        COMPARE_NEAR(chart.window().length_s(), 1000 / std::pow(1.25, 3), 1e-6);
+        // 250 s is still at the pointer; the plot may have moved as numbers got narrower.
+        COMPARE_NEAR((250 - chart.window().from_s) / chart.window().length_s(), 0.25, 1e-6);
+        // Only what is in view is drawn, up to its edges.
+        for (const QList<QPointF>& points : chart.drawnPoints()) {
+            COMPARE_NEAR(points.front().x(), chart.window().from_s, 1e-9);
+            COMPARE_NEAR(points.back().x(), chart.window().to_s, 1e-9);
+        }
+        turnWheel(chart, pointer, -9);
+        QVERIFY(!chart.isZoomed());
+    }
+
+    void dragWithTheRightButtonPans_data()
+    {
+        QTest::addColumn<int>("button");
+        QTest::addColumn<int>("modifier");
+        QTest::newRow("right") << int(Qt::RightButton) << int(Qt::NoModifier);
+        QTest::newRow("middle") << int(Qt::MiddleButton) << int(Qt::NoModifier);
+        QTest::newRow("left with Shift") << int(Qt::LeftButton) << int(Qt::ShiftModifier);
+    }
+
+    void dragWithTheRightButtonPans()
+    {
+        QFETCH(int, button);
+        QFETCH(int, modifier);
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        chart.setContent(zetaAndSum());
+        chart.setWindow({.from_s = 400, .to_s = 600});
+        const QSignalSpy picked(&chart, &TimeChart::timePicked);
+        const QPoint from = chart.frame().plot.center().toPoint();
+        const QPoint to = from - QPoint(static_cast<int>(chart.frame().plot.width() / 4), 0);
+        const auto which = static_cast<Qt::MouseButton>(button);
+        const auto keys = Qt::KeyboardModifiers(modifier);
+        QTest::mousePress(chart.viewport(), which, keys, from);
+        moveMouse(chart, to, which);
+        QTest::mouseRelease(chart.viewport(), which, keys, to);
+        COMPARE_NEAR(chart.window().from_s, 450, 1); // a pixel is 0.4 s
+        COMPARE_NEAR(chart.window().length_s(), 200, 1e-9);
+        moveMouse(chart, from, Qt::NoButton); // let go
+        COMPARE_NEAR(chart.window().from_s, 450, 1);
+        QCOMPARE(picked.count(), 0);
+        QTest::mouseDClick(chart.viewport(), Qt::LeftButton, {}, from);
+        QVERIFY(!chart.isZoomed());
+    }
+
+    void keysZoomAndPan()
+    {
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        chart.setContent(zetaAndSum());
+        QTest::keyClick(&chart, Qt::Key_Plus);
+        COMPARE_NEAR(chart.window().length_s(), 800, 1e-9);
+        QTest::keyClick(&chart, Qt::Key_Left);
+        COMPARE_NEAR(chart.window().from_s, 20, 1e-9); // 100 less a tenth of 800
+        QTest::keyClick(&chart, Qt::Key_End);
+        QVERIFY(chart.isFollowing());
+        COMPARE_NEAR(chart.window().from_s, 200, 1e-9);
+        QTest::keyClick(&chart, Qt::Key_Home);
+        QVERIFY(!chart.isZoomed() && !chart.isFollowing());
+    }
+
+    void pressedPlotPicksTheTimeInView()
+    {
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        chart.setContent(zetaAndSum());
+        chart.setWindow({.from_s = 400, .to_s = 600});
+        const QSignalSpy picked(&chart, &TimeChart::timePicked);
+        QTest::mouseClick(chart.viewport(), Qt::LeftButton, {},
+                          chart.frame().plot.center().toPoint());
+        QCOMPARE(picked.count(), 1);
+        COMPARE_NEAR(picked[0][0].toDouble(), 500, 1);
+    }
+
+    void shorterMissionIsShownWhole()
+    {
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        TimeChartContent content = zetaAndSum();
+        chart.setContent(content);
+        chart.setWindow({.from_s = 400, .to_s = 600});
+        content.duration_s = 100; // another one, from its start
+        chart.setContent(content);
+        QVERIFY(!chart.isZoomed());
+    }
+
+    void valuesAreReadAtThePointer()
+    {
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        TimeChartContent content = zetaAndSum();
+        content.lines[0].name = u"Zeta"_s;
+        content.lines[0].unit = u"m² s"_s;
+        chart.setContent(content);
+        QVERIFY(chart.readout().flags.empty());
+        const QRectF plot = chart.frame().plot;
+        const auto at = [&plot](double time_s) {
+            return QPointF(plot.left() + plot.width() * time_s / 1000, plot.center().y()).toPoint();
+        };
+        const QImage before = chart.grab().toImage();
+        for (const double time_s : {20.0, 500.0, 980.0}) {
+            moveMouse(chart, at(time_s), Qt::NoButton);
+            const ChartReadout readout = chart.readout();
+            QCOMPARE(readout.flags.size(), std::size_t{2});
+            QVERIFY(readout.hover_px.has_value());
+            for (const ReadoutFlag& flag : readout.flags) {
+                QVERIFY(QRectF(chart.rect()).contains(flag.rect));
+                COMPARE_NEAR(flag.at.x(), *readout.hover_px, 1e-6);
+            }
+            QVERIFY(!readout.flags[0].rect.intersects(readout.flags[1].rect));
+        }
+        moveMouse(chart, at(500), Qt::NoButton);
+        const ChartReadout middle = chart.readout();
+        COMPARE_NEAR(clockValue(middle.time).value_or(0), 500, 2); // a pixel is 2 s
+        const auto zeta =
+            std::find_if(middle.flags.begin(), middle.flags.end(),
+                         [](const ReadoutFlag& flag) { return flag.text.startsWith(u"Zeta"_s); });
+        QVERIFY(zeta != middle.flags.end());
+        QString digits = zeta->text; // thousands are parted by narrow spaces
+        digits.remove(QChar(0x202f));
+        const double value = digits.section(u' ', 1, 1).toDouble();
+        COMPARE_NEAR(value, 41000, 200); // a pixel is 2 s, 164 m^2 s
+        QVERIFY(zeta->text.endsWith(u"m² s"_s));
+        QVERIFY(chart.grab().toImage() != before);
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(chart.viewport(), &leave);
+        QVERIFY(chart.readout().flags.empty());
+        QCOMPARE(chart.grab().toImage(), before);
+    }
+
+    void valuesAreReadAtTheCursor()
+    {
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        TimeChartContent content = sawTeeth(12);
+        content.cursor_s = 400;
+        chart.setContent(content);
+        const ChartReadout readout = chart.readout();
+        QVERIFY(!readout.hover_px.has_value());
+        QCOMPARE(readout.time, u"06:40"_s);
+        QVERIFY(!readout.flags.empty());
+        QVERIFY(readout.flags[0].rect.left() > *chart.frame().cursor_px);
+        chart.setWindow({.from_s = 500, .to_s = 700}); // no longer in view
+        QVERIFY(chart.readout().flags.empty());
+    }
+
+    void emphasisedLineIsNamedFirst()
+    {
+        TimeChart chart(Theme::light());
+        chart.resize(500, 130); // room for few names
+        chart.show();
+        TimeChartContent content = sawTeeth(30);
+        for (TimeLine& line : content.lines)
+            line.emphasis = LineEmphasis::Faint;
+        content.lines[17].emphasis = LineEmphasis::Strong;
+        chart.setContent(content);
+        const std::vector<ChartLabel>& labels = chart.frame().labels;
+        QVERIFY(labels.size() < 30);
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const ChartLabel& label) {
+            return label.strong && label.text == u"B18"_s;
+        }));
+    }
+
+    void hiddenLinesLeaveNothingBehind()
+    {
+        TimeChart chart(Theme::light());
+        chart.resize(600, 300);
+        chart.show();
+        TimeChartContent content = zetaAndSum();
+        content.lines[0].hidden = true;
+        chart.setContent(content);
+        QVERIFY(chart.drawnPoints()[0].isEmpty());
+        QVERIFY(chart.frame().rightTitle.isEmpty());
+        QCOMPARE(chart.labelRects().size(), std::size_t{1});
+    }
+
+    void ticksAroundZero_data()
+    {
+        QTest::addColumn<double>("lowest");
+        QTest::addColumn<double>("highest");
+        QTest::addColumn<int>("most");
+        QTest::newRow("turn rate") << -11.9 << 11.9 << 4;
+        QTest::newRow("little room") << -11.9 << 11.9 << 1;
+        QTest::newRow("mostly above") << -3.0 << 950.0 << 5;
+        QTest::newRow("below only") << -72.0 << 0.0 << 3;
+        QTest::newRow("above only") << 0.0 << 72.0 << 3;
+    }
+
+    void ticksAroundZero()
+    {
+        QFETCH(double, lowest);
+        QFETCH(double, highest);
+        QFETCH(int, most);
+        const NiceTicks ticks = niceTicksAround(lowest, highest, most);
+        QVERIFY(ticks.start() <= lowest + 1e-9 && ticks.end() >= highest - 1e-9);
+        QVERIFY(ticks.below + ticks.count >= 1);
+        QVERIFY(ticks.below + ticks.count <= std::max(2, most));
+        QVERIFY(ticks.step <= 2.5 * std::max(-lowest, highest)); // no empty axis
     }
 
     void ticksAreRoundAndCover_data()

@@ -31,12 +31,41 @@ struct Message
 const QString kTranslations = QStringLiteral(BERG_SOURCE_DIR "/translations");
 
 /** Texts that are the same in both languages: symbols of units, names of quantities. */
-const std::set<QString> kSame = {
-    u"%1 m"_s,    u"%1 km"_s,        u"%1 m²"_s,        u"%1 min"_s,    u"%1 s"_s,
-    u"%1 nmi"_s,  u"%1 N"_s,         u"%1 S"_s,         u"N"_s,         u"Zeta ζ"_s,
-    u"σ, m²"_s,   u"Zeta ζ, m² s"_s, u"Zeta %1 m² s"_s, u"Bergwatch"_s, u"COIN-OR CBC"_s,
-    u"UAV"_s,     u"Esc"_s,          u"Id"_s,           u"%1 ms"_s,     u"%1×"_s,
-    u"%1 / %2"_s, u"%1 m²/m"_s,      u"%1 m/s"_s};
+const std::set<QString> kSame = {u"%1 m"_s,
+                                 u"%1 km"_s,
+                                 u"%1 m²"_s,
+                                 u"%1 min"_s,
+                                 u"%1 s"_s,
+                                 u"%1 nmi"_s,
+                                 u"%1 N"_s,
+                                 u"%1 S"_s,
+                                 u"N"_s,
+                                 u"Zeta ζ"_s,
+                                 u"σ, m²"_s,
+                                 u"Zeta ζ, m² s"_s,
+                                 u"Zeta %1 m² s"_s,
+                                 u"Bergwatch"_s,
+                                 u"COIN-OR CBC"_s,
+                                 u"UAV"_s,
+                                 u"Esc"_s,
+                                 u"Id"_s,
+                                 u"%1 ms"_s,
+                                 u"%1×"_s,
+                                 u"%1 µs"_s,
+                                 u"%1 m²/m"_s,
+                                 u"%1 m/s"_s,
+                                 u"τ"_s,
+                                 u"ζ, m² s"_s,
+                                 u"B − A"_s,
+                                 u"B"_s,
+                                 u"A"_s,
+                                 u"m"_s,
+                                 u"°/s"_s,
+                                 u"km"_s,
+                                 u"m² s"_s,
+                                 u"m²"_s,
+                                 u"%1 %"_s,
+                                 u"τ %1"_s};
 
 /** The text of a `translation` element, or of each `numerusform` in it. */
 QStringList formsOf(QXmlStreamReader& xml)

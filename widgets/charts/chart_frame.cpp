@@ -2,6 +2,8 @@
 
 #include <QFontMetricsF>
 
+#include <algorithm>
+
 namespace berg {
 namespace {
 
@@ -35,8 +37,14 @@ double marksKeyWidth(const ChartFrame& frame, const Theme& theme)
 {
     if (frame.marks_px.empty() || !frame.emptyText.isEmpty())
         return 0;
-    const double width_px = QFontMetricsF(theme.small()).horizontalAdvance(frame.marksTitle) + 14;
-    return width_px < 0.3 * frame.size.width() ? width_px : 0;
+    const QFontMetricsF small(theme.small());
+    const double width_px = small.horizontalAdvance(frame.marksTitle) + 14;
+    if (!frame.title.isEmpty())
+        return width_px < 0.3 * frame.size.width() ? width_px : 0;
+    const double titles_px =
+        2 * std::max(small.horizontalAdvance(frame.leftTitle),
+                     small.horizontalAdvance(frame.rightTitle)); // the key is in the middle
+    return titles_px + width_px + 40 < frame.size.width() ? width_px : 0;
 }
 
 void paintTitles(QPainter& painter, const ChartFrame& frame, const Theme& theme)
@@ -48,7 +56,8 @@ void paintTitles(QPainter& painter, const ChartFrame& frame, const Theme& theme)
         QRectF(kChartSide_px, 12, width_px, 18), flags(Qt::AlignLeft | Qt::AlignVCenter),
         QFontMetricsF(theme.strong()).elidedText(frame.title, Qt::ElideRight, width_px));
     painter.setFont(theme.small());
-    const QRectF row(kChartSide_px, kChartTop_px - 27, frame.size.width() - 2 * kChartSide_px, 16);
+    const QRectF row(kChartSide_px, chartTop(frame) - 27, frame.size.width() - 2 * kChartSide_px,
+                     16);
     painter.setPen(frame.leftColour);
     painter.drawText(row, flags(Qt::AlignLeft | Qt::AlignVCenter), frame.leftTitle);
     painter.setPen(frame.rightColour);
@@ -64,18 +73,48 @@ void paintMarks(QPainter& painter, const ChartFrame& frame, const Theme& theme)
     const double key_px = marksKeyWidth(frame, theme);
     if (key_px == 0)
         return;
-    const double left_px = frame.size.width() - kChartSide_px - key_px + 14;
-    painter.drawLine(QPointF(left_px - 7, 17), QPointF(left_px - 7, 17 + kChartMark_px));
+    const bool titled = !frame.title.isEmpty();
+    const double left_px =
+        (titled ? frame.size.width() - kChartSide_px - key_px : (frame.size.width() - key_px) / 2) +
+        14;
+    const double top_px = titled ? 12 : chartTop(frame) - 28;
+    painter.drawLine(QPointF(left_px - 7, top_px + 5),
+                     QPointF(left_px - 7, top_px + 5 + kChartMark_px));
     painter.setFont(theme.small());
     painter.setPen(theme.mutedText);
-    painter.drawText(QRectF(left_px, 12, key_px, 18), flags(Qt::AlignLeft | Qt::AlignVCenter),
+    painter.drawText(QRectF(left_px, top_px, key_px, 18), flags(Qt::AlignLeft | Qt::AlignVCenter),
                      frame.marksTitle);
+}
+
+void paintReferences(QPainter& painter, const ChartFrame& frame, const Theme& theme)
+{
+    painter.setFont(theme.small());
+    for (const ChartReference& reference : frame.references) {
+        painter.setPen(QPen(theme.mutedText, 1, Qt::DashLine, Qt::FlatCap));
+        painter.drawLine(QPointF(frame.plot.left(), reference.at_px),
+                         QPointF(frame.plot.right(), reference.at_px));
+        painter.setPen(theme.mutedText);
+        painter.drawText(
+            QRectF(frame.plot.left() + 6, reference.at_px - 17, frame.plot.width() - 12, 16),
+            flags(Qt::AlignRight | Qt::AlignVCenter), reference.text);
+    }
+}
+
+void paintCursor(QPainter& painter, const ChartFrame& frame, const Theme& theme)
+{
+    if (!frame.cursor_px)
+        return;
+    painter.setPen(QPen(theme.uav, 1.2));
+    painter.drawLine(QPointF(*frame.cursor_px, frame.plot.top()),
+                     QPointF(*frame.cursor_px, frame.plot.bottom()));
 }
 
 void paintLabels(QPainter& painter, const ChartFrame& frame, const Theme& theme)
 {
     for (const ChartLabel& label : frame.labels) {
-        painter.setFont(label.inMargin ? theme.small() : theme.strong());
+        QFont font = label.inMargin ? theme.small() : theme.strong();
+        font.setBold(!label.inMargin || label.strong);
+        painter.setFont(font);
         if (label.inMargin) {
             painter.setPen(QPen(label.colour, 1));
             const double y = label.rect.center().y();
@@ -89,6 +128,11 @@ void paintLabels(QPainter& painter, const ChartFrame& frame, const Theme& theme)
 
 } // namespace
 
+double chartTop(const ChartFrame& frame)
+{
+    return frame.title.isEmpty() ? kChartTop_px - kChartTitle_px : kChartTop_px;
+}
+
 void paintChartFrame(QPainter& painter, const ChartFrame& frame, const Theme& theme)
 {
     painter.save();
@@ -97,11 +141,46 @@ void paintChartFrame(QPainter& painter, const ChartFrame& frame, const Theme& th
     paintTitles(painter, frame, theme);
     if (frame.emptyText.isEmpty()) {
         paintMarks(painter, frame, theme);
+        paintReferences(painter, frame, theme);
+        paintCursor(painter, frame, theme);
         paintLabels(painter, frame, theme);
     } else {
         painter.setFont(theme.body());
         painter.setPen(theme.mutedText);
         painter.drawText(frame.plot, flags(Qt::AlignCenter), frame.emptyText);
+    }
+    painter.restore();
+}
+
+void paintReadout(QPainter& painter, const ChartReadout& readout, const QRectF& plot,
+                  const Theme& theme)
+{
+    if (readout.time.isEmpty())
+        return;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (readout.hover_px) {
+        painter.setPen(QPen(theme.chartAxis, 1));
+        painter.drawLine(QPointF(*readout.hover_px, plot.top()),
+                         QPointF(*readout.hover_px, plot.bottom()));
+    }
+    painter.setFont(theme.small());
+    const auto flag = [&](const QRectF& rect, const QString& text, const QColor& line) {
+        painter.setPen(QPen(line, 1));
+        painter.setBrush(theme.panel);
+        painter.drawRoundedRect(rect, 3, 3);
+        painter.setPen(theme.text);
+        painter.drawText(rect, flags(Qt::AlignCenter), text);
+    };
+    flag(readout.timeRect, readout.time, theme.chartAxis);
+    for (const ReadoutFlag& one : readout.flags) {
+        const bool isRight = one.rect.left() > one.at.x();
+        painter.setPen(QPen(one.colour, 1));
+        painter.drawLine(
+            one.at, QPointF(isRight ? one.rect.left() : one.rect.right(), one.rect.center().y()));
+        painter.setBrush(one.colour);
+        painter.drawEllipse(one.at, 3, 3);
+        flag(one.rect, one.text, one.colour);
     }
     painter.restore();
 }

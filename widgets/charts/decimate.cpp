@@ -11,21 +11,6 @@
 namespace berg {
 namespace {
 
-/** Lowest and highest point of one column. */
-struct Extremes
-{
-    QPointF lowest;
-    QPointF highest;
-
-    void include(const QPointF& p)
-    {
-        if (p.y() < lowest.y())
-            lowest = p;
-        if (p.y() > highest.y())
-            highest = p;
-    }
-};
-
 /** Adds a point after the others unless it is the last one again. */
 void append(QList<QPointF>& out, const QPointF& p)
 {

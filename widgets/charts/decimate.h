@@ -15,6 +15,21 @@ struct DecimationWindow
     int columns = 1;
 };
 
+/** Lowest and highest of some points. */
+struct Extremes
+{
+    QPointF lowest;
+    QPointF highest;
+
+    void include(const QPointF& p)
+    {
+        if (p.y() < lowest.y())
+            lowest = p;
+        if (p.y() > highest.y())
+            highest = p;
+    }
+};
+
 /**
  * At most two points for each pixel column, the lowest and the highest in the order of time, so
  * that no peak is lost; the first and last points in view are kept, and so is the nearest point on

@@ -1,12 +1,21 @@
 #include "widgets/charts/mission_charts.h"
 
+#include "core/base/angles.h"
+#include "core/vehicle/dubins.h"
 #include "widgets/map/mission_picture.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
 namespace berg {
 namespace {
+
+constexpr std::size_t kScaleValues = 16384; // enough for the 95 % mark of the scale of sigma
+constexpr double kMetres = 1000;            // in a kilometre
 
 struct MissionCharts
 {
@@ -16,60 +25,313 @@ struct MissionCharts
 std::vector<double> visitTimes_s(const FlightRecord& record)
 {
     std::vector<double> times_s;
-    for (const MissionEvent& event : record.now.events)
+    for (const MissionEvent& event : record.history.events)
         if (event.kind == EventKind::Reached)
             times_s.push_back(event.time_s);
     return times_s;
 }
 
-TimeChartContent commonContent(const FlightRecord& record)
+/** The instant of take-off alone is no line yet. */
+bool hasFlown(const FlightRecord& record)
 {
-    TimeChartContent content;
-    content.duration_s = record.now.time_s;
-    content.emptyText = MissionCharts::tr("Nothing flown yet");
-    return content;
+    return record.history.samples.size() > 1;
 }
 
-} // namespace
-
-TimeChartContent zetaContent(const FlightRecord& record, const QLocale& locale)
+/** `sigmaScaleEnd_m2`, of a long record by every so many rows of it. */
+double scaleEnd_m2(const FlightRecord& record)
 {
-    TimeChartContent content = commonContent(record);
+    const std::vector<std::vector<IcebergSample>>& rows = record.history.rows;
+    const std::size_t values = rows.empty() ? 0 : rows.size() * rows.back().size();
+    if (values <= kScaleValues)
+        return sigmaScaleEnd_m2(record);
+    FlightRecord thin;
+    thin.now.world.tracks = record.now.world.tracks;
+    thin.now.active = record.now.active;
+    const std::size_t stride = values / kScaleValues + 1;
+    for (std::size_t row = 0; row < rows.size(); row += stride)
+        thin.history.rows.push_back(rows[row]);
+    return sigmaScaleEnd_m2(thin);
+}
+
+QString squareMetres()
+{
+    return MissionCharts::tr("m²");
+}
+
+QString zetaUnit()
+{
+    return MissionCharts::tr("m² s");
+}
+
+TimeLine sumOfSigma()
+{
+    return {.label = MissionCharts::tr("Sum of σ"),
+            .points = {},
+            .role = LineRole::Momentary,
+            .unit = squareMetres(),
+            .key = u"sigma_sum_m2"_s};
+}
+
+QString atTime(const FlightRecord& record)
+{
+    return clockText(record.now.time_s);
+}
+
+void fillZeta(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
+{
     content.title = MissionCharts::tr("Uncertainty now and accumulated");
     content.leftTitle = MissionCharts::tr("Sum of σ, m²");
-    content.marks_s = visitTimes_s(record);
-    content.marksTitle = MissionCharts::tr("iceberg reached");
     content.rightTitle = MissionCharts::tr("Zeta ζ, m² s");
-    TimeLine sum{.label = MissionCharts::tr("Sum of σ"), .points = {}, .role = LineRole::Momentary};
-    TimeLine zeta{.label = MissionCharts::tr("Zeta %1 m² s")
-                               .arg(significantText(record.now.metrics.zeta_m2s, 4, locale)),
-                  .points = {},
-                  .role = LineRole::Accumulated,
-                  .onRightAxis = true};
-    for (const Sample& sample : record.samples) {
-        sum.points.emplace_back(sample.time_s, sample.sigmaSum_m2);
-        zeta.points.emplace_back(sample.time_s, sample.zeta_m2s);
-    }
-    content.lines = {std::move(zeta), std::move(sum)};
-    return content;
+    if (!hasFlown(record))
+        return;
+    const QString zeta = significantText(record.shown().metrics.zeta_m2s, 4, locale);
+    content.lines.push_back({.label = MissionCharts::tr("Zeta %1 m² s").arg(zeta),
+                             .points = {},
+                             .role = LineRole::Accumulated,
+                             .onRightAxis = true,
+                             .name = MissionCharts::tr("Zeta"),
+                             .unit = zetaUnit(),
+                             .key = u"zeta_m2s"_s});
+    content.lines.push_back(sumOfSigma());
+    const Sample& last = record.history.samples.back();
+    content.summary = MissionCharts::tr("At %1 zeta is %2 m² s and the sum of σ %3 m².")
+                          .arg(atTime(record), significantText(last.zeta_m2s, 4, locale),
+                               significantText(last.sigmaSum_m2, 3, locale));
 }
 
-TimeChartContent sigmaContent(const FlightRecord& record, const QLocale& /*locale*/)
+double meanSigma_m2(const Sample& sample)
 {
-    TimeChartContent content = commonContent(record);
+    return sample.time_s > 0 ? sample.zeta_m2s / sample.time_s : sample.sigmaSum_m2;
+}
+
+void fillMeanSigma(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
+{
+    content.title = MissionCharts::tr("Rate of zeta, now and on average");
+    content.leftTitle = MissionCharts::tr("Sum of σ = dζ/dt, m²");
+    if (!hasFlown(record))
+        return;
+    content.lines.push_back({.label = MissionCharts::tr("Mean since take-off"),
+                             .points = {},
+                             .role = LineRole::Accumulated,
+                             .name = MissionCharts::tr("Mean"),
+                             .unit = squareMetres(),
+                             .key = u"mean_sigma_sum_m2"_s});
+    content.lines.push_back(sumOfSigma());
+    content.lines.back().label = MissionCharts::tr("Now");
+    const Sample& last = record.history.samples.back();
+    content.summary = MissionCharts::tr("At %1 zeta grows by %2 m² s each second, since take-off "
+                                        "by %3 on average.")
+                          .arg(atTime(record), significantText(last.sigmaSum_m2, 3, locale),
+                               significantText(meanSigma_m2(last), 3, locale));
+}
+
+void fillSigma(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
+{
     content.title = MissionCharts::tr("Uncertainty of each iceberg");
     content.leftTitle = MissionCharts::tr("σ, m²");
-    content.sigmaFull_m2 = sigmaScaleEnd_m2(record);
+    content.sigmaFull_m2 = scaleEnd_m2(record);
+    if (!hasFlown(record))
+        return;
     for (const Iceberg& iceberg : record.now.icebergs)
         content.lines.push_back(
             {.label = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name),
              .points = {},
-             .role = LineRole::Sigma});
-    for (std::size_t row = 0; row < record.rows.size(); ++row)
-        for (std::size_t i = 0; i < record.rows[row].size(); ++i)
-            content.lines[i].points.emplace_back(record.samples[row].time_s,
-                                                 record.rows[row][i].sigma_m2);
+             .role = LineRole::Sigma,
+             .unit = squareMetres(),
+             .key = QString::fromStdString(iceberg.id)});
+    const std::vector<IcebergSample>& last = record.history.rows.back();
+    const auto most = std::max_element(last.begin(), last.end(), [](const auto& a, const auto& b) {
+        return (a.active ? a.sigma_m2 : -1) < (b.active ? b.sigma_m2 : -1);
+    });
+    if (most == last.end() || !most->active)
+        return;
+    const auto inView = std::count_if(last.begin(), last.end(), [](const IcebergSample& iceberg) {
+        return iceberg.active && iceberg.inView;
+    });
+    content.summary =
+        MissionCharts::tr("At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.",
+                          nullptr, static_cast<int>(inView))
+            .arg(atTime(record), content.lines[static_cast<std::size_t>(most - last.begin())].label,
+                 significantText(most->sigma_m2, 3, locale));
+}
+
+void fillDistance(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
+{
+    content.title = MissionCharts::tr("Distance flown");
+    content.leftTitle = MissionCharts::tr("Distance through the air, km");
+    if (!hasFlown(record))
+        return;
+    const QString flown = distanceText(record.history.samples.back().flown_m, locale);
+    content.lines.push_back({.label = flown,
+                             .points = {},
+                             .role = LineRole::Accumulated,
+                             .name = MissionCharts::tr("Flown"),
+                             .unit = MissionCharts::tr("km"),
+                             .key = u"flown_km"_s});
+    content.summary = MissionCharts::tr("At %1 %2 are flown.").arg(atTime(record), flown);
+}
+
+void fillTurnRate(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
+{
+    content.title = MissionCharts::tr("Turn rate");
+    content.leftTitle = MissionCharts::tr("Turn rate, °/s, positive to the left");
+    if (!hasFlown(record) || record.scenario.uavs.empty())
+        return;
+    const QString unit = MissionCharts::tr("°/s");
+    content.lines.push_back({.label = MissionCharts::tr("Turn rate"),
+                             .points = {},
+                             .role = LineRole::Signed,
+                             .unit = unit,
+                             .key = u"turn_rate_degps"_s});
+    const double limit_degps = degFromRad(maxTurnRate_radps(record.scenario.uavs[0].spec));
+    const QString limit = significantText(limit_degps, 3, locale);
+    content.references = {
+        {.value = limit_degps, .label = MissionCharts::tr("Limit %1 °/s").arg(limit)},
+        {.value = -limit_degps, .label = {}}};
+    content.summary =
+        MissionCharts::tr("At %1 the turn rate is %2 °/s; the limit is %3 °/s.")
+            .arg(atTime(record),
+                 significantText(degFromRad(record.history.samples.back().u_radps), 3, locale),
+                 limit);
+}
+
+void fillCrossTrack(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
+{
+    content.title = MissionCharts::tr("Cross-track error");
+    content.leftTitle = MissionCharts::tr("Cross-track error, m, positive to the left");
+    if (!hasFlown(record))
+        return;
+    content.lines.push_back({.label = MissionCharts::tr("Cross-track error"),
+                             .points = {},
+                             .role = LineRole::Signed,
+                             .unit = MissionCharts::tr("m"),
+                             .key = u"cross_track_m"_s});
+    content.references = {{.value = 0, .label = {}}};
+    content.summary =
+        MissionCharts::tr("At %1 the cross-track error is %2 m.")
+            .arg(atTime(record),
+                 significantText(record.history.samples.back().crossTrack_m, 3, locale));
+}
+
+} // namespace
+
+QString chartKindName(ChartKind kind)
+{
+    switch (kind) {
+    case ChartKind::Zeta:
+        return MissionCharts::tr("Zeta and sum of σ");
+    case ChartKind::MeanSigma:
+        return MissionCharts::tr("Rate of zeta");
+    case ChartKind::Sigma:
+        return MissionCharts::tr("σ of each iceberg");
+    case ChartKind::Distance:
+        return MissionCharts::tr("Distance flown");
+    case ChartKind::TurnRate:
+        return MissionCharts::tr("Turn rate");
+    case ChartKind::CrossTrack:
+        return MissionCharts::tr("Cross-track error");
+    }
+    return {};
+}
+
+QString chartFileStem(ChartKind kind)
+{
+    switch (kind) {
+    case ChartKind::Zeta:
+        return u"zeta"_s;
+    case ChartKind::MeanSigma:
+        return u"zeta-rate"_s;
+    case ChartKind::Sigma:
+        return u"sigma"_s;
+    case ChartKind::Distance:
+        return u"distance"_s;
+    case ChartKind::TurnRate:
+        return u"turn-rate"_s;
+    case ChartKind::CrossTrack:
+        return u"cross-track"_s;
+    }
+    return {};
+}
+
+TimeChartContent emptyChart(ChartKind kind, const FlightRecord& record, const QLocale& locale)
+{
+    TimeChartContent content;
+    content.duration_s = record.now.time_s;
+    if (record.instant)
+        content.cursor_s = record.instant->time_s;
+    content.emptyText = MissionCharts::tr("Nothing flown yet: Space flies the plan");
+    // Sigma drops to 0 at each visit of an iceberg: the marks would say it again.
+    if (kind != ChartKind::Sigma) {
+        content.marks_s = visitTimes_s(record);
+        content.marksTitle = MissionCharts::tr("iceberg reached");
+    }
+    switch (kind) {
+    case ChartKind::Zeta:
+        fillZeta(content, record, locale);
+        break;
+    case ChartKind::MeanSigma:
+        fillMeanSigma(content, record, locale);
+        break;
+    case ChartKind::Sigma:
+        fillSigma(content, record, locale);
+        break;
+    case ChartKind::Distance:
+        fillDistance(content, record, locale);
+        break;
+    case ChartKind::TurnRate:
+        fillTurnRate(content, record, locale);
+        break;
+    case ChartKind::CrossTrack:
+        fillCrossTrack(content, record, locale);
+        break;
+    }
     return content;
+}
+
+std::optional<double> chartValue(ChartKind kind, const FlightRecord& record, std::size_t row,
+                                 std::size_t line)
+{
+    const Sample& sample = record.history.samples[row];
+    const bool isFirst = line == 0;
+    switch (kind) {
+    case ChartKind::Zeta:
+        return isFirst ? sample.zeta_m2s : sample.sigmaSum_m2;
+    case ChartKind::MeanSigma:
+        return isFirst ? meanSigma_m2(sample) : sample.sigmaSum_m2;
+    case ChartKind::Sigma: {
+        const std::vector<IcebergSample>& icebergs = record.history.rows[row];
+        if (line >= icebergs.size() || !icebergs[line].active)
+            return std::nullopt;
+        return icebergs[line].sigma_m2;
+    }
+    case ChartKind::Distance:
+        return sample.flown_m / kMetres;
+    case ChartKind::TurnRate:
+        return degFromRad(sample.u_radps);
+    case ChartKind::CrossTrack:
+        return sample.crossTrack_m;
+    }
+    return std::nullopt;
+}
+
+TimeChartContent missionChart(ChartKind kind, const FlightRecord& record, const QLocale& locale)
+{
+    TimeChartContent content = emptyChart(kind, record, locale);
+    for (std::size_t row = 0; row < record.history.samples.size(); ++row)
+        for (std::size_t i = 0; i < content.lines.size(); ++i)
+            if (const std::optional<double> value = chartValue(kind, record, row, i))
+                content.lines[i].points.emplace_back(record.history.samples[row].time_s, *value);
+    return content;
+}
+
+TimeChartContent zetaContent(const FlightRecord& record, const QLocale& locale)
+{
+    return missionChart(ChartKind::Zeta, record, locale);
+}
+
+TimeChartContent sigmaContent(const FlightRecord& record, const QLocale& locale)
+{
+    return missionChart(ChartKind::Sigma, record, locale);
 }
 
 } // namespace berg

@@ -3,7 +3,45 @@
 #include "widgets/charts/time_chart.h"
 #include "widgets/model/flight_record.h"
 
+#include <QLocale>
+
+#include <array>
+
 namespace berg {
+
+/** What of a mission a chart shows over time. */
+enum class ChartKind
+{
+    Zeta,       ///< zeta and the sum of sigma
+    MeanSigma,  ///< sum of sigma, which is the rate of zeta (Eq. (24)), and its mean since take-off
+    Sigma,      ///< of each iceberg
+    Distance,   ///< through the air
+    TurnRate,   ///< with its limits
+    CrossTrack, ///< error of the path following
+};
+inline constexpr std::array kChartKinds = {ChartKind::Zeta,     ChartKind::MeanSigma,
+                                           ChartKind::Sigma,    ChartKind::Distance,
+                                           ChartKind::TurnRate, ChartKind::CrossTrack};
+
+/** In lists of charts. */
+[[nodiscard]] QString chartKindName(ChartKind kind);
+/** In names of files, ASCII: "zeta". */
+[[nodiscard]] QString chartFileStem(ChartKind kind);
+
+/**
+ * Everything but the points, which `chartValue` has: titles, lines with their names and columns,
+ * limits, visits as marks. No lines when nothing has been flown.
+ */
+[[nodiscard]] TimeChartContent emptyChart(ChartKind kind, const FlightRecord& record,
+                                          const QLocale& locale);
+
+/** What line `line` of `emptyChart` shows at sample `row`, unit of its axis; none: no point. */
+[[nodiscard]] std::optional<double> chartValue(ChartKind kind, const FlightRecord& record,
+                                               std::size_t row, std::size_t line);
+
+/** The whole chart with a point for every sample. Cost: linear in the record. */
+[[nodiscard]] TimeChartContent missionChart(ChartKind kind, const FlightRecord& record,
+                                            const QLocale& locale);
 
 /** Zeta together with the sum of sigma over the mission so far; visits as marks. */
 [[nodiscard]] TimeChartContent zetaContent(const FlightRecord& record, const QLocale& locale);

@@ -38,6 +38,24 @@ NiceTicks niceTicks(double largest, int most)
     return {.step = step, .count = std::max(1, static_cast<int>(std::ceil(largest / step - 1e-9)))};
 }
 
+NiceTicks niceTicksAround(double lowest, double highest, int most)
+{
+    if (!(lowest < 0))
+        return niceTicks(highest, most);
+    const double top = std::max(0.0, highest);
+    const int least = top > 0 ? 2 : 1;
+    const auto steps = [](double extent, double step) {
+        return static_cast<int>(std::ceil(extent / step - 1e-9));
+    };
+    NiceTicks ticks{.step = roundUp((top - lowest) / std::max(most, least))};
+    // 0 is a tick: that may take one step more than the range has.
+    while (steps(-lowest, ticks.step) + steps(top, ticks.step) > std::max(most, least))
+        ticks.step = roundUp(1.01 * ticks.step);
+    ticks.below = steps(-lowest, ticks.step);
+    ticks.count = steps(top, ticks.step);
+    return ticks;
+}
+
 NiceTicks niceTicksExactly(double largest, int count)
 {
     return {.step = largest > 0 ? roundUp(largest / count) : 1, .count = count};

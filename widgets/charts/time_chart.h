@@ -1,12 +1,16 @@
 #pragma once
 
+#include "widgets/charts/chart_content.h"
 #include "widgets/charts/chart_frame.h"
 #include "widgets/charts/nice_ticks.h"
+#include "widgets/charts/time_window.h"
 #include "widgets/theme/theme.h"
 
 #include <QChartView>
 #include <QLocale>
+#include <QPixmap>
 
+#include <optional>
 #include <vector>
 
 class QAbstractSeries;
@@ -16,40 +20,14 @@ class QValueAxis;
 
 namespace berg {
 
-/** What a line stands for; decides colour and width. */
-enum class LineRole
-{
-    Accumulated, ///< zeta
-    Momentary,   ///< sum of sigma, with a light area below
-    Sigma        ///< sigma of one iceberg, coloured by its value
-};
-
-struct TimeLine
-{
-    QString label;               ///< written beside the line
-    std::vector<QPointF> points; ///< x seconds, y in the unit of its axis, >= 0
-    LineRole role = LineRole::Momentary;
-    bool onRightAxis = false;
-};
-
-/** Everything a chart over time shows, as plain values. */
-struct TimeChartContent
-{
-    QString title;
-    QString leftTitle;  ///< quantity and unit
-    QString rightTitle; ///< empty: no right axis
-    double duration_s = 1000;
-    std::vector<TimeLine> lines;
-    std::vector<double> marks_s; ///< small ticks below the plot, e.g. visits
-    QString marksTitle;
-    double sigmaFull_m2 = 10; ///< end of the colour scale for `LineRole::Sigma`
-    QString emptyText;        ///< shown when no line has a point
-};
-
 /**
  * Chart over time in the look of the program: no frame, light grid, times as mm:ss, the unit above
  * each axis, labels at the lines in place of a legend. Lines are decimated to the pixels there are;
  * nothing is animated.
+ *
+ * The wheel zooms the time axis at the pointer; the right or middle button, or the left one with
+ * Shift, pans; a double click shows all. Keys: + and -, left and right, Home for all, End for the
+ * live end. What is zoomed to stays while the chart grows, or moves along when following.
  */
 class TimeChart : public QChartView
 {
@@ -60,44 +38,122 @@ public:
 
     void setContent(const TimeChartContent& content);
     void setTheme(const Theme& theme);
+    /** Without it the plot has its room: for a chart inside something that has a title. */
+    void setTitleShown(bool shown);
+    /** False: lines in one colour each, for files that cannot hold pens with a gradient. */
+    void setGradients(bool wanted);
     [[nodiscard]] const TimeChartContent& content() const { return m_content; }
+
+    /** What is in view. */
+    [[nodiscard]] TimeWindow window() const { return windowFor(m_content.duration_s); }
+    /** What would be in view of a content of that length. */
+    [[nodiscard]] TimeWindow windowFor(double duration_s) const;
+    /** Number of columns for which lines are worth having points. */
+    [[nodiscard]] int columns() const;
+    [[nodiscard]] bool isZoomed() const { return m_zoom.has_value(); }
+    [[nodiscard]] bool isFollowing() const { return m_zoom && m_following; }
+    void setWindow(const TimeWindow& window);
+    void showAll();
+    /** On: the newest stretch, as long as the window is, at most 5 min when all was in view. */
+    void setFollowing(bool on);
 
     /** Direct labels in their places, for tests; empty rectangles: not shown. */
     [[nodiscard]] std::vector<QRectF> labelRects() const;
     /** Series as drawn, after decimation, in the order of `content().lines`. */
-    [[nodiscard]] std::vector<QList<QPointF>> drawnPoints() const;
+    [[nodiscard]] const std::vector<QList<QPointF>>& drawnPoints() const { return m_drawn; }
+    /** Everything around the lines as drawn, for tests. */
+    [[nodiscard]] const ChartFrame& frame() const { return m_frame; }
+    /** Values at the pointer, or at the cursor; without flags where there is nothing to read. */
+    [[nodiscard]] ChartReadout readout() const;
+
+signals:
+    /** Pressed or dragged in the plot: the user wants to see this instant. */
+    void timePicked(double time_s);
+    /** The label in the margin that belongs to the line of that key was pressed. */
+    void linePicked(const QString& key);
+    /** Zoomed, panned, resized, or began or ceased to follow: other points may be wanted. */
+    void windowChanged();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void drawBackground(QPainter* painter, const QRectF& rect) override;
     void drawForeground(QPainter* painter, const QRectF& rect) override;
 
 private:
+    struct ValueRange
+    {
+        double lowest = 0;
+        double highest = 0;
+    };
+
     void rebuild();
     void addSeries(QAbstractSeries* series, const TimeLine& line);
     void layOut();
+    void decimateLines();
+    void setAxes(const NiceTicks& left, const NiceTicks& right);
     void setPlot(const NiceTicks& left, const NiceTicks& right);
     void fillFrame(const NiceTicks& left, const NiceTicks& right);
-    void replacePoints();
+    void fillMarks();
+    void simplifyLines();
+    void showPoints();
     void styleLines();
+    void styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapStyle cap);
     void placeMarginLabels();
     void placeInnerLabels();
     [[nodiscard]] bool hasPoints() const;
     [[nodiscard]] bool labelsInMargin() const;
-    [[nodiscard]] double largest(bool onRightAxis) const;
+    [[nodiscard]] bool hasRightAxis() const;
+    [[nodiscard]] double marginWidth() const;
+    [[nodiscard]] ValueRange range(bool onRightAxis) const;
     [[nodiscard]] std::vector<ChartTick> valueTicks(const NiceTicks& ticks) const;
     [[nodiscard]] double timeToView(double time_s) const;
+    [[nodiscard]] double viewToTime(double x_px) const;
     [[nodiscard]] QPointF toView(const TimeLine& line, const QPointF& p) const;
     [[nodiscard]] QColor lineColour(const TimeLine& line) const;
+    /** Line by importance for names: emphasised first, then by the value at `points`. */
+    [[nodiscard]] std::vector<std::size_t>
+    byImportance(const std::vector<std::optional<QPointF>>& points) const;
+    [[nodiscard]] QString valueText(const TimeLine& line, double value) const;
+    [[nodiscard]] ReadoutFlag flagOf(std::size_t index, const QPointF& value,
+                                     double middle_px) const;
+    void alignFlags(ChartReadout& readout, double at_px) const;
+    void pick(const QMouseEvent& event);
+    void hoverAt(std::optional<QPointF> position);
+    [[nodiscard]] const ChartLabel* labelAt(const QPointF& position) const;
+    void zoom(double factor, double anchor_s);
+    void pan(double by_s);
+    void changeWindow();
 
     Theme m_theme;
     TimeChartContent m_content;
+    bool m_titleShown = true;
+    bool m_gradients = true;
+    bool m_plain = false; ///< so many segments that they are drawn thin and without smoothing
+    std::optional<TimeWindow> m_zoom; ///< none: everything; its length when following
+    bool m_following = false;
+    std::optional<QPointF> m_hover; ///< the pointer in the plot
+    bool m_picking = false;
+    std::optional<QPointF> m_panFrom; ///< last place of the pointer that pans
     QValueAxis* m_time = nullptr;
     QValueAxis* m_left = nullptr;
     QValueAxis* m_right = nullptr;
     std::vector<QLineSeries*> m_series;
     std::vector<QAreaSeries*> m_areas;
+    std::vector<QList<QPointF>> m_drawn;
     ChartFrame m_frame;
+    bool m_isLaidOut = false; ///< since the window was changed
+    QPixmap m_picture;        ///< everything but the read-out; null: to be painted anew
 };
 
 } // namespace berg

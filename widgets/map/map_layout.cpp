@@ -40,8 +40,9 @@ std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s)
         points_m.push_back(iceberg.position_m);
         points_m.emplace_back(iceberg.position_m + iceberg.velocity_mps * driftTime_s);
     }
-    for (const MapTrackPoint& point : picture.track)
-        points_m.push_back(point.position_m);
+    for (const auto* track : {&picture.track, &picture.comparisonTrack})
+        for (const MapTrackPoint& point : *track)
+            points_m.push_back(point.position_m);
     if (picture.asset)
         points_m.push_back(picture.asset->position_m);
     if (picture.uav)
@@ -227,19 +228,24 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
             width_px += 2 * kOrderDisk_px + kOrderGap_px;
         LabelRequest request{.anchor = anchor, .size_px = QSizeF(width_px, kLabelHeight_px)};
         const auto before = continuity.labels.find(picture.icebergs[i].id);
+        const bool mayLook =
+            !continuity.turn ||
+            (i >= continuity.turn->first && i - continuity.turn->first < continuity.turn->count);
         if (before != continuity.labels.end()) {
             PlacedLabel previous = before.value();
             if (!previous.rect.isNull()) {
                 previous.rect.translate(anchor.centre_px);
                 request.previous = previous;
             }
-            if (continuity.keepLabels) {
+            if (!mayLook) {
                 labels[i] = previous;
                 if (request.previous)
                     around.solids.push_back(previous.rect);
                 continue;
             }
         }
+        if (!mayLook)
+            continue;
         requests.push_back(request);
         asking.push_back(i);
     }

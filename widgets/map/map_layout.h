@@ -33,13 +33,20 @@ inline constexpr double kOrderGap_px = 4;
 /** Id of the iceberg; of one still to come with the time when it will. */
 [[nodiscard]] QString labelText(const MapIceberg& iceberg);
 
+/** Icebergs by index whose labels may look for a place. */
+struct LabelTurn
+{
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
 /** What one frame hands on to the next, so that a moving map stays calm. */
 struct MapContinuity
 {
     /** Label places by iceberg id, relative to the centre of its symbol; null: not shown. */
     QHash<QString, PlacedLabel> labels;
-    /** Labels stay as they were, however bad: for frames with no time to look. */
-    bool keepLabels = false;
+    /** The other labels stay as they were, however bad, new ones away; none: all may look. */
+    std::optional<LabelTurn> turn;
     /** Drift arrows of this time instead of the one that suits the fastest iceberg. */
     std::optional<double> driftTime_s;
 };

@@ -59,6 +59,15 @@ void drawTrackSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme
                      QPointF(swatch.right(), swatch.center().y()));
 }
 
+void drawComparisonSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+{
+    const QLineF line(swatch.left(), swatch.center().y(), swatch.right(), swatch.center().y());
+    painter.setPen(QPen(theme.comparison, 1.6, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(line);
+    const QPointF beyond(kSwatch_px, 0); // marks keep off lines too short for them
+    drawDirectionMark(painter, QLineF(line.p1() - beyond, line.p2() + beyond), theme.comparison, 9);
+}
+
 void drawFieldSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
 {
     const QRectF box(swatch.left() + 8, swatch.center().y() - 6, 18, 12);
@@ -101,6 +110,12 @@ std::vector<LegendRow> rowsOf(const MapPicture& picture, const MapStyle& style,
     if (picture.track.size() > 1)
         rows.push_back({MapLegend::tr("Flown, older parts fainter"),
                         [&](QPainter& p, const QRectF& r) { drawTrackSwatch(p, r, theme); }});
+    if (picture.comparisonTrack.size() > 1) {
+        const QString text = MapLegend::tr("Compared: %1").arg(picture.comparisonName);
+        rows.push_back({QFontMetricsF(theme.small())
+                            .elidedText(text, Qt::ElideRight, kBarWidth_px + kUnitColumn_px),
+                        [&](QPainter& p, const QRectF& r) { drawComparisonSwatch(p, r, theme); }});
+    }
     if (picture.uav)
         rows.push_back({MapLegend::tr("Field of view"),
                         [&](QPainter& p, const QRectF& r) { drawFieldSwatch(p, r, theme); }});

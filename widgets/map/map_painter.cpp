@@ -19,6 +19,9 @@ namespace {
 
 constexpr double kOldestTrack = 0.2; // share of the track's colour left at its oldest end
 constexpr int kTrackShades = 40;
+constexpr double kComparison_px = 1.2;      // thinner than the track
+constexpr double kComparisonMarks_px = 150; // between its arrow heads
+constexpr double kComparisonMark_px = 9;
 
 constexpr double kArrowRoom_px = 60; // that a drift arrow may take beside its symbol
 constexpr double kSigmaSteps = 250;  // of the colour of kept drawings
@@ -157,6 +160,36 @@ void paintTrack(const Paint& p)
     flush();
 }
 
+/** One colour and arrow heads along the way: told from the flown track by shape too. */
+void paintComparison(const Paint& p)
+{
+    const std::vector<MapTrackPoint>& track = p.picture.comparisonTrack;
+    if (track.size() < 2)
+        return;
+    QPolygonF line{p.layout.view.toPixel(track.front().position_m)};
+    std::vector<QLineF> marks;
+    double sinceMark_px = kComparisonMarks_px / 2;
+    for (const MapTrackPoint& point : track) {
+        const QLineF step(line.back(), p.layout.view.toPixel(point.position_m));
+        if (step.length() < 1)
+            continue;
+        line << step.p2();
+        sinceMark_px += step.length();
+        if (sinceMark_px >= kComparisonMarks_px && p.layout.rect.contains(step.p2())) {
+            // Longer than the step: marks keep off lines too short for them.
+            const QPointF reach = (step.p2() - step.p1()) / step.length() * 3 * kComparisonMark_px;
+            marks.emplace_back(step.p2() - reach, step.p2() + reach);
+            sinceMark_px = 0;
+        }
+    }
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(
+        QPen(p.theme.comparison, kComparison_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+    p.painter.drawPolyline(line);
+    for (const QLineF& mark : marks)
+        drawDirectionMark(p.painter, mark, p.theme.comparison, kComparisonMark_px);
+}
+
 void paintArea(const Paint& p)
 {
     if (p.picture.area_m.empty())
@@ -291,15 +324,16 @@ QString legendKey(const Paint& p)
     };
     const bool inView = any([](const MapIceberg& iceberg) { return iceberg.inView; });
     const bool later = any([](const MapIceberg& iceberg) { return iceberg.appears_s > 0; });
-    return u"legend %1 %2 %3 %4%5%6%7%8 %9"_s.arg(p.layout.symbols.ring_pxpm)
-        .arg(p.layout.symbols.driftTime_s)
-        .arg(p.picture.sigmaFull_m2)
-        .arg(int(inView))
-        .arg(int(later))
-        .arg(int(!p.picture.plan.empty()))
-        .arg(int(p.picture.track.size() > 1))
-        .arg(int(p.picture.uav.has_value()))
-        .arg(p.style.locale.name());
+    return u"legend %1 %2 %3 %4%5%6%7%8 %9 "_s.arg(p.layout.symbols.ring_pxpm)
+               .arg(p.layout.symbols.driftTime_s)
+               .arg(p.picture.sigmaFull_m2)
+               .arg(int(inView))
+               .arg(int(later))
+               .arg(int(!p.picture.plan.empty()))
+               .arg(int(p.picture.track.size() > 1))
+               .arg(int(p.picture.uav.has_value()))
+               .arg(p.style.locale.name()) + // last, the one text of the user's
+           (p.picture.comparisonTrack.size() > 1 ? p.picture.comparisonName : QString());
 }
 
 void paintOverlays(const Paint& p, double north_rad)
@@ -346,6 +380,7 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
 {
     const Paint p(painter, frame);
     paintArea(p);
+    paintComparison(p);
     paintTrack(p);
     paintFieldOfView(p);
     paintPlan(p);

@@ -64,7 +64,9 @@ struct MapPicture
     std::vector<MapIceberg> icebergs;
     std::vector<int> plan; ///< indices of `icebergs` in the order to be visited
     std::vector<MapTrackPoint> track;
-    std::vector<Point> area_m; ///< corners; empty: unbounded
+    std::vector<MapTrackPoint> comparisonTrack; ///< of another run in the same world
+    QString comparisonName;                     ///< what that run is, for the legend
+    std::vector<Point> area_m;                  ///< corners; empty: unbounded
     std::optional<MapAsset> asset;
     double sigmaFull_m2 = 10; ///< end of the colour scale, > 0
     QString emptyTitle;       ///< shown when there is no iceberg

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace berg {
 namespace {
@@ -14,7 +15,10 @@ constexpr double kSmallestReach_px = 13; // symbols are at least this easy to hi
 constexpr double kReachMargin_px = 2;
 
 /** Labels that can be placed anew in every frame, a few milliseconds. */
-constexpr int kLabelsPerFrame = 60;
+constexpr std::size_t kLabelsPerFrame = 60;
+
+/** Labels times icebergs in sight that one frame has time for now and then. */
+constexpr std::size_t kLabelPairs = 10000;
 
 } // namespace
 
@@ -64,7 +68,9 @@ void MapScene::setView(const MapViewTransform& view)
 void MapScene::fit()
 {
     m_continuity = {};
-    const MapLayout fitted = arrangeMap(m_picture, {.theme = m_theme, .locale = m_locale}, m_rect);
+    m_labelsOwed = m_picture.icebergs.size();
+    const MapLayout fitted = arrangeMap(m_picture, {.theme = m_theme, .locale = m_locale}, m_rect,
+                                        std::nullopt, {.turn = LabelTurn{}}); // labels do not count
     setView(fitted.view);
 }
 
@@ -83,13 +89,34 @@ const MapLayout& MapScene::layout()
             return m_rect.contains(m_view.toPixel(iceberg.position_m));
         });
     m_continuity.driftTime_s = m_driftTime_s;
-    m_continuity.keepLabels = inSight > kLabelsPerFrame && !m_mayTakeTime;
-    m_isUnsettled = m_continuity.keepLabels;
-    m_mayTakeTime = false;
+    m_continuity.turn = nextTurn(static_cast<std::size_t>(inSight));
     m_layout =
         arrangeMap(m_picture, {.theme = m_theme, .locale = m_locale}, m_rect, m_view, m_continuity);
     m_continuity = continuityOf(m_picture, *m_layout);
     return *m_layout;
+}
+
+/** Labels that may look for a place in this frame; with many of them it is one part after another.
+ */
+std::optional<LabelTurn> MapScene::nextTurn(std::size_t inSight)
+{
+    const std::size_t count = m_picture.icebergs.size();
+    const bool mayTakeTime = std::exchange(m_mayTakeTime, false);
+    if (inSight <= kLabelsPerFrame) {
+        m_labelsOwed = 0;
+        return std::nullopt;
+    }
+    if (!mayTakeTime) {
+        m_labelsOwed = count;
+        return LabelTurn{};
+    }
+    if (m_turnFrom >= count)
+        m_turnFrom = 0;
+    const std::size_t part = std::max<std::size_t>(1, kLabelPairs / inSight);
+    const LabelTurn turn{.first = m_turnFrom, .count = std::min(part, count - m_turnFrom)};
+    m_turnFrom += turn.count;
+    m_labelsOwed -= std::min(m_labelsOwed, turn.count);
+    return turn;
 }
 
 void MapScene::settle()

@@ -39,9 +39,10 @@ public:
     void setDriftTime(std::optional<double> driftTime_s);
 
     [[nodiscard]] const MapLayout& layout();
-    /** True when labels kept a place that may be bad, because there are too many for one frame. */
-    [[nodiscard]] bool isUnsettled() const { return m_isUnsettled; }
-    /** Lets the next layout look for the best place of every label. */
+    /** True when labels have no place or a bad one, because there are too many for one frame. */
+    [[nodiscard]] bool isUnsettled() const { return m_labelsOwed > 0; }
+    /** Lets the next layout look for better places, for as many labels as one frame has time for.
+     */
     void settle();
 
     /** Key of the iceberg or UAV that is drawn or named here; empty: none, or an overlay. */
@@ -57,6 +58,7 @@ public:
     void paint(QPainter& painter, const std::function<void()>& marks);
 
 private:
+    [[nodiscard]] std::optional<LabelTurn> nextTurn(std::size_t inSight);
     void paintGround(QPainter& painter, const MapFrame& frame);
 
     MapPicture m_picture;
@@ -68,7 +70,8 @@ private:
 
     std::optional<MapLayout> m_layout; ///< none: to be arranged
     MapContinuity m_continuity;        ///< of the layout before
-    bool m_isUnsettled = false;
+    std::size_t m_turnFrom = 0;        ///< iceberg whose label looks for a place next
+    std::size_t m_labelsOwed = 0;      ///< so many still have to
     bool m_mayTakeTime = true;
 
     std::optional<Graticule> m_graticule; ///< of the present view

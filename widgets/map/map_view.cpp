@@ -22,7 +22,7 @@ constexpr double kLargestScale_pxpm = 10;
 /** Half the part of the view that a followed UAV may be in. */
 constexpr double kFollowShare = 0.2;
 
-constexpr int kSettle_ms = 150;
+constexpr int kSettle_ms = 50;
 
 bool isEditing(MapToolKind kind)
 {
@@ -134,6 +134,13 @@ void MapView::setFollowUav(bool follow)
         setView(
             view().moved(m_scene.rect().center() - toScreen(m_scene.picture().uav->position_m)));
     emit followUavChanged(follow);
+}
+
+void MapView::showAs(const MapView& other)
+{
+    if (!other.m_isFitted)
+        setView(other.view());
+    setFollowUav(other.m_followsUav);
 }
 
 void MapView::stopFollowing()

@@ -49,6 +49,9 @@ public:
     void setFollowUav(bool follow);
     [[nodiscard]] bool followsUav() const { return m_followsUav; }
 
+    /** Place, scale and following of another map. */
+    void showAs(const MapView& other);
+
     [[nodiscard]] MapViewTransform view() const { return m_scene.view(); }
     [[nodiscard]] Point toWorld(const QPointF& p_px) const { return m_scene.view().toWorld(p_px); }
     [[nodiscard]] QPointF toScreen(const Point& p_m) const { return m_scene.view().toPixel(p_m); }

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <bit>
 
 using namespace Qt::StringLiterals;
 
@@ -19,27 +20,28 @@ struct MissionPicture
 
 std::vector<MapReadout> readoutsOf(const FlightRecord& record, const QLocale& locale)
 {
-    const Metrics& metrics = record.now.metrics;
-    return {
-        {.caption = MissionPicture::tr("Time"), .value = clockText(record.now.time_s), .unit = {}},
-        {.caption = MissionPicture::tr("Zeta ζ"),
-         .value = significantText(metrics.zeta_m2s, 4, locale),
-         .unit = u"m² s"_s},
-        {.caption = MissionPicture::tr("Visits"),
-         .value = fixedText(metrics.visits, 0, locale),
-         .unit = {}}};
+    const Metrics& metrics = record.shown().metrics;
+    return {{.caption = MissionPicture::tr("Time"),
+             .value = clockText(record.shown().time_s),
+             .unit = {}},
+            {.caption = MissionPicture::tr("Zeta ζ"),
+             .value = significantText(metrics.zeta_m2s, 4, locale),
+             .unit = u"m² s"_s},
+            {.caption = MissionPicture::tr("Visits"),
+             .value = fixedText(metrics.visits, 0, locale),
+             .unit = {}}};
 }
 
 /** Icebergs that have appeared; `shown[i]` is the place of iceberg i in the picture or -1. */
 std::vector<MapIceberg> icebergsOf(const FlightRecord& record, std::vector<int>& shown)
 {
     std::vector<MapIceberg> icebergs;
-    shown.assign(record.now.icebergs.size(), -1);
-    for (std::size_t i = 0; i < record.now.icebergs.size(); ++i) {
-        if (!record.now.active[i])
+    shown.assign(record.shown().icebergs.size(), -1);
+    for (std::size_t i = 0; i < record.shown().icebergs.size(); ++i) {
+        if (!record.shown().active[i])
             continue;
-        const Iceberg& iceberg = record.now.icebergs[i];
-        const Track& track = record.now.world.tracks[i];
+        const Iceberg& iceberg = record.shown().icebergs[i];
+        const Track& track = record.shown().world.tracks[i];
         shown[i] = static_cast<int>(icebergs.size());
         icebergs.push_back(
             {.id = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name),
@@ -53,14 +55,44 @@ std::vector<MapIceberg> icebergsOf(const FlightRecord& record, std::vector<int>&
     return icebergs;
 }
 
+/**
+ * The way flown until the time shown: every sample of the last stretch, then every second, fourth,
+ * ... of each twice as long one before. Which samples are left depends on their places alone, so
+ * that the line stands still while it grows.
+ */
+std::vector<MapTrackPoint> trackOf(const FlightRecord& record)
+{
+    constexpr std::size_t kDetailed = 500;
+    const MissionSnapshot& shown = record.shown();
+    const std::vector<Sample>& samples = record.history.samples;
+    const auto end = std::upper_bound(samples.begin(), samples.end(), shown.time_s,
+                                      [](double t, const Sample& s) { return t < s.time_s; });
+    const auto count = static_cast<std::size_t>(end - samples.begin());
+    std::vector<MapTrackPoint> track;
+    for (std::size_t i = 0; i < count;) {
+        track.push_back({.position_m = samples[i].uav.position_m, .time_s = samples[i].time_s});
+        const std::size_t stride =
+            std::bit_floor(std::max<std::size_t>(1, (count - i) / kDetailed));
+        i += stride - i % stride;
+    }
+    if (!track.empty() && track.back().time_s < shown.time_s)
+        track.push_back({.position_m = shown.world.uav.position_m, .time_s = shown.time_s});
+    return track;
+}
+
 } // namespace
 
 double sigmaScaleEnd_m2(const FlightRecord& record)
 {
     constexpr double kShare = 0.95;
+    constexpr std::size_t kEnough = 20000; // values, to know a share of them well
+    const std::vector<std::vector<IcebergSample>>& rows = record.history.rows;
+    const std::size_t all = rows.empty() ? 0 : rows.size() * rows.back().size();
+    const std::size_t stride = std::bit_ceil((all + kEnough - 1) / kEnough);
     std::vector<double> recorded_m2;
-    for (const std::vector<IcebergSample>& row : record.rows)
-        for (const IcebergSample& sample : row)
+    recorded_m2.reserve(2 * kEnough);
+    for (std::size_t row = 0; row < rows.size(); row += stride)
+        for (const IcebergSample& sample : rows[row])
             recorded_m2.push_back(sample.sigma_m2);
     double end_m2 = 0;
     if (!recorded_m2.empty()) {
@@ -79,10 +111,10 @@ double sigmaScaleEnd_m2(const FlightRecord& record)
 MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
 {
     const Scenario& scenario = record.scenario;
-    const WorldState& state = record.now.world;
+    const WorldState& state = record.shown().world;
     MapPicture picture;
     picture.title = QString::fromStdString(scenario.name);
-    picture.subtitle = policyText(record.now.planner, locale);
+    picture.subtitle = policyText(record.shown().planner, locale);
     picture.readouts = readoutsOf(record, locale);
     picture.origin = scenario.origin;
     if (!scenario.uavs.empty())
@@ -93,12 +125,11 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
                    .key = scenario.uavs.front().id};
     std::vector<int> shown;
     picture.icebergs = icebergsOf(record, shown);
-    if (record.now.plan)
-        for (const int iceberg : record.now.plan->order)
+    if (record.shown().plan)
+        for (const int iceberg : record.shown().plan->order)
             if (const int place = shown[static_cast<std::size_t>(iceberg)]; place >= 0)
                 picture.plan.push_back(place);
-    for (const Sample& sample : record.samples)
-        picture.track.push_back({.position_m = sample.uav.position_m, .time_s = sample.time_s});
+    picture.track = trackOf(record);
     picture.area_m = scenario.area_m;
     if (scenario.asset)
         picture.asset = MapAsset{.name = QString::fromStdString(scenario.asset->name),

@@ -8,15 +8,16 @@
 namespace berg {
 
 /**
- * The map of a mission at its present time: everything flown and recorded, the plan in force, the
- * estimates of the icebergs that have appeared.
+ * The map of a mission at the time shown: the way flown, of long flights the older the coarser, the
+ * plan in force, the estimates of the icebergs that have appeared. Cost: linear in the icebergs and
+ * in the few thousand points of the way.
  */
 [[nodiscard]] MapPicture missionPicture(const FlightRecord& record, const QLocale& locale);
 
 /**
  * End of the sigma scale for map and charts, m^2: round, above every present sigma and above 95 %
  * of those recorded, so that one iceberg that was once very uncertain does not make all others
- * look alike. Cost: linear in the record.
+ * look alike. Of long records it looks at some rows at even distances, a few 10 000 values.
  */
 [[nodiscard]] double sigmaScaleEnd_m2(const FlightRecord& record);
 

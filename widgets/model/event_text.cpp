@@ -23,7 +23,9 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
     case EventKind::Reached:
         return EventText::tr("%1 reached").arg(iceberg);
     case EventKind::Sighted:
-        return EventText::tr("%1 in view").arg(iceberg);
+        return (event.detail == kReported ? EventText::tr("%1 reported seen")
+                                          : EventText::tr("%1 in view"))
+            .arg(iceberg);
     case EventKind::Appeared:
         return EventText::tr("%1 appeared").arg(iceberg);
     case EventKind::Intervention:
@@ -32,16 +34,51 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
     return {};
 }
 
+QString nameOf(int index, const std::vector<Iceberg>& icebergs)
+{
+    if (index < 0 || static_cast<std::size_t>(index) >= icebergs.size())
+        return {};
+    const Iceberg& iceberg = icebergs[static_cast<std::size_t>(index)];
+    return QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name);
+}
+
 } // namespace
+
+QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& icebergs)
+{
+    return sentence(event, nameOf(event.iceberg, icebergs));
+}
 
 QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs)
 {
-    QString name;
-    if (event.iceberg >= 0 && static_cast<std::size_t>(event.iceberg) < icebergs.size()) {
-        const Iceberg& iceberg = icebergs[static_cast<std::size_t>(event.iceberg)];
-        name = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name);
+    return u"%1  %2"_s.arg(clockText(event.time_s), eventSentence(event, icebergs));
+}
+
+QString planReasonText(PlanReason reason)
+{
+    switch (reason) {
+    case PlanReason::None:
+        return {};
+    case PlanReason::Start:
+        return EventText::tr("take-off");
+    case PlanReason::TargetReached:
+        return EventText::tr("iceberg reached");
+    case PlanReason::OutOfView:
+        return EventText::tr("iceberg out of view again");
+    case PlanReason::Appeared:
+        return EventText::tr("new iceberg");
+    case PlanReason::Intervention:
+        return EventText::tr("changed in flight");
     }
-    return u"%1  %2"_s.arg(clockText(event.time_s), sentence(event, name));
+    return {};
+}
+
+QString planOrderText(const PlanEvent& plan, const std::vector<Iceberg>& icebergs)
+{
+    QStringList names;
+    for (const int iceberg : plan.order)
+        names << nameOf(iceberg, icebergs);
+    return names.join(u", "_s);
 }
 
 } // namespace berg

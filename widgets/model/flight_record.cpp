@@ -1,27 +1,25 @@
 #include "widgets/model/flight_record.h"
 
-#include <iterator>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace berg {
 
 void FlightRecord::begin(const Scenario& flown)
 {
+    const std::uint64_t rewrites = history.rewrites;
     *this = FlightRecord{.scenario = flown};
+    history.rewrites = rewrites + 1;
 }
 
 void FlightRecord::take(MissionSnapshot snapshot)
 {
     if (snapshot.generation != now.generation) {
-        samples.clear();
-        rows.clear();
+        history = {.rewrites = history.rewrites + 1};
+        instant.reset();
     }
-    // What came with snapshots that were never taken is in this one: nothing is missing or twice.
-    samples.resize(std::min(samples.size(), snapshot.firstSample));
-    rows.resize(samples.size());
-    samples.insert(samples.end(), snapshot.newSamples.begin(), snapshot.newSamples.end());
-    std::move(snapshot.newRows.begin(), snapshot.newRows.end(), std::back_inserter(rows));
-    snapshot.newSamples.clear();
-    snapshot.newRows.clear();
+    append(history, std::exchange(snapshot.news, {}));
     now = std::move(snapshot);
 }
 
@@ -42,18 +40,43 @@ bool FlightRecord::inFlight() const
 
 Point FlightRecord::estimate_m(std::size_t iceberg) const
 {
-    return now.world.tracks[iceberg].estimate_m(now.time_s);
+    return shown().world.tracks[iceberg].estimate_m(shown().time_s);
+}
+
+std::size_t FlightRecord::eventsShown() const
+{
+    constexpr double kRounding_s = 1e-6; // times are whole steps
+    const double until_s = shown().time_s + kRounding_s;
+    const auto end =
+        std::upper_bound(history.events.begin(), history.events.end(), until_s,
+                         [](double t, const MissionEvent& event) { return t < event.time_s; });
+    return static_cast<std::size_t>(end - history.events.begin());
 }
 
 FlightRecord recordOf(const Mission& mission)
 {
     FlightRecord record{.scenario = mission.scenario(), .now = snapshotOf(mission)};
-    record.samples = mission.recorder().samples();
-    for (std::size_t row = 0; row < record.samples.size(); ++row) {
+    MissionHistory& history = record.history;
+    history.samples = mission.recorder().samples();
+    for (std::size_t row = 0; row < history.samples.size(); ++row) {
         const auto icebergs = mission.recorder().icebergs(row);
-        record.rows.emplace_back(icebergs.begin(), icebergs.end());
+        history.rows.emplace_back(icebergs.begin(), icebergs.end());
     }
+    history.plans = mission.plans();
+    history.events = mission.events();
     return record;
+}
+
+MissionOptions recordingOf(const Scenario& scenario)
+{
+    constexpr double kSamples = 18000;
+    constexpr double kIcebergSamples = 2e6; // 64 MB
+    constexpr double kLongest_s = 5;
+    constexpr double kKeyframe_samples = 60;
+    const double icebergs = static_cast<double>(scenario.icebergs.size());
+    const double share = std::max(1 / kSamples, icebergs / kIcebergSamples);
+    const double interval_s = std::clamp(std::ceil(scenario.duration_s * share), 1.0, kLongest_s);
+    return {.sampleInterval_s = interval_s, .keyframeInterval_s = kKeyframe_samples * interval_s};
 }
 
 } // namespace berg

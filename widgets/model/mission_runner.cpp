@@ -13,7 +13,7 @@ void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
 {
     for (Intervention& change : next) {
         Intervention& last = waiting.back();
-        if (last.appears || change.appears) {
+        if (last.appears || change.appears || last.seen || change.seen) {
             waiting.push_back(std::move(change));
             continue;
         }
@@ -25,12 +25,15 @@ void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
 } // namespace
 
 MissionRunner::MissionRunner(QObject* parent)
-    : QObject(parent), m_worker(new MissionWorker(m_requests, m_interventions, m_snapshots))
+    : QObject(parent)
+    , m_worker(new MissionWorker(
+          {m_requests, m_interventions, m_snapshots, m_instantRequests, m_instants}))
 {
     m_thread.setObjectName(u"mission"_s);
     m_worker->moveToThread(&m_thread);
     connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
     connect(m_worker, &MissionWorker::published, this, &MissionRunner::updated);
+    connect(m_worker, &MissionWorker::instantPublished, this, &MissionRunner::instantUpdated);
     connect(m_worker, &MissionWorker::refused, this, &MissionRunner::commandRefused);
     connect(m_worker, &MissionWorker::exportReady, this, &MissionRunner::exportReady);
     connect(m_worker, &MissionWorker::runReady, this, &MissionRunner::runReady);
@@ -59,12 +62,19 @@ void MissionRunner::setScenario(const Scenario& scenario, const MissionOptions& 
     begin();
 }
 
+void MissionRunner::setRun(std::shared_ptr<const RunFile> run)
+{
+    m_scenario = run->scenario;
+    m_options = run->options;
+    begin(std::move(run));
+}
+
 void MissionRunner::restart()
 {
     begin();
 }
 
-void MissionRunner::begin()
+void MissionRunner::begin(std::shared_ptr<const RunFile> run)
 {
     m_stop.request_stop();
     m_stop = std::stop_source();
@@ -72,6 +82,7 @@ void MissionRunner::begin()
     const bool mustTell = m_requests.put({.generation = m_generation,
                                           .scenario = m_scenario,
                                           .options = m_options,
+                                          .run = std::move(run),
                                           .stop = m_stop.get_token()});
     if (mustTell)
         post([](MissionWorker& worker) { worker.start(); });
@@ -92,6 +103,17 @@ void MissionRunner::stepBy(double seconds)
     post([seconds](MissionWorker& worker) { worker.stepBy(seconds); });
 }
 
+void MissionRunner::flyOnFrom(double time_s)
+{
+    post([time_s](MissionWorker& worker) { worker.flyOnFrom(time_s); });
+}
+
+void MissionRunner::requestInstant(double time_s)
+{
+    if (m_instantRequests.put(time_s))
+        post([](MissionWorker& worker) { worker.sendInstant(); });
+}
+
 void MissionRunner::intervene(const Intervention& intervention)
 {
     const bool mustTell = m_interventions.put({intervention}, join);
@@ -99,19 +121,28 @@ void MissionRunner::intervene(const Intervention& intervention)
         post([](MissionWorker& worker) { worker.intervene(); });
 }
 
-void MissionRunner::requestRun()
+void MissionRunner::requestRun(const QString& path)
 {
-    post([](MissionWorker& worker) { worker.sendRun(); });
+    post([path](MissionWorker& worker) { worker.sendRun(path); });
 }
 
-void MissionRunner::requestExport(const std::string& formatId)
+void MissionRunner::requestExport(const std::string& formatId, const QString& path)
 {
-    post([formatId](MissionWorker& worker) { worker.sendExport(formatId); });
+    post([formatId, path](MissionWorker& worker) { worker.sendExport(formatId, path); });
 }
 
 std::optional<MissionSnapshot> MissionRunner::takeSnapshot()
 {
-    std::optional<MissionSnapshot> snapshot = m_snapshots.take();
+    return ofNow(m_snapshots.take());
+}
+
+std::optional<MissionSnapshot> MissionRunner::takeInstant()
+{
+    return ofNow(m_instants.take());
+}
+
+std::optional<MissionSnapshot> MissionRunner::ofNow(std::optional<MissionSnapshot> snapshot) const
+{
     if (snapshot && snapshot->generation != m_generation)
         return std::nullopt;
     return snapshot;

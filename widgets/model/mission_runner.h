@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/io/run_json.h"
-#include "core/sim/mission.h"
 #include "widgets/model/mailbox.h"
+#include "widgets/model/mission_snapshot.h"
 
 #include <QObject>
 #include <QThread>
@@ -11,46 +11,13 @@
 
 namespace berg {
 
-enum class RunPhase
-{
-    Planning, ///< a plan from the start is being made
-    Ready,    ///< planned, at time 0
-    Flying,
-    Paused,
-    Finished,
-    Failed ///< the scenario cannot be planned or flown: `error`
-};
-
-/** What the mission looks like at one instant, for drawing. Immutable once published. */
-struct MissionSnapshot
-{
-    std::uint64_t generation = 0; ///< of the scenario it belongs to
-    RunPhase phase = RunPhase::Planning;
-    double time_s = 0;
-    WorldState world;
-    std::vector<Iceberg> icebergs; ///< those added in flight at the end
-    std::vector<Point> truth_m;
-    std::vector<bool> active;
-    std::optional<PlanEvent> plan; ///< the present one
-    std::vector<PlanEvent> plans;  ///< all of them
-    std::vector<MissionEvent> events;
-    PlannerSettings planner; ///< in force now, interventions applied
-    Metrics metrics;
-    std::size_t firstSample = 0;    ///< number of the first of `newSamples` in the history
-    std::vector<Sample> newSamples; ///< since the snapshot taken before
-    std::vector<std::vector<IcebergSample>> newRows; ///< icebergs at each of them
-    std::optional<Error> error;
-};
-
-/** The mission as it is now, without generation, phase and samples. */
-[[nodiscard]] MissionSnapshot snapshotOf(const Mission& mission);
-
 /** What the worker is to fly next. */
 struct MissionRequest
 {
     std::uint64_t generation = 0;
     Scenario scenario;
     MissionOptions options;
+    std::shared_ptr<const RunFile> run; ///< to be flown again first; null: none
     std::stop_token stop;
 };
 
@@ -72,6 +39,8 @@ public:
 
     /** Plans this scenario from its start; ends what was under way. The newest request wins. */
     void setScenario(const Scenario& scenario, const MissionOptions& options = {});
+    /** Flies a recorded run again, as far as it went; told when it comes out differently. */
+    void setRun(std::shared_ptr<const RunFile> run);
     [[nodiscard]] std::uint64_t generation() const { return m_generation; }
 
     /** Flies at `rate` simulated seconds a second; 0: as fast as possible. */
@@ -81,35 +50,51 @@ public:
     void stepBy(double seconds);
     /** Back to the start of the same scenario. */
     void restart();
+    /**
+     * Pauses and goes back to `time_s` of the flight to fly on from there in another way: what
+     * came after is given up.
+     */
+    void flyOnFrom(double time_s);
+    /** Asks for the mission as it was at `time_s`: `instantUpdated` follows; the newest wins. */
+    void requestInstant(double time_s);
     /** Applies the change at the present instant of a flight that has begun. */
     void intervene(const Intervention& intervention);
 
     /**
      * Asks for the plan from the start, or in flight for what was flown, in a format of
-     * `exportFormats`: `exportReady` or `commandRefused` follows.
+     * `exportFormats`: `exportReady` with the same `path` or `commandRefused` follows.
      */
-    void requestExport(const std::string& formatId);
+    void requestExport(const std::string& formatId, const QString& path = {});
 
     /** The newest snapshot of the present generation, with all samples since the last one taken. */
     [[nodiscard]] std::optional<MissionSnapshot> takeSnapshot();
 
-    /** Asks for the run so far, to be saved or exported: `runReady` follows. */
-    void requestRun();
+    /** The newest instant asked for, if it is of the present generation. */
+    [[nodiscard]] std::optional<MissionSnapshot> takeInstant();
+
+    /** Asks for the run so far, to be saved: `runReady` with the same `path` follows. */
+    void requestRun(const QString& path = {});
 
 signals:
     /** A snapshot waits. */
     void updated();
-    /** An intervention or an export could not be done: why. */
+    /** An instant waits. */
+    void instantUpdated();
+    /** Something could not be done, or not as asked: why. */
     void commandRefused(const QString& message);
-    void exportReady(const std::string& content);
-    void runReady(const std::shared_ptr<const berg::RunFile>& run);
+    void exportReady(const QString& path, const std::string& content);
+    void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
 
 private:
-    void begin();
+    void begin(std::shared_ptr<const RunFile> run = nullptr);
+    [[nodiscard]] std::optional<MissionSnapshot>
+    ofNow(std::optional<MissionSnapshot> snapshot) const;
     template <class Command>
     void post(Command command);
 
     Mailbox<MissionSnapshot> m_snapshots;
+    Mailbox<MissionSnapshot> m_instants;
+    Mailbox<double> m_instantRequests;
     Mailbox<MissionRequest> m_requests;
     Mailbox<std::vector<Intervention>> m_interventions;
     QThread m_thread;

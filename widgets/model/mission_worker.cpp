@@ -1,8 +1,10 @@
 #include "widgets/model/mission_worker.h"
 
 #include "core/io/formats.h"
+#include "widgets/model/error_text.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace berg {
 
@@ -11,30 +13,39 @@ namespace {
 constexpr int kSlice_ms = 16;
 constexpr int kWork_ms = 8; ///< of flying in one slice, so that commands are answered at once
 
-/** A snapshot waits unread: the newer one takes its place but keeps its unseen samples. */
+/** News of one kind: those that wait, then the next ones; places are in the whole record. */
+template <class Entry>
+void join(std::size_t waitingFirst, std::vector<Entry>& waiting, std::size_t nextFirst,
+          std::vector<Entry>& next)
+{
+    if (nextFirst <= waitingFirst)
+        return; // all that waits is told anew
+    waiting.resize(std::min(waiting.size(), nextFirst - waitingFirst));
+    std::move(next.begin(), next.end(), std::back_inserter(waiting));
+    next = std::move(waiting);
+}
+
+/** A snapshot waits unread: the newer one takes its place but keeps its unseen news. */
 void amend(MissionSnapshot& waiting, MissionSnapshot next)
 {
-    if (waiting.generation == next.generation &&
-        waiting.firstSample + waiting.newSamples.size() == next.firstSample) {
-        waiting.newSamples.insert(waiting.newSamples.end(), next.newSamples.begin(),
-                                  next.newSamples.end());
-        std::move(next.newRows.begin(), next.newRows.end(), std::back_inserter(waiting.newRows));
-        next.firstSample = waiting.firstSample;
-        next.newSamples = std::move(waiting.newSamples);
-        next.newRows = std::move(waiting.newRows);
+    if (waiting.generation == next.generation) {
+        HistoryNews& old = waiting.news;
+        HistoryNews& news = next.news;
+        join(old.firstSample, old.part.samples, news.firstSample, news.part.samples);
+        join(old.firstSample, old.part.rows, news.firstSample, news.part.rows);
+        join(old.firstPlan, old.part.plans, news.firstPlan, news.part.plans);
+        join(old.firstEvent, old.part.events, news.firstEvent, news.part.events);
+        news.firstSample = std::min(news.firstSample, old.firstSample);
+        news.firstPlan = std::min(news.firstPlan, old.firstPlan);
+        news.firstEvent = std::min(news.firstEvent, old.firstEvent);
     }
     waiting = std::move(next);
 }
 
 } // namespace
 
-MissionWorker::MissionWorker(Mailbox<MissionRequest>& requests,
-                             Mailbox<std::vector<Intervention>>& interventions,
-                             Mailbox<MissionSnapshot>& snapshots)
-    : m_requests(requests)
-    , m_interventions(interventions)
-    , m_snapshots(snapshots)
-    , m_timer(this) // moves to the thread with its parent
+MissionWorker::MissionWorker(const MissionMail& mail)
+    : m_mail(mail), m_timer(this) // moves to the thread with its parent
 {
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &MissionWorker::slice);
@@ -42,18 +53,22 @@ MissionWorker::MissionWorker(Mailbox<MissionRequest>& requests,
 
 void MissionWorker::start()
 {
-    std::optional<MissionRequest> request = m_requests.take();
+    std::optional<MissionRequest> request = m_mail.requests.take();
     if (!request)
         return; // an earlier call has taken a newer one
     m_timer.stop();
     m_request = std::move(*request);
     m_mission.reset();
     m_error.reset();
-    m_published = 0;
+    m_published = {};
     m_phase = RunPhase::Planning;
     try {
+        if (m_request.run) {
+            flyAgain(*m_request.run);
+            return;
+        }
         m_mission = std::make_unique<Mission>(m_request.scenario, m_request.options);
-        m_mission->setIncumbentListener([this](const PlanEvent& plan) { publishIncumbent(plan); });
+        listenToIncumbents();
         if (m_mission->advance(0, m_request.stop) == AdvanceStatus::Cancelled)
             return; // a newer request waits
         m_phase = RunPhase::Ready;
@@ -61,6 +76,29 @@ void MissionWorker::start()
     } catch (const Error& error) {
         fail(error);
     }
+}
+
+void MissionWorker::flyAgain(const RunFile& run)
+{
+    m_mission = std::make_unique<Mission>(replay(run, m_request.stop));
+    if (m_request.stop.stop_requested())
+        return; // a newer request waits
+    listenToIncumbents();
+    const Simulation& simulation = m_mission->simulation();
+    m_phase = simulation.finished()     ? RunPhase::Finished
+              : simulation.time_s() > 0 ? RunPhase::Paused
+                                        : RunPhase::Ready;
+    publish();
+    const std::vector<Issue> differences = compareRun(run, runOf(*m_mission));
+    if (!differences.empty() && differences.front().severity == Severity::Error)
+        emit refused(tr("Flown again, this run comes out differently: %1, %2")
+                         .arg(QString::fromStdString(differences.front().field),
+                              QString::fromStdString(differences.front().message)));
+}
+
+void MissionWorker::listenToIncumbents()
+{
+    m_mission->setIncumbentListener([this](const PlanEvent& plan) { publishIncumbent(plan); });
 }
 
 void MissionWorker::fly(double rate)
@@ -140,40 +178,82 @@ bool MissionWorker::advanceTo(double until_s)
 
 void MissionWorker::intervene()
 {
-    const std::optional<std::vector<Intervention>> waiting = m_interventions.take();
-    if (!waiting || !m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
+    const std::optional<std::vector<Intervention>> waiting = m_mail.interventions.take();
+    if (!waiting || !m_mission)
         return;
+    if (m_phase == RunPhase::Finished || m_phase == RunPhase::Failed) {
+        emit refused(tr("The run has ended. Reset it to fly it in another way."));
+        return;
+    }
     for (const Intervention& intervention : *waiting) {
         try {
             m_mission->intervene(intervention);
         } catch (const Error& error) {
-            emit refused(QString::fromUtf8(error.what()));
+            emit refused(errorReport(error));
         }
     }
     advanceTo(m_mission->simulation().time_s()); // plan on the spot
     publish();
 }
 
-void MissionWorker::sendRun()
+void MissionWorker::flyOnFrom(double time_s)
 {
-    if (m_mission)
-        emit runReady(std::make_shared<const RunFile>(runOf(*m_mission)));
+    if (!m_mission || m_phase == RunPhase::Failed)
+        return;
+    m_timer.stop();
+    RunFile run = runOf(*m_mission);
+    run.flownUntil_s = std::clamp(time_s, 0.0, run.flownUntil_s);
+    std::erase_if(run.interventions,
+                  [&run](const Intervention& change) { return change.time_s > run.flownUntil_s; });
+    try {
+        m_mission->setIncumbentListener(nullptr);
+        *m_mission = replay(run, m_request.stop);
+        listenToIncumbents();
+        m_published = {}; // all of it again: the end that was sent is given up
+        m_phase = RunPhase::Paused;
+        publish();
+    } catch (const Error& error) {
+        fail(error);
+    }
 }
 
-void MissionWorker::sendExport(const std::string& formatId)
+void MissionWorker::sendInstant()
 {
-    if (!m_mission)
+    const std::optional<double> time_s = m_mail.instantRequests.take();
+    if (!time_s || !m_mission || m_phase == RunPhase::Failed)
         return;
+    MissionSnapshot snapshot = snapshotAt(*m_mission, *time_s);
+    snapshot.generation = m_request.generation;
+    snapshot.phase = m_phase;
+    if (m_mail.instants.put(std::move(snapshot)))
+        emit instantPublished();
+}
+
+void MissionWorker::sendRun(const QString& path)
+{
+    if (m_mission)
+        emit runReady(path, std::make_shared<const RunFile>(runOf(*m_mission)));
+    else
+        emit refused(tr("There is no run to save: the scenario cannot be planned."));
+}
+
+void MissionWorker::sendExport(const std::string& formatId, const QString& path)
+{
+    if (!m_mission) {
+        emit refused(tr("There is no plan to export: the scenario cannot be planned."));
+        return;
+    }
     try {
         const bool flown = m_phase != RunPhase::Ready;
         const Scenario& scenario = m_mission->scenario();
         const PlanAnswer plan = planFromStart(scenario, {.stop = m_request.stop});
         const ExportFormat* format = findExportFormat(formatId);
         require(format != nullptr, "sendExport: no such format");
-        emit exportReady(format->write(
-            {.scenario = scenario, .plan = plan, .mission = flown ? m_mission.get() : nullptr}));
+        emit exportReady(path, format->write({.scenario = scenario,
+                                              .plan = plan,
+                                              .mission = flown ? m_mission.get() : nullptr}));
     } catch (const Error& error) {
-        emit refused(QString::fromUtf8(error.what()));
+        emit refused(errorReport(error));
     }
 }
 
@@ -185,16 +265,26 @@ void MissionWorker::fail(const Error& error)
     publish();
 }
 
-void MissionWorker::addHistory(MissionSnapshot& snapshot)
+HistoryNews MissionWorker::takeNews()
 {
     const Recorder& recorder = m_mission->recorder();
-    const auto& samples = recorder.samples();
-    snapshot.firstSample = m_published;
-    for (; m_published < samples.size(); ++m_published) {
-        snapshot.newSamples.push_back(samples[m_published]);
-        const auto row = recorder.icebergs(m_published);
-        snapshot.newRows.emplace_back(row.begin(), row.end());
+    HistoryNews news = m_published;
+    const auto take = [](const auto& all, std::size_t& published, auto& part) {
+        // A flight that went back to fly on in another way has less than was sent.
+        published = std::min(published, all.size());
+        part.assign(all.begin() + static_cast<std::ptrdiff_t>(published), all.end());
+    };
+    take(recorder.samples(), news.firstSample, news.part.samples);
+    for (std::size_t row = news.firstSample; row < recorder.samples().size(); ++row) {
+        const auto icebergs = recorder.icebergs(row);
+        news.part.rows.emplace_back(icebergs.begin(), icebergs.end());
     }
+    take(m_mission->plans(), news.firstPlan, news.part.plans);
+    take(m_mission->events(), news.firstEvent, news.part.events);
+    m_published.firstSample = recorder.samples().size();
+    m_published.firstPlan = m_mission->plans().size();
+    m_published.firstEvent = m_mission->events().size();
+    return news;
 }
 
 void MissionWorker::publishIncumbent(const PlanEvent& plan)
@@ -203,13 +293,13 @@ void MissionWorker::publishIncumbent(const PlanEvent& plan)
         return; // in flight the picture is that of the last plan until the next one is made
     MissionSnapshot snapshot = present();
     snapshot.plan = plan;
-    if (m_snapshots.put(std::move(snapshot), amend))
+    if (m_mail.snapshots.put(std::move(snapshot), amend))
         emit published();
 }
 
 void MissionWorker::publish()
 {
-    if (m_snapshots.put(present(), amend))
+    if (m_mail.snapshots.put(present(), amend))
         emit published();
 }
 
@@ -218,30 +308,11 @@ MissionSnapshot MissionWorker::present()
     MissionSnapshot snapshot;
     if (m_mission) {
         snapshot = snapshotOf(*m_mission);
-        addHistory(snapshot);
+        snapshot.news = takeNews();
     }
     snapshot.generation = m_request.generation;
     snapshot.phase = m_phase;
     snapshot.error = m_error;
-    return snapshot;
-}
-
-MissionSnapshot snapshotOf(const Mission& mission)
-{
-    const Simulation& simulation = mission.simulation();
-    MissionSnapshot snapshot{.time_s = simulation.time_s(),
-                             .world = simulation.state(),
-                             .icebergs = mission.icebergs(),
-                             .plans = mission.plans(),
-                             .events = mission.events(),
-                             .planner = mission.plannerSettings(),
-                             .metrics = mission.metrics()};
-    for (int i = 0; i < simulation.icebergCount(); ++i) {
-        snapshot.truth_m.push_back(simulation.truth_m(i));
-        snapshot.active.push_back(simulation.active(i));
-    }
-    if (!snapshot.plans.empty())
-        snapshot.plan = snapshot.plans.back();
     return snapshot;
 }
 

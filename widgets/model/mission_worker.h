@@ -8,15 +8,23 @@
 
 namespace berg {
 
+/** What the two threads leave for each other. */
+struct MissionMail
+{
+    Mailbox<MissionRequest>& requests;
+    Mailbox<std::vector<Intervention>>& interventions;
+    Mailbox<MissionSnapshot>& snapshots;
+    Mailbox<double>& instantRequests; ///< times, s
+    Mailbox<MissionSnapshot>& instants;
+};
+
 /** The mission thread's side of `MissionRunner`: owns the mission, flies it in short slices. */
 class MissionWorker : public QObject
 {
     Q_OBJECT
 
 public:
-    MissionWorker(Mailbox<MissionRequest>& requests,
-                  Mailbox<std::vector<Intervention>>& interventions,
-                  Mailbox<MissionSnapshot>& snapshots);
+    explicit MissionWorker(const MissionMail& mail);
 
     /** Takes the newest request, if one waits, and plans it. */
     void start();
@@ -25,14 +33,18 @@ public:
     void stepBy(double seconds);
     /** Applies the interventions that wait, here and now. */
     void intervene();
-    void sendRun();
-    void sendExport(const std::string& formatId);
+    /** Flies the same way again until `time_s`, and pauses there. */
+    void flyOnFrom(double time_s);
+    void sendInstant();
+    void sendRun(const QString& path);
+    void sendExport(const std::string& formatId, const QString& path);
 
 signals:
     void published();
+    void instantPublished();
     void refused(const QString& message);
-    void exportReady(const std::string& content);
-    void runReady(const std::shared_ptr<const berg::RunFile>& run);
+    void exportReady(const QString& path, const std::string& content);
+    void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
 
 private:
     void slice();
@@ -43,11 +55,11 @@ private:
     [[nodiscard]] MissionSnapshot present();
     void publish();
     void publishIncumbent(const PlanEvent& plan);
-    void addHistory(MissionSnapshot& snapshot);
+    void flyAgain(const RunFile& run);
+    void listenToIncumbents();
+    [[nodiscard]] HistoryNews takeNews();
 
-    Mailbox<MissionRequest>& m_requests;
-    Mailbox<std::vector<Intervention>>& m_interventions;
-    Mailbox<MissionSnapshot>& m_snapshots;
+    MissionMail m_mail;
     MissionRequest m_request;
     std::unique_ptr<Mission> m_mission;
     std::optional<Error> m_error;
@@ -55,8 +67,8 @@ private:
     QTimer m_timer;
     QElapsedTimer m_clock;
     double m_rate = 1;
-    double m_target_s = 0;       ///< simulated time that the wall clock asks for
-    std::size_t m_published = 0; ///< samples already sent
+    double m_target_s = 0;   ///< simulated time that the wall clock asks for
+    HistoryNews m_published; ///< how much of each was sent; nothing in it
 };
 
 } // namespace berg

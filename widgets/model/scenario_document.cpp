@@ -3,6 +3,7 @@
 #include "core/io/scenario_json.h"
 #include "core/scenario/validate.h"
 
+#include <QFile>
 #include <QUndoCommand>
 #include <QUndoStack>
 
@@ -119,7 +120,7 @@ void ScenarioDocument::reset(const Scenario& scenario)
 
 void ScenarioDocument::open(const QString& path)
 {
-    const Scenario scenario = loadScenario(path.toStdString());
+    const Scenario scenario = loadScenario(QFile::encodeName(path).toStdString());
     reset(scenario);
     m_filePath = path;
     emit filePathChanged(m_filePath);
@@ -127,7 +128,7 @@ void ScenarioDocument::open(const QString& path)
 
 void ScenarioDocument::save(const QString& path)
 {
-    saveScenario(m_scenario, path.toStdString());
+    saveScenario(m_scenario, QFile::encodeName(path).toStdString());
     m_filePath = path;
     m_undoStack->setClean();
     emit filePathChanged(m_filePath);

@@ -1,8 +1,20 @@
 #include "widgets/model/workspace.h"
 
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <utility>
+
 using namespace Qt::StringLiterals;
 
 namespace berg {
+namespace {
+
+constexpr int kTauPause_ms = 100;
+constexpr int kFrame_ms = 16;
+
+} // namespace
 
 Workspace::Workspace(QObject* parent) : QObject(parent)
 {
@@ -10,6 +22,12 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
     connect(&m_document, &ScenarioDocument::replaced, &m_selection, &Selection::clear);
     connect(&m_runner, &MissionRunner::updated, this, &Workspace::takeSnapshot);
     connect(&m_runner, &MissionRunner::commandRefused, this, &Workspace::refused);
+    connect(&m_runner, &MissionRunner::instantUpdated, this, &Workspace::takeInstant);
+    m_playBack.setInterval(kFrame_ms);
+    connect(&m_playBack, &QTimer::timeout, this, &Workspace::playBack);
+    m_tauPause.setSingleShot(true);
+    m_tauPause.setInterval(kTauPause_ms);
+    connect(&m_tauPause, &QTimer::timeout, this, &Workspace::flyTau);
 }
 
 const PlannerSettings& Workspace::planner() const
@@ -21,8 +39,15 @@ void Workspace::planAgain()
 {
     m_selection.keepExisting(m_document.scenario());
     const bool wasInFlight = inFlight();
+    if (wasInFlight)
+        m_runs.add(m_record);
     m_record.scenario = m_document.scenario();
-    m_runner.setScenario(m_document.scenario());
+    m_tauWanted.reset();
+    m_playBack.stop();
+    m_lookedAt_s.reset();
+    m_runner.setScenario(m_document.scenario(), recordingOf(m_document.scenario()));
+    m_curveRequest.reset();
+    m_curve.setScenario(m_document.scenario());
     if (wasInFlight) { // another scenario was opened over the flight
         m_record.begin(m_document.scenario());
         emit inFlightChanged(false);
@@ -36,10 +61,23 @@ void Workspace::takeSnapshot()
     if (!snapshot)
         return;
     const bool wasInFlight = inFlight();
+    const bool wasFinished = m_record.now.phase == RunPhase::Finished;
     m_record.take(std::move(*snapshot));
+    updateCurve();
+    if (m_record.now.phase == RunPhase::Finished && !wasFinished)
+        m_runs.add(m_record);
     if (inFlight() != wasInFlight)
         emit inFlightChanged(inFlight());
     emit flightChanged();
+}
+
+void Workspace::updateCurve()
+{
+    const std::shared_ptr<const PlanRequest>& request = m_record.now.request;
+    if (!inFlight() || !request || request == m_curveRequest)
+        return;
+    m_curveRequest = request;
+    m_curve.setProblem(visitationProblem(*request, m_record.scenario.planner.route));
 }
 
 void Workspace::setPlanner(const QString& text, const std::function<void(PlannerSettings&)>& change,
@@ -51,21 +89,42 @@ void Workspace::setPlanner(const QString& text, const std::function<void(Planner
 
 void Workspace::setTau(double tau)
 {
-    if (inFlight())
-        m_runner.intervene({.tau = tau});
-    else
+    if (!inFlight()) {
         setPlanner(
             tr("Change trade-off"), [tau](PlannerSettings& planner) { planner.tau = tau; },
             u"tau"_s);
+        return;
+    }
+    if (refuseWhileLookingBack())
+        return;
+    m_tauWanted = tau;
+    if (!m_tauPause.isActive())
+        flyTau();
+}
+
+void Workspace::flyTau()
+{
+    if (!m_tauWanted || !inFlight())
+        return;
+    m_runner.intervene({.tau = *std::exchange(m_tauWanted, std::nullopt)});
+    m_tauPause.start();
 }
 
 void Workspace::setPolicy(PolicyKind policy)
 {
-    if (inFlight())
-        m_runner.intervene({.policy = policy});
-    else
+    if (!inFlight())
         setPlanner(tr("Change policy"),
                    [policy](PlannerSettings& planner) { planner.policy = policy; });
+    else if (!refuseWhileLookingBack())
+        m_runner.intervene({.policy = policy});
+}
+
+void Workspace::reportSeen(const std::vector<std::string>& ids)
+{
+    if (!inFlight() || refuseWhileLookingBack())
+        return;
+    for (const std::string& id : ids)
+        m_runner.intervene({.seen = id});
 }
 
 void Workspace::setBackend(Backend backend)
@@ -79,32 +138,178 @@ void Workspace::setRoute(Route route)
     setPlanner(tr("Change route"), [route](PlannerSettings& planner) { planner.route = route; });
 }
 
+void Workspace::openFile(const QString& path)
+{
+    if (QFileInfo(path).suffix() == u"bergrun"_s)
+        openRun(std::make_shared<const RunFile>(loadRun(QFile::encodeName(path).toStdString())));
+    else
+        m_document.open(path);
+}
+
+void Workspace::openRun(std::shared_ptr<const RunFile> run)
+{
+    m_document.reset(run->scenario);
+    m_runner.setRun(std::move(run));
+}
+
 void Workspace::fly(double rate)
 {
+    m_rate = rate;
+    if (m_lookedAt_s && rate > 0) {
+        m_playClock.start();
+        m_playBack.start();
+        emit flightChanged();
+        return;
+    }
+    lookAtNewest();
+    flyTau(); // what was wanted before comes before
     m_runner.fly(rate);
 }
 
 void Workspace::setRate(double rate)
 {
-    if (m_record.now.phase == RunPhase::Flying)
-        m_runner.fly(rate);
+    if (isPlaying())
+        fly(rate);
 }
 
 void Workspace::pause()
 {
+    m_playBack.stop();
     m_runner.pause();
+    emit flightChanged();
+}
+
+bool Workspace::isPlaying() const
+{
+    return m_playBack.isActive() || m_record.now.phase == RunPhase::Flying;
+}
+
+void Workspace::playBack()
+{
+    const double time_s =
+        *m_lookedAt_s + m_rate * static_cast<double>(m_playClock.restart()) / 1000;
+    if (time_s < m_record.now.time_s) {
+        m_lookedAt_s = time_s;
+        m_runner.requestInstant(time_s);
+        return;
+    }
+    lookAtNewest(); // caught up: fly on
+    if (m_record.now.phase == RunPhase::Paused)
+        m_runner.fly(m_rate);
+}
+
+void Workspace::lookAt(double time_s)
+{
+    if (!inFlight())
+        return;
+    m_playBack.stop();
+    if (m_record.now.phase == RunPhase::Flying) {
+        m_runner.pause();
+    } else if (time_s >= m_record.now.time_s) {
+        lookAtNewest();
+        return;
+    }
+    m_lookedAt_s = std::clamp(time_s, 0.0, m_record.now.time_s);
+    m_runner.requestInstant(*m_lookedAt_s);
+}
+
+void Workspace::lookAtNewest()
+{
+    m_playBack.stop();
+    m_lookedAt_s.reset();
+    if (m_record.instant) {
+        m_record.instant.reset();
+        emit flightChanged();
+    }
+}
+
+void Workspace::takeInstant()
+{
+    std::optional<MissionSnapshot> instant = m_runner.takeInstant();
+    if (!instant || !m_lookedAt_s)
+        return;
+    m_record.instant = std::move(instant);
+    emit flightChanged();
 }
 
 void Workspace::step()
 {
+    if (m_lookedAt_s) {
+        lookAt(*m_lookedAt_s + 1);
+        return;
+    }
+    flyTau();
     m_runner.stepBy(1);
+}
+
+void Workspace::stepBack()
+{
+    lookAt(m_lookedAt_s.value_or(m_record.now.time_s) - 1);
+}
+
+void Workspace::stepTicks(int ticks)
+{
+    const double dt_s = m_document.scenario().dt_s;
+    if (m_lookedAt_s || ticks < 0) {
+        lookAt(m_lookedAt_s.value_or(m_record.now.time_s) + ticks * dt_s);
+        return;
+    }
+    flyTau();
+    m_runner.stepBy(ticks * dt_s);
+}
+
+void Workspace::stepToEvent(int direction)
+{
+    const std::vector<MissionEvent>& events = m_record.history.events;
+    const double now_s = m_lookedAt_s.value_or(m_record.now.time_s);
+    const double half_s = m_document.scenario().dt_s / 2;
+    if (direction > 0) {
+        const auto next = std::find_if(events.begin(), events.end(), [&](const MissionEvent& e) {
+            return e.time_s > now_s + half_s;
+        });
+        if (next == events.end())
+            lookAtNewest();
+        else
+            lookAt(next->time_s);
+        return;
+    }
+    const auto before = std::find_if(events.rbegin(), events.rend(), [&](const MissionEvent& e) {
+        return e.time_s < now_s - half_s;
+    });
+    if (before != events.rend())
+        lookAt(before->time_s);
+}
+
+void Workspace::flyOnFromHere()
+{
+    if (!m_lookedAt_s)
+        return;
+    m_runs.add(m_record); // what is given up can still be compared
+    m_runner.flyOnFrom(*m_lookedAt_s);
+    lookAtNewest();
+}
+
+bool Workspace::refuseWhileLookingBack()
+{
+    if (!m_lookedAt_s)
+        return false;
+    emit refused(tr("You are looking back. Fly on from here, or go to the newest picture, to "
+                    "change this."));
+    return true;
 }
 
 void Workspace::reset()
 {
     const bool wasInFlight = inFlight();
+    if (wasInFlight)
+        m_runs.add(m_record);
+    m_tauWanted.reset();
+    m_playBack.stop();
+    m_lookedAt_s.reset();
     m_record.begin(m_document.scenario());
     m_runner.restart();
+    m_curveRequest.reset();
+    m_curve.setScenario(m_document.scenario());
     if (wasInFlight)
         emit inFlightChanged(false);
     emit flightChanged();

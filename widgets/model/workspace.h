@@ -1,11 +1,18 @@
 #pragma once
 
+#include "widgets/model/benchmark_runner.h"
+#include "widgets/model/curve_runner.h"
 #include "widgets/model/flight_record.h"
 #include "widgets/model/mission_runner.h"
+#include "widgets/model/run_list.h"
 #include "widgets/model/scenario_document.h"
 #include "widgets/model/selection.h"
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
+
+#include <optional>
 
 namespace berg {
 
@@ -24,16 +31,28 @@ public:
     [[nodiscard]] ScenarioDocument& document() { return m_document; }
     [[nodiscard]] Selection& selection() { return m_selection; }
     [[nodiscard]] MissionRunner& runner() { return m_runner; }
+    /** Of the plan in force, before take-off and in flight. */
+    [[nodiscard]] CurveRunner& curve() { return m_curve; }
+    /** What was flown, at its end or when it was given up. */
+    [[nodiscard]] RunList& runs() { return m_runs; }
+    [[nodiscard]] BenchmarkRunner& benchmark() { return m_benchmark; }
     [[nodiscard]] const FlightRecord& record() const { return m_record; }
     [[nodiscard]] bool inFlight() const { return m_record.inFlight(); }
     /** In force: the document's, or in flight those of the mission. */
     [[nodiscard]] const PlannerSettings& planner() const;
 
+    /** In flight at most ten times a second, the last one always: each is a re-plan on record. */
     void setTau(double tau);
     void setPolicy(PolicyKind policy);
+    /** In flight: somebody else sees these now. */
+    void reportSeen(const std::vector<std::string>& ids);
     void setBackend(Backend backend);
     void setRoute(Route route);
 
+    /** Opens a scenario, or a run by its ending. Throws `Error`; then all stays as it was. */
+    void openFile(const QString& path);
+    /** Opens a recorded run: its scenario, flown again as far as it went. */
+    void openRun(std::shared_ptr<const RunFile> run);
     /** Takes off, or carries on. `rate` simulated seconds a second, 0: as fast as possible. */
     void fly(double rate);
     void pause();
@@ -42,6 +61,22 @@ public:
     void reset();
     /** A new rate for a flight under way. */
     void setRate(double rate);
+
+    /** Pauses and shows this instant of what was flown; at its end the newest is shown again. */
+    void lookAt(double time_s);
+    void lookAtNewest();
+    /** The instant looked back at; none: the newest is shown. */
+    [[nodiscard]] std::optional<double> lookedAt_s() const { return m_lookedAt_s; }
+    /** A second back. */
+    void stepBack();
+    /** By `ticks` of the simulation; forward beyond what was flown it is flown. */
+    void stepTicks(int ticks);
+    /** To the next event (`direction` > 0) or the one before. */
+    void stepToEvent(int direction);
+    /** Gives up what was flown after the instant looked at. */
+    void flyOnFromHere();
+    /** Flying, or playing what was flown. */
+    [[nodiscard]] bool isPlaying() const;
 
 signals:
     /** `record()` is new. */
@@ -53,12 +88,27 @@ signals:
 private:
     void planAgain();
     void takeSnapshot();
+    void flyTau();
+    void updateCurve();
+    void takeInstant();
+    void playBack();
+    [[nodiscard]] bool refuseWhileLookingBack();
     void setPlanner(const QString& text, const std::function<void(PlannerSettings&)>& change,
                     const QString& gesture = {});
 
     ScenarioDocument m_document;
     Selection m_selection;
     FlightRecord m_record;
+    std::optional<double> m_tauWanted; ///< in flight, not yet told to the mission
+    QTimer m_tauPause;
+    std::optional<double> m_lookedAt_s; ///< wanted; the record's instant follows
+    QTimer m_playBack;                  ///< runs while what was flown is played
+    QElapsedTimer m_playClock;
+    double m_rate = 1;
+    std::shared_ptr<const PlanRequest> m_curveRequest; ///< in flight, what the curve is of
+    CurveRunner m_curve;
+    BenchmarkRunner m_benchmark;
+    RunList m_runs;
     MissionRunner m_runner; ///< last: its thread ends before the rest
 };
 

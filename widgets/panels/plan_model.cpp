@@ -95,6 +95,8 @@ QString PlanModel::text(int row, Column column) const
         return arrivalText(planned.arrival_s);
     case Sigma:
         return significantText(planned.sigma_m2, 3, m_locale); // its unit is in the header
+    case ArrivalSigma:
+        return significantText(planned.arrivalSigma_m2, 3, m_locale);
     case ColumnCount:
         break;
     }
@@ -106,11 +108,13 @@ QString PlanModel::toolTip(int row, Column column) const
     const PlanRow& planned = m_rows[static_cast<std::size_t>(row)];
     if (column == Name)
         return tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
-    if (column != Sigma)
+    if (column != Sigma && column != ArrivalSigma)
         return {};
-    return tr("σ is %1 m² now, a standard deviation of %2 m")
+    return tr("σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the "
+              "iceberg is not seen before")
         .arg(significantText(planned.sigma_m2, 3, m_locale),
-             significantText(std::sqrt(planned.sigma_m2), 3, m_locale));
+             significantText(std::sqrt(planned.sigma_m2), 3, m_locale),
+             significantText(planned.arrivalSigma_m2, 3, m_locale));
 }
 
 QVariant PlanModel::data(const QModelIndex& index, int role) const
@@ -158,6 +162,9 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
         return isText ? tr("Arrival") : tr("Time from now until the UAV is there");
     case Sigma:
         return isText ? u"σ, m²"_s : tr("Uncertainty of the position now");
+    case ArrivalSigma:
+        return isText ? tr("σ at arrival")
+                      : tr("Uncertainty of the position when the UAV is there, m²");
     case ColumnCount:
         break;
     }

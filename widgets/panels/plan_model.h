@@ -20,6 +20,7 @@ public:
         Leg,
         Arrival,
         Sigma,
+        ArrivalSigma,
         ColumnCount
     };
     enum Role

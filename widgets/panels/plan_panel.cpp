@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -21,7 +22,10 @@ namespace {
 constexpr int kRow_px = 24;
 constexpr int kNumberColumn_px = 30;
 constexpr int kCellMargins_px = 10;
+constexpr int kSummaryMargin_px = 4;
+constexpr int kNameRoom_px = 70; // that a name has before a further column is worth having
 constexpr double kHour_s = 3600;
+constexpr double kSmallestChange_m = 10;
 
 } // namespace
 
@@ -33,8 +37,13 @@ PlanPanel::PlanPanel(QWidget* parent)
     , m_empty(new QLabel(tr("Nothing to visit: there are no icebergs yet, or all of them are in "
                             "view."),
                          m_table->viewport()))
+    , m_summary(new QLabel(this))
 {
     setUpTable();
+    m_summary->setObjectName(u"planSummary"_s);
+    m_summary->setContentsMargins(kCellMargins_px, kSummaryMargin_px, kCellMargins_px,
+                                  kSummaryMargin_px);
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // elided, never in the way
     m_empty->setObjectName(u"planEmpty"_s);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
@@ -45,7 +54,9 @@ PlanPanel::PlanPanel(QWidget* parent)
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_table);
+    column->setSpacing(0);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_summary);
 
     connect(m_table, &QTableView::entered, this, [this](const QModelIndex& index) {
         setHovered(m_model->rows()[static_cast<std::size_t>(index.row())].id);
@@ -100,6 +111,8 @@ void PlanPanel::setTheme(const Theme& theme)
     QPalette colours = m_empty->palette();
     colours.setColor(QPalette::WindowText, theme.mutedText);
     m_empty->setPalette(colours);
+    m_summary->setPalette(colours);
+    m_summary->setFont(theme.small());
     m_empty->setFont(theme.body());
     setColumnWidths();
     m_table->viewport()->update();
@@ -121,6 +134,57 @@ void PlanPanel::setColumnWidths()
     setWidth(PlanModel::Leg, distanceText(8880, locale()), 0);
     setWidth(PlanModel::Arrival, PlanModel::arrivalText(m_hasHours ? 9 * kHour_s : kHour_s - 1), 0);
     setWidth(PlanModel::Sigma, significantText(88.8, 3, locale()), PlanDelegate::swatchWidth());
+    setWidth(PlanModel::ArrivalSigma, significantText(88.8, 3, locale()), 0);
+    chooseColumns();
+}
+
+/** The last column is there when the names have room beside it; its values are in tool tips too. */
+void PlanPanel::chooseColumns()
+{
+    // A hidden column forgets its width until it is shown.
+    m_table->setColumnHidden(PlanModel::ArrivalSigma, false);
+    int taken_px = 0;
+    for (int column = 0; column < PlanModel::ColumnCount; ++column)
+        if (column != PlanModel::Name)
+            taken_px += m_table->columnWidth(column);
+    m_table->setColumnHidden(PlanModel::ArrivalSigma, width() - taken_px < kNameRoom_px);
+}
+
+/** How long the plan is, when it is flown, and what that is against the one before. */
+void PlanPanel::updateSummary()
+{
+    const std::vector<PlanRow>& rows = m_model->rows();
+    QString text;
+    if (!rows.empty()) {
+        double length_m = 0;
+        for (const PlanRow& row : rows)
+            length_m += row.leg_m;
+        text = tr("%1, flown %2")
+                   .arg(distanceText(length_m, locale()),
+                        PlanModel::arrivalText(rows.back().arrival_s));
+        if (m_change_m && std::abs(*m_change_m) >= kSmallestChange_m) {
+            const QString change = distanceText(std::abs(*m_change_m), locale(), 2);
+            text += u"; "_s + (*m_change_m > 0 ? tr("+%1 against the plan before").arg(change)
+                                               : tr("−%1 against the plan before").arg(change));
+        }
+    }
+    const QString shown =
+        m_summary->fontMetrics().elidedText(text, Qt::ElideRight, width() - 2 * kCellMargins_px);
+    m_summary->setText(shown);
+    m_summary->setToolTip(shown == text ? QString() : text);
+}
+
+void PlanPanel::showChange(std::optional<double> change_m)
+{
+    m_change_m = change_m;
+    updateSummary();
+}
+
+void PlanPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    chooseColumns();
+    updateSummary();
 }
 
 void PlanPanel::setSigmaFull(double full_m2)
@@ -151,6 +215,7 @@ void PlanPanel::showPlan(std::vector<PlanRow> rows)
     m_model->setRows(std::move(rows));
     m_chosen = chosen; // when the current row goes, Qt makes a neighbour the current one
     m_empty->setVisible(m_model->rowCount() == 0);
+    updateSummary();
 
     const int row = m_model->rowOf(m_chosen);
     QItemSelectionModel* selection = m_table->selectionModel();

@@ -26,6 +26,8 @@ public:
     void setSigmaFull(double full_m2);
 
     void showPlan(std::vector<PlanRow> rows);
+    /** `planChange_m` of the plan shown; none: nothing is said of it. */
+    void showChange(std::optional<double> change_m);
     /** Marks this iceberg's row, e.g. while the pointer is on it on the map; empty: none. */
     void setHighlight(const std::string& id);
 
@@ -36,11 +38,14 @@ signals:
     void activated(const std::string& id);
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void setUpTable();
     void setColumnWidths();
+    void chooseColumns();
+    void updateSummary();
     void setHovered(const std::string& id);
     void choose(const QModelIndex& index);
 
@@ -48,6 +53,8 @@ private:
     PlanDelegate* m_delegate;
     QTableView* m_table;
     QLabel* m_empty;
+    QLabel* m_summary;
+    std::optional<double> m_change_m;
     std::string m_hovered;
     std::string m_chosen; ///< kept while it is not in the plan
     double m_sigmaFull_m2 = 0;

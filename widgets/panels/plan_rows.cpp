@@ -2,6 +2,8 @@
 
 #include "core/vehicle/dubins.h"
 
+#include <algorithm>
+
 namespace berg {
 
 std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenario)
@@ -26,10 +28,20 @@ std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenar
              .name = QString::fromStdString(planned.name.empty() ? planned.id : planned.name),
              .leg_m = leg_m.norm(),
              .arrival_s = arrival_s,
-             .sigma_m2 = track.sigma_m2});
+             .sigma_m2 = track.sigma_m2,
+             .arrivalSigma_m2 = track.sigma_m2 + track.q_m2ps * arrival_s}); // Eq. (22)
         from_m = to_m;
     }
     return rows;
+}
+
+std::optional<double> planChange_m(const FlightRecord& record)
+{
+    const std::vector<PlanEvent>& plans = record.history.plans;
+    const std::size_t count = std::min(record.shown().planCount, plans.size());
+    if (count < 2)
+        return std::nullopt;
+    return plans[count - 1].distance_m - plans[count - 2].distance_m;
 }
 
 } // namespace berg

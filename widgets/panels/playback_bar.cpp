@@ -1,15 +1,17 @@
 #include "widgets/panels/playback_bar.h"
 
 #include "widgets/panels/panel_labels.h"
-#include "widgets/panels/run_progress.h"
+#include "widgets/panels/run_time_line.h"
 #include "widgets/panels/wheel_guard.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QToolButton>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,7 +20,8 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr std::array<double, 8> kRates = {1, 2, 5, 10, 20, 50, 100, 0};
+constexpr std::array<double, 14> kRates = {0.1, 0.2, 0.5, 1,   2,   5,    10,
+                                           20,  50,  100, 200, 500, 1000, 0};
 constexpr double kFirstRate = 10;
 constexpr int kIcon_px = 20;
 constexpr int kMarginX_px = 8;
@@ -44,16 +47,21 @@ PlaybackBar::PlaybackBar(QWidget* parent) : QWidget(parent)
     addRates();
     row->addWidget(m_rate);
     row->addSpacing(4);
-    m_progress = new RunProgress(this);
-    m_progress->setObjectName(u"runProgress"_s);
-    m_progress->setAccessibleName(tr("Part of the run flown"));
-    row->addWidget(m_progress, 1);
-    row->addSpacing(4);
-    m_time = new FigureLabel(this);
-    m_time->setObjectName(u"runTime"_s);
-    m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_time->setToolTip(tr("Time flown and length of the run"));
+    m_timeLine = new RunTimeLine(this);
+    m_timeLine->setObjectName(u"timeLine"_s);
+    m_timeLine->setAccessibleName(tr("Time line of the run"));
+    row->addWidget(m_timeLine, 1);
+    m_time = new QLineEdit(this);
+    m_time->setObjectName(u"timeField"_s);
+    m_time->setAccessibleName(tr("Time shown"));
+    m_time->setToolTip(tr("Time shown. Type one to look back at it, e.g. 3:20."));
+    m_time->setFrame(false);
+    m_time->setAlignment(Qt::AlignRight);
     row->addWidget(m_time);
+    m_length = new FigureLabel(this);
+    m_length->setObjectName(u"runLength"_s);
+    m_length->setToolTip(tr("Length of the run"));
+    row->addWidget(m_length);
 
     connect(m_play, &QToolButton::clicked, this, [this] {
         if (m_phase == RunPhase::Flying)
@@ -64,6 +72,8 @@ PlaybackBar::PlaybackBar(QWidget* parent) : QWidget(parent)
     connect(m_step, &QToolButton::clicked, this, &PlaybackBar::stepRequested);
     connect(m_reset, &QToolButton::clicked, this, &PlaybackBar::resetRequested);
     connect(m_rate, &QComboBox::activated, this, [this] { emit rateEdited(rate()); });
+    connect(m_timeLine, &RunTimeLine::scrubbed, this, &PlaybackBar::timeEdited);
+    connect(m_time, &QLineEdit::editingFinished, this, &PlaybackBar::finishTime);
     setTheme(m_theme);
     showState(RunPhase::Planning, 0, 0);
 }
@@ -90,8 +100,8 @@ void PlaybackBar::addRates()
     m_rate->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     guardWheel(*m_rate);
     for (const double rate : kRates)
-        m_rate->addItem(rate > 0 ? tr("%1×").arg(fixedText(rate, 0, locale()))
-                                 : tr("As fast as possible"),
+        m_rate->addItem(rate > 0 ? tr("%1×").arg(fixedText(rate, rate < 1 ? 1 : 0, locale()))
+                                 : tr("Fastest"),
                         rate);
     setRate(kFirstRate);
 }
@@ -101,8 +111,12 @@ void PlaybackBar::setTheme(const Theme& theme)
     m_theme = theme;
     m_step->setIcon(icon(IconName::Step, theme));
     m_reset->setIcon(icon(IconName::Reset, theme));
-    m_progress->setTheme(theme);
+    m_timeLine->setTheme(theme);
     m_time->setFont(theme.body());
+    m_length->setFont(theme.body());
+    const QFontMetrics metrics(theme.body());
+    m_time->setMinimumWidth(metrics.horizontalAdvance(u"00:00"_s) + 4);
+    m_time->setMaximumWidth(metrics.horizontalAdvance(u"00:00:00 "_s));
     m_rate->setFont(theme.body());
     updateButtons();
 }
@@ -123,13 +137,44 @@ void PlaybackBar::setRate(double rate)
     m_rate->setCurrentIndex(static_cast<int>(nearest));
 }
 
-void PlaybackBar::showState(RunPhase phase, double time_s, double duration_s)
+void PlaybackBar::stepRate(int steps)
 {
-    const QString time = tr("%1 / %2").arg(clockText(time_s), clockText(duration_s));
-    if (time != m_time->text()) {
-        m_time->setText(time);
-        m_progress->showTime(time_s, duration_s);
-    }
+    const int index = std::clamp(m_rate->currentIndex() + steps, 0, m_rate->count() - 1);
+    m_rate->setCurrentIndex(index);
+    emit rateEdited(rate());
+}
+
+void PlaybackBar::setMarks(std::vector<TimeMark> marks)
+{
+    m_timeLine->setMarks(std::move(marks));
+}
+
+void PlaybackBar::editTime()
+{
+    m_time->setFocus(Qt::ShortcutFocusReason);
+    m_time->selectAll();
+}
+
+void PlaybackBar::finishTime()
+{
+    const std::optional<double> time_s = clockValue(m_time->text());
+    const bool isNew = m_time->isModified() && time_s.has_value();
+    m_time->setModified(false);
+    m_time->setText(m_timeText); // until the picture of that time is there
+    if (isNew)
+        emit timeEdited(*time_s);
+}
+
+void PlaybackBar::showState(RunPhase phase, double time_s, double duration_s,
+                            std::optional<double> newest_s)
+{
+    m_timeLine->showTime(time_s, newest_s.value_or(time_s), duration_s);
+    m_timeText = clockText(time_s);
+    if (!m_time->isModified() && m_time->text() != m_timeText)
+        m_time->setText(m_timeText);
+    const QString length = u"/ %1"_s.arg(clockText(duration_s));
+    if (length != m_length->text())
+        m_length->setText(length);
     if (phase == m_phase)
         return;
     m_phase = phase;

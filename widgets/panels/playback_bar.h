@@ -6,14 +6,16 @@
 #include <QWidget>
 
 class QComboBox;
+class QLineEdit;
 class QToolButton;
 
 namespace berg {
 
 class FigureLabel;
-class RunProgress;
+class RunTimeLine;
+struct TimeMark;
 
-/** Take-off, pause, step, back to the start, rate, and how far the run has come. */
+/** Take-off, pause, step, back to the start, rate, and the time line of the run. */
 class PlaybackBar : public QWidget
 {
     Q_OBJECT
@@ -22,12 +24,19 @@ public:
     explicit PlaybackBar(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    void showState(RunPhase phase, double time_s, double duration_s);
+    /** `time_s` is shown; `newest_s` was flown, none: the same. */
+    void showState(RunPhase phase, double time_s, double duration_s,
+                   std::optional<double> newest_s = {});
+    void setMarks(std::vector<TimeMark> marks);
 
     /** Simulated seconds a second; 0: as fast as possible. */
     [[nodiscard]] double rate() const;
     /** The rate on offer nearest to this one. Emits nothing. */
     void setRate(double rate);
+    /** The next rate on offer, `steps` of them on. Emits `rateEdited`. */
+    void stepRate(int steps);
+    /** Puts the cursor into the time, to be typed. */
+    void editTime();
 
 signals:
     void playRequested();
@@ -35,11 +44,14 @@ signals:
     void stepRequested();
     void resetRequested();
     void rateEdited(double rate);
+    /** The user wants to see this instant of what was flown. */
+    void timeEdited(double time_s);
 
 private:
     [[nodiscard]] QToolButton* addButton(const QString& name, const QString& text);
     void addRates();
     void updateButtons();
+    void finishTime();
 
     Theme m_theme = Theme::light();
     RunPhase m_phase = RunPhase::Planning;
@@ -47,8 +59,10 @@ private:
     QToolButton* m_step;
     QToolButton* m_reset;
     QComboBox* m_rate;
-    RunProgress* m_progress;
-    FigureLabel* m_time;
+    RunTimeLine* m_timeLine;
+    QLineEdit* m_time;     ///< shown, can be typed
+    FigureLabel* m_length; ///< of the run
+    QString m_timeText;    ///< of what is shown
 };
 
 } // namespace berg

@@ -3,6 +3,7 @@
 #include "widgets/panels/number_field.h"
 #include "widgets/panels/panel_labels.h"
 #include "widgets/panels/plan_readout_view.h"
+#include "widgets/panels/tau_strip.h"
 #include "widgets/panels/wheel_guard.h"
 
 #include <QComboBox>
@@ -21,9 +22,8 @@ namespace berg {
 namespace {
 
 constexpr double kSliderStep = 0.01;
-constexpr int kSliderEnd = 500;  ///< tau 5
-constexpr int kSliderPage = 25;  ///< tau 0.25
-constexpr int kSliderTick = 100; ///< tau 1
+constexpr int kSliderEnd = 500; ///< tau 5
+constexpr int kSliderPage = 25; ///< tau 0.25
 constexpr double kLargestTau = 100;
 constexpr double kFieldStep = 0.05;
 constexpr int kTauRest_ms = 500;
@@ -137,7 +137,8 @@ TradeoffPanel::TradeoffPanel(QWidget* parent) : QWidget(parent)
     m_tauRest.setInterval(kTauRest_ms);
     connectTau();
     connectChoices();
-    setTabOrder(m_slider, m_tau);
+    setTabOrder(m_slider, m_strip);
+    setTabOrder(m_strip, m_tau);
     setTabOrder(m_tau, m_policy);
     setTabOrder(m_policy, m_backend);
     setTabOrder(m_backend, m_route);
@@ -173,9 +174,11 @@ void TradeoffPanel::addTau()
     m_slider->setRange(0, kSliderEnd);
     m_slider->setSingleStep(1);
     m_slider->setPageStep(kSliderPage);
-    m_slider->setTickPosition(QSlider::TicksBelow);
-    m_slider->setTickInterval(kSliderTick);
     guardWheel(*m_slider);
+
+    m_strip = new TauStrip;
+    m_strip->setObjectName(u"tauStrip"_s);
+    m_strip->alignWith(m_slider);
 
     auto* uncertain = new CaptionLabel(tr("Most uncertain first"));
     auto* shortest = new CaptionLabel(tr("Shortest path"));
@@ -184,8 +187,9 @@ void TradeoffPanel::addTau()
     grid->addWidget(label, 0, 0);
     grid->addWidget(m_tau, 0, 1, Qt::AlignRight);
     grid->addWidget(m_slider, 1, 0, 1, 2);
-    grid->addWidget(uncertain, 2, 0, Qt::AlignTop);
-    grid->addWidget(shortest, 2, 1, Qt::AlignTop);
+    grid->addWidget(m_strip, 2, 0, 1, 2);
+    grid->addWidget(uncertain, 3, 0, Qt::AlignTop);
+    grid->addWidget(shortest, 3, 1, Qt::AlignTop);
     qobject_cast<QVBoxLayout*>(layout())->addLayout(grid);
 }
 
@@ -238,6 +242,7 @@ void TradeoffPanel::connectTau()
             editTau(position / 100.0); // the double nearest to the number one reads
     });
     connect(m_tau, &NumberField::edited, this, &TradeoffPanel::editTau);
+    connect(m_strip, &TauStrip::tauChosen, this, &TradeoffPanel::chooseTau);
     connect(m_slider, &QSlider::sliderReleased, this, &TradeoffPanel::finishTau);
     connect(m_tau, &NumberField::editFinished, this, &TradeoffPanel::finishTau);
     connect(&m_tauRest, &QTimer::timeout, this, &TradeoffPanel::finishTau);
@@ -255,6 +260,39 @@ void TradeoffPanel::editTau(double tau)
     emit tauEdited(tau);
 }
 
+void TradeoffPanel::finishTyping()
+{
+    m_tau->finishTyping();
+    finishTau();
+}
+
+void TradeoffPanel::chooseTau(double tau)
+{
+    finishTau();
+    editTau(tau);
+    finishTau();
+}
+
+void TradeoffPanel::showCurve(const TauCurve& curve)
+{
+    m_strip->setCurve(curve);
+}
+
+void TradeoffPanel::stepPlan(int direction)
+{
+    const std::optional<double> tau = direction > 0 ? m_strip->nextPlan() : m_strip->previousPlan();
+    if (tau && m_strip->isEnabled())
+        chooseTau(*tau);
+}
+
+/** Texts wrap: the height the panel needs follows from its width, which docks do not ask for. */
+bool TradeoffPanel::event(QEvent* event)
+{
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
+        setMinimumHeight(layout()->totalHeightForWidth(width()));
+    return QWidget::event(event);
+}
+
 void TradeoffPanel::finishTau()
 {
     m_tauRest.stop();
@@ -266,11 +304,13 @@ void TradeoffPanel::showTau()
 {
     m_tau->showValue(m_settings.tau);
     m_slider->setValue(sliderPosition(m_settings.tau));
+    m_strip->setTau(m_settings.tau);
 }
 
 void TradeoffPanel::setTheme(const Theme& theme)
 {
     setCaptionTheme(*this, theme);
+    m_strip->setTheme(theme);
     m_result->setTheme(theme);
 }
 
@@ -329,6 +369,7 @@ void TradeoffPanel::updateEnabled()
         tr("Small: icebergs of great uncertainty come first. Large: the way gets short. Arrow "
            "keys change τ by 0.01, Page keys by 0.25."));
     set(*m_tau, tauWhyNot, tr("Trade-off τ from 0 to 100."));
+    m_strip->setEnabled(usesTau); // its tool tips are its own
     m_policy->setToolTip(isFlown(policy) ? tr("How the next iceberg is chosen.") : notFlown());
     set(*m_backend, m_inFlight ? locked : (usesSolver ? QString() : noUse),
         tr("What makes the plan. Automatic proves small problems and searches in large ones."));

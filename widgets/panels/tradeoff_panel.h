@@ -13,6 +13,8 @@ namespace berg {
 
 class NumberField;
 class PlanReadoutView;
+class TauStrip;
+struct TauCurve;
 
 /**
  * The trade-off tau, the choices of planning and what came of them. Holds nothing of its own:
@@ -34,6 +36,17 @@ public:
     /** In flight only tau and policy can be changed. */
     void setInFlight(bool inFlight);
     void showPlan(const PlanReadout& readout);
+    /** The plans along the trade-off, below the slider. */
+    void showCurve(const TauCurve& curve);
+    /** To the neighbouring plan: +1 towards shorter ways, -1 towards most uncertain first. */
+    void stepPlan(int direction);
+    /** Takes what is typed as if Return had been pressed. */
+    void finishTyping();
+    /** As if the user had set tau to this. */
+    void chooseTau(double tau);
+
+protected:
+    bool event(QEvent* event) override;
 
 signals:
     void tauEdited(double tau);
@@ -56,6 +69,7 @@ private:
 
     NumberField* m_tau;
     QSlider* m_slider;
+    TauStrip* m_strip;
     QComboBox* m_policy;
     QComboBox* m_backend;
     QComboBox* m_route;

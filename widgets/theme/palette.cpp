@@ -1,6 +1,6 @@
 #include "widgets/theme/palette.h"
 
-#include <QGuiApplication>
+#include <QApplication>
 
 namespace berg {
 
@@ -36,12 +36,14 @@ QPalette paletteOf(const Theme& theme)
     return palette;
 }
 
-bool systemIsDark()
+bool systemPaletteIsDark()
 {
-    // Kept from the first call, before our own palette takes its place.
-    static const bool dark =
-        relativeLuminance(QGuiApplication::palette().color(QPalette::Window)) < 0.2;
-    return dark;
+    // Qt tells the desktop's palette only while no other one is set.
+    const QPalette own = QApplication::palette();
+    QApplication::setPalette(QPalette());
+    const double luminance = relativeLuminance(QApplication::palette().color(QPalette::Window));
+    QApplication::setPalette(own);
+    return luminance < 0.2;
 }
 
 } // namespace berg

@@ -9,7 +9,7 @@ namespace berg {
 /** Palette of the widgets around map and charts, in the theme's colours. */
 [[nodiscard]] QPalette paletteOf(const Theme& theme);
 
-/** Whether the desktop's own palette is dark; asked before the first `setPalette`. */
-[[nodiscard]] bool systemIsDark();
+/** Whether the desktop's own palette is dark, whatever palette the program has set. */
+[[nodiscard]] bool systemPaletteIsDark();
 
 } // namespace berg

@@ -66,6 +66,23 @@ QString clockText(double time_s)
     return hours > 0 ? u"%1:%2"_s.arg(hours).arg(rest) : rest;
 }
 
+std::optional<double> clockValue(const QString& text)
+{
+    const QStringList parts = text.trimmed().split(u':');
+    if (parts.size() > 3)
+        return std::nullopt;
+    double time_s = 0;
+    for (qsizetype i = 0; i < parts.size(); ++i) {
+        bool isNumber = false;
+        const double part = QLocale::c().toDouble(QString(parts[i]).replace(u',', u'.'), &isNumber);
+        const bool leads = i == 0;
+        if (!isNumber || !(part >= 0) || !std::isfinite(part) || (!leads && part >= 60))
+            return std::nullopt;
+        time_s = 60 * time_s + part;
+    }
+    return time_s;
+}
+
 QString distanceText(double distance_m, const QLocale& locale, int digits)
 {
     if (distance_m < 999.5)

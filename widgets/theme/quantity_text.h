@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <QString>
 
+#include <optional>
+
 namespace berg {
 
 // How quantities are written on screen: decimal sign of the locale, narrow no-break spaces between
@@ -18,6 +20,9 @@ namespace berg {
 
 /** mm:ss, from one hour on h:mm:ss; rounded to whole seconds, negative times as zero. */
 [[nodiscard]] QString clockText(double time_s);
+
+/** Seconds of "90", "mm:ss" or "h:mm:ss", fractions with either decimal sign; none: no time. */
+[[nodiscard]] std::optional<double> clockValue(const QString& text);
 
 /** "850 m", "1.85 km" with so many significant digits. */
 [[nodiscard]] QString distanceText(double distance_m, const QLocale& locale, int digits = 3);

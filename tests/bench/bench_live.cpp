@@ -1,0 +1,262 @@
+// How fluid the whole window is while a mission is flown, at 1280 x 800 without a display.
+//
+// Each case flies for a few seconds of wall time and prints how much work a paint of the map and a
+// frame of the whole window were, how many frames a second came of it, and the longest turn of the
+// event loop: the longest wait of a hand on the mouse, and how much of it this thread has worked,
+// which is all of it when the machine has nothing else to do. "day" flies 100 icebergs for 24 hours
+// as fast as possible and prints the same for the first seconds and the last tenth of it, and the
+// memory of the process.
+//
+// Use: bench_live [icebergs... | day]      (12 40 500 when none are named)
+
+#include "app/main_window.h"
+#include "core/scenario/presets.h"
+#include "core/study/statistics.h"
+#include "widgets/map/map_view.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <utility>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kSettle_ms = 2500; ///< the first plan and its curve
+constexpr int kFlight_ms = 5000; ///< of each case
+constexpr double kDay_s = 86400;
+
+double elapsed_ms(const QElapsedTimer& clock)
+{
+    return static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+}
+
+/** What this thread has worked. */
+double worked_ms()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+/** Tells how long the paints of one widget and the frames of its window take. */
+class FrameWatch final : public QApplication
+{
+public:
+    using QApplication::QApplication;
+
+    bool notify(QObject* receiver, QEvent* event) override
+    {
+        const bool isPaint = receiver == map && event->type() == QEvent::Paint;
+        const bool isFrame = receiver == window && event->type() == QEvent::UpdateRequest;
+        if (!isPaint && !isFrame)
+            return QApplication::notify(receiver, event);
+        const double before_ms = worked_ms();
+        const bool isDone = QApplication::notify(receiver, event);
+        (isPaint ? paints_ms : frames_ms).push_back(worked_ms() - before_ms);
+        return isDone;
+    }
+
+    QObject* map = nullptr;
+    QObject* window = nullptr;
+    std::vector<double> paints_ms;
+    std::vector<double> frames_ms;
+};
+
+class NoDialogs final : public Interaction
+{
+public:
+    Unsaved askUnsaved(QWidget*, const QString&) override { return Unsaved::Discard; }
+    QString openPath(QWidget*, const QString&) override { return {}; }
+    QString savePath(QWidget*, const QString&, const QString&) override { return {}; }
+    std::optional<ExportChoice> chooseExport(QWidget*, const ExportOffer&) override { return {}; }
+    void showError(QWidget*, const QString&) override {}
+    void showInformation(QWidget*, const QString&, const QString&) override {}
+};
+
+/** "VmHWM:" or "VmRSS:", MB; -1 where the system does not tell. */
+double memory_mb(const std::string& which)
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with(which))
+            return std::atof(line.c_str() + which.size()) / 1024;
+    return -1;
+}
+
+struct LongestTurn
+{
+    double waited_ms = 0;
+    double worked_ms = 0;
+};
+
+void print(const char* name, std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    if (values.empty())
+        std::printf("    %-16s none\n", name);
+    else
+        std::printf("    %-16s median %6.1f   p95 %6.1f   worst %6.1f ms   (%zu)\n", name,
+                    quantile(values, 0.5), quantile(values, 0.95), values.back(), values.size());
+}
+
+class Bench
+{
+public:
+    Bench(FrameWatch& application, const Scenario& scenario)
+        : m_application(application), m_window(m_workspace, m_interaction, m_settings)
+    {
+        m_workspace.document().reset(scenario);
+        m_window.resize(1280, 800);
+        m_window.show();
+        m_application.map = &m_window.mapView();
+        m_application.window = &m_window;
+        run(kSettle_ms, [] { return false; });
+    }
+    ~Bench()
+    {
+        m_application.map = nullptr;
+        m_application.window = nullptr;
+    }
+    Bench(const Bench&) = delete;
+    Bench& operator=(const Bench&) = delete;
+
+    /** `rate` as in `Workspace::fly`. */
+    void fly(const char* name, double rate)
+    {
+        m_workspace.reset();
+        run(kSettle_ms, [] { return false; });
+        m_workspace.fly(rate);
+        report(name, [this] { return hasEnded(); });
+        m_workspace.pause();
+    }
+
+    void flyADay()
+    {
+        std::printf("  memory before take-off %.0f MB\n", memory_mb("VmRSS:"));
+        m_workspace.fly(0);
+        QElapsedTimer clock;
+        clock.start();
+        report("day, first seconds", [this] { return hasEnded(); });
+        while (!hasEnded() && now().time_s < 0.9 * kDay_s)
+            run(kFlight_ms, [this] { return hasEnded() || now().time_s >= 0.9 * kDay_s; });
+        report("day, last tenth", [this] { return hasEnded(); });
+        std::printf(
+            "  flown %.0f s in %.1f s, memory %.0f MB, at most %.0f MB, %zu samples, %zu plans\n",
+            now().time_s, elapsed_ms(clock) / 1000, memory_mb("VmRSS:"), memory_mb("VmHWM:"),
+            m_workspace.record().history.samples.size(), m_workspace.record().history.plans.size());
+    }
+
+private:
+    [[nodiscard]] const MissionSnapshot& now() const { return m_workspace.record().now; }
+    [[nodiscard]] bool hasEnded() const
+    {
+        return now().phase == RunPhase::Finished || now().phase == RunPhase::Failed;
+    }
+
+    /** Lets the window live for so long; returns the longest turn of the loop. */
+    LongestTurn run(int length_ms, const std::function<bool()>& mayEnd)
+    {
+        QEventLoop loop;
+        QTimer pulse;
+        pulse.setTimerType(Qt::PreciseTimer);
+        QElapsedTimer whole;
+        QElapsedTimer sinceLast;
+        LongestTurn longest;
+        double workedBefore_ms = worked_ms();
+        QObject::connect(&pulse, &QTimer::timeout, &loop, [&] {
+            const double now_ms = worked_ms();
+            longest.waited_ms = std::max(longest.waited_ms, elapsed_ms(sinceLast));
+            longest.worked_ms =
+                std::max(longest.worked_ms, now_ms - std::exchange(workedBefore_ms, now_ms));
+            sinceLast.start();
+            if (whole.elapsed() >= length_ms || mayEnd())
+                loop.quit();
+        });
+        whole.start();
+        sinceLast.start();
+        pulse.start(1);
+        loop.exec();
+        return longest;
+    }
+
+    void report(const char* name, const std::function<bool()>& mayEnd)
+    {
+        m_application.paints_ms.clear();
+        m_application.frames_ms.clear();
+        const double from_s = now().time_s;
+        QElapsedTimer clock;
+        clock.start();
+        const double before_ms = worked_ms();
+        const LongestTurn longest = run(kFlight_ms, mayEnd);
+        const double busy_ms = worked_ms() - before_ms;
+        const double wall_s = elapsed_ms(clock) / 1000;
+        std::printf("  %s: %.0f s flown in %.1f s\n", name, now().time_s - from_s, wall_s);
+        print("map paint", m_application.paints_ms);
+        print("window frame", m_application.frames_ms);
+        std::printf("    %.1f frames/s, longest block %.1f ms (%.1f ms of work), at work %.0f %%\n",
+                    static_cast<double>(m_application.paints_ms.size()) / wall_s, longest.waited_ms,
+                    longest.worked_ms, busy_ms / wall_s / 10);
+        std::fflush(stdout);
+    }
+
+    FrameWatch& m_application;
+    QTemporaryDir m_folder;
+    QSettings m_settings{m_folder.filePath(u"settings.ini"_s), QSettings::IniFormat};
+    NoDialogs m_interaction;
+    Workspace m_workspace;
+    MainWindow m_window;
+};
+
+Scenario fieldOf(int icebergs)
+{
+    Scenario scenario = randomScenario(1, {.icebergs = icebergs});
+    scenario.duration_s = 7200;
+    return scenario;
+}
+
+/** A day with a policy that takes no time, so that it is the window that is measured. */
+Scenario dayOf(int icebergs)
+{
+    Scenario scenario = fieldOf(icebergs);
+    scenario.duration_s = kDay_s;
+    scenario.planner.policy = PolicyKind::Nearest;
+    return scenario;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    FrameWatch application(argc, argv);
+    std::vector<std::string> cases(argv + 1, argv + argc);
+    if (cases.empty())
+        cases = {"12", "40", "500"};
+    for (const std::string& name : cases) {
+        if (name == "day") {
+            std::printf("100 icebergs for 24 h\n");
+            Bench(application, dayOf(100)).flyADay();
+            continue;
+        }
+        std::printf("%s icebergs\n", name.c_str());
+        Bench bench(application, fieldOf(std::atoi(name.c_str())));
+        bench.fly("100 x", 100);
+        bench.fly("as fast as possible", 0);
+    }
+    return 0;
+}

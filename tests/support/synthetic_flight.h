@@ -1,0 +1,73 @@
+#pragma once
+
+#include "widgets/model/flight_record.h"
+
+#include <cmath>
+#include <string>
+
+namespace berg::test {
+
+/** A flight made up for charts. */
+struct SyntheticFlight
+{
+    int icebergs = 12;
+    double duration_s = 1000;
+    double interval_s = 1; ///< between samples
+};
+
+/**
+ * Adds the samples in (from, until]: sigma of each iceberg grows and is 0 for 25 s once in a round
+ * of all of them, as it is when they are visited one after the other.
+ */
+inline void extend(FlightRecord& record, const SyntheticFlight& flight, double until_s)
+{
+    constexpr double kGrowth_m2ps = 0.025;
+    constexpr double kInView_s = 25;
+    constexpr double kLeg_s = 60;
+    const double round_s = kLeg_s * flight.icebergs;
+    MissionHistory& history = record.history;
+    double zeta_m2s = history.samples.empty() ? 0 : history.samples.back().zeta_m2s;
+    const auto first = static_cast<int>(history.samples.size());
+    for (int k = first; k * flight.interval_s <= until_s + 1e-9; ++k) {
+        const double time_s = k * flight.interval_s;
+        std::vector<IcebergSample> row(static_cast<std::size_t>(flight.icebergs));
+        double sum_m2 = 0;
+        for (int i = 0; i < flight.icebergs; ++i) {
+            const double since_s = std::fmod(time_s + round_s - kLeg_s * i, round_s);
+            IcebergSample& iceberg = row[static_cast<std::size_t>(i)];
+            iceberg.inView = since_s < kInView_s;
+            iceberg.sigma_m2 = iceberg.inView ? 0 : kGrowth_m2ps * (since_s - kInView_s);
+            sum_m2 += iceberg.sigma_m2;
+        }
+        zeta_m2s += k == 0 ? 0 : sum_m2 * flight.interval_s;
+        history.rows.push_back(std::move(row));
+        history.samples.push_back({.time_s = time_s,
+                                   .uav = {},
+                                   .u_radps = 0.2 * std::sin(0.05 * time_s),
+                                   .crossTrack_m = 40 * std::sin(0.013 * time_s),
+                                   .sigmaSum_m2 = sum_m2,
+                                   .zeta_m2s = zeta_m2s,
+                                   .flown_m = 22 * time_s});
+        record.now.time_s = time_s;
+        record.now.metrics.zeta_m2s = zeta_m2s;
+    }
+}
+
+/** The record of such a flight until `until_s`. */
+inline FlightRecord syntheticRecord(const SyntheticFlight& flight, double until_s)
+{
+    FlightRecord record;
+    record.scenario.uavs.push_back({});
+    record.now.phase = RunPhase::Flying;
+    for (int i = 0; i < flight.icebergs; ++i) {
+        Iceberg iceberg;
+        iceberg.id = "B" + std::to_string(i + 1);
+        record.now.icebergs.push_back(iceberg);
+        record.now.active.push_back(true);
+    }
+    record.now.world.tracks.resize(record.now.icebergs.size());
+    extend(record, flight, until_s);
+    return record;
+}
+
+} // namespace berg::test

@@ -1,0 +1,369 @@
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+#include "tests/support/approx.h"
+#include "tests/support/panel_test.h"
+#include "tests/support/synthetic_flight.h"
+#include "widgets/charts/time_chart.h"
+#include "widgets/panels/chart_panel.h"
+
+#include <QComboBox>
+#include <QImage>
+#include <QMenu>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+#include <cmath>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using berg::test::child;
+
+namespace {
+
+constexpr test::SyntheticFlight kFlight{.icebergs = 5, .duration_s = 1000, .interval_s = 1};
+
+/** A panel with a flight of 1000 s. */
+struct Shown
+{
+    explicit Shown(ChartKind kind, const QSize& size = {600, 260})
+        : record(test::syntheticRecord(kFlight, 1000))
+        , panel(kind, Theme::light())
+        , chart(child<TimeChart>(panel, u"timeChart"_s))
+    {
+        panel.resize(size);
+        panel.show();
+        panel.showRecord(record);
+    }
+
+    FlightRecord record;
+    ChartPanel panel;
+    TimeChart& chart;
+};
+
+std::vector<std::string> linesOf(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::size_t begin = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos;
+         end = text.find('\n', begin)) {
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+} // namespace
+
+class TestChartPanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void everyKindShowsItsLines_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("lines");
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<double>("last"); // of the first line, from the made-up flight
+        const FlightRecord record = test::syntheticRecord(kFlight, 1000);
+        const Sample& last = record.history.samples.back();
+        const auto row = [](ChartKind kind) {
+            return &QTest::newRow(qPrintable(chartFileStem(kind)));
+        };
+        const double kDegrees = 180 / std::acos(-1.0);
+        *row(ChartKind::Zeta) << 0 << 2 << u"zeta_m2s"_s << last.zeta_m2s;
+        *row(ChartKind::MeanSigma) << 1 << 2 << u"mean_sigma_sum_m2"_s << last.zeta_m2s / 1000;
+        *row(ChartKind::Sigma) << 2 << 5 << u"B1"_s << record.history.rows.back()[0].sigma_m2;
+        *row(ChartKind::Distance) << 3 << 1 << u"flown_km"_s << 22.0;
+        *row(ChartKind::TurnRate) << 4 << 1 << u"turn_rate_degps"_s << last.u_radps * kDegrees;
+        *row(ChartKind::CrossTrack) << 5 << 1 << u"cross_track_m"_s << last.crossTrack_m;
+    }
+
+    void everyKindShowsItsLines()
+    {
+        QFETCH(int, kind);
+        QFETCH(int, lines);
+        QFETCH(QString, key);
+        QFETCH(double, last);
+        const Shown shown(kChartKinds.at(static_cast<std::size_t>(kind)));
+        const TimeChartContent& content = shown.chart.content();
+        QCOMPARE(static_cast<int>(content.lines.size()), lines);
+        QCOMPARE(content.lines[0].key, key);
+        COMPARE_NEAR(content.lines[0].points.back().y(), last, 1e-9 * std::abs(last) + 1e-12);
+        COMPARE_NEAR(content.lines[0].points.back().x(), 1000, 1e-9);
+        QVERIFY(content.summary.contains(u"16:40"_s)); // 1000 s
+        QCOMPARE(shown.chart.accessibleDescription(), content.summary);
+        // The panel shows what the pure function has.
+        const TimeChartContent whole = missionChart(shown.panel.kind(), shown.record, QLocale::c());
+        QCOMPARE(whole.lines.size(), content.lines.size());
+        QCOMPARE(whole.lines[0].points.size(), 1001);
+        QCOMPARE(whole.lines[0].points.back(), content.lines[0].points.back());
+    }
+
+    void turnRateHasItsLimits()
+    {
+        const Shown shown(ChartKind::TurnRate);
+        const ChartFrame& frame = shown.chart.frame();
+        QCOMPARE(frame.references.size(), std::size_t{2});
+        QVERIFY(frame.references[0].text.contains(u"11.9"_s)); // 0.2079 rad/s in the paper
+        for (const ChartReference& reference : frame.references)
+            QVERIFY(reference.at_px > frame.plot.top() && reference.at_px < frame.plot.bottom());
+        COMPARE_NEAR(frame.references[0].at_px + frame.references[1].at_px,
+                     2 * frame.plot.center().y(), 1); // zero is in the middle
+    }
+
+    void nothingFlownIsSaid()
+    {
+        const ChartPanel panel(ChartKind::Sigma, Theme::dark());
+        const auto& chart = child<TimeChart>(panel, u"timeChart"_s);
+        QVERIFY(chart.accessibleDescription().contains(u"Nothing flown"_s));
+        QVERIFY(!child<QToolButton>(panel, u"chartExport"_s).isEnabled());
+    }
+
+    void kindIsChosenWithTheKeyboard()
+    {
+        Shown shown(ChartKind::Zeta);
+        const QSignalSpy changed(&shown.panel, &ChartPanel::kindChanged);
+        QTest::keyClick(&child<QComboBox>(shown.panel, u"chartKind"_s), Qt::Key_Down);
+        QCOMPARE(changed.count(), 1);
+        QCOMPARE(shown.panel.kind(), ChartKind::MeanSigma);
+        QVERIFY(shown.chart.content().lines.empty());
+        shown.panel.showRecord(shown.record);
+        QCOMPARE(shown.chart.content().lines.size(), std::size_t{2});
+    }
+
+    void linesCanBeHidden()
+    {
+        Shown shown(ChartKind::Zeta);
+        auto& menu = child<QMenu>(shown.panel, u"chartLinesMenu"_s);
+        auto* zeta = menu.findChild<QAction*>(u"zeta_m2s"_s);
+        QVERIFY(zeta != nullptr && zeta->isChecked());
+        QVERIFY(!shown.chart.frame().right.empty());
+        zeta->trigger();
+        QVERIFY(shown.chart.drawnPoints()[0].empty());
+        QVERIFY(!shown.chart.drawnPoints()[1].empty());
+        QVERIFY(shown.chart.frame().right.empty()); // its axis goes with it
+        shown.panel.showRecord(test::syntheticRecord(kFlight, 900));
+        QVERIFY(shown.chart.drawnPoints()[0].empty()); // and stays away
+        menu.actions().front()->trigger();
+        QVERIFY(zeta->isChecked());
+        QVERIFY(!shown.chart.drawnPoints()[0].empty());
+    }
+
+    void selectedIcebergStandsOut()
+    {
+        Shown shown(ChartKind::Sigma, {700, 400});
+        shown.panel.setHighlight("B3");
+        const std::vector<TimeLine>& lines = shown.chart.content().lines;
+        for (const TimeLine& line : lines)
+            QCOMPARE(line.emphasis,
+                     line.key == u"B3"_s ? LineEmphasis::Strong : LineEmphasis::Faint);
+        const std::vector<ChartLabel>& labels = shown.chart.frame().labels;
+        QCOMPARE(std::count_if(labels.begin(), labels.end(),
+                               [](const ChartLabel& label) { return label.strong; }),
+                 1);
+        shown.panel.setHighlight("not an iceberg");
+        for (const TimeLine& line : lines)
+            QCOMPARE(line.emphasis, LineEmphasis::None);
+    }
+
+    void selectedIcebergIsSeenThoughHidden()
+    {
+        Shown shown(ChartKind::Sigma);
+        child<QMenu>(shown.panel, u"chartLinesMenu"_s).findChild<QAction*>(u"B3"_s)->trigger();
+        QVERIFY(shown.chart.drawnPoints()[2].empty());
+        shown.panel.setHighlight("B3");
+        QVERIFY(!shown.chart.drawnPoints()[2].empty());
+    }
+
+    void labelPicksTheIceberg()
+    {
+        Shown shown(ChartKind::Sigma, {700, 400});
+        const QSignalSpy picked(&shown.panel, &ChartPanel::icebergPicked);
+        const QSignalSpy time(&shown.panel, &ChartPanel::timePicked);
+        const ChartLabel label = shown.chart.frame().labels.front();
+        QTest::mouseClick(shown.chart.viewport(), Qt::LeftButton, {},
+                          label.rect.center().toPoint());
+        QCOMPARE(picked.count(), 1);
+        QCOMPARE(QString::fromStdString(picked[0][0].value<std::string>()), label.key);
+        QCOMPARE(time.count(), 0);
+    }
+
+    void followAndAllButtons()
+    {
+        Shown shown(ChartKind::Zeta);
+        auto& follow = child<QToolButton>(shown.panel, u"chartFollow"_s);
+        auto& all = child<QToolButton>(shown.panel, u"chartAll"_s);
+        QVERIFY(!all.isEnabled());
+        follow.click();
+        QVERIFY(follow.isChecked() && all.isEnabled());
+        COMPARE_NEAR(shown.chart.window().from_s, 700, 1e-9); // 5 min
+        test::extend(shown.record, kFlight, 1100);
+        shown.panel.showRecord(shown.record);
+        COMPARE_NEAR(shown.chart.window().from_s, 800, 1e-9);
+        COMPARE_NEAR(shown.chart.window().to_s, 1100, 1e-9);
+        shown.chart.setWindow({.from_s = 100, .to_s = 200});
+        QVERIFY(!follow.isChecked());
+        test::extend(shown.record, kFlight, 1200);
+        shown.panel.showRecord(shown.record);
+        COMPARE_NEAR(shown.chart.window().from_s, 100, 1e-9); // stays
+        all.click();
+        QCOMPARE(shown.chart.window(), (TimeWindow{.from_s = 0, .to_s = 1200}));
+        QVERIFY(!all.isEnabled());
+    }
+
+    void grownRecordIsWhatAWholeOneIs()
+    {
+        Shown grown(ChartKind::Sigma);
+        for (double until_s = 1000; until_s <= 3000; until_s += 37) {
+            test::extend(grown.record, kFlight, until_s);
+            grown.panel.showRecord(grown.record);
+        }
+        test::extend(grown.record, kFlight, 3000);
+        grown.record.now.phase = RunPhase::Finished;
+        grown.panel.showRecord(grown.record);
+        ChartPanel whole(ChartKind::Sigma, Theme::light());
+        whole.resize(600, 260);
+        whole.show();
+        whole.showRecord(grown.record);
+        QCOMPARE(grown.chart.drawnPoints(), child<TimeChart>(whole, u"timeChart"_s).drawnPoints());
+    }
+
+    void rewrittenRecordIsTakenAnew()
+    {
+        Shown shown(ChartKind::Distance);
+        FlightRecord other = test::syntheticRecord(kFlight, 1000);
+        for (Sample& sample : other.history.samples)
+            sample.flown_m *= 2;
+        other.history.rewrites = 1;
+        shown.panel.showRecord(other);
+        COMPARE_NEAR(shown.chart.content().lines[0].points.back().y(), 44, 1e-9);
+    }
+
+    void changesBelowAPixelWait()
+    {
+        Shown shown(ChartKind::Distance);
+        test::extend(shown.record, kFlight, 10000);
+        shown.panel.showRecord(shown.record);
+        test::extend(shown.record, kFlight, 10005); // 10000 s / 600 px: 17 s each
+        shown.panel.showRecord(shown.record);
+        COMPARE_NEAR(shown.chart.content().duration_s, 10000, 1e-9);
+        shown.record.now.phase = RunPhase::Paused;
+        shown.panel.showRecord(shown.record);
+        COMPARE_NEAR(shown.chart.content().duration_s, 10005, 1e-9);
+    }
+
+    void icebergNotYetThereHasNoPoints()
+    {
+        FlightRecord record = test::syntheticRecord(kFlight, 100);
+        for (std::size_t row = 0; row < 50; ++row)
+            record.history.rows[row][4].active = false;
+        ChartPanel panel(ChartKind::Sigma, Theme::light());
+        panel.showRecord(record);
+        const auto& chart = child<TimeChart>(panel, u"timeChart"_s);
+        COMPARE_NEAR(chart.content().lines[4].points.front().x(), 50, 1e-9);
+        const QTemporaryDir folder;
+        panel.exportChart(folder.filePath(u"a.csv"_s));
+        const auto lines = linesOf(readFile(folder.filePath(u"a.csv"_s).toStdString()));
+        QVERIFY(lines[1].ends_with(','));
+        QVERIFY(!lines[51].ends_with(','));
+    }
+
+    void tableHasEverySample()
+    {
+        Shown shown(ChartKind::Zeta);
+        shown.chart.setWindow({.from_s = 100, .to_s = 200}); // of the picture only
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"zeta.CSV"_s);
+        QLocale::setDefault(QLocale(QLocale::NorwegianBokmal));
+        shown.panel.exportChart(path);
+        QLocale::setDefault(QLocale::c());
+        const std::vector<std::string> lines = linesOf(readFile(path.toStdString()));
+        QCOMPARE(lines.size(), std::size_t{1002});
+        QCOMPARE(lines[0], std::string("time_s,zeta_m2s,sigma_sum_m2"));
+        const Sample& sample = shown.record.history.samples[500];
+        const QStringList fields = QString::fromStdString(lines[501]).split(u',');
+        QCOMPARE(fields.size(), 3);
+        QCOMPARE(fields[0].toDouble(), 500.0);
+        QCOMPARE(fields[1].toDouble(), sample.zeta_m2s); // reads back exactly
+        QCOMPARE(fields[2].toDouble(), sample.sigmaSum_m2);
+    }
+
+    void picturesCanBeRead_data()
+    {
+        QTest::addColumn<QString>("ending");
+        for (const char* ending : {"png", "svg", "pdf"})
+            QTest::newRow(ending) << QString::fromLatin1(ending);
+    }
+
+    void picturesCanBeRead()
+    {
+        QFETCH(QString, ending);
+        const Shown shown(ChartKind::Sigma);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"chart."_s + ending);
+        shown.panel.exportChart(path);
+        if (ending == u"pdf"_s) {
+            const std::string bytes = readFile(path.toStdString());
+            QVERIFY(bytes.starts_with("%PDF-"));
+            QVERIFY(bytes.find("/MediaBox [0 0 840.0") != std::string::npos); // 1120 px at 96 dpi
+            return;
+        }
+        QImage image(path);
+        if (ending == u"svg"_s) {
+            QSvgRenderer svg(path);
+            QVERIFY(svg.isValid());
+            image = QImage(svg.defaultSize(), QImage::Format_RGB32);
+            QPainter painter(&image);
+            svg.render(&painter);
+        }
+        QVERIFY(image.width() >= 1000); // an SVG is 296 mm wide, whatever that is in pixels
+        // Lines of the sigmas are there, in a colour of the scale rather than black.
+        int coloured = 0;
+        for (int y = image.height() / 4; y < image.height() / 2; ++y)
+            for (int x = image.width() / 4; x < image.width() / 2; ++x)
+                coloured += image.pixelColor(x, y).saturation() > 60 ? 1 : 0;
+        QVERIFY2(coloured > 100, QByteArray::number(coloured).constData());
+    }
+
+    void unknownEndingIsAnError()
+    {
+        const Shown shown(ChartKind::Zeta);
+        const QTemporaryDir folder;
+        QVERIFY_THROWS_EXCEPTION(Error, shown.panel.exportChart(folder.filePath(u"a.gif"_s)));
+        QVERIFY_THROWS_EXCEPTION(Error, shown.panel.exportChart(u"/nowhere/at/all.png"_s));
+        QVERIFY(ChartPanel::exportFilters().contains(u"*.svg"_s));
+        QCOMPARE(shown.panel.exportName(), u"zeta.png"_s);
+    }
+
+    void fitsANarrowDockWithLongerTexts()
+    {
+        const test::LongerTexts longer;
+        Shown shown(ChartKind::CrossTrack, {test::kDock_px, 170});
+        QVERIFY(shown.panel.minimumSizeHint().width() <= test::kDock_px);
+        QCOMPARE(shown.panel.width(), test::kDock_px);
+        for (const QRectF& rect : shown.chart.labelRects())
+            QVERIFY(QRectF(shown.chart.rect()).contains(rect));
+    }
+
+    void everyControlIsNamedAndReachable()
+    {
+        const Shown shown(ChartKind::Sigma);
+        for (const QString& name :
+             {u"chartKind"_s, u"chartLines"_s, u"chartFollow"_s, u"chartAll"_s, u"chartExport"_s}) {
+            const auto& control = child<QWidget>(shown.panel, name);
+            QVERIFY2(!control.accessibleName().isEmpty(), qPrintable(name));
+            QVERIFY2(!control.toolTip().isEmpty(), qPrintable(name));
+            QVERIFY2(control.focusPolicy() & Qt::TabFocus, qPrintable(name));
+        }
+        QVERIFY(shown.chart.focusPolicy() & Qt::TabFocus);
+    }
+};
+
+QTEST_MAIN(TestChartPanel)
+#include "tst_chart_panel.moc"

@@ -1,0 +1,311 @@
+#include "core/base/solving_guard.h"
+#include "tests/support/comparison_builder.h"
+#include "tests/support/panel_test.h"
+#include "widgets/panels/comparison_panel.h"
+#include "widgets/panels/comparison_tables.h"
+#include "widgets/panels/number_field.h"
+#include "widgets/panels/run_table.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QToolButton>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
+
+PlannerSettings policy(PolicyKind kind, double tau = 1)
+{
+    return {.policy = kind, .tau = tau};
+}
+
+struct Fixture
+{
+    RunList list;
+    ComparisonPanel panel{list};
+    QTableWidget& runs = test::child<QTableWidget>(panel, u"comparedRuns"_s);
+    QTableWidget& figures = test::child<QTableWidget>(panel, u"comparedFigures"_s);
+    QTableWidget& unseen = test::child<QTableWidget>(panel, u"comparedIcebergs"_s);
+    QPushButton& tour = test::child<QPushButton>(panel, u"compareTour"_s);
+    QPushButton& cancel = test::child<QPushButton>(panel, u"cancelComparison"_s);
+    QProgressBar& bar = test::child<QProgressBar>(panel, u"comparisonProgress"_s);
+    NumberField& tau = test::child<NumberField>(panel, u"comparedTau"_s);
+    QPushButton& fly = test::child<QPushButton>(panel, u"compareTau"_s);
+    QPushButton& remove = test::child<QPushButton>(panel, u"removeComparedRun"_s);
+    QLabel& state = test::child<QLabel>(panel, u"comparisonState"_s);
+    QLabel& empty = test::child<QLabel>(panel, u"comparisonEmpty"_s);
+    QSignalSpy finished{&list, &RunList::finished};
+
+    explicit Fixture(const QSize& size = {480, 300})
+    {
+        panel.setLocale(QLocale::c());
+        panel.resize(size);
+        panel.show();
+    }
+    void add(PolicyKind kind, double until_s = 1e9, int seed = 3)
+    {
+        list.add(test::flownRecord(test::shortScenario(seed), policy(kind), until_s));
+    }
+    [[nodiscard]] RunMark mark(int row, int column) const
+    {
+        return static_cast<RunMark>(runs.item(row, column)->data(Qt::UserRole).toInt());
+    }
+    void click(int row, int column)
+    {
+        const QRect cell = runs.visualItemRect(runs.item(row, column));
+        QTest::mouseClick(runs.viewport(), Qt::LeftButton, {}, cell.center());
+    }
+    [[nodiscard]] bool ends() { return !finished.isEmpty() || finished.wait(kPatience_ms); }
+};
+
+} // namespace
+
+class TestComparisonPanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void emptyPanelTeaches()
+    {
+        Fixture f;
+        QVERIFY(f.empty.isVisible());
+        QVERIFY(!f.figures.isVisible());
+        QVERIFY(!f.tour.isEnabled() && !f.fly.isEnabled() && !f.remove.isEnabled());
+        f.panel.setScenario(test::shortScenario());
+        QVERIFY(f.tour.isEnabled() && f.fly.isEnabled());
+        Scenario sea = test::shortScenario();
+        sea.icebergs.clear();
+        f.panel.setScenario(sea);
+        QVERIFY(!f.tour.isEnabled());
+    }
+
+    /** One click, nothing solved on this thread. */
+    void tourIsFlownBesideTheReference()
+    {
+        const FlightRecord first =
+            test::flownRecord(test::shortScenario(), policy(PolicyKind::Nearest));
+        const FlightRecord expected =
+            test::flownRecord(test::shortScenario(), policy(PolicyKind::Tour));
+        const ForbidSolving onThisThread;
+        Fixture f;
+        f.list.add(first);
+        QVERIFY(f.tour.isVisible());
+        f.tour.click();
+        QVERIFY(f.bar.isVisible() && f.cancel.isVisible() && !f.tour.isVisible());
+        QVERIFY(f.ends());
+        QVERIFY(f.tour.isVisible() && !f.bar.isVisible());
+        QCOMPARE(f.runs.rowCount(), 2);
+        QVERIFY(f.list.other()->metrics == expected.now.metrics);
+        QVERIFY(f.mark(0, RunReference) == RunMark::Chosen);
+        QVERIFY(f.mark(0, RunOther) == RunMark::None);
+        QVERIFY(f.mark(1, RunReference) == RunMark::Choice);
+        QVERIFY(f.mark(1, RunOther) == RunMark::Chosen);
+        QCOMPARE(
+            f.runs.item(1, RunDifference)->text(),
+            percentText(expected.now.metrics.zeta_m2s, first.now.metrics.zeta_m2s, QLocale::c()));
+        QVERIFY(f.runs.item(0, RunDifference)->text().isEmpty());
+    }
+
+    /** Without a run of this scenario both are flown. */
+    void bothAreFlownFromAScenario()
+    {
+        Fixture f;
+        f.add(PolicyKind::Nearest, 60, 9); // another world
+        Scenario scenario = test::shortScenario();
+        scenario.planner = policy(PolicyKind::Uncertainty);
+        f.panel.setScenario(scenario);
+        f.tour.click();
+        QVERIFY(f.ends());
+        QCOMPARE(f.runs.rowCount(), 3);
+        QCOMPARE(f.list.reference()->planner.policy, PolicyKind::Uncertainty);
+        QCOMPARE(f.list.other()->planner.policy, PolicyKind::Tour);
+        QVERIFY(f.mark(0, RunOther) == RunMark::None);
+        QVERIFY(f.runs.item(0, RunDifference)->text().isEmpty());
+    }
+
+    void anyTauIsFlown()
+    {
+        Fixture f;
+        f.add(PolicyKind::Nearest);
+        test::enter(f.tau, u"2.5"_s);
+        f.fly.click();
+        QVERIFY(f.ends());
+        QCOMPARE(f.list.other()->planner, policy(PolicyKind::Visitation, 2.5));
+    }
+
+    void theTourIsNotComparedWithItself()
+    {
+        Fixture f;
+        f.add(PolicyKind::Tour);
+        QVERIFY(!f.tour.isEnabled());
+        QVERIFY(f.fly.isEnabled());
+        f.add(PolicyKind::Nearest);
+        QVERIFY(f.tour.isEnabled());
+        f.tour.click(); // the list has it already
+        QVERIFY(!f.list.isFlying());
+        QCOMPARE(f.list.other()->planner.policy, PolicyKind::Tour);
+    }
+
+    void cancelComesBack()
+    {
+        Fixture f;
+        Scenario scenario = randomScenario(4, {.icebergs = 60, .size_m = {40000, 40000}});
+        scenario.duration_s = 500000;
+        f.panel.setScenario(scenario);
+        f.tour.click();
+        QVERIFY(f.cancel.isVisible());
+        f.cancel.click();
+        QVERIFY(f.ends());
+        QVERIFY(f.tour.isVisible() && f.tour.isEnabled());
+        QVERIFY(f.state.isHidden());
+        QCOMPARE(f.runs.rowCount(), 0);
+    }
+
+    void failuresAreTold()
+    {
+        Fixture f;
+        f.list.open(u"/nowhere/a.bergrun"_s);
+        QVERIFY(f.ends());
+        QVERIFY(f.state.isVisible());
+        QVERIFY(f.state.text().contains(u"a.bergrun"_s));
+        f.panel.setScenario(test::shortScenario());
+        f.tour.click();
+        QVERIFY(f.state.isHidden());
+        QVERIFY(f.finished.wait(kPatience_ms));
+    }
+
+    void clicksAndKeysChoose()
+    {
+        Fixture f;
+        f.add(PolicyKind::Nearest, 60);
+        f.add(PolicyKind::Uncertainty, 60);
+        f.add(PolicyKind::Path, 60);
+        f.click(0, RunReference);
+        QVERIFY(f.list.reference() == f.list.runs()[0]);
+        f.click(1, RunOther);
+        QVERIFY(f.list.other() == f.list.runs()[1]);
+        f.click(2, RunName); // chooses the row and nothing else
+        QVERIFY(f.list.other() == f.list.runs()[1]);
+        QTest::keyClick(&f.runs, Qt::Key_B);
+        QVERIFY(f.list.other() == f.list.runs()[2]);
+        QTest::keyClick(&f.runs, Qt::Key_A); // the other one: swapped
+        QVERIFY(f.list.reference() == f.list.runs()[2] && f.list.other() == f.list.runs()[0]);
+        f.click(1, RunName);
+        QTest::keyClick(&f.runs, Qt::Key_Delete);
+        QCOMPARE(f.runs.rowCount(), 2);
+        f.remove.click();
+        f.remove.click();
+        QCOMPARE(f.runs.rowCount(), 0);
+        QVERIFY(!f.remove.isEnabled() && f.empty.isVisible());
+    }
+
+    void tablesHoldTheFigures()
+    {
+        Fixture f;
+        f.add(PolicyKind::Nearest);
+        QVERIFY(f.figures.item(0, 2)->text().isEmpty()); // nothing to compare with
+        f.add(PolicyKind::Uncertainty, 200);
+        f.list.setReference(0);
+        const RunComparison comparison = *f.list.comparison();
+        QCOMPARE(comparison.until_s, 200.0);
+        const RunFigures a = figuresAt(*comparison.reference, 200);
+        const RunFigures b = figuresAt(*comparison.other, 200);
+        QCOMPARE(f.figures.item(2, 1)->text(), QString::number(a.visits));
+        QCOMPARE(f.figures.item(2, 2)->text(), QString::number(b.visits));
+        QCOMPARE(f.figures.item(0, 3)->text(), percentText(b.zeta_m2s, a.zeta_m2s, QLocale::c()));
+        const int better = a.zeta_m2s < b.zeta_m2s ? 1 : 2;
+        QVERIFY(f.figures.item(0, better)->font().bold());
+        QVERIFY(!f.figures.item(0, 3 - better)->font().bold());
+        const auto longest = static_cast<std::size_t>(a.longestUnseen);
+        QCOMPARE(f.figures.item(6, 1)->text(),
+                 QString::fromStdString(comparison.reference->icebergs[longest].id));
+        QCOMPARE(f.unseen.rowCount(), static_cast<int>(a.unseen.size()));
+        QCOMPARE(f.unseen.item(a.longestUnseen, 1)->text(), f.figures.item(5, 1)->text());
+    }
+
+    void percent_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("more") << 108.04 << u"+8.0 %"_s;
+        QTest::newRow("less") << 99.6 << u"−0.4 %"_s;
+        QTest::newRow("equal") << 100.0 << u"0.0 %"_s;
+        QTest::newRow("all but equal") << 99.99 << u"0.0 %"_s;
+        QTest::newRow("much more") << 312.3 << u"+212 %"_s;
+    }
+
+    void percent()
+    {
+        QFETCH(double, value);
+        QFETCH(QString, text);
+        QCOMPARE(percentText(value, 100, QLocale::c()), text);
+        QCOMPARE(percentText(value, 0, QLocale::c()), u"–"_s);
+    }
+
+    void openAsksTheOwner()
+    {
+        Fixture f;
+        QSignalSpy asked(&f.panel, &ComparisonPanel::openRunRequested);
+        test::child<QToolButton>(f.panel, u"openComparedRun"_s).click();
+        QCOMPARE(asked.count(), 1);
+    }
+
+    void fitsItsDocks_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("besideEachOther");
+        QTest::newRow("narrow") << QSize(test::kDock_px, 500) << false;
+        QTest::newRow("low") << QSize(480, 210) << true;
+        QTest::newRow("wide") << QSize(900, 240) << true;
+    }
+
+    void fitsItsDocks()
+    {
+        QFETCH(QSize, size);
+        QFETCH(bool, besideEachOther);
+        const test::LongerTexts longer;
+        Fixture f(size);
+        f.add(PolicyKind::Nearest, 60);
+        f.add(PolicyKind::Uncertainty, 60);
+        QVERIFY2(f.panel.minimumSizeHint().width() <= size.width() &&
+                     f.panel.minimumSizeHint().height() <= size.height(),
+                 qPrintable(u"%1 x %2"_s.arg(f.panel.minimumSizeHint().width())
+                                .arg(f.panel.minimumSizeHint().height())));
+        QCOMPARE(f.panel.size(), size);
+        const auto left = [&](const QWidget& widget) {
+            return widget.mapTo(&f.panel, QPoint(0, 0)).x();
+        };
+        QCOMPARE(left(f.figures) > left(f.runs) + 50, besideEachOther);
+        QVERIFY(f.runs.columnWidth(RunName) >= 50);
+        QVERIFY(f.figures.columnWidth(0) >= 50);
+        const int text_px = f.tour.fontMetrics().horizontalAdvance(f.tour.text());
+        QVERIFY(text_px <= f.tour.width());
+    }
+
+    void themesReachEverything()
+    {
+        Fixture f;
+        f.add(PolicyKind::Nearest, 60);
+        f.panel.setTheme(Theme::dark());
+        const QRect cell = f.runs.visualItemRect(f.runs.item(0, RunReference));
+        f.runs.clearSelection();
+        f.runs.setCurrentItem(nullptr);
+        const QImage image = f.runs.viewport()->grab(cell).toImage();
+        bool marked = false;
+        for (int x = 0; x < image.width(); ++x)
+            marked = marked || image.pixelColor(x, image.height() / 2 - 6).rgb() ==
+                                   Theme::dark().accumulated.rgb();
+        QVERIFY(marked);
+    }
+};
+
+QTEST_MAIN(TestComparisonPanel)
+#include "tst_comparison_panel.moc"

@@ -1,0 +1,125 @@
+#include "core/scenario/presets.h"
+#include "tests/support/panel_test.h"
+#include "widgets/panels/event_model.h"
+#include "widgets/panels/event_panel.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QTableView>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+FlightRecord flown(double until_s, double tau = 1)
+{
+    Scenario scenario = randomScenario(6, {.icebergs = 7});
+    scenario.duration_s = 400;
+    scenario.planner.tau = tau;
+    Mission mission(scenario);
+    mission.advance(until_s / 2);
+    mission.intervene({.tau = 0.5});
+    mission.advance(until_s);
+    return recordOf(mission);
+}
+
+QString cell(const EventModel& model, int row, int column)
+{
+    return model.data(model.index(row, column), Qt::DisplayRole).toString();
+}
+
+} // namespace
+
+class TestEventPanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void everyEventHasItsRow()
+    {
+        const FlightRecord record = flown(400);
+        EventModel model{QLocale::c()};
+        const QAbstractItemModelTester tester(&model);
+        model.setHistory(record.history, record.now.icebergs);
+        QCOMPARE(model.rowCount(), static_cast<int>(record.history.events.size()));
+        std::size_t plans = 0;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const MissionEvent& event = record.history.events[static_cast<std::size_t>(row)];
+            QCOMPARE(model.time_s(row), event.time_s);
+            QVERIFY(!cell(model, row, EventModel::What).isEmpty());
+            const QString details = cell(model, row, EventModel::Details);
+            QCOMPARE(details.isEmpty(), event.kind != EventKind::Planned);
+            if (event.kind == EventKind::Planned) {
+                const QString order = model.data(model.index(row, 0), Qt::ToolTipRole)
+                                          .toString()
+                                          .section(u'\n', 0, 0);
+                QCOMPARE(order.split(u", "_s).size(),
+                         qsizetype(record.history.plans[plans].order.size()));
+                ++plans;
+            }
+        }
+        QCOMPARE(plans, record.history.plans.size());
+        QVERIFY(cell(model, 0, EventModel::Details).startsWith(u"take-off"_s));
+    }
+
+    /** Grown step by step, or cut and grown another way, it is as if told at once. */
+    void growsAndShrinks()
+    {
+        EventModel model{QLocale::c()};
+        const QAbstractItemModelTester tester(&model);
+        std::uint64_t rewrites = 0;
+        for (FlightRecord record :
+             {flown(100), flown(250), flown(250), flown(400, 3), flown(60), FlightRecord()}) {
+            record.history.rewrites = ++rewrites; // each is another run
+            model.setHistory(record.history, record.now.icebergs);
+            EventModel fresh{QLocale::c()};
+            fresh.setHistory(record.history, record.now.icebergs);
+            QCOMPARE(model.rowCount(), fresh.rowCount());
+            for (int row = 0; row < model.rowCount(); ++row)
+                for (int column = 0; column < model.columnCount(); ++column)
+                    QCOMPARE(cell(model, row, column), cell(fresh, row, column));
+        }
+    }
+
+    void whatIsAheadIsMarked()
+    {
+        const FlightRecord record = flown(400);
+        EventModel model{QLocale::c()};
+        model.setHistory(record.history, record.now.icebergs);
+        QSignalSpy changed(&model, &EventModel::dataChanged);
+        model.setShown(3);
+        model.setShown(3);
+        QCOMPARE(changed.count(), 1);
+        for (int row = 0; row < model.rowCount(); ++row)
+            QCOMPARE(model.data(model.index(row, 0), EventModel::AheadRole).toBool(), row >= 3);
+    }
+
+    void aRowTakesOneToItsInstant()
+    {
+        EventPanel panel;
+        panel.resize(500, 300);
+        panel.show();
+        FlightRecord record = flown(400);
+        panel.showRecord(record);
+        auto& table = test::child<QTableView>(panel, u"eventTable"_s);
+        QSignalSpy chosen(&panel, &EventPanel::timeChosen);
+        const QModelIndex index = table.model()->index(table.model()->rowCount() - 2, 1);
+        table.scrollTo(index);
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(index).center());
+        QVERIFY(chosen.count() >= 1);
+        QCOMPARE(chosen.front().front().toDouble(),
+                 record.history.events[static_cast<std::size_t>(index.row())].time_s);
+        table.setCurrentIndex(table.model()->index(0, 0));
+        table.setFocus();
+        chosen.clear();
+        QTest::keyClick(&table, Qt::Key_Return);
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(chosen.front().front().toDouble(), 0.0);
+    }
+};
+
+QTEST_MAIN(TestEventPanel)
+#include "tst_event_panel.moc"

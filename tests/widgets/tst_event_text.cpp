@@ -1,0 +1,80 @@
+#include "widgets/model/event_text.h"
+
+#include <QtTest>
+
+#include <limits>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+class TestEventText : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void saysWhatHappened_data()
+    {
+        QTest::addColumn<EventKind>("kind");
+        QTest::addColumn<double>("time_s");
+        QTest::addColumn<int>("iceberg");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("planned") << EventKind::Planned << 0.0 << 0
+                                 << u"00:00  Planned: next berg-1"_s;
+        QTest::newRow("circling") << EventKind::Planned << 61.0 << -1
+                                  << u"01:01  Every iceberg is in view: circling"_s;
+        QTest::newRow("reached") << EventKind::Reached << 201.4 << 0 << u"03:21  berg-1 reached"_s;
+        QTest::newRow("by name") << EventKind::Reached << 201.0 << 1
+                                 << u"03:21  Storberget reached"_s;
+        QTest::newRow("sighted") << EventKind::Sighted << 5.0 << 0 << u"00:05  berg-1 in view"_s;
+        QTest::newRow("appeared") << EventKind::Appeared << 3600.0 << 1
+                                  << u"1:00:00  Storberget appeared"_s;
+        QTest::newRow("intervention")
+            << EventKind::Intervention << 59.6 << -1 << u"01:00  Trade-off or policy changed"_s;
+    }
+
+    void saysWhatHappened()
+    {
+        QFETCH(EventKind, kind);
+        QFETCH(double, time_s);
+        QFETCH(int, iceberg);
+        QFETCH(QString, text);
+        std::vector<Iceberg> icebergs(2);
+        icebergs[0].id = "berg-1";
+        icebergs[1].id = "berg-2";
+        icebergs[1].name = "Storberget";
+        QCOMPARE(eventText({.time_s = time_s, .kind = kind, .iceberg = iceberg}, icebergs), text);
+    }
+
+    /** An index that is none of the icebergs' gets no name, not another one's. */
+    void unknownIcebergHasNoName_data()
+    {
+        QTest::addColumn<int>("iceberg");
+        QTest::newRow("none") << -1;
+        QTest::newRow("one beyond the last") << 1;
+        QTest::newRow("largest") << std::numeric_limits<int>::max();
+        QTest::newRow("smallest") << std::numeric_limits<int>::min();
+    }
+
+    void unknownIcebergHasNoName()
+    {
+        QFETCH(int, iceberg);
+        std::vector<Iceberg> icebergs(1);
+        icebergs[0].id = "berg-1";
+        for (const EventKind kind : {EventKind::Planned, EventKind::Reached, EventKind::Sighted,
+                                     EventKind::Appeared, EventKind::Intervention})
+            QVERIFY(!eventText({.kind = kind, .iceberg = iceberg}, icebergs).contains(u"berg-1"_s));
+        QVERIFY(!eventText({.kind = EventKind::Planned, .iceberg = iceberg}, {}).isEmpty());
+    }
+
+    void namesAreTakenAsTheyAre()
+    {
+        std::vector<Iceberg> icebergs(1);
+        icebergs[0].id = "a";
+        icebergs[0].name = "%1 <b>Å</b> & %2";
+        QCOMPARE(eventText({.time_s = 1, .kind = EventKind::Reached, .iceberg = 0}, icebergs),
+                 u"00:01  %1 <b>Å</b> & %2 reached"_s);
+    }
+};
+
+QTEST_MAIN(TestEventText)
+#include "tst_event_text.moc"

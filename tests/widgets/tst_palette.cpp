@@ -1,0 +1,117 @@
+#include "widgets/theme/palette.h"
+
+#include <QtTest>
+
+using namespace berg;
+
+namespace {
+
+constexpr double kTextContrast = 4.5; // WCAG 2.1, 1.4.3
+constexpr double kLineContrast = 3.0; // WCAG 2.1, 1.4.11
+
+Theme themeOf(bool isDark)
+{
+    return isDark ? Theme::dark() : Theme::light();
+}
+
+struct Pair
+{
+    const char* name;
+    QPalette::ColorRole on;
+    QPalette::ColorRole below;
+    double least;
+};
+
+constexpr Pair kPairs[] = {
+    {"text of labels", QPalette::WindowText, QPalette::Window, kTextContrast},
+    {"text of lists and fields", QPalette::Text, QPalette::Base, kTextContrast},
+    {"text of every second row", QPalette::Text, QPalette::AlternateBase, kTextContrast},
+    {"text of locked fields", QPalette::Text, QPalette::Window, kTextContrast},
+    {"text of buttons", QPalette::ButtonText, QPalette::Button, kTextContrast},
+    {"text of flat buttons", QPalette::ButtonText, QPalette::Window, kTextContrast},
+    {"text of tool tips", QPalette::ToolTipText, QPalette::ToolTipBase, kTextContrast},
+    {"what a field expects", QPalette::PlaceholderText, QPalette::Base, kTextContrast},
+    {"text of the chosen row", QPalette::HighlightedText, QPalette::Highlight, kTextContrast},
+    {"links", QPalette::Link, QPalette::Window, kTextContrast},
+    {"the chosen row in a list", QPalette::Highlight, QPalette::Base, kLineContrast},
+    {"focus on a panel", QPalette::Highlight, QPalette::Window, kLineContrast},
+};
+
+} // namespace
+
+class TestPalette : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void contrastIsEnough_data()
+    {
+        QTest::addColumn<bool>("isDark");
+        QTest::addColumn<int>("pair");
+        for (const bool isDark : {false, true})
+            for (std::size_t i = 0; i < std::size(kPairs); ++i)
+                QTest::addRow("%s: %s", isDark ? "dark" : "light", kPairs[i].name)
+                    << isDark << static_cast<int>(i);
+    }
+
+    void contrastIsEnough()
+    {
+        QFETCH(bool, isDark);
+        QFETCH(int, pair);
+        const QPalette palette = paletteOf(themeOf(isDark));
+        const Pair& p = kPairs[pair];
+        for (const auto group : {QPalette::Active, QPalette::Inactive}) {
+            const double ratio =
+                contrastRatio(palette.color(group, p.on), palette.color(group, p.below));
+            QVERIFY2(ratio >= p.least, QByteArray::number(ratio).constData());
+        }
+    }
+
+    void sigmaAndMutedTextOnPanels_data()
+    {
+        QTest::addColumn<bool>("isDark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+
+    /** What panels draw in colours of the theme is drawn on grounds of the palette. */
+    void sigmaAndMutedTextOnPanels()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = themeOf(isDark);
+        const QPalette palette = paletteOf(theme);
+        for (const auto ground : {QPalette::Window, QPalette::Base}) {
+            QVERIFY(contrastRatio(theme.mutedText, palette.color(ground)) >= kTextContrast);
+            for (int i = 0; i <= 100; ++i)
+                QVERIFY2(contrastRatio(theme.sigma.at(i / 100.0), palette.color(ground)) >=
+                             kLineContrast,
+                         QByteArray::number(i).constData());
+        }
+    }
+
+    void disabledIsFainterButThere_data() { sigmaAndMutedTextOnPanels_data(); }
+
+    void disabledIsFainterButThere()
+    {
+        QFETCH(bool, isDark);
+        const QPalette palette = paletteOf(themeOf(isDark));
+        for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+            const QColor ground = palette.color(QPalette::Window);
+            const double disabled = contrastRatio(palette.color(QPalette::Disabled, role), ground);
+            QVERIFY(disabled < contrastRatio(palette.color(QPalette::Active, role), ground));
+            QVERIFY(disabled > 1.5); // WCAG exempts it; it is to be seen all the same
+        }
+    }
+
+    void themesDiffer()
+    {
+        const auto luminance = [](bool isDark) {
+            return relativeLuminance(paletteOf(themeOf(isDark)).color(QPalette::Window));
+        };
+        QVERIFY(luminance(false) > 0.8);
+        QVERIFY(luminance(true) < 0.05);
+    }
+};
+
+QTEST_MAIN(TestPalette)
+#include "tst_palette.moc"

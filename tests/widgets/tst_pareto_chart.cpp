@@ -1,0 +1,179 @@
+#include "tests/support/approx.h"
+#include "tests/support/curve_builder.h"
+#include "tests/support/panel_test.h"
+#include "widgets/charts/pareto_chart.h"
+
+#include <QSignalSpy>
+
+using namespace berg;
+
+namespace {
+
+struct Fixture
+{
+    explicit Fixture(const Theme& theme = Theme::light(), const QSize& size = {420, 250})
+        : chart(theme)
+    {
+        chart.resize(size);
+        chart.setCurve(test::curveThrough({0.5, 0.6, 2, 5}));
+        chart.setTau(1);
+        chart.show();
+    }
+    [[nodiscard]] QColor colourAt(const QPointF& point)
+    {
+        return chart.grab().toImage().pixelColor(point.toPoint());
+    }
+    ParetoChart chart;
+};
+
+/** Pixels of the theme's plan colour within `reach_px` of a place. */
+int planPixels(const QImage& image, const QPointF& at, const Theme& theme, int reach_px)
+{
+    int count = 0;
+    for (int y = -reach_px; y <= reach_px; ++y)
+        for (int x = -reach_px; x <= reach_px; ++x) {
+            const QPoint p = at.toPoint() + QPoint(x, y);
+            if (image.rect().contains(p) && image.pixelColor(p).rgb() == theme.plan.rgb())
+                ++count;
+        }
+    return count;
+}
+
+} // namespace
+
+class TestParetoChart : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void plansAreInsideAndInOrder_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("smallest") << QSize(280, 150);
+        QTest::newRow("usual") << QSize(420, 250);
+        QTest::newRow("large") << QSize(1000, 600);
+    }
+
+    /** Along tau ways get shorter (to the left) and the reward smaller (down). */
+    void plansAreInsideAndInOrder()
+    {
+        QFETCH(QSize, size);
+        const Fixture f(Theme::light(), size);
+        const std::vector<QPointF> points = f.chart.points();
+        QCOMPARE(points.size(), 4U);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            QVERIFY(f.chart.rect().contains(points[i].toPoint()));
+            if (i > 0)
+                QVERIFY(points[i].x() < points[i - 1].x() && points[i].y() > points[i - 1].y());
+        }
+        // Distances fall in even steps, rewards as squares.
+        COMPARE_NEAR(points[0].x() - points[1].x(), points[2].x() - points[3].x(), 1e-6);
+        COMPARE_NEAR(points[3].y() - points[0].y(), 9 * (points[1].y() - points[0].y()), 1e-6);
+    }
+
+    void aSinglePlanIsInTheMiddle()
+    {
+        Fixture f;
+        f.chart.setCurve(test::curveThrough({5}));
+        const std::vector<QPointF> points = f.chart.points();
+        QCOMPARE(points.size(), 1U);
+        QVERIFY(f.chart.rect().adjusted(60, 40, -30, -50).contains(points[0].toPoint()));
+    }
+
+    void thePresentPlanStandsOut_data()
+    {
+        QTest::addColumn<bool>("isDark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+
+    void thePresentPlanStandsOut()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = isDark ? Theme::dark() : Theme::light();
+        Fixture f(theme);
+        QImage image = f.chart.grab().toImage();
+        QCOMPARE(image.pixelColor(1, 1).rgb(), theme.chart.rgb());
+        std::vector<QPointF> points = f.chart.points();
+        QVERIFY(planPixels(image, points[2], theme, 8) >
+                3 * planPixels(image, points[3], theme, 8));
+        f.chart.setTau(4);
+        image = f.chart.grab().toImage();
+        QVERIFY(planPixels(image, points[3], theme, 8) >
+                3 * planPixels(image, points[2], theme, 8));
+    }
+
+    void unprovenPlansAreHollow()
+    {
+        Fixture f;
+        TauCurve curve = test::curveThrough({0.5, 0.6, 2, 5});
+        curve.intervals[3].proven = false;
+        f.chart.setCurve(curve);
+        QCOMPARE(f.colourAt(f.chart.points()[3]).rgb(), Theme::light().chart.rgb());
+        QCOMPARE(f.colourAt(f.chart.points()[0]).rgb(), Theme::light().plan.rgb());
+    }
+
+    void clickChoosesAPlan()
+    {
+        Fixture f;
+        QSignalSpy spy(&f.chart, &ParetoChart::tauChosen);
+        QTest::mouseClick(&f.chart, Qt::LeftButton, {}, f.chart.points()[3].toPoint());
+        QCOMPARE(spy.count(), 1);
+        COMPARE_NEAR(spy[0][0].toDouble(), 3.5, 1e-12);
+        QTest::mouseClick(&f.chart, Qt::LeftButton, {}, QPoint(f.chart.width() - 40, 180));
+        QCOMPARE(spy.count(), 1); // nothing there
+    }
+
+    void keysGoAlongTheFront()
+    {
+        Fixture f;
+        QSignalSpy spy(&f.chart, &ParetoChart::tauChosen);
+        QTest::keyClick(&f.chart, Qt::Key_Left); // shorter
+        COMPARE_NEAR(spy.last()[0].toDouble(), 3.5, 1e-12);
+        QTest::keyClick(&f.chart, Qt::Key_Right); // longer
+        COMPARE_NEAR(spy.last()[0].toDouble(), 0.55, 1e-12);
+    }
+
+    void tellsOfThePlanBelowThePointer()
+    {
+        Fixture f;
+        f.chart.setLocale(QLocale(QLocale::English));
+        const QString present = f.chart.accessibleDescription();
+        QTest::mouseMove(&f.chart, f.chart.points()[0].toPoint());
+        QTRY_VERIFY(f.chart.accessibleDescription() != present);
+        QVERIFY(f.chart.toolTip().contains(QStringLiteral("30.0 km, proven optimal")));
+        QTest::mouseMove(&f.chart, QPoint(f.chart.width() - 40, 180));
+        QTRY_VERIFY(f.chart.toolTip().isEmpty());
+        QCOMPARE(f.chart.accessibleDescription(), present);
+    }
+
+    void emptyChartsSayWhy()
+    {
+        Fixture f;
+        f.chart.setCurve({});
+        const QString computing = f.chart.accessibleDescription();
+        QVERIFY(!computing.isEmpty());
+        f.chart.setCurve({.complete = true});
+        QVERIFY(!f.chart.accessibleDescription().isEmpty());
+        QVERIFY(f.chart.accessibleDescription() != computing);
+        QVERIFY(f.chart.points().empty());
+        QSignalSpy spy(&f.chart, &ParetoChart::tauChosen);
+        QTest::mouseClick(&f.chart, Qt::LeftButton, {}, QPoint(200, 100));
+        QTest::keyClick(&f.chart, Qt::Key_Left);
+        QCOMPARE(spy.count(), 0);
+    }
+
+    void withoutTitleThePlotIsHigher()
+    {
+        Fixture f;
+        const std::vector<QPointF> before = f.chart.points();
+        f.chart.setTitleShown(false);
+        const std::vector<QPointF> after = f.chart.points();
+        QVERIFY(after.front().y() < before.front().y());
+    }
+};
+
+QTEST_MAIN(TestParetoChart)
+#include "tst_pareto_chart.moc"

@@ -1,0 +1,168 @@
+#include "tests/support/panel_test.h"
+#include "widgets/charts/solve_time_chart.h"
+#include "widgets/panels/number_field.h"
+#include "widgets/panels/solve_time_panel.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
+
+struct Fixture
+{
+    BenchmarkRunner runner;
+    SolveTimePanel panel{runner};
+    NumberField& largest = test::child<NumberField>(panel, u"largestSize"_s);
+    NumberField& repeat = test::child<NumberField>(panel, u"repeat"_s);
+    NumberField& budget = test::child<NumberField>(panel, u"budget"_s);
+    QPushButton& start = test::child<QPushButton>(panel, u"startBenchmark"_s);
+    QPushButton& save = test::child<QPushButton>(panel, u"saveBenchmark"_s);
+    QProgressBar& bar = test::child<QProgressBar>(panel, u"benchmarkProgress"_s);
+    QLabel& state = test::child<QLabel>(panel, u"benchmarkState"_s);
+    SolveTimeChart& chart = test::child<SolveTimeChart>(panel, u"solveTimeChart"_s);
+    QSignalSpy finished{&runner, &BenchmarkRunner::finished};
+    QSignalSpy saved{&panel, &SolveTimePanel::saveRequested};
+
+    Fixture()
+    {
+        panel.resize(820, 560);
+        panel.show();
+    }
+    void choose(const QString& only)
+    {
+        for (QCheckBox* box : panel.findChildren<QCheckBox*>())
+            box->setChecked(box->objectName() == only);
+    }
+    /** From milliseconds to minutes: there are rows soon, and no end. */
+    void startForLong()
+    {
+        choose(u"exact"_s);
+        largest.setValue(100);
+        repeat.setValue(100);
+        budget.setValue(3600);
+        start.click();
+    }
+};
+
+} // namespace
+
+class TestSolveTimePanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void settingsBecomeTheSpec()
+    {
+        Fixture f;
+        f.choose(u"heuristic"_s);
+        f.largest.setValue(15);
+        f.repeat.setValue(7);
+        f.budget.setValue(12);
+        const BenchmarkSpec spec = f.panel.spec();
+        QVERIFY((spec.sizes == std::vector<int>{2, 6, 10, 12, 15}));
+        QCOMPARE(spec.repeat, 7);
+        QCOMPARE(spec.budget_s, 12.0);
+        QCOMPARE(spec.solvers.size(), std::size_t{1});
+        QCOMPARE(spec.solvers.front().backend, Backend::Heuristic);
+        QCOMPARE(spec.tau, 0.5); // that of the paper's table
+    }
+
+    void everySolverOfThisBuildIsOffered()
+    {
+        const Fixture f;
+        for (const BenchmarkSolver& solver : benchmarkSolvers()) {
+            const auto& box = test::child<QCheckBox>(
+                f.panel, QString::fromStdString(nameOf(kBenchmarkSolverNames, solver)));
+            QCOMPARE(box.text(), benchmarkSolverName(solver));
+            QVERIFY(!box.toolTip().isEmpty() && !box.icon().isNull());
+        }
+    }
+
+    void measuresAndShows()
+    {
+        Fixture f;
+        f.choose(u"exact"_s);
+        f.largest.setValue(8);
+        f.repeat.setValue(2);
+        QVERIFY(!f.save.isEnabled());
+        f.start.click();
+        QVERIFY(f.runner.isRunning());
+        QTRY_COMPARE_WITH_TIMEOUT(f.finished.count(), 1, kPatience_ms);
+        QCOMPARE(f.chart.labels().size(), std::size_t{3}); // the paper's two and ours
+        QCOMPARE(f.bar.value(), f.bar.maximum());
+        QVERIFY(f.state.text().startsWith(u"Measured in"_s));
+        QVERIFY(f.start.isEnabled() && f.start.text() == u"Start"_s);
+
+        QVERIFY(f.save.isEnabled());
+        f.save.click();
+        QCOMPARE(f.saved.count(), 1);
+        const auto csv = QString::fromStdString(f.saved.front().front().value<std::string>());
+        QVERIFY(csv.startsWith(u"icebergs,backend,"_s));
+        QCOMPARE(csv.count(u'\n'), 4); // a header and three sizes: 2, 6 and 8
+    }
+
+    void settingsAreLockedWhileItRuns()
+    {
+        Fixture f;
+        f.startForLong();
+        QVERIFY(!f.largest.isEnabled() && !f.repeat.isEnabled() && !f.budget.isEnabled());
+        QVERIFY(!f.save.isEnabled());
+        QCOMPARE(f.start.text(), u"Cancel"_s);
+        QVERIFY(f.state.text().contains(u"left"_s));
+    }
+
+    void cancelKeepsTheTable()
+    {
+        Fixture f;
+        f.startForLong();
+        QTRY_VERIFY_WITH_TIMEOUT(!f.runner.rows().empty(), kPatience_ms);
+        f.start.click();
+        QVERIFY(!f.start.isEnabled() || f.finished.count() == 1);
+        QTRY_COMPARE_WITH_TIMEOUT(f.finished.count(), 1, kPatience_ms);
+        QVERIFY(f.start.isEnabled() && f.largest.isEnabled());
+        QCOMPARE(f.start.text(), u"Start"_s);
+        QVERIFY(f.save.isEnabled());
+        QVERIFY(!f.runner.rows().empty());
+        QVERIFY(f.state.text().contains(u"kept"_s));
+    }
+
+    void withoutSolverThereIsNothingToStart()
+    {
+        Fixture f;
+        f.choose(u"none"_s);
+        QVERIFY(!f.start.isEnabled());
+        QVERIFY(!f.start.toolTip().isEmpty());
+        f.choose(u"exact"_s);
+        QVERIFY(f.start.isEnabled());
+    }
+
+    void themeReachesTheChart()
+    {
+        Fixture f;
+        const Theme dark = Theme::dark();
+        f.panel.setTheme(dark);
+        QCOMPARE(f.chart.grab().toImage().pixelColor(0, 0).rgb(), dark.chart.rgb());
+    }
+
+    void longTextsFitASmallWindow()
+    {
+        const test::LongerTexts longer;
+        Fixture f;
+        constexpr int kNarrow_px = 900;
+        QVERIFY2(f.panel.minimumSizeHint().width() <= kNarrow_px,
+                 QByteArray::number(f.panel.minimumSizeHint().width()).constData());
+    }
+};
+
+QTEST_MAIN(TestSolveTimePanel)
+#include "tst_solve_time_panel.moc"

@@ -1,0 +1,69 @@
+#include "widgets/charts/mission_series.h"
+
+#include "core/io/result_csv.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+bool MissionSeries::isContinuedBy(const FlightRecord& record) const
+{
+    const std::vector<Sample>& samples = record.history.samples;
+    const std::size_t known = m_times_s.size();
+    return m_generation == record.now.generation && m_rewrites == record.history.rewrites &&
+           known <= samples.size() && (known == 0 || samples[known - 1].time_s == m_times_s.back());
+}
+
+void MissionSeries::update(const FlightRecord& record, std::size_t lines)
+{
+    const std::vector<Sample>& samples = record.history.samples;
+    if (!isContinuedBy(record)) {
+        m_times_s.clear();
+        m_lines.clear();
+    }
+    m_generation = record.now.generation;
+    m_rewrites = record.history.rewrites;
+    m_lines.resize(std::max(m_lines.size(), lines));
+    if (lines == 0)
+        return; // nothing flown: the first sample comes with the second
+    for (std::size_t row = m_times_s.size(); row < samples.size(); ++row) {
+        m_times_s.push_back(samples[row].time_s);
+        for (std::size_t i = 0; i < lines; ++i)
+            if (const std::optional<double> value = chartValue(m_kind, record, row, i))
+                m_lines[i].append({samples[row].time_s, *value});
+    }
+}
+
+void MissionSeries::fill(TimeChartContent& content, const DecimationWindow& window) const
+{
+    content.isThinned = true;
+    for (std::size_t i = 0; i < std::min(content.lines.size(), m_lines.size()); ++i)
+        if (!content.lines[i].hidden)
+            content.lines[i].points = m_lines[i].thinned(window);
+}
+
+std::string MissionSeries::csv(const TimeChartContent& content) const
+{
+    std::string text = "time_s";
+    for (const TimeLine& line : content.lines) {
+        const QString unit = line.role == LineRole::Sigma ? u"_sigma_m2"_s : QString();
+        text += ',' + csvField((line.key + unit).toStdString());
+    }
+    text += '\n';
+    std::vector<std::size_t> next(content.lines.size(), 0);
+    for (const double time_s : m_times_s) {
+        text += numberText(time_s);
+        for (std::size_t i = 0; i < content.lines.size(); ++i) {
+            text += ',';
+            const std::vector<QPointF>& points = m_lines[i].points();
+            if (next[i] < points.size() && points[next[i]].x() == time_s)
+                text += numberText(points[next[i]++].y());
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace berg

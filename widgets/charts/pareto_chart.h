@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/plan/tau_curve.h"
+#include "widgets/charts/chart_frame.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace berg {
+
+/**
+ * What can be had for what: distance of every optimal plan against its uncertainty reward, the
+ * supported Pareto front of Eq. (1). The present plan stands out, unproven ones are hollow; a click
+ * or an arrow key chooses another one. Holds nothing of its own.
+ */
+class ParetoChart : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ParetoChart(const Theme& theme, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    /** Without it the plot has its room: for a chart inside something that has a title. */
+    void setTitleShown(bool shown);
+    void setCurve(const TauCurve& curve);
+    void setTau(double tau);
+
+    /** Places of the plans, in the order of the curve's intervals; device-independent pixels. */
+    [[nodiscard]] std::vector<QPointF> points() const;
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    /** The user wants the plan that is best for this tau. */
+    void tauChosen(double tau);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    /** Round numbers round a range that need not hold 0. */
+    struct Axis
+    {
+        double first = 0;
+        double step = 1;
+        int count = 1;
+        [[nodiscard]] double share(double value) const { return (value - first) / (step * count); }
+    };
+    [[nodiscard]] static Axis axisOver(double least, double largest, int most);
+    [[nodiscard]] std::vector<ChartTick> ticks(const Axis& axis, double from_px,
+                                               double to_px) const;
+    [[nodiscard]] QPointF place(const CurveInterval& interval) const;
+    [[nodiscard]] int planNear(const QPointF& at) const;
+    void refresh();
+    void layOut();
+    void fillTitles();
+    void setHovered(int plan);
+    void choose(std::optional<double> tau);
+    void paintGrid(QPainter& painter) const;
+    void paintFront(QPainter& painter) const;
+    void paintEnds(QPainter& painter) const;
+    void paintPlan(QPainter& painter, const CurveInterval& interval, double radius_px) const;
+
+    Theme m_theme;
+    TauCurve m_curve{.intervals = {}, .complete = true};
+    double m_tau = 1;
+    bool m_titleShown = true;
+    int m_present = -1;
+    int m_hovered = -1;
+    Axis m_distance; ///< km
+    Axis m_reward;   ///< m^2
+    ChartFrame m_frame;
+};
+
+} // namespace berg

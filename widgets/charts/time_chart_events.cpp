@@ -1,0 +1,218 @@
+#include "widgets/charts/time_chart.h"
+
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+namespace {
+
+constexpr double kNotch = 1.25; // zoom of one notch of the wheel or one key
+constexpr int kNotchAngle = 120;
+constexpr double kKeyPan = 0.1;      // of the window
+constexpr double kFollow_s = 300;    // window when following begins with everything in view
+constexpr double kShortest_s = 1e-3; // an axis has to have a length
+constexpr double kPlotEdge_px = 4;   // beside the plot, still meant for it
+
+} // namespace
+
+TimeWindow TimeChart::windowFor(double duration_s) const
+{
+    const double end_s = std::max(kShortest_s, duration_s);
+    if (!m_zoom)
+        return {.from_s = 0, .to_s = end_s};
+    if (m_following)
+        return {.from_s = std::max(0.0, end_s - m_zoom->length_s()), .to_s = end_s};
+    return *m_zoom;
+}
+
+void TimeChart::changeWindow()
+{
+    m_isLaidOut = false;
+    emit windowChanged();
+    if (!m_isLaidOut) // nobody has given new content, which does it as well
+        layOut();
+}
+
+void TimeChart::setWindow(const TimeWindow& window)
+{
+    m_following = false;
+    m_zoom = window;
+    changeWindow();
+}
+
+void TimeChart::showAll()
+{
+    m_following = false;
+    m_zoom.reset();
+    changeWindow();
+}
+
+void TimeChart::setFollowing(bool on)
+{
+    if (on == isFollowing())
+        return;
+    if (on && !m_zoom)
+        m_zoom = TimeWindow{.from_s = 0, .to_s = kFollow_s};
+    else if (!on)
+        m_zoom = window();
+    m_following = on;
+    changeWindow();
+}
+
+void TimeChart::zoom(double factor, double anchor_s)
+{
+    const double duration_s = std::max(kShortest_s, m_content.duration_s);
+    const TimeWindow now = window();
+    if (now.length_s() * factor >= duration_s) {
+        if (m_zoom)
+            showAll();
+        return;
+    }
+    m_zoom = zoomed(now, factor, m_following ? now.to_s : anchor_s, duration_s);
+    changeWindow();
+}
+
+void TimeChart::pan(double by_s)
+{
+    if (!m_zoom || by_s == 0)
+        return;
+    m_zoom = shifted(window(), by_s, m_content.duration_s);
+    m_following = false;
+    changeWindow();
+}
+
+void TimeChart::pick(const QMouseEvent& event)
+{
+    if (hasPoints())
+        emit timePicked(viewToTime(event.position().x()));
+}
+
+const ChartLabel* TimeChart::labelAt(const QPointF& position) const
+{
+    const auto found =
+        std::find_if(m_frame.labels.begin(), m_frame.labels.end(), [&](const ChartLabel& label) {
+            return label.inMargin && label.rect.contains(position);
+        });
+    return found == m_frame.labels.end() ? nullptr : &*found;
+}
+
+void TimeChart::hoverAt(std::optional<QPointF> position)
+{
+    if (position && !m_frame.plot.contains(*position))
+        position.reset();
+    if (!position && !m_hover)
+        return;
+    m_hover = position;
+    viewport()->update();
+}
+
+void TimeChart::mousePressEvent(QMouseEvent* event)
+{
+    const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
+    if (event->button() != Qt::LeftButton || shifted) {
+        m_panFrom = event->position();
+        hoverAt({});
+        return;
+    }
+    if (const ChartLabel* label = labelAt(event->position())) {
+        emit linePicked(label->key);
+        return;
+    }
+    const QRectF plot =
+        m_frame.plot.adjusted(-kPlotEdge_px, -kPlotEdge_px, kPlotEdge_px, kPlotEdge_px);
+    m_picking = plot.contains(event->position());
+    if (m_picking)
+        pick(*event);
+}
+
+void TimeChart::mouseMoveEvent(QMouseEvent* event)
+{
+    if (m_panFrom) {
+        const double moved_px = event->position().x() - m_panFrom->x();
+        m_panFrom = event->position();
+        pan(-moved_px / m_frame.plot.width() * window().length_s());
+        return;
+    }
+    if (m_picking && event->buttons().testFlag(Qt::LeftButton))
+        pick(*event);
+    hoverAt(event->position());
+    viewport()->setCursor(labelAt(event->position()) != nullptr ? Qt::PointingHandCursor
+                                                                : Qt::ArrowCursor);
+}
+
+void TimeChart::mouseReleaseEvent(QMouseEvent* /*event*/)
+{
+    m_panFrom.reset();
+    m_picking = false;
+}
+
+void TimeChart::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        showAll();
+}
+
+void TimeChart::wheelEvent(QWheelEvent* event)
+{
+    const QPoint angle = event->angleDelta();
+    if (angle.x() != 0)
+        pan(-kKeyPan * window().length_s() * angle.x() / kNotchAngle);
+    if (angle.y() != 0)
+        zoom(std::pow(kNotch, -static_cast<double>(angle.y()) / kNotchAngle),
+             viewToTime(event->position().x()));
+    event->accept(); // nothing behind the chart scrolls
+}
+
+void TimeChart::keyPressEvent(QKeyEvent* event)
+{
+    const TimeWindow now = window();
+    const double middle_s = (now.from_s + now.to_s) / 2;
+    switch (event->key()) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: // plus without Shift on many keyboards
+        return zoom(1 / kNotch, middle_s);
+    case Qt::Key_Minus:
+        return zoom(kNotch, middle_s);
+    case Qt::Key_Left:
+        return pan(-kKeyPan * now.length_s());
+    case Qt::Key_Right:
+        return pan(kKeyPan * now.length_s());
+    case Qt::Key_Home:
+        return showAll();
+    case Qt::Key_End:
+        return setFollowing(true);
+    default:
+        event->ignore();
+    }
+}
+
+void TimeChart::contextMenuEvent(QContextMenuEvent* event)
+{
+    event->accept(); // the right button pans: no menu of the window
+}
+
+bool TimeChart::viewportEvent(QEvent* event)
+{
+    if (event->type() == QEvent::Leave)
+        hoverAt({});
+    return QChartView::viewportEvent(event);
+}
+
+void TimeChart::focusInEvent(QFocusEvent* event)
+{
+    QChartView::focusInEvent(event);
+    viewport()->update();
+}
+
+void TimeChart::focusOutEvent(QFocusEvent* event)
+{
+    QChartView::focusOutEvent(event);
+    viewport()->update();
+}
+
+} // namespace berg

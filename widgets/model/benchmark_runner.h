@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/study/benchmark.h"
+#include "widgets/model/mailbox.h"
+
+#include <QObject>
+#include <QThread>
+
+namespace berg {
+
+/**
+ * Runs benchmarks on a thread of its own; the GUI thread never waits. The newest one wins. What has
+ * been measured stays when it is cancelled. GUI thread.
+ */
+class BenchmarkRunner : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit BenchmarkRunner(QObject* parent = nullptr);
+    /** Stops a benchmark under way and waits for the thread: well under a second. */
+    ~BenchmarkRunner() override;
+
+    /** Starts with an empty table; ends the benchmark under way, if any. */
+    void start(const BenchmarkSpec& spec);
+    /** Ends it with the rows there are: `finished` follows. */
+    void cancel();
+
+    [[nodiscard]] bool isRunning() const { return m_running; }
+    /** Rows so far, of the benchmark under way or of the last one. */
+    [[nodiscard]] const std::vector<BenchmarkRow>& rows() const { return m_rows; }
+
+signals:
+    /** Instances done and to do, those that will not be tried included. */
+    void progress(qulonglong done, qulonglong count);
+    /** `rows` has changed. */
+    void updated();
+    /** It has come to an end; `failure` says why, in the user's words, when that is an error. */
+    void finished(const QString& failure);
+
+private:
+    struct Result
+    {
+        std::uint64_t generation = 0;
+        std::vector<BenchmarkRow> rows;
+        std::size_t done = 0;
+        std::size_t count = 0;
+        bool ended = false;
+        QString failure;
+    };
+    struct Request
+    {
+        std::uint64_t generation = 0;
+        BenchmarkSpec spec;
+        std::stop_token stop;
+    };
+    void take();
+    // On the thread of the runner:
+    void measure(const Request& request);
+    void publish(Result result);
+
+    std::vector<BenchmarkRow> m_rows;
+    bool m_running = false;
+    std::uint64_t m_generation = 0;
+    std::stop_source m_stop; ///< of the generation under way
+    Mailbox<Result> m_results;
+    QThread m_thread;
+    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+};
+
+} // namespace berg

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/sim/unseen.h"
+#include "widgets/model/flight_record.h"
+
+#include <QLocale>
+#include <QString>
+
+namespace berg {
+
+/** What is kept of a run that was flown, to be set beside others. */
+struct ComparedRun
+{
+    Scenario scenario;             ///< as flown, with the planner chosen at take-off
+    PlannerSettings planner;       ///< at the end
+    bool wasChanged = false;       ///< tau or policy, in flight
+    QString file;                  ///< it was opened from; empty: flown here
+    Metrics metrics;               ///< at the end
+    double flown_s = 0;            ///< up to here
+    std::vector<Sample> samples;   ///< the last one at `flown_s`
+    std::vector<double> visits_s;  ///< when a target was reached
+    std::vector<double> plans_s;   ///< when a plan was made
+    std::vector<Iceberg> icebergs; ///< those added in flight at the end
+    std::vector<double> added_s;   ///< when those were added, in their order
+    std::vector<std::vector<UnseenInterval>> unseen; ///< by iceberg
+};
+
+/** Of what has been flown so far. Cost: linear in the record. */
+[[nodiscard]] ComparedRun comparedRun(const FlightRecord& record);
+
+/** "τ 1.00", "Tour", "τ 1.00, changed in flight, to 05:00": what tells runs of a scenario apart. */
+[[nodiscard]] QString runName(const ComparedRun& run, const QLocale& locale);
+/** The part of it that says how the next iceberg is chosen. */
+[[nodiscard]] QString shortPolicyText(const PlannerSettings& planner, const QLocale& locale);
+
+/** Equal scenarios apart from name, notes and planner: runs of one can be set beside the other. */
+[[nodiscard]] bool isSameWorld(const Scenario& a, const Scenario& b);
+/** Runs in the same world with the same icebergs added in flight. */
+[[nodiscard]] bool isComparable(const ComparedRun& a, const ComparedRun& b);
+/** Equal settings, tau aside where the policy does not use it. */
+[[nodiscard]] bool isSamePlanner(const PlannerSettings& a, const PlannerSettings& b);
+/** Comparable, flown in the same way as far, with the same result. */
+[[nodiscard]] bool isSameRun(const ComparedRun& a, const ComparedRun& b);
+
+/** The numbers of a run at one instant. */
+struct RunFigures
+{
+    double zeta_m2s = 0;
+    double meanSigmaSum_m2 = 0; ///< zeta over time
+    int visits = 0;
+    int plans = 0;
+    double flown_m = 0;
+    std::vector<UnseenTime> unseen; ///< by iceberg
+    int longestUnseen = -1;         ///< index of the one that was out of view longest; -1: none
+};
+
+/** `until_s` at most `flown_s`; between samples sums are interpolated. */
+[[nodiscard]] RunFigures figuresAt(const ComparedRun& run, double until_s);
+
+} // namespace berg

@@ -1,0 +1,139 @@
+#include "widgets/model/curve_runner.h"
+
+#include "core/scenario/validate.h"
+#include "core/sim/simulation.h"
+
+#ifdef Q_OS_LINUX
+#include <sys/resource.h>
+#endif
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kPause_ms = 150;
+
+bool hasErrors(const Scenario& scenario)
+{
+    const std::vector<Issue> issues = validate(scenario);
+    return std::any_of(issues.begin(), issues.end(),
+                       [](const Issue& issue) { return issue.severity == Severity::Error; });
+}
+
+bool same(const VisitationProblem& a, const VisitationProblem& b)
+{
+    return a.ids == b.ids && a.problem.route == b.problem.route &&
+           a.problem.sigma_m2 == b.problem.sigma_m2 &&
+           a.problem.distance_m.rows() == b.problem.distance_m.rows() &&
+           a.problem.distance_m == b.problem.distance_m;
+}
+
+/** Of the calling thread: QThread's priorities mean nothing under Linux's usual scheduler. */
+void lowerPriority()
+{
+#ifdef Q_OS_LINUX
+    constexpr int kNice = 10;
+    setpriority(PRIO_PROCESS, 0, kNice); // 0: this thread alone; harmless when refused
+#endif
+}
+
+} // namespace
+
+CurveRunner::CurveRunner(QObject* parent) : QObject(parent), m_onThread(new QObject)
+{
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPause_ms);
+    connect(&m_pause, &QTimer::timeout, this, &CurveRunner::start);
+    m_thread.setObjectName(u"curve"_s);
+    m_onThread->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
+    m_thread.start(QThread::LowPriority);
+    QMetaObject::invokeMethod(m_onThread, lowerPriority, Qt::QueuedConnection);
+}
+
+CurveRunner::~CurveRunner()
+{
+    m_stop.request_stop();
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void CurveRunner::setScenario(const Scenario& scenario)
+{
+    if (hasErrors(scenario))
+        clear();
+    else
+        setProblem(visitationProblem(Simulation(scenario).planRequest(), scenario.planner.route));
+}
+
+void CurveRunner::setProblem(VisitationProblem problem)
+{
+    if (same(problem, m_problem))
+        return;
+    m_problem = std::move(problem);
+    dropCurve(false);
+    m_pause.start();
+}
+
+void CurveRunner::clear()
+{
+    m_problem = {};
+    m_pause.stop();
+    dropCurve(true);
+}
+
+/** What is known or under way belongs to another problem. */
+void CurveRunner::dropCurve(bool complete)
+{
+    m_stop.request_stop();
+    ++m_generation;
+    TauCurve none{.intervals = {}, .complete = complete};
+    if (m_curve == none)
+        return;
+    m_curve = std::move(none);
+    emit updated();
+}
+
+void CurveRunner::start()
+{
+    m_stop = std::stop_source();
+    QMetaObject::invokeMethod(
+        m_onThread,
+        [this, request = Request{.generation = m_generation,
+                                 .problem = m_problem.problem,
+                                 .stop = m_stop.get_token()}] { compute(request); },
+        Qt::QueuedConnection);
+}
+
+void CurveRunner::compute(const Request& request)
+{
+    try {
+        publish(request, tauCurve(request.problem,
+                                  {.stop = request.stop, .onProgress = [&](const TauCurve& known) {
+                                       publish(request, known);
+                                   }}));
+    } catch (const Error&) {
+        publish(request, {.intervals = {}, .complete = true}); // a problem without a curve
+    }
+}
+
+void CurveRunner::publish(const Request& request, const TauCurve& curve)
+{
+    if (!request.stop.stop_requested() &&
+        m_results.put({.generation = request.generation, .curve = curve}))
+        QMetaObject::invokeMethod(this, &CurveRunner::take, Qt::QueuedConnection);
+}
+
+void CurveRunner::take()
+{
+    std::optional<Result> result = m_results.take();
+    if (!result || result->generation != m_generation)
+        return;
+    m_curve = std::move(result->curve);
+    emit updated();
+}
+
+} // namespace berg

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/plan/tau_curve.h"
+#include "core/scenario/scenario.h"
+#include "widgets/model/mailbox.h"
+
+#include <QObject>
+#include <QThread>
+#include <QTimer>
+
+namespace berg {
+
+/**
+ * Computes trade-off curves on a thread of its own, at low priority and a moment after the last
+ * change, so that it never delays a plan. The newest request wins; a request for the problem there
+ * is (a change of tau, say, which the curve does not depend on) changes nothing. GUI thread.
+ */
+class CurveRunner : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit CurveRunner(QObject* parent = nullptr);
+    /** Stops a computation under way and waits for the thread: well under a second. */
+    ~CurveRunner() override;
+
+    /** The curve of the plan from the scenario's start; none when the scenario has errors. */
+    void setScenario(const Scenario& scenario);
+    /** The curve of any other instant, `ids` being icebergs of the caller. */
+    void setProblem(VisitationProblem problem);
+    /** No curve wanted. */
+    void clear();
+
+    /** Newest known, of the present problem only; grows until it is `complete`. */
+    [[nodiscard]] const TauCurve& curve() const { return m_curve; }
+    /** What its orders are about. */
+    [[nodiscard]] const VisitationProblem& problem() const { return m_problem; }
+
+signals:
+    /** The curve has changed, also to none. */
+    void updated();
+
+private:
+    struct Result
+    {
+        std::uint64_t generation = 0;
+        TauCurve curve;
+    };
+    struct Request
+    {
+        std::uint64_t generation = 0;
+        TvpProblem problem;
+        std::stop_token stop;
+    };
+    void dropCurve(bool complete);
+    void start();
+    void take();
+    // On the thread of the runner:
+    void compute(const Request& request);
+    void publish(const Request& request, const TauCurve& curve);
+
+    VisitationProblem m_problem;
+    TauCurve m_curve{.intervals = {}, .complete = true};
+    std::uint64_t m_generation = 0;
+    std::stop_source m_stop; ///< of the generation under way
+    QTimer m_pause;          ///< runs out when changes have come to rest
+    Mailbox<Result> m_results;
+    QThread m_thread;
+    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+};
+
+} // namespace berg

@@ -1,0 +1,71 @@
+#include "widgets/model/mission_snapshot.h"
+
+#include "core/sim/mission_instant.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace berg {
+
+namespace {
+
+template <class Entry>
+void join(std::vector<Entry>& known, std::size_t first, std::vector<Entry> news)
+{
+    known.resize(std::min(known.size(), first));
+    std::move(news.begin(), news.end(), std::back_inserter(known));
+}
+
+MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
+{
+    MissionSnapshot snapshot{
+        .time_s = simulation.time_s(), .world = simulation.state(), .icebergs = mission.icebergs()};
+    // At an earlier instant some have not been added yet.
+    snapshot.icebergs.resize(static_cast<std::size_t>(simulation.icebergCount()));
+    for (int i = 0; i < simulation.icebergCount(); ++i) {
+        snapshot.truth_m.push_back(simulation.truth_m(i));
+        snapshot.active.push_back(simulation.active(i));
+    }
+    return snapshot;
+}
+
+void setPlan(MissionSnapshot& snapshot, const Mission& mission, std::size_t count)
+{
+    snapshot.planCount = count;
+    if (count > 0)
+        snapshot.plan = mission.plans()[count - 1];
+}
+
+} // namespace
+
+void append(MissionHistory& history, HistoryNews news)
+{
+    if (news.firstSample < history.samples.size() || news.firstEvent < history.events.size())
+        ++history.rewrites;
+    join(history.samples, news.firstSample, std::move(news.part.samples));
+    join(history.rows, news.firstSample, std::move(news.part.rows));
+    join(history.plans, news.firstPlan, std::move(news.part.plans));
+    join(history.events, news.firstEvent, std::move(news.part.events));
+}
+
+MissionSnapshot snapshotOf(const Mission& mission)
+{
+    MissionSnapshot snapshot = worldOf(mission, mission.simulation());
+    snapshot.planner = mission.plannerSettings();
+    snapshot.metrics = mission.metrics();
+    snapshot.request = mission.lastRequest();
+    setPlan(snapshot, mission, mission.plans().size());
+    return snapshot;
+}
+
+MissionSnapshot snapshotAt(const Mission& mission, double time_s)
+{
+    const MissionInstant instant = instantAt(mission, time_s);
+    MissionSnapshot snapshot = worldOf(mission, instant.simulation);
+    snapshot.planner = instant.planner;
+    snapshot.metrics = instant.metrics;
+    setPlan(snapshot, mission, instant.plans);
+    return snapshot;
+}
+
+} // namespace berg

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/sim/mission.h"
+
+namespace berg {
+
+enum class RunPhase
+{
+    Planning, ///< a plan from the start is being made
+    Ready,    ///< planned, at time 0
+    Flying,
+    Paused,
+    Finished,
+    Failed ///< the scenario cannot be planned or flown: `error`
+};
+
+/** A stretch of what a mission has on record, or all of it. */
+struct MissionHistory
+{
+    std::vector<Sample> samples;
+    std::vector<std::vector<IcebergSample>> rows; ///< icebergs at each sample, by index
+    std::vector<PlanEvent> plans;
+    std::vector<MissionEvent> events;
+    std::uint64_t rewrites = 0; ///< how often an end that was known was given up
+};
+
+/** What is new in the record since the snapshot before. */
+struct HistoryNews
+{
+    std::size_t firstSample = 0; ///< places of the first of each in the whole record
+    std::size_t firstPlan = 0;
+    std::size_t firstEvent = 0;
+    MissionHistory part;
+};
+
+/** Joins news to what is known up to them; what is known of them already is not doubled. */
+void append(MissionHistory& history, HistoryNews news);
+
+/** What the mission looks like at one instant, for drawing. Immutable once published. */
+struct MissionSnapshot
+{
+    std::uint64_t generation = 0; ///< of the scenario it belongs to
+    RunPhase phase = RunPhase::Planning;
+    double time_s = 0;
+    WorldState world;
+    std::vector<Iceberg> icebergs; ///< those added in flight at the end
+    std::vector<Point> truth_m;
+    std::vector<bool> active;
+    std::optional<PlanEvent> plan;              ///< in force
+    std::shared_ptr<const PlanRequest> request; ///< of `plan`; null when looked back at
+    std::size_t planCount = 0;                  ///< made until then, `plan` the last of them
+    PlannerSettings planner;                    ///< in force, interventions applied
+    Metrics metrics;
+    HistoryNews news;
+    std::optional<Error> error;
+};
+
+/** The mission as it is now, without generation, phase and news. */
+[[nodiscard]] MissionSnapshot snapshotOf(const Mission& mission);
+
+/** The mission as it was at `time_s` (`instantAt`). */
+[[nodiscard]] MissionSnapshot snapshotAt(const Mission& mission, double time_s);
+
+} // namespace berg

@@ -1,0 +1,286 @@
+#include "widgets/model/run_list.h"
+
+#include "widgets/model/error_text.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kBetweenReports_ms = 40;
+
+/** The run on file, flown again so that there is a history. Throws as `loadRun` and `replay`. */
+Mission flownAgain(const RunFile& recorded, const std::string& path, const std::stop_token& stop,
+                   const std::function<void(double)>& onProgress)
+{
+    RunFile run = recorded;
+    run.options.record = true;
+    Mission mission = replay(run, stop, onProgress);
+    if (path.empty() || stop.stop_requested())
+        return mission;
+    RunFile flown = runOf(mission);
+    if (!recorded.options.record)
+        flown.keyframes.clear();
+    if (const std::vector<Issue> differences = compareRun(recorded, flown); !differences.empty())
+        throw Error(ErrorCode::ReplayMismatch, path, differences);
+    return mission;
+}
+
+} // namespace
+
+RunList::RunList(QObject* parent) : QObject(parent), m_onThread(new QObject)
+{
+    m_thread.setObjectName(u"runs"_s);
+    m_onThread->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
+    m_thread.start();
+}
+
+RunList::~RunList()
+{
+    m_stop.request_stop();
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void RunList::add(const FlightRecord& record)
+{
+    if (record.now.time_s <= 0 || record.history.samples.empty())
+        return;
+    auto run = std::make_shared<const ComparedRun>(comparedRun(record));
+    insert(run);
+    const bool keepsOther = m_other && m_other != run && isComparable(*run, *m_other);
+    compare(run, keepsOther ? m_other : newestBeside(run));
+}
+
+void RunList::addFlown(const Scenario& scenario, const PlannerSettings& planner)
+{
+    Job job{.run = {.scenario = scenario, .flownUntil_s = scenario.duration_s}};
+    job.run.scenario.planner = planner;
+    queue(std::move(job));
+}
+
+void RunList::addVariant(const ComparedRun& run, const PlannerSettings& planner)
+{
+    const auto same = std::find_if(m_runs.begin(), m_runs.end(), [&](const RunPointer& known) {
+        return !known->wasChanged && isSamePlanner(known->scenario.planner, planner) &&
+               known->flown_s >= run.flown_s && isComparable(*known, run);
+    });
+    if (same != m_runs.end()) {
+        setOther(static_cast<std::size_t>(same - m_runs.begin()));
+        return;
+    }
+    Job job{.run = {.scenario = run.scenario, .flownUntil_s = run.scenario.duration_s}};
+    job.run.scenario.planner = planner;
+    const std::size_t atStart = run.scenario.icebergs.size();
+    for (std::size_t k = 0; k < run.added_s.size(); ++k)
+        job.run.interventions.push_back(
+            {.time_s = run.added_s[k], .appears = run.icebergs[atStart + k]});
+    queue(std::move(job));
+}
+
+void RunList::open(const QString& path)
+{
+    queue({.run = {}, .path = path});
+}
+
+void RunList::cancel()
+{
+    m_stop.request_stop();
+    if (m_jobs.size() > 1)
+        m_jobs.erase(m_jobs.begin() + 1, m_jobs.end());
+}
+
+QString RunList::flying(const QLocale& locale) const
+{
+    if (m_jobs.empty())
+        return {};
+    const Job& job = m_jobs.front();
+    return job.path.isEmpty() ? shortPolicyText(job.run.scenario.planner, locale)
+                              : QFileInfo(job.path).fileName();
+}
+
+void RunList::queue(Job job)
+{
+    m_jobs.push_back(std::move(job));
+    if (m_jobs.size() == 1)
+        start();
+}
+
+void RunList::start()
+{
+    m_stop = std::stop_source();
+    const Request request{
+        .generation = ++m_generation, .job = m_jobs.front(), .stop = m_stop.get_token()};
+    QMetaObject::invokeMethod(
+        m_onThread, [this, request] { fly(request); }, Qt::QueuedConnection);
+    emit progress(0, request.job.run.flownUntil_s);
+}
+
+void RunList::fly(const Request& request)
+{
+    Result result{.generation = request.generation};
+    QElapsedTimer sinceReport;
+    sinceReport.start();
+    const auto report = [&](double flown_s) {
+        if (sinceReport.elapsed() < kBetweenReports_ms)
+            return;
+        sinceReport.restart();
+        result.flown_s = flown_s;
+        publish(result);
+    };
+    try {
+        const std::string path = QFile::encodeName(request.job.path).toStdString();
+        const RunFile run = path.empty() ? request.job.run : loadRun(path);
+        result.duration_s = run.flownUntil_s;
+        const Mission mission = flownAgain(run, path, request.stop, report);
+        if (!request.stop.stop_requested()) {
+            ComparedRun flown = comparedRun(recordOf(mission));
+            flown.file = request.job.path;
+            result.run = std::make_shared<const ComparedRun>(std::move(flown));
+        }
+    } catch (const Error& error) {
+        result.failure = errorReport(error);
+    } catch (const std::bad_alloc&) {
+        result.failure = tr("There is not enough memory for a run of this size.");
+    }
+    result.ended = true;
+    publish(std::move(result));
+}
+
+void RunList::publish(Result result)
+{
+    if (m_results.put(std::move(result)))
+        QMetaObject::invokeMethod(this, &RunList::take, Qt::QueuedConnection);
+}
+
+void RunList::take()
+{
+    std::optional<Result> result = m_results.take();
+    if (!result || result->generation != m_generation)
+        return;
+    if (!result->ended) {
+        emit progress(result->flown_s, result->duration_s);
+        return;
+    }
+    m_jobs.pop_front();
+    if (m_failure.isEmpty())
+        m_failure = result->failure;
+    if (result->run) {
+        insert(result->run);
+        const bool besideReference =
+            m_reference && m_reference != result->run && isComparable(*m_reference, *result->run);
+        if (besideReference)
+            compare(m_reference, result->run);
+        else
+            compare(result->run, newestBeside(result->run));
+    }
+    if (!m_jobs.empty())
+        start();
+    else
+        emit finished(std::exchange(m_failure, {}));
+}
+
+/** In place of an equal run, or as the newest one. */
+void RunList::insert(RunPointer run)
+{
+    const auto equal = std::find_if(m_runs.begin(), m_runs.end(), [&](const RunPointer& known) {
+        return isSameRun(*known, *run);
+    });
+    if (equal == m_runs.end()) {
+        m_runs.push_back(std::move(run));
+        makeRoom();
+        return;
+    }
+    for (RunPointer* chosen : {&m_reference, &m_other})
+        if (*chosen == *equal)
+            *chosen = run;
+    *equal = std::move(run);
+}
+
+void RunList::makeRoom()
+{
+    if (m_runs.size() <= kMost)
+        return;
+    m_runs.erase(std::find_if(m_runs.begin(), m_runs.end(), [&](const RunPointer& run) {
+        return run != m_reference && run != m_other;
+    }));
+}
+
+RunPointer RunList::newestBeside(const RunPointer& run) const
+{
+    const auto found = std::find_if(m_runs.rbegin(), m_runs.rend(), [&](const RunPointer& other) {
+        return other != run && isComparable(*run, *other);
+    });
+    return found == m_runs.rend() ? nullptr : *found;
+}
+
+void RunList::compare(RunPointer reference, RunPointer other)
+{
+    m_reference = std::move(reference);
+    m_other = std::move(other);
+    emit changed();
+    emit comparisonChanged();
+}
+
+void RunList::remove(std::size_t index)
+{
+    const RunPointer gone = m_runs.at(index);
+    m_runs.erase(m_runs.begin() + static_cast<std::ptrdiff_t>(index));
+    if (gone == m_other) {
+        compare(m_reference, newestBeside(m_reference));
+    } else if (gone == m_reference) {
+        const RunPointer next = m_other ? m_other : m_runs.empty() ? nullptr : m_runs.back();
+        compare(next, next ? newestBeside(next) : nullptr);
+    } else {
+        emit changed();
+    }
+}
+
+void RunList::setReference(std::size_t index)
+{
+    const RunPointer run = m_runs.at(index);
+    if (run == m_reference)
+        return;
+    if (run == m_other)
+        compare(m_other, m_reference);
+    else
+        compare(run, m_other && isComparable(*run, *m_other) ? m_other : newestBeside(run));
+}
+
+void RunList::setOther(std::size_t index)
+{
+    const RunPointer run = m_runs.at(index);
+    if (run == m_other || !m_reference || !isComparable(*run, *m_reference))
+        return;
+    if (run == m_reference) {
+        if (m_other)
+            compare(m_other, m_reference);
+        return;
+    }
+    compare(m_reference, run);
+}
+
+std::optional<RunComparison> RunList::comparison() const
+{
+    if (!m_reference || !m_other)
+        return std::nullopt;
+    return RunComparison{.reference = m_reference,
+                         .other = m_other,
+                         .until_s = std::min(m_reference->flown_s, m_other->flown_s)};
+}
+
+RunPointer RunList::otherIn(const Scenario& scenario) const
+{
+    return m_other && isSameWorld(m_other->scenario, scenario) ? m_other : nullptr;
+}
+
+} // namespace berg

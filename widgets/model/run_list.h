@@ -1,0 +1,125 @@
+#pragma once
+
+#include "core/io/run_json.h"
+#include "widgets/model/compared_run.h"
+#include "widgets/model/mailbox.h"
+
+#include <QObject>
+#include <QThread>
+
+#include <deque>
+
+namespace berg {
+
+using RunPointer = std::shared_ptr<const ComparedRun>;
+
+/** Two comparable runs and the time both have flown. */
+struct RunComparison
+{
+    RunPointer reference;
+    RunPointer other;
+    double until_s = 0;
+};
+
+/**
+ * The last runs, and which two of them are set beside each other. Flies further ones, and those of
+ * run files, one after the other on a thread of its own: the GUI thread never waits. GUI thread.
+ */
+class RunList : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr std::size_t kMost = 12; ///< the oldest not compared makes room
+
+    explicit RunList(QObject* parent = nullptr);
+    /** Stops a flight under way and waits for the thread: well under a second. */
+    ~RunList() override;
+
+    /**
+     * Keeps what was flown as the new reference; nothing when nothing was. Takes the place of an
+     * equal run.
+     */
+    void add(const FlightRecord& record);
+    /** Flies the scenario with these settings in the background and compares it. */
+    void addFlown(const Scenario& scenario, const PlannerSettings& planner);
+    /**
+     * Flies the world of a run, icebergs added in flight included, with other settings from the
+     * start. A run of the list that is the same is compared at once.
+     */
+    void addVariant(const ComparedRun& run, const PlannerSettings& planner);
+    /** Flies a run file again; one that does not repeat is refused. */
+    void open(const QString& path);
+    /** Ends the flight under way and drops those that wait. */
+    void cancel();
+    /** Name or file of what is being flown; empty: nothing. */
+    [[nodiscard]] QString flying(const QLocale& locale) const;
+    [[nodiscard]] bool isFlying() const { return !m_jobs.empty(); }
+
+    [[nodiscard]] const std::vector<RunPointer>& runs() const { return m_runs; }
+    void remove(std::size_t index);
+    /** Choosing the other one swaps the two. What cannot be compared with it is dropped. */
+    void setReference(std::size_t index);
+    /** Ignored when it cannot be compared with the reference. */
+    void setOther(std::size_t index);
+    /** Null: none. */
+    [[nodiscard]] const RunPointer& reference() const { return m_reference; }
+    [[nodiscard]] const RunPointer& other() const { return m_other; }
+    [[nodiscard]] std::optional<RunComparison> comparison() const;
+    /** The run to be drawn over a map of this world; null: none. */
+    [[nodiscard]] RunPointer otherIn(const Scenario& scenario) const;
+
+signals:
+    /** `runs`, reference or other. */
+    void changed();
+    void comparisonChanged();
+    /** Of the flight under way, simulated. */
+    void progress(double flown_s, double duration_s);
+    /** A flight is over and no other one waits; `failure` says why in the user's words. */
+    void finished(const QString& failure);
+
+private:
+    struct Job
+    {
+        RunFile run;
+        QString path; ///< of the run file; empty: `run` is flown
+    };
+    struct Request
+    {
+        std::uint64_t generation = 0;
+        Job job;
+        std::stop_token stop;
+    };
+    struct Result
+    {
+        std::uint64_t generation = 0;
+        double flown_s = 0;
+        double duration_s = 0;
+        RunPointer run;
+        bool ended = false;
+        QString failure;
+    };
+    void queue(Job job);
+    void start();
+    void take();
+    void insert(RunPointer run);
+    void compare(RunPointer reference, RunPointer other);
+    void makeRoom();
+    [[nodiscard]] RunPointer newestBeside(const RunPointer& run) const;
+    // On the thread of the list:
+    void fly(const Request& request);
+    void publish(Result result);
+
+    std::vector<RunPointer> m_runs; ///< oldest first
+    RunPointer m_reference;
+    RunPointer m_other;
+    std::deque<Job> m_jobs; ///< the first is being flown
+    QString m_failure;      ///< the first of those flown in one go
+    std::uint64_t m_generation = 0;
+    std::stop_source m_stop; ///< of the flight under way
+    Mailbox<Result> m_results;
+    QThread m_thread;
+    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+};
+
+} // namespace berg

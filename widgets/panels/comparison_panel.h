@@ -1,0 +1,83 @@
+#pragma once
+
+#include "widgets/model/run_list.h"
+#include "widgets/theme/theme.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+class QTabWidget;
+class QToolButton;
+
+namespace berg {
+
+class ComparisonTable;
+class NumberField;
+class RunTable;
+
+/**
+ * The runs there are, which two of them are set beside each other (A the reference, B the other)
+ * and how they differ; flies further ones. Made for a narrow dock at the side and a low one at the
+ * foot. Shows and steers a list that it borrows.
+ */
+class ComparisonPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ComparisonPanel(RunList& list, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    /** What the window works on: flown for comparison when no reference is of its world. */
+    void setScenario(const Scenario& scenario);
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+signals:
+    /** The user wants to choose a run file. */
+    void openRunRequested();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void addTables();
+    void addActions();
+    void showRuns();
+    void showFigures();
+    void showProgress(double flown_s, double duration_s);
+    void showEnd(const QString& failure);
+    void updateEnabled();
+    void arrange();
+    void arrangeActions();
+    /** Flies the reference's world, or the window's, with the changed settings. */
+    void flyBeside(const std::function<void(PlannerSettings&)>& change);
+    [[nodiscard]] bool isOfThisWorld(const RunPointer& run) const;
+
+    RunList& m_list;
+    std::optional<Scenario> m_scenario;
+    QBoxLayout* m_content;
+    RunTable* m_runs;
+    QTabWidget* m_tabs;
+    ComparisonTable* m_figures;
+    ComparisonTable* m_unseen;
+    QLabel* m_state; ///< why the last flight failed
+    QBoxLayout* m_actions;
+    QStackedWidget* m_flight; ///< the button, or progress while something is flown
+    QPushButton* m_tour;
+    QLabel* m_progressText;
+    QProgressBar* m_bar;
+    QLabel* m_tauLabel;
+    NumberField* m_tau;
+    QPushButton* m_fly;
+    QToolButton* m_open;
+    QPushButton* m_remove;
+};
+
+} // namespace berg

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/sim/recorder.h"
+
+#include <QAbstractTableModel>
+#include <QLocale>
+
+#include <vector>
+
+namespace berg {
+
+struct MissionHistory;
+
+/** The event log as a table that grows at its end: time, what happened, how the plan was made. */
+class EventModel : public QAbstractTableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Time,
+        What,
+        Details,
+        ColumnCount
+    };
+    enum Role
+    {
+        AheadRole = Qt::UserRole ///< bool: after the instant shown
+    };
+
+    explicit EventModel(const QLocale& locale, QObject* parent = nullptr);
+
+    /** The log now; what was told of it before is not told again. */
+    void setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs);
+    /** So many events had come at the instant shown. */
+    void setShown(std::size_t shown);
+
+    /** Time of a row, s. */
+    [[nodiscard]] double time_s(int row) const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                      int role) const override;
+
+private:
+    struct Row
+    {
+        MissionEvent event;
+        QString what;
+        QString details;
+        QString toolTip;
+    };
+    void clear();
+    [[nodiscard]] Row rowOf(const MissionEvent& event, const PlanEvent* plan,
+                            const std::vector<Iceberg>& icebergs) const;
+
+    QLocale m_locale;
+    std::vector<Row> m_rows;
+    std::uint64_t m_rewrites = 0;
+    std::size_t m_plans = 0; ///< rows that tell of a plan
+    std::size_t m_shown = 0;
+};
+
+} // namespace berg

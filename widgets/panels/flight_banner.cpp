@@ -1,0 +1,114 @@
+#include "widgets/panels/flight_banner.h"
+
+#include "widgets/theme/icons.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kEdge_px = 12;
+constexpr int kIcon_px = 16;
+constexpr double kRadius_px = 6;
+
+} // namespace
+
+FlightBanner::FlightBanner(QWidget* parent) : QWidget(parent)
+{
+    setObjectName(u"flightBanner"_s);
+    setCursor(Qt::ArrowCursor);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 5, 5, 5);
+    m_icon = new QLabel;
+    m_text = new QLabel;
+    row->addWidget(m_icon);
+    row->addWidget(m_text);
+    row->addSpacing(6);
+    m_stop = addButton(u"stopAndEditButton"_s, tr("Stop and edit"),
+                       tr("Ends the flight and goes back to the start, where everything can be "
+                          "edited."));
+    m_flyOn = addButton(u"flyOnButton"_s, tr("Fly on from here"),
+                        tr("Gives up what was flown after this instant. From here the trade-off "
+                           "and the policy can be changed and another way flown."));
+    m_newest = addButton(u"newestButton"_s, tr("Newest"), tr("Back to the end of what is flown."));
+    connect(m_stop, &QPushButton::clicked, this, &FlightBanner::stopRequested);
+    connect(m_flyOn, &QPushButton::clicked, this, &FlightBanner::flyOnRequested);
+    connect(m_newest, &QPushButton::clicked, this, &FlightBanner::newestRequested);
+    parent->installEventFilter(this);
+    setTheme(m_theme);
+    showState(false, {});
+}
+
+QPushButton* FlightBanner::addButton(const QString& name, const QString& text,
+                                     const QString& toolTip)
+{
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    button->setToolTip(toolTip);
+    button->setFocusPolicy(Qt::TabFocus);
+    layout()->addWidget(button);
+    return button;
+}
+
+void FlightBanner::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    m_icon->setPixmap(icon(m_looksBack ? IconName::Reset : IconName::Locked, theme)
+                          .pixmap(QSize(kIcon_px, kIcon_px), devicePixelRatioF()));
+    m_text->setFont(theme.body());
+    place();
+    update();
+}
+
+void FlightBanner::showState(bool inFlight, std::optional<double> lookBack_s)
+{
+    const bool looksBack = inFlight && lookBack_s.has_value();
+    if (looksBack != m_looksBack) {
+        m_looksBack = looksBack;
+        setTheme(m_theme); // another icon
+    }
+    m_text->setText(looksBack ? tr("Looking back at %1").arg(clockText(*lookBack_s))
+                              : tr("Scenario locked in flight"));
+    m_text->setToolTip(
+        looksBack ? QString()
+                  : tr("τ and policy can be changed while flying; the plan follows at once."));
+    m_stop->setVisible(!looksBack);
+    m_flyOn->setVisible(looksBack);
+    m_newest->setVisible(looksBack);
+    setVisible(inFlight);
+    place();
+}
+
+void FlightBanner::place()
+{
+    adjustSize();
+    const QSize map = parentWidget()->size();
+    move(std::max(0, (map.width() - width()) / 2), map.height() - height() - kEdge_px);
+}
+
+bool FlightBanner::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        place();
+    return QWidget::eventFilter(watched, event);
+}
+
+void FlightBanner::paintEvent(QPaintEvent* /*event*/)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(m_theme.panelLine, 1));
+    painter.setBrush(m_theme.chart); // opaque: map labels must not shine through the words
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kRadius_px, kRadius_px);
+}
+
+} // namespace berg

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "widgets/model/benchmark_runner.h"
+#include "widgets/theme/theme.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace berg {
+
+class CaptionLabel;
+class NumberField;
+class SolveTimeChart;
+
+/**
+ * Solution times of this machine beside those of the paper: what to measure, start and cancel, the
+ * chart that grows as rows come in. Shows and steers a runner that it borrows.
+ */
+class SolveTimePanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SolveTimePanel(BenchmarkRunner& runner, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+
+    /** What Start would measure. */
+    [[nodiscard]] BenchmarkSpec spec() const;
+
+signals:
+    /** The table as CSV, to be saved under a name of the user's choice. */
+    void saveRequested(const std::string& csv);
+
+private:
+    void addSettings();
+    void addRun();
+    NumberField* addNumber(const QString& name, const QString& label, double value);
+    void startOrCancel();
+    void showProgress(qulonglong done, qulonglong count);
+    void showTimeLeft();
+    void showRows();
+    void showEnd(const QString& failure);
+    void updateEnabled();
+
+    BenchmarkRunner& m_runner;
+    NumberField* m_largest;
+    NumberField* m_repeat;
+    NumberField* m_budget;
+    std::vector<std::pair<BenchmarkSolver, QCheckBox*>> m_solvers;
+    SolveTimeChart* m_chart;
+    QPushButton* m_start;
+    QPushButton* m_save;
+    QProgressBar* m_bar;
+    QLabel* m_state;
+    double m_done = 0; ///< share of the instances
+    bool m_cancelled = false;
+    QElapsedTimer m_sinceStart;
+    QTimer m_second; ///< keeps the time left going while a single solve takes long
+};
+
+} // namespace berg
