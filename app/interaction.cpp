@@ -1,5 +1,7 @@
 #include "app/interaction.h"
 
+#include "app/export_dialog.h"
+
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QMessageBox>
@@ -41,7 +43,23 @@ QString DialogInteraction::openPath(QWidget* parent, const QString& filter)
 QString DialogInteraction::savePath(QWidget* parent, const QString& suggested,
                                     const QString& filter)
 {
-    return QFileDialog::getSaveFileName(parent, Dialogs::tr("Save"), suggested, filter);
+    QFileDialog dialog(parent, Dialogs::tr("Save"), {}, filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    // Added by the dialog, so that its question about an existing file is about the right one.
+    dialog.setDefaultSuffix(filter.section(u"(*."_s, 1, 1).section(u')', 0, 0));
+    dialog.selectFile(suggested);
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
+        return {};
+    return dialog.selectedFiles().front();
+}
+
+std::optional<ExportChoice> DialogInteraction::chooseExport(QWidget* parent,
+                                                            const ExportOffer& offer)
+{
+    ExportDialog dialog(offer, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.choice();
 }
 
 void DialogInteraction::showError(QWidget* parent, const QString& text)

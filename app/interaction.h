@@ -2,9 +2,26 @@
 
 #include <QString>
 
+#include <optional>
+
 class QWidget;
 
 namespace berg {
+
+/** What can be exported, and what to suggest. */
+struct ExportOffer
+{
+    QString path;       ///< suggested file
+    QString formatId;   ///< chosen at first; unknown: the first of the table
+    bool flown = false; ///< what was flown is exported, not the plan from the start
+};
+
+/** What the user wants exported. */
+struct ExportChoice
+{
+    QString formatId; ///< of `exportFormats`
+    QString path;
+};
 
 /** Everything modal the window asks of a person, behind one interface so that tests can answer. */
 class Interaction
@@ -28,6 +45,9 @@ public:
     [[nodiscard]] virtual QString openPath(QWidget* parent, const QString& filter) = 0;
     [[nodiscard]] virtual QString savePath(QWidget* parent, const QString& suggested,
                                            const QString& filter) = 0;
+    /** None: cancelled. */
+    [[nodiscard]] virtual std::optional<ExportChoice> chooseExport(QWidget* parent,
+                                                                   const ExportOffer& offer) = 0;
     virtual void showError(QWidget* parent, const QString& text) = 0;
     virtual void showInformation(QWidget* parent, const QString& title, const QString& html) = 0;
 };
@@ -40,6 +60,8 @@ public:
     [[nodiscard]] QString openPath(QWidget* parent, const QString& filter) override;
     [[nodiscard]] QString savePath(QWidget* parent, const QString& suggested,
                                    const QString& filter) override;
+    [[nodiscard]] std::optional<ExportChoice> chooseExport(QWidget* parent,
+                                                           const ExportOffer& offer) override;
     void showError(QWidget* parent, const QString& text) override;
     void showInformation(QWidget* parent, const QString& title, const QString& html) override;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/interaction.h"
+#include "app/system_appearance.h"
 #include "widgets/map/map_tools.h"
 #include "widgets/model/workspace.h"
 #include "widgets/theme/icons.h"
@@ -10,21 +11,26 @@
 #include <QSettings>
 #include <QTimer>
 
+#include <array>
 #include <optional>
 
 class QAction;
 class QActionGroup;
 class QLabel;
-class QListWidget;
 class QMenu;
 
 namespace berg {
 
+class ChartPanel;
+class ComparisonPanel;
+class EventPanel;
+class FlightBanner;
 class InspectorPanel;
 class MapView;
+class ParetoChart;
 class PlanPanel;
 class PlaybackBar;
-class TimeChart;
+class SolveTimePanel;
 class TradeoffPanel;
 
 /** Appearance by the user's choice. */
@@ -62,8 +68,12 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    static constexpr int kLayoutVersion = 2; ///< of the docks' saved places
+
     struct ActionSpec
     {
         const char* name; ///< object name, for tests and settings
@@ -79,10 +89,13 @@ private:
     void showFlight();
     void showCharts();
     void showEvents();
+    void showCurve();
+    void showSelection();
     void showPlanner();
     void showTitle();
     void showCursor(const Point& position_m);
     void setInFlight(bool inFlight);
+    void followSystem();
     void togglePlay();
     void showContextMenu(const QPoint& globalPos);
 
@@ -94,7 +107,6 @@ private:
     void buildEditMenu();
     void buildViewMenu();
     void buildFlightMenu();
-    void changeRate(int steps);
     void buildHelpMenu();
     void buildToolBar();
     void addTool(MapToolKind kind, const ActionSpec& spec);
@@ -105,6 +117,7 @@ private:
     void showAbout();
 
     // main_window_files.cpp
+    void finishTyping();
     [[nodiscard]] bool maySettleChanges();
     void newScenario();
     void openScenario();
@@ -113,7 +126,11 @@ private:
     bool saveTo(const QString& path);
     void saveRun();
     void exportPlan();
-    void writeExport(const QString& path, const QString& formatId);
+    void writeExport(const QString& path, const std::string& content);
+    void writeRun(const QString& path, const RunFile& run);
+    void saveTable(const std::string& csv);
+    void exportChart(const ChartPanel& chart);
+    void openRunToCompare();
     void rememberFile(const QString& path);
     void fillRecentMenu();
 
@@ -121,15 +138,20 @@ private:
     Interaction& m_interaction;
     QSettings& m_settings;
     Theme m_theme;
+    SystemAppearance m_system;
+    Appearance m_appearance = Appearance::System;
 
     MapView* m_map = nullptr;
     TradeoffPanel* m_tradeoff = nullptr;
     PlanPanel* m_plan = nullptr;
     InspectorPanel* m_inspector = nullptr;
     PlaybackBar* m_playback = nullptr;
-    TimeChart* m_zetaChart = nullptr;
-    TimeChart* m_sigmaChart = nullptr;
-    QListWidget* m_events = nullptr;
+    std::array<ChartPanel*, 2> m_charts{};
+    ComparisonPanel* m_comparison = nullptr;
+    ParetoChart* m_pareto = nullptr;
+    SolveTimePanel* m_solveTime = nullptr;
+    FlightBanner* m_banner = nullptr;
+    EventPanel* m_events = nullptr;
     std::vector<QDockWidget*> m_docks;
     QByteArray m_defaultLayout;
 
@@ -139,10 +161,12 @@ private:
     QMenu* m_recentMenu = nullptr;
     QAction* m_followAction = nullptr;
     QAction* m_playAction = nullptr;
+    QLabel* m_hintLabel = nullptr; ///< what the tool expects
     QLabel* m_cursorLabel = nullptr;
     QLabel* m_stateLabel = nullptr;
 
-    QTimer m_chartTimer; ///< charts at most 25 times a second
+    std::size_t m_markedEvents = 0; ///< on the time line
+    QTimer m_chartTimer;            ///< charts at most 25 times a second
 };
 
 } // namespace berg

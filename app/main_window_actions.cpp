@@ -1,6 +1,8 @@
 #include "app/main_window.h"
 #include "widgets/map/map_view.h"
 #include "widgets/panels/playback_bar.h"
+#include "widgets/panels/solve_time_panel.h"
+#include "widgets/panels/tradeoff_panel.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -36,8 +38,8 @@ void MainWindow::buildActions()
     buildEditMenu();
     buildViewMenu();
     buildFlightMenu();
-    buildHelpMenu();
     buildToolBar();
+    buildHelpMenu();
 }
 
 void MainWindow::buildFileMenu()
@@ -106,7 +108,8 @@ void MainWindow::addChoice(QMenu& menu, const QString& text, const QString& key,
     action->setCheckable(true);
     action->setData(value);
     action->setObjectName(key + u'-' + value);
-    action->setChecked(m_settings.value(key).toString() == value);
+    const QString first = group->actions().front()->data().toString();
+    action->setChecked(value == m_settings.value(key, first).toString());
     menu.addAction(action);
 }
 
@@ -116,22 +119,28 @@ void MainWindow::buildViewMenu()
     addAction(menu, {"fitAction", tr("&Fit everything"), Qt::Key_F, IconName::Fit},
               [this] { m_map->fit(); });
     m_followAction =
-        addAction(menu, {"followAction", tr("Fo&llow the UAV"), Qt::Key_L, IconName::Follow},
+        addAction(menu, {"followAction", tr("Follo&w the UAV"), Qt::Key_L, IconName::Follow},
                   [this](bool on) { m_map->setFollowUav(on); });
     m_followAction->setCheckable(true);
     addAction(menu, {"zoomInAction", tr("Zoom &in"), QKeySequence::ZoomIn, std::nullopt},
               [this] { m_map->zoomBy(1.25, QRectF(m_map->rect()).center()); });
     addAction(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut, std::nullopt},
               [this] { m_map->zoomBy(0.8, QRectF(m_map->rect()).center()); });
+    addAction(menu, {"solveTimeAction", tr("&Solve time study"), {}, std::nullopt}, [this] {
+        auto* dock = findChild<QDockWidget*>(u"solveTimeDock"_s);
+        if (!dock->isVisible()) { // a study wants more room than the docks have
+            dock->setFloating(true);
+            dock->resize(m_solveTime->sizeHint());
+        }
+        dock->show();
+        dock->raise();
+    });
     menu.addSeparator();
     QMenu& panels = *menu.addMenu(tr("&Panels"));
     for (QDockWidget* dock : m_docks)
         panels.addAction(dock->toggleViewAction());
-    addAction(menu, {"resetLayoutAction", tr("&Reset layout"), {}, std::nullopt}, [this] {
-        for (QDockWidget* dock : m_docks)
-            dock->show();
-        restoreState(m_defaultLayout, 1);
-    });
+    addAction(menu, {"resetLayoutAction", tr("&Reset layout"), {}, std::nullopt},
+              [this] { restoreState(m_defaultLayout, kLayoutVersion); });
     QAction* fullScreen =
         addAction(menu, {"fullScreenAction", tr("F&ull screen"), Qt::Key_F11, std::nullopt},
                   [this](bool on) { on ? showFullScreen() : showNormal(); });
@@ -166,21 +175,51 @@ void MainWindow::buildFlightMenu()
                std::nullopt},
               [this] { m_workspace.reset(); });
     menu.addSeparator();
+    addAction(menu,
+              {"shorterPlanAction", tr("Plan with a s&horter way"),
+               QKeySequence(Qt::ALT | Qt::Key_Right), std::nullopt},
+              [this] { m_tradeoff->stepPlan(+1); });
+    addAction(menu,
+              {"uncertainPlanAction", tr("Plan with more un&certain ones first"),
+               QKeySequence(Qt::ALT | Qt::Key_Left), std::nullopt},
+              [this] { m_tradeoff->stepPlan(-1); });
+    menu.addSeparator();
+    addAction(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N, std::nullopt}, [this] {
+        const auto& ids = m_workspace.selection().ids();
+        m_workspace.reportSeen({ids.begin(), ids.end()});
+    });
+    menu.addSeparator();
+    addAction(menu, {"stepBackAction", tr("Step &back one second"), Qt::Key_Comma, std::nullopt},
+              [this] { m_workspace.stepBack(); });
+    addAction(
+        menu,
+        {"tickAction", tr("Step one &tick"), QKeySequence(Qt::CTRL | Qt::Key_Period), std::nullopt},
+        [this] { m_workspace.stepTicks(+1); });
+    addAction(menu,
+              {"tickBackAction", tr("Step back one t&ick"), QKeySequence(Qt::CTRL | Qt::Key_Comma),
+               std::nullopt},
+              [this] { m_workspace.stepTicks(-1); });
+    addAction(menu,
+              {"nextEventAction", tr("&Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right),
+               std::nullopt},
+              [this] { m_workspace.stepToEvent(+1); });
+    addAction(menu,
+              {"previousEventAction", tr("&Previous event"), QKeySequence(Qt::CTRL | Qt::Key_Left),
+               std::nullopt},
+              [this] { m_workspace.stepToEvent(-1); });
+    addAction(
+        menu,
+        {"goToTimeAction", tr("&Go to time"), QKeySequence(Qt::CTRL | Qt::Key_G), std::nullopt},
+        [this] { m_playback->editTime(); });
+    addAction(
+        menu,
+        {"newestAction", tr("Newest pict&ure"), QKeySequence(Qt::CTRL | Qt::Key_End), std::nullopt},
+        [this] { m_workspace.lookAtNewest(); });
+    menu.addSeparator();
     addAction(menu, {"fasterAction", tr("&Faster"), Qt::Key_BracketRight, std::nullopt},
-              [this] { changeRate(+1); });
+              [this] { m_playback->stepRate(+1); });
     addAction(menu, {"slowerAction", tr("S&lower"), Qt::Key_BracketLeft, std::nullopt},
-              [this] { changeRate(-1); });
-}
-
-void MainWindow::changeRate(int steps)
-{
-    // The last one, 0, is as fast as possible.
-    constexpr std::array kRates{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 0.0};
-    const auto now = std::find(kRates.begin(), kRates.end(), m_playback->rate());
-    const auto index =
-        std::clamp<std::ptrdiff_t>(now - kRates.begin() + steps, 0, std::ssize(kRates) - 1);
-    m_playback->setRate(kRates[static_cast<std::size_t>(index)]);
-    m_workspace.setRate(m_playback->rate());
+              [this] { m_playback->stepRate(-1); });
 }
 
 void MainWindow::buildHelpMenu()
@@ -250,6 +289,7 @@ void MainWindow::updateActions()
         action->setEnabled(!locked);
     findChild<QAction*>(u"undoAction"_s)->setEnabled(!locked && history->canUndo());
     findChild<QAction*>(u"redoAction"_s)->setEnabled(!locked && history->canRedo());
+    findChild<QAction*>(u"seenAction"_s)->setEnabled(locked && !m_workspace.selection().isEmpty());
     findChild<QAction*>(u"deleteAction"_s)
         ->setEnabled(!locked && !m_workspace.selection().isEmpty());
 }
@@ -259,6 +299,7 @@ void MainWindow::showContextMenu(const QPoint& globalPos)
     QMenu menu;
     menu.addAction(findChild<QAction*>(u"deleteAction"_s));
     menu.addAction(findChild<QAction*>(u"selectAllAction"_s));
+    menu.addAction(findChild<QAction*>(u"seenAction"_s));
     menu.addSeparator();
     menu.addAction(findChild<QAction*>(u"fitAction"_s));
     menu.addAction(m_followAction);

@@ -1,17 +1,19 @@
 #include "app/main_window.h"
 #include "core/io/atomic_file.h"
-#include "core/io/formats.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/error_text.h"
+#include "widgets/panels/chart_panel.h"
 #include "widgets/panels/inspector_panel.h"
+#include "widgets/panels/tradeoff_panel.h"
 
 #include <QCloseEvent>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QMenu>
-#include <QStandardPaths>
+#include <QRegularExpression>
 #include <QStatusBar>
 
 using namespace Qt::StringLiterals;
@@ -27,26 +29,31 @@ QString scenarioFilter()
     return MainWindow::tr("Scenarios (*.berg);;All files (*)");
 }
 
+/** A name for a file from the name of a scenario, which may hold anything. */
+QString fileNameOf(const QString& name)
+{
+    static const QRegularExpression kForbidden(u"[/\\\\:*?\"<>|\\x00-\\x1f]+"_s);
+    const QString clean = QString(name).replace(kForbidden, u"-"_s).simplified();
+    return clean.isEmpty() || clean.startsWith(u'.') ? MainWindow::tr("Untitled") + clean : clean;
+}
+
 QString withExtension(const QString& path, const QString& extension)
 {
     return QFileInfo(path).suffix().isEmpty() ? path + u'.' + extension : path;
 }
 
-/** "QGroundControl (*.plan);;..." in the order of the table of formats. */
-QString exportFilter()
-{
-    QStringList filters;
-    for (const ExportFormat& format : exportFormats())
-        filters += u"%1 (*.%2)"_s.arg(
-            QString::fromUtf8(format.reader.data(), qsizetype(format.reader.size())),
-            QString::fromUtf8(format.extension.data(), qsizetype(format.extension.size())));
-    return filters.join(u";;"_s);
-}
-
 } // namespace
+
+/** What is being typed counts as if Return had been pressed. */
+void MainWindow::finishTyping()
+{
+    m_inspector->finishTyping();
+    m_tradeoff->finishTyping();
+}
 
 bool MainWindow::maySettleChanges()
 {
+    finishTyping();
     const ScenarioDocument& document = m_workspace.document();
     if (document.isClean())
         return true;
@@ -73,7 +80,8 @@ void MainWindow::newScenario()
 
 void MainWindow::openScenario()
 {
-    const QString path = m_interaction.openPath(this, scenarioFilter());
+    const QString path =
+        m_interaction.openPath(this, tr("Scenarios and runs (*.berg *.bergrun);;All files (*)"));
     if (!path.isEmpty())
         openFile(path);
 }
@@ -83,7 +91,7 @@ bool MainWindow::openFile(const QString& path)
     if (!maySettleChanges())
         return false;
     try {
-        m_workspace.document().open(path);
+        m_workspace.openFile(path);
         rememberFile(path);
         return true;
     } catch (const Error& error) {
@@ -101,16 +109,17 @@ bool MainWindow::saveScenario()
 bool MainWindow::saveScenarioAs()
 {
     const ScenarioDocument& document = m_workspace.document();
-    const QString suggested = document.filePath().isEmpty()
-                                  ? QString::fromStdString(document.scenario().name) + u".berg"_s
-                                  : document.filePath();
+    const QString suggested =
+        document.filePath().isEmpty()
+            ? fileNameOf(QString::fromStdString(document.scenario().name)) + u".berg"_s
+            : document.filePath();
     const QString path = m_interaction.savePath(this, suggested, scenarioFilter());
     return !path.isEmpty() && saveTo(withExtension(path, u"berg"_s));
 }
 
 bool MainWindow::saveTo(const QString& path)
 {
-    m_inspector->finishTyping();
+    finishTyping();
     try {
         m_workspace.document().save(path);
         rememberFile(path);
@@ -128,52 +137,79 @@ void MainWindow::saveRun()
         m_interaction.savePath(this, u"flight.bergrun"_s, tr("Runs (*.bergrun);;All files (*)"));
     if (chosen.isEmpty())
         return;
-    const QString path = withExtension(chosen, u"bergrun"_s);
-    connect(
-        &m_workspace.runner(), &MissionRunner::runReady, this,
-        [this, path](const std::shared_ptr<const RunFile>& run) {
-            try {
-                berg::saveRun(*run, QFile::encodeName(path).toStdString());
-                statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
-            } catch (const Error& error) {
-                m_interaction.showError(this, errorReport(error));
-            }
-        },
-        Qt::SingleShotConnection);
-    m_workspace.runner().requestRun();
+    m_workspace.runner().requestRun(withExtension(chosen, u"bergrun"_s));
+}
+
+void MainWindow::writeRun(const QString& path, const RunFile& run)
+{
+    try {
+        berg::saveRun(run, QFile::encodeName(path).toStdString());
+        statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
+    } catch (const Error& error) {
+        m_interaction.showError(this, errorReport(error));
+    }
 }
 
 void MainWindow::exportPlan()
 {
     const ScenarioDocument& document = m_workspace.document();
-    const QString name = QString::fromStdString(document.scenario().name);
-    const QString path = m_interaction.savePath(this, name + u".plan"_s, exportFilter());
-    if (path.isEmpty())
+    const QString folder = m_settings.value("export/folder", QDir::homePath()).toString();
+    const QString name = fileNameOf(QString::fromStdString(document.scenario().name));
+    const std::optional<ExportChoice> choice =
+        m_interaction.chooseExport(this, {.path = QDir(folder).filePath(name),
+                                          .formatId = m_settings.value("export/format").toString(),
+                                          .flown = m_workspace.inFlight()});
+    if (!choice)
         return;
-    const QString suffix = QFileInfo(path).suffix();
-    for (const ExportFormat& format : exportFormats())
-        if (suffix.toStdString() == format.extension)
-            return writeExport(path, QString::fromStdString(std::string(format.id)));
-    m_interaction.showError(
-        this, tr("The ending of the file name says the format: .plan, .waypoints, .geojson or "
-                 ".csv; \"%1\" is none of them.")
-                  .arg(QFileInfo(path).fileName()));
+    m_settings.setValue("export/folder", QFileInfo(choice->path).absolutePath());
+    m_settings.setValue("export/format", choice->formatId);
+    m_workspace.runner().requestExport(choice->formatId.toStdString(), choice->path);
 }
 
-void MainWindow::writeExport(const QString& path, const QString& formatId)
+void MainWindow::writeExport(const QString& path, const std::string& content)
 {
-    connect(
-        &m_workspace.runner(), &MissionRunner::exportReady, this,
-        [this, path](const std::string& content) {
-            try {
-                writeFileAtomically(QFile::encodeName(path).toStdString(), content);
-                statusBar()->showMessage(tr("Exported %1").arg(path), 4000);
-            } catch (const Error& error) {
-                m_interaction.showError(this, errorReport(error));
-            }
-        },
-        Qt::SingleShotConnection);
-    m_workspace.runner().requestExport(formatId.toStdString());
+    try {
+        writeFileAtomically(QFile::encodeName(path).toStdString(), content);
+        statusBar()->showMessage(tr("Exported %1").arg(path), 4000);
+    } catch (const Error& error) {
+        m_interaction.showError(this, errorReport(error));
+    }
+}
+
+void MainWindow::saveTable(const std::string& csv)
+{
+    const QString chosen =
+        m_interaction.savePath(this, u"solve-time.csv"_s, tr("Tables (*.csv);;All files (*)"));
+    if (chosen.isEmpty())
+        return;
+    const QString path = withExtension(chosen, u"csv"_s);
+    try {
+        writeFileAtomically(QFile::encodeName(path).toStdString(), csv);
+        statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
+    } catch (const Error& error) {
+        m_interaction.showError(this, errorReport(error));
+    }
+}
+
+void MainWindow::exportChart(const ChartPanel& chart)
+{
+    const QString path =
+        m_interaction.savePath(this, chart.exportName(), ChartPanel::exportFilters());
+    if (path.isEmpty())
+        return;
+    try {
+        chart.exportChart(path);
+        statusBar()->showMessage(tr("Exported %1").arg(path), 4000);
+    } catch (const Error& error) {
+        m_interaction.showError(this, errorReport(error));
+    }
+}
+
+void MainWindow::openRunToCompare()
+{
+    const QString path = m_interaction.openPath(this, tr("Runs (*.bergrun);;All files (*)"));
+    if (!path.isEmpty())
+        m_workspace.runs().open(path);
 }
 
 void MainWindow::rememberFile(const QString& path)
@@ -188,8 +224,16 @@ void MainWindow::rememberFile(const QString& path)
 void MainWindow::fillRecentMenu()
 {
     m_recentMenu->clear();
-    for (const QString& path : m_settings.value("files/recent").toStringList())
-        m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { openFile(path); });
+    m_recentMenu->setToolTipsVisible(true);
+    for (const QString& path : m_settings.value("files/recent").toStringList()) {
+        const QFileInfo file(path);
+        if (!file.exists())
+            continue;
+        QString name = file.fileName();
+        name.replace(u'&', u"&&"_s); // else the next letter is a mnemonic
+        QAction* action = m_recentMenu->addAction(name, this, [this, path] { openFile(path); });
+        action->setToolTip(QDir::toNativeSeparators(file.absoluteFilePath()));
+    }
     if (m_recentMenu->isEmpty())
         m_recentMenu->addAction(tr("No files yet"))->setEnabled(false);
 }

@@ -1,6 +1,6 @@
 #include "app/window_run.h"
 
-#include "app/main_window.h"
+#include "app/window_holder.h"
 #include "core/io/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "widgets/model/error_text.h"
@@ -26,45 +26,6 @@ void say(const QString& text)
 {
     QTextStream(stderr) << text << Qt::endl;
 }
-
-/** The window as it is made anew for each language; the workspace stays. */
-class WindowHolder : public QObject
-{
-public:
-    WindowHolder(Workspace& workspace, Interaction& interaction, QSettings& settings)
-        : m_workspace(workspace), m_interaction(interaction), m_settings(settings)
-    {
-        make();
-    }
-
-    [[nodiscard]] MainWindow& window() { return *m_window; }
-
-private:
-    void make()
-    {
-        m_window = std::make_unique<MainWindow>(m_workspace, m_interaction, m_settings);
-        connect(
-            m_window.get(), &MainWindow::languageChosen, this,
-            [this](const QString& language) { change(language); }, Qt::QueuedConnection);
-    }
-
-    void change(const QString& language)
-    {
-        const QByteArray geometry = m_window->saveGeometry();
-        const QByteArray state = m_window->saveState();
-        const std::unique_ptr<MainWindow> old = std::move(m_window);
-        installLanguage(language);
-        make();
-        m_window->restoreGeometry(geometry);
-        m_window->restoreState(state);
-        m_window->show();
-    }
-
-    Workspace& m_workspace;
-    Interaction& m_interaction;
-    QSettings& m_settings;
-    std::unique_ptr<MainWindow> m_window;
-};
 
 void saveImage(const QPixmap& picture, const QString& path)
 {
@@ -137,7 +98,7 @@ int runWindow(const WindowOptions& options)
     workspace.document().reset(defaultScenario());
     if (!options.scenario.isEmpty()) {
         try {
-            workspace.document().open(options.scenario);
+            workspace.openFile(options.scenario);
         } catch (const Error& error) {
             say(errorReport(error));
             return kBadInput;

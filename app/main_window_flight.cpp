@@ -1,0 +1,150 @@
+#include "app/main_window.h"
+#include "widgets/charts/pareto_chart.h"
+#include "widgets/map/comparison_track.h"
+#include "widgets/map/map_view.h"
+#include "widgets/map/mission_picture.h"
+#include "widgets/model/error_text.h"
+#include "widgets/model/event_text.h"
+#include "widgets/panels/chart_panel.h"
+#include "widgets/panels/event_panel.h"
+#include "widgets/panels/flight_banner.h"
+#include "widgets/panels/inspector_panel.h"
+#include "widgets/panels/plan_panel.h"
+#include "widgets/panels/playback_bar.h"
+#include "widgets/panels/run_time_line.h"
+#include "widgets/panels/tradeoff_panel.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QStatusBar>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr int kLongestState_px = 420;
+
+/** The words of the status bar for what the mission thread is doing. */
+QString phaseText(const MissionSnapshot& snapshot)
+{
+    switch (snapshot.phase) {
+    case RunPhase::Planning:
+        return MainWindow::tr("Planning");
+    case RunPhase::Ready:
+        return MainWindow::tr("Ready: Space flies it");
+    case RunPhase::Flying:
+        return MainWindow::tr("Flying");
+    case RunPhase::Paused:
+        return MainWindow::tr("Paused");
+    case RunPhase::Finished:
+        return MainWindow::tr("Flown to the end");
+    case RunPhase::Failed:
+        return MainWindow::tr("Cannot be planned: %1")
+            .arg(snapshot.error ? errorReport(*snapshot.error).section(u'\n', 0, 0) : QString());
+    }
+    return {};
+}
+
+} // namespace
+
+void MainWindow::togglePlay()
+{
+    if (m_workspace.isPlaying()) {
+        m_workspace.pause();
+        return;
+    }
+    if (m_workspace.lookedAt_s()) {
+        m_workspace.fly(m_playback->rate());
+        return;
+    }
+    switch (m_workspace.record().now.phase) {
+    case RunPhase::Planning:
+        statusBar()->showMessage(tr("The plan is still being made."), 4000);
+        return;
+    case RunPhase::Finished:
+        m_workspace.reset();
+        m_workspace.fly(m_playback->rate());
+        return;
+    case RunPhase::Ready:
+    case RunPhase::Flying:
+    case RunPhase::Paused:
+    case RunPhase::Failed:
+        m_workspace.fly(m_playback->rate());
+        return;
+    }
+}
+
+void MainWindow::showFlight()
+{
+    const FlightRecord& record = m_workspace.record();
+    MapPicture picture = missionPicture(record, locale());
+    if (const RunPointer other = m_workspace.runs().otherIn(record.scenario))
+        addComparison(picture, *other, record.shown().time_s, locale());
+    m_plan->setSigmaFull(picture.sigmaFull_m2);
+    m_map->setPicture(std::move(picture));
+    m_plan->showPlan(planRows(record.shown(), record.scenario));
+    m_tradeoff->showPlan(
+        {.plan = record.shown().plan, .solving = record.now.phase == RunPhase::Planning});
+    const bool playing = m_workspace.isPlaying();
+    m_playback->showState(playing          ? RunPhase::Flying
+                          : record.instant ? RunPhase::Paused
+                                           : record.now.phase,
+                          record.shown().time_s, record.scenario.duration_s, record.now.time_s);
+    m_banner->showState(record.inFlight(), m_workspace.lookedAt_s());
+    const QString phase = phaseText(record.now);
+    m_stateLabel->setText(
+        m_stateLabel->fontMetrics().elidedText(phase, Qt::ElideRight, kLongestState_px));
+    m_stateLabel->setToolTip(phase == m_stateLabel->text() ? QString() : phase);
+    m_playAction->setText(playing ? tr("Pause") : tr("Fly"));
+    if (record.inFlight())
+        showPlanner();
+    if (!m_chartTimer.isActive())
+        m_chartTimer.start();
+}
+
+void MainWindow::showCharts()
+{
+    for (ChartPanel* chart : m_charts)
+        chart->showRecord(m_workspace.record());
+    showEvents();
+}
+
+/** The one iceberg selected stands out in the charts. */
+void MainWindow::showSelection()
+{
+    const std::vector<std::string>& ids = m_workspace.selection().ids();
+    for (ChartPanel* chart : m_charts)
+        chart->setHighlight(ids.size() == 1 ? ids.front() : std::string());
+}
+
+void MainWindow::showEvents()
+{
+    const FlightRecord& record = m_workspace.record();
+    const std::vector<MissionEvent>& events = record.history.events;
+    if (events.size() != m_markedEvents) {
+        m_markedEvents = events.size();
+        std::vector<TimeMark> marks;
+        for (const MissionEvent& event : events)
+            marks.push_back({.time_s = event.time_s,
+                             .kind = event.kind,
+                             .text = eventText(event, record.now.icebergs)});
+        m_playback->setMarks(std::move(marks));
+    }
+    m_events->showRecord(record);
+}
+
+void MainWindow::showPlanner()
+{
+    m_tradeoff->showSettings(m_workspace.planner());
+    m_pareto->setTau(m_workspace.planner().tau);
+}
+
+void MainWindow::showCurve()
+{
+    m_tradeoff->showCurve(m_workspace.curve().curve());
+    m_pareto->setCurve(m_workspace.curve().curve());
+}
+
+} // namespace berg

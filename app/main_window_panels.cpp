@@ -1,0 +1,190 @@
+#include "app/main_window.h"
+#include "widgets/charts/pareto_chart.h"
+#include "widgets/map/map_view.h"
+#include "widgets/panels/chart_panel.h"
+#include "widgets/panels/comparison_panel.h"
+#include "widgets/panels/event_panel.h"
+#include "widgets/panels/flight_banner.h"
+#include "widgets/panels/inspector_panel.h"
+#include "widgets/panels/plan_panel.h"
+#include "widgets/panels/playback_bar.h"
+#include "widgets/panels/solve_time_panel.h"
+#include "widgets/panels/tradeoff_panel.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QScrollArea>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr int kChartInterval_ms = 40;
+
+} // namespace
+
+void MainWindow::buildPanels()
+{
+    m_map = new MapView(m_workspace.document(), m_workspace.selection());
+    m_playback = new PlaybackBar;
+    m_tradeoff = new TradeoffPanel;
+    m_plan = new PlanPanel;
+    m_inspector = new InspectorPanel(m_workspace.document(), m_workspace.selection());
+    m_charts = {new ChartPanel(ChartKind::Zeta, m_theme),
+                new ChartPanel(ChartKind::Sigma, m_theme)};
+    m_pareto = new ParetoChart(m_theme);
+    m_pareto->setTitleShown(false);
+    m_solveTime = new SolveTimePanel(m_workspace.benchmark());
+    m_banner = new FlightBanner(m_map);
+    m_events = new EventPanel;
+    m_comparison = new ComparisonPanel(m_workspace.runs());
+
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_map, 1);
+    column->addWidget(m_playback);
+    setCentralWidget(centre);
+
+    m_stateLabel = new QLabel;
+    m_stateLabel->setObjectName(u"stateLabel"_s);
+    m_cursorLabel = new QLabel;
+    m_cursorLabel->setObjectName(u"cursorLabel"_s);
+    m_hintLabel = new QLabel;
+    m_hintLabel->setObjectName(u"hintLabel"_s);
+    statusBar()->addWidget(m_hintLabel, 1);
+    statusBar()->addPermanentWidget(m_stateLabel);
+    statusBar()->addPermanentWidget(m_cursorLabel);
+}
+
+void MainWindow::buildDocks()
+{
+    const auto dock = [this](const char* name, const QString& title, QWidget* content,
+                             Qt::DockWidgetArea area) {
+        auto* widget = new QDockWidget(title, this);
+        widget->setObjectName(QLatin1String(name));
+        widget->setWidget(content);
+        addDockWidget(area, widget);
+        m_docks.push_back(widget);
+        return widget;
+    };
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    QDockWidget* tradeoff =
+        dock("tradeoffDock", tr("Trade-off"), m_tradeoff, Qt::RightDockWidgetArea);
+    QDockWidget* plan = dock("planDock", tr("Plan"), m_plan, Qt::RightDockWidgetArea);
+    QDockWidget* inspector =
+        dock("inspectorDock", tr("Inspector"), m_inspector, Qt::RightDockWidgetArea);
+    QDockWidget* pareto = dock("paretoDock", tr("Trade-offs"), m_pareto, Qt::RightDockWidgetArea);
+    tabifyDockWidget(plan, inspector);
+    tabifyDockWidget(inspector, pareto);
+    plan->raise();
+    QDockWidget* zeta = dock("zetaDock", tr("Chart"), m_charts.front(), Qt::BottomDockWidgetArea);
+    QDockWidget* sigma =
+        dock("sigmaDock", tr("Second chart"), m_charts.back(), Qt::BottomDockWidgetArea);
+    QDockWidget* events = dock("eventsDock", tr("Events"), m_events, Qt::BottomDockWidgetArea);
+    splitDockWidget(zeta, sigma, Qt::Horizontal);
+    auto* study = new QScrollArea; // so that it does not ask for the room it is best in
+    study->setWidgetResizable(true);
+    study->setFrameShape(QFrame::NoFrame);
+    study->setWidget(m_solveTime);
+    QDockWidget* solveTime =
+        dock("solveTimeDock", tr("Solve time"), study, Qt::BottomDockWidgetArea);
+    QDockWidget* comparison =
+        dock("comparisonDock", tr("Comparison"), m_comparison, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(sigma, events);
+    tabifyDockWidget(events, comparison);
+    tabifyDockWidget(comparison, solveTime);
+    solveTime->hide(); // a study, not part of watching a flight
+    sigma->raise();
+    resizeDocks({tradeoff}, {310}, Qt::Horizontal);
+    resizeDocks({zeta}, {230}, Qt::Vertical);
+    resizeDocks({zeta, sigma}, {470, 490}, Qt::Horizontal);
+    resizeDocks({tradeoff, plan}, {300, 400}, Qt::Vertical);
+}
+
+void MainWindow::connectPanels()
+{
+    ScenarioDocument& document = m_workspace.document();
+    connect(&m_system, &SystemAppearance::changed, this, &MainWindow::followSystem);
+    connect(&m_workspace, &Workspace::flightChanged, this, &MainWindow::showFlight);
+    connect(&m_workspace, &Workspace::inFlightChanged, this, &MainWindow::setInFlight);
+    connect(&m_workspace, &Workspace::refused, this, [this](const QString& text) {
+        statusBar()->showMessage(text, 8000);
+        showPlanner(); // what was refused is not in force
+    });
+    connect(&m_workspace.runner(), &MissionRunner::exportReady, this, &MainWindow::writeExport);
+    connect(&m_workspace.runner(), &MissionRunner::runReady, this,
+            [this](const QString& path, const std::shared_ptr<const RunFile>& run) {
+                writeRun(path, *run);
+            });
+    connect(&document, &ScenarioDocument::scenarioChanged, this, [this] {
+        m_comparison->setScenario(m_workspace.document().scenario());
+        showPlanner();
+        showFlight();
+        showTitle();
+    });
+    connect(&document, &ScenarioDocument::filePathChanged, this, &MainWindow::showTitle);
+    connect(&document, &ScenarioDocument::cleanChanged, this, &MainWindow::showTitle);
+    connect(&m_workspace.selection(), &Selection::changed, this, [this] {
+        updateActions();
+        showSelection();
+    });
+
+    connect(m_tradeoff, &TradeoffPanel::tauEdited, &m_workspace, &Workspace::setTau);
+    connect(m_tradeoff, &TradeoffPanel::tauEditFinished, &document, &ScenarioDocument::endGesture);
+    connect(m_tradeoff, &TradeoffPanel::policyEdited, &m_workspace, &Workspace::setPolicy);
+    connect(m_tradeoff, &TradeoffPanel::backendEdited, &m_workspace, &Workspace::setBackend);
+    connect(m_tradeoff, &TradeoffPanel::routeEdited, &m_workspace, &Workspace::setRoute);
+
+    connect(m_pareto, &ParetoChart::tauChosen, m_tradeoff, &TradeoffPanel::chooseTau);
+    connect(&m_workspace.curve(), &CurveRunner::updated, this, &MainWindow::showCurve);
+    connect(m_solveTime, &SolveTimePanel::saveRequested, this, &MainWindow::saveTable);
+
+    connect(m_playback, &PlaybackBar::playRequested, this, &MainWindow::togglePlay);
+    connect(m_playback, &PlaybackBar::pauseRequested, &m_workspace, &Workspace::pause);
+    connect(m_playback, &PlaybackBar::stepRequested, &m_workspace, &Workspace::step);
+    connect(m_playback, &PlaybackBar::resetRequested, &m_workspace, &Workspace::reset);
+    connect(m_playback, &PlaybackBar::rateEdited, &m_workspace, &Workspace::setRate);
+    connect(m_playback, &PlaybackBar::timeEdited, &m_workspace, &Workspace::lookAt);
+
+    for (ChartPanel* chart : m_charts) {
+        connect(chart, &ChartPanel::timePicked, &m_workspace, &Workspace::lookAt);
+        connect(chart, &ChartPanel::kindChanged, this, &MainWindow::showCharts);
+        connect(chart, &ChartPanel::exportRequested, this, [this, chart] { exportChart(*chart); });
+        connect(chart, &ChartPanel::icebergPicked, this,
+                [this](const std::string& id) { m_workspace.selection().set({id}); });
+    }
+    connect(m_comparison, &ComparisonPanel::openRunRequested, this, &MainWindow::openRunToCompare);
+    connect(&m_workspace.runs(), &RunList::comparisonChanged, this, &MainWindow::showFlight);
+    connect(m_events, &EventPanel::timeChosen, &m_workspace, &Workspace::lookAt);
+
+    connect(m_plan, &PlanPanel::hovered, m_map, &MapView::setHighlight);
+    connect(m_map, &MapView::hovered, m_plan, &PlanPanel::setHighlight);
+    connect(m_plan, &PlanPanel::activated, this,
+            [this](const std::string& id) { m_workspace.selection().set({id}); });
+    connect(m_map, &MapView::followUavChanged, m_followAction, &QAction::setChecked);
+    connect(m_map, &MapView::cursorMoved, this, &MainWindow::showCursor);
+    connect(m_map, &MapView::cursorLeft, m_cursorLabel, &QLabel::clear);
+    connect(m_map, &MapView::editRequested, this, [this] {
+        auto* dock = findChild<QDockWidget*>(u"inspectorDock"_s);
+        dock->show();
+        dock->raise();
+        m_inspector->setFocus();
+    });
+    connect(m_map, &MapView::statusText, m_hintLabel, &QLabel::setText);
+    connect(m_banner, &FlightBanner::stopRequested, &m_workspace, &Workspace::reset);
+    connect(m_banner, &FlightBanner::flyOnRequested, &m_workspace, &Workspace::flyOnFromHere);
+    connect(m_banner, &FlightBanner::newestRequested, &m_workspace, &Workspace::lookAtNewest);
+    connect(m_map, &MapView::contextMenuRequested, this, &MainWindow::showContextMenu);
+
+    m_chartTimer.setSingleShot(true);
+    m_chartTimer.setInterval(kChartInterval_ms);
+    connect(&m_chartTimer, &QTimer::timeout, this, &MainWindow::showCharts);
+}
+
+} // namespace berg

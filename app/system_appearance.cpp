@@ -1,0 +1,83 @@
+#include "app/system_appearance.h"
+
+#include "widgets/theme/palette.h"
+
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QDBusPendingCallWatcher>
+#include <QDBusPendingReply>
+#include <QDBusVariant>
+#include <QGuiApplication>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr uint kPrefersDark = 1;
+constexpr uint kPrefersLight = 2;
+
+constexpr QLatin1StringView kService("org.freedesktop.portal.Desktop");
+constexpr QLatin1StringView kPath("/org/freedesktop/portal/desktop");
+constexpr QLatin1StringView kInterface("org.freedesktop.portal.Settings");
+constexpr QLatin1StringView kSpace("org.freedesktop.appearance");
+constexpr QLatin1StringView kKey("color-scheme");
+
+/** The portal of old answers with a variant inside a variant. */
+uint schemeOf(const QVariant& value)
+{
+    if (value.canConvert<QDBusVariant>())
+        return schemeOf(value.value<QDBusVariant>().variant());
+    return value.toUInt();
+}
+
+} // namespace
+
+SystemAppearance::SystemAppearance(QObject* parent) : QObject(parent)
+{
+    // Pictures without a screen must not depend on whose session they are made in.
+    if (QGuiApplication::platformName() != u"offscreen"_s)
+        ask();
+}
+
+void SystemAppearance::ask()
+{
+    QDBusConnection bus = QDBusConnection::sessionBus();
+    if (!bus.isConnected())
+        return;
+    bus.connect(kService, kPath, kInterface, u"SettingChanged"_s, this,
+                SLOT(settingChanged(QString, QString, QDBusVariant)));
+    QDBusMessage read = QDBusMessage::createMethodCall(kService, kPath, kInterface, u"Read"_s);
+    read << QString(kSpace) << QString(kKey);
+    auto* watcher = new QDBusPendingCallWatcher(bus.asyncCall(read), this);
+    connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher] {
+        const QDBusPendingReply<QDBusVariant> reply = *watcher;
+        if (!reply.isError())
+            setColourScheme(schemeOf(reply.value().variant()));
+        watcher->deleteLater();
+    });
+}
+
+void SystemAppearance::settingChanged(const QString& space, const QString& key,
+                                      const QDBusVariant& value)
+{
+    if (space == kSpace && key == kKey)
+        setColourScheme(schemeOf(value.variant()));
+}
+
+void SystemAppearance::setColourScheme(uint scheme)
+{
+    const bool wasDark = isDark();
+    m_portalDark.reset();
+    if (scheme == kPrefersDark || scheme == kPrefersLight)
+        m_portalDark = scheme == kPrefersDark;
+    if (isDark() != wasDark)
+        emit changed();
+}
+
+bool SystemAppearance::isDark() const
+{
+    return m_portalDark.value_or(systemPaletteIsDark());
+}
+
+} // namespace berg

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QObject>
+
+#include <optional>
+
+class QDBusVariant;
+
+namespace berg {
+
+/**
+ * Whether the desktop is dark, and when that changes. Asks the freedesktop settings portal
+ * (org.freedesktop.appearance, color-scheme), which Qt asks by itself only from 6.5 on; without a
+ * portal, or when it has no preference, the desktop's palette tells. Never waits for an answer.
+ */
+class SystemAppearance : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit SystemAppearance(QObject* parent = nullptr);
+
+    [[nodiscard]] bool isDark() const;
+
+    /** The portal's number: 1 dark, 2 light, all else no preference. */
+    void setColourScheme(uint scheme);
+
+signals:
+    void changed();
+
+private slots:
+    void settingChanged(const QString& space, const QString& key, const QDBusVariant& value);
+
+private:
+    void ask();
+
+    std::optional<bool> m_portalDark; ///< none: no portal, or no preference
+};
+
+} // namespace berg

@@ -1,0 +1,265 @@
+#include "core/io/run_json.h"
+#include "core/io/scenario_json.h"
+#include "core/scenario/presets.h"
+#include "tests/support/scenario_builder.h"
+#include "tests/support/window_fixture.h"
+
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTableView>
+#include <QToolButton>
+#include <QUndoStack>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::WindowFixture;
+
+namespace {
+
+Scenario shipped(const QString& name)
+{
+    return loadScenario(
+        (QStringLiteral(BERG_SOURCE_DIR "/resources/scenarios/") + name).toStdString());
+}
+
+/** From now on as fast as possible, by the keys of the window. */
+void flyAtFullSpeed(WindowFixture& w)
+{
+    auto& rate = test::child<QComboBox>(w.window(), u"rateCombo"_s);
+    for (int presses = 0; rate.currentData().toDouble() != 0 && presses < rate.count(); ++presses)
+        QTest::keyClick(&w.map(), Qt::Key_BracketRight);
+    QCOMPARE(rate.currentData().toDouble(), 0.0);
+}
+
+/** This build may lack it. */
+bool hasCbc()
+{
+    try {
+        return makeSolver(Backend::Cbc) != nullptr;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/** Runs the command line, which must succeed; its standard output. */
+QByteArray commandLine(const QStringList& arguments)
+{
+    QProcess program;
+    program.start(QStringLiteral(BERG_CLI), arguments);
+    if (!program.waitForFinished(120000) || program.exitCode() != 0)
+        qFatal("%s", program.readAllStandardError().constData());
+    return program.readAllStandardOutput();
+}
+
+/** What the list of events says of the first one; empty: there is none. */
+QString firstEvent(WindowFixture& w)
+{
+    const auto& table = test::child<QTableView>(w.window(), u"eventTable"_s);
+    return table.model()->index(0, 1).data().toString();
+}
+
+double zetaOf(const QByteArray& json)
+{
+    return QJsonDocument::fromJson(json)[u"zeta_m2s"_s].toDouble(-1);
+}
+
+} // namespace
+
+/** Flying in the whole window. */
+class TestMainWindowFlight : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void fliesAsCoreAndCommandLine_data()
+    {
+        QTest::addColumn<Scenario>("scenario");
+        QTest::newRow("grand-banks-12") << shipped(u"grand-banks-12.berg"_s);
+        QTest::newRow("barents-wind") << shipped(u"barents-wind.berg"_s);
+        Scenario closed = randomScenario(21, {.icebergs = 9});
+        closed.planner.route = Route::Closed;
+        closed.duration_s = 600;
+        QTest::newRow("random, closed route") << closed;
+        Scenario tour = randomScenario(22);
+        tour.planner.policy = PolicyKind::Tour;
+        QTest::newRow("random, tour") << tour;
+    }
+
+    /** One number of all three, to the last digit. */
+    void fliesAsCoreAndCommandLine()
+    {
+        QFETCH(Scenario, scenario);
+        WindowFixture w(scenario);
+        const QString path = w.file(u"flown.berg"_s);
+        w.interaction.path = path;
+        w.trigger(u"saveAsAction"_s);
+        flyAtFullSpeed(w);
+        w.trigger(u"playAction"_s);
+        QVERIFY(w.until(RunPhase::Finished));
+
+        const Metrics metrics = test::elsewhere([&] {
+            Mission mission(scenario);
+            mission.advance(scenario.duration_s);
+            return mission.metrics();
+        });
+        QVERIFY(w.record().now.metrics == metrics);
+        const QByteArray json = commandLine({u"simulate"_s, path, u"--json"_s});
+        QVERIFY(zetaOf(json) == metrics.zeta_m2s);
+    }
+
+    /** A drag of tau in flight, saved and flown again by core and command line: bit for bit. */
+    void interventionsReplay()
+    {
+        WindowFixture w(randomScenario(23));
+        QTest::keyClick(&w.map(), Qt::Key_Space);
+        QVERIFY(w.until([&] { return w.record().now.time_s > 2; }));
+        const Scenario before = w.scenario();
+        w.dragTau(0.2, 0.7);
+        QVERIFY(w.until([&] { return w.record().now.time_s > 6; }));
+        w.dragTau(0.7, 0.4);
+        const double tau = test::child<QSlider>(w.window(), u"tauSlider"_s).value() / 100.0;
+        QVERIFY(w.scenario() == before);
+        flyAtFullSpeed(w);
+        QVERIFY(w.until(RunPhase::Finished));
+        QCOMPARE(w.record().now.planner.tau, tau);
+
+        const QString path = w.file(u"flight.bergrun"_s);
+        w.interaction.path = path;
+        w.trigger(u"saveRunAction"_s);
+        QVERIFY(w.until([&] { return QFile::exists(path); }));
+        const RunFile run = loadRun(path.toStdString());
+        QVERIFY(run.interventions.size() >= 2);
+        QCOMPARE(run.interventions.back().tau.value_or(-1), tau);
+        const auto [differences, metrics] = test::elsewhere([&] {
+            const Mission again = replay(run);
+            return std::pair(compareRun(run, runOf(again)), again.metrics());
+        });
+        QVERIFY(differences.empty());
+        QVERIFY(metrics == w.record().now.metrics);
+        const QByteArray json = commandLine({u"simulate"_s, path, u"--json"_s});
+        QVERIFY(zetaOf(json) == metrics.zeta_m2s);
+        QVERIFY(commandLine({u"simulate"_s, path}).contains("equal to the recorded run"));
+    }
+
+    void policyInFlightIsAnIntervention()
+    {
+        WindowFixture w(randomScenario(24));
+        w.trigger(u"stepAction"_s);
+        QVERIFY(w.until(RunPhase::Paused));
+        auto& policy = test::child<QComboBox>(w.window(), u"policyCombo"_s);
+        policy.setFocus();
+        QTest::keyClick(&policy, Qt::Key_Down);
+        QVERIFY(w.until([&] { return w.record().now.planner.policy == PolicyKind::Path; }));
+        QCOMPARE(w.scenario().planner.policy, PolicyKind::Visitation);
+        QCOMPARE(w.document().undoStack()->count(), 0);
+        QVERIFY(!test::child<QComboBox>(w.window(), u"solverCombo"_s).isEnabled());
+        w.trigger(u"resetAction"_s);
+        QVERIFY(w.untilReady());
+        QCOMPARE(w.record().now.planner.policy, PolicyKind::Visitation);
+        QCOMPARE(policy.currentIndex(), 0);
+    }
+
+    void buttonsAndKeysFly()
+    {
+        WindowFixture w(randomScenario(25));
+        const auto button = [&](const QString& name) -> QToolButton& {
+            return test::child<QToolButton>(w.window(), name);
+        };
+        QTest::mouseClick(&button(u"playButton"_s), Qt::LeftButton);
+        QVERIFY(w.until(RunPhase::Flying));
+        QTest::mouseClick(&button(u"playButton"_s), Qt::LeftButton);
+        QVERIFY(w.until(RunPhase::Paused));
+        const double paused_s = w.record().now.time_s;
+        QTest::keyClick(&w.map(), Qt::Key_Period);
+        QVERIFY(w.until([&] { return w.record().now.time_s > paused_s + 0.9; }));
+        QTest::mouseClick(&button(u"stepButton"_s), Qt::LeftButton);
+        QVERIFY(w.until([&] { return w.record().now.time_s > paused_s + 1.9; }));
+        QTest::keyClick(&w.map(), Qt::Key_Space);
+        QVERIFY(w.until(RunPhase::Flying));
+        QTest::mouseClick(&button(u"resetButton"_s), Qt::LeftButton);
+        QVERIFY(!w.workspace.inFlight());
+        QVERIFY(w.untilReady());
+        QCOMPARE(w.record().now.time_s, 0.0);
+    }
+
+    /** Space at the end flies the whole mission again. */
+    void fliesAgainFromTheEnd()
+    {
+        WindowFixture w(randomScenario(26, {.icebergs = 5}));
+        flyAtFullSpeed(w);
+        w.trigger(u"playAction"_s);
+        QVERIFY(w.until(RunPhase::Finished));
+        const double zeta_m2s = w.record().now.metrics.zeta_m2s;
+        const std::uint64_t flight = w.record().now.generation;
+        QTest::keyClick(&w.map(), Qt::Key_Space);
+        QVERIFY(w.until(
+            [&] { return w.until(RunPhase::Finished) && w.record().now.generation > flight; }));
+        QVERIFY(w.record().now.metrics.zeta_m2s == zeta_m2s);
+    }
+
+    /** The list tells the events of the mission shown, not of one before. */
+    void eventsAreThoseOfTheMission()
+    {
+        Scenario scenario = test::emptySea();
+        test::addIceberg(scenario, 1500, 0, 5); // first for a short way
+        test::addIceberg(scenario, -6000, 0, 50);
+        test::addIceberg(scenario, 2500, 0, 5);
+        scenario.planner.tau = 5;
+        WindowFixture w(scenario);
+        QTRY_VERIFY(firstEvent(w).endsWith(u"berg-1"_s));
+        w.dragTau(0.9, 0.0);
+        QVERIFY(w.untilReady());
+        QCOMPARE(w.record().now.plan->target, 1);
+        QTRY_VERIFY(firstEvent(w).endsWith(u"berg-2"_s));
+    }
+
+    /** The same event of another scenario has the words of that one. */
+    void eventsFollowTheNames()
+    {
+        WindowFixture w(randomScenario(27, {.icebergs = 1}));
+        QTRY_VERIFY(firstEvent(w).endsWith(u"berg-1"_s));
+        w.document().edit(u"Name"_s, [](Scenario& s) { s.icebergs[0].name = "Storberget"; });
+        QVERIFY(w.untilReady());
+        const auto isNew = [&] { return firstEvent(w).endsWith(u"Storberget"_s); };
+        QVERIFY(QTest::qWaitFor(isNew, 500));
+    }
+
+    void closesDuringALongSolve_data()
+    {
+        QTest::addColumn<Backend>("backend");
+        QTest::addColumn<int>("icebergs");
+        QTest::newRow("search with bound, 100 icebergs") << Backend::Auto << 100;
+        QTest::newRow("search with bound, 300 icebergs") << Backend::Auto << 300;
+        if (hasCbc())
+            QTest::newRow("printed MILP in CBC, 14 icebergs") << Backend::Cbc << 14;
+    }
+
+    /** The window, and what it works on, go at once whatever is being solved. */
+    void closesDuringALongSolve()
+    {
+        QFETCH(Backend, backend);
+        QFETCH(int, icebergs);
+        auto w = std::make_unique<WindowFixture>(randomScenario(28, {.icebergs = 3}));
+        Scenario hard = randomScenario(28, {.icebergs = icebergs});
+        hard.planner.backend = backend;
+        hard.planner.formulation = Formulation::Printed;
+        w->document().reset(hard);
+        QTest::qWait(300); // the solve is under way
+        QVERIFY(w->record().now.phase == RunPhase::Planning ||
+                w->record().now.generation != w->workspace.runner().generation());
+        constexpr qint64 kLongest_ms = 1000;
+        QElapsedTimer clock;
+        clock.start();
+        w->window().close();
+        w.reset();
+        QVERIFY2(clock.elapsed() < kLongest_ms, QByteArray::number(clock.elapsed()).constData());
+    }
+};
+
+QTEST_MAIN(TestMainWindowFlight)
+#include "tst_main_window_flight.moc"

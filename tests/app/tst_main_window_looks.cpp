@@ -1,0 +1,334 @@
+#include "app/window_run.h"
+#include "tests/support/map_fixture.h"
+#include "tests/support/window_fixture.h"
+#include "widgets/panels/panel_labels.h"
+#include "widgets/theme/theme.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QPointer>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QTabBar>
+#include <QToolButton>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::WindowFixture;
+
+namespace {
+
+QList<QWidget*> visibleWidgets(const QWidget& window)
+{
+    QList<QWidget*> visible;
+    for (QWidget* widget : window.findChildren<QWidget*>())
+        if (!widget->visibleRegion().isEmpty()) // docks behind a tab are visible for Qt
+            visible << widget;
+    return visible;
+}
+
+/** "QLabel planState in PlanReadoutView": enough to find it. */
+QString nameOf(const QWidget& widget)
+{
+    const QWidget* parent = widget.parentWidget();
+    return u"%1 %2 in %3 %4"_s.arg(
+        QString::fromLatin1(widget.metaObject()->className()), widget.objectName(),
+        parent != nullptr ? QString::fromLatin1(parent->metaObject()->className()) : QString(),
+        parent != nullptr ? parent->objectName() : QString());
+}
+
+/** Texts of menus, docks and labels that do not depend on numbers. */
+QStringList fixedTexts(const MainWindow& window)
+{
+    QStringList texts;
+    for (const QAction* action : window.findChildren<QAction*>())
+        if (!action->objectName().isEmpty() && !action->objectName().startsWith(u"view/language"_s))
+            texts << action->text();
+    for (const QAction* menu : window.menuBar()->actions())
+        texts << menu->text();
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+        texts << dock->windowTitle();
+    for (const CaptionLabel* label : window.findChildren<CaptionLabel*>())
+        texts << label->text();
+    return texts;
+}
+
+/** What does not fit into this widget; empty: nothing. */
+QString clippedText(const QWidget& widget)
+{
+    if (qobject_cast<const FigureLabel*>(&widget) != nullptr)
+        return {}; // gets smaller by itself
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+        if (label->text().isEmpty())
+            return {};
+        const QRect room = label->contentsRect();
+        const int flags = label->wordWrap() ? int{Qt::TextWordWrap} : int{Qt::TextSingleLine};
+        const QSize needed = label->fontMetrics().boundingRect(room, flags, label->text()).size();
+        const bool fits = needed.width() <= room.width() && needed.height() <= room.height();
+        return fits ? QString()
+                    : u"%1 (%2 x %3 in %4 x %5)"_s.arg(label->text())
+                          .arg(needed.width())
+                          .arg(needed.height())
+                          .arg(room.width())
+                          .arg(room.height());
+    }
+    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+    if (button != nullptr && !button->text().isEmpty())
+        return button->sizeHint().width() > button->width() ? button->text() + u" (button)"_s
+                                                            : QString();
+    if (const auto* tabs = qobject_cast<const QTabBar*>(&widget))
+        for (int i = 0; i < tabs->count(); ++i)
+            if (!tabs->rect().contains(tabs->tabRect(i)) ||
+                tabs->fontMetrics().horizontalAdvance(tabs->tabText(i)) > tabs->tabRect(i).width())
+                return tabs->tabText(i) + u" (tab)"_s;
+    return {};
+}
+
+/** All widgets whose text is cut. */
+QStringList clipped(const QWidget& window)
+{
+    QStringList faults;
+    for (const QWidget* widget : visibleWidgets(window))
+        if (const QString text = clippedText(*widget); !text.isEmpty())
+            faults << u"\"%1\": %2"_s.arg(text, nameOf(*widget));
+    return faults;
+}
+
+/** First difference of colours between the widgets of two windows of one make. */
+QString paletteDifference(const QWidget& a, const QWidget& b)
+{
+    const QList<QWidget*> left = visibleWidgets(a);
+    const QList<QWidget*> right = visibleWidgets(b);
+    if (left.size() != right.size())
+        return u"%1 and %2 widgets"_s.arg(left.size()).arg(right.size());
+    for (qsizetype i = 0; i < left.size(); ++i)
+        for (int role = 0; role < QPalette::NColorRoles; ++role)
+            for (const auto group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled})
+                if (left[i]->palette().color(group, static_cast<QPalette::ColorRole>(role)) !=
+                    right[i]->palette().color(group, static_cast<QPalette::ColorRole>(role)))
+                    return nameOf(*left[i]) +
+                           u" role %1: %2, not %3"_s.arg(role).arg(
+                               left[i]
+                                   ->palette()
+                                   .color(group, static_cast<QPalette::ColorRole>(role))
+                                   .name(),
+                               right[i]
+                                   ->palette()
+                                   .color(group, static_cast<QPalette::ColorRole>(role))
+                                   .name());
+    return {};
+}
+
+} // namespace
+
+/** Language, appearance and sizes of the window. */
+class TestMainWindowLooks : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { installLanguage(u"en"_s); }
+    void init() { test::failOnWarnings(); }
+
+    void languageChangesAndComesBack()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.workspace.selection().set({"berg-2"});
+        w.trigger(u"icebergTool"_s);
+        w.click(w.pixelOf(Point(2500, 2000)));
+        QVERIFY(w.untilReady());
+        w.trigger(u"stepAction"_s);
+        QVERIFY(w.until(RunPhase::Paused));
+        const Scenario scenario = w.scenario();
+        const auto ids = w.workspace.selection().ids();
+        const std::uint64_t flight = w.record().now.generation;
+        QTest::qWait(100); // charts are drawn a moment after the picture
+        const QStringList english = fixedTexts(w.window());
+        const QSize size = w.window().size();
+
+        const MainWindow* before = &w.window();
+        w.trigger(u"view/language-nb"_s);
+        QVERIFY(w.until([&] { return &w.window() != before; }));
+        const QStringList norwegian = fixedTexts(w.window());
+        QCOMPARE(norwegian.size(), english.size());
+        qsizetype same = 0;
+        for (qsizetype i = 0; i < english.size(); ++i)
+            same += norwegian[i] == english[i] ? 1 : 0;
+        QVERIFY2(same < english.size() / 2, QByteArray::number(same).constData());
+
+        for (const QString& language : {u"en"_s, u"nb"_s, u"en"_s}) {
+            const QPointer<MainWindow> last(&w.window()); // addresses come back, guards do not
+            w.trigger(u"view/language-"_s + language);
+            QVERIFY(w.until([&] { return last.isNull() || language == u"nb"_s; }));
+        }
+        QVERIFY(w.until([&] { return fixedTexts(w.window()) == english; }));
+        QVERIFY(w.scenario() == scenario);
+        QCOMPARE(w.workspace.selection().ids(), ids);
+        QCOMPARE(w.record().now.generation, flight);
+        QVERIFY(w.workspace.inFlight());
+        QVERIFY(!w.action(u"icebergTool"_s).isEnabled());
+        QVERIFY(w.window().isVisible());
+        QCOMPARE(w.window().size(), size);
+        QVERIFY(w.action(u"view/language-en"_s).isChecked());
+        QCOMPARE(w.document().undoStack()->count(), 1);
+    }
+
+    /** What the user has set in the window itself is there in the next one as well. */
+    void languageKeepsViewAndRate()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.map().zoomBy(2, {100, 100});
+        const double scale_pxpm = w.map().view().scale_pxpm();
+        QTest::keyClick(&w.map(), Qt::Key_BracketRight);
+        const double rate =
+            test::child<QComboBox>(w.window(), u"rateCombo"_s).currentData().toDouble();
+        const MainWindow* before = &w.window();
+        w.trigger(u"view/language-nb"_s);
+        QVERIFY(w.until([&] { return &w.window() != before; }));
+        QCOMPARE(test::child<QComboBox>(w.window(), u"rateCombo"_s).currentData().toDouble(), rate);
+        QCOMPARE(w.map().view().scale_pxpm(), scale_pxpm);
+    }
+
+    void themeLeavesNothingBehind_data()
+    {
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<bool>("isDark");
+        QTest::newRow("light to dark") << u"1"_s << u"2"_s << true;
+        QTest::newRow("dark to light") << u"2"_s << u"1"_s << false;
+    }
+
+    /** A window whose appearance was changed looks like one that came up with it. */
+    void themeLeavesNothingBehind()
+    {
+        QFETCH(QString, from);
+        QFETCH(QString, to);
+        QFETCH(bool, isDark);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.workspace.selection().set({"berg-2"});
+        w.trigger(u"stepAction"_s);
+        QVERIFY(w.until(RunPhase::Paused));
+        const Scenario scenario = w.scenario();
+        w.trigger(u"view/appearance-"_s + from);
+        QVERIFY(w.action(u"view/appearance-"_s + from).isChecked());
+        QTest::qWait(50); // drawn
+        w.trigger(u"view/appearance-"_s + to);
+
+        MainWindow fresh(w.workspace, w.interaction, w.settings);
+        fresh.resize(w.window().size());
+        fresh.show();
+        w.window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&w.window()));
+        QTest::qWait(300); // charts and map have settled
+        const QString difference = paletteDifference(w.window(), fresh);
+        QVERIFY2(difference.isEmpty(), qPrintable(difference));
+        for (const QWidget* widget : visibleWidgets(w.window())) {
+            const QColor window = widget->palette().color(QPalette::Window);
+            QVERIFY2((relativeLuminance(window) < 0.2) == isDark, qPrintable(nameOf(*widget)));
+        }
+        QVERIFY(w.scenario() == scenario);
+        QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{"berg-2"});
+        QVERIFY(w.workspace.inFlight());
+    }
+
+    void appearanceIsChosenAndKept()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(w.action(u"view/appearance-0"_s).isChecked()); // like the system, at first
+        w.trigger(u"view/appearance-2"_s);
+        const MainWindow next(w.workspace, w.interaction, w.settings);
+        QVERIFY(next.findChild<QAction*>(u"view/appearance-2"_s)->isChecked());
+        QVERIFY(relativeLuminance(next.palette().color(QPalette::Window)) < 0.2);
+        w.trigger(u"view/appearance-1"_s);
+    }
+
+    void fitsTheDesignSize_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("longer"); // percent
+        QTest::newRow("English") << u"en"_s << 0;
+        QTest::newRow("Norwegian") << u"nb"_s << 0;
+        QTest::newRow("40 % longer") << u"en"_s << 40;
+    }
+
+    /** Planned, with things in the inspector and in flight: nothing is cut. */
+    void fitsTheDesignSize()
+    {
+        QFETCH(QString, language);
+        QFETCH(int, longer);
+        installLanguage(language);
+        const auto restore = qScopeGuard([] { installLanguage(u"en"_s); });
+        std::unique_ptr<test::LongerTexts> texts;
+        if (longer > 0)
+            texts = std::make_unique<test::LongerTexts>(longer);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const auto check = [&](const char* state) {
+            QTest::qWait(50); // laid out
+            const QSize least = w.window().minimumSizeHint();
+            if (least.width() > 1280 || least.height() > 800)
+                return u"%1: at least %2 x %3\n"_s.arg(QString::fromLatin1(state))
+                    .arg(least.width())
+                    .arg(least.height());
+            if (w.window().size() != QSize(1280, 800))
+                return QString::fromLatin1(state) + u": another size\n"_s;
+            const QStringList cut = clipped(w.window());
+            return cut.isEmpty() ? QString()
+                                 : QString::fromLatin1(state) + u": "_s + cut.join(u'\n') + u'\n';
+        };
+        QString faults = check("planned");
+        w.window().findChild<QDockWidget*>(u"inspectorDock"_s)->raise();
+        faults += check("scenario");
+        w.workspace.selection().set({"berg-2"});
+        faults += check("iceberg");
+        w.workspace.selection().set({"uav-1"});
+        faults += check("UAV");
+        w.trigger(u"stepAction"_s);
+        QVERIFY(w.until(RunPhase::Paused));
+        faults += check("in flight");
+        QVERIFY2(faults.isEmpty(), qPrintable(faults));
+    }
+
+    /** What is wrong, however long, neither widens the window nor is cut without a mark. */
+    void longErrorFitsTheStatusBar()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        Scenario wrong = w.scenario();
+        wrong.name = std::string(150, 'x');
+        wrong.uavs[0].spec.airspeed_mps = -1;
+        w.document().reset(wrong);
+        QVERIFY(w.until(RunPhase::Failed));
+        QTest::qWait(50); // laid out
+        QCOMPARE(w.window().size(), QSize(1280, 800));
+        QVERIFY(w.window().minimumSizeHint().width() <= 1280);
+        QCOMPARE(clipped(w.window()), QStringList());
+    }
+
+    /** Every tool and command of the tool bar is in sight. */
+    void toolBarIsWhole()
+    {
+        const test::LongerTexts longer(40);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        for (const QToolButton* button : w.window().findChildren<QToolButton*>())
+            if (button->objectName() == u"qt_toolbar_ext_button"_s)
+                QVERIFY(!button->isVisible());
+    }
+
+    void layoutComesBack()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const QSize map = w.map().size();
+        auto* plan = w.window().findChild<QDockWidget*>(u"planDock"_s);
+        auto* zeta = w.window().findChild<QDockWidget*>(u"zetaDock"_s);
+        plan->close();
+        w.window().addDockWidget(Qt::LeftDockWidgetArea, zeta);
+        w.trigger(u"resetLayoutAction"_s);
+        QVERIFY(plan->isVisible());
+        QCOMPARE(w.window().dockWidgetArea(zeta), Qt::BottomDockWidgetArea);
+        QVERIFY(w.until([&] { return w.map().size() == map; }));
+    }
+};
+
+QTEST_MAIN(TestMainWindowLooks)
+#include "tst_main_window_looks.moc"
