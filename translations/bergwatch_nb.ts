@@ -2,13 +2,161 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nb_NO">
 <context>
+    <name>ComparedRunText</name>
+    <message>
+        <source>τ %1</source>
+        <translation>τ %1</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Korteste vei</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>Nearest first</source>
+        <translation>Nærmeste først</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Mest usikre først</translation>
+    </message>
+    <message>
+        <source>Least waiting</source>
+        <translation>Minst venting</translation>
+    </message>
+    <message>
+        <source>Best coverage</source>
+        <translation>Best dekning</translation>
+    </message>
+    <message>
+        <source>%1, changed in flight, to %2</source>
+        <translation>%1, endret under flyging, til %2</translation>
+    </message>
+    <message>
+        <source>%1, changed in flight</source>
+        <translation>%1, endret under flyging</translation>
+    </message>
+    <message>
+        <source>%1, to %2</source>
+        <translation>%1, til %2</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonChartText</name>
+    <message>
+        <source>The same ζ</source>
+        <translation>Samme ζ</translation>
+    </message>
+    <message>
+        <source>%1 ahead by %2 %</source>
+        <translation>%1 leder med %2 %</translation>
+    </message>
+    <message>
+        <source>%1 and %2: the same ζ</source>
+        <translation>%1 og %2: samme ζ</translation>
+    </message>
+    <message>
+        <source>%1 is ahead: %2 has %3 % more ζ</source>
+        <translation>%1 leder: %2 har %3 % mer ζ</translation>
+    </message>
+    <message>
+        <source>%1 is ahead: it has %3 % less ζ than %2</source>
+        <translation>%1 leder: den har %3 % mindre ζ enn %2</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonText</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zeta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty, Eq. (24): less is better.</source>
+        <translation>Samlet usikkerhet, ligning (24): mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>Mean Σσ, m²</source>
+        <translation>Middel Σσ, m²</translation>
+    </message>
+    <message>
+        <source>Zeta over time: how uncertain all icebergs were together on average.</source>
+        <translation>Zeta over tid: hvor usikre alle isfjell var til sammen i gjennomsnitt.</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøk</translation>
+    </message>
+    <message>
+        <source>Icebergs reached that were flown to.</source>
+        <translation>Isfjell nådd som det ble fløyet til.</translation>
+    </message>
+    <message>
+        <source>Plans</source>
+        <translation>Planer</translation>
+    </message>
+    <message>
+        <source>Times the visiting order was planned.</source>
+        <translation>Ganger besøksrekkefølgen ble planlagt.</translation>
+    </message>
+    <message>
+        <source>Flown, km</source>
+        <translation>Fløyet, km</translation>
+    </message>
+    <message>
+        <source>Distance flown through the air.</source>
+        <translation>Avstand fløyet gjennom luften.</translation>
+    </message>
+    <message>
+        <source>Unseen up to</source>
+        <translation>Usett opptil</translation>
+    </message>
+    <message>
+        <source>Longest time for which an iceberg was out of view.</source>
+        <translation>Lengste tid et isfjell var ute av syne.</translation>
+    </message>
+    <message>
+        <source>which was</source>
+        <translation>det var</translation>
+    </message>
+    <message>
+        <source>The iceberg that was out of view for the longest time.</source>
+        <translation>Isfjellet som var ute av syne lengst.</translation>
+    </message>
+    <message>
+        <source>Unseen for %1 in all in A.</source>
+        <translation>Usett i %1 til sammen i A.</translation>
+    </message>
+</context>
+<context>
+    <name>CurveText</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>τ %1: %2, proven optimal</source>
+        <translation>τ %1: %2, bevist optimal</translation>
+    </message>
+    <message>
+        <source>τ %1: %2, not proven</source>
+        <translation>τ %1: %2, ikke bevist</translation>
+    </message>
+</context>
+<context>
     <name>Dialogs</name>
     <message>
         <source>Unsaved changes</source>
         <translation>Ulagrede endringer</translation>
     </message>
     <message>
-        <source>Save the changes to "%1"?</source>
+        <source>Save the changes to &quot;%1&quot;?</source>
         <translation>Lagre endringene i «%1»?</translation>
     </message>
     <message>
@@ -74,7 +222,7 @@
         <translation>Filen kan ikke skrives. Kontroller at mappen finnes, at du har lov til å skrive der, og at disken ikke er full.</translation>
     </message>
     <message>
-        <source>The file is too large to be one of Bergwatch's.</source>
+        <source>The file is too large to be one of Bergwatch&apos;s.</source>
         <translation>Filen er for stor til å være en fil fra Bergwatch.</translation>
     </message>
     <message>
@@ -131,6 +279,30 @@
     <message>
         <source>Trade-off or policy changed</source>
         <translation>Avveining eller strategi endret</translation>
+    </message>
+    <message>
+        <source>take-off</source>
+        <translation>avgang</translation>
+    </message>
+    <message>
+        <source>iceberg reached</source>
+        <translation>isfjell nådd</translation>
+    </message>
+    <message>
+        <source>iceberg out of view again</source>
+        <translation>isfjell ute av syne igjen</translation>
+    </message>
+    <message>
+        <source>new iceberg</source>
+        <translation>nytt isfjell</translation>
+    </message>
+    <message>
+        <source>changed in flight</source>
+        <translation>endret under flyging</translation>
+    </message>
+    <message>
+        <source>%1 reported seen</source>
+        <translation>%1 meldt sett</translation>
     </message>
 </context>
 <context>
@@ -245,7 +417,7 @@
         <translation>Øst</translation>
     </message>
     <message>
-        <source>Position at the start, east of the scenario's origin.</source>
+        <source>Position at the start, east of the scenario&apos;s origin.</source>
         <translation>Posisjon ved start, øst for scenarioets origo.</translation>
     </message>
     <message>
@@ -253,7 +425,7 @@
         <translation>Nord</translation>
     </message>
     <message>
-        <source>Position at the start, north of the scenario's origin.</source>
+        <source>Position at the start, north of the scenario&apos;s origin.</source>
         <translation>Posisjon ved start, nord for scenarioets origo.</translation>
     </message>
     <message>
@@ -524,11 +696,11 @@
         <translation>tema</translation>
     </message>
     <message>
-        <source>--size: "%1" is not a size like 1920x1080 with sides from %2 to %3 pixels.</source>
+        <source>--size: &quot;%1&quot; is not a size like 1920x1080 with sides from %2 to %3 pixels.</source>
         <translation>--size: «%1» er ikke en størrelse som 1920x1080 med sider fra %2 til %3 piksler.</translation>
     </message>
     <message>
-        <source>--theme: "%1" is not light, dark or both.</source>
+        <source>--theme: &quot;%1&quot; is not light, dark or both.</source>
         <translation>--theme: «%1» er ikke light, dark eller both.</translation>
     </message>
     <message>
@@ -572,15 +744,15 @@
         <translation>Lagre innstillinger i &lt;fil&gt; i stedet for dine egne.</translation>
     </message>
     <message>
-        <source>--size: "%1" is not a size like 1920x1080.</source>
+        <source>--size: &quot;%1&quot; is not a size like 1920x1080.</source>
         <translation>--size: «%1» er ikke en størrelse som 1920x1080.</translation>
     </message>
     <message>
-        <source>--theme: "%1" is not light or dark.</source>
+        <source>--theme: &quot;%1&quot; is not light or dark.</source>
         <translation>--theme: «%1» er verken light eller dark.</translation>
     </message>
     <message>
-        <source>--at: "%1" is not a number of seconds.</source>
+        <source>--at: &quot;%1&quot; is not a number of seconds.</source>
         <translation>--at: «%1» er ikke et antall sekunder.</translation>
     </message>
     <message>
@@ -617,6 +789,10 @@
     <message>
         <source>Still to come, with its time</source>
         <translation>Kommer senere, med tidspunkt</translation>
+    </message>
+    <message>
+        <source>Compared: %1</source>
+        <translation>Sammenlignet: %1</translation>
     </message>
 </context>
 <context>
@@ -667,10 +843,6 @@
         <translation>isfjell nådd</translation>
     </message>
     <message>
-        <source>Nothing flown yet</source>
-        <translation>Ingenting fløyet ennå</translation>
-    </message>
-    <message>
         <source>Uncertainty now and accumulated</source>
         <translation>Usikkerhet nå og oppsamlet</translation>
     </message>
@@ -697,6 +869,125 @@
     <message>
         <source>σ, m²</source>
         <translation>σ, m²</translation>
+    </message>
+    <message>
+        <source>Nothing flown yet: Space flies the plan</source>
+        <translation>Ingenting fløyet ennå: mellomrom flyr planen</translation>
+    </message>
+    <message>
+        <source>m²</source>
+        <translation>m²</translation>
+    </message>
+    <message>
+        <source>m² s</source>
+        <translation>m² s</translation>
+    </message>
+    <message>
+        <source>Zeta</source>
+        <translation>Zeta-kurve</translation>
+    </message>
+    <message>
+        <source>At %1 zeta is %2 m² s and the sum of σ %3 m².</source>
+        <translation>Ved %1 er zeta %2 m² s og summen av σ %3 m².</translation>
+    </message>
+    <message>
+        <source>Rate of zeta, now and on average</source>
+        <translation>Zetas vekst, nå og i gjennomsnitt</translation>
+    </message>
+    <message>
+        <source>Sum of σ = dζ/dt, m²</source>
+        <translation>Sum av σ = dζ/dt, m²</translation>
+    </message>
+    <message>
+        <source>Mean since take-off</source>
+        <translation>Middel siden avgang</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Middel</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nå</translation>
+    </message>
+    <message>
+        <source>At %1 zeta grows by %2 m² s each second, since take-off by %3 on average.</source>
+        <translation>Ved %1 vokser zeta med %2 m² s hvert sekund, siden avgang med %3 i gjennomsnitt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At %1 the most uncertain iceberg is %2 with σ %3 m²; %n in view.</source>
+        <translation>
+            <numerusform>Ved %1 er %2 det mest usikre isfjellet med σ %3 m²; %n i synsfeltet.</numerusform>
+            <numerusform>Ved %1 er %2 det mest usikre isfjellet med σ %3 m²; %n i synsfeltet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Distance flown</source>
+        <translation>Fløyet avstand</translation>
+    </message>
+    <message>
+        <source>Distance through the air, km</source>
+        <translation>Avstand gjennom luften, km</translation>
+    </message>
+    <message>
+        <source>Flown</source>
+        <translation>Fløyet</translation>
+    </message>
+    <message>
+        <source>km</source>
+        <translation>km</translation>
+    </message>
+    <message>
+        <source>At %1 %2 are flown.</source>
+        <translation>Ved %1 er %2 fløyet.</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Svinghastighet</translation>
+    </message>
+    <message>
+        <source>Turn rate, °/s, positive to the left</source>
+        <translation>Svinghastighet, °/s, positiv mot venstre</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>Limit %1 °/s</source>
+        <translation>Grense %1 °/s</translation>
+    </message>
+    <message>
+        <source>At %1 the turn rate is %2 °/s; the limit is %3 °/s.</source>
+        <translation>Ved %1 er svinghastigheten %2 °/s; grensen er %3 °/s.</translation>
+    </message>
+    <message>
+        <source>Cross-track error</source>
+        <translation>Avvik fra etappen</translation>
+    </message>
+    <message>
+        <source>Cross-track error, m, positive to the left</source>
+        <translation>Avvik fra etappen, m, positivt mot venstre</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>At %1 the cross-track error is %2 m.</source>
+        <translation>Ved %1 er avviket fra etappen %2 m.</translation>
+    </message>
+    <message>
+        <source>Zeta and sum of σ</source>
+        <translation>Zeta og sum av σ</translation>
+    </message>
+    <message>
+        <source>Rate of zeta</source>
+        <translation>Zetas vekst</translation>
+    </message>
+    <message>
+        <source>σ of each iceberg</source>
+        <translation>σ for hvert isfjell</translation>
     </message>
 </context>
 <context>
@@ -999,6 +1290,49 @@
     </message>
 </context>
 <context>
+    <name>SolveTimeText</name>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>CPLEX, average (paper)</source>
+        <translation>CPLEX, gjennomsnitt (artikkelen)</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Eksakt</translation>
+    </message>
+    <message>
+        <source>Local search</source>
+        <translation>Lokalsøk</translation>
+    </message>
+    <message>
+        <source>CBC, by position</source>
+        <translation>CBC, etter plass</translation>
+    </message>
+    <message>
+        <source>CBC, as printed</source>
+        <translation>CBC, som trykt</translation>
+    </message>
+    <message>
+        <source>CBC, reduced</source>
+        <translation>CBC, redusert</translation>
+    </message>
+</context>
+<context>
     <name>TimeChartText</name>
     <message>
         <source>Time, h:mm:ss</source>
@@ -1007,6 +1341,359 @@
     <message>
         <source>Time, mm:ss</source>
         <translation>Tid, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>berg::BenchmarkRunner</name>
+    <message>
+        <source>There is not enough memory for problems of this size.</source>
+        <translation>Det er ikke nok minne til problemer av denne størrelsen.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ChartPanel</name>
+    <message>
+        <source>Chart</source>
+        <translation>Kurver</translation>
+    </message>
+    <message>
+        <source>What is shown over time</source>
+        <translation>Hva som vises over tid</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linjer</translation>
+    </message>
+    <message>
+        <source>Which lines are shown</source>
+        <translation>Hvilke linjer som vises</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Følg</translation>
+    </message>
+    <message>
+        <source>Keep the newest minutes in view (End). The wheel zooms, the right button drags.</source>
+        <translation>Hold de nyeste minuttene i synsfeltet (End). Hjulet zoomer, høyre knapp drar.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Show everything from take-off on (Home, or a double click)</source>
+        <translation>Vis alt fra avgang (Home, eller dobbeltklikk)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Eksporter …</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture (PNG, SVG, PDF) or its numbers as CSV</source>
+        <translation>Lagre kurvene som bilde (PNG, SVG, PDF) eller tallene som CSV</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Vis alle</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-bilde (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-tegning (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF page (*.pdf)</source>
+        <translation>PDF-side (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Table of numbers (*.csv)</source>
+        <translation>Talltabell (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonChart</name>
+    <message>
+        <source>Accumulated uncertainty of two runs</source>
+        <translation>Samlet usikkerhet for to flyginger</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zeta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Two runs of the same scenario are compared here.</source>
+        <translation>Her sammenlignes to flyginger av samme scenario.</translation>
+    </message>
+    <message>
+        <source>%1.
+Less ζ is better. Plain shade: A, %2, has less. Hatched: B, %3, has less.</source>
+        <translation>%1.
+Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.</translation>
+    </message>
+    <message>
+        <source>Time, h:mm:ss</source>
+        <translation>Tid, t:mm:ss</translation>
+    </message>
+    <message>
+        <source>Time, mm:ss</source>
+        <translation>Tid, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonPanel</name>
+    <message>
+        <source>Figures of the two runs</source>
+        <translation>Tall for de to flygingene</translation>
+    </message>
+    <message>
+        <source>Longest time unseen</source>
+        <translation>Lengste tid usett</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Tall</translation>
+    </message>
+    <message>
+        <source>Unseen</source>
+        <translation>Usett</translation>
+    </message>
+    <message>
+        <source>Longest time for which each iceberg was out of view.</source>
+        <translation>Lengste tid hvert isfjell var ute av syne.</translation>
+    </message>
+    <message>
+        <source>Compare with the travelling-salesman tour</source>
+        <translation>Sammenlign med handelsreisendes rundtur</translation>
+    </message>
+    <message>
+        <source>Progress of the flight in the background</source>
+        <translation>Framdrift for flygingen i bakgrunnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>τ</source>
+        <translation>τ</translation>
+    </message>
+    <message>
+        <source>Trade-off τ to be flown</source>
+        <translation>Avveining τ som skal flys</translation>
+    </message>
+    <message>
+        <source>0: most uncertain first; the larger, the shorter the way.</source>
+        <translation>0: mest usikre først; jo større, desto kortere vei.</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Fly av sted</translation>
+    </message>
+    <message>
+        <source>Flies the same scenario with this τ in the background.</source>
+        <translation>Flyr samme scenario med denne τ i bakgrunnen.</translation>
+    </message>
+    <message>
+        <source>Open run…</source>
+        <translation>Åpne flyging …</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Takes the chosen run off the list.</source>
+        <translation>Tar den valgte flygingen ut av listen.</translation>
+    </message>
+    <message>
+        <source>Flying %1: %2 of %3</source>
+        <translation>Flyr %1: %2 av %3</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Åpner %1</translation>
+    </message>
+    <message>
+        <source>The reference A is the tour itself: choose another one as A.</source>
+        <translation>Referansen A er selve rundturen: velg en annen som A.</translation>
+    </message>
+    <message>
+        <source>Flies the same scenario along the shortest closed tour through all icebergs, as in Figure 5 of the paper, in the background.</source>
+        <translation>Flyr samme scenario langs den korteste rundturen gjennom alle isfjell, som i artikkelens figur 5, i bakgrunnen.</translation>
+    </message>
+    <message>
+        <source>Compare with the tour</source>
+        <translation>Sammenlign med rundturen</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ComparisonTable</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+</context>
+<context>
+    <name>berg::EventModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Hendelse</translation>
+    </message>
+    <message>
+        <source>How it was planned</source>
+        <translation>Hvordan det ble planlagt</translation>
+    </message>
+    <message>
+        <source>warm start</source>
+        <translation>varmstart</translation>
+    </message>
+    <message>
+        <source>last plan kept</source>
+        <translation>forrige plan beholdt</translation>
+    </message>
+</context>
+<context>
+    <name>berg::EventPanel</name>
+    <message>
+        <source>Events of the mission</source>
+        <translation>Oppdragets hendelser</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExportDialog</name>
+    <message>
+        <source>Maps (QGIS)</source>
+        <translation>Kart (QGIS)</translation>
+    </message>
+    <message>
+        <source>GeoJSON with icebergs, UAV and planned legs as layers, WGS 84 longitude and latitude.</source>
+        <translation>GeoJSON med isfjell, UAV og planlagte etapper som lag, lengde og bredde i WGS 84.</translation>
+    </message>
+    <message>
+        <source>GeoJSON with icebergs, UAV and the track that was flown, WGS 84 longitude and latitude.</source>
+        <translation>GeoJSON med isfjell, UAV og sporet som ble fløyet, lengde og bredde i WGS 84.</translation>
+    </message>
+    <message>
+        <source>Spreadsheets</source>
+        <translation>Regneark</translation>
+    </message>
+    <message>
+        <source>Table (.csv) of the planned order: leg, distance, arrival and uncertainty of each iceberg. Decimal points, UTF-8.</source>
+        <translation>Tabell (.csv) over planlagt rekkefølge: etappe, avstand, ankomst og usikkerhet for hvert isfjell. Desimalpunktum, UTF-8.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksporter</translation>
+    </message>
+    <message>
+        <source>Tool that reads the file</source>
+        <translation>Programmet som leser filen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fil</translation>
+    </message>
+    <message>
+        <source>&amp;Browse...</source>
+        <translation>&amp;Bla gjennom …</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Erstatt</translation>
+    </message>
+    <message>
+        <source>Name the file.</source>
+        <translation>Gi filen et navn.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Mappen %1 finnes ikke.</translation>
+    </message>
+    <message>
+        <source>The file exists and will be replaced.</source>
+        <translation>Filen finnes og blir erstattet.</translation>
+    </message>
+    <message>
+        <source>Goes to %1</source>
+        <translation>Lagres i %1</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Eksporter til</translation>
+    </message>
+    <message>
+        <source>Mission plan (.plan): one waypoint for each iceberg in the planned order, then a loiter; home, speed and altitude. Also read by Mission Planner and MAVSDK.</source>
+        <translation>Oppdragsplan (.plan): ett veipunkt for hvert isfjell i planlagt rekkefølge, deretter sirkling; hjem, fart og høyde. Leses også av Mission Planner og MAVSDK.</translation>
+    </message>
+    <message>
+        <source>Mission plan (.plan): one waypoint for each iceberg in the order they were reached, then a loiter. Also read by Mission Planner and MAVSDK.</source>
+        <translation>Oppdragsplan (.plan): ett veipunkt for hvert isfjell i rekkefølgen de ble nådd, deretter sirkling. Leses også av Mission Planner og MAVSDK.</translation>
+    </message>
+    <message>
+        <source>Waypoint list (.waypoints, QGC WPL 110) of the planned order, its first row home, for Mission Planner and MAVProxy.</source>
+        <translation>Veipunktliste (.waypoints, QGC WPL 110) for planlagt rekkefølge, med hjem som første rad, for Mission Planner og MAVProxy.</translation>
+    </message>
+    <message>
+        <source>Waypoint list (.waypoints, QGC WPL 110) of the icebergs in the order they were reached, its first row home.</source>
+        <translation>Veipunktliste (.waypoints, QGC WPL 110) over isfjellene i rekkefølgen de ble nådd, med hjem som første rad.</translation>
+    </message>
+    <message>
+        <source>Table (.csv) of the flown track: time, position, heading, turn rate and cross-track error at each sample. Decimal points, UTF-8.</source>
+        <translation>Tabell (.csv) over sporet som ble fløyet: tid, posisjon, kurs, svinghastighet og avvik fra etappen ved hver prøve. Desimalpunktum, UTF-8.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightBanner</name>
+    <message>
+        <source>Stop and edit</source>
+        <translation>Stopp og rediger</translation>
+    </message>
+    <message>
+        <source>Ends the flight and goes back to the start, where everything can be edited.</source>
+        <translation>Avslutter flygingen og går tilbake til start, der alt kan redigeres.</translation>
+    </message>
+    <message>
+        <source>Fly on from here</source>
+        <translation>Fly videre herfra</translation>
+    </message>
+    <message>
+        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another way flown.</source>
+        <translation>Forkaster det som ble fløyet etter dette øyeblikket. Herfra kan avveining og strategi endres og en annen vei flys.</translation>
+    </message>
+    <message>
+        <source>Newest</source>
+        <translation>Nyeste</translation>
+    </message>
+    <message>
+        <source>Back to the end of what is flown.</source>
+        <translation>Tilbake til slutten av det som er fløyet.</translation>
+    </message>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>Ser tilbake på %1</translation>
+    </message>
+    <message>
+        <source>Scenario locked in flight</source>
+        <translation>Scenarioet er låst under flyging</translation>
+    </message>
+    <message>
+        <source>τ and policy can be changed while flying; the plan follows at once.</source>
+        <translation>τ og strategi kan endres under flyging; planen følger med straks.</translation>
     </message>
 </context>
 <context>
@@ -1080,7 +1767,7 @@
         <translation>Et isfjell må ha en id.</translation>
     </message>
     <message>
-        <source>The id "%1" is taken. Every iceberg and UAV needs one of its own.</source>
+        <source>The id &quot;%1&quot; is taken. Every iceberg and UAV needs one of its own.</source>
         <translation>Id-en «%1» er opptatt. Hvert isfjell og hver UAV må ha sin egen.</translation>
     </message>
     <message>
@@ -1099,18 +1786,6 @@
         <translation>Klar: mellomrom starter flygingen</translation>
     </message>
     <message>
-        <source>Flying: the scenario is locked, tau and policy are not</source>
-        <translation>Flyr: scenarioet er låst, men ikke tau og strategi</translation>
-    </message>
-    <message>
-        <source>Paused: reset to edit the scenario</source>
-        <translation>Pause: tilbakestill for å redigere scenarioet</translation>
-    </message>
-    <message>
-        <source>Flown to the end: reset to edit the scenario</source>
-        <translation>Fløyet til slutten: tilbakestill for å redigere scenarioet</translation>
-    </message>
-    <message>
         <source>Cannot be planned: %1</source>
         <translation>Kan ikke planlegges: %1</translation>
     </message>
@@ -1125,14 +1800,6 @@
     <message>
         <source>Inspector</source>
         <translation>Egenskaper</translation>
-    </message>
-    <message>
-        <source>Zeta</source>
-        <translation>Zeta-kurve</translation>
-    </message>
-    <message>
-        <source>Sigma</source>
-        <translation>Sigma-kurver</translation>
     </message>
     <message>
         <source>Events</source>
@@ -1168,7 +1835,7 @@
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation>Åpne &amp;nylige</translation>
+        <translation>Åpne n&amp;ylige</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -1208,7 +1875,7 @@
     </message>
     <message>
         <source>Select &amp;all icebergs</source>
-        <translation>Velg &amp;alle isfjell</translation>
+        <translation>&amp;Velg alle isfjell</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -1217,10 +1884,6 @@
     <message>
         <source>&amp;Fit everything</source>
         <translation>&amp;Tilpass alt</translation>
-    </message>
-    <message>
-        <source>Fo&amp;llow the UAV</source>
-        <translation>&amp;Følg UAV-en</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
@@ -1240,11 +1903,11 @@
     </message>
     <message>
         <source>F&amp;ull screen</source>
-        <translation>F&amp;ullskjerm</translation>
+        <translation>Fulls&amp;kjerm</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
-        <translation>&amp;Utseende</translation>
+        <translation>Utsee&amp;nde</translation>
     </message>
     <message>
         <source>Like the system</source>
@@ -1375,16 +2038,104 @@
         <translation>Flyginger (*.bergrun);;Alle filer (*)</translation>
     </message>
     <message>
-        <source>The ending of the file name says the format: .plan, .waypoints, .geojson or .csv; "%1" is none of them.</source>
-        <translation>Filendelsen bestemmer formatet: .plan, .waypoints, .geojson eller .csv; «%1» er ingen av dem.</translation>
-    </message>
-    <message>
         <source>Exported %1</source>
         <translation>Eksportert til %1</translation>
     </message>
     <message>
         <source>No files yet</source>
         <translation>Ingen filer ennå</translation>
+    </message>
+    <message>
+        <source>Flying</source>
+        <translation>Flyr</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Flown to the end</source>
+        <translation>Fløyet til slutten</translation>
+    </message>
+    <message>
+        <source>Trade-offs</source>
+        <translation>Avveininger</translation>
+    </message>
+    <message>
+        <source>Solve time</source>
+        <translation>Løsningstid</translation>
+    </message>
+    <message>
+        <source>Follo&amp;w the UAV</source>
+        <translation>&amp;Følg UAV-en</translation>
+    </message>
+    <message>
+        <source>&amp;Solve time study</source>
+        <translation>&amp;Løsningstider</translation>
+    </message>
+    <message>
+        <source>Plan with a s&amp;horter way</source>
+        <translation>Plan med &amp;kortere vei</translation>
+    </message>
+    <message>
+        <source>Step &amp;back one second</source>
+        <translation>Steg til&amp;bake ett sekund</translation>
+    </message>
+    <message>
+        <source>Step one &amp;tick</source>
+        <translation>Steg på ett ti&amp;dsskritt</translation>
+    </message>
+    <message>
+        <source>Step back one t&amp;ick</source>
+        <translation>Steg tilbake ett t&amp;idsskritt</translation>
+    </message>
+    <message>
+        <source>&amp;Next event</source>
+        <translation>&amp;Neste hendelse</translation>
+    </message>
+    <message>
+        <source>&amp;Previous event</source>
+        <translation>F&amp;orrige hendelse</translation>
+    </message>
+    <message>
+        <source>&amp;Go to time</source>
+        <translation>&amp;Gå til tid</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Plan with more un&amp;certain ones first</source>
+        <translation>Plan med flere &amp;usikre først</translation>
+    </message>
+    <message>
+        <source>Report as seen no&amp;w</source>
+        <translation>&amp;Meld som sett nå</translation>
+    </message>
+    <message>
+        <source>Newest pict&amp;ure</source>
+        <translation>N&amp;yeste bilde</translation>
+    </message>
+    <message>
+        <source>Scenarios and runs (*.berg *.bergrun);;All files (*)</source>
+        <translation>Scenarioer og flyginger (*.berg *.bergrun);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Planen lages fortsatt.</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Kurver</translation>
+    </message>
+    <message>
+        <source>Second chart</source>
+        <translation>Flere kurver</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Sammenligning</translation>
     </message>
 </context>
 <context>
@@ -1425,10 +2176,68 @@
     </message>
 </context>
 <context>
+    <name>berg::MissionWorker</name>
+    <message>
+        <source>The run has ended. Reset it to fly it in another way.</source>
+        <translation>Flygingen er slutt. Tilbakestill den for å fly på en annen måte.</translation>
+    </message>
+    <message>
+        <source>There is no run to save: the scenario cannot be planned.</source>
+        <translation>Det er ingen flyging å lagre: scenarioet kan ikke planlegges.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export: the scenario cannot be planned.</source>
+        <translation>Det er ingen plan å eksportere: scenarioet kan ikke planlegges.</translation>
+    </message>
+    <message>
+        <source>Flown again, this run comes out differently: %1, %2</source>
+        <translation>Fløyet på nytt blir denne flygingen annerledes: %1, %2</translation>
+    </message>
+</context>
+<context>
     <name>berg::NumberField</name>
     <message>
         <source>mixed</source>
         <translation>ulike</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ParetoChart</name>
+    <message>
+        <source>Distance against uncertainty reward</source>
+        <translation>Avstand mot usikkerhetsgevinst</translation>
+    </message>
+    <message>
+        <source>No icebergs to plan for</source>
+        <translation>Ingen isfjell å planlegge for</translation>
+    </message>
+    <message>
+        <source>Computing the plans for every τ</source>
+        <translation>Beregner planene for alle τ</translation>
+    </message>
+    <message>
+        <source>Distance, km</source>
+        <translation>Avstand, km</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>Uncertainty reward, m²</source>
+        <translation>Usikkerhetsgevinst, m²</translation>
+    </message>
+    <message>
+        <source>Reward, m²</source>
+        <translation>Gevinst, m²</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Mest usikre først</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Korteste vei</translation>
     </message>
 </context>
 <context>
@@ -1440,10 +2249,6 @@
     <message>
         <source>%1 (id %2)</source>
         <translation>%1 (id-en er %2)</translation>
-    </message>
-    <message>
-        <source>σ is %1 m² now, a standard deviation of %2 m</source>
-        <translation>σ er %1 m² nå, et standardavvik på %2 m</translation>
     </message>
     <message>
         <source>Place in the visiting order</source>
@@ -1477,6 +2282,18 @@
         <source>Uncertainty of the position now</source>
         <translation>Posisjonens usikkerhet nå</translation>
     </message>
+    <message>
+        <source>σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the iceberg is not seen before</source>
+        <translation>σ er %1 m² nå, et standardavvik på %2 m; ved ankomst er den %3 m², hvis isfjellet ikke er sett før</translation>
+    </message>
+    <message>
+        <source>σ at arrival</source>
+        <translation>σ ved ankomst</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position when the UAV is there, m²</source>
+        <translation>Posisjonens usikkerhet når UAV-en er der, m²</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanPanel</name>
@@ -1487,6 +2304,18 @@
     <message>
         <source>Plan: icebergs in visiting order</source>
         <translation>Plan: isfjell i besøksrekkefølge</translation>
+    </message>
+    <message>
+        <source>%1, flown %2</source>
+        <translation>%1, fløyet %2</translation>
+    </message>
+    <message>
+        <source>+%1 against the plan before</source>
+        <translation>+%1 mot planen før</translation>
+    </message>
+    <message>
+        <source>−%1 against the plan before</source>
+        <translation>−%1 mot planen før</translation>
     </message>
 </context>
 <context>
@@ -1508,7 +2337,7 @@
         <translation>Usikkerhetsgevinst</translation>
     </message>
     <message>
-        <source>Each iceberg's σ times the number of places after its own in the order: the sooner the uncertain ones come, the more.</source>
+        <source>Each iceberg&apos;s σ times the number of places after its own in the order: the sooner the uncertain ones come, the more.</source>
         <translation>Hvert isfjells σ ganger antall plasser etter dets egen i rekkefølgen: jo før de usikre kommer, desto mer.</translation>
     </message>
     <message>
@@ -1551,14 +2380,6 @@
         <translation>Tilbakestill</translation>
     </message>
     <message>
-        <source>Part of the run flown</source>
-        <translation>Fløyet del av turen</translation>
-    </message>
-    <message>
-        <source>Time flown and length of the run</source>
-        <translation>Fløyet tid og turens lengde</translation>
-    </message>
-    <message>
         <source>Rate of the flight</source>
         <translation>Flygingens hastighet</translation>
     </message>
@@ -1569,14 +2390,6 @@
     <message>
         <source>%1×</source>
         <translation>%1×</translation>
-    </message>
-    <message>
-        <source>As fast as possible</source>
-        <translation>Så fort som mulig</translation>
-    </message>
-    <message>
-        <source>%1 / %2</source>
-        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>The plan is still being made.</source>
@@ -1613,6 +2426,254 @@
     <message>
         <source>Back to the start, where everything can be edited</source>
         <translation>Tilbake til start, der alt kan redigeres</translation>
+    </message>
+    <message>
+        <source>Time line of the run</source>
+        <translation>Tidslinje for flygingen</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>Vist tid</translation>
+    </message>
+    <message>
+        <source>Time shown. Type one to look back at it, e.g. 3:20.</source>
+        <translation>Vist tid. Skriv en tid for å se tilbake på den, f.eks. 3:20.</translation>
+    </message>
+    <message>
+        <source>Length of the run</source>
+        <translation>Flygingens lengde</translation>
+    </message>
+    <message>
+        <source>Fastest</source>
+        <translation>Raskest</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunList</name>
+    <message>
+        <source>There is not enough memory for a run of this size.</source>
+        <translation>Det er ikke nok minne til en flyging av denne størrelsen.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunMarkDelegate</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunTable</name>
+    <message>
+        <source>Runs</source>
+        <translation>Flyginger</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Flyging</translation>
+    </message>
+    <message>
+        <source>ζ, m² s</source>
+        <translation>ζ, m² s</translation>
+    </message>
+    <message>
+        <source>to A</source>
+        <translation>mot A</translation>
+    </message>
+    <message>
+        <source>The reference: click a circle, or press A.</source>
+        <translation>Referansen: klikk en sirkel, eller trykk A.</translation>
+    </message>
+    <message>
+        <source>Compared with it: click a circle, or press B.</source>
+        <translation>Sammenlignes med den: klikk en sirkel, eller trykk B.</translation>
+    </message>
+    <message>
+        <source>Zeta compared with that of A at the time both have flown.</source>
+        <translation>Zeta sammenlignet med den for A ved tiden begge har fløyet.</translation>
+    </message>
+    <message>
+        <source>Runs you have flown come here. The button below flies this scenario along the travelling-salesman tour beside your own settings.</source>
+        <translation>Flyginger du har fløyet, kommer hit. Knappen nedenfor flyr dette scenarioet langs handelsreisendes rundtur ved siden av dine egne innstillinger.</translation>
+    </message>
+    <message>
+        <source>Another scenario than that of A: they cannot be compared.</source>
+        <translation>Et annet scenario enn det for A: de kan ikke sammenlignes.</translation>
+    </message>
+    <message>
+        <source>Make this run the reference A</source>
+        <translation>Gjør denne flygingen til referansen A</translation>
+    </message>
+    <message>
+        <source>Compare this run with A</source>
+        <translation>Sammenlign denne flygingen med A</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SolveTimeChart</name>
+    <message>
+        <source>Solution time against the number of icebergs</source>
+        <translation>Løsningstid mot antall isfjell</translation>
+    </message>
+    <message>
+        <source>Solution time</source>
+        <translation>Løsningstid</translation>
+    </message>
+    <message>
+        <source>Time for one plan, logarithmic</source>
+        <translation>Tid for én plan, logaritmisk</translation>
+    </message>
+    <message>
+        <source>Line: median. Dashed: worst. Hollow: some were cut short.</source>
+        <translation>Linje: median. Stiplet: verst. Hul: noen ble avbrutt.</translation>
+    </message>
+    <message>
+        <source>Number of icebergs</source>
+        <translation>Antall isfjell</translation>
+    </message>
+    <message>
+        <source>CPLEX, worst (paper)</source>
+        <translation>CPLEX, verst (artikkelen)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n icebergs</source>
+        <translation>
+            <numerusform>%1, %n isfjell</numerusform>
+            <numerusform>%1, %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>median %1, worst %2</source>
+        <translation>median er %1, verst %2</translation>
+    </message>
+    <message>
+        <source>average %1, worst %2</source>
+        <translation>gjennomsnitt %1, verst %2</translation>
+    </message>
+    <message>
+        <source>proven: %1 of %2</source>
+        <translation>bevist: %1 av %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SolveTimePanel</name>
+    <message>
+        <source>Proves the optimum, by dynamic programming or by the bound of our own engine.</source>
+        <translation>Beviser optimum, med dynamisk programmering eller med grensen fra vår egen løser.</translation>
+    </message>
+    <message>
+        <source>Searches, and proves as far as about a second&apos;s work goes.</source>
+        <translation>Søker, og beviser så langt omtrent et sekunds arbeid rekker.</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC on a MILP with a variable for each leg and position. Uses nothing of our own engine.</source>
+        <translation>COIN-OR CBC på et MILP med en variabel for hver etappe og plass. Bruker ingenting fra vår egen løser.</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC on the MILP as the paper prints it. Slow beyond 8 icebergs.</source>
+        <translation>COIN-OR CBC på MILP-et slik artikkelen trykker det. Langsom over 8 isfjell.</translation>
+    </message>
+    <message>
+        <source>COIN-OR CBC on the few legs that the bound of our engine leaves.</source>
+        <translation>COIN-OR CBC på de få etappene som grensen fra vår løser lar stå igjen.</translation>
+    </message>
+    <message>
+        <source>Icebergs, up to</source>
+        <translation>Isfjell, opptil</translation>
+    </message>
+    <message>
+        <source>Largest number of icebergs. The paper went to 20.</source>
+        <translation>Største antall isfjell. Artikkelen gikk til 20.</translation>
+    </message>
+    <message>
+        <source>Problems of each size</source>
+        <translation>Problemer av hver størrelse</translation>
+    </message>
+    <message>
+        <source>Random problems as in Table 1 of the paper, the same at every run.</source>
+        <translation>Tilfeldige problemer som i artikkelens tabell 1, de samme hver gang.</translation>
+    </message>
+    <message>
+        <source>Time for everything</source>
+        <translation>Tid til alt</translation>
+    </message>
+    <message>
+        <source>A solver that does not finish a size is not given a larger one.</source>
+        <translation>En løser som ikke blir ferdig med en størrelse, får ingen større.</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Målingens framdrift</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>Lagre CSV …</translation>
+    </message>
+    <message>
+        <source>Saves the measured times as a table.</source>
+        <translation>Lagrer de målte tidene som en tabell.</translation>
+    </message>
+    <message>
+        <source>Measuring, about %1 left</source>
+        <translation>Måler, omtrent %1 igjen</translation>
+    </message>
+    <message>
+        <source>Start measures this machine beside the paper&apos;s, with the paper&apos;s problems.</source>
+        <translation>Start måler denne maskinen ved siden av artikkelens, med artikkelens problemer.</translation>
+    </message>
+    <message>
+        <source>Cancelled. What had been measured is kept.</source>
+        <translation>Avbrutt. Det som var målt, er beholdt.</translation>
+    </message>
+    <message>
+        <source>Measured in %1.</source>
+        <translation>Målt på %1.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start måling</translation>
+    </message>
+    <message>
+        <source>Choose a solver first.</source>
+        <translation>Velg en løser først.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::TauStrip</name>
+    <message>
+        <source>Plans along the trade-off τ</source>
+        <translation>Planer langs avveiningen τ</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n plan(s)</source>
+        <translation>
+            <numerusform>%n plan</numerusform>
+            <numerusform>%n planer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Present plan: %2</source>
+        <translation>%1. Gjeldende plan: %2</translation>
+    </message>
+    <message>
+        <source>The plans for every τ are being computed.</source>
+        <translation>Planene for alle τ blir beregnet.</translation>
     </message>
 </context>
 <context>
@@ -1703,6 +2764,10 @@
     <message>
         <source>Change route</source>
         <translation>Endre rutetype</translation>
+    </message>
+    <message>
+        <source>You are looking back. Fly on from here, or go to the newest picture, to change this.</source>
+        <translation>Du ser tilbake. Fly videre herfra, eller gå til det nyeste bildet, for å endre dette.</translation>
     </message>
 </context>
 </TS>
