@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
 #include "widgets/map/map_view.h"
 #include "widgets/map/mission_picture.h"
@@ -61,6 +62,7 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     setInFlight(m_workspace.inFlight());
     showTitle();
     m_comparison->setScenario(m_workspace.document().scenario());
+    m_comparisonChart->setComparison(m_workspace.runs().comparison());
     showPlanner();
     showCurve();
     showFlight();
@@ -136,6 +138,7 @@ void MainWindow::applyTheme(const Theme& theme)
     for (ChartPanel* chart : m_charts)
         chart->setTheme(theme);
     m_comparison->setTheme(theme);
+    m_comparisonChart->setTheme(theme);
     m_pareto->setTheme(theme);
     m_solveTime->setTheme(theme);
     m_events->setTheme(theme);

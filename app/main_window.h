@@ -4,6 +4,7 @@
 #include "app/system_appearance.h"
 #include "widgets/map/map_tools.h"
 #include "widgets/model/workspace.h"
+#include "widgets/panels/run_time_line.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
@@ -22,6 +23,7 @@ class QMenu;
 namespace berg {
 
 class ChartPanel;
+class ComparisonChart;
 class ComparisonPanel;
 class EventPanel;
 class FlightBanner;
@@ -91,6 +93,7 @@ private:
     void showEvents();
     void showCurve();
     void showSelection();
+    void showComparison();
     void showPlanner();
     void showTitle();
     void showCursor(const Point& position_m);
@@ -148,6 +151,7 @@ private:
     PlaybackBar* m_playback = nullptr;
     std::array<ChartPanel*, 2> m_charts{};
     ComparisonPanel* m_comparison = nullptr;
+    ComparisonChart* m_comparisonChart = nullptr;
     ParetoChart* m_pareto = nullptr;
     SolveTimePanel* m_solveTime = nullptr;
     FlightBanner* m_banner = nullptr;
@@ -165,8 +169,10 @@ private:
     QLabel* m_cursorLabel = nullptr;
     QLabel* m_stateLabel = nullptr;
 
-    std::size_t m_markedEvents = 0; ///< on the time line
-    QTimer m_chartTimer;            ///< charts at most 25 times a second
+    std::vector<TimeMark> m_marks;  ///< on the time line
+    std::size_t m_markedEvents = 0; ///< of the history, turned into marks
+    std::uint64_t m_markRewrites = 0;
+    QTimer m_chartTimer; ///< charts at most 25 times a second
 };
 
 } // namespace berg

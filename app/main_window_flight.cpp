@@ -1,4 +1,5 @@
 #include "app/main_window.h"
+#include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
 #include "widgets/map/comparison_track.h"
 #include "widgets/map/map_view.h"
@@ -6,6 +7,7 @@
 #include "widgets/model/error_text.h"
 #include "widgets/model/event_text.h"
 #include "widgets/panels/chart_panel.h"
+#include "widgets/panels/comparison_panel.h"
 #include "widgets/panels/event_panel.h"
 #include "widgets/panels/flight_banner.h"
 #include "widgets/panels/inspector_panel.h"
@@ -81,10 +83,13 @@ void MainWindow::showFlight()
     const FlightRecord& record = m_workspace.record();
     MapPicture picture = missionPicture(record, locale());
     if (const RunPointer other = m_workspace.runs().otherIn(record.scenario))
-        addComparison(picture, *other, record.shown().time_s, locale());
+        addComparison(picture, *other,
+                      record.inFlight() ? record.shown().time_s : record.scenario.duration_s,
+                      locale());
     m_plan->setSigmaFull(picture.sigmaFull_m2);
     m_map->setPicture(std::move(picture));
     m_plan->showPlan(planRows(record.shown(), record.scenario));
+    m_plan->showChange(planChange_m(record));
     m_tradeoff->showPlan(
         {.plan = record.shown().plan, .solving = record.now.phase == RunPhase::Planning});
     const bool playing = m_workspace.isPlaying();
@@ -93,6 +98,7 @@ void MainWindow::showFlight()
                                            : record.now.phase,
                           record.shown().time_s, record.scenario.duration_s, record.now.time_s);
     m_banner->showState(record.inFlight(), m_workspace.lookedAt_s());
+    m_comparisonChart->setCursor_s(m_workspace.lookedAt_s());
     const QString phase = phaseText(record.now);
     m_stateLabel->setText(
         m_stateLabel->fontMetrics().elidedText(phase, Qt::ElideRight, kLongestState_px));
@@ -107,8 +113,18 @@ void MainWindow::showFlight()
 void MainWindow::showCharts()
 {
     for (ChartPanel* chart : m_charts)
-        chart->showRecord(m_workspace.record());
+        if (chart->isVisible()) // behind another tab it is shown when it comes to the front
+            chart->showRecord(m_workspace.record());
     showEvents();
+}
+
+void MainWindow::showComparison()
+{
+    const std::optional<RunComparison> comparison = m_workspace.runs().comparison();
+    m_comparisonChart->setComparison(comparison);
+    if (comparison && m_comparison->isVisible()) // the user is comparing: the curves as well
+        findChild<QDockWidget*>(u"comparisonChartDock"_s)->raise();
+    showFlight();
 }
 
 /** The one iceberg selected stands out in the charts. */
@@ -123,14 +139,20 @@ void MainWindow::showEvents()
 {
     const FlightRecord& record = m_workspace.record();
     const std::vector<MissionEvent>& events = record.history.events;
-    if (events.size() != m_markedEvents) {
-        m_markedEvents = events.size();
-        std::vector<TimeMark> marks;
-        for (const MissionEvent& event : events)
-            marks.push_back({.time_s = event.time_s,
-                             .kind = event.kind,
-                             .text = eventText(event, record.now.icebergs)});
-        m_playback->setMarks(std::move(marks));
+    if (record.history.rewrites != m_markRewrites) {
+        m_markRewrites = record.history.rewrites;
+        m_markedEvents = 0;
+        m_marks.clear();
+        m_playback->setMarks({});
+    }
+    if (events.size() > m_markedEvents) {
+        for (; m_markedEvents < events.size(); ++m_markedEvents) {
+            const MissionEvent& event = events[m_markedEvents];
+            m_marks.push_back({.time_s = event.time_s,
+                               .kind = event.kind,
+                               .text = eventText(event, record.now.icebergs)});
+        }
+        m_playback->setMarks(m_marks);
     }
     m_events->showRecord(record);
 }

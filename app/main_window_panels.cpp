@@ -1,4 +1,5 @@
 #include "app/main_window.h"
+#include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
 #include "widgets/map/map_view.h"
 #include "widgets/panels/chart_panel.h"
@@ -42,6 +43,8 @@ void MainWindow::buildPanels()
     m_banner = new FlightBanner(m_map);
     m_events = new EventPanel;
     m_comparison = new ComparisonPanel(m_workspace.runs());
+    m_comparisonChart = new ComparisonChart(m_theme);
+    m_comparisonChart->setTitleShown(false);
 
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
@@ -70,6 +73,10 @@ void MainWindow::buildDocks()
         widget->setObjectName(QLatin1String(name));
         widget->setWidget(content);
         addDockWidget(area, widget);
+        connect(widget, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+            if (visible && !m_chartTimer.isActive())
+                m_chartTimer.start();
+        });
         m_docks.push_back(widget);
         return widget;
     };
@@ -88,6 +95,10 @@ void MainWindow::buildDocks()
         dock("sigmaDock", tr("Second chart"), m_charts.back(), Qt::BottomDockWidgetArea);
     QDockWidget* events = dock("eventsDock", tr("Events"), m_events, Qt::BottomDockWidgetArea);
     splitDockWidget(zeta, sigma, Qt::Horizontal);
+    QDockWidget* comparisonChart =
+        dock("comparisonChartDock", tr("Two runs"), m_comparisonChart, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(zeta, comparisonChart);
+    zeta->raise();
     auto* study = new QScrollArea; // so that it does not ask for the room it is best in
     study->setWidgetResizable(true);
     study->setFrameShape(QFrame::NoFrame);
@@ -160,7 +171,7 @@ void MainWindow::connectPanels()
                 [this](const std::string& id) { m_workspace.selection().set({id}); });
     }
     connect(m_comparison, &ComparisonPanel::openRunRequested, this, &MainWindow::openRunToCompare);
-    connect(&m_workspace.runs(), &RunList::comparisonChanged, this, &MainWindow::showFlight);
+    connect(&m_workspace.runs(), &RunList::comparisonChanged, this, &MainWindow::showComparison);
     connect(m_events, &EventPanel::timeChosen, &m_workspace, &Workspace::lookAt);
 
     connect(m_plan, &PlanPanel::hovered, m_map, &MapView::setHighlight);

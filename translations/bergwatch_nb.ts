@@ -2137,6 +2137,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Comparison</source>
         <translation>Sammenligning</translation>
     </message>
+    <message>
+        <source>Two runs</source>
+        <translation>To flyginger</translation>
+    </message>
 </context>
 <context>
     <name>berg::MapView</name>

@@ -151,6 +151,7 @@ private slots:
         const MainWindow* before = &w.window();
         w.trigger(u"view/language-nb"_s);
         QVERIFY(w.until([&] { return &w.window() != before; }));
+        QTest::qWait(100);
         const QStringList norwegian = fixedTexts(w.window());
         QCOMPARE(norwegian.size(), english.size());
         qsizetype same = 0;

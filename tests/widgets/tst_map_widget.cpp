@@ -507,6 +507,37 @@ private slots:
         QVERIFY(!scene.layout().labels.empty());
         QVERIFY(!scene.isUnsettled());
     }
+
+    /** No frame waits for the names of a very full map: they come in parts and then stay. */
+    void veryManyLabelsComeInParts()
+    {
+        constexpr int kSide = 20;
+        Scenario scenario = test::emptySea();
+        for (int i = 0; i < kSide * kSide; ++i)
+            test::addIceberg(scenario, 400.0 * (i % kSide), 400.0 * (i / kSide));
+        MapScene scene;
+        scene.setRect({0, 0, 1600, 1200});
+        scene.setPicture(withScenario({}, scenario));
+        scene.fit();
+        const auto shown = [&scene] {
+            const std::vector<PlacedLabel>& labels = scene.layout().labels;
+            return std::count_if(labels.begin(), labels.end(),
+                                 [](const PlacedLabel& label) { return !label.rect.isNull(); });
+        };
+        auto before = shown();
+        int parts = 1;
+        for (; scene.isUnsettled() && parts < kSide * kSide; ++parts) {
+            scene.settle();
+            const auto now = shown();
+            QVERIFY(now - before < kSide * kSide / 4);
+            before = now;
+        }
+        QVERIFY(!scene.isUnsettled());
+        QVERIFY(parts > 4);
+        QVERIFY(before > 0);
+        scene.setView(scene.view().moved({15, 0}));
+        QVERIFY(std::abs(shown() - before) <= kSide * kSide / 4); // none has to come again
+    }
 };
 
 QTEST_MAIN(TestMapWidget)

@@ -23,7 +23,7 @@ constexpr int kRow_px = 24;
 constexpr int kNumberColumn_px = 30;
 constexpr int kCellMargins_px = 10;
 constexpr int kSummaryMargin_px = 4;
-constexpr int kNameRoom_px = 70; // that a name has before a further column is worth having
+constexpr int kNameRoom_px = 85; // that a name and a scroll bar have beside the last column
 constexpr double kHour_s = 3600;
 constexpr double kSmallestChange_m = 10;
 
@@ -141,7 +141,7 @@ void PlanPanel::setColumnWidths()
 /** The last column is there when the names have room beside it; its values are in tool tips too. */
 void PlanPanel::chooseColumns()
 {
-    // A hidden column forgets its width until it is shown.
+    // A hidden column has no width.
     m_table->setColumnHidden(PlanModel::ArrivalSigma, false);
     int taken_px = 0;
     for (int column = 0; column < PlanModel::ColumnCount; ++column)
