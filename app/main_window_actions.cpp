@@ -25,7 +25,7 @@ QAction* MainWindow::addAction(QMenu& menu, const ActionSpec& spec, const Slot& 
     QAction* action = menu.addAction(spec.text);
     action->setObjectName(QLatin1String(spec.name));
     action->setShortcut(spec.shortcut);
-    action->setStatusTip(spec.text);
+    action->setStatusTip(QString(spec.text).remove(u'&'));
     if (spec.icon)
         m_icons.emplace_back(action, *spec.icon);
     connect(action, &QAction::triggered, this, slot);

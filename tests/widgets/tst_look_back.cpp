@@ -82,6 +82,29 @@ private slots:
         QVERIFY(!f.record().instant.has_value());
     }
 
+    /** The trade-offs are those of the plan shown: its own order is among them. */
+    void curveIsOfThePlanShown()
+    {
+        Flight f;
+        CurveRunner& curve = f.workspace.curve();
+        const auto holdsThePlan = [&] {
+            const int at = intervalAt(curve.curve(), f.record().shown().planner.tau);
+            if (!curve.curve().complete || at < 0)
+                return false;
+            std::vector<int> order;
+            for (const int node : curve.curve().intervals[static_cast<std::size_t>(at)].order)
+                order.push_back(curve.problem().ids[static_cast<std::size_t>(node) - 1]);
+            return order == f.record().shown().plan->order;
+        };
+        for (const double time_s : {5.0, 120.0, 250.0}) {
+            f.workspace.lookAt(time_s);
+            QVERIFY(f.untilShown(time_s));
+            QVERIFY(f.until(holdsThePlan));
+        }
+        f.workspace.lookAtNewest();
+        QVERIFY(f.until(holdsThePlan));
+    }
+
     void atItsEndTheNewestIsShown()
     {
         Flight f;

@@ -65,6 +65,9 @@ MissionSnapshot snapshotAt(const Mission& mission, double time_s)
     snapshot.planner = instant.planner;
     snapshot.metrics = instant.metrics;
     setPlan(snapshot, mission, instant.plans);
+    if (snapshot.plan) // as it was asked for: where the UAV was then, what was known then
+        snapshot.request = std::make_shared<const PlanRequest>(
+            instantAt(mission, snapshot.plan->time_s).simulation.planRequest());
     return snapshot;
 }
 

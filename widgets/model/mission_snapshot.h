@@ -47,7 +47,7 @@ struct MissionSnapshot
     std::vector<Point> truth_m;
     std::vector<bool> active;
     std::optional<PlanEvent> plan;              ///< in force
-    std::shared_ptr<const PlanRequest> request; ///< of `plan`; null when looked back at
+    std::shared_ptr<const PlanRequest> request; ///< what `plan` answers; null without a plan
     std::size_t planCount = 0;                  ///< made until then, `plan` the last of them
     PlannerSettings planner;                    ///< in force, interventions applied
     Metrics metrics;

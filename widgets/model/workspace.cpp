@@ -46,7 +46,7 @@ void Workspace::planAgain()
     m_playBack.stop();
     m_lookedAt_s.reset();
     m_runner.setScenario(m_document.scenario(), recordingOf(m_document.scenario()));
-    m_curveRequest.reset();
+    m_curvePlan.reset();
     m_curve.setScenario(m_document.scenario());
     if (wasInFlight) { // another scenario was opened over the flight
         m_record.begin(m_document.scenario());
@@ -73,11 +73,12 @@ void Workspace::takeSnapshot()
 
 void Workspace::updateCurve()
 {
-    const std::shared_ptr<const PlanRequest>& request = m_record.now.request;
-    if (!inFlight() || !request || request == m_curveRequest)
+    const MissionSnapshot& shown = m_record.shown();
+    const std::pair plan(m_record.history.rewrites, shown.planCount);
+    if (!inFlight() || !shown.request || m_curvePlan == plan)
         return;
-    m_curveRequest = request;
-    m_curve.setProblem(visitationProblem(*request, m_record.scenario.planner.route));
+    m_curvePlan = plan;
+    m_curve.setProblem(visitationProblem(*shown.request, m_record.scenario.planner.route));
 }
 
 void Workspace::setPlanner(const QString& text, const std::function<void(PlannerSettings&)>& change,
@@ -219,6 +220,7 @@ void Workspace::lookAtNewest()
     m_lookedAt_s.reset();
     if (m_record.instant) {
         m_record.instant.reset();
+        updateCurve();
         emit flightChanged();
     }
 }
@@ -229,6 +231,7 @@ void Workspace::takeInstant()
     if (!instant || !m_lookedAt_s)
         return;
     m_record.instant = std::move(instant);
+    updateCurve();
     emit flightChanged();
 }
 
@@ -308,7 +311,7 @@ void Workspace::reset()
     m_lookedAt_s.reset();
     m_record.begin(m_document.scenario());
     m_runner.restart();
-    m_curveRequest.reset();
+    m_curvePlan.reset();
     m_curve.setScenario(m_document.scenario());
     if (wasInFlight)
         emit inFlightChanged(false);

@@ -105,7 +105,8 @@ private:
     QTimer m_playBack;                  ///< runs while what was flown is played
     QElapsedTimer m_playClock;
     double m_rate = 1;
-    std::shared_ptr<const PlanRequest> m_curveRequest; ///< in flight, what the curve is of
+    /** In flight, the plan the curve is of: rewrites of the history, number of the plan. */
+    std::optional<std::pair<std::uint64_t, std::size_t>> m_curvePlan;
     CurveRunner m_curve;
     BenchmarkRunner m_benchmark;
     RunList m_runs;
