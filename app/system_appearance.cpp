@@ -45,8 +45,9 @@ void SystemAppearance::ask()
     QDBusConnection bus = QDBusConnection::sessionBus();
     if (!bus.isConnected())
         return;
+    // The message as it is: in Qt 6.4 a slot with three arguments is not always taken.
     bus.connect(kService, kPath, kInterface, u"SettingChanged"_s, this,
-                SLOT(settingChanged(QString, QString, QDBusVariant)));
+                SLOT(settingChanged(QDBusMessage)));
     QDBusMessage read = QDBusMessage::createMethodCall(kService, kPath, kInterface, u"Read"_s);
     read << QString(kSpace) << QString(kKey);
     auto* watcher = new QDBusPendingCallWatcher(bus.asyncCall(read), this);
@@ -58,11 +59,11 @@ void SystemAppearance::ask()
     });
 }
 
-void SystemAppearance::settingChanged(const QString& space, const QString& key,
-                                      const QDBusVariant& value)
+void SystemAppearance::settingChanged(const QDBusMessage& message)
 {
-    if (space == kSpace && key == kKey)
-        setColourScheme(schemeOf(value.variant()));
+    const QVariantList said = message.arguments(); // space, key, value
+    if (said.size() == 3 && said[0].toString() == kSpace && said[1].toString() == kKey)
+        setColourScheme(schemeOf(said[2]));
 }
 
 void SystemAppearance::setColourScheme(uint scheme)

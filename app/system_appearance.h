@@ -1,10 +1,9 @@
 #pragma once
 
+#include <QDBusMessage>
 #include <QObject>
 
 #include <optional>
-
-class QDBusVariant;
 
 namespace berg {
 
@@ -29,7 +28,7 @@ signals:
     void changed();
 
 private slots:
-    void settingChanged(const QString& space, const QString& key, const QDBusVariant& value);
+    void settingChanged(const QDBusMessage& message);
 
 private:
     void ask();
