@@ -257,7 +257,8 @@ void addBenchmark(CLI::App& app, Action& action)
     command->add_option("--repeat", a.repeat, "Instances of each size")
         ->check(CLI::Range(1, 10000));
     command->add_option("--backends", a.backends,
-                        "With commas, by default all but auto: " + allowedNames(kBenchmarkSolverNames));
+                        "With commas, by default all but auto: " +
+                            allowedNames(kBenchmarkSolverNames));
     command->add_option("--seconds", a.seconds, "Budget for everything")
         ->check(CLI::Range(0.001, 1e7));
     command->add_option("--output", a.outputFile, "CSV file for the table");

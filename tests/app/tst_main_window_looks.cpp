@@ -6,10 +6,10 @@
 
 #include <QComboBox>
 #include <QDockWidget>
-#include <QPointer>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPointer>
 #include <QPushButton>
 #include <QTabBar>
 #include <QToolButton>
