@@ -74,6 +74,7 @@ private slots:
             QVERIFY(shown.world == then.simulation().state());
             QVERIFY(shown.metrics == then.metrics());
             QCOMPARE(shown.planner.tau, then.plannerSettings().tau);
+            QCOMPARE(f.workspace.planner().tau, then.plannerSettings().tau);
             QCOMPARE(shown.plan->order, then.plans().back().order);
             QCOMPARE(f.record().eventsShown(), then.events().size());
         }

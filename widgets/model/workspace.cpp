@@ -32,7 +32,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
 
 const PlannerSettings& Workspace::planner() const
 {
-    return inFlight() ? m_record.now.planner : m_document.scenario().planner;
+    return inFlight() ? m_record.shown().planner : m_document.scenario().planner;
 }
 
 void Workspace::planAgain()

@@ -38,7 +38,7 @@ public:
     [[nodiscard]] BenchmarkRunner& benchmark() { return m_benchmark; }
     [[nodiscard]] const FlightRecord& record() const { return m_record; }
     [[nodiscard]] bool inFlight() const { return m_record.inFlight(); }
-    /** In force: the document's, or in flight those of the mission. */
+    /** In force: the document's, or in flight those of the mission at the instant shown. */
     [[nodiscard]] const PlannerSettings& planner() const;
 
     /** In flight at most ten times a second, the last one always: each is a re-plan on record. */
