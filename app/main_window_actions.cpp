@@ -77,6 +77,8 @@ void MainWindow::buildEditMenu()
     QUndoStack* history = m_workspace.document().undoStack();
     QAction* undo = history->createUndoAction(this, tr("&Undo"));
     QAction* redo = history->createRedoAction(this, tr("&Redo"));
+    undo->setIconText(tr("Undo")); // what would be undone is in the menu; the tool bar stands still
+    redo->setIconText(tr("Redo"));
     undo->setObjectName(u"undoAction"_s);
     redo->setObjectName(u"redoAction"_s);
     undo->setShortcut(QKeySequence::Undo);

@@ -86,6 +86,7 @@ void MainWindow::showFlight()
         addComparison(picture, *other,
                       record.inFlight() ? record.shown().time_s : record.scenario.duration_s,
                       locale());
+    picture.emptyHint = tr("Press I and click on the map to place one, drag on to let it drift.");
     m_plan->setSigmaFull(picture.sigmaFull_m2);
     m_map->setPicture(std::move(picture));
     m_plan->showPlan(planRows(record.shown(), record.scenario));

@@ -2141,6 +2141,18 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Two runs</source>
         <translation>To flyginger</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Angre</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Gjør om</translation>
+    </message>
+    <message>
+        <source>Press I and click on the map to place one, drag on to let it drift.</source>
+        <translation>Trykk I og klikk på kartet for å plassere ett, dra videre for å la det drive.</translation>
+    </message>
 </context>
 <context>
     <name>berg::MapView</name>
