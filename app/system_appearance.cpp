@@ -35,7 +35,7 @@ uint schemeOf(const QVariant& value)
 
 SystemAppearance::SystemAppearance(QObject* parent) : QObject(parent)
 {
-    // Pictures without a screen must not depend on whose session they are made in.
+    // Pictures made without a screen must not depend on the desktop they are made on.
     if (QGuiApplication::platformName() != u"offscreen"_s)
         ask();
 }

@@ -11,6 +11,7 @@
 #include "app/main_window.h"
 #include "core/scenario/presets.h"
 #include "core/study/statistics.h"
+#include "tests/bench/bench_window.h"
 #include "widgets/map/map_view.h"
 
 #include <QApplication>
@@ -57,27 +58,6 @@ public:
     std::function<void()> onPainted;
     std::vector<double> paints_ms; ///< how long each took
 };
-
-class NoDialogs final : public Interaction
-{
-public:
-    Unsaved askUnsaved(QWidget*, const QString&) override { return Unsaved::Discard; }
-    QString openPath(QWidget*, const QString&) override { return {}; }
-    QString savePath(QWidget*, const QString&, const QString&) override { return {}; }
-    std::optional<ExportChoice> chooseExport(QWidget*, const ExportOffer&) override { return {}; }
-    void showError(QWidget*, const QString&) override {}
-    void showInformation(QWidget*, const QString&, const QString&) override {}
-};
-
-void print(const char* name, std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    if (values.empty())
-        std::printf("  %-22s none\n", name);
-    else
-        std::printf("  %-22s median %7.1f   p95 %7.1f   worst %7.1f ms   (%zu)\n", name,
-                    quantile(values, 0.5), quantile(values, 0.95), values.back(), values.size());
-}
 
 class Bench
 {

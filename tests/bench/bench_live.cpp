@@ -11,7 +11,7 @@
 
 #include "app/main_window.h"
 #include "core/scenario/presets.h"
-#include "core/study/statistics.h"
+#include "tests/bench/bench_window.h"
 #include "widgets/map/map_view.h"
 
 #include <QApplication>
@@ -76,17 +76,6 @@ public:
     std::vector<double> frames_ms;
 };
 
-class NoDialogs final : public Interaction
-{
-public:
-    Unsaved askUnsaved(QWidget*, const QString&) override { return Unsaved::Discard; }
-    QString openPath(QWidget*, const QString&) override { return {}; }
-    QString savePath(QWidget*, const QString&, const QString&) override { return {}; }
-    std::optional<ExportChoice> chooseExport(QWidget*, const ExportOffer&) override { return {}; }
-    void showError(QWidget*, const QString&) override {}
-    void showInformation(QWidget*, const QString&, const QString&) override {}
-};
-
 /** "VmHWM:" or "VmRSS:", MB; -1 where the system does not tell. */
 double memory_mb(const std::string& which)
 {
@@ -102,16 +91,6 @@ struct LongestTurn
     double waited_ms = 0;
     double worked_ms = 0;
 };
-
-void print(const char* name, std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    if (values.empty())
-        std::printf("    %-16s none\n", name);
-    else
-        std::printf("    %-16s median %6.1f   p95 %6.1f   worst %6.1f ms   (%zu)\n", name,
-                    quantile(values, 0.5), quantile(values, 0.95), values.back(), values.size());
-}
 
 class Bench
 {

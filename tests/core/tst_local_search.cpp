@@ -3,6 +3,7 @@
 #include "core/plan/order_moves.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/problem_rows.h"
 
 #include <QtTest>
 
@@ -32,24 +33,11 @@ class TestLocalSearch : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void problems_data()
-    {
-        QTest::addColumn<double>("tau");
-        QTest::addColumn<bool>("closed");
-        QTest::addColumn<bool>("asymmetric");
-        for (const double tau : {0.5, 1.0, 3.0})
-            for (const bool closed : {false, true})
-                for (const bool asymmetric : {false, true})
-                    QTest::addRow("tau %g, %s, %s", tau, closed ? "closed" : "open",
-                                  asymmetric ? "asymmetric" : "symmetric")
-                        << tau << closed << asymmetric;
-    }
-
     /** 18 icebergs: what it proves is the optimum of the dynamic programme. */
-    void provesMiddlingProblems_data() { problems_data(); }
+    void provesMiddlingProblems_data() { test::addProblemRows(); }
     void provesMiddlingProblems()
     {
-        const TvpProblem problem = fetched(31, 18);
+        const TvpProblem problem = test::fetchedProblem(31, 18);
         const SolveOutcome exact = ExactSolver().solve(problem, {});
         const SolveOutcome outcome = LocalSearch().solve(problem, {});
         QVERIFY(outcome.status == SolveStatus::Optimal);
@@ -59,10 +47,10 @@ private slots:
     }
 
     /** The size that planning has to be good at. */
-    void certifiesFortyIcebergs_data() { problems_data(); }
+    void certifiesFortyIcebergs_data() { test::addProblemRows(); }
     void certifiesFortyIcebergs()
     {
-        const TvpProblem problem = fetched(32, 40);
+        const TvpProblem problem = test::fetchedProblem(32, 40);
         const SolveOutcome outcome = LocalSearch().solve(problem, {});
         QVERIFY(gapOf(problem, outcome) <= 0.02);
         QVERIFY(outcome.status == SolveStatus::Optimal || gapOf(problem, outcome) > 0);
@@ -216,16 +204,6 @@ private slots:
         const double sorted = objective(problem, sigmaOrder(problem));
         QVERIFY(outcome.objective < sorted);
         QVERIFY(outcome.objective < objective(problem, ascending(icebergs)));
-    }
-
-private:
-    static TvpProblem fetched(std::uint64_t seed, int icebergs)
-    {
-        QFETCH(double, tau);
-        QFETCH(bool, closed);
-        QFETCH(bool, asymmetric);
-        return test::randomProblem(seed, icebergs, tau, closed ? Route::Closed : Route::Open,
-                                   asymmetric);
     }
 };
 

@@ -1,6 +1,7 @@
 #include "core/plan/order_search.h"
 #include "core/plan/subset_solver.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/problem_rows.h"
 
 #include <QtTest>
 
@@ -13,24 +14,11 @@ class TestOrderSearch : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void problems_data()
-    {
-        QTest::addColumn<double>("tau");
-        QTest::addColumn<bool>("closed");
-        QTest::addColumn<bool>("asymmetric");
-        for (const double tau : {0.5, 1.0, 3.0})
-            for (const bool closed : {false, true})
-                for (const bool asymmetric : {false, true})
-                    QTest::addRow("tau %g, %s, %s", tau, closed ? "closed" : "open",
-                                  asymmetric ? "asymmetric" : "symmetric")
-                        << tau << closed << asymmetric;
-    }
-
     /** Without any restart, the first orders are within a tenth of the optimum; then better. */
-    void findsGoodOrders_data() { problems_data(); }
+    void findsGoodOrders_data() { test::addProblemRows(); }
     void findsGoodOrders()
     {
-        const TvpProblem problem = fetched(33, 16);
+        const TvpProblem problem = test::fetchedProblem(33, 16);
         const VisitCosts costs(problem);
         const double optimum = costs.total(SubsetSolver().solve(problem, {}).order);
         SearchEffort effort;
@@ -115,16 +103,6 @@ private slots:
         search.disturb(100'000);
         QVERIFY(isVisitOrder(problem, search.best()));
         QVERIFY(asked < 30);
-    }
-
-private:
-    static TvpProblem fetched(std::uint64_t seed, int icebergs)
-    {
-        QFETCH(double, tau);
-        QFETCH(bool, closed);
-        QFETCH(bool, asymmetric);
-        return test::randomProblem(seed, icebergs, tau, closed ? Route::Closed : Route::Open,
-                                   asymmetric);
     }
 };
 
