@@ -19,6 +19,12 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 
+namespace {
+
+constexpr QSize kStudyFrame_px(24, 48); ///< title and edges of the window of a study
+
+} // namespace
+
 template <class Slot>
 QAction* MainWindow::addAction(QMenu& menu, const ActionSpec& spec, const Slot& slot)
 {
@@ -132,7 +138,8 @@ void MainWindow::buildViewMenu()
         auto* dock = findChild<QDockWidget*>(u"solveTimeDock"_s);
         if (!dock->isVisible()) { // a study wants more room than the docks have
             dock->setFloating(true);
-            dock->resize(m_solveTime->sizeHint());
+            dock->resize(m_solveTime->sizeHint() + kStudyFrame_px);
+            dock->move(geometry().center() - dock->rect().center());
         }
         dock->show();
         dock->raise();
