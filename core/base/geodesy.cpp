@@ -1,6 +1,8 @@
 #include "core/base/geodesy.h"
 
 #include <GeographicLib/AzimuthalEquidistant.hpp>
+#include <GeographicLib/PolarStereographic.hpp>
+#include <cmath>
 
 namespace berg {
 
@@ -29,6 +31,32 @@ LatLon LocalFrame::toGeographic(const Point& position_m) const
     LatLon place;
     projection().Reverse(m_origin.latitude_deg, m_origin.longitude_deg, position_m.x(),
                          position_m.y(), place.latitude_deg, place.longitude_deg);
+    if (place.longitude_deg >= 180)
+        place.longitude_deg -= 360;
+    return place;
+}
+
+PolarFrame::PolarFrame(Pole pole, double centralMeridian_deg)
+    : m_pole(pole), m_centralMeridian_deg(centralMeridian_deg)
+{
+}
+
+Point PolarFrame::toPlane(LatLon place) const
+{
+    Point p_m = Point::Zero();
+    GeographicLib::PolarStereographic::UPS().Forward(m_pole == Pole::North, place.latitude_deg,
+                                                     place.longitude_deg - m_centralMeridian_deg,
+                                                     p_m.x(), p_m.y());
+    return p_m;
+}
+
+LatLon PolarFrame::toGeographic(const Point& position_m) const
+{
+    LatLon place;
+    GeographicLib::PolarStereographic::UPS().Reverse(m_pole == Pole::North, position_m.x(),
+                                                     position_m.y(), place.latitude_deg,
+                                                     place.longitude_deg);
+    place.longitude_deg = std::remainder(place.longitude_deg + m_centralMeridian_deg, 360.0);
     if (place.longitude_deg >= 180)
         place.longitude_deg -= 360;
     return place;

@@ -28,8 +28,39 @@ public:
     /** Longitude in [-180, 180). */
     [[nodiscard]] LatLon toGeographic(const Point& position_m) const;
 
+    bool operator==(const LocalFrame&) const = default;
+
 private:
     LatLon m_origin;
+};
+
+enum class Pole
+{
+    North,
+    South
+};
+
+/**
+ * Plane of a polar chart: the polar stereographic projection of GeographicLib with the scale of
+ * UPS, 0.994 at the pole. Only the other pole has no place in it.
+ */
+class PolarFrame
+{
+public:
+    /** The meridian points down from the North Pole, up from the South Pole. */
+    PolarFrame(Pole pole, double centralMeridian_deg);
+
+    [[nodiscard]] Pole pole() const { return m_pole; }
+    /** Right and up from the pole in metres. */
+    [[nodiscard]] Point toPlane(LatLon place) const;
+    /** Longitude in [-180, 180). */
+    [[nodiscard]] LatLon toGeographic(const Point& position_m) const;
+
+    bool operator==(const PolarFrame&) const = default;
+
+private:
+    Pole m_pole;
+    double m_centralMeridian_deg;
 };
 
 } // namespace berg

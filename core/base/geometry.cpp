@@ -70,6 +70,20 @@ bool isSimplePolygon(std::span<const Point> polygon)
     return true;
 }
 
+bool isClearEdge(std::span<const Point> path, const Point& next)
+{
+    const Point& end = path.back();
+    if (next == end)
+        return false;
+    const std::size_t edges = path.size() - 1;
+    if (edges > 0 && foldsBack(path[edges - 1], end, next))
+        return false;
+    for (std::size_t i = 0; i + 1 < edges; ++i)
+        if (segmentsMeet(path[i], path[i + 1], end, next))
+            return false;
+    return true;
+}
+
 double signedArea(std::span<const Point> polygon)
 {
     double twice = 0;

@@ -20,6 +20,12 @@ using Point = Eigen::Vector2d;
 /** True when the closed polygon neither touches nor crosses itself. Cost: corners squared. */
 [[nodiscard]] bool isSimplePolygon(std::span<const Point> polygon);
 
+/**
+ * True when the edge from the end of an open path to `next` meets the path nowhere else and does
+ * not fold back on its last edge. `path` holds at least one corner. Cost: corners.
+ */
+[[nodiscard]] bool isClearEdge(std::span<const Point> path, const Point& next);
+
 /** Signed area, positive when the corners run counter-clockwise. */
 [[nodiscard]] double signedArea(std::span<const Point> polygon);
 

@@ -133,6 +133,32 @@ private slots:
         QVERIFY(frame.toPlane({47.01, -48}).y() > 0);
     }
 
+    /** Snyder 1987, Map Projections: rho of the polar stereographic with k0 = 0.994. */
+    void polarChart()
+    {
+        const PolarFrame north(Pole::North, -45);
+        QVERIFY(north.toPlane({90, 0}).norm() < 1e-6);
+        const double e = std::sqrt(0.00669437999014);
+        const double s = std::sin(radFromDeg(70.0));
+        const double t =
+            std::tan(kPi / 4 - radFromDeg(35.0)) / std::pow((1 - e * s) / (1 + e * s), e / 2);
+        const double rho_m =
+            2 * 6378137 * 0.994 * t / std::sqrt(std::pow(1 + e, 1 + e) * std::pow(1 - e, 1 - e));
+        const Point down_m = north.toPlane({70, -45});
+        COMPARE_NEAR(down_m.x(), 0, 1e-6);
+        COMPARE_NEAR(down_m.y(), -rho_m, 1e-3);
+        COMPARE_NEAR(north.toPlane({70, 45}).x(), rho_m, 1e-3);
+        const PolarFrame south(Pole::South, 0);
+        COMPARE_NEAR(south.toPlane({-70, 0}).y(), rho_m, 1e-3);
+        COMPARE_NEAR(south.toPlane({-70, 90}).x(), rho_m, 1e-3);
+        for (const PolarFrame& frame : {north, south})
+            for (const Point& p_m : grid(4e6)) {
+                const LatLon place = frame.toGeographic(p_m);
+                QVERIFY(place.longitude_deg >= -180 && place.longitude_deg < 180);
+                COMPARE_NEAR((frame.toPlane(place) - p_m).norm(), 0, 1e-6);
+            }
+    }
+
     void placesAcrossTheAntimeridian()
     {
         const LocalFrame west({70, 179.95});

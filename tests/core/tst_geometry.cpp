@@ -194,6 +194,32 @@ private slots:
             COMPARE_NEAR(signedArea(polygon), n / 2.0 * 1e6 * std::sin(2 * kPi / n), 1e-6);
         }
     }
+
+    void edgesThatMeetThePathAreNotClear_data()
+    {
+        QTest::addColumn<Polygon>("path");
+        QTest::addColumn<Point>("next");
+        QTest::addColumn<bool>("isClear");
+        const Polygon hook{{0, 0}, {4, 0}, {4, 4}, {2, 4}};
+        QTest::newRow("from a point") << Polygon{{1, 1}} << Point(2, 2) << true;
+        QTest::newRow("nowhere") << Polygon{{1, 1}} << Point(1, 1) << false;
+        QTest::newRow("on") << hook << Point(0, 4) << true;
+        QTest::newRow("inside") << hook << Point(2, 1) << true;
+        QTest::newRow("across the first edge") << hook << Point(2, -1) << false;
+        QTest::newRow("onto the first edge") << hook << Point(2, 0) << false;
+        QTest::newRow("onto the first corner") << hook << Point(0, 0) << false;
+        QTest::newRow("straight on") << hook << Point(-1, 4) << true;
+        QTest::newRow("back along the last edge") << hook << Point(3, 4) << false;
+        QTest::newRow("beyond the corner before") << hook << Point(6, 4) << false;
+    }
+
+    void edgesThatMeetThePathAreNotClear()
+    {
+        QFETCH(Polygon, path);
+        QFETCH(Point, next);
+        QFETCH(bool, isClear);
+        QCOMPARE(isClearEdge(path, next), isClear);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestGeometry)
