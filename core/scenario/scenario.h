@@ -2,6 +2,7 @@
 
 #include "core/base/geodesy.h"
 #include "core/plan/policy.h"
+#include "core/tracking/drift.h"
 #include "core/tracking/observer.h"
 #include "core/vehicle/dubins.h"
 
@@ -40,6 +41,8 @@ struct Iceberg
     double observed_s = 0; ///< age of the last observation at t = 0: adds q x age to sigma0
     double appears_s = 0;
     double radius_m = 50;
+    RecordedTrack track; ///< true motion where it is known; empty: drawn from velocity and q
+    std::string trackExtraJson;
     std::string extraJson;
     bool operator==(const Iceberg&) const = default;
 };
@@ -84,6 +87,11 @@ struct Scenario
 /** Largest |coordinate| and |velocity component| a scenario may hold. */
 inline constexpr double kLargestCoordinate_m = 1e6;
 inline constexpr double kLargestVelocity_mps = 5;
+// Where the file format sets no upper limit, these keep every sum of a run finite.
+inline constexpr double kLargestLength_m = 1e6;
+inline constexpr double kLargestTime_s = 1e9;
+inline constexpr double kLargestGrowth_m2ps = 1e6;
+inline constexpr double kLargestSigma_m2 = 1e12;
 
 /** sigma at t = 0: sigma0 plus growth since the last observation. */
 [[nodiscard]] double initialSigma_m2(const Iceberg& iceberg);

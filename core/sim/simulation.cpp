@@ -46,13 +46,17 @@ Simulation::Simulation(const Scenario& scenario)
 void Simulation::insert(const Iceberg& iceberg, double start_s, std::int64_t appearsStep)
 {
     const Point velocity_mps = iceberg.velocity_mps + m_current_mps;
-    m_drift.emplace_back(DriftSpec{.position_m = iceberg.position_m,
-                                   .start_s = start_s,
-                                   .velocity_mps = velocity_mps,
-                                   .q_m2ps = iceberg.q_m2ps},
-                         m_seed, iceberg.id, m_noise);
+    m_drift.emplace_back(
+        DriftSpec{.position_m = iceberg.position_m,
+                  .start_s = start_s,
+                  .velocity_mps = velocity_mps,
+                  .q_m2ps = iceberg.q_m2ps,
+                  .track = iceberg.track.empty()
+                               ? nullptr
+                               : std::make_shared<const RecordedTrack>(iceberg.track)},
+        m_seed, iceberg.id, m_noise);
     m_appearsStep.push_back(appearsStep);
-    m_truth_m.push_back(iceberg.position_m);
+    m_truth_m.push_back(m_drift.back().position_m(start_s));
     // An iceberg that appears later has drifted unseen until then.
     const double unseen_s = static_cast<double>(appearsStep) * m_dt_s - start_s;
     m_state.tracks.push_back(
