@@ -98,11 +98,36 @@ bool Mission::planNow(const std::stop_token& stop)
     PlanEvent event = planEvent(answer);
     event.time_s = m_simulation.time_s();
     event.reason = m_simulation.planReason();
+    event.change = changeTo(event);
     m_simulation.setTarget(event.target);
     note(EventKind::Planned, event.target, answer.fellBack ? "last plan kept" : event.backend);
     m_plans.push_back(std::move(event));
     m_lastRequest = request;
     return true;
+}
+
+/** What `next` changes about the plan in force, seen from here. */
+std::optional<PlanChange> Mission::changeTo(const PlanEvent& next) const
+{
+    if (m_plans.empty())
+        return std::nullopt;
+    std::vector<int> rest = m_plans.back().order;
+    if (next.reason == PlanReason::TargetReached && !rest.empty())
+        rest.erase(rest.begin());
+    // Those in view are passed over, unless the new order keeps them, as fixed routes do.
+    std::erase_if(rest, [&](int iceberg) {
+        return !m_simulation.available(iceberg) &&
+               std::find(next.order.begin(), next.order.end(), iceberg) == next.order.end();
+    });
+    ForecastStart start{.world = m_simulation.state(),
+                        .time_s = m_simulation.time_s(),
+                        .airspeed_mps = m_scenario.uavs.front().spec.airspeed_mps,
+                        .wind_mps = m_scenario.wind_mps};
+    for (int i = 0; i < m_simulation.icebergCount(); ++i)
+        start.active.push_back(m_simulation.active(i));
+    const double left_s =
+        static_cast<double>(m_simulation.lastStep()) * m_simulation.dt_s() - start.time_s;
+    return planChange(start, std::move(rest), next.order, left_s);
 }
 
 void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listener)

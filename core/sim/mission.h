@@ -104,6 +104,7 @@ public:
 
 private:
     [[nodiscard]] bool planNow(const std::stop_token& stop);
+    [[nodiscard]] std::optional<PlanChange> changeTo(const PlanEvent& next) const;
     void tellIncumbent(const SolveProgress& progress);
     void note(EventKind kind, int iceberg, std::string detail);
     void noteStep();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sim/simulation.h"
+#include "core/sim/plan_forecast.h"
 
 #include <string>
 #include <vector>
@@ -25,6 +25,7 @@ struct PlanEvent
     double elapsed_s = 0; ///< of the solve; the one thing that differs between equal runs
     bool warmStarted = false;
     bool fellBack = false;
+    std::optional<PlanChange> change; ///< against the rest of the plan before, until the end
 };
 
 enum class EventKind

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/sim/simulation.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace berg {
+
+/** The instant from which an order is thought flown. The world is borrowed. */
+struct ForecastStart
+{
+    const WorldState& world;
+    std::vector<bool> active; ///< by iceberg: it has appeared
+    double time_s = 0;
+    double airspeed_mps = 0;
+    Point wind_mps = Point::Zero();
+};
+
+/** One iceberg of the order. */
+struct ForecastVisit
+{
+    int iceberg = -1;           ///< index
+    double leg_m = 0;           ///< over ground, from the one before or the UAV
+    double arrival_s = 0;       ///< from the start
+    double arrivalSigma_m2 = 0; ///< just before it is seen
+};
+
+struct PlanForecast
+{
+    std::vector<ForecastVisit> visits; ///< all of the order, also those after the horizon
+    double distance_m = 0;             ///< over ground, until the last of them
+    double zeta_m2s = 0;               ///< added to Eq. (24) within the horizon
+};
+
+/**
+ * What becomes of flying `order` (iceberg indices) for `horizon_s` from the start: arrivals and
+ * sigmas, Eq. (22), and the zeta, Eq. (24), that they add, in closed form. It is assumed that
+ * - the estimates of the start stand still, as the planner takes them to do;
+ * - legs are straight and flown at the airspeed in the wind, without the time that turns take;
+ * - an iceberg is seen for an instant, when the UAV is over its estimate: sigma falls to 0 and
+ *   grows again. In a flight it is seen earlier, by half the field of view, and for longer;
+ * - nothing is seen by chance on the way, and what is not in the order grows from what it is now;
+ * - no iceberg appears, and nothing is planned again: after the last visit all sigmas grow.
+ * So it is good for comparing orders and for the near future; over many rounds the flight, which
+ * goes on visiting, stays below it. Throws `std::logic_error` for an index that is not there.
+ */
+[[nodiscard]] PlanForecast forecastPlan(const ForecastStart& start, std::span<const int> order,
+                                        double horizon_s);
+
+/** Another order took the place of what was left of the one before. */
+struct PlanChange
+{
+    std::vector<int> before; ///< what was left of it, iceberg indices
+    double distance_m = 0;   ///< by which the new order is longer
+    double zeta_m2s = 0;     ///< by which it is predicted to add more within the horizon
+    bool operator==(const PlanChange&) const = default;
+};
+
+/**
+ * The change from `before` to `after`, both flown from the same start for the same time
+ * (`forecastPlan`). Icebergs that only the new order visits come last in the old one, so that both
+ * visit the same. None: nothing was left, or the new order begins with all that was.
+ */
+[[nodiscard]] std::optional<PlanChange> planChange(const ForecastStart& start,
+                                                   std::vector<int> before,
+                                                   std::span<const int> after, double horizon_s);
+
+} // namespace berg
