@@ -144,6 +144,55 @@ private:
     bool m_placed = false;
 };
 
+/** Retrying in place would only spoil what is there. */
+[[nodiscard]] bool isFull(int errorNumber)
+{
+    return errorNumber == ENOSPC || errorNumber == EDQUOT || errorNumber == EFBIG;
+}
+
+/**
+ * Writes into the file itself, `old` what it is now (null: it is made). The room is reserved before
+ * the first byte is written, so that a full disk keeps the old content.
+ */
+void overwrite(const std::string& path, const std::filesystem::path& target, const struct stat* old,
+               std::string_view content)
+{
+    const int create = old == nullptr ? O_CREAT | O_EXCL : 0;
+    Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC | create, 0666));
+    if (!file.isOpen())
+        failWrite(path, reason(errno));
+    const auto size = static_cast<off_t>(content.size());
+    const int refusal = size > 0 ? ::posix_fallocate(file.get(), 0, size) : 0;
+    if (isFull(refusal)) {
+        [[maybe_unused]] const int undone =
+            old == nullptr ? ::unlink(target.c_str()) : ::ftruncate(file.get(), old->st_size);
+        failWrite(path, reason(refusal));
+    }
+    if (!writeAll(file.get(), content) || ::ftruncate(file.get(), size) != 0 ||
+        ::fsync(file.get()) != 0 || !file.close())
+        failWrite(path, reason(errno));
+}
+
+/**
+ * Puts a finished copy in the target's place; false when the folder or the file system refuses the
+ * copy or the renaming. Throws when the copy cannot be written.
+ */
+[[nodiscard]] bool replace(const std::string& path, const std::filesystem::path& target,
+                           const struct stat* old, std::string_view content)
+{
+    TemporaryFile temporary(target);
+    if (!temporary.isOpen()) {
+        if (isFull(errno))
+            failWrite(path, reason(errno));
+        return false;
+    }
+    if (old != nullptr)
+        temporary.copyAttributes(*old);
+    if (!temporary.fill(content))
+        failWrite(path, reason(errno));
+    return temporary.placeAt(target);
+}
+
 /** Makes the rename last through a power cut; file systems that cannot do it are left alone. */
 void flushFolder(const std::filesystem::path& target)
 {
@@ -210,13 +259,9 @@ void writeFileAtomically(const std::string& path, std::string_view content)
         failWrite(path, reason(errno));
 
     const std::filesystem::path target = withoutLinks(path);
-    TemporaryFile temporary(target);
-    if (!temporary.isOpen())
-        failWrite(path, reason(errno));
-    if (exists)
-        temporary.copyAttributes(status);
-    if (!temporary.fill(content) || !temporary.placeAt(target))
-        failWrite(path, reason(errno));
+    const struct stat* old = exists ? &status : nullptr;
+    if (!replace(path, target, old, content))
+        overwrite(path, target, old, content);
     flushFolder(target);
 }
 

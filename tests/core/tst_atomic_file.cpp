@@ -60,6 +60,53 @@ private:
     void (*m_handler)(int) = SIG_DFL;
 };
 
+/** While it lives, a test of root is somebody who has to keep to permissions. */
+class OrdinaryUser
+{
+public:
+    OrdinaryUser() : m_isRoot(::geteuid() == 0)
+    {
+        if (m_isRoot && ::seteuid(kNobody) != 0)
+            qFatal("root cannot become another user");
+    }
+    OrdinaryUser(const OrdinaryUser&) = delete;
+    OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+    ~OrdinaryUser()
+    {
+        if (m_isRoot && ::seteuid(0) != 0)
+            qFatal("the test stays without its rights");
+    }
+
+private:
+    static constexpr uid_t kNobody = 65534;
+    bool m_isRoot;
+};
+
+/** While it lives, the folder has these permissions; its owner sets them. */
+class FolderMode
+{
+public:
+    FolderMode(const QTemporaryDir& dir, mode_t mode) : m_path(dir.path().toStdString())
+    {
+        set(mode);
+    }
+    FolderMode(const FolderMode&) = delete;
+    FolderMode& operator=(const FolderMode&) = delete;
+    ~FolderMode() { set(0700); }
+
+private:
+    void set(mode_t mode)
+    {
+        const uid_t user = ::geteuid();
+        if (::getuid() == 0 && ::seteuid(0) != 0)
+            qFatal("root is not root");
+        if (::chmod(m_path.c_str(), mode) != 0 || (::getuid() == 0 && ::seteuid(user) != 0))
+            qFatal("the folder's permissions cannot be set");
+    }
+
+    std::string m_path;
+};
+
 } // namespace
 
 class TestAtomicFile : public QObject
@@ -225,18 +272,67 @@ private slots:
         QCOMPARE(codeOf([] { writeFileAtomically("", "x"); }), std::string("FileUnwritable"));
     }
 
-    void folderWithoutWritePermission()
+    void newFileInAFolderWithoutWritePermission()
     {
-        if (::geteuid() == 0) {
-            // Root passes every permission; the kernel's own tree refuses new files to all.
-            QCOMPARE(codeOf([] { writeFileAtomically("/proc/bergwatch.berg", "x"); }),
-                     std::string("FileUnwritable"));
-            return;
-        }
         writeFileAtomically(path("file"), "old");
-        QCOMPARE(::chmod(m_dir->path().toUtf8().constData(), 0500), 0);
-        refusesToWrite(path("file"));
-        QCOMPARE(::chmod(m_dir->path().toUtf8().constData(), 0700), 0);
+        const OrdinaryUser user;
+        FolderMode mode(*m_dir, 0555);
+        refusesToWrite(path("new file"));
+    }
+
+    void folderThatTakesNoTemporaryFile_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("file") << "file";
+        QTest::newRow("link") << "link";
+    }
+    /** The folder refuses a second file; the file itself may be written. */
+    void folderThatTakesNoTemporaryFile()
+    {
+        QFETCH(const QString, name);
+        writeFileAtomically(path("file"), std::string(1000, 'o'));
+        QCOMPARE(::chmod(path("file").c_str(), 0666), 0);
+        QCOMPARE(::symlink("file", path("link").c_str()), 0);
+        const QStringList before = namesIn(*m_dir);
+        {
+            const OrdinaryUser user;
+            FolderMode mode(*m_dir, 0555);
+            writeFileAtomically(m_dir->filePath(name).toStdString(), "new");
+        }
+        QCOMPARE(readFile(path("file")), std::string("new"));
+        QCOMPARE(modeOf(path("file")), 0666U);
+        QVERIFY(QFileInfo(m_dir->filePath("link")).isSymLink());
+        QCOMPARE(namesIn(*m_dir), before);
+    }
+
+    /** In a sticky folder nobody may replace the file of another, however writable it is. */
+    void folderThatRefusesTheRenaming()
+    {
+        if (::geteuid() != 0)
+            QSKIP("needs a file of somebody else");
+        writeFileAtomically(path("file"), "old");
+        QCOMPARE(::chmod(path("file").c_str(), 0666), 0);
+        {
+            const OrdinaryUser user;
+            FolderMode mode(*m_dir, 01777);
+            writeFileAtomically(path("file"), "new");
+        }
+        QCOMPARE(readFile(path("file")), std::string("new"));
+        QCOMPARE(namesIn(*m_dir), QStringList{"file"});
+    }
+
+    void fullDiskKeepsTheFileWrittenInPlace()
+    {
+        writeFileAtomically(path("file"), "old");
+        QCOMPARE(::chmod(path("file").c_str(), 0666), 0);
+        {
+            const OrdinaryUser user;
+            FolderMode mode(*m_dir, 0555);
+            const FileSizeLimit limit(4096);
+            const std::string large(100'000, 'x');
+            QCOMPARE(codeOf([&] { writeFileAtomically(path("file"), large); }),
+                     std::string("FileUnwritable"));
+        }
         QCOMPARE(readFile(path("file")), std::string("old"));
     }
 
