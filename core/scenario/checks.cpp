@@ -69,6 +69,11 @@ std::string limitsFault(double value, const Limits& limits)
            shortText(value);
 }
 
+std::string entryPath(const std::string& list, std::size_t i)
+{
+    return list + '[' + std::to_string(i) + ']';
+}
+
 std::string printable(std::string_view text)
 {
     constexpr std::size_t kLongest = 40;

@@ -19,6 +19,9 @@ struct Limits
 /** Shortest text that reads back as `value`, in the C locale; for messages. */
 [[nodiscard]] std::string shortText(double value);
 
+/** Path of an entry: "icebergs[3]". */
+[[nodiscard]] std::string entryPath(const std::string& list, std::size_t i);
+
 /** A name from a file fit for a message: at most 40 bytes and no control characters. */
 [[nodiscard]] std::string printable(std::string_view text);
 

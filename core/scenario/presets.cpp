@@ -1,40 +1,9 @@
 #include "core/scenario/presets.h"
 
 #include "core/base/angles.h"
-#include "core/base/random.h"
-
-#include <cmath>
+#include "core/scenario/field_draws.h"
 
 namespace berg {
-
-namespace {
-
-/** Rounded to 1/`perUnit`, so that tables and files show short numbers. */
-double rounded(double value, double perUnit)
-{
-    return std::round(value * perUnit) / perUnit;
-}
-
-constexpr double kPerMetre = 100;
-constexpr double kPerSpeed = 10000;
-constexpr double kPerSigma = 1000;
-
-/** One iceberg; the order of the draws is part of the preset and must not change. */
-Iceberg drawIceberg(const FieldSpec& field, Random& random)
-{
-    Iceberg iceberg;
-    iceberg.position_m.x() = rounded(random.uniform(0, field.size_m.x()), kPerMetre);
-    iceberg.position_m.y() = rounded(random.uniform(0, field.size_m.y()), kPerMetre);
-    const double speed_mps = random.uniform(0, field.speedMax_mps);
-    const double direction_rad = random.uniform(0, 2 * kPi);
-    iceberg.velocity_mps = {rounded(speed_mps * std::cos(direction_rad), kPerSpeed),
-                            rounded(speed_mps * std::sin(direction_rad), kPerSpeed)};
-    iceberg.sigma0_m2 = rounded(random.uniform(field.sigmaMin_m2, field.sigmaMax_m2), kPerSigma);
-    iceberg.q_m2ps = field.q_m2ps;
-    return iceberg;
-}
-
-} // namespace
 
 Scenario randomScenario(std::int64_t seed, const FieldSpec& field)
 {
@@ -52,9 +21,16 @@ Scenario randomScenario(std::int64_t seed, const FieldSpec& field)
     uav.heading_deg = 45; // the paper's psi of 45 degrees is the same course
     scenario.uavs.push_back(std::move(uav));
 
+    const FieldDraws draws{.low_m = Point::Zero(),
+                           .high_m = field.size_m,
+                           .speed_mps = {0, field.speedMax_mps},
+                           .direction_rad = {0, 2 * kPi},
+                           .sigma_m2 = {field.sigmaMin_m2, field.sigmaMax_m2},
+                           .q_m2ps = field.q_m2ps};
     Random random(static_cast<std::uint64_t>(seed), stableHash("field"));
     for (int i = 1; i <= field.icebergs; ++i) {
-        Iceberg iceberg = drawIceberg(field, random);
+        const Point position_m = drawPosition(draws, random);
+        Iceberg iceberg = drawIceberg(draws, position_m, random);
         iceberg.id = "berg-" + std::to_string(i);
         scenario.icebergs.push_back(std::move(iceberg));
     }

@@ -1,6 +1,7 @@
 #include "core/scenario/validate.h"
 
 #include "core/plan/names.h"
+#include "core/scenario/advice.h"
 #include "core/scenario/checks.h"
 
 #include <algorithm>
@@ -21,19 +22,10 @@ constexpr double kLargestTau = 100;
 /** Part of the airspeed above which wind makes flight times grow without much warning. */
 constexpr double kStrongWind = 0.7;
 
-// Where the file format sets no upper limit, these keep every sum of a run finite.
-constexpr double kLargestLength_m = 1e6;
+// Where the file format sets no upper limit; others of this kind are in scenario.h.
 constexpr double kLargestAirspeed_mps = 1000;
 constexpr double kLargestAssetSpeed_mps = 50;
-constexpr double kLargestTime_s = 1e9;
-constexpr double kLargestGrowth_m2ps = 1e6;
-constexpr double kLargestSigma_m2 = 1e12;
 constexpr double kLargestGain = 1e6;
-
-std::string at(const std::string& list, std::size_t i)
-{
-    return list + '[' + std::to_string(i) + ']';
-}
 
 /** Gathers the findings; the checks below call it field by field. */
 class Findings
@@ -64,8 +56,8 @@ public:
 
     bool inRange(const Point& value, const Limits& limits, const std::string& field)
     {
-        const bool first = inRange(value.x(), limits, at(field, 0));
-        return inRange(value.y(), limits, at(field, 1)) && first;
+        const bool first = inRange(value.x(), limits, entryPath(field, 0));
+        return inRange(value.y(), limits, entryPath(field, 1)) && first;
     }
 
     void utf8(const std::string& text, const std::string& field)
@@ -114,10 +106,9 @@ void checkArea(const Scenario& s, Findings& findings)
     }
     bool finite = true;
     for (std::size_t i = 0; i < s.area_m.size(); ++i)
-        finite = findings.inRange(s.area_m[i], kCoordinate_m, at("area_m", i)) && finite;
+        finite = findings.inRange(s.area_m[i], kCoordinate_m, entryPath("area_m", i)) && finite;
     if (finite && !isSimplePolygon(s.area_m))
         findings.error("area_m", "must be a polygon that neither touches nor crosses itself");
-    findings.warn("area_m", "kept, but not used by this version");
 }
 
 /** An id must be there, readable and unique over UAVs and icebergs together. */
@@ -148,10 +139,8 @@ void checkUav(const Uav& uav, const std::string& path, Findings& findings)
     findings.inRange(uav.fov_m, kExtent_m, path + ".fov_m");
     findings.inRange(uav.spec.altitude_m, kExtent_m, path + ".altitude_m");
     // In memory 0 stands for "none"; a file leaves the member out instead.
-    if (findings.inRange(uav.spec.endurance_s, {.low = 0, .high = kLargestTime_s},
-                         path + ".endurance_s") &&
-        uav.spec.endurance_s > 0)
-        findings.warn(path + ".endurance_s", "kept, but not used by this version");
+    findings.inRange(uav.spec.endurance_s, {.low = 0, .high = kLargestTime_s},
+                     path + ".endurance_s");
 }
 
 void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId, Findings& findings)
@@ -162,12 +151,37 @@ void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId,
         return;
     }
     for (std::size_t i = 0; i < s.uavs.size(); ++i) {
-        const std::string path = at("uavs", i);
+        const std::string path = entryPath("uavs", i);
         checkId(s.uavs[i].id, path, ownerOfId, findings);
         checkUav(s.uavs[i], path, findings);
     }
-    if (s.uavs.size() > 1)
-        findings.warn("uavs[1]", "kept, but this version flies the first UAV only");
+}
+
+/** Times that rise, each with a place; an empty track is none. */
+void checkTrack(const RecordedTrack& track, const std::string& path, Findings& findings)
+{
+    if (track.empty() && track.position_m.empty())
+        return;
+    const std::size_t count = track.time_s.size();
+    if (count < 2 || count > kMostTrackPoints) {
+        findings.error(path + ".time_s", "must have from 2 to " + std::to_string(kMostTrackPoints) +
+                                             " entries, not " + std::to_string(count));
+        return;
+    }
+    if (track.position_m.size() != count) {
+        findings.error(path + ".position_m",
+                       "must have one entry for each of time_s: " + std::to_string(count) +
+                           ", not " + std::to_string(track.position_m.size()));
+        return;
+    }
+    constexpr Limits kTime_s{.low = -kLargestTime_s, .high = kLargestTime_s};
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string time = entryPath(path + ".time_s", i);
+        if (findings.inRange(track.time_s[i], kTime_s, time) && i > 0 &&
+            !(track.time_s[i] > track.time_s[i - 1]))
+            findings.error(time, "must be later than the entry before");
+        findings.inRange(track.position_m[i], kCoordinate_m, entryPath(path + ".position_m", i));
+    }
 }
 
 void checkIceberg(const Iceberg& iceberg, const std::string& path, Findings& findings)
@@ -180,6 +194,7 @@ void checkIceberg(const Iceberg& iceberg, const std::string& path, Findings& fin
     findings.inRange(iceberg.observed_s, {.low = 0, .high = kLargestTime_s}, path + ".observed_s");
     findings.inRange(iceberg.appears_s, {.low = 0, .high = kLargestTime_s}, path + ".appears_s");
     findings.inRange(iceberg.radius_m, {.low = 0, .high = kLargestLength_m}, path + ".radius_m");
+    checkTrack(iceberg.track, path + ".track", findings);
 }
 
 void checkIcebergs(const Scenario& s, std::map<std::string, std::string>& ownerOfId,
@@ -194,7 +209,7 @@ void checkIcebergs(const Scenario& s, std::map<std::string, std::string>& ownerO
         findings.hint("icebergs", "none yet, so there is nothing to plan");
     for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
         const Iceberg& iceberg = s.icebergs[i];
-        const std::string path = at("icebergs", i);
+        const std::string path = entryPath("icebergs", i);
         checkId(iceberg.id, path, ownerOfId, findings);
         checkIceberg(iceberg, path, findings);
         if (iceberg.appears_s > s.duration_s && std::isfinite(iceberg.appears_s))
@@ -239,7 +254,7 @@ void checkDrift(const Scenario& s, Findings& findings)
     for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
         const Point drift_mps = s.icebergs[i].velocity_mps + s.current_mps;
         if ((s.wind_mps - drift_mps).norm() >= airspeed_mps)
-            findings.warn(at("icebergs", i) + ".velocity_mps",
+            findings.warn(entryPath("icebergs", i) + ".velocity_mps",
                           "drifts so fast that the UAV may not catch up with it");
     }
 }
@@ -255,7 +270,6 @@ void checkAsset(const Scenario& s, Findings& findings)
                      "asset.velocity_mps");
     findings.inRange(s.asset->range_m, kExtent_m, "asset.range_m");
     findings.inRange(s.asset->gain, {.low = 0, .high = kLargestGain}, "asset.gain");
-    findings.warn("asset", "kept, but not used by this version");
 }
 
 void checkPlanner(const Scenario& s, Findings& findings)
@@ -282,7 +296,11 @@ std::vector<Issue> validate(const Scenario& scenario)
     checkDrift(scenario, findings);
     checkAsset(scenario, findings);
     checkPlanner(scenario, findings);
-    return findings.take();
+    std::vector<Issue> issues = findings.take();
+    if (!hasErrors(issues)) // advice reckons with the numbers
+        for (Issue& issue : advice(scenario))
+            issues.push_back(std::move(issue));
+    return issues;
 }
 
 } // namespace berg

@@ -8,12 +8,14 @@ namespace berg {
 inline constexpr std::size_t kMostIcebergs = 1000;
 inline constexpr std::size_t kMostUavs = 100;
 inline constexpr std::size_t kMostAreaCorners = 2000;
+inline constexpr std::size_t kMostTrackPoints = 10'000; ///< of one iceberg
 
 /**
  * All findings about a scenario at once. Errors: what no program can fly (out of range, not
- * finite, duplicate ids, self-crossing area, wind as fast as the UAV). Warnings: what is kept in
- * the file but not used by this version (more than one UAV, an asset, endurance), wind above 0.7
- * of the airspeed. Hints: nothing to plan. Fields are named by their path in the scenario file.
+ * finite, duplicate ids, self-crossing area, wind as fast as the UAV). Warnings: what this version
+ * does not fly as it stands, wind above 0.7 of the airspeed. Hints: nothing to plan. A scenario
+ * without errors also gets the warnings and hints of `advice`. Fields are named by their path in
+ * the scenario file.
  */
 [[nodiscard]] std::vector<Issue> validate(const Scenario& scenario);
 

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct Feature
     bool (*shows)(const Scenario&);
 };
 
-constexpr std::array<Feature, 9> kFeatures = {{
+constexpr std::array<Feature, 10> kFeatures = {{
     {"grand-banks-12", 12, [](const Scenario& s) { return s == defaultScenario(); }},
     {"disko-bay-4", 4,
      [](const Scenario& s) {
@@ -47,6 +48,12 @@ constexpr std::array<Feature, 9> kFeatures = {{
      [](const Scenario& s) {
          return s.uavs[0].spec.endurance_s > 0 && s.uavs[0].spec.endurance_s < s.duration_s &&
                 s.area_m.size() >= 3;
+     }},
+    {"recorded-drift", 6,
+     [](const Scenario& s) {
+         return std::all_of(s.icebergs.begin(), s.icebergs.end(), [&](const Iceberg& iceberg) {
+             return !iceberg.track.empty() && iceberg.track.time_s.back() >= s.duration_s;
+         });
      }},
     {"flemish-pass-appearing", 12,
      [](const Scenario& s) {
@@ -73,7 +80,8 @@ private slots:
         QFETCH(const int, row);
         const Feature& feature = kFeatures[static_cast<std::size_t>(row)];
         const Scenario s = shipped(feature.file);
-        QVERIFY(!hasErrors(validate(s)));
+        for (const Issue& issue : validate(s))
+            QVERIFY2(issue.severity == Severity::Hint, (issue.field + issue.message).c_str());
         QVERIFY(!s.name.empty());
         QCOMPARE(s.icebergs.size(), feature.icebergs);
         QVERIFY(feature.shows(s));

@@ -81,11 +81,6 @@ const std::vector<Case>& cases()
              s.area_m = {{0, 0}, {1, 1}};
          },
          kError, "area_m"},
-        {"area unused",
-         [](S& s) {
-             s.area_m = {{0, 0}, {9, 0}, {0, 9}};
-         },
-         kWarning, "area_m"},
         {"no UAV", [](S& s) { s.uavs.clear(); }, kError, "uavs"},
         {"UAV without id", [](S& s) { s.uavs[0].id.clear(); }, kError, "uavs[0].id"},
         {"UAV id no UTF-8", [](S& s) { s.uavs[0].id = std::string("\x80"); }, kError, "uavs[0].id"},
@@ -103,8 +98,6 @@ const std::vector<Case>& cases()
         {"field of view 0", [](S& s) { s.uavs[0].fov_m.y() = 0; }, kError, "uavs[0].fov_m[1]"},
         {"altitude 0", [](S& s) { s.uavs[0].spec.altitude_m = 0; }, kError, "uavs[0].altitude_m"},
         {"endurance negative", [](S& s) { s.uavs[0].spec.endurance_s = -1; }, kError,
-         "uavs[0].endurance_s"},
-        {"endurance unused", [](S& s) { s.uavs[0].spec.endurance_s = 60; }, kWarning,
          "uavs[0].endurance_s"},
         {"no iceberg", [](S& s) { s.icebergs.clear(); }, kHint, "icebergs"},
         {"too many icebergs", [](S& s) { s.icebergs.resize(1001); }, kError, "icebergs"},
@@ -136,7 +129,11 @@ const std::vector<Case>& cases()
         {"iceberg runs away",
          [](S& s) {
              s.uavs[0].spec.airspeed_mps = 4;
-             s.icebergs[0].velocity_mps = {3, 3};
+             s.uavs[0].position_m = {-900, 0};
+             s.icebergs.resize(1);
+             s.icebergs[0].position_m = {0, 0};
+             s.icebergs[0].velocity_mps = {-1.6, 0};
+             s.wind_mps = {2.5, 0};
          },
          kWarning, "icebergs[0].velocity_mps"},
         {"tau negative", [](S& s) { s.planner.tau = -0.1; }, kError, "planner.tau"},
@@ -147,13 +144,6 @@ const std::vector<Case>& cases()
          "planner.policy"},
         {"coverage", [](S& s) { s.planner.policy = PolicyKind::Coverage; }, kWarning,
          "planner.policy"},
-        {"asset unused", [](S& s) { s.asset = platform(); }, kWarning, "asset"},
-        {"second UAV unused",
-         [](S& s) {
-             s.uavs.push_back(s.uavs[0]);
-             s.uavs[1].id = "uav-2";
-         },
-         kWarning, "uavs[1]"},
     };
     return all;
 }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/scenario/scenario.h"
+
+#include <string_view>
+
+namespace berg {
+
+/**
+ * What whoever flies a scenario would want to know before take-off, of one that has no errors:
+ * icebergs and UAV outside the area, icebergs that leave it, at one place, fast or out of reach,
+ * recorded tracks that do not fit, turns too wide for the field of view, endurance and duration too
+ * short, solvers at their limit, members that are kept but not used. Called by `validate`.
+ */
+[[nodiscard]] std::vector<Issue> advice(const Scenario& scenario);
+
+/** Every message of `advice`; each is about one field, so they are also the names of findings. */
+namespace advised {
+
+inline constexpr std::string_view kUnknownMembers =
+    "members that this version does not know are kept, but not used";
+inline constexpr std::string_view kAreaUnused =
+    "is used to check the scenario; this version flies beyond it";
+inline constexpr std::string_view kAssetUnused = "the asset is kept, but not used by this version";
+inline constexpr std::string_view kFirstUavOnly = "kept, but this version flies the first UAV only";
+inline constexpr std::string_view kEnduranceUnused =
+    "the endurance is kept, but not used by this version";
+inline constexpr std::string_view kEnduranceShort =
+    "is shorter than the run, and this version flies on when it is over";
+inline constexpr std::string_view kNoRoundTrip =
+    "is too short for the way to the nearest iceberg and back";
+inline constexpr std::string_view kUavOutside = "the UAV starts outside the area";
+inline constexpr std::string_view kWideTurn =
+    "the turn radius is larger than half the field of view, so that an iceberg may be missed";
+inline constexpr std::string_view kReachInsideTurn =
+    "is smaller than the turn radius, so that the UAV flies on and comes back";
+inline constexpr std::string_view kOutsideArea = "lies outside the area";
+inline constexpr std::string_view kLeavesArea = "drifts out of the area before the end of the run";
+inline constexpr std::string_view kSamePlace = "lies where another iceberg lies: the same one?";
+inline constexpr std::string_view kOutOfReach =
+    "is so far away that the UAV cannot get there before the end of the run";
+inline constexpr std::string_view kTooShort = "is over before the UAV can get to the first iceberg";
+inline constexpr std::string_view kFast = "drifts faster than icebergs do: is the unit right?";
+inline constexpr std::string_view kTrackShort =
+    "ends before the run does; from then on the iceberg stands still";
+inline constexpr std::string_view kTrackFar =
+    "begins so far from the estimate that the UAV will not see the iceberg there";
+inline constexpr std::string_view kAssetInIce = "lies inside an iceberg";
+inline constexpr std::string_view kNoSigma =
+    "no iceberg is uncertain at the start, so distance alone makes the first plan";
+inline constexpr std::string_view kBeyondProof =
+    "more than can be proven optimal; the plan comes with a bound";
+inline constexpr std::string_view kSolverUnable =
+    "cannot plan so many icebergs; the back end auto can";
+inline constexpr std::string_view kLongProof =
+    "proving the optimum of so many icebergs can take a minute and more";
+
+} // namespace advised
+
+} // namespace berg

@@ -1,0 +1,219 @@
+#include "core/scenario/generate.h"
+
+#include "core/base/angles.h"
+#include "core/scenario/checks.h"
+#include "core/scenario/field_draws.h"
+#include "core/scenario/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace berg {
+
+namespace {
+
+/** Draws in vain, one after the other, before there is taken to be no room: milliseconds. */
+constexpr int kMostMisses = 5000;
+constexpr double kAnySpread_deg = 180;
+
+/** Gathers what is wrong with a request. */
+class RequestFaults
+{
+public:
+    void check(const char* field, double value, const Limits& limits)
+    {
+        if (std::string fault = limitsFault(value, limits); !fault.empty())
+            add(field, std::move(fault));
+    }
+    /** A range from `low` to `high` within `limits`. */
+    void check(const char* lowField, const char* highField, const Span& span, const Limits& limits)
+    {
+        check(lowField, span.low, limits);
+        check(highField, span.high, limits);
+        if (span.low > span.high)
+            add(highField, std::string("must not be below ") + lowField);
+    }
+    void add(const char* field, std::string message)
+    {
+        m_issues.push_back({Severity::Error, field, std::move(message)});
+    }
+    void raise() const
+    {
+        if (!m_issues.empty())
+            throw Error(ErrorCode::InvalidInput, "icebergs to generate", m_issues);
+    }
+
+private:
+    std::vector<Issue> m_issues;
+};
+
+void checkArea(const std::vector<Point>& area_m, RequestFaults& faults)
+{
+    const auto isPlace = [](const Point& p_m) {
+        return p_m.allFinite() && p_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
+    };
+    if (area_m.size() < 3 || area_m.size() > kMostAreaCorners)
+        faults.add("area_m",
+                   "must have from 3 to " + std::to_string(kMostAreaCorners) + " corners");
+    else if (!std::all_of(area_m.begin(), area_m.end(), isPlace))
+        faults.add("area_m", "must lie within " + shortText(kLargestCoordinate_m) + " m");
+    else if (!isSimplePolygon(area_m))
+        faults.add("area_m", "must be a polygon that neither touches nor crosses itself");
+}
+
+void check(const Scenario& scenario, const FieldRequest& request)
+{
+    RequestFaults faults;
+    const double room =
+        static_cast<double>(kMostIcebergs) - static_cast<double>(scenario.icebergs.size());
+    if (room < 1)
+        faults.add("icebergs", "there is no room for more");
+    else
+        faults.check("icebergs", request.icebergs, {.low = 1, .high = room});
+    checkArea(request.area_m, faults);
+    faults.check("speedMin_mps", "speedMax_mps", {request.speedMin_mps, request.speedMax_mps},
+                 {.low = 0, .high = kLargestVelocity_mps});
+    faults.check("towards_deg", request.towards_deg, {.low = -360, .high = 360});
+    faults.check("spread_deg", request.spread_deg, {.low = 0, .high = kAnySpread_deg});
+    faults.check("sigmaMin_m2", "sigmaMax_m2", {request.sigmaMin_m2, request.sigmaMax_m2},
+                 {.low = 0, .high = kLargestSigma_m2});
+    faults.check("q_m2ps", request.q_m2ps, {.low = 0, .high = kLargestGrowth_m2ps});
+    if (request.seed < 0)
+        faults.add("seed", "must be at least 0");
+    faults.check("spacing_m", request.spacing_m, {.low = 0, .high = kLargestLength_m});
+    faults.raise();
+}
+
+FieldDraws drawsOf(const FieldRequest& request)
+{
+    FieldDraws draws{.low_m = request.area_m.front(),
+                     .high_m = request.area_m.front(),
+                     .speed_mps = {request.speedMin_mps, request.speedMax_mps},
+                     .direction_rad = {0, 2 * kPi},
+                     .sigma_m2 = {request.sigmaMin_m2, request.sigmaMax_m2},
+                     .q_m2ps = request.q_m2ps};
+    for (const Point& corner_m : request.area_m) {
+        draws.low_m = draws.low_m.cwiseMin(corner_m);
+        draws.high_m = draws.high_m.cwiseMax(corner_m);
+    }
+    if (request.spread_deg < kAnySpread_deg) {
+        const double middle_rad = radFromDeg(90 - request.towards_deg);
+        const double spread_rad = radFromDeg(request.spread_deg);
+        draws.direction_rad = {middle_rad - spread_rad, middle_rad + spread_rad};
+    }
+    return draws;
+}
+
+/** Places that keep a distance, in cells of that size: what is too near is in the nine round it. */
+class SpacedPlaces
+{
+public:
+    explicit SpacedPlaces(double spacing_m) : m_spacing_m(spacing_m) {}
+
+    [[nodiscard]] bool isFree(const Point& p_m) const
+    {
+        if (m_spacing_m <= 0)
+            return true;
+        const Cell cell = cellOf(p_m);
+        for (std::int64_t column = cell.first - 1; column <= cell.first + 1; ++column)
+            for (std::int64_t row = cell.second - 1; row <= cell.second + 1; ++row)
+                if (isTaken({column, row}, p_m))
+                    return false;
+        return true;
+    }
+    void add(const Point& p_m)
+    {
+        if (m_spacing_m > 0)
+            m_places[cellOf(p_m)].push_back(p_m);
+    }
+
+private:
+    using Cell = std::pair<std::int64_t, std::int64_t>;
+
+    [[nodiscard]] Cell cellOf(const Point& p_m) const
+    {
+        return {static_cast<std::int64_t>(std::floor(p_m.x() / m_spacing_m)),
+                static_cast<std::int64_t>(std::floor(p_m.y() / m_spacing_m))};
+    }
+    [[nodiscard]] bool isTaken(const Cell& cell, const Point& p_m) const
+    {
+        const auto it = m_places.find(cell);
+        return it != m_places.end() &&
+               std::any_of(it->second.begin(), it->second.end(), [&](const Point& other_m) {
+                   return (other_m - p_m).norm() < m_spacing_m;
+               });
+    }
+
+    double m_spacing_m;
+    std::map<Cell, std::vector<Point>> m_places;
+};
+
+/** Hands out "berg-K" with rising K, past the ids that are taken. */
+class FreshIds
+{
+public:
+    explicit FreshIds(const Scenario& scenario) : m_next(scenario.icebergs.size() + 1)
+    {
+        for (const Uav& uav : scenario.uavs)
+            m_taken.insert(uav.id);
+        for (const Iceberg& iceberg : scenario.icebergs)
+            m_taken.insert(iceberg.id);
+    }
+    [[nodiscard]] std::string take()
+    {
+        std::string id;
+        do
+            id = "berg-" + std::to_string(m_next++);
+        while (m_taken.count(id) > 0);
+        return id;
+    }
+
+private:
+    std::set<std::string> m_taken;
+    std::size_t m_next;
+};
+
+[[noreturn]] void refuse(std::size_t placed, const FieldRequest& request)
+{
+    RequestFaults faults;
+    const std::string counts =
+        "only " + std::to_string(placed) + " of " + std::to_string(request.icebergs) + " icebergs ";
+    if (request.spacing_m > 0)
+        faults.add("spacing_m", counts + "found a place at least " + shortText(request.spacing_m) +
+                                    " m from the others");
+    else
+        faults.add("area_m", counts + "found a place: the area is too thin");
+    faults.raise();
+    throw std::logic_error("refuse: nothing to refuse");
+}
+
+} // namespace
+
+std::vector<Iceberg> generateIcebergs(const Scenario& scenario, const FieldRequest& request)
+{
+    check(scenario, request);
+    const FieldDraws draws = drawsOf(request);
+    Random random(static_cast<std::uint64_t>(request.seed), stableHash("field"));
+    SpacedPlaces places(request.spacing_m);
+    for (const Iceberg& iceberg : scenario.icebergs)
+        places.add(iceberg.position_m);
+    FreshIds ids(scenario);
+
+    std::vector<Iceberg> icebergs;
+    for (int misses = 0; icebergs.size() < static_cast<std::size_t>(request.icebergs); ++misses) {
+        if (misses == kMostMisses)
+            refuse(icebergs.size(), request);
+        const Point position_m = drawPosition(draws, random);
+        if (!places.isFree(position_m) || !insidePolygon(request.area_m, position_m))
+            continue;
+        places.add(position_m);
+        icebergs.push_back(drawIceberg(draws, position_m, random));
+        icebergs.back().id = ids.take();
+        misses = 0;
+    }
+    return icebergs;
+}
+
+} // namespace berg

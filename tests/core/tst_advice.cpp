@@ -1,0 +1,291 @@
+#include "core/scenario/advice.h"
+#include "core/scenario/presets.h"
+#include "core/scenario/validate.h"
+#include "tests/support/random_scenario.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QTest>
+
+#include <functional>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+using Change = std::function<void(Scenario&)>;
+
+/** A change that leads to exactly one finding, and a slighter one that leads to none. */
+struct Case
+{
+    const char* name;
+    Change change;
+    Severity severity;
+    const char* field;
+    std::string_view message;
+    Change harmless;
+};
+
+/** Two icebergs ahead of the UAV, half a kilometre and two away; 1000 s. */
+Scenario calmSea()
+{
+    Scenario s = emptySea();
+    addIceberg(s, 500, 0);
+    addIceberg(s, 2000, 1000);
+    return s;
+}
+
+std::vector<Point> square(double half_m)
+{
+    return {{-half_m, -half_m}, {half_m, -half_m}, {half_m, half_m}, {-half_m, half_m}};
+}
+
+Iceberg& tracked(Scenario& s, double begin_m, double end_s)
+{
+    s.icebergs[0].track.time_s = {0, end_s};
+    s.icebergs[0].track.position_m = {{500, begin_m}, {500, begin_m}};
+    return s.icebergs[0];
+}
+
+void addManyIcebergs(Scenario& s, int count)
+{
+    while (static_cast<int>(s.icebergs.size()) < count)
+        addIceberg(s, 10.0 * static_cast<double>(s.icebergs.size()), 300);
+}
+
+const std::vector<Case>& cases()
+{
+    constexpr Severity kWarning = Severity::Warning;
+    constexpr Severity kHint = Severity::Hint;
+    using S = Scenario;
+    static const std::vector<Case> all = {
+        {"unknown member", [](S& s) { s.icebergs[1].extraJson = R"({"shape":"tabular"})"; }, kHint,
+         "", advised::kUnknownMembers, [](S& s) { s.icebergs[1].name = "tabular"; }},
+        {"asset", [](S& s) { s.asset = Asset{}; }, kHint, "asset", advised::kAssetUnused,
+         [](S&) {}},
+        {"second UAV",
+         [](S& s) {
+             s.uavs.push_back(s.uavs[0]);
+             s.uavs[1].id = "uav-2";
+         },
+         kHint, "uavs[1]", advised::kFirstUavOnly, [](S&) {}},
+        {"endurance", [](S& s) { s.uavs[0].spec.endurance_s = 1000; }, kHint, "uavs[0].endurance_s",
+         advised::kEnduranceUnused, [](S&) {}},
+        {"endurance short", [](S& s) { s.uavs[0].spec.endurance_s = 999; }, kHint,
+         "uavs[0].endurance_s", advised::kEnduranceShort, [](S&) {}},
+        {"wide turn",
+         [](S& s) {
+             s.uavs[0].fov_m = {600, 200}; // the turn radius is 105.8 m
+         },
+         kHint, "uavs[0].fov_m", advised::kWideTurn,
+         [](S& s) {
+             s.uavs[0].fov_m = {600, 220};
+         }},
+        {"reach inside turn", [](S& s) { s.reachRadius_m = 100; }, kHint, "planner.reach_radius_m",
+         advised::kReachInsideTurn, [](S& s) { s.reachRadius_m = 110; }},
+        {"one iceberg twice", [](S& s) { addIceberg(s, 500.5, 0.5); }, kWarning,
+         "icebergs[2].position_m", advised::kSamePlace, [](S& s) { addIceberg(s, 501.1, 0); }},
+        // 22 km straight on and the half diagonal of the field of view, 424 m.
+        {"out of reach",
+         [](S& s) {
+             s.icebergs[1].position_m = {22430, 0};
+         },
+         kWarning, "icebergs[1].position_m", advised::kOutOfReach,
+         [](S& s) {
+             s.icebergs[1].position_m = {22420, 0};
+         }},
+        {"out of reach by wind",
+         [](S& s) {
+             s.icebergs[1].position_m = {15000, 0};
+             s.wind_mps = {-10, 0};
+         },
+         kWarning, "icebergs[1].position_m", advised::kOutOfReach,
+         [](S& s) {
+             s.icebergs[1].position_m = {15000, 0};
+             s.wind_mps = {10, 0};
+         }},
+        {"out of reach by current",
+         [](S& s) {
+             s.icebergs[1].position_m = {22400, 0};
+             s.icebergs[1].appears_s = 900; // by then nothing has moved it
+             s.icebergs[1].position_m.x() = 22500;
+             s.current_mps = {0.5, 0};
+         },
+         kWarning, "icebergs[1].position_m", advised::kOutOfReach,
+         [](S& s) {
+             s.icebergs[1].position_m = {22500, 0};
+             s.current_mps = {-0.5, 0};
+         }},
+        {"too short", [](S& s) { s.duration_s = 3; }, kWarning, "duration_s", advised::kTooShort,
+         [](S& s) {
+             s.duration_s = 100;
+             s.icebergs.resize(1);
+         }},
+        {"fast",
+         [](S& s) {
+             s.icebergs[0].velocity_mps = {1.5, 1.5};
+         },
+         kHint, "icebergs[0].velocity_mps", advised::kFast,
+         [](S& s) {
+             s.icebergs[0].velocity_mps = {1.4, 1.4};
+         }},
+        {"track short", [](S& s) { tracked(s, 0, 999); }, kHint, "icebergs[0].track",
+         advised::kTrackShort, [](S& s) { tracked(s, 0, 1000); }},
+        {"track far", [](S& s) { tracked(s, 430, 1000); }, kWarning, "icebergs[0].track",
+         advised::kTrackFar, [](S& s) { tracked(s, 420, 1000); }},
+        {"nothing uncertain",
+         [](S& s) {
+             s.icebergs[0].sigma0_m2 = 0;
+             s.icebergs[1].sigma0_m2 = 0;
+         },
+         kHint, "icebergs", advised::kNoSigma,
+         [](S& s) {
+             s.icebergs[0].sigma0_m2 = 0;
+             s.icebergs[1].sigma0_m2 = 0;
+             s.icebergs[1].observed_s = 60;
+         }},
+        {"beyond proof", [](S& s) { addManyIcebergs(s, 128); }, kHint, "icebergs",
+         advised::kBeyondProof, [](S& s) { addManyIcebergs(s, 127); }},
+        {"beyond the solver",
+         [](S& s) {
+             addManyIcebergs(s, 128);
+             s.planner.backend = Backend::Exact;
+         },
+         kWarning, "planner.backend", advised::kSolverUnable,
+         [](S& s) {
+             addManyIcebergs(s, 128);
+             s.planner.backend = Backend::Exact;
+             s.planner.tau = 0;
+         }},
+        {"long proof",
+         [](S& s) {
+             addManyIcebergs(s, 81);
+             s.planner.backend = Backend::Exact;
+         },
+         kHint, "planner.backend", advised::kLongProof,
+         [](S& s) {
+             addManyIcebergs(s, 80);
+             s.planner.backend = Backend::Exact;
+         }},
+    };
+    return all;
+}
+
+/** What there is to say besides that the area is no border yet. */
+std::vector<Issue> adviceInArea(Scenario scenario, double half_m)
+{
+    scenario.area_m = square(half_m);
+    std::vector<Issue> issues = validate(scenario);
+    const auto isUse = [](const Issue& issue) { return issue.message == advised::kAreaUnused; };
+    return std::erase_if(issues, isUse) == 1 ? issues : std::vector<Issue>{};
+}
+
+bool isOne(const std::vector<Issue>& issues, const Issue& expected)
+{
+    return issues == std::vector<Issue>{expected};
+}
+
+} // namespace
+
+class TestAdvice : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void calmSeaNeedsNone() { QVERIFY(validate(calmSea()).empty()); }
+
+    void oneFinding_data()
+    {
+        QTest::addColumn<int>("row");
+        for (std::size_t i = 0; i < cases().size(); ++i)
+            QTest::newRow(cases()[i].name) << static_cast<int>(i);
+    }
+    void oneFinding()
+    {
+        QFETCH(const int, row);
+        const Case& expected = cases()[static_cast<std::size_t>(row)];
+        Scenario scenario = calmSea();
+        expected.change(scenario);
+        const std::vector<Issue> issues = validate(scenario);
+        QCOMPARE(issues.size(), std::size_t{1});
+        QCOMPARE(issues[0].field, std::string(expected.field));
+        QCOMPARE(issues[0].message, std::string(expected.message));
+        QVERIFY(issues[0].severity == expected.severity);
+
+        Scenario slighter = calmSea();
+        expected.harmless(slighter);
+        for (const Issue& issue : validate(slighter))
+            QVERIFY2(issue.message != expected.message, issue.field.c_str());
+    }
+
+    void area()
+    {
+        Scenario s = calmSea();
+        QVERIFY(adviceInArea(s, 2100).empty());
+        QVERIFY(isOne(adviceInArea(s, 1900), {Severity::Warning, "icebergs[1].position_m",
+                                              std::string(advised::kOutsideArea)}));
+        s.icebergs[1].velocity_mps = {0.2, 0}; // 200 m in 1000 s
+        QVERIFY(isOne(adviceInArea(s, 2100), {Severity::Hint, "icebergs[1].velocity_mps",
+                                              std::string(advised::kLeavesArea)}));
+        s.icebergs[1].appears_s = 600;
+        QVERIFY(adviceInArea(s, 2100).empty());
+        s.current_mps = {0.2, 0};
+        QVERIFY(isOne(adviceInArea(s, 2100), {Severity::Hint, "icebergs[1].velocity_mps",
+                                              std::string(advised::kLeavesArea)}));
+        s.icebergs[1].appears_s = 1001; // never comes
+        QVERIFY(!adviceInArea(s, 2100).empty());
+        for (const Issue& issue : adviceInArea(s, 2100))
+            QVERIFY(issue.message != advised::kLeavesArea);
+        s = calmSea();
+        s.uavs[0].position_m = {0, -3000};
+        QVERIFY(isOne(adviceInArea(s, 2100),
+                      {Severity::Hint, "uavs[0].position_m", std::string(advised::kUavOutside)}));
+    }
+
+    void wayBackIsCounted()
+    {
+        Scenario s = calmSea();
+        s.icebergs[0].position_m = {2624, 0}; // 2200 m to its sight: 100 s there, 100 s back
+        s.icebergs[1].position_m = {5000, 0};
+        const auto refused = [&](double endurance_s) {
+            s.uavs[0].spec.endurance_s = endurance_s;
+            for (const Issue& issue : validate(s))
+                if (issue.message == advised::kNoRoundTrip)
+                    return issue.severity == Severity::Warning;
+            return false;
+        };
+        QVERIFY(refused(199));
+        QVERIFY(!refused(201));
+    }
+
+    void assetInIce()
+    {
+        Scenario s = calmSea();
+        s.asset = Asset{};
+        s.asset->position_m = {549, 0}; // the radius is 50 m
+        QCOMPARE(validate(s).size(), std::size_t{2});
+        QCOMPARE(validate(s)[1].field, std::string("asset.position_m"));
+        s.asset->position_m = {551, 0};
+        QCOMPARE(validate(s).size(), std::size_t{1});
+    }
+
+    void errorsComeFirst()
+    {
+        Scenario s = calmSea();
+        s.icebergs[0].velocity_mps = {4, 0};
+        s.icebergs[1].q_m2ps = -1;
+        QCOMPARE(validate(s).size(), std::size_t{1});
+        QVERIFY(hasErrors(validate(s)));
+    }
+
+    /** Whatever is valid can be advised on, and never gets an error for it. */
+    void anyScenarioCanBeAdvised()
+    {
+        AnyScenario any(3);
+        for (int i = 0; i < 300; ++i)
+            QVERIFY(!hasErrors(advice(any.draw())));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAdvice)
+#include "tst_advice.moc"
