@@ -20,5 +20,6 @@ void addCurveCommand(CLI::App& app, Action& action);    ///< curve
 void addSimulateCommand(CLI::App& app, Action& action); ///< simulate
 void addStudyCommands(CLI::App& app, Action& action);   ///< sweep, benchmark
 void addFileCommands(CLI::App& app, Action& action);    ///< export, validate
+void addImportCommand(CLI::App& app, Action& action);   ///< import
 
 } // namespace berg::cli

@@ -42,6 +42,7 @@ int run(int argc, char** argv, const std::stop_token& stop)
     addSimulateCommand(app, action);
     addStudyCommands(app, action);
     addFileCommands(app, action);
+    addImportCommand(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -68,11 +68,6 @@ std::string memberPath(const std::string& object, const std::string& member)
     return object.empty() ? printable(member) : object + '.' + printable(member);
 }
 
-std::string entryPath(const std::string& list, std::size_t i)
-{
-    return list + '[' + std::to_string(i) + ']';
-}
-
 std::string typeText(const Json& value)
 {
     switch (value.type()) {

@@ -70,8 +70,6 @@ void requireFormat(ParsedJson& file, std::string_view format, const std::string&
 
 /** Path of a member: `asset.name`; `object` is empty for the file's root. */
 [[nodiscard]] std::string memberPath(const std::string& object, const std::string& member);
-/** Path of entry `i` of a list: `icebergs[3]`. */
-[[nodiscard]] std::string entryPath(const std::string& list, std::size_t i);
 
 /** The value's type with its article, for messages: "a string". */
 [[nodiscard]] std::string typeText(const Json& value);

@@ -56,6 +56,31 @@ Uav readUav(const Json& value, const std::string& path, Faults& faults)
     return uav;
 }
 
+/** Both lists of the recorded track; what they must hold is up to `validate`. */
+void readTrack(const Json& value, const std::string& path, Faults& faults, Iceberg& iceberg)
+{
+    ObjectReader object(value, path, faults);
+    const bool whole = object.need("time_s") != nullptr && object.need("position_m") != nullptr;
+    const Json* times = object.array("time_s");
+    const Json* places = object.array("position_m");
+    iceberg.trackExtraJson = object.unknown();
+    if (!whole || times == nullptr || places == nullptr)
+        return;
+    if (times->empty())
+        faults.add(object.path("time_s"), "must have at least 2 entries");
+    for (std::size_t i = 0; i < times->size(); ++i)
+        if (const auto time_s = numberOf((*times)[i], entryPath(object.path("time_s"), i), faults))
+            iceberg.track.time_s.push_back(*time_s);
+    for (std::size_t i = 0; i < places->size(); ++i)
+        if (const auto place_m =
+                pointOf((*places)[i], entryPath(object.path("position_m"), i), faults))
+            iceberg.track.position_m.push_back(*place_m);
+    // With an entry missing the rest does not fit together: nothing more is said about it.
+    if (iceberg.track.time_s.size() != times->size() ||
+        iceberg.track.position_m.size() != places->size())
+        iceberg.track = {};
+}
+
 Asset readAsset(const Json& value, const std::string& path, Faults& faults)
 {
     ObjectReader object(value, path, faults);
@@ -226,6 +251,15 @@ std::string plannerText(const Scenario& scenario)
     return object.inLine();
 }
 
+std::string trackText(const Iceberg& iceberg)
+{
+    JsonObject object;
+    object.addText("time_s", jsonArrayOf(iceberg.track.time_s));
+    object.addText("position_m", jsonArrayOf(iceberg.track.position_m));
+    object.addExtra(iceberg.trackExtraJson);
+    return object.inLine();
+}
+
 /** Text of each entry of a list. */
 template <class Entry>
 std::vector<std::string> textsOf(const std::vector<Entry>& entries,
@@ -252,6 +286,8 @@ Iceberg readIceberg(const Json& value, const std::string& path, Faults& faults)
     iceberg.observed_s = object.number("observed_s", iceberg.observed_s);
     iceberg.appears_s = object.number("appears_s", iceberg.appears_s);
     iceberg.radius_m = object.number("radius_m", iceberg.radius_m);
+    if (const Json* track = object.find("track"))
+        readTrack(*track, object.path("track"), faults, iceberg);
     iceberg.extraJson = object.unknown();
     return iceberg;
 }
@@ -299,6 +335,8 @@ std::string icebergText(const Iceberg& iceberg)
     object.addUnless("observed_s", iceberg.observed_s, standard.observed_s);
     object.addUnless("appears_s", iceberg.appears_s, standard.appears_s);
     object.addUnless("radius_m", iceberg.radius_m, standard.radius_m);
+    if (!iceberg.track.empty())
+        object.addText("track", trackText(iceberg));
     object.addExtra(iceberg.extraJson);
     return object.inLine();
 }

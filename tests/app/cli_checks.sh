@@ -209,6 +209,43 @@ done
 check "plan is JSON" python3 -c 'import json; assert json.load(open("plan.plan"))["fileType"] == "Plan"'
 check "wpl head" grep -qx 'QGC WPL 110' <(head -1 plan.wpl)
 
+# --- import ----------------------------------------------------------------------------------
+data="$source_dir/tests/data/import"
+for file in iip.csv cis-beacon.csv usnic.csv metno.geojson points.geojson places.kml waypoints.gpx table.csv; do
+    check "import $file" exits 0 "$cli" import "$data/$file" --output imported.berg
+    check "import $file: names each rejected row" says "$file: line "
+    check "import $file: valid" exits 0 "$cli" validate imported.berg
+    check "import $file: flies" exits 0 "$cli" simulate imported.berg --duration 20
+done
+check "import --json" exits 0 "$cli" import "$data/iip.csv" --format iip --output imported.berg --json
+check "import --json: members" json 'list(d) == ["format","sightings","rejected","outside_area","outside_time","added","updated","unchanged","left_out","start_utc","origin","icebergs","rejected_rows"]'
+check "import --json: counts" json '(d["sightings"], d["rejected"], d["added"]) == (7, 7, 4) and d["rejected_rows"][0]["line"] == 7'
+check "import again" exits 0 "$cli" import "$data/iip.csv" --into imported.berg --output again.berg --json
+check "import again: nothing new" json 'd["unchanged"] == 4 and d["added"] + d["updated"] == 0'
+check "import again: the same file" cmp -s imported.berg again.berg
+check "import of an area and time" exits 0 "$cli" import "$data/iip.csv" --output area.berg --area 47,-50,53,-49 --since 2021-01-01T00:00:00Z --at 2021-04-02T00:00:00Z --json
+check "import of an area and time: one" json '[i["id"] for i in d["icebergs"]] == ["2021-302"] and d["start_utc"] == "2021-04-02T00:00:00Z" and d["icebergs"][0]["age_s"] == 7.25 * 3600'
+check "import with a track" exits 0 "$cli" import "$data/cis-beacon.csv" --output track.berg --at 2012-07-03T07:00:00Z --with-tracks --json
+check "import with a track: it is there" python3 -c 'import json; t = json.load(open("track.berg"))["icebergs"][0]["track"]; raise SystemExit(not (t["time_s"][0] == 0 and t["time_s"][-1] == 39600 and len(t["time_s"]) == len(t["position_m"])))'
+check "a track is flown and replayed" exits 0 "$cli" simulate track.berg --duration 60 --output trackout
+check "a track is flown and replayed: equal" exits 0 "$cli" simulate trackout/run.bergrun
+printf 'A,B\n47.1,-48.2\n' >columns.csv
+check "import with a mapping" exits 0 "$cli" import columns.csv --map latitude=A --map longitude=B --output mapped.berg --json
+check "import with a mapping: taken" json 'd["format"] == "csv" and d["added"] == 1 and d["start_utc"] is None'
+check "import without the mapping" exits 3 "$cli" import columns.csv --output never.berg
+check "import: a field that is none" exits 2 "$cli" import columns.csv --map height=A --output never.berg
+check "import: a time that is none" exits 2 "$cli" import "$data/iip.csv" --at yesterday --output never.berg
+check "import: an area that is none" exits 2 "$cli" import "$data/iip.csv" --area 1,2,3 --output never.berg
+check "import: tracks from when" exits 2 "$cli" import "$data/cis-beacon.csv" --with-tracks --output never.berg
+check "import: unknown format" exits 2 "$cli" import "$data/iip.csv" --format shp --output never.berg
+check "import of a missing file" exits 3 "$cli" import missing.csv --output never.berg
+check "import of a scenario" exits 3 "$cli" import "$default" --output never.berg
+check "import of the program" exits 3 "$cli" import "$cli" --output never.berg
+check "import of an empty area" exits 3 "$cli" import "$data/iip.csv" --area 0,0,1,1 --output never.berg
+check "import of an empty area: words" says "none of its 7 sightings"
+check "import: a place that cannot be written" exits 1 "$cli" import "$data/iip.csv" --output columns.csv/x.berg
+check "import: nothing is written in vain" test ! -e never.berg
+
 # --- benchmark -------------------------------------------------------------------------------
 check "benchmark" exits 0 "$cli" benchmark --sizes 10,6,2,6 --repeat 3 --backends auto,heuristic --seconds 20 --json
 check "benchmark: rows" json 'len(d["rows"]) == 6 and all(r["instances"] == 3 for r in d["rows"])'
@@ -243,6 +280,8 @@ while IFS= read -r -d '' file; do
 done < <(find "$source_dir/tests/data/broken" -type f ! -name 'EXPECTED.tsv' -print0)
 check "at least 40 broken files" test "$broken" -ge 40
 check "broken input writes nothing" test ! -e never
+check "validate: advice" exits 0 "$cli" validate "$source_dir/resources/scenarios/fram-strait-endurance.berg"
+check "validate: advice names the field" says "hint: uavs[0].endurance_s: is shorter than the run"
 check "validate --json" exits 3 "$cli" validate --json problem.json missing.berg
 check "validate --json: list" json 'len(d) == 1 and d[0]["file"] == "missing.berg" and d[0]["severity"] == "error"'
 

@@ -76,8 +76,11 @@ std::string thirdPartyFault(const std::string& file, const std::string& target)
         return "COIN belongs to core/plan/cbc_solver.cpp";
     if (target.starts_with("nlohmann") && moduleOf(file) != "io")
         return "JSON belongs to core/io";
-    if (target.starts_with("GeographicLib") && !file.starts_with("core/base/geodesy."))
-        return "GeographicLib belongs to core/base/geodesy";
+    if (target == "expat.h" && file != "core/io/xml_reader.cpp")
+        return "Expat belongs to core/io/xml_reader.cpp";
+    if (target.starts_with("GeographicLib") &&
+        !startsWithAny(file, {"core/base/geodesy.", "core/base/coordinates."}))
+        return "GeographicLib belongs to core/base/geodesy and coordinates";
     return {};
 }
 
@@ -233,7 +236,10 @@ private slots:
         row("core/io/json_reader.cpp", "<nlohmann/json.hpp>", true);
         row("core/plan/solver.cpp", "<nlohmann/json.hpp>", false);
         row("app/cli/main.cpp", "<nlohmann/json.hpp>", false);
+        row("core/io/xml_reader.cpp", "<expat.h>", true);
+        row("core/io/import_xml.cpp", "<expat.h>", false);
         row("core/base/geodesy.cpp", "<GeographicLib/Geodesic.hpp>", true);
+        row("core/base/coordinates.cpp", "<GeographicLib/DMS.hpp>", true);
         row("core/io/gpx.cpp", "<GeographicLib/Geodesic.hpp>", false);
         row("app/cli/main.cpp", "\"core/io/formats.h\"", true);
         row("app/cli/main.cpp", "\"app/cli/commands.h\"", true);

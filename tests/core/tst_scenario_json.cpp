@@ -135,6 +135,9 @@ private slots:
         iceberg.observed_s = 600;
         iceberg.appears_s = 30;
         iceberg.radius_m = 90;
+        iceberg.track = {.time_s = {-60, 0, 90.5},
+                         .position_m = {{1190, 3400}, {1200, 3390}, {1210.25, 3380}}};
+        iceberg.trackExtraJson = R"({"beacon":"7001"})";
         iceberg.extraJson = R"({"source":{"sensor":"SAR","ages":[1,2.5]}})";
         QCOMPARE(s.icebergs.size(), std::size_t{2});
         QVERIFY(s.icebergs[1] == iceberg);

@@ -135,8 +135,23 @@ private:
         iceberg.observed_s = number(0, 1e6);
         iceberg.appears_s = number(0, 1e6);
         iceberg.radius_m = number(0, 1000);
+        if (often()) {
+            iceberg.track = track();
+            iceberg.trackExtraJson = extra();
+        }
         iceberg.extraJson = extra();
         return iceberg;
+    }
+    RecordedTrack track()
+    {
+        RecordedTrack track;
+        double time_s = number(-1000, 1000);
+        for (std::uint64_t count = 2 + m_random.below(5); count > 0; --count) {
+            track.time_s.push_back(time_s);
+            track.position_m.push_back(point(1e6));
+            time_s += m_random.uniform(1e-3, 1e4);
+        }
+        return track;
     }
     Asset asset()
     {

@@ -1,0 +1,200 @@
+#include "app/cli/commands.h"
+#include "core/io/atomic_file.h"
+#include "core/io/import_formats.h"
+#include "core/io/import_report.h"
+#include "core/io/scenario_json.h"
+#include "core/scenario/validate.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+
+namespace berg::cli {
+
+namespace {
+
+struct ImportArguments
+{
+    std::string file;
+    std::string format = "auto";
+    std::string outputFile;
+    std::string intoFile; ///< empty: a new scenario
+    std::vector<std::string> mappings;
+    std::string at;
+    std::string since;
+    std::string until;
+    std::string area;
+    std::optional<double> sigma_m2;
+    std::optional<double> q_m2ps;
+    bool withTracks = false;
+    bool json = false;
+};
+
+std::string formatList()
+{
+    std::string ids = "auto";
+    for (const ImportFormat& format : importFormats())
+        ids += ", " + std::string(format.id);
+    return ids;
+}
+
+std::optional<UtcTime> timeOf(const std::string& option, const std::string& text)
+{
+    if (text.empty())
+        return std::nullopt;
+    const std::optional<UtcTime> time = parseUtc(text);
+    if (!time)
+        throw UsageError{option + ": " + text + " is no UTC time such as 2026-05-01T12:00:00Z"};
+    return time;
+}
+
+/** "S,W,N,E" in degrees. */
+std::optional<GeoBox> areaOf(const std::string& text)
+{
+    if (text.empty())
+        return std::nullopt;
+    std::array<double, 4> edges_deg{};
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    bool ok = true;
+    for (std::size_t i = 0; ok && i < edges_deg.size(); ++i) {
+        const auto [next, error] = std::from_chars(at, end, edges_deg[i]);
+        const bool last = i + 1 == edges_deg.size();
+        ok = error == std::errc() && (last ? next == end : next != end && *next == ',');
+        at = next + (last ? 0 : 1);
+    }
+    if (!ok)
+        throw UsageError{"--area: " + text + " is not SOUTH,WEST,NORTH,EAST in degrees"};
+    return GeoBox{.south_deg = edges_deg[0],
+                  .west_deg = edges_deg[1],
+                  .north_deg = edges_deg[2],
+                  .east_deg = edges_deg[3]};
+}
+
+/** "FIELD=COLUMN". */
+FieldColumn mappingOf(const std::string& text)
+{
+    const std::size_t equals = text.find('=');
+    const std::optional<SightingField> field = valueOf(kSightingFieldNames, text.substr(0, equals));
+    if (equals == std::string::npos || !field)
+        throw UsageError{"--map: " + text + " is not FIELD=COLUMN with a field of " +
+                         allowedNames(kSightingFieldNames)};
+    return {.field = *field, .column = text.substr(equals + 1)};
+}
+
+ImportOptions optionsOf(const ImportArguments& arguments)
+{
+    ImportOptions options{.at = timeOf("--at", arguments.at),
+                          .since = timeOf("--since", arguments.since),
+                          .until = timeOf("--until", arguments.until),
+                          .area = areaOf(arguments.area),
+                          .withTracks = arguments.withTracks};
+    options.sigma0_m2 = arguments.sigma_m2.value_or(options.sigma0_m2);
+    options.q_m2ps = arguments.q_m2ps.value_or(options.q_m2ps);
+    if (options.withTracks && !options.at)
+        throw UsageError{"--with-tracks needs --at: the tracks are what was sighted after it"};
+    return options;
+}
+
+std::string summary(const SightingTable& table, const ImportResult& result)
+{
+    std::string text = "format     " + table.format + '\n';
+    const auto add = [&](const char* what, std::size_t count, const char* of) {
+        char line[80];
+        std::snprintf(line, sizeof line, "%-10s %s %s\n", what,
+                      grouped(static_cast<double>(count)).c_str(), of);
+        text += line;
+    };
+    add("read", table.sightings.size(), "sightings");
+    if (result.rejected.count > 0)
+        add("rejected", result.rejected.count, "rows");
+    if (result.outsideArea > 0)
+        add("not taken", result.outsideArea, "sightings outside the area");
+    if (result.outsideTime > 0)
+        add("not taken", result.outsideTime, "sightings outside the time");
+    add("added", result.added, "icebergs");
+    add("updated", result.updated, "icebergs");
+    add("unchanged", result.unchanged, "icebergs");
+    if (result.leftOut > 0)
+        add("left out", result.leftOut, "icebergs");
+    if (result.at)
+        text += "start      " + result.scenario.startUtc + '\n';
+    return text;
+}
+
+/** What was not taken, and why, on stderr; the start of a long list. */
+void printDetails(const std::string& file, const ImportResult& result)
+{
+    constexpr std::size_t kMostRows = 100;
+    std::size_t told = 0;
+    for (const RejectedRow& row : result.rejected.first)
+        if (told++ < kMostRows)
+            std::fprintf(stderr, "%s: line %zu: %s\n", file.c_str(), row.line,
+                         rowFaultText(row).c_str());
+    if (result.rejected.count > kMostRows)
+        std::fprintf(stderr, "%s: and %zu more\n", file.c_str(), result.rejected.count - kMostRows);
+    for (const ImportedIceberg& iceberg : result.icebergs)
+        for (const ImportNote note : iceberg.notes)
+            if (iceberg.outcome == ImportOutcome::LeftOut || note == ImportNote::VelocityClamped ||
+                note == ImportNote::GrowthClamped || note == ImportNote::Jumped)
+                std::fprintf(stderr, "%s: %s: %s\n", file.c_str(), iceberg.id.c_str(),
+                             importNoteText(note).c_str());
+}
+
+int importFile(const ImportArguments& arguments, const std::stop_token& stop)
+{
+    if (arguments.format != "auto" && findImportFormat(arguments.format) == nullptr)
+        throw UsageError{"--format: " + arguments.format + " is none of " + formatList()};
+    ReadOptions reading{.format = arguments.format, .mapping = {}};
+    for (const std::string& mapping : arguments.mappings)
+        reading.mapping.push_back(mappingOf(mapping));
+    const ImportOptions options = optionsOf(arguments);
+    const Scenario base =
+        arguments.intoFile.empty()
+            ? newScenarioForImport(std::filesystem::path(arguments.outputFile).stem().string())
+            : loadScenario(arguments.intoFile);
+    const SightingTable table = readSightings(readFile(arguments.file), arguments.file, reading);
+    const ImportResult result = importSightings(base, table, options);
+    if (stop.stop_requested())
+        throw Interrupted{};
+    if (!arguments.json)
+        printDetails(arguments.file, result);
+    if (result.added + result.updated + result.unchanged == 0)
+        throw Error(ErrorCode::InvalidInput, arguments.file,
+                    "none of its " + std::to_string(table.sightings.size()) +
+                        " sightings could be taken; nothing written");
+    saveScenario(result.scenario, arguments.outputFile);
+    print(arguments.json ? importJson(table, result) : summary(table, result));
+    return kDone;
+}
+
+} // namespace
+
+void addImportCommand(CLI::App& app, Action& action)
+{
+    CLI::App* command =
+        app.add_subcommand("import", "Make a scenario of sightings of real icebergs");
+    const auto arguments = std::make_shared<ImportArguments>();
+    command->add_option("FILE", arguments->file, "File of sightings")->required();
+    command->add_option("--format", arguments->format, formatList())->capture_default_str();
+    command->add_option("--output", arguments->outputFile, "Scenario to write")->required();
+    command->add_option("--into", arguments->intoFile, "Scenario to add to (default: a new one)");
+    command->add_option("--map", arguments->mappings,
+                        "FIELD=COLUMN: " + allowedNames(kSightingFieldNames));
+    command->add_option("--at", arguments->at, "Start, UTC (default: the last sighting)");
+    command->add_option("--since", arguments->since, "Leave out what was sighted before, UTC");
+    command->add_option("--until", arguments->until, "Leave out what was sighted after, UTC");
+    command->add_option("--area", arguments->area, "SOUTH,WEST,NORTH,EAST in degrees");
+    command->add_option("--sigma", arguments->sigma_m2, "sigma where the file has none, m^2");
+    command->add_option("--q", arguments->q_m2ps, "q where it cannot be estimated, m^2/s");
+    command->add_flag("--with-tracks", arguments->withTracks,
+                      "Sightings after --at become the true motion");
+    command->add_flag("--json", arguments->json, "Print one JSON document");
+    command->callback([arguments, &action] {
+        action = [arguments](const std::stop_token& stop) { return importFile(*arguments, stop); };
+    });
+}
+
+} // namespace berg::cli

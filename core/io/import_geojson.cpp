@@ -1,0 +1,201 @@
+#include "core/io/import_geojson.h"
+
+#include "core/io/import_fields.h"
+#include "core/io/json_reader.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+/** A member of an object; null when it is not there or `value` is no object. */
+const Json* memberOf(const Json* value, const char* name)
+{
+    if (value == nullptr || !value->is_object())
+        return nullptr;
+    const auto it = value->find(name);
+    return it == value->end() ? nullptr : &*it;
+}
+
+std::string typeOf(const Json* object)
+{
+    const Json* type = memberOf(object, "type");
+    return type != nullptr && type->is_string() ? type->get<std::string>() : std::string();
+}
+
+/** A value as a cell of a table would have it. */
+std::string cellText(const Json& value)
+{
+    if (value.is_string())
+        return value.get<std::string>();
+    return value.is_number() ? value.dump() : std::string();
+}
+
+/** Longitude and latitude of a position; false when it is none. */
+bool setPlace(FieldTexts& texts, const Json& position)
+{
+    if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
+        !position[1].is_number())
+        return false;
+    texts.set(SightingField::Longitude, position[0].dump());
+    texts.set(SightingField::Latitude, position[1].dump());
+    return true;
+}
+
+/** Middle of the corners of the outer ring, the one that closes it left out; null without one. */
+Json middleOf(const Json& rings)
+{
+    if (!rings.is_array() || rings.empty() || !rings[0].is_array() || rings[0].size() < 4)
+        return nullptr;
+    const std::size_t corners = rings[0].size() - 1;
+    double longitude_deg = 0;
+    double latitude_deg = 0;
+    for (std::size_t i = 0; i < corners; ++i) {
+        const Json& corner = rings[0][i];
+        if (!corner.is_array() || corner.size() < 2 || !corner[0].is_number() ||
+            !corner[1].is_number())
+            return nullptr;
+        longitude_deg += corner[0].get<double>() / static_cast<double>(corners);
+        latitude_deg += corner[1].get<double>() / static_cast<double>(corners);
+    }
+    return Json::array({longitude_deg, latitude_deg});
+}
+
+/** Times of the corners of a line; null without. */
+const Json* timesOf(const Json* properties)
+{
+    const Json* perCorner = memberOf(properties, "coordinateProperties");
+    for (const Json* times : {memberOf(perCorner, "times"), memberOf(properties, "coordTimes"),
+                              memberOf(properties, "times")})
+        if (times != nullptr && times->is_array())
+            return times;
+    return nullptr;
+}
+
+/** Gathers the sightings of one file. */
+class GeoJsonSightings
+{
+public:
+    explicit GeoJsonSightings(const ImportText& source) : m_source(source), m_names(source.mapping)
+    {
+    }
+
+    SightingTable take()
+    {
+        const ParsedJson file = parseJson(m_source.text, m_source.subject);
+        const Json* features = memberOf(&file.root, "features");
+        if (typeOf(&file.root) == "FeatureCollection" && features != nullptr &&
+            features->is_array()) {
+            for (const Json& feature : *features)
+                addFeature(feature);
+        } else {
+            addFeature(file.root);
+        }
+        return std::move(m_table);
+    }
+
+private:
+    void reject(RowFault fault, const std::string& detail = {})
+    {
+        addRow(m_table,
+               RejectedRow{.line = m_feature, .fault = fault, .detail = cleanText(detail, 60)},
+               m_source.subject);
+    }
+
+    void addFeature(const Json& feature)
+    {
+        ++m_feature;
+        const bool bare = typeOf(&feature) != "Feature";
+        const Json* geometry = bare ? &feature : memberOf(&feature, "geometry");
+        const Json* properties = bare ? nullptr : memberOf(&feature, "properties");
+        const Json* coordinates = memberOf(geometry, "coordinates");
+        const std::string type = typeOf(geometry);
+        FieldTexts texts;
+        readProperties(properties, texts);
+        if (const Json* id = bare ? nullptr : memberOf(&feature, "id"))
+            texts.set({.field = SightingField::Id, .rank = 1000}, cellText(*id));
+        if (coordinates == nullptr)
+            reject(RowFault::PositionMissing);
+        else if (type == "Point")
+            addPoint(texts, *coordinates);
+        else if (type == "Polygon")
+            addPoint(texts, middleOf(*coordinates));
+        else if (const Json* times = timesOf(properties); times && type == "LineString")
+            addTrack(texts, *coordinates, *times);
+        else
+            reject(RowFault::NotAPoint, type);
+    }
+
+    void readProperties(const Json* properties, FieldTexts& texts)
+    {
+        if (properties == nullptr || !properties->is_object())
+            return;
+        for (const auto& [name, value] : properties->items()) {
+            const std::optional<FieldUse> use = m_names.of(name);
+            // The place is the geometry's.
+            if (use && use->field != SightingField::Latitude &&
+                use->field != SightingField::Longitude)
+                texts.set(*use, cellText(value));
+        }
+    }
+
+    void addPoint(FieldTexts& texts, const Json& position)
+    {
+        if (!setPlace(texts, position))
+            reject(RowFault::PositionMissing);
+        else
+            addRow(m_table, sightingOf(texts, {}, m_feature), m_source.subject);
+    }
+
+    void addTrack(const FieldTexts& common, const Json& corners, const Json& times)
+    {
+        for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
+            FieldTexts texts = common;
+            const bool placed = setPlace(texts, corners[i]);
+            if (i < times.size())
+                texts.set(SightingField::Time, cellText(times[i]));
+            if (placed)
+                addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_feature),
+                       m_source.subject);
+            else
+                reject(RowFault::PositionMissing);
+        }
+    }
+
+    const ImportText& m_source;
+    FieldNames m_names;
+    SightingTable m_table;
+    std::size_t m_feature = 0;
+};
+
+/** Whether the text begins as a JSON object. */
+bool isObject(std::string_view text)
+{
+    return text.substr(0, 16).find('{') != std::string_view::npos && trimmed(text)[0] != '<';
+}
+
+} // namespace
+
+SightingTable readGeoJson(const ImportText& source)
+{
+    return GeoJsonSightings(source).take();
+}
+
+bool isGeoJson(std::string_view text)
+{
+    return isObject(text) && text.find("\"coordinates\"") != std::string_view::npos;
+}
+
+SightingTable readMetno(const ImportText& source)
+{
+    return GeoJsonSightings(source).take();
+}
+
+bool isMetno(std::string_view text)
+{
+    return isGeoJson(text) && (text.find("\"BRGARE\"") != std::string_view::npos ||
+                               text.find("\"IA_BLN\"") != std::string_view::npos);
+}
+
+} // namespace berg

@@ -1,0 +1,229 @@
+#include "core/io/import_icebergs.h"
+
+#include "core/base/angles.h"
+#include "core/scenario/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace berg {
+
+namespace {
+
+bool onPlane(const Point& position_m)
+{
+    return position_m.allFinite() && position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
+}
+
+/** To a centimetre: the noise of further digits would only be hard to read. */
+Point rounded(const Point& position_m)
+{
+    return (position_m * 100).array().round() / 100;
+}
+
+/** To 1e-5, for velocities and q. */
+double rounded(double value)
+{
+    return std::round(value * 1e5) / 1e5;
+}
+
+/** Velocity in the plane of a drift by speed and direction at a place: north is not y there. */
+Point velocityOf(const Sighting& sighting, const Point& position_m, const LocalFrame& frame)
+{
+    constexpr double kStep_deg = 0.001;
+    LatLon beside = sighting.place;
+    const double step_deg = beside.latitude_deg > 0 ? -kStep_deg : kStep_deg; // never past a pole
+    beside.latitude_deg += step_deg;
+    const Point way_m = (frame.toPlane(beside) - position_m) * (step_deg > 0 ? 1 : -1);
+    const Point north = way_m.normalized();
+    const Point east(north.y(), -north.x());
+    const double direction_rad = radFromDeg(*sighting.direction_deg);
+    return *sighting.speed_mps * (std::cos(direction_rad) * north + std::sin(direction_rad) * east);
+}
+
+/** Gathers what is found about one iceberg. */
+class Entry
+{
+public:
+    Entry(const SightedIceberg& sighted, const Iceberg* known, const IcebergSetting& setting)
+        : m_sighted(sighted), m_known(known), m_setting(setting)
+    {
+        m_report.id = sighted.id;
+        m_report.sightings = sighted.sightings.size();
+        if (known != nullptr)
+            m_iceberg = *known;
+        else
+            m_iceberg = {.id = sighted.id,
+                         .q_m2ps = setting.options.q_m2ps,
+                         .sigma0_m2 = setting.options.sigma0_m2};
+        for (const PlacedSighting& placed : sighted.sightings)
+            if (placed.fix.time_s <= 0) {
+                m_past.push_back(placed.fix);
+                m_pastSightings.push_back(&placed);
+            }
+    }
+
+    IcebergEntry take()
+    {
+        if (m_past.empty())
+            leaveOut(ImportNote::SeenLater);
+        else
+            build();
+        return {.iceberg = std::move(m_iceberg), .report = std::move(m_report)};
+    }
+
+private:
+    void note(ImportNote what) { m_report.notes.push_back(what); }
+    void leaveOut(ImportNote why)
+    {
+        m_report.outcome = ImportOutcome::LeftOut;
+        m_report.notes = {why};
+    }
+
+    void build()
+    {
+        m_estimate = estimateTrack(m_past, m_setting.options.track);
+        m_last = m_pastSightings[m_estimate.last];
+        m_report.used = m_estimate.used;
+        m_report.age_s = 0.0 - m_last->fix.time_s; // not -0
+        // A sighting without time is of now whatever is known.
+        if (m_known != nullptr && m_last->timeKnown &&
+            m_report.age_s > m_known->observed_s + kTimeRounding_s) {
+            m_report.outcome = ImportOutcome::Unchanged;
+            note(ImportNote::Older);
+            return;
+        }
+        if (m_estimate.repeated > 0)
+            note(ImportNote::Repeated);
+        if (m_estimate.jumped > 0)
+            note(ImportNote::Jumped);
+        setMotion();
+        setRest();
+        const Point drift_mps = m_iceberg.velocity_mps + m_setting.current_mps;
+        m_iceberg.position_m = rounded(m_last->fix.position_m + drift_mps * m_report.age_s);
+        if (!onPlane(m_iceberg.position_m)) {
+            leaveOut(ImportNote::DriftedAway);
+            return;
+        }
+        if (m_setting.options.withTracks)
+            attachTrack();
+        if (m_known == nullptr)
+            m_report.outcome = ImportOutcome::Added;
+        else
+            m_report.outcome =
+                m_iceberg == *m_known ? ImportOutcome::Unchanged : ImportOutcome::Updated;
+    }
+
+    void setMotion()
+    {
+        const Sighting& last = *m_last->sighting;
+        const bool given = last.speed_mps && (last.direction_deg || *last.speed_mps == 0);
+        const bool aground = last.grounded || m_estimate.stationary;
+        if (aground) {
+            note(ImportNote::Stationary);
+            m_iceberg.q_m2ps = 0;
+            setDrift(Point::Zero());
+        } else if (given) {
+            note(ImportNote::VelocityGiven);
+            setDrift(*last.speed_mps == 0
+                         ? Point(Point::Zero())
+                         : velocityOf(last, m_last->fix.position_m, m_setting.frame));
+        } else if (m_estimate.velocity_mps) {
+            m_clamped = m_estimate.velocityClamped;
+            setDrift(*m_estimate.velocity_mps);
+        } else {
+            // Of one that is there already the velocity is known as well as before.
+            note(ImportNote::VelocityUnknown);
+        }
+        if (m_clamped)
+            note(ImportNote::VelocityClamped);
+        if (last.q_m2ps) {
+            m_iceberg.q_m2ps = *last.q_m2ps;
+        } else if (m_estimate.q_m2ps && !aground) {
+            m_iceberg.q_m2ps = rounded(*m_estimate.q_m2ps);
+            note(ImportNote::GrowthEstimated);
+            if (m_estimate.growthClamped)
+                note(ImportNote::GrowthClamped);
+        }
+    }
+
+    /** `total_mps` over ground; the scenario adds its current to the iceberg's own velocity. */
+    void setDrift(const Point& total_mps)
+    {
+        const Point exact_mps = total_mps - m_setting.current_mps;
+        const Point own_mps(rounded(exact_mps.x()), rounded(exact_mps.y()));
+        m_iceberg.velocity_mps =
+            own_mps.cwiseMax(-kLargestVelocity_mps).cwiseMin(kLargestVelocity_mps);
+        m_clamped = m_clamped || m_iceberg.velocity_mps != own_mps;
+    }
+
+    void setRest()
+    {
+        const Sighting& last = *m_last->sighting;
+        m_iceberg.observed_s = std::min(m_report.age_s, kLargestTime_s);
+        if (last.sigma_m2)
+            m_iceberg.sigma0_m2 = *last.sigma_m2;
+        // Name and size need not be told at each sighting: the latest word counts.
+        double radiusFrom_s = -std::numeric_limits<double>::infinity();
+        for (const PlacedSighting* placed : m_pastSightings) {
+            if (m_iceberg.name.empty())
+                m_iceberg.name = placed->sighting->name;
+            if (placed->sighting->radius_m && placed->fix.time_s >= radiusFrom_s) {
+                radiusFrom_s = placed->fix.time_s;
+                m_iceberg.radius_m = *placed->sighting->radius_m;
+            }
+        }
+    }
+
+    void attachTrack()
+    {
+        std::vector<Fix> fixes;
+        for (const PlacedSighting& placed : m_sighted.sightings)
+            if (placed.timeKnown && std::abs(placed.fix.time_s) <= kLargestTime_s)
+                fixes.push_back(placed.fix);
+        RecordedTrack whole;
+        for (const std::size_t i : consistentFixes(fixes, m_setting.options.track).indices) {
+            whole.time_s.push_back(fixes[i].time_s);
+            whole.position_m.push_back(fixes[i].position_m);
+        }
+        if (whole.empty() || whole.time_s.back() <= 0) {
+            note(ImportNote::NoTrack);
+            return;
+        }
+        RecordedTrack track{.time_s = {0}, .position_m = {rounded(whole.at(0))}};
+        for (std::size_t i = 0; i < whole.time_s.size(); ++i)
+            if (whole.time_s[i] > 0) {
+                track.time_s.push_back(whole.time_s[i]);
+                track.position_m.push_back(rounded(whole.position_m[i]));
+            }
+        double tolerance_m = m_setting.options.tolerance_m;
+        m_iceberg.track = thinned(track, tolerance_m);
+        while (m_iceberg.track.time_s.size() > kMostTrackPoints)
+            m_iceberg.track = thinned(track, tolerance_m = 2 * std::max(1.0, tolerance_m));
+        note(ImportNote::TrackAttached);
+    }
+
+    static constexpr double kTimeRounding_s = 0.002;
+
+    const SightedIceberg& m_sighted;
+    const Iceberg* m_known;
+    const IcebergSetting& m_setting;
+    Iceberg m_iceberg;
+    ImportedIceberg m_report;
+    std::vector<Fix> m_past; ///< at or before t = 0
+    std::vector<const PlacedSighting*> m_pastSightings;
+    TrackEstimate m_estimate;
+    const PlacedSighting* m_last = nullptr;
+    bool m_clamped = false;
+};
+
+} // namespace
+
+IcebergEntry entryOf(const SightedIceberg& sighted, const Iceberg* known,
+                     const IcebergSetting& setting)
+{
+    return Entry(sighted, known, setting).take();
+}
+
+} // namespace berg

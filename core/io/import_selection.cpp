@@ -1,0 +1,145 @@
+#include "core/io/import_selection.h"
+
+#include "core/base/angles.h"
+#include "core/scenario/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace berg {
+
+namespace {
+
+/**
+ * Id of an iceberg that the file does not name: the same when the file is read again, another for
+ * another file. A track has that of its first time, a point that of its place.
+ */
+std::string unnamedId(const Sighting& sighting, const SightingTable& table)
+{
+    if (const std::optional<UtcTime>& first = table.sightings.front().time; table.oneIceberg)
+        return first ? "track " + utcText(*first, 0) : "track";
+    const auto angle = [](double angle_deg) {
+        return shortText(std::round(std::abs(angle_deg) * 1e4) / 1e4);
+    };
+    const LatLon& place = sighting.place;
+    return angle(place.latitude_deg) + (place.latitude_deg < 0 ? "S " : "N ") +
+           angle(place.longitude_deg) + (place.longitude_deg < 0 ? 'W' : 'E');
+}
+
+} // namespace
+
+bool GeoBox::contains(const LatLon& place) const
+{
+    if (place.latitude_deg < south_deg || place.latitude_deg > north_deg)
+        return false;
+    if (east_deg - west_deg >= 360)
+        return true;
+    const auto eastOfWest = [&](double longitude_deg) {
+        const double turn_deg = std::fmod(longitude_deg - west_deg, 360.0);
+        return turn_deg < 0 ? turn_deg + 360 : turn_deg;
+    };
+    return eastOfWest(place.longitude_deg) <= eastOfWest(east_deg);
+}
+
+double secondsBetween(UtcTime from, UtcTime to)
+{
+    return std::chrono::duration<double>(to - from).count();
+}
+
+std::vector<const Sighting*> selected(const SightingTable& table, const ImportOptions& options,
+                                      ImportResult& result)
+{
+    std::vector<const Sighting*> kept;
+    for (const Sighting& sighting : table.sightings) {
+        const std::optional<UtcTime>& time = sighting.time;
+        const bool early = time && options.since && *time < *options.since;
+        const bool late = time && options.until && *time > *options.until;
+        if (options.area && !options.area->contains(sighting.place))
+            ++result.outsideArea;
+        else if (early || late)
+            ++result.outsideTime;
+        else
+            kept.push_back(&sighting);
+    }
+    return kept;
+}
+
+std::optional<UtcTime> startOf(const Scenario& base, const std::vector<const Sighting*>& sightings,
+                               const ImportOptions& options)
+{
+    if (options.at)
+        return options.at;
+    std::optional<UtcTime> start = parseUtc(base.startUtc);
+    if (base.icebergs.empty())
+        start.reset();
+    for (const Sighting* sighting : sightings)
+        if (sighting->time && (!start || *sighting->time > *start))
+            start = sighting->time;
+    return start ? start : parseUtc(base.startUtc);
+}
+
+std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sightings,
+                                    const SightingTable& table, std::optional<UtcTime> start)
+{
+    std::vector<SightedIceberg> icebergs;
+    std::map<std::string, std::size_t, std::less<>> rows;
+    for (const Sighting* sighting : sightings) {
+        std::string id = sighting->id;
+        if (id.empty())
+            id = unnamedId(*sighting, table);
+        const auto [it, isNew] = rows.try_emplace(id, icebergs.size());
+        if (isNew)
+            icebergs.push_back({.id = std::move(id), .sightings = {}});
+        PlacedSighting placed{.sighting = sighting, .timeKnown = sighting->time && start};
+        if (placed.timeKnown)
+            placed.fix.time_s = secondsBetween(*start, *sighting->time);
+        placed.fix.variance_m2 = sighting->sigma_m2.value_or(0);
+        icebergs[it->second].sightings.push_back(placed);
+    }
+    return icebergs;
+}
+
+std::optional<LatLon> middleOf(const std::vector<SightedIceberg>& icebergs)
+{
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const SightedIceberg& iceberg : icebergs) {
+        const auto last = std::max_element(iceberg.sightings.begin(), iceberg.sightings.end(),
+                                           [](const PlacedSighting& a, const PlacedSighting& b) {
+                                               return a.fix.time_s < b.fix.time_s;
+                                           });
+        const LatLon& place = last->sighting->place;
+        const double latitude_rad = radFromDeg(place.latitude_deg);
+        const double longitude_rad = radFromDeg(place.longitude_deg);
+        sum += Eigen::Vector3d(std::cos(latitude_rad) * std::cos(longitude_rad),
+                               std::cos(latitude_rad) * std::sin(longitude_rad),
+                               std::sin(latitude_rad));
+    }
+    if (sum.norm() < 1e-9)
+        return std::nullopt;
+    const auto rounded = [](double angle_rad) {
+        return std::round(degFromRad(angle_rad) * 1e4) / 1e4;
+    };
+    return LatLon{.latitude_deg = rounded(std::atan2(sum.z(), std::hypot(sum.x(), sum.y()))),
+                  .longitude_deg = rounded(std::atan2(sum.y(), sum.x()))};
+}
+
+void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejections& rejected)
+{
+    for (SightedIceberg& iceberg : icebergs)
+        std::erase_if(iceberg.sightings, [&](PlacedSighting& placed) {
+            const Sighting& sighting = *placed.sighting;
+            placed.fix.position_m = frame.toPlane(sighting.place);
+            if (placed.fix.position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m)
+                return false;
+            rejected.add({.line = sighting.line,
+                          .fault = RowFault::TooFar,
+                          .detail = shortText(sighting.place.latitude_deg) + ' ' +
+                                    shortText(sighting.place.longitude_deg)});
+            return true;
+        });
+    std::erase_if(icebergs,
+                  [](const SightedIceberg& iceberg) { return iceberg.sightings.empty(); });
+}
+
+} // namespace berg

@@ -1,0 +1,131 @@
+#include "core/io/import_scenario.h"
+#include "core/scenario/validate.h"
+#include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/import_fixtures.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QtTest>
+
+using namespace berg;
+using namespace berg::test;
+
+/** Imports into a scenario that holds something already. */
+class TestImportAgain : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** Name and everything the file does not hold stay the user's. */
+    void reimportUpdates()
+    {
+        Scenario base = importSightings(openSea(), northward(3)).scenario;
+        base.icebergs[0].name = "mine";
+        base.icebergs[0].radius_m = 77;
+        base.icebergs[0].sigma0_m2 = 3;
+        base.icebergs[0].appears_s = 30;
+        base.icebergs[0].extraJson = R"({"colour":"blue"})";
+        const ImportResult again = importSightings(base, northward(3));
+        QCOMPARE(again.unchanged, std::size_t{1});
+        QVERIFY(again.scenario == base);
+
+        const ImportResult newer = importSightings(base, northward(9));
+        QCOMPARE(newer.updated, std::size_t{1});
+        const Iceberg& iceberg = newer.scenario.icebergs.at(0);
+        QCOMPARE(iceberg.name, std::string("mine"));
+        QCOMPARE(iceberg.radius_m, 77.0);
+        QCOMPARE(iceberg.sigma0_m2, 3.0);
+        QCOMPARE(iceberg.extraJson, std::string(R"({"colour":"blue"})"));
+        QCOMPARE(newer.scenario.startUtc, std::string("2024-05-01T01:20:00Z"));
+        QVERIFY(newer.scenario.origin == base.origin);
+        COMPARE_NEAR(iceberg.position_m.y(), 6 * 111.4, 1);
+    }
+
+    void olderSightingsChangeNothing()
+    {
+        const Scenario base = importSightings(openSea(), northward(9)).scenario;
+        const ImportResult result = importSightings(base, northward(3));
+        QCOMPARE(result.unchanged, std::size_t{1});
+        QVERIFY(has(result.icebergs[0], ImportNote::Older));
+        QVERIFY(result.scenario == base);
+    }
+
+    /** One sighting does not tell a velocity: that of before carries it on. */
+    void oneSightingKeepsTheVelocity()
+    {
+        const Scenario base = importSightings(openSea(), northward(9)).scenario;
+        const ImportResult result =
+            importSightings(base, csv("b,2024-05-01T04:00:00Z,60.03,-50.01\n"));
+        QCOMPARE(result.updated, std::size_t{1});
+        QVERIFY(has(result.icebergs[0], ImportNote::VelocityUnknown));
+        QVERIFY(result.scenario.icebergs[0].velocity_mps == base.icebergs[0].velocity_mps);
+    }
+
+    /** What was there drifts on to the new start. */
+    void restIsCarriedAlong()
+    {
+        Scenario base = emptySea();
+        base.startUtc = "2024-05-01T00:00:00Z";
+        base.current_mps = {0, 0.1};
+        Iceberg& other = addIceberg(base, 1000, 2000);
+        other.velocity_mps = {0.2, 0};
+        other.appears_s = 1800;
+        other.track = {.time_s = {0, 9000}, .position_m = {{0, 0}, {1, 1}}};
+        base.asset = Asset{.name = "rig", .velocity_mps = {1, 0}};
+        const ImportResult result =
+            importSightings(base, csv("x,2024-05-01T01:00:00Z,47.01,-48.01\n"));
+        const Iceberg& moved = result.scenario.icebergs.at(0);
+        COMPARE_NEAR((moved.position_m - Point(1720, 2360)).norm(), 0, 1e-9);
+        QCOMPARE(moved.observed_s, 3600.0);
+        QCOMPARE(moved.appears_s, 0.0);
+        QVERIFY(moved.track.time_s == (std::vector<double>{-3600, 5400}));
+        QVERIFY(result.scenario.asset->position_m == Point(3600, 0));
+        QCOMPARE(result.scenario.icebergs.at(1).id, std::string("x"));
+        QVERIFY(result.scenario.origin == base.origin);
+        QVERIFY(!hasErrors(validate(result.scenario)));
+
+        const ImportOptions late{.at = utc("2044-05-01T00:00:00Z")};
+        QCOMPARE(codeOf([&] { (void)importSightings(base, csv("x,2024-05-01,47,-48\n"), late); }),
+                 std::string("InvalidInput"));
+    }
+
+    void withoutTimesTheStartStays()
+    {
+        Scenario base = openSea();
+        const ImportResult result = importSightings(base, readFixture("metno.geojson"));
+        QVERIFY(!result.at && result.scenario.startUtc.empty());
+        QCOMPARE(result.added, std::size_t{3});
+        QCOMPARE(result.scenario.icebergs[1].id, std::string("59.61N 42.87W"));
+        base.startUtc = "2024-05-01T00:00:00Z";
+        QCOMPARE(importSightings(base, readFixture("metno.geojson")).scenario.startUtc,
+                 base.startUtc);
+    }
+
+    /** Without ids: the same file again says nothing new, another file means other icebergs. */
+    void unnamedOnes()
+    {
+        const Scenario base = importSightings(openSea(), readFixture("metno.geojson")).scenario;
+        const ImportResult again = importSightings(base, readFixture("metno.geojson"));
+        QCOMPARE(again.unchanged, std::size_t{3});
+        const ImportResult other = importSightings(
+            base, readSightings("lat,lon\n59.53,-42.6\n59.54,-42.6\n", "other.csv"));
+        QCOMPARE(other.added, std::size_t{2});
+        const ImportResult track = importSightings(
+            openSea(),
+            readSightings("time,lat,lon\n2024-05-01,60,-50\n2024-05-02,60.1,-50\n", "track.csv"));
+        QCOMPARE(track.scenario.icebergs.at(0).id, std::string("track 2024-05-01T00:00:00Z"));
+        QCOMPARE(track.icebergs.at(0).sightings, std::size_t{2});
+    }
+
+    void idOfAnAircraft()
+    {
+        const ImportResult result =
+            importSightings(openSea(), csv("uav-1,2024-05-01,60,-50\nb,2024-05-01,60,-50\n"));
+        QCOMPARE(result.leftOut, std::size_t{1});
+        QVERIFY(has(result.icebergs[0], ImportNote::IdTaken));
+        QCOMPARE(result.added, std::size_t{1});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImportAgain)
+#include "tst_import_again.moc"

@@ -1,0 +1,429 @@
+#include "core/base/angles.h"
+#include "core/io/import_fields.h"
+#include "core/io/import_formats.h"
+#include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/import_fixtures.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+/** The sighting of a line; the fixtures have one for each line asked for. */
+Sighting at(const SightingTable& table, std::size_t line)
+{
+    for (const Sighting& sighting : table.sightings)
+        if (sighting.line == line)
+            return sighting;
+    return {};
+}
+
+std::string timeOf(const Sighting& sighting)
+{
+    return sighting.time ? utcText(*sighting.time, 0) : "none";
+}
+
+std::string faultAt(const SightingTable& table, std::size_t line)
+{
+    for (const RejectedRow& row : table.rejected.first)
+        if (row.line == line)
+            return rowFaultText(row);
+    return "not rejected";
+}
+
+SightingTable readText(const std::string& text, const ReadOptions& options = {})
+{
+    return readSightings(text, "file", options);
+}
+
+} // namespace
+
+class TestImportFormats : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void fixtures_data()
+    {
+        QTest::addColumn<int>("row");
+        for (std::size_t i = 0; i < kImportFixtures.size(); ++i)
+            QTest::newRow(kImportFixtures[i].file) << static_cast<int>(i);
+    }
+
+    /** Told by content, and the same when the format is named. */
+    void fixtures()
+    {
+        QFETCH(int, row);
+        const ImportFixture& fixture = kImportFixtures[static_cast<std::size_t>(row)];
+        const std::string text = importFixture(fixture.file);
+        for (const char* format : {"auto", fixture.format}) {
+            const SightingTable table = readText(text, {.format = format, .mapping = {}});
+            QCOMPARE(table.format, std::string(fixture.format));
+            QCOMPARE(table.sightings.size(), fixture.sightings);
+            QCOMPARE(table.rejected.count, fixture.rejected);
+            QCOMPARE(table.rejected.first.size(), fixture.rejected);
+        }
+    }
+
+    void iip()
+    {
+        const SightingTable table = readFixture("iip.csv");
+        const Sighting first = at(table, 2);
+        QCOMPARE(first.id, std::string("2021-301"));
+        QCOMPARE(timeOf(first), std::string("2021-03-28T16:50:00Z"));
+        QCOMPARE(first.place.latitude_deg, 48.91667);
+        QCOMPARE(first.place.longitude_deg, -50.23333);
+        QCOMPARE(*first.radius_m, 45.0); // medium: 60 to 120 m long
+        QCOMPARE(timeOf(at(table, 5)), std::string("2021-04-01T00:05:00Z"));
+        QVERIFY(!at(table, 5).radius_m); // general: no size
+        QCOMPARE(at(table, 14).id, std::string("2020-301"));
+        QCOMPARE(timeOf(at(table, 15)), std::string("2020-12-31T23:59:00Z"));
+        QCOMPARE(faultAt(table, 7), std::string("latitude is no number from -90 to 90: \"147.5\""));
+        QCOMPARE(faultAt(table, 8), std::string("has no time"));
+        QCOMPARE(faultAt(table, 9), std::string("time cannot be read: \"04/31/2021 900\""));
+        QCOMPARE(faultAt(table, 10), std::string("time cannot be read: \"04/01/2021 2460\""));
+        QCOMPARE(faultAt(table, 11), std::string("date is not in the season: \"04/01/2019 1000\""));
+        QVERIFY(faultAt(table, 12).starts_with("longitude"));
+        QCOMPARE(faultAt(table, 13),
+                 std::string("has another number of columns than the first line"));
+    }
+
+    void iipWithoutHeaderAndDayFirst()
+    {
+        const SightingTable table = readText(
+            "2021,1,02/04/2021,1200,48,-50,VIS,SM,PIN,A\n2021,2,28/04/2021,5,48,-50,VIS,SM,"
+            "PIN,A\n");
+        QCOMPARE(table.format, std::string("iip"));
+        QCOMPARE(table.sightings.size(), std::size_t{2});
+        QCOMPARE(timeOf(table.sightings[0]), std::string("2021-04-02T12:00:00Z"));
+    }
+
+    void cisBeacon()
+    {
+        const SightingTable table = readFixture("cis-beacon.csv");
+        QCOMPARE(at(table, 2).id, std::string("2012_7001"));
+        QCOMPARE(timeOf(at(table, 3)), std::string("2012-07-03T03:00:00Z"));
+        QVERIFY(!at(table, 3).speed_mps); // differences of positions say less than the track
+        QCOMPARE(faultAt(table, 10), std::string("has no time"));
+        QCOMPARE(faultAt(table, 11), std::string("has no position"));
+        QVERIFY(faultAt(table, 12).starts_with("has another number of columns"));
+        QVERIFY(!table.oneIceberg);
+    }
+
+    void usnic()
+    {
+        const SightingTable table = readFixture("usnic.csv");
+        const Sighting grounded = at(table, 2);
+        QCOMPARE(grounded.id, std::string("A97Z"));
+        QVERIFY(grounded.grounded);
+        QCOMPARE(*grounded.radius_m, 22 * 1852.0);
+        QCOMPARE(timeOf(grounded), std::string("2014-11-07T00:00:00Z"));
+        QVERIFY(!at(table, 4).grounded);
+        QVERIFY(faultAt(table, 5).starts_with("latitude"));
+        QVERIFY(faultAt(table, 6).starts_with("a number is out of range: \"wide\""));
+        QCOMPARE(faultAt(table, 7), std::string("has no time"));
+    }
+
+    void metno()
+    {
+        const SightingTable table = readFixture("metno.geojson");
+        QCOMPARE(*at(table, 1).radius_m, 120.0); // half the largest length
+        COMPARE_NEAR(*at(table, 2).radius_m, std::sqrt(7854 / kPi), 1e-9);
+        COMPARE_NEAR(at(table, 3).place.latitude_deg, 59.75, 1e-9);
+        COMPARE_NEAR(at(table, 3).place.longitude_deg, -42.95, 1e-9);
+        QVERIFY(!at(table, 1).time && at(table, 1).id.empty() && !table.oneIceberg);
+        QCOMPARE(faultAt(table, 4), std::string("has no position"));
+        QVERIFY(faultAt(table, 5).starts_with("latitude"));
+        QCOMPARE(faultAt(table, 6), std::string("has no position"));
+        QVERIFY(faultAt(table, 7).starts_with("a number is out of range"));
+    }
+
+    void geoJson()
+    {
+        const SightingTable table = readFixture("points.geojson");
+        const Sighting first = at(table, 1);
+        QCOMPARE(first.id, std::string("g-1"));
+        QCOMPARE(first.name, std::string("Ilulissat nord"));
+        QCOMPARE(*first.speed_mps, 0.2);
+        QCOMPARE(*first.direction_deg, 270.0);
+        QCOMPARE(*first.sigma_m2, 900.0);
+        QCOMPARE(*first.radius_m, 120.0);
+        QCOMPARE(at(table, 2).id, std::string("g-2")); // a property before the feature's number
+        QCOMPARE(*at(table, 2).q_m2ps, 0.5);
+        QCOMPARE(table.sightings[2].id, std::string("g-3"));
+        QCOMPARE(timeOf(table.sightings[4]), std::string("2024-06-01T08:00:00Z"));
+        QCOMPARE(faultAt(table, 4), std::string("is no point: \"LineString\""));
+        QCOMPARE(faultAt(table, 5), std::string("has no position"));
+        QCOMPARE(faultAt(table, 6), std::string("time cannot be read: \"yesterday\""));
+    }
+
+    void geoJsonOfOneGeometry()
+    {
+        const SightingTable table = readText(R"({"type": "Point", "coordinates": [10, 80]})");
+        QCOMPARE(table.sightings.size(), std::size_t{1});
+        QCOMPARE(table.sightings[0].place.latitude_deg, 80.0);
+    }
+
+    void kml()
+    {
+        const SightingTable table = readFixture("places.kml");
+        QCOMPARE(at(table, 5).id, std::string("S\xC3\xB8ndre & nordre"));
+        QCOMPARE(timeOf(at(table, 5)), std::string("2023-05-04T06:00:00Z"));
+        QCOMPARE(at(table, 5).place.latitude_deg, 48.25);
+        QCOMPARE(at(table, 11).id, std::string("k-2"));
+        QCOMPARE(*at(table, 11).radius_m, 40.0);
+        QCOMPARE(timeOf(at(table, 11)), std::string("2023-05-04T05:00:00Z"));
+        QCOMPARE(table.sightings[2].id, std::string("beacon"));
+        QCOMPARE(table.sightings[4].place.longitude_deg, -50.01);
+        QCOMPARE(faultAt(table, 28), std::string("has no time")); // a coord more than whens
+        QCOMPARE(faultAt(table, 31), std::string("is no point"));
+        QVERIFY(faultAt(table, 32).starts_with("longitude"));
+        QCOMPARE(faultAt(table, 33), std::string("has no position"));
+    }
+
+    void gpx()
+    {
+        const SightingTable table = readFixture("waypoints.gpx");
+        QCOMPARE(table.format, std::string("gpx"));
+        QCOMPARE(table.sightings.size(), std::size_t{4});
+        QCOMPARE(table.rejected.count, std::size_t{2});
+        QCOMPARE(table.sightings[0].id, std::string("w-1"));
+        QCOMPARE(table.sightings[3].id, std::string("t-1"));
+        QCOMPARE(timeOf(table.sightings[3]), std::string("2022-08-01T11:00:00Z"));
+    }
+
+    /** Semicolons, decimal commas, quotes over two lines, hemispheres, units in the header. */
+    void anyTable()
+    {
+        const SightingTable table = readFixture("table.csv");
+        const Sighting first = at(table, 2);
+        QCOMPARE(first.id, std::string("t-1"));
+        QCOMPARE(first.name, std::string("Big; \"tabular\" berg"));
+        QCOMPARE(first.place.latitude_deg, 69.25);
+        COMPARE_NEAR(*first.speed_mps, 0.5 * 1852 / 3600, 1e-12);
+        QCOMPARE(*first.q_m2ps, 0.5);
+        QCOMPARE(*first.radius_m, 150.0);
+        QCOMPARE(at(table, 4).place.longitude_deg, -51.25);
+        QCOMPARE(timeOf(at(table, 4)), std::string("2024-05-01T06:00:00Z"));
+        QCOMPARE(timeOf(at(table, 11)), std::string("2024-05-01T04:30:00Z"));
+        QCOMPARE(faultAt(table, 5), std::string("a number is out of range: \"-4\""));
+        QVERIFY(faultAt(table, 6).starts_with("latitude"));
+        QCOMPARE(faultAt(table, 7), std::string("text follows a closing quote"));
+        QVERIFY(faultAt(table, 8).starts_with("longitude"));
+        QVERIFY(faultAt(table, 12).starts_with("id is too long"));
+        QCOMPARE(faultAt(table, 13), std::string("a quote is opened and never closed"));
+    }
+
+    void columnsAreGuessed_data()
+    {
+        QTest::addColumn<QByteArray>("field"); ///< empty: none
+        QTest::addColumn<double>("factor");
+        const auto row = [](const char* column, const char* field, double factor = 1) {
+            QTest::newRow(column) << QByteArray(field) << factor;
+        };
+        row("Iceberg ID", "id");
+        row("LATITUDE", "latitude");
+        row("lat_deg", "latitude");
+        row("Lon (dd)", "longitude");
+        row("lng", "longitude");
+        row("datetime_utc", "time");
+        row("Date", "date");
+        row("speed_kn", "speed", 1852.0 / 3600);
+        row("Speed (km/h)", "speed", 1 / 3.6);
+        row("speed", "speed");
+        row("COG", "direction");
+        row("sigma_m2", "sigma");
+        row("q_m2ps", "q");
+        row("Length (NM)", "length", 1852);
+        row("length_ft", "length", 0.3048);
+        row("radius", "radius");
+        row("area_km2", "area", 1e6);
+        row("latency", "");
+        row("datetime_transmit", "");
+        row("heading", "");
+        row("temperature", "");
+        row("", "");
+    }
+
+    void columnsAreGuessed()
+    {
+        QFETCH(QByteArray, field);
+        QFETCH(double, factor);
+        const std::optional<FieldUse> use = fieldOfColumn(QTest::currentDataTag());
+        QCOMPARE(use.has_value(), !field.isEmpty());
+        if (!use)
+            return;
+        QCOMPARE(QByteArray::fromStdString(nameOf(kSightingFieldNames, use->field)), field);
+        COMPARE_NEAR(use->factor, factor, 1e-12);
+    }
+
+    void columnsCanBeMapped()
+    {
+        const std::string text = "A,B,C_kn,lat,D\n60,-50,2,1,90\n";
+        const ReadOptions options{.mapping = {{SightingField::Latitude, "A"},
+                                              {SightingField::Longitude, "B"},
+                                              {SightingField::Speed, "C_kn"},
+                                              {SightingField::Direction, "D"}}};
+        const SightingTable table = readText(text, options);
+        QCOMPARE(table.format, std::string("csv"));
+        QCOMPARE(table.sightings[0].place.latitude_deg, 60.0); // not the column called lat
+        COMPARE_NEAR(*table.sightings[0].speed_mps, 2 * 1852.0 / 3600, 1e-12);
+        QCOMPARE(table.columns.size(), std::size_t{5});
+        QCOMPARE(table.mapping.size(), std::size_t{4});
+        QVERIFY(table.mapping[0] == (FieldColumn{SightingField::Latitude, "A"}));
+    }
+
+    void mappingOfMissingColumn()
+    {
+        const std::optional<Error> error = errorOf([] {
+            (void)readText("lat,lon\n1,2\n", {.mapping = {{SightingField::Time, "when"}}});
+        });
+        QVERIFY(error && error->code() == ErrorCode::InvalidInput);
+        QVERIFY(names(error->issues(), "time"));
+    }
+
+    void dateAndTimeApart()
+    {
+        const SightingTable table = readText("id,date,time,lat,lon\na,5/1/2024,605,60,-50\n"
+                                             "b,5/1/2024,,60,-50\nc,5/13/2024,06:07,60,-50\n"
+                                             "d,,6:07,60,-50\n");
+        QCOMPARE(timeOf(at(table, 2)), std::string("2024-05-01T06:05:00Z"));
+        QCOMPARE(faultAt(table, 3), std::string("has no time"));
+        QCOMPARE(timeOf(at(table, 4)), std::string("2024-05-13T06:07:00Z"));
+        QCOMPARE(faultAt(table, 5), std::string("has no time"));
+        const SightingTable both =
+            readText("date,time,datetime,lat,lon\n2024-05-01,06:00,2024-05-02T07:00:00Z,60,-50\n");
+        QCOMPARE(timeOf(both.sightings[0]), std::string("2024-05-02T07:00:00Z"));
+        const SightingTable feature =
+            readText(R"({"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 2]},)"
+                     R"("properties": {"date": "2024-05-01", "time": "06:00"}})");
+        QCOMPARE(timeOf(feature.sightings.at(0)), std::string("2024-05-01T06:00:00Z"));
+    }
+
+    void rowsWithoutIds()
+    {
+        QVERIFY(readText("time,lat,lon\n2024-01-01T00:00:00Z,1,2\n2024-01-01T01:00:00Z,1,2\n")
+                    .oneIceberg);
+        QVERIFY(!readText("time,lat,lon\n2024-01-01T00:00:00Z,1,2\n2024-01-01T00:00:00Z,1,3\n")
+                     .oneIceberg);
+        QVERIFY(!readText("lat,lon\n1,2\n1,3\n").oneIceberg);
+    }
+
+    void longitudes_data()
+    {
+        QTest::addColumn<double>("expected_deg");
+        QTest::newRow("181.5") << -178.5;
+        QTest::newRow("360") << 0.0;
+        QTest::newRow("180") << -180.0;
+        QTest::newRow("-180") << -180.0;
+        QTest::newRow("62.4W") << -62.4;
+        QTest::newRow("E 12") << 12.0;
+    }
+
+    void longitudes()
+    {
+        QFETCH(double, expected_deg);
+        const SightingTable table =
+            readText("lat,lon\n1," + std::string(QTest::currentDataTag()) + "\n");
+        QCOMPARE(table.sightings[0].place.longitude_deg, expected_deg);
+    }
+
+    /** A file in an old encoding, with any line end. */
+    void oldFiles()
+    {
+        for (const char* end : {"\n", "\r\n", "\r"}) {
+            const std::string text = std::string("name,lat,lon") + end + "\xD8rn,70,20" + end;
+            const SightingTable table = readText(text);
+            QCOMPARE(table.sightings.size(), std::size_t{1});
+            QCOMPARE(table.sightings[0].name, std::string("\xC3\x98rn"));
+            QCOMPARE(table.sightings[0].line, std::size_t{2});
+        }
+    }
+
+    void textIsCleaned()
+    {
+        const SightingTable table = readText("id,lat,lon\n\" a\x07"
+                                             "b\n\",1,2\n");
+        QCOMPARE(table.sightings[0].id, std::string("a b"));
+        QCOMPARE(cleanText("\xC3\xB8\xC3\xB8", 3), std::string("\xC3\xB8"));
+        QCOMPARE(cleanText("a\xFF", 9), std::string("a?"));
+    }
+
+    void refused_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("format");
+        QTest::addColumn<QByteArray>("code");
+        QTest::addColumn<QByteArray>("says");
+        const auto row = [](const char* name, const QByteArray& text, const char* format,
+                            const char* code, const char* says) {
+            QTest::newRow(name) << text << QByteArray(format) << QByteArray(code)
+                                << QByteArray(says);
+        };
+        row("empty", "", "auto", "WrongFormat", "is empty");
+        row("blank", " \r\n\n", "csv", "WrongFormat", "is empty");
+        row("binary",
+            QByteArray("\x7F"
+                       "ELF\x02\x01\0\0\0",
+                       9),
+            "auto", "WrongFormat", "no text");
+        row("UTF-16", QByteArray("\xFF\xFEl\0a\0", 6), "auto", "WrongFormat", "UTF-16");
+        row("archive", "PK\x03\x04 and more", "auto", "WrongFormat", "compressed");
+        row("header only", "id,lat,lon\n", "auto", "InvalidInput", "no sightings");
+        row("no latitude", "id,place\n1,2\n", "auto", "WrongFormat", "known formats");
+        row("no latitude, asked", "id,lon\n1,2\n", "csv", "InvalidInput", "latitude");
+        row("no row in order", "id,lat,lon\n1,99,2\n2,98,2\n", "auto", "InvalidInput", "line 3: ");
+        row("nine columns", "2021,1,04/01/2021,5,48,-50,VIS,SM,PIN\n", "iip", "WrongFormat", "10");
+        row("no beacon", "id,lat,lon\n1,2,3\n", "cis-beacon", "InvalidInput", "time");
+        row("broken JSON", R"({"coordinates": )", "geojson", "SyntaxError", "line 1");
+        row("JSON without features", R"({"a": "coordinates"})", "geojson", "InvalidInput",
+            "line 1");
+        row("broken XML", "<kml><Placemark></kml>", "auto", "SyntaxError", "line 1");
+        row("entities", "<!DOCTYPE kml [<!ENTITY a \"b\">]><kml>&a;</kml>", "auto", "SyntaxError",
+            "DOCTYPE");
+        row("unknown format", "lat,lon\n1,2\n", "shp", "Unsupported", "cis-beacon");
+        row("quote in the header", "\"id,lat,lon\n1,2,3\n", "csv", "WrongFormat", "first line");
+    }
+
+    void refused()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, format);
+        QFETCH(QByteArray, code);
+        QFETCH(QByteArray, says);
+        const std::optional<Error> error = errorOf([&] {
+            (void)readText(text.toStdString(), {.format = format.toStdString(), .mapping = {}});
+        });
+        QVERIFY(error);
+        QCOMPARE(QByteArray::fromStdString(codeName(error->code())), code);
+        QVERIFY2(QByteArray(error->what()).contains(says), error->what());
+    }
+
+    void tooManyRows()
+    {
+        std::string text = "lat,lon\n";
+        for (std::size_t i = 0; i <= kMostSightings; ++i)
+            text += "1,2\n";
+        QCOMPARE(codeOf([&] { (void)readText(text); }), std::string("FileTooLarge"));
+        QCOMPARE(codeOf([&] { (void)readText(std::string((64U << 20U) + 1, 'x')); }),
+                 std::string("FileTooLarge"));
+    }
+
+    void rejectedRowsAreCountedBeyondThoseKept()
+    {
+        std::string text = "lat,lon\n1,2\n";
+        for (int i = 0; i < 1500; ++i)
+            text += "91,2\n";
+        const SightingTable table = readText(text);
+        QCOMPARE(table.rejected.count, std::size_t{1500});
+        QCOMPARE(table.rejected.first.size(), std::size_t{1000});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImportFormats)
+#include "tst_import_formats.moc"

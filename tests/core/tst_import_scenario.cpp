@@ -1,0 +1,336 @@
+#include "core/io/import_report.h"
+#include "core/io/import_scenario.h"
+#include "core/scenario/validate.h"
+#include "core/sim/mission.h"
+#include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/import_fixtures.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace berg;
+using namespace berg::test;
+
+class TestImportScenario : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void lastSightingIsTheStart()
+    {
+        const ImportResult result = importSightings(openSea(), northward(13));
+        QCOMPARE(result.scenario.startUtc, std::string("2024-05-01T02:00:00Z"));
+        QCOMPARE(result.added, std::size_t{1});
+        const Iceberg& iceberg = result.scenario.icebergs.at(0);
+        QCOMPARE(iceberg.id, std::string("b"));
+        QVERIFY(iceberg.position_m.norm() < 1); // the origin is where it was seen last
+        COMPARE_NEAR(iceberg.velocity_mps.y(), kNorthward_mps, 2e-4);
+        QCOMPARE(iceberg.observed_s, 0.0);
+        COMPARE_NEAR(result.scenario.origin.latitude_deg, 60.012, 1e-9);
+        COMPARE_NEAR(result.scenario.origin.longitude_deg, -50, 1e-9);
+        QVERIFY(!hasErrors(validate(result.scenario)));
+    }
+
+    /** Drift and uncertainty from the last sighting to the start asked for. */
+    void advancedToTheReferenceTime()
+    {
+        const ImportOptions options{.at = utc("2024-05-01T03:00:00Z"), .q_m2ps = 0.5};
+        const ImportResult result = importSightings(openSea(), northward(3), options);
+        const Iceberg& iceberg = result.scenario.icebergs.at(0);
+        const double age_s = 3 * 3600 - 1200;
+        QCOMPARE(iceberg.observed_s, age_s);
+        QCOMPARE(iceberg.q_m2ps, 0.5); // three sightings are too few to tell
+        COMPARE_NEAR(iceberg.position_m.y(), kNorthward_mps * age_s, 3);
+        QCOMPARE(initialSigma_m2(iceberg), 5 + 0.5 * age_s);
+    }
+
+    void currentIsNotCountedTwice()
+    {
+        Scenario base = openSea();
+        base.current_mps = {0.05, 0.1};
+        const ImportOptions options{.at = utc("2024-05-01T03:00:00Z")};
+        const ImportResult result = importSightings(base, northward(3), options);
+        const Iceberg& iceberg = result.scenario.icebergs.at(0);
+        COMPARE_NEAR(iceberg.velocity_mps.x(), -0.05, 1e-4);
+        COMPARE_NEAR(iceberg.velocity_mps.y(), kNorthward_mps - 0.1, 2e-4);
+        COMPARE_NEAR(iceberg.position_m.y(), kNorthward_mps * 9600, 3);
+    }
+
+    void velocityOfTheFile_data()
+    {
+        QTest::addColumn<double>("latitude_deg");
+        QTest::newRow("middle latitude") << 60.0;
+        QTest::newRow("southern") << -60.0;
+        QTest::newRow("near the pole") << 89.9995;
+        QTest::newRow("south pole") << -90.0;
+    }
+
+    void velocityOfTheFile()
+    {
+        QFETCH(double, latitude_deg);
+        const std::string row = std::to_string(latitude_deg) + ",20,0.3,90\n";
+        const ImportResult result =
+            importSightings(openSea(), readSightings("lat,lon,speed,direction\n" + row, "file"));
+        const Iceberg& iceberg = result.scenario.icebergs.at(0);
+        COMPARE_NEAR(iceberg.velocity_mps.norm(), 0.3, 2e-5);
+        QVERIFY(has(result.icebergs[0], ImportNote::VelocityGiven));
+        if (std::abs(latitude_deg) < 80)
+            COMPARE_NEAR(iceberg.velocity_mps.x(), 0.3, 1e-4); // the origin is here: x is east
+    }
+
+    void fastOnesAreClamped()
+    {
+        const ImportResult result = importSightings(
+            openSea(), readSightings("lat,lon,speed_kn,direction\n60,20,60,90\n", "file"));
+        QCOMPARE(result.scenario.icebergs.at(0).velocity_mps.x(), 5.0);
+        QVERIFY(has(result.icebergs[0], ImportNote::VelocityClamped));
+    }
+
+    void groundedStandsStill()
+    {
+        const ImportResult result = importSightings(openSea(), readFixture("usnic.csv"));
+        const Iceberg& iceberg = result.scenario.icebergs.at(0);
+        QCOMPARE(iceberg.id, std::string("A97Z"));
+        QVERIFY(has(result.icebergs[0], ImportNote::Stationary));
+        QCOMPARE(iceberg.q_m2ps, 0.0);
+        QVERIFY(iceberg.velocity_mps.isZero(0));
+        QCOMPARE(iceberg.radius_m, 22 * 1852.0);
+        QCOMPARE(iceberg.observed_s, 7 * 86400.0);
+    }
+
+    void timesAndAreasSelect()
+    {
+        const SightingTable table = csv("a,2024-05-01T00:00:00Z,60,-50\n"
+                                        "b,2024-05-02T00:00:00Z,60.1,-50\n"
+                                        "c,2024-05-03T00:00:00Z,60.2,-50\n"
+                                        "d,2024-05-02T00:00:00Z,65,-50\n");
+        const ImportResult result = importSightings(
+            openSea(), table,
+            {.since = utc("2024-05-01T12:00:00Z"),
+             .until = utc("2024-05-02T12:00:00Z"),
+             .area = GeoBox{.south_deg = 59, .west_deg = -51, .north_deg = 61, .east_deg = -49}});
+        QCOMPARE(result.outsideTime, std::size_t{2});
+        QCOMPARE(result.outsideArea, std::size_t{1});
+        QCOMPARE(result.scenario.icebergs.size(), std::size_t{1});
+        QCOMPARE(result.scenario.icebergs[0].id, std::string("b"));
+    }
+
+    void boxes_data()
+    {
+        QTest::addColumn<double>("west_deg");
+        QTest::addColumn<double>("east_deg");
+        QTest::addColumn<double>("longitude_deg");
+        QTest::addColumn<bool>("inside");
+        QTest::newRow("plain") << -60.0 << -40.0 << -50.0 << true;
+        QTest::newRow("edge") << -60.0 << -40.0 << -40.0 << true;
+        QTest::newRow("outside") << -60.0 << -40.0 << -39.9 << false;
+        QTest::newRow("antimeridian, west") << 170.0 << -170.0 << 175.0 << true;
+        QTest::newRow("antimeridian, east") << 170.0 << -170.0 << -175.0 << true;
+        QTest::newRow("antimeridian, outside") << 170.0 << -170.0 << 0.0 << false;
+        QTest::newRow("beyond 180") << 170.0 << 190.0 << -175.0 << true;
+        QTest::newRow("all") << -180.0 << 180.0 << 12.0 << true;
+    }
+
+    void boxes()
+    {
+        QFETCH(double, west_deg);
+        QFETCH(double, east_deg);
+        QFETCH(double, longitude_deg);
+        QFETCH(bool, inside);
+        const GeoBox box{.west_deg = west_deg, .east_deg = east_deg};
+        QCOMPARE(box.contains({.latitude_deg = 10, .longitude_deg = longitude_deg}), inside);
+    }
+
+    void acrossTheAntimeridian()
+    {
+        const ImportResult result =
+            importSightings(openSea(), csv("a,2024-05-01T00:00:00Z,70,179.9\n"
+                                           "a,2024-05-01T10:00:00Z,70,-179.9\n"
+                                           "b,2024-05-01T10:00:00Z,70,179.7\n"));
+        COMPARE_NEAR(std::abs(result.scenario.origin.longitude_deg), 179.9, 1e-9);
+        COMPARE_NEAR(result.scenario.icebergs[0].velocity_mps.x(), 7633.0 / 36000, 1e-3);
+        COMPARE_NEAR(result.scenario.icebergs[0].position_m.x(), 7633, 20);
+        COMPARE_NEAR(result.scenario.icebergs[1].position_m.x(), -7633, 20);
+    }
+
+    void farAwayIsRejected()
+    {
+        Scenario base = openSea();
+        base.origin = {.latitude_deg = 60, .longitude_deg = -50};
+        const ImportResult result = importSightings(
+            base, csv("a,2024-05-01T00:00:00Z,60,-50\nb,2024-05-01T00:00:00Z,45,-50\n"),
+            {.moveOrigin = false});
+        QCOMPARE(result.rejected.count, std::size_t{1});
+        QCOMPARE(result.rejected.first[0].line, std::size_t{3});
+        QVERIFY(result.rejected.first[0].fault == RowFault::TooFar);
+        QCOMPARE(result.scenario.icebergs.size(), std::size_t{1});
+        QVERIFY(result.scenario.origin == base.origin);
+    }
+
+    void driftingOffThePlaneIsLeftOut()
+    {
+        const ImportResult result = importSightings(
+            openSea(), northward(4), {.at = utc("2024-12-01T00:00:00Z")}); // 3400 km on
+        QCOMPARE(result.leftOut, std::size_t{1});
+        QVERIFY(has(result.icebergs[0], ImportNote::DriftedAway));
+        QVERIFY(result.scenario.icebergs.empty());
+    }
+
+    void newestThousandAreTaken()
+    {
+        std::string rows;
+        for (int i = 0; i < 1200; ++i) {
+            rows += 'b';
+            rows += std::to_string(i);
+            rows += ',';
+            rows += utcText(utc("2024-05-01T00:00:00Z"), i * 60.0);
+            rows += ",60,-50\n";
+        }
+        const ImportResult result = importSightings(openSea(), csv(rows));
+        QCOMPARE(result.added, kMostIcebergs);
+        QCOMPARE(result.leftOut, std::size_t{200});
+        QVERIFY(has(result.icebergs[0], ImportNote::TooMany));
+        QCOMPARE(result.scenario.icebergs.front().id, std::string("b200"));
+    }
+
+    void tracksAreWhatCameAfter()
+    {
+        const ImportOptions options{
+            .at = utc("2024-05-01T01:05:00Z"), .withTracks = true, .tolerance_m = 1};
+        const ImportResult result = importSightings(openSea(), northward(13), options);
+        const Iceberg& iceberg = result.scenario.icebergs.at(0);
+        QVERIFY(has(result.icebergs[0], ImportNote::TrackAttached));
+        QCOMPARE(iceberg.track.time_s.front(), 0.0);
+        QCOMPARE(iceberg.track.time_s.back(), 3300.0);
+        QCOMPARE(iceberg.track.time_s.size(), std::size_t{2}); // a straight line
+        const LocalFrame frame(result.scenario.origin);
+        const Point at_m = frame.toPlane({.latitude_deg = 60.009, .longitude_deg = -50});
+        QVERIFY((iceberg.track.at(1500) - at_m).norm() < 1); // 01:30, by the tolerance
+        QVERIFY(result.outsideTime == 0);
+        Mission mission(result.scenario);
+        mission.advance(600);
+        QVERIFY((mission.simulation().truth_m(0) - iceberg.track.at(600)).norm() < 1e-9);
+
+        const ImportResult none = importSightings(
+            openSea(), northward(13), {.at = utc("2024-05-01T03:00:00Z"), .withTracks = true});
+        QVERIFY(has(none.icebergs[0], ImportNote::NoTrack));
+        QVERIFY(none.scenario.icebergs[0].track.empty());
+    }
+
+    void seenOnlyLater()
+    {
+        const ImportOptions options{.at = utc("2024-04-01T00:00:00Z"), .withTracks = true};
+        const ImportResult result = importSightings(openSea(), northward(3), options);
+        QCOMPARE(result.leftOut, std::size_t{1});
+        QVERIFY(has(result.icebergs[0], ImportNote::SeenLater));
+    }
+
+    void optionsAreChecked_data()
+    {
+        QTest::addColumn<int>("row");
+        for (int i = 0; i < 6; ++i)
+            QTest::addRow("%d", i) << i;
+    }
+
+    void optionsAreChecked()
+    {
+        QFETCH(int, row);
+        const std::vector<ImportOptions> bad{
+            {.sigma0_m2 = -1},
+            {.q_m2ps = std::nan("")},
+            {.tolerance_m = -1},
+            {.area = GeoBox{.south_deg = 60, .north_deg = 50}},
+            {.since = utc("2024-05-02T00:00:00Z"), .until = utc("2024-05-01T00:00:00Z")},
+            {.moveOrigin = true}};
+        Scenario base = openSea();
+        addIceberg(base, 0, 0);
+        QCOMPARE(codeOf([&] {
+                     (void)importSightings(base, northward(2), bad[static_cast<std::size_t>(row)]);
+                 }),
+                 std::string("InvalidInput"));
+    }
+
+    /** From a scenario to a table and back: places, velocities and the rest. */
+    void roundTrip()
+    {
+        Scenario scenario = openSea();
+        scenario.origin = {.latitude_deg = 61.5, .longitude_deg = -55.25};
+        scenario.startUtc = "2024-05-01T00:00:00Z";
+        const LocalFrame frame(scenario.origin);
+        std::string text = "id;name;time;latitude;longitude;speed_mps;direction_deg;sigma_m2;"
+                           "q_m2ps;radius_m\n";
+        for (int i = 0; i < 40; ++i) {
+            Iceberg& iceberg = addIceberg(scenario, 500.0 * i, -300.0 * (i % 7), 1 + 0.25 * i);
+            const double direction_deg = 9.0 * i;
+            iceberg.name = "No. \"" + std::to_string(i) + '"';
+            iceberg.q_m2ps = 0.125 * i;
+            iceberg.radius_m = 10 + i;
+            const double direction_rad = direction_deg * 3.14159265358979 / 180;
+            iceberg.velocity_mps = {0.25 * std::sin(direction_rad), 0.25 * std::cos(direction_rad)};
+            const LatLon place = frame.toGeographic(iceberg.position_m);
+            char row[400];
+            std::snprintf(row, sizeof row,
+                          "%s;\"No. \"\"%d\"\"\";%s;%.9f;%.9f;0.25;%.1f;%.17g;%.17g;%.17g\r\n",
+                          iceberg.id.c_str(), i, scenario.startUtc.c_str(), place.latitude_deg,
+                          place.longitude_deg, direction_deg, iceberg.sigma0_m2, iceberg.q_m2ps,
+                          iceberg.radius_m);
+            text += row;
+        }
+        Scenario base = openSea();
+        base.origin = scenario.origin;
+        const ImportResult result =
+            importSightings(base, readSightings(text, "table.csv"), {.moveOrigin = false});
+        QCOMPARE(result.added, std::size_t{40});
+        for (std::size_t i = 0; i < 40; ++i) {
+            Iceberg got = result.scenario.icebergs[i];
+            const Iceberg& expected = scenario.icebergs[i];
+            QVERIFY((got.position_m - expected.position_m).norm() < 0.02);
+            // North at 20 km from the origin is off the plane's y by 0.3 degrees.
+            QVERIFY((got.velocity_mps - expected.velocity_mps).norm() < 0.25 * 0.007);
+            got.position_m = expected.position_m;
+            got.velocity_mps = expected.velocity_mps;
+            QVERIFY(got == expected);
+        }
+    }
+
+    /** The real beacon, where the file is there: a drift of the right size, and a track. */
+    void realBeacon()
+    {
+        const std::string path =
+            std::string(BERG_SOURCE_DIR) + "/../shared/data/cis-beacon-1997_12995.csv";
+        if (!QFile::exists(QString::fromStdString(path)))
+            QSKIP("the file is not here");
+        const SightingTable table = readSightings(readFile(path), path);
+        QCOMPARE(table.sightings.size(), std::size_t{639});
+        QCOMPARE(table.rejected.count, std::size_t{1});
+        const ImportResult result = importSightings(
+            openSea(), table, {.at = utc("1997-09-01T00:00:00Z"), .withTracks = true});
+        const Iceberg& iceberg = result.scenario.icebergs.at(0);
+        QVERIFY(iceberg.velocity_mps.norm() > 0.01 && iceberg.velocity_mps.norm() < 0.6);
+        QVERIFY(iceberg.q_m2ps > 1 && iceberg.q_m2ps < 500);
+        QVERIFY(iceberg.track.time_s.size() > 100);
+        QVERIFY(!hasErrors(validate(result.scenario)));
+    }
+
+    void reportIsJson()
+    {
+        const SightingTable table = readFixture("iip.csv");
+        const ImportResult result = importSightings(openSea(), table);
+        const QJsonDocument document =
+            QJsonDocument::fromJson(QByteArray::fromStdString(importJson(table, result)));
+        const QJsonObject report = document.object();
+        QCOMPARE(report["format"].toString(), QString("iip"));
+        QCOMPARE(report["sightings"].toInt(), 7);
+        QCOMPARE(report["rejected"].toInt(), 7);
+        QCOMPARE(report["added"].toInt(), 4);
+        QCOMPARE(report["icebergs"].toArray().size(), 4);
+        QCOMPARE(report["rejected_rows"].toArray()[0].toObject()["line"].toInt(), 7);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImportScenario)
+#include "tst_import_scenario.moc"

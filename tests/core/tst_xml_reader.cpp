@@ -1,0 +1,132 @@
+#include "core/io/xml_reader.h"
+#include "tests/support/expect_error.h"
+
+#include <QtTest>
+
+#include <stdexcept>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+/** "name@line=text" of each element as it is closed. */
+QStringList elementsOf(const std::string& text)
+{
+    QStringList elements;
+    readXml(text, "file",
+            {.opened = {}, .closed = [&](XmlPath path) {
+                 const XmlElement& element = path.back();
+                 elements.append(QString::fromStdString(
+                     element.name + '@' + std::to_string(element.line) + '=' + element.text));
+             }});
+    return elements;
+}
+
+std::string nested(int depth)
+{
+    std::string text;
+    for (int i = 0; i < depth; ++i)
+        text += "<a>";
+    for (int i = 0; i < depth; ++i)
+        text += "</a>";
+    return text;
+}
+
+} // namespace
+
+class TestXmlReader : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void elements()
+    {
+        QCOMPARE(elementsOf("<r>\n<b>x<c/>y</b>\n</r>"),
+                 (QStringList{"c@2=", "b@2=xy", "r@1=\n\n"}));
+        QCOMPARE(elementsOf("<r xmlns:g=\"u\"><g:b>&lt;&#248;</g:b></r>"),
+                 (QStringList{QString::fromUtf8("b@1=<\xC3\xB8"), "r@1="}));
+        QCOMPARE(elementsOf("<r><![CDATA[a<b]]></r>"), QStringList{"r@1=a<b"});
+    }
+
+    void attributes()
+    {
+        std::string value;
+        std::string missing = "?";
+        readXml("<r xmlns:g='u' g:x='1 &amp; 2'/>", "file",
+                {.opened =
+                     [&](XmlPath path) {
+                         value = path.back().attribute("x");
+                         missing = path.back().attribute("y");
+                     },
+                 .closed = {}});
+        QCOMPARE(value, std::string("1 & 2"));
+        QCOMPARE(missing, std::string());
+    }
+
+    void broken_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("says");
+        const auto row = [](const char* name, const std::string& text, const char* says) {
+            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(says);
+        };
+        row("empty", "", "line 1");
+        row("unclosed", "<a>\n<b>\n</a>", "line 3");
+        row("two roots", "<a/><b/>", "line 1");
+        row("no XML", "hello", "line 1");
+        row("control character", "<a>\x01</a>", "line 1");
+        row("half a character", "<a>\xC3</a>", "line 1");
+        row("unknown entity", "<a>&x;</a>", "line 1");
+        row("deep", nested(65), "deeper than 64");
+        row("bomb", "<!DOCTYPE a [<!ENTITY b \"bbbb\"><!ENTITY c \"&b;&b;&b;&b;\">]><a>&c;&c;</a>",
+            "DOCTYPE");
+        row("outside entity", "<!DOCTYPE a SYSTEM \"file:///etc/passwd\"><a/>", "DOCTYPE");
+    }
+
+    void broken()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, says);
+        const std::optional<Error> error = errorOf([&] { (void)elementsOf(text.toStdString()); });
+        QVERIFY(error && error->code() == ErrorCode::SyntaxError);
+        QVERIFY2(QByteArray(error->what()).contains(says), error->what());
+    }
+
+    void deepEnough() { QCOMPARE(elementsOf(nested(64)).size(), 64); }
+
+    void exceptionsPass()
+    {
+        int calls = 0;
+        const XmlEvents events{.opened =
+                                   [&](XmlPath) {
+                                       ++calls;
+                                       throw std::logic_error("mine");
+                                   },
+                               .closed = {}};
+        QVERIFY_EXCEPTION_THROWN(readXml("<a><b/></a>", "file", events), std::logic_error);
+        QCOMPARE(calls, 1);
+    }
+
+    /** Longer than one piece of the parser, in which tags are cut apart. */
+    void longText()
+    {
+        std::string text = "<r>";
+        for (int i = 0; i < 200'000; ++i)
+            text += "<point>12</point>\n";
+        text += "</r>";
+        std::size_t points = 0;
+        std::size_t lastLine = 0;
+        readXml(text, "file", {.opened = {}, .closed = [&](XmlPath path) {
+                                   if (path.size() == 2 && path.back().text == "12") {
+                                       ++points;
+                                       lastLine = path.back().line;
+                                   }
+                               }});
+        QCOMPARE(points, std::size_t{200'000});
+        QCOMPARE(lastLine, std::size_t{200'000});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestXmlReader)
+#include "tst_xml_reader.moc"

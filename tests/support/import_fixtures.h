@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/io/atomic_file.h"
+#include "core/io/import_formats.h"
+#include "core/io/import_scenario.h"
+#include "core/scenario/scenario.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace berg::test {
+
+/** A file of tests/data/import and what is in it. */
+struct ImportFixture
+{
+    const char* file;
+    const char* format;
+    std::size_t sightings;
+    std::size_t rejected;
+};
+
+inline constexpr std::array<ImportFixture, 7> kImportFixtures = {{
+    {"iip.csv", "iip", 7, 7},
+    {"cis-beacon.csv", "cis-beacon", 9, 3},
+    {"usnic.csv", "usnic", 3, 3},
+    {"metno.geojson", "metno", 3, 4},
+    {"points.geojson", "geojson", 5, 3},
+    {"places.kml", "kml", 5, 4},
+    {"table.csv", "csv", 3, 6},
+}};
+
+inline std::string importFixture(const std::string& file)
+{
+    return readFile(BERG_TEST_DATA "/import/" + file);
+}
+
+inline SightingTable readFixture(const std::string& file)
+{
+    return readSightings(importFixture(file), file);
+}
+
+/** A scenario that sightings can be imported into: one aircraft, no icebergs. */
+inline Scenario openSea()
+{
+    Scenario scenario;
+    scenario.name = "sea";
+    Uav uav;
+    uav.id = "uav-1";
+    scenario.uavs.push_back(uav);
+    return scenario;
+}
+
+inline UtcTime utc(const char* text)
+{
+    return *parseUtc(text);
+}
+
+inline SightingTable csv(const std::string& rows)
+{
+    return readSightings("id,time,lat,lon\n" + rows, "rows.csv");
+}
+
+/** A beacon at 60 N, 50 W that drifts north by 0.001 degrees (111.4 m) every ten minutes. */
+inline SightingTable northward(int count)
+{
+    std::string rows;
+    for (int i = 0; i < count; ++i)
+        rows += "b," + utcText(utc("2024-05-01T00:00:00Z"), i * 600.0) + ',' +
+                std::to_string(60 + 0.001 * i) + ",-50\n";
+    return csv(rows);
+}
+inline constexpr double kNorthward_mps = 0.1857; // of the above, to 0.1 %
+
+inline bool has(const ImportedIceberg& iceberg, ImportNote note)
+{
+    return std::find(iceberg.notes.begin(), iceberg.notes.end(), note) != iceberg.notes.end();
+}
+
+} // namespace berg::test
