@@ -105,6 +105,45 @@ private slots:
         QCOMPARE(scenario.icebergs[0].id, std::string("berg-2"));
         QCOMPARE(scenario.uavs.size(), std::size_t{1});
     }
+
+    void assetAndAreaAreKeptWhileTheyAreThere()
+    {
+        Scenario scenario = test::emptySea();
+        scenario.asset.emplace();
+        scenario.area_m = {{0, 0}, {100, 0}, {0, 100}};
+        Selection selection;
+        selection.set({kAssetKey, kAreaKey, "uav-1"});
+        selection.keepExisting(scenario);
+        QCOMPARE(selection.ids(), (Ids{kAssetKey, kAreaKey, "uav-1"}));
+        moveObjects(scenario, selection.ids(), {10, -5});
+        QVERIFY(scenario.asset->position_m == Point(10, -5));
+        QVERIFY(scenario.area_m == (std::vector<Point>{{10, -5}, {110, -5}, {10, 95}}));
+        removeObjects(scenario, selection.ids());
+        selection.keepExisting(scenario);
+        QCOMPARE(selection.ids(), (Ids{"uav-1"}));
+    }
+
+    void copiesGetNamesAndIdsOfTheirOwn()
+    {
+        Scenario scenario = test::emptySea();
+        for (const char* name : {"Big", "Big", "B 7", "7", ""})
+            test::addIceberg(scenario, 0, 0).name = name;
+        scenario.icebergs[1].id = "berg-7";
+        const std::vector<Iceberg> originals = scenario.icebergs;
+        const Ids ids = addCopies(scenario, originals, {1, 2});
+        QCOMPARE(ids, (Ids{"berg-6", "berg-8", "berg-9", "berg-10", "berg-11"}));
+        Ids names;
+        for (std::size_t i = 5; i < 10; ++i)
+            names.push_back(scenario.icebergs[i].name);
+        QCOMPARE(names, (Ids{"Big 2", "Big 3", "B 2", "7 2", ""}));
+        QVERIFY(scenario.icebergs[9].position_m == Point(1, 2));
+    }
+
+    void velocitiesKeepTheirDirectionAtTheLimit()
+    {
+        QVERIFY(clampedVelocity({3, -4}) == Point(3, -4));
+        QVERIFY(clampedVelocity({10, -5}) == Point(5, -2.5));
+    }
 };
 
 QTEST_APPLESS_MAIN(TestSelection)

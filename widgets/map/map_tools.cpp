@@ -1,12 +1,15 @@
 #include "widgets/map/map_tools.h"
 
 #include "core/base/angles.h"
+#include "widgets/map/area_tool.h"
 #include "widgets/map/map_view.h"
+#include "widgets/map/measure_tool.h"
 #include "widgets/map/placing_tools.h"
 #include "widgets/map/select_tool.h"
 #include "widgets/model/scenario_edits.h"
 
 #include <QApplication>
+#include <QKeyEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -54,18 +57,63 @@ private:
 
 } // namespace
 
+bool isEditing(MapToolKind kind)
+{
+    switch (kind) {
+    case MapToolKind::Iceberg:
+    case MapToolKind::Uav:
+    case MapToolKind::Asset:
+    case MapToolKind::Area:
+        return true;
+    case MapToolKind::Select:
+    case MapToolKind::Measure:
+    case MapToolKind::Pan:
+        return false;
+    }
+    return false;
+}
+
+bool MapTool::hover(const MapPointer&)
+{
+    return false;
+}
+
 bool MapTool::key(const QKeyEvent&)
+{
+    return false;
+}
+
+void MapTool::documentReplaced()
+{
+    documentChanged();
+}
+
+bool MapTool::isDrawing() const
+{
+    return false;
+}
+
+void MapTool::finishDrawing() {}
+
+void MapTool::takeLastBack() {}
+
+bool MapTool::dropDrawing()
+{
+    return false;
+}
+
+bool MapTool::removePart()
 {
     return false;
 }
 
 void MapTool::paint(QPainter&) const {}
 
-std::unique_ptr<EditGesture> MapTool::newGesture(const QString& text) const
+std::unique_ptr<EditGesture> makeGesture(const MapToolContext& context, const QString& text)
 {
     return std::make_unique<EditGesture>(
-        m_context.document, text,
-        [&view = m_context.view](const Scenario* scenario) { view.setPreview(scenario); });
+        context.document, text,
+        [&view = context.view](const Scenario* scenario) { view.setPreview(scenario); });
 }
 
 std::unique_ptr<MapTool> makeMapTool(MapToolKind kind, const MapToolContext& context)
@@ -77,6 +125,12 @@ std::unique_ptr<MapTool> makeMapTool(MapToolKind kind, const MapToolContext& con
         return std::make_unique<IcebergTool>(context);
     case MapToolKind::Uav:
         return std::make_unique<UavTool>(context);
+    case MapToolKind::Asset:
+        return std::make_unique<AssetTool>(context);
+    case MapToolKind::Area:
+        return std::make_unique<AreaTool>(context);
+    case MapToolKind::Measure:
+        return std::make_unique<MeasureTool>(context);
     case MapToolKind::Pan:
         return std::make_unique<PanTool>(context);
     }
@@ -89,7 +143,11 @@ QString moveText(const Scenario& scenario, std::span<const std::string> ids)
         return findIceberg(scenario, id) != nullptr;
     });
     const auto others = static_cast<std::ptrdiff_t>(ids.size()) - icebergs;
-    if (icebergs == 0)
+    if (icebergs == 0 && others == 1 && ids.front() == kAssetKey)
+        return MapTools::tr("Move asset");
+    if (icebergs == 0 && others == 1 && ids.front() == kAreaKey)
+        return MapTools::tr("Move area");
+    if (icebergs == 0 && others == 1)
         return MapTools::tr("Move UAV");
     if (others > 0)
         return MapTools::tr("Move %n objects", nullptr, static_cast<int>(ids.size()));
@@ -101,6 +159,22 @@ QString moveText(const Scenario& scenario, std::span<const std::string> ids)
 bool isDragDistance(const QPointF& from, const QPointF& to)
 {
     return (to - from).manhattanLength() >= QApplication::startDragDistance();
+}
+
+Point placeOf(const MapPointer& pointer)
+{
+    return clampedPosition(roundedTo(pointer.at_m, kPositionStep_m));
+}
+
+MapPointer middleOf(const MapScene& scene)
+{
+    const QPointF at_px = scene.rect().center();
+    return {.at_px = at_px, .at_m = scene.view().toWorld(at_px)};
+}
+
+bool isEnter(const QKeyEvent& event)
+{
+    return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
 }
 
 QString bearingText(const Point& way_m)

@@ -24,8 +24,14 @@ enum class MapToolKind
     Select,  ///< select, move
     Iceberg, ///< add an iceberg, set its drift
     Uav,     ///< place the UAV, set its heading
+    Asset,   ///< place what is to be protected
+    Area,    ///< draw the area, move its corners
+    Measure, ///< distances, bearings and times of flight; changes nothing
     Pan
 };
+
+/** True for tools that are not taken up in flight. */
+[[nodiscard]] bool isEditing(MapToolKind kind);
 
 /** Where the pointer is. */
 struct MapPointer
@@ -45,6 +51,9 @@ struct MapToolContext
     MapView& view;
 };
 
+[[nodiscard]] std::unique_ptr<EditGesture> makeGesture(const MapToolContext& context,
+                                                       const QString& text);
+
 /**
  * Meaning of the left button from press to release. A tool holds what is under way and nothing
  * else; it edits through an `EditGesture`, which makes each drag one undo step.
@@ -62,15 +71,32 @@ public:
     virtual void move(const MapPointer& pointer) = 0;
     /** Outside the widget: as `cancel` for everything that edits. */
     virtual void release(const MapPointer& pointer) = 0;
+    /** Without a button down; true when there is something to be painted anew. */
+    virtual bool hover(const MapPointer& pointer);
     /** A key that the map has no meaning for itself; true when the tool has one. */
     virtual bool key(const QKeyEvent& event);
 
     /** Between press and release. */
     [[nodiscard]] virtual bool isBusy() const = 0;
-    /** Takes back what is under way. */
+    /** Takes back what is under way between press and release. */
     virtual void cancel() = 0;
     /** The scenario has changed: when not by this tool, what is under way is dropped as it is. */
     virtual void documentChanged() = 0;
+    /** Another scenario altogether: nothing is kept. */
+    virtual void documentReplaced();
+
+    // Tools that draw point by point have something half drawn between presses.
+
+    /** Half drawn: the calls below belong to the drawing and not to the scenario. */
+    [[nodiscard]] virtual bool isDrawing() const;
+    /** Enter, double click or right button. */
+    virtual void finishDrawing();
+    /** Backspace or undo: the last point. */
+    virtual void takeLastBack();
+    /** Esc: all that is drawn; false when there is nothing. */
+    virtual bool dropDrawing();
+    /** Del: a part of an object that is current, e.g. a corner; false when there is none. */
+    virtual bool removePart();
 
     /** Marks above the picture, device-independent pixels. */
     virtual void paint(QPainter& painter) const;
@@ -81,7 +107,10 @@ public:
 
 protected:
     [[nodiscard]] const MapToolContext& context() const { return m_context; }
-    [[nodiscard]] std::unique_ptr<EditGesture> newGesture(const QString& text) const;
+    [[nodiscard]] std::unique_ptr<EditGesture> newGesture(const QString& text) const
+    {
+        return makeGesture(m_context, text);
+    }
 
 private:
     MapToolContext m_context;
@@ -97,5 +126,14 @@ private:
 
 /** Direction of a way as navigators write it: "045°", clockwise from north. */
 [[nodiscard]] QString bearingText(const Point& way_m);
+
+// What is placed by hand is rounded far below what a screen shows, so that numbers stay short.
+inline constexpr double kPositionStep_m = 0.1;
+
+/** Where a thing put at the pointer is. */
+[[nodiscard]] Point placeOf(const MapPointer& pointer);
+/** The pointer of somebody who places things by keyboard. */
+[[nodiscard]] MapPointer middleOf(const MapScene& scene);
+[[nodiscard]] bool isEnter(const QKeyEvent& event);
 
 } // namespace berg

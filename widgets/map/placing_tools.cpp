@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/scenario/validate.h"
+#include "widgets/map/drift_arrow.h"
 #include "widgets/map/map_marks.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/scenario_edits.h"
@@ -22,46 +23,6 @@ struct PlacingTools
 {
     Q_DECLARE_TR_FUNCTIONS(PlacingTools)
 };
-
-// What is placed by hand is rounded far below what a screen shows, so that numbers stay short.
-constexpr double kPositionStep_m = 0.1;
-constexpr double kDriftStep_mps = 0.001;
-constexpr double kMetresPerNauticalMile = 1852;
-
-/** An arrow of the usual length may stand for this much drift at least. */
-constexpr double kUsualDrift_mps = 0.4;
-
-Point rounded(const Point& value, double step)
-{
-    return (value / step).array().round().matrix() * step;
-}
-
-Point placeOf(const MapPointer& pointer)
-{
-    return clampedPosition(rounded(pointer.at_m, kPositionStep_m));
-}
-
-bool isEnter(const QKeyEvent& event)
-{
-    return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
-}
-
-/** The pointer of somebody who places things by keyboard. */
-MapPointer middleOf(const MapScene& scene)
-{
-    const QPointF at_px = scene.rect().center();
-    return {.at_px = at_px, .at_m = scene.view().toWorld(at_px)};
-}
-
-/** "0.31 m/s (0.60 kn)  045°". */
-QString driftText(const Point& drift_mps, const QLocale& locale)
-{
-    const double speed_mps = drift_mps.norm();
-    const double speed_kn = speed_mps * 3600 / kMetresPerNauticalMile;
-    const QString speed = PlacingTools::tr("%1 m/s (%2 kn)")
-                              .arg(fixedText(speed_mps, 2, locale), fixedText(speed_kn, 2, locale));
-    return speed_mps > 0 ? speed + u"  "_s + bearingText(drift_mps) : speed;
-}
 
 } // namespace
 
@@ -90,13 +51,7 @@ void IcebergTool::press(const MapPointer& pointer)
 
 void IcebergTool::beginDrift()
 {
-    m_isDrawing = true;
-    MapScene& scene = context().scene;
-    const double usual_s = driftTimeFor_s(kUsualDrift_mps, scene.view().scale_pxpm());
-    const double shown_s = scene.layout().symbols.driftTime_s;
-    m_driftTime_s = shown_s > 0 ? std::min(shown_s, usual_s) : usual_s;
-    m_driftTime_s = std::max(m_driftTime_s, 60.0);
-    scene.setDriftTime(m_driftTime_s);
+    m_arrow = std::make_unique<DriftArrow>(context().scene);
     if (!m_gesture)
         m_gesture = newGesture(PlacingTools::tr("Change drift"));
 }
@@ -106,35 +61,17 @@ void IcebergTool::move(const MapPointer& pointer)
     if (!m_isPressed)
         return;
     m_now = pointer;
-    if (!m_isDrawing && isDragDistance(m_press.at_px, pointer.at_px))
+    if (!m_arrow && isDragDistance(m_press.at_px, pointer.at_px))
         beginDrift();
-    if (m_isDrawing)
+    if (m_arrow)
         apply();
-}
-
-Point IcebergTool::drawnDrift_mps() const
-{
-    MapScene& scene = context().scene;
-    const QPointF centre = scene.view().toPixel(m_iceberg.position_m);
-    const std::optional<LabelDisk> symbol = scene.symbolOf(m_iceberg.id);
-    // The arrows of the map begin at the edge of the symbol; inside it there is no drift.
-    const double edge_px = symbol ? symbol->radius_px : 0;
-    const Point way_px(m_now.at_px.x() - centre.x(), centre.y() - m_now.at_px.y());
-    const double length_px = way_px.norm();
-    if (length_px <= edge_px)
-        return Point::Zero();
-    const double metres = (length_px - edge_px) / scene.view().scale_pxpm();
-    const Point overGround_mps = way_px / length_px * (metres / m_driftTime_s);
-    const Point own_mps = overGround_mps - context().document.scenario().current_mps;
-    return rounded(own_mps, kDriftStep_mps)
-        .cwiseMax(-kLargestVelocity_mps)
-        .cwiseMin(kLargestVelocity_mps);
 }
 
 void IcebergTool::apply()
 {
-    if (m_isDrawing)
-        m_iceberg.velocity_mps = drawnDrift_mps();
+    if (m_arrow)
+        m_iceberg.velocity_mps =
+            m_arrow->velocity_mps(m_iceberg, m_now, context().document.scenario().current_mps);
     m_gesture->apply([this](Scenario& scenario) {
         if (Iceberg* present = findIceberg(scenario, m_iceberg.id))
             present->velocity_mps = m_iceberg.velocity_mps;
@@ -183,16 +120,14 @@ void IcebergTool::documentChanged()
 
 void IcebergTool::end()
 {
-    if (m_isDrawing)
-        context().scene.setDriftTime({});
     m_isPressed = false;
-    m_isDrawing = false;
+    m_arrow.reset();
     m_gesture.reset();
 }
 
 void IcebergTool::paint(QPainter& painter) const
 {
-    if (!m_isDrawing)
+    if (!m_arrow)
         return;
     MapScene& scene = context().scene;
     const Point overGround_mps = m_iceberg.velocity_mps + context().document.scenario().current_mps;
@@ -207,15 +142,18 @@ QCursor IcebergTool::cursor(const std::string&) const
 
 QString IcebergTool::status() const
 {
-    if (m_isDrawing)
-        return PlacingTools::tr("The arrow is the way drifted in %1. Esc takes it back.")
-            .arg(durationText(m_driftTime_s, context().scene.locale()));
+    if (m_arrow)
+        return m_arrow->status();
     if (context().document.scenario().icebergs.size() >= kMostIcebergs)
         return PlacingTools::tr("A scenario holds at most %n icebergs.", nullptr,
                                 static_cast<int>(kMostIcebergs));
     return PlacingTools::tr(
         "Click adds an iceberg, drag on to set its drift. Esc leaves the tool.");
 }
+
+IcebergTool::IcebergTool(const MapToolContext& context) : MapTool(context) {}
+
+IcebergTool::~IcebergTool() = default;
 
 void UavTool::press(const MapPointer& pointer)
 {
@@ -256,12 +194,10 @@ void UavTool::move(const MapPointer& pointer)
     m_isTurning = m_isTurning || isDragDistance(m_press.at_px, pointer.at_px);
     if (!m_isTurning)
         return;
-    const Point way_m = pointer.at_m - m_uav.position_m;
-    if (way_m.norm() <= 0)
-        return;
-    const double heading_deg = headingFromPsi(std::atan2(way_m.y(), way_m.x()));
-    m_uav.heading_deg = std::fmod(std::round(heading_deg), 360.0);
-    apply();
+    if (const std::optional<double> heading_deg = headingTowards_deg(m_uav.position_m, pointer)) {
+        m_uav.heading_deg = *heading_deg;
+        apply();
+    }
 }
 
 void UavTool::release(const MapPointer& pointer)
@@ -309,10 +245,7 @@ void UavTool::paint(QPainter& painter) const
     MapScene& scene = context().scene;
     const QPointF from = scene.view().toPixel(m_uav.position_m);
     paintDragTrail(painter, {from, m_now.at_px}, scene.theme());
-    const QString heading =
-        u"%1°"_s.arg(static_cast<int>(std::lround(m_uav.heading_deg)), 3, 10, QChar(u'0'));
-    paintBubble(painter, m_now.at_px, PlacingTools::tr("Heading %1").arg(heading), scene.rect(),
-                scene.theme());
+    paintBubble(painter, m_now.at_px, headingText(m_uav.heading_deg), scene.rect(), scene.theme());
 }
 
 QCursor UavTool::cursor(const std::string&) const
@@ -325,6 +258,99 @@ QString UavTool::status() const
     if (m_isTurning)
         return PlacingTools::tr("Let go to keep this heading. Esc takes it back.");
     return PlacingTools::tr("Click places the UAV, drag on to turn it. Esc leaves the tool.");
+}
+
+void AssetTool::press(const MapPointer& pointer)
+{
+    MapScene& scene = context().scene;
+    if (scene.isOverlay(pointer.at_px))
+        return;
+    m_now = pointer;
+    const std::optional<Asset>& asset = context().document.scenario().asset;
+    m_asset = asset.value_or(Asset());
+    const bool isGrabbed = asset && scene.objectAt(pointer.at_px) == kAssetKey;
+    m_grip_m = isGrabbed ? Point(pointer.at_m - m_asset.position_m) : Point(Point::Zero());
+    m_press = pointer;
+    m_isMoving = !isGrabbed;
+    m_gesture =
+        newGesture(asset ? PlacingTools::tr("Move asset") : PlacingTools::tr("Place asset"));
+    move(pointer);
+}
+
+void AssetTool::move(const MapPointer& pointer)
+{
+    if (!m_gesture)
+        return;
+    m_now = pointer;
+    m_isMoving = m_isMoving || isDragDistance(m_press.at_px, pointer.at_px);
+    if (!m_isMoving)
+        return;
+    MapPointer centre = pointer;
+    centre.at_m -= m_grip_m;
+    m_asset.position_m = placeOf(centre);
+    m_gesture->apply([this](Scenario& scenario) { scenario.asset = m_asset; });
+}
+
+void AssetTool::release(const MapPointer& pointer)
+{
+    if (!m_gesture)
+        return;
+    move(pointer);
+    end(!pointer.isInside);
+    if (context().document.scenario().asset)
+        context().selection.set({kAssetKey});
+}
+
+bool AssetTool::key(const QKeyEvent& event)
+{
+    if (!isEnter(event))
+        return false;
+    const MapPointer middle = middleOf(context().scene);
+    press(middle);
+    release(middle);
+    return true;
+}
+
+void AssetTool::documentChanged()
+{
+    if (m_gesture && !m_gesture->isApplying())
+        m_gesture.reset();
+}
+
+void AssetTool::end(bool takeBack)
+{
+    if (m_gesture && takeBack)
+        m_gesture->cancel();
+    else if (m_gesture)
+        m_gesture->finish();
+    m_gesture.reset();
+}
+
+void AssetTool::paint(QPainter& painter) const
+{
+    if (!m_gesture || !m_isMoving || !m_gesture->start().asset)
+        return;
+    MapScene& scene = context().scene;
+    const Point from_m = m_gesture->start().asset->position_m;
+    const Point way_m = m_asset.position_m - from_m;
+    paintDragTrail(painter,
+                   {scene.view().toPixel(from_m), scene.view().toPixel(m_asset.position_m)},
+                   scene.theme());
+    paintBubble(painter, m_now.at_px, wayText(way_m, scene.locale()), scene.rect(), scene.theme());
+}
+
+QCursor AssetTool::cursor(const std::string& over) const
+{
+    return over == kAssetKey ? Qt::SizeAllCursor : Qt::CrossCursor;
+}
+
+QString AssetTool::status() const
+{
+    if (m_gesture)
+        return PlacingTools::tr("Let go to place it here. Esc takes it back.");
+    if (context().document.scenario().asset)
+        return PlacingTools::tr("Click moves the asset here. Esc leaves the tool.");
+    return PlacingTools::tr("Click places the asset to be protected. Esc leaves the tool.");
 }
 
 } // namespace berg

@@ -4,6 +4,8 @@
 
 namespace berg {
 
+class DriftArrow;
+
 /**
  * A click adds an iceberg and selects it; dragging from it on sets its drift over ground by the
  * arrow of the map, whose tip follows the cursor. Dragging from an iceberg that is there sets the
@@ -12,7 +14,8 @@ namespace berg {
 class IcebergTool final : public MapTool
 {
 public:
-    using MapTool::MapTool;
+    explicit IcebergTool(const MapToolContext& context);
+    ~IcebergTool() override;
 
     void press(const MapPointer& pointer) override;
     void move(const MapPointer& pointer) override;
@@ -30,14 +33,12 @@ private:
     void apply();
     void beginDrift();
     void end();
-    [[nodiscard]] Point drawnDrift_mps() const;
 
     bool m_isPressed = false;
-    bool m_isDrawing = false;
     Iceberg m_iceberg; ///< as it was pressed on, or as it is to be added
     MapPointer m_press;
     MapPointer m_now;
-    double m_driftTime_s = 0; ///< that the arrow stands for
+    std::unique_ptr<DriftArrow> m_arrow; ///< while a drift is drawn
     std::unique_ptr<EditGesture> m_gesture;
 };
 
@@ -69,6 +70,37 @@ private:
     MapPointer m_now;
     Uav m_uav; ///< as it is to be
     bool m_isTurning = false;
+    std::unique_ptr<EditGesture> m_gesture;
+};
+
+/**
+ * A click places what is to be protected, or moves it here; it follows the cursor until the button
+ * is let go. Enter places it in the middle of the map.
+ */
+class AssetTool final : public MapTool
+{
+public:
+    using MapTool::MapTool;
+
+    void press(const MapPointer& pointer) override;
+    void move(const MapPointer& pointer) override;
+    void release(const MapPointer& pointer) override;
+    bool key(const QKeyEvent& event) override;
+    [[nodiscard]] bool isBusy() const override { return m_gesture != nullptr; }
+    void cancel() override { end(true); }
+    void documentChanged() override;
+    void paint(QPainter& painter) const override;
+    [[nodiscard]] QCursor cursor(const std::string& over) const override;
+    [[nodiscard]] QString status() const override;
+
+private:
+    void end(bool takeBack);
+
+    MapPointer m_press;
+    MapPointer m_now;
+    Point m_grip_m = Point::Zero(); ///< from its centre to where it was taken
+    Asset m_asset;                  ///< as it is to be
+    bool m_isMoving = false;        ///< not while a press on it may still be a click
     std::unique_ptr<EditGesture> m_gesture;
 };
 

@@ -1,5 +1,6 @@
 #include "widgets/map/select_tool.h"
 
+#include "widgets/map/drift_arrow.h"
 #include "widgets/map/map_marks.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/scenario_edits.h"
@@ -21,17 +22,9 @@ struct SelectToolText
     Q_DECLARE_TR_FUNCTIONS(SelectTool)
 };
 
-/** Ways are rounded to this: far below what a screen shows. */
-constexpr double kRounding_m = 0.1;
-
 bool addsToSelection(Qt::KeyboardModifiers modifiers)
 {
     return modifiers.testFlag(Qt::ControlModifier) || modifiers.testFlag(Qt::ShiftModifier);
-}
-
-Point roundedWay(const Point& way_m)
-{
-    return (way_m / kRounding_m).array().round().matrix() * kRounding_m;
 }
 
 std::optional<Point> positionOf(const Scenario& scenario, const std::string& id)
@@ -40,6 +33,10 @@ std::optional<Point> positionOf(const Scenario& scenario, const std::string& id)
         return iceberg->position_m;
     if (const Uav* uav = findUav(scenario, id))
         return uav->position_m;
+    if (id == kAssetKey && scenario.asset)
+        return scenario.asset->position_m;
+    if (id == kAreaKey && !scenario.area_m.empty())
+        return scenario.area_m.front();
     return std::nullopt;
 }
 
@@ -51,7 +48,11 @@ void SelectTool::press(const MapPointer& pointer)
     m_now = pointer;
     m_object = context().scene.objectAt(pointer.at_px);
     m_before = context().selection.ids();
-    if (m_object.empty())
+    m_handle = handleAt(handles(), pointer.at_px);
+    m_corner.reset();
+    if (m_handle)
+        m_phase = Phase::Handle;
+    else if (m_object.empty())
         m_phase = Phase::Water;
     else
         pressObject(pointer);
@@ -73,11 +74,13 @@ void SelectTool::pressObject(const MapPointer& pointer)
 void SelectTool::move(const MapPointer& pointer)
 {
     m_now = pointer;
-    if ((m_phase == Phase::Object || m_phase == Phase::Water) &&
+    if ((m_phase == Phase::Object || m_phase == Phase::Water || m_phase == Phase::Handle) &&
         isDragDistance(m_press.at_px, pointer.at_px))
         beginDrag();
     if (m_phase == Phase::Moving)
         moveSelection(pointer);
+    else if (m_phase == Phase::Dragging)
+        m_drag->move(pointer);
     else if (m_phase == Phase::Banding)
         stretchBand(pointer);
 }
@@ -86,6 +89,9 @@ void SelectTool::beginDrag()
 {
     if (m_phase == Phase::Water) {
         m_phase = Phase::Banding;
+    } else if (m_phase == Phase::Handle) {
+        m_phase = Phase::Dragging;
+        m_drag = makeHandleDrag(context(), *m_handle);
     } else if (context().view.isLocked()) {
         m_phase = Phase::Refused;
     } else {
@@ -97,7 +103,7 @@ void SelectTool::beginDrag()
 
 void SelectTool::moveSelection(const MapPointer& pointer)
 {
-    const Point way_m = roundedWay(pointer.at_m - m_press.at_m);
+    const Point way_m = roundedTo(pointer.at_m - m_press.at_m, kPositionStep_m);
     m_gesture->apply([&](Scenario& scenario) { moveObjects(scenario, m_moved, way_m); });
 }
 
@@ -119,10 +125,13 @@ void SelectTool::release(const MapPointer& pointer)
     const bool adds = addsToSelection(m_press.modifiers);
     switch (m_phase) {
     case Phase::Object:
-        if (adds && m_wasSelected)
-            selection.toggle(m_object);
-        else if (!adds)
-            selection.set({m_object});
+        clickObject(adds);
+        break;
+    case Phase::Handle:
+        clickHandle(pointer);
+        break;
+    case Phase::Dragging:
+        m_drag->end(pointer.isInside);
         break;
     case Phase::Water:
         if (!adds)
@@ -142,6 +151,50 @@ void SelectTool::release(const MapPointer& pointer)
     end();
 }
 
+void SelectTool::clickObject(bool adds)
+{
+    Selection& selection = context().selection;
+    if (adds && m_wasSelected)
+        selection.toggle(m_object);
+    else if (!adds)
+        selection.set({m_object});
+}
+
+/** Without a drag it is a click on a corner, or on what is under the handle. */
+void SelectTool::clickHandle(const MapPointer& pointer)
+{
+    if (m_handle->kind == HandleKind::Corner) {
+        m_corner = m_handle->index;
+    } else if (!m_object.empty()) {
+        pressObject(pointer);
+        clickObject(addsToSelection(pointer.modifiers));
+    }
+}
+
+bool SelectTool::hover(const MapPointer& pointer)
+{
+    const std::optional<MapHandle> before = m_handle;
+    m_handle = handleAt(handles(), pointer.at_px);
+    return before && m_handle ? !before->isSame(*m_handle) : before || m_handle;
+}
+
+bool SelectTool::removePart()
+{
+    if (!context().selection.contains(kAreaKey))
+        m_corner.reset();
+    if (!m_corner)
+        return false;
+    removeCorner(context(), *m_corner);
+    m_corner.reset();
+    return true;
+}
+
+std::vector<MapHandle> SelectTool::handles() const
+{
+    return context().view.isLocked() ? std::vector<MapHandle>()
+                                     : handlesOf(context().scene, context().selection);
+}
+
 bool SelectTool::key(const QKeyEvent& event)
 {
     if (event.key() != Qt::Key_Return && event.key() != Qt::Key_Enter)
@@ -156,6 +209,8 @@ void SelectTool::cancel()
 {
     if (m_phase == Phase::Moving)
         m_gesture->cancel();
+    else if (m_phase == Phase::Dragging)
+        m_drag->end(false);
     else if (m_phase == Phase::Banding)
         context().selection.set(m_before);
     end();
@@ -163,14 +218,21 @@ void SelectTool::cancel()
 
 void SelectTool::documentChanged()
 {
-    if (m_phase == Phase::Moving && !m_gesture->isApplying())
+    if ((m_phase == Phase::Moving && !m_gesture->isApplying()) ||
+        (m_phase == Phase::Dragging && !m_drag->isApplying()) || m_phase == Phase::Handle)
         end();
+    if (m_phase == Phase::Idle)
+        m_handle.reset(); // it may be gone
+    if (m_corner && *m_corner >= context().document.scenario().area_m.size())
+        m_corner.reset();
 }
 
 void SelectTool::end()
 {
     m_phase = Phase::Idle;
     m_gesture.reset();
+    m_drag.reset();
+    m_handle.reset();
     m_object.clear();
     m_before.clear();
 }
@@ -180,6 +242,12 @@ void SelectTool::paint(QPainter& painter) const
     const Theme& theme = context().scene.theme();
     if (m_phase == Phase::Banding)
         paintRubberBand(painter, QRectF(m_press.at_px, m_now.at_px).normalized(), theme);
+    if (m_phase == Phase::Idle || m_phase == Phase::Handle || m_phase == Phase::Dragging)
+        // One that is dragged is hollow, so that the tip of its arrow is seen.
+        paintHandles(painter, handles(),
+                     {.hovered = m_drag ? std::nullopt : m_handle, .corner = m_corner}, theme);
+    if (m_phase == Phase::Dragging)
+        paintBubble(painter, m_now.at_px, m_drag->text(), context().scene.rect(), theme);
     if (m_phase != Phase::Moving)
         return;
     const MapViewTransform& view = context().scene.view();
@@ -189,9 +257,8 @@ void SelectTool::paint(QPainter& painter) const
         return;
     const Point way_m = *to_m - *from_m;
     paintDragTrail(painter, {view.toPixel(*from_m), view.toPixel(*to_m)}, theme);
-    const QString text =
-        u"%1  %2"_s.arg(distanceText(way_m.norm(), context().scene.locale()), bearingText(way_m));
-    paintBubble(painter, m_now.at_px, text, context().scene.rect(), theme);
+    paintBubble(painter, m_now.at_px, wayText(way_m, context().scene.locale()),
+                context().scene.rect(), theme);
 }
 
 QCursor SelectTool::cursor(const std::string& over) const
@@ -203,11 +270,16 @@ QCursor SelectTool::cursor(const std::string& over) const
         return Qt::ForbiddenCursor;
     case Phase::Banding:
         return Qt::CrossCursor;
+    case Phase::Handle:
+    case Phase::Dragging:
+        return Qt::SizeAllCursor;
     case Phase::Idle:
     case Phase::Object:
     case Phase::Water:
         break;
     }
+    if (m_handle)
+        return Qt::SizeAllCursor;
     return over.empty() ? Qt::ArrowCursor : Qt::PointingHandCursor;
 }
 
@@ -218,6 +290,10 @@ QString SelectTool::status() const
     if (m_phase == Phase::Refused)
         return SelectToolText::tr(
             "Locked while a flight is under way. Stop the flight to change the scenario.");
+    if (m_drag)
+        return m_drag->status();
+    if (m_handle)
+        return handleText(context(), *m_handle);
     if (m_phase == Phase::Banding)
         return SelectToolText::tr("Everything inside the frame is selected.");
     if (context().view.isLocked())

@@ -1,9 +1,16 @@
 #include "widgets/model/scenario_edits.h"
 
+#include "widgets/model/selection.h"
+
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace berg {
 namespace {
+
+constexpr char kIcebergStem[] = "berg-";
 
 template <class Objects>
 auto findById(Objects& objects, const std::string& id) -> decltype(objects.data())
@@ -27,15 +34,80 @@ std::string freshId(const Scenario& scenario, const std::string& stem, std::size
     return id;
 }
 
+/** Copies nearer than this to an iceberg hide it. */
+constexpr double kHiding_m = 1;
+
+/** "Big 2" is "Big". */
+std::string withoutNumber(const std::string& name)
+{
+    const std::size_t space = name.find_last_not_of("0123456789");
+    const bool isNumbered = space != std::string::npos && space > 0 && space + 1 < name.size();
+    return isNumbered && name[space] == ' ' ? name.substr(0, space) : name;
+}
+
+/** Ids and names for copies, each in about constant time however many are taken. */
+class FreshNames
+{
+public:
+    explicit FreshNames(const Scenario& scenario) : m_nextId(scenario.icebergs.size() + 1)
+    {
+        for (const Uav& uav : scenario.uavs)
+            m_ids.insert(uav.id);
+        for (const Iceberg& iceberg : scenario.icebergs) {
+            m_ids.insert(iceberg.id);
+            m_names.insert(iceberg.name);
+        }
+    }
+
+    [[nodiscard]] std::string id()
+    {
+        std::string id;
+        do {
+            id = kIcebergStem + std::to_string(m_nextId++);
+        } while (!m_ids.insert(id).second);
+        return id;
+    }
+
+    /** The name itself, or with the first number that makes it another than all there are. */
+    [[nodiscard]] std::string name(const std::string& wanted)
+    {
+        if (wanted.empty() || m_names.insert(wanted).second)
+            return wanted;
+        const std::string stem = withoutNumber(wanted);
+        std::size_t& number = m_numbers.try_emplace(stem, 2).first->second;
+        std::string name;
+        do {
+            name = stem + ' ' + std::to_string(number++);
+        } while (!m_names.insert(name).second);
+        return name;
+    }
+
+private:
+    std::unordered_set<std::string> m_ids;
+    std::unordered_set<std::string> m_names;
+    std::unordered_map<std::string, std::size_t> m_numbers; ///< next one by stem
+    std::size_t m_nextId;
+};
+
+using IdSet = std::unordered_set<std::string_view>;
+
 /** Positions of the objects with these ids. */
 std::vector<Point*> positionsOf(Scenario& scenario, std::span<const std::string> ids)
 {
+    std::unordered_map<std::string_view, Point*> byId;
+    for (Iceberg& iceberg : scenario.icebergs)
+        byId.emplace(iceberg.id, &iceberg.position_m);
+    for (Uav& uav : scenario.uavs)
+        byId.emplace(uav.id, &uav.position_m);
     std::vector<Point*> positions;
     for (const std::string& id : ids) {
-        if (Iceberg* iceberg = findById(scenario.icebergs, id))
-            positions.push_back(&iceberg->position_m);
-        else if (Uav* uav = findById(scenario.uavs, id))
-            positions.push_back(&uav->position_m);
+        if (const auto found = byId.find(id); found != byId.end())
+            positions.push_back(found->second);
+        else if (id == kAssetKey && scenario.asset)
+            positions.push_back(&scenario.asset->position_m);
+        else if (id == kAreaKey)
+            for (Point& corner_m : scenario.area_m)
+                positions.push_back(&corner_m);
     }
     return positions;
 }
@@ -47,9 +119,23 @@ Point clampedPosition(const Point& position_m)
     return position_m.cwiseMax(-kLargestCoordinate_m).cwiseMin(kLargestCoordinate_m);
 }
 
+Point roundedTo(const Point& value, double step)
+{
+    return (value / step).array().round().matrix() * step;
+}
+
+Point clampedVelocity(const Point& velocity_mps)
+{
+    const double largest_mps = velocity_mps.cwiseAbs().maxCoeff();
+    if (largest_mps <= kLargestVelocity_mps)
+        return velocity_mps;
+    const Point shorter_mps = velocity_mps * (kLargestVelocity_mps / largest_mps);
+    return shorter_mps.cwiseMax(-kLargestVelocity_mps).cwiseMin(kLargestVelocity_mps);
+}
+
 std::string freshIcebergId(const Scenario& scenario)
 {
-    return freshId(scenario, "berg-", scenario.icebergs.size() + 1);
+    return freshId(scenario, kIcebergStem, scenario.icebergs.size() + 1);
 }
 
 std::string freshUavId(const Scenario& scenario)
@@ -88,9 +174,65 @@ void moveObjects(Scenario& scenario, std::span<const std::string> ids, const Poi
 
 void removeIcebergs(Scenario& scenario, std::span<const std::string> ids)
 {
-    std::erase_if(scenario.icebergs, [&](const Iceberg& iceberg) {
-        return std::find(ids.begin(), ids.end(), iceberg.id) != ids.end();
-    });
+    const IdSet removed(ids.begin(), ids.end());
+    std::erase_if(scenario.icebergs,
+                  [&](const Iceberg& iceberg) { return removed.contains(iceberg.id); });
+}
+
+void removeObjects(Scenario& scenario, std::span<const std::string> ids)
+{
+    removeIcebergs(scenario, ids);
+    if (std::find(ids.begin(), ids.end(), kAssetKey) != ids.end())
+        scenario.asset.reset();
+    if (std::find(ids.begin(), ids.end(), kAreaKey) != ids.end())
+        scenario.area_m.clear();
+}
+
+std::vector<Iceberg> icebergsOf(const Scenario& scenario, std::span<const std::string> ids)
+{
+    const IdSet wanted(ids.begin(), ids.end());
+    std::vector<Iceberg> icebergs;
+    std::copy_if(scenario.icebergs.begin(), scenario.icebergs.end(), std::back_inserter(icebergs),
+                 [&](const Iceberg& iceberg) { return wanted.contains(iceberg.id); });
+    return icebergs;
+}
+
+std::vector<std::string> addCopies(Scenario& scenario, std::span<const Iceberg> icebergs,
+                                   const Point& offset_m)
+{
+    std::vector<std::string> ids;
+    FreshNames fresh(scenario);
+    for (Iceberg copy : icebergs) {
+        copy.id = fresh.id();
+        copy.name = fresh.name(copy.name);
+        ids.push_back(copy.id);
+        scenario.icebergs.push_back(std::move(copy));
+    }
+    moveObjects(scenario, ids, offset_m);
+    const std::size_t first = scenario.icebergs.size() - icebergs.size();
+    for (std::size_t i = 0; i < icebergs.size(); ++i) {
+        Iceberg& copy = scenario.icebergs[first + i];
+        for (Point& place_m : copy.track.position_m)
+            place_m = clampedPosition(place_m + copy.position_m - icebergs[i].position_m);
+    }
+    return ids;
+}
+
+Point freeOffset(const Scenario& scenario, std::span<const Iceberg> icebergs, const Point& step_m)
+{
+    const auto hides = [&](const Point& offset_m) {
+        return std::any_of(icebergs.begin(), icebergs.end(), [&](const Iceberg& copy) {
+            return std::any_of(
+                scenario.icebergs.begin(), scenario.icebergs.end(), [&](const Iceberg& present) {
+                    return (present.position_m - copy.position_m - offset_m).cwiseAbs().maxCoeff() <
+                           kHiding_m;
+                });
+        });
+    };
+    Point offset_m = step_m;
+    for (std::size_t tries = 0; tries < scenario.icebergs.size() && hides(offset_m); ++tries)
+        offset_m += step_m;
+    return offset_m;
 }
 
 } // namespace berg

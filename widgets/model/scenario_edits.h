@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace berg {
 
@@ -23,13 +24,37 @@ namespace berg {
 [[nodiscard]] Iceberg* findIceberg(Scenario& scenario, const std::string& id);
 [[nodiscard]] const Uav* findUav(const Scenario& scenario, const std::string& id);
 
+/** The multiple of `step` next to each coordinate. */
+[[nodiscard]] Point roundedTo(const Point& value, double step);
+
+/** As much of a velocity, its direction kept, as a scenario may hold. */
+[[nodiscard]] Point clampedVelocity(const Point& velocity_mps);
+
 /**
- * Moves icebergs and UAVs by one common offset: as much of `offset_m` as keeps all of them within
- * the largest coordinate. Ids that are not there are ignored.
+ * Moves what is selected, the area as a whole, by one common offset: as much of `offset_m` as keeps
+ * all of it within the largest coordinate. Ids that are not there are ignored.
  */
 void moveObjects(Scenario& scenario, std::span<const std::string> ids, const Point& offset_m);
 
 /** Removes icebergs; ids of other things are ignored. */
 void removeIcebergs(Scenario& scenario, std::span<const std::string> ids);
+/** Removes icebergs, asset and area; UAVs stay. */
+void removeObjects(Scenario& scenario, std::span<const std::string> ids);
+
+/** The icebergs with these ids, in the order of the scenario. */
+[[nodiscard]] std::vector<Iceberg> icebergsOf(const Scenario& scenario,
+                                              std::span<const std::string> ids);
+
+/**
+ * Adds copies moved by `offset_m`, as far as the largest coordinate lets the group keep its form.
+ * Each gets a fresh id; a name that is taken gets a number behind it: "Big", "Big 2". Returns the
+ * ids. The caller sees to it that there is room for them.
+ */
+std::vector<std::string> addCopies(Scenario& scenario, std::span<const Iceberg> icebergs,
+                                   const Point& offset_m);
+
+/** The smallest multiple of `step_m` beside `icebergs` where no copy hides an iceberg. */
+[[nodiscard]] Point freeOffset(const Scenario& scenario, std::span<const Iceberg> icebergs,
+                               const Point& step_m);
 
 } // namespace berg

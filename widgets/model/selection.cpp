@@ -3,6 +3,8 @@
 #include "core/scenario/scenario.h"
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_set>
 
 namespace berg {
 
@@ -13,13 +15,11 @@ bool Selection::contains(const std::string& id) const
 
 void Selection::set(std::vector<std::string> ids)
 {
-    std::vector<std::string> distinct;
-    for (std::string& id : ids)
-        if (std::find(distinct.begin(), distinct.end(), id) == distinct.end())
-            distinct.push_back(std::move(id));
-    if (distinct == m_ids)
+    std::unordered_set<std::string> known;
+    std::erase_if(ids, [&known](const std::string& id) { return !known.insert(id).second; });
+    if (ids == m_ids)
         return;
-    m_ids = std::move(distinct);
+    m_ids = std::move(ids);
     emit changed();
 }
 
@@ -37,14 +37,22 @@ void Selection::clear()
 
 void Selection::keepExisting(const Scenario& scenario)
 {
-    const auto hasId = [](const auto& objects, const std::string& id) {
-        return std::any_of(objects.begin(), objects.end(),
-                           [&](const auto& object) { return object.id == id; });
+    if (m_ids.empty())
+        return;
+    std::unordered_set<std::string_view> known;
+    for (const Iceberg& iceberg : scenario.icebergs)
+        known.insert(iceberg.id);
+    for (const Uav& uav : scenario.uavs)
+        known.insert(uav.id);
+    const auto isThere = [&](const std::string& id) {
+        if (id == kAssetKey)
+            return scenario.asset.has_value();
+        if (id == kAreaKey)
+            return !scenario.area_m.empty();
+        return known.contains(id);
     };
     std::vector<std::string> kept;
-    for (const std::string& id : m_ids)
-        if (hasId(scenario.icebergs, id) || hasId(scenario.uavs, id))
-            kept.push_back(id);
+    std::copy_if(m_ids.begin(), m_ids.end(), std::back_inserter(kept), isThere);
     set(std::move(kept));
 }
 

@@ -9,9 +9,16 @@ namespace berg {
 
 struct Scenario;
 
+// What there is once and without an id is selected by these. They are no UTF-8, as every id is, so
+// that none can be one of them.
+inline constexpr char kAssetKey[] = "\xFF"
+                                    "asset";
+inline constexpr char kAreaKey[] = "\xFF"
+                                   "area";
+
 /**
- * The icebergs and UAVs that map, tables and inspector act on, by id, in the order in which they
- * were selected. GUI thread.
+ * What map, tables and inspector act on: icebergs and UAVs by id, asset and area by key, in the
+ * order in which they were selected. GUI thread.
  */
 class Selection : public QObject
 {
@@ -28,7 +35,7 @@ public:
     void set(std::vector<std::string> ids);
     void toggle(const std::string& id);
     void clear();
-    /** Drops the ids that are not in the scenario. */
+    /** Drops what is not in the scenario. */
     void keepExisting(const Scenario& scenario);
 
 signals:

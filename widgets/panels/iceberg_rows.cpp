@@ -1,3 +1,4 @@
+#include "widgets/model/import_text.h"
 #include "widgets/panels/inspector_row_makers.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -31,16 +32,16 @@ std::vector<InspectorRow> driftRows()
 {
     const auto row = [](const QString& key, const QString& label, const QString& toolTip,
                         auto number) {
-        return NumberRow{.words = {.key = key,
-                                   .label = label,
-                                   .toolTip = toolTip,
-                                   .undoText = InspectorRows::tr("Change drift")},
-                         .unit = u" m/s"_s,
-                         .decimals = {.least = 2, .most = 3},
-                         .step = kVelocityStep_mps,
-                         .read = reading<Iceberg>(number),
-                         .write = writing<Iceberg>(number),
-                         .range = always(kVelocity_mps)};
+        return asSpeed({.words = {.key = key,
+                                  .label = label,
+                                  .toolTip = toolTip,
+                                  .undoText = InspectorRows::tr("Change drift")},
+                        .unit = {},
+                        .decimals = {.least = 2, .most = 3},
+                        .step = kVelocityStep_mps,
+                        .read = reading<Iceberg>(number),
+                        .write = writing<Iceberg>(number),
+                        .range = always(kVelocity_mps)});
     };
     return {
         row(
@@ -87,6 +88,34 @@ std::vector<InspectorRow> uncertaintyRows()
     return {sigma, InfoRow{.key = u"icebergDeviation"_s, .text = deviation}, growth};
 }
 
+PartRow trackRow()
+{
+    return {.words = {.key = u"icebergTrackClear"_s,
+                      .label = InspectorRows::tr("Recorded track"),
+                      .toolTip = InspectorRows::tr(
+                          "Its true motion follows this record, while the estimate follows the "
+                          "drift above."),
+                      .undoText = InspectorRows::tr("Clear recorded track")},
+            .removeText = InspectorRows::tr("Clear"),
+            .text = [](const Scenario& scenario, const std::string& id,
+                       const QLocale& locale) -> QString {
+                const Iceberg* iceberg = objectOf(scenario.icebergs, id);
+                if (iceberg == nullptr || iceberg->track.empty())
+                    return {};
+                const std::vector<double>& time_s = iceberg->track.time_s;
+                return u"%1, %2"_s.arg(
+                    InspectorRows::tr("%n points", nullptr, static_cast<int>(time_s.size())),
+                    ageText(time_s.back() - time_s.front(), locale));
+            },
+            .remove =
+                [](Scenario& scenario, const std::string& id) {
+                    if (Iceberg* iceberg = objectOf(scenario.icebergs, id)) {
+                        iceberg->track = {};
+                        iceberg->trackExtraJson.clear();
+                    }
+                }};
+}
+
 } // namespace
 
 std::vector<InspectorRow> icebergRows()
@@ -118,6 +147,7 @@ std::vector<InspectorRow> icebergRows()
                    u" m"_s, &Iceberg::radius_m, kRadius_m);
     radius.step = 5;
     rows.emplace_back(radius);
+    rows.emplace_back(trackRow());
     return rows;
 }
 

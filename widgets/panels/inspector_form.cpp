@@ -2,11 +2,15 @@
 
 #include "widgets/panels/number_field.h"
 #include "widgets/panels/panel_labels.h"
+#include "widgets/panels/wheel_guard.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
 
 using namespace Qt::StringLiterals;
 
@@ -151,16 +155,21 @@ void InspectorForm::addLine(const TextRow& row)
     auto* line = new QLineEdit;
     addInput(row.words, line);
     connect(line, &QLineEdit::textEdited, this, [this, row](const QString& text) {
+        if (row.isAllowed && !row.isAllowed(text.toStdString()))
+            return; // not yet, or not at all
         edit(row.words, [&](Scenario& scenario, const std::string& id) {
             row.write(scenario, id, text.toStdString());
         });
     });
-    connect(line, &QLineEdit::editingFinished, &m_document, &ScenarioDocument::endGesture);
+    connect(line, &QLineEdit::editingFinished, this, [this] {
+        m_document.endGesture();
+        showAll(); // in place of what could not be taken
+    });
     m_inputs.push_back({.show =
                             [this, row, line] {
                                 const std::optional<std::string> value = common(row.read);
                                 const QString text = QString::fromStdString(value.value_or(""));
-                                line->setPlaceholderText(value ? QString() : tr("mixed"));
+                                line->setPlaceholderText(value ? row.placeholder : tr("mixed"));
                                 if (text != line->text()) {
                                     line->setText(text);
                                     line->setCursorPosition(0);
@@ -209,6 +218,70 @@ void InspectorForm::add(const FlagRow& row)
     m_inputs.push_back(
         {.show = [this, row, box] { box->setChecked(row.read(m_document.scenario())); },
          .lock = [box](bool locked) { box->setEnabled(!locked); }});
+}
+
+void InspectorForm::add(const ChoiceRow& row)
+{
+    auto* combo = new QComboBox;
+    combo->addItems(row.choices);
+    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    guardWheel(*combo);
+    addInput(row.words, combo);
+    connect(combo, &QComboBox::activated, this, [this, row](int choice) {
+        edit(row.words,
+             [&](Scenario& scenario, const std::string&) { row.write(scenario, choice); });
+        m_document.endGesture();
+    });
+    m_inputs.push_back(
+        {.show = [this, row, combo] { combo->setCurrentIndex(row.read(m_document.scenario())); },
+         .lock = [combo](bool locked) { combo->setEnabled(!locked); }});
+}
+
+void InspectorForm::add(const ActionRow& row)
+{
+    auto* button = new QPushButton(row.words.undoText);
+    button->setObjectName(row.words.key);
+    button->setToolTip(row.words.toolTip);
+    m_form->addRow(button);
+    if (m_first == nullptr)
+        m_first = button;
+    connect(button, &QPushButton::clicked, this, [this, row] {
+        m_document.endGesture();
+        m_document.edit(row.words.undoText, row.act);
+    });
+    m_inputs.push_back(
+        {.show = [] {}, .lock = [button](bool locked) { button->setEnabled(!locked); }});
+}
+
+void InspectorForm::add(const PartRow& row)
+{
+    auto* part = new QWidget;
+    auto* line = new QHBoxLayout(part);
+    line->setContentsMargins(0, 0, 0, 0);
+    auto* text = new QLabel;
+    text->setToolTip(row.words.toolTip);
+    auto* button = new QPushButton(row.removeText);
+    button->setObjectName(row.words.key);
+    button->setToolTip(row.words.undoText);
+    button->setAccessibleName(row.words.undoText);
+    line->addWidget(text, 1);
+    line->addWidget(button);
+    m_form->addRow(row.words.label, part);
+    connect(button, &QPushButton::clicked, this, [this, row] {
+        edit(row.words, row.remove);
+        m_document.endGesture();
+    });
+    m_inputs.push_back({.show =
+                            [this, row, text, part] {
+                                const auto read = [&](const Scenario& scenario,
+                                                      const std::string& id) {
+                                    return row.text(scenario, id, locale());
+                                };
+                                const QString words = common(read).value_or(tr("mixed"));
+                                text->setText(words);
+                                m_form->setRowVisible(part, !words.isEmpty());
+                            },
+                        .lock = [button](bool locked) { button->setEnabled(!locked); }});
 }
 
 void InspectorForm::add(const InfoRow& row)

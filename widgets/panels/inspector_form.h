@@ -44,6 +44,9 @@ private:
     void add(const NumberRow& row);
     void add(const TextRow& row);
     void add(const FlagRow& row);
+    void add(const ChoiceRow& row);
+    void add(const ActionRow& row);
+    void add(const PartRow& row);
     void add(const InfoRow& row);
     void addLine(const TextRow& row);
     void addPage(const TextRow& row);

@@ -11,6 +11,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_set>
 
 using namespace Qt::StringLiterals;
 
@@ -26,11 +28,14 @@ template <class Object>
 std::vector<std::string> idsAmong(const std::vector<Object>& objects,
                                   const std::vector<std::string>& ids)
 {
+    if (ids.empty())
+        return {};
+    std::unordered_set<std::string_view> known;
+    for (const Object& object : objects)
+        known.insert(object.id);
     std::vector<std::string> found;
-    for (const std::string& id : ids)
-        if (std::any_of(objects.begin(), objects.end(),
-                        [&](const Object& object) { return object.id == id; }))
-            found.push_back(id);
+    std::copy_if(ids.begin(), ids.end(), std::back_inserter(found),
+                 [&](const std::string& id) { return known.contains(id); });
     return found;
 }
 
@@ -117,11 +122,14 @@ void InspectorPanel::addForms(QVBoxLayout& column)
 {
     m_icebergForm = new InspectorForm(m_document, icebergRows());
     m_uavForm = new InspectorForm(m_document, uavRows());
+    m_assetForm = new InspectorForm(m_document, assetRows());
+    m_areaForm = new InspectorForm(m_document, areaRows());
     m_scenarioForm = new InspectorForm(m_document, scenarioRows());
+    m_forms = {m_icebergForm, m_uavForm, m_assetForm, m_areaForm, m_scenarioForm};
     m_id = new IdField([this](const QString& id) { return whyNotId(id); });
     m_icebergForm->addOnTop(tr("Id"), m_id);
     connect(m_id, &IdField::edited, this, &InspectorPanel::rename);
-    for (InspectorForm* form : {m_icebergForm, m_uavForm, m_scenarioForm})
+    for (InspectorForm* form : m_forms)
         column.addWidget(form);
 }
 
@@ -148,7 +156,7 @@ void InspectorPanel::setLocked(bool locked)
 void InspectorPanel::lockInputs()
 {
     m_id->setLocked(m_locked);
-    for (InspectorForm* form : {m_icebergForm, m_uavForm, m_scenarioForm})
+    for (InspectorForm* form : m_forms)
         form->setLocked(m_locked);
 }
 
@@ -158,7 +166,7 @@ void InspectorPanel::finishTyping()
         return;
     if (m_id->isVisible())
         m_id->finishTyping();
-    for (InspectorForm* form : {m_icebergForm, m_uavForm, m_scenarioForm})
+    for (InspectorForm* form : m_forms)
         form->finishTyping();
 }
 
@@ -173,30 +181,47 @@ void InspectorPanel::refresh()
     const Scenario& scenario = m_document.scenario();
     m_icebergs = idsAmong(scenario.icebergs, m_selection.ids());
     m_uavs = idsAmong(scenario.uavs, m_selection.ids());
-    const bool showsIcebergs = !m_icebergs.empty();
-    const bool showsUavs = !showsIcebergs && !m_uavs.empty();
     m_icebergForm->showObjects(m_icebergs);
     m_uavForm->showObjects(m_uavs);
-    m_scenarioForm->showObjects({std::string()});
+    for (InspectorForm* form : {m_assetForm, m_areaForm, m_scenarioForm})
+        form->showObjects({std::string()});
     const bool hasId = m_icebergs.size() == 1;
     m_icebergForm->setTopVisible(hasId);
     if (hasId)
         m_id->showId(QString::fromStdString(m_icebergs.front()));
-    m_icebergForm->setVisible(showsIcebergs);
-    m_uavForm->setVisible(showsUavs);
-    m_scenarioForm->setVisible(!showsIcebergs && !showsUavs);
-    const InspectorForm* shown =
-        showsIcebergs ? m_icebergForm : (showsUavs ? m_uavForm : m_scenarioForm);
+    const InspectorForm* shown = formInUse();
+    for (InspectorForm* form : m_forms)
+        form->setVisible(form == shown);
     setFocusProxy(shown->firstInput());
     showTitle();
     showIssues();
 }
 
+InspectorForm* InspectorPanel::formInUse() const
+{
+    if (!m_icebergs.empty())
+        return m_icebergForm;
+    if (!m_uavs.empty())
+        return m_uavForm;
+    const Scenario& scenario = m_document.scenario();
+    if (scenario.asset && m_selection.contains(kAssetKey))
+        return m_assetForm;
+    if (!scenario.area_m.empty() && m_selection.contains(kAreaKey))
+        return m_areaForm;
+    return m_scenarioForm;
+}
+
 void InspectorPanel::showTitle()
 {
     QString title = tr("Scenario");
-    QString subtitle = tr("Select an iceberg or a UAV on the map to edit it.");
-    if (!m_icebergs.empty()) {
+    QString subtitle = tr("Select something on the map to edit it.");
+    if (formInUse() == m_assetForm) {
+        title = tr("Asset");
+        subtitle.clear();
+    } else if (formInUse() == m_areaForm) {
+        title = tr("Area");
+        subtitle = tr("Drag its corners on the map to change it.");
+    } else if (!m_icebergs.empty()) {
         const auto count = static_cast<int>(m_icebergs.size());
         title = count == 1 ? tr("Iceberg") : tr("%n icebergs", nullptr, count);
         subtitle = m_uavs.empty() ? QString() : tr("Only the icebergs selected are edited here.");
@@ -215,22 +240,29 @@ void InspectorPanel::showTitle()
 
 void InspectorPanel::showIssues()
 {
-    const Scenario& scenario = m_document.scenario();
     QStringList texts;
-    for (const Issue& issue : m_document.issues()) {
-        bool concerned = false;
-        if (!m_icebergs.empty())
-            concerned = isAbout(issue, "icebergs", scenario.icebergs, m_icebergs);
-        else if (!m_uavs.empty())
-            concerned = isAbout(issue, "uavs", scenario.uavs, m_uavs);
-        else
-            concerned = issueIndex(issue, "icebergs") < 0 && issueIndex(issue, "uavs") < 0;
-        if (concerned)
+    for (const Issue& issue : m_document.issues())
+        if (isConcerned(issue))
             texts << issueText(issue);
-    }
     texts.removeDuplicates(); // the same of several icebergs
     m_issues.text->setText(texts.join(u'\n'));
     m_issues.row->setVisible(!texts.isEmpty());
+}
+
+/** Whether the finding is about what is shown; those of asset and area are the scenario's too. */
+bool InspectorPanel::isConcerned(const Issue& issue) const
+{
+    const Scenario& scenario = m_document.scenario();
+    const InspectorForm* shown = formInUse();
+    if (shown == m_icebergForm)
+        return isAbout(issue, "icebergs", scenario.icebergs, m_icebergs);
+    if (shown == m_uavForm)
+        return isAbout(issue, "uavs", scenario.uavs, m_uavs);
+    if (shown == m_assetForm)
+        return issue.field.starts_with("asset");
+    if (shown == m_areaForm)
+        return issue.field.starts_with("area_m");
+    return issueIndex(issue, "icebergs") < 0 && issueIndex(issue, "uavs") < 0;
 }
 
 QString InspectorPanel::whyNotId(const QString& id) const

@@ -16,9 +16,10 @@ class IdField;
 class InspectorForm;
 
 /**
- * The numbers of what is selected: icebergs, UAVs, or the scenario when nothing is. Edits go to
- * the document, one undo step for each gesture; with icebergs and UAVs selected together the
- * icebergs are shown. What is being typed belongs to what was selected when it was typed.
+ * The numbers of what is selected: icebergs, UAVs, asset, area, or the scenario when nothing is.
+ * Edits go to the document, one undo step for each gesture; of things of several kinds selected
+ * together those that come first in this list are shown. What is being typed belongs to what was
+ * selected when it was typed.
  */
 class InspectorPanel : public QWidget
 {
@@ -50,8 +51,10 @@ private:
     void lockInputs();
     void changeSelection();
     void refresh();
+    [[nodiscard]] InspectorForm* formInUse() const;
     void showTitle();
     void showIssues();
+    [[nodiscard]] bool isConcerned(const Issue& issue) const;
     [[nodiscard]] QString whyNotId(const QString& id) const;
     void rename(const QString& id);
 
@@ -63,7 +66,10 @@ private:
     Notice m_issues;
     InspectorForm* m_icebergForm;
     InspectorForm* m_uavForm;
+    InspectorForm* m_assetForm;
+    InspectorForm* m_areaForm;
     InspectorForm* m_scenarioForm;
+    std::vector<InspectorForm*> m_forms; ///< all of them
     IdField* m_id;
     std::vector<std::string> m_icebergs; ///< selected, in the scenario
     std::vector<std::string> m_uavs;

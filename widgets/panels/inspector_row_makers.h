@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/panels/inspector_rows.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
 
@@ -27,22 +28,24 @@ inline constexpr Limits kTime_s{.low = 0, .high = 1e9};
 inline constexpr double kVelocityStep_mps = 0.05;
 
 /** nullptr when there is none. */
-template <class Object>
-[[nodiscard]] const Object* objectOf(const std::vector<Object>& objects, const std::string& id)
+template <class Objects>
+[[nodiscard]] auto objectOf(Objects& objects, const std::string& id) -> decltype(objects.data())
 {
     const auto it = std::find_if(objects.begin(), objects.end(),
-                                 [&](const Object& object) { return object.id == id; });
+                                 [&](const auto& object) { return object.id == id; });
     return it == objects.end() ? nullptr : &*it;
 }
 
-/** The list of a scenario that holds objects of this kind. */
+/** The object of this kind in a scenario, constant or not; nullptr when there is none. */
 template <class Object, class S>
-auto& listOf(S& scenario)
+[[nodiscard]] auto* objectIn(S& scenario, [[maybe_unused]] const std::string& id)
 {
     if constexpr (std::is_same_v<Object, Iceberg>)
-        return scenario.icebergs;
+        return objectOf(scenario.icebergs, id);
+    else if constexpr (std::is_same_v<Object, Uav>)
+        return objectOf(scenario.uavs, id);
     else
-        return scenario.uavs;
+        return scenario.asset ? &*scenario.asset : nullptr;
 }
 
 // Closures of a row about one number of an object.
@@ -52,7 +55,7 @@ template <class Object, class Number>
 auto reading(Number number)
 {
     return [number](const Scenario& scenario, const std::string& id) -> double {
-        const Object* object = objectOf(listOf<Object>(scenario), id);
+        const Object* object = objectIn<Object>(scenario, id);
         return object == nullptr ? 0 : number(*object);
     };
 }
@@ -61,15 +64,30 @@ template <class Object, class Number>
 auto writing(Number number)
 {
     return [number](Scenario& scenario, const std::string& id, double value) {
-        for (Object& object : listOf<Object>(scenario))
-            if (object.id == id)
-                number(object) = value;
+        if (Object* object = objectIn<Object>(scenario, id))
+            number(*object) = value;
     };
 }
 
 inline auto always(const Limits& limits)
 {
     return [limits](const Scenario&) { return limits; };
+}
+
+/** Row of a number of the scenario itself. */
+template <class Number>
+NumberRow scenarioRow(const RowWords& words, const QString& unit, Number number,
+                      const std::function<Limits(const Scenario&)>& range)
+{
+    return {.words = words,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 2},
+            .read = [number](const Scenario& scenario, const std::string&) -> double {
+                return number(scenario);
+            },
+            .write = [number](Scenario& scenario, const std::string&,
+                              double value) { number(scenario) = value; },
+            .range = range};
 }
 
 template <class Object>
@@ -81,6 +99,16 @@ template <class Object>
 
 /** "0.32 m/s towards 072°": the way it goes, as for currents. */
 [[nodiscard]] QString towardsText(const Point& velocity_mps, const QLocale& locale);
+
+/** A range of SI numbers in a unit: inside it with so many decimals. */
+[[nodiscard]] Limits shownLimits(const Limits& limits, const ShownUnit& unit, int decimals);
+
+/**
+ * A row of metres or m/s as one in the unit of now; the row's `unit` is set too. What is typed is
+ * converted exactly; nothing is converted where the unit is SI's.
+ */
+[[nodiscard]] NumberRow asDistance(NumberRow row);
+[[nodiscard]] NumberRow asSpeed(NumberRow row);
 
 inline void append(std::vector<InspectorRow>& rows, std::vector<InspectorRow> more)
 {

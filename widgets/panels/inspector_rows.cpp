@@ -12,6 +12,25 @@ namespace {
 
 constexpr Limits kCoordinate_m{.low = -kLargestCoordinate_m, .high = kLargestCoordinate_m};
 constexpr double kPositionStep_m = 10;
+constexpr int kMoreDecimals = 3; ///< of nautical miles than of metres
+constexpr double kKnotSteps = 2; ///< as large a step as in m/s, about
+
+/** Reads, writes and limits what is SI in a unit. */
+NumberRow inUnit(NumberRow row, const ShownUnit& unit)
+{
+    row.read = [read = std::move(row.read), unit](const Scenario& scenario, const std::string& id) {
+        return unit.fromSi(read(scenario, id));
+    };
+    row.write = [write = std::move(row.write), unit](Scenario& scenario, const std::string& id,
+                                                     double value) {
+        write(scenario, id, unit.toSi(value));
+    };
+    row.range = [range = std::move(row.range), unit,
+                 decimals = row.decimals.most](const Scenario& scenario) {
+        return shownLimits(range(scenario), unit, decimals);
+    };
+    return row;
+}
 
 } // namespace
 
@@ -24,14 +43,13 @@ TextRow nameRow(const QString& key)
                       .undoText = InspectorRows::tr("Change name")},
             .read =
                 [](const Scenario& scenario, const std::string& id) {
-                    const Object* object = objectOf(listOf<Object>(scenario), id);
+                    const Object* object = objectIn<Object>(scenario, id);
                     return object == nullptr ? std::string() : object->name;
                 },
             .write =
                 [](Scenario& scenario, const std::string& id, const std::string& name) {
-                    for (Object& object : listOf<Object>(scenario))
-                        if (object.id == id)
-                            object.name = name;
+                    if (Object* object = objectIn<Object>(scenario, id))
+                        object->name = name;
                 }};
 }
 
@@ -40,19 +58,19 @@ std::vector<InspectorRow> positionRows(const QString& kind)
 {
     const auto row = [&](const QString& key, const QString& label, const QString& toolTip,
                          auto number) {
-        return NumberRow{.words = {.key = kind + key,
-                                   .label = label,
-                                   .toolTip = toolTip,
-                                   .undoText = InspectorRows::tr("Change position")},
-                         .unit = u" m"_s,
-                         .decimals = {.least = 0, .most = 1},
-                         .step = kPositionStep_m,
-                         .read = reading<Object>(number),
-                         .write = writing<Object>(number),
-                         .range = always(kCoordinate_m)};
+        return asDistance({.words = {.key = kind + key,
+                                     .label = label,
+                                     .toolTip = toolTip,
+                                     .undoText = InspectorRows::tr("Change position")},
+                           .unit = {},
+                           .decimals = {.least = 0, .most = 1},
+                           .step = kPositionStep_m,
+                           .read = reading<Object>(number),
+                           .write = writing<Object>(number),
+                           .range = always(kCoordinate_m)});
     };
     const auto place = [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
-        const Object* object = objectOf(listOf<Object>(scenario), id);
+        const Object* object = objectIn<Object>(scenario, id);
         if (object == nullptr)
             return QString();
         const LatLon at = LocalFrame(scenario.origin).toGeographic(object->position_m);
@@ -72,8 +90,38 @@ std::vector<InspectorRow> positionRows(const QString& kind)
 
 template TextRow nameRow<Iceberg>(const QString& key);
 template TextRow nameRow<Uav>(const QString& key);
+template TextRow nameRow<Asset>(const QString& key);
 template std::vector<InspectorRow> positionRows<Iceberg>(const QString& kind);
 template std::vector<InspectorRow> positionRows<Uav>(const QString& kind);
+template std::vector<InspectorRow> positionRows<Asset>(const QString& kind);
+
+Limits shownLimits(const Limits& limits, const ShownUnit& unit, int decimals)
+{
+    const double fine = std::pow(10.0, decimals);
+    return {.low = std::ceil(unit.fromSi(limits.low) * fine) / fine,
+            .high = std::floor(unit.fromSi(limits.high) * fine) / fine};
+}
+
+NumberRow asDistance(NumberRow row)
+{
+    const ShownUnit unit = distanceUnit();
+    row.unit = u' ' + unit.name;
+    if (shownUnits().distance == DistanceUnit::Metric)
+        return row;
+    row.decimals.most += kMoreDecimals;
+    row.step = std::pow(10.0, std::round(std::log10(unit.fromSi(row.step))));
+    return inUnit(std::move(row), unit);
+}
+
+NumberRow asSpeed(NumberRow row)
+{
+    const ShownUnit unit = speedUnit();
+    row.unit = u' ' + unit.name;
+    if (shownUnits().speed == SpeedUnit::MetresPerSecond)
+        return row;
+    row.step *= kKnotSteps;
+    return inUnit(std::move(row), unit);
+}
 
 QString towardsText(const Point& velocity_mps, const QLocale& locale)
 {
@@ -82,8 +130,8 @@ QString towardsText(const Point& velocity_mps, const QLocale& locale)
         return InspectorRows::tr("stands still");
     const double psi_rad = std::atan2(velocity_mps.y(), velocity_mps.x());
     const int heading_deg = static_cast<int>(std::lround(headingFromPsi(psi_rad))) % 360;
-    return InspectorRows::tr("%1 m/s towards %2°")
-        .arg(significantText(speed_mps, 2, locale))
+    return InspectorRows::tr("%1 towards %2°")
+        .arg(speedText(speed_mps, locale))
         .arg(heading_deg, 3, 10, QChar(u'0'));
 }
 

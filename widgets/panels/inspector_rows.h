@@ -6,6 +6,7 @@
 
 #include <QLocale>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <string>
@@ -14,8 +15,8 @@
 
 namespace berg {
 
-// What the inspector lets one edit, as data. `id` is the iceberg's or the UAV's; rows of the
-// scenario itself ignore it. `key` names the input and the gesture that edits it.
+// What the inspector lets one edit, as data. `id` is the iceberg's or the UAV's; rows of what there
+// is once ignore it. `key` names the input and the gesture that edits it.
 
 /** What every row has. */
 struct RowWords
@@ -43,6 +44,9 @@ struct TextRow
 {
     RowWords words;
     bool multiLine = false;
+    QString placeholder; ///< in an empty line
+    /** Texts that are not are never written; null: all are. */
+    std::function<bool(const std::string&)> isAllowed;
     std::function<std::string(const Scenario&, const std::string& id)> read;
     std::function<void(Scenario&, const std::string& id, const std::string&)> write;
 };
@@ -54,6 +58,32 @@ struct FlagRow
     std::function<void(Scenario&, bool)> write;
 };
 
+/** One of several; the value is the place in `choices`. */
+struct ChoiceRow
+{
+    RowWords words;
+    QStringList choices;
+    std::function<int(const Scenario&)> read;
+    std::function<void(Scenario&, int)> write;
+};
+
+/** A button. */
+struct ActionRow
+{
+    RowWords words; ///< `undoText` is written on it
+    std::function<void(Scenario&)> act;
+};
+
+/** Something that an object may have: what it is, and a button that takes it away. */
+struct PartRow
+{
+    RowWords words;
+    QString removeText; ///< on the button
+    /** Empty: the object has none; when no object has one the row is hidden. */
+    std::function<QString(const Scenario&, const std::string& id, const QLocale&)> text;
+    std::function<void(Scenario&, const std::string& id)> remove;
+};
+
 /** A value that follows from the rows above, for reading. */
 struct InfoRow
 {
@@ -61,10 +91,15 @@ struct InfoRow
     std::function<QString(const Scenario&, const std::string& id, const QLocale&)> text;
 };
 
-using InspectorRow = std::variant<NumberRow, TextRow, FlagRow, InfoRow>;
+using InspectorRow =
+    std::variant<NumberRow, TextRow, FlagRow, ChoiceRow, ActionRow, PartRow, InfoRow>;
 
 [[nodiscard]] std::vector<InspectorRow> icebergRows();
 [[nodiscard]] std::vector<InspectorRow> uavRows();
+[[nodiscard]] std::vector<InspectorRow> assetRows();
+[[nodiscard]] std::vector<InspectorRow> areaRows();
 [[nodiscard]] std::vector<InspectorRow> scenarioRows();
+/** Settings of the planner that the trade-off panel does not have; they end `scenarioRows`. */
+[[nodiscard]] std::vector<InspectorRow> plannerRows();
 
 } // namespace berg

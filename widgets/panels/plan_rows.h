@@ -2,7 +2,7 @@
 
 #include "widgets/model/flight_record.h"
 
-#include <QString>
+#include <QStringList>
 
 #include <string>
 #include <vector>
@@ -21,16 +21,19 @@ struct PlanRow
     bool operator==(const PlanRow&) const = default;
 };
 
-/**
- * The present plan with the estimates of this instant, all taken to stand still: straight legs
- * flown at the airspeed of the first UAV in the scenario's wind. Empty without a plan.
- */
+/** The present plan as it is forecast from this instant (`forecastPlan`). Empty without a plan. */
 [[nodiscard]] std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenario);
 
-/**
- * By how much the plan shown is longer than the one it took the place of in flight, m: each as long
- * as it was when it was made. None before there are two.
- */
-[[nodiscard]] std::optional<double> planChange_m(const FlightRecord& record);
+/** What is told of the plan as a whole. */
+struct PlanOutlook
+{
+    double zeta_m2s = 0; ///< at the end of the mission: what it is and `forecastPlan` adds to it
+    std::optional<PlanChange> change; ///< what the plan shown changed
+    double changed_s = 0;             ///< when
+    QStringList before;               ///< icebergs left in the order before
+};
+
+/** Of the instant shown; none without a plan. */
+[[nodiscard]] std::optional<PlanOutlook> planOutlook(const FlightRecord& record);
 
 } // namespace berg

@@ -14,22 +14,6 @@ constexpr double kSmallestTimeStep_s = 0.01;
 constexpr double kLargestTimeStep_s = 1;
 constexpr double kWindStep_mps = 0.5;
 
-/** Row of a number of the scenario itself. */
-template <class Number>
-NumberRow scenarioRow(const RowWords& words, const QString& unit, Number number,
-                      const std::function<Limits(const Scenario&)>& range)
-{
-    return {.words = words,
-            .unit = unit,
-            .decimals = {.least = 0, .most = 2},
-            .read = [number](const Scenario& scenario, const std::string&) -> double {
-                return number(scenario);
-            },
-            .write = [number](Scenario& scenario, const std::string&,
-                              double value) { number(scenario) = value; },
-            .range = range};
-}
-
 /** What is left for one component of the wind beside the other: slower than the slowest UAV. */
 Limits windRange(const Scenario& scenario, double other_mps)
 {
@@ -50,18 +34,18 @@ std::vector<InspectorRow> windRows()
          .label = InspectorRows::tr("Wind east"),
          .toolTip = InspectorRows::tr("Towards the east; always slower than the UAV flies."),
          .undoText = undoText},
-        u" m/s"_s, [](auto& scenario) -> auto& { return scenario.wind_mps.x(); },
+        {}, [](auto& scenario) -> auto& { return scenario.wind_mps.x(); },
         [](const Scenario& scenario) { return windRange(scenario, scenario.wind_mps.y()); });
     NumberRow north = scenarioRow(
         {.key = u"scenarioWindNorth"_s,
          .label = InspectorRows::tr("Wind north"),
          .toolTip = InspectorRows::tr("Towards the north; always slower than the UAV flies."),
          .undoText = undoText},
-        u" m/s"_s, [](auto& scenario) -> auto& { return scenario.wind_mps.y(); },
+        {}, [](auto& scenario) -> auto& { return scenario.wind_mps.y(); },
         [](const Scenario& scenario) { return windRange(scenario, scenario.wind_mps.x()); });
     east.step = north.step = kWindStep_mps;
     return {
-        east, north,
+        asSpeed(east), asSpeed(north),
         InfoRow{.key = u"scenarioWind"_s,
                 .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
                     return scenario.wind_mps.isZero(0) ? InspectorRows::tr("no wind")
@@ -77,18 +61,18 @@ std::vector<InspectorRow> currentRows()
          .label = InspectorRows::tr("Current east"),
          .toolTip = InspectorRows::tr("Carries every iceberg towards the east."),
          .undoText = undoText},
-        u" m/s"_s, [](auto& scenario) -> auto& { return scenario.current_mps.x(); },
+        {}, [](auto& scenario) -> auto& { return scenario.current_mps.x(); },
         always(kVelocity_mps));
     NumberRow north = scenarioRow(
         {.key = u"scenarioCurrentNorth"_s,
          .label = InspectorRows::tr("Current north"),
          .toolTip = InspectorRows::tr("Carries every iceberg towards the north."),
          .undoText = undoText},
-        u" m/s"_s, [](auto& scenario) -> auto& { return scenario.current_mps.y(); },
+        {}, [](auto& scenario) -> auto& { return scenario.current_mps.y(); },
         always(kVelocity_mps));
     east.step = north.step = kVelocityStep_mps;
     east.decimals = north.decimals = {.least = 2, .most = 3};
-    return {east, north};
+    return {asSpeed(east), asSpeed(north)};
 }
 
 std::vector<InspectorRow> runRows()
@@ -137,6 +121,50 @@ std::vector<InspectorRow> runRows()
     return {duration, timeStep, seed, noise};
 }
 
+std::vector<InspectorRow> placeRows()
+{
+    const auto degrees = [](const QString& key, const QString& label, const QString& toolTip,
+                            auto number, double largest_deg) {
+        NumberRow row =
+            scenarioRow({.key = key,
+                         .label = label,
+                         .toolTip = toolTip,
+                         .undoText = InspectorRows::tr("Change origin")},
+                        u"°"_s, number, always({.low = -largest_deg, .high = largest_deg}));
+        row.decimals = {.least = 1, .most = 6};
+        row.step = 0.1;
+        return row;
+    };
+    return {
+        degrees(
+            u"scenarioLatitude"_s, InspectorRows::tr("Latitude"),
+            InspectorRows::tr("Of the origin, north positive; everything moves along with it."),
+            [](auto& scenario) -> auto& { return scenario.origin.latitude_deg; }, 90),
+        degrees(
+            u"scenarioLongitude"_s, InspectorRows::tr("Longitude"),
+            InspectorRows::tr("Of the origin, east positive; everything moves along with it."),
+            [](auto& scenario) -> auto& { return scenario.origin.longitude_deg; }, 180),
+        InfoRow{.key = u"scenarioPlace"_s,
+                .text =
+                    [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+                        return u"%1\n%2"_s.arg(
+                            latitudeText(scenario.origin.latitude_deg, 3, locale),
+                            longitudeText(scenario.origin.longitude_deg, 3, locale));
+                    }},
+        TextRow{
+            .words = {.key = u"scenarioStart"_s,
+                      .label = InspectorRows::tr("Start (UTC)"),
+                      .toolTip = InspectorRows::tr("Date and time of the start, such as "
+                                                   "2024-05-01T06:00:00Z; empty: times are "
+                                                   "relative."),
+                      .undoText = InspectorRows::tr("Change start")},
+            .placeholder = InspectorRows::tr("relative times"),
+            .isAllowed = [](const std::string& text) { return text.empty() || isUtcTime(text); },
+            .read = [](const Scenario& scenario, const std::string&) { return scenario.startUtc; },
+            .write = [](Scenario& scenario, const std::string&,
+                        const std::string& text) { scenario.startUtc = text; }}};
+}
+
 } // namespace
 
 std::vector<InspectorRow> scenarioRows()
@@ -160,6 +188,8 @@ std::vector<InspectorRow> scenarioRows()
     append(rows, runRows());
     append(rows, windRows());
     append(rows, currentRows());
+    append(rows, plannerRows());
+    append(rows, placeRows());
     return rows;
 }
 

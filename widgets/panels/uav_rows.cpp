@@ -61,14 +61,14 @@ NumberRow airspeedRow()
                             .label = InspectorRows::tr("Airspeed"),
                             .toolTip = InspectorRows::tr("Always faster than the wind."),
                             .undoText = InspectorRows::tr("Change airspeed")},
-                           u" m/s"_s, &UavSpec::airspeed_mps, {});
+                           {}, &UavSpec::airspeed_mps, {});
     row.decimals = {.least = 0, .most = 2};
     row.range = [](const Scenario& scenario) {
         const double wind_mps = scenario.wind_mps.norm();
         return Limits{.low = std::max(kSmallestSpeed_mps, std::floor(100 * wind_mps + 1) / 100),
                       .high = kLargestAirspeed_mps};
     };
-    return row;
+    return asSpeed(row);
 }
 
 std::vector<InspectorRow> fieldOfViewRows()

@@ -1,0 +1,253 @@
+#include "widgets/panels/iceberg_table_rows.h"
+
+#include "widgets/panels/plan_model.h"
+#include "widgets/panels/plan_rows.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct IcebergRowText
+{
+    Q_DECLARE_TR_FUNCTIONS(IcebergRowText)
+};
+
+constexpr std::array kEditorNumbers{
+    IcebergColumn::East,   IcebergColumn::North,  IcebergColumn::Speed,    IcebergColumn::Direction,
+    IcebergColumn::Sigma0, IcebergColumn::Growth, IcebergColumn::Observed, IcebergColumn::Appears};
+
+void put(IcebergTableRow& row, IcebergColumn column, std::optional<double> value)
+{
+    row.values[static_cast<std::size_t>(column)] = value;
+}
+
+/** Of the whole order: when the UAV is there. */
+std::unordered_map<std::string, double> arrivalsOf(const FlightRecord& record)
+{
+    std::unordered_map<std::string, double> arrivals_s;
+    for (const PlanRow& row : planRows(record.shown(), record.scenario))
+        arrivals_s.emplace(row.id, row.arrival_s);
+    return arrivals_s;
+}
+
+/** By index: how often it was reached until the time shown. */
+std::vector<int> visitsOf(const FlightRecord& record)
+{
+    std::vector<int> visits(record.shown().icebergs.size());
+    const std::size_t count = record.eventsShown();
+    for (std::size_t i = 0; i < count; ++i) {
+        const MissionEvent& event = record.history.events[i];
+        const auto iceberg = static_cast<std::size_t>(event.iceberg);
+        if (event.kind == EventKind::Reached && event.iceberg >= 0 && iceberg < visits.size())
+            ++visits[iceberg];
+    }
+    return visits;
+}
+
+/** By index: place in the visiting order, from 1; 0: not in it. */
+std::vector<int> placesOf(const MissionSnapshot& shown)
+{
+    std::vector<int> places(shown.icebergs.size());
+    int place = 0;
+    if (shown.plan)
+        for (const int iceberg : shown.plan->order)
+            places[static_cast<std::size_t>(iceberg)] = ++place;
+    return places;
+}
+
+IcebergState stateOf(const MissionSnapshot& shown, std::size_t iceberg, int place)
+{
+    if (!shown.active[iceberg])
+        return IcebergState::Later;
+    if (shown.world.tracks[iceberg].inView)
+        return IcebergState::InView;
+    if (shown.world.target == static_cast<int>(iceberg))
+        return IcebergState::Target;
+    return place > 0 ? IcebergState::Planned : IcebergState::Unplanned;
+}
+
+/** Smaller stands further up when sorted. */
+double stateOrder(IcebergState state, int place)
+{
+    constexpr double kBehindAll = 1e6;
+    switch (state) {
+    case IcebergState::InView:
+        return -1;
+    case IcebergState::Target:
+        return 0;
+    case IcebergState::Planned:
+        return place;
+    case IcebergState::Unplanned:
+        return kBehindAll;
+    case IcebergState::Later:
+        return kBehindAll + 1;
+    }
+    return 0;
+}
+
+QString orDash(const QString& text)
+{
+    return text.isEmpty() ? u"–"_s : text;
+}
+
+/** Without its unit, which is in the header; to about a tenth of a metre, in flight to ten. */
+QString positionText(double position_m, bool inFlight, const QLocale& locale)
+{
+    const bool isNautical = shownUnits().distance == DistanceUnit::Nautical;
+    const int decimals = inFlight ? 0 : 1;
+    return fixedText(distanceUnit().fromSi(position_m), decimals + (isNautical ? 2 : 0), locale);
+}
+
+QString numberText(double value, IcebergColumn column, bool inFlight, const QLocale& locale)
+{
+    switch (column) {
+    case IcebergColumn::East:
+    case IcebergColumn::North:
+        return positionText(value, inFlight, locale);
+    case IcebergColumn::Speed:
+        return fixedText(speedUnit().fromSi(value), 2, locale);
+    case IcebergColumn::Direction:
+        return u"%1"_s.arg(static_cast<int>(std::lround(value)) % 360, 3, 10, QChar(u'0'));
+    case IcebergColumn::Sigma:
+    case IcebergColumn::Deviation:
+    case IcebergColumn::Sigma0:
+    case IcebergColumn::Growth:
+        return significantText(value, 3, locale);
+    case IcebergColumn::Unseen:
+        return clockText(value);
+    case IcebergColumn::Arrival:
+        return PlanModel::arrivalText(value);
+    case IcebergColumn::Visits:
+    case IcebergColumn::Observed:
+    case IcebergColumn::Appears:
+        return fixedText(value, 0, locale);
+    case IcebergColumn::Name:
+    case IcebergColumn::State:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<IcebergTableRow> editorRows(const Scenario& scenario)
+{
+    std::vector<IcebergTableRow> rows;
+    rows.reserve(scenario.icebergs.size());
+    for (const Iceberg& iceberg : scenario.icebergs) {
+        IcebergTableRow& row = rows.emplace_back();
+        row.id = iceberg.id;
+        row.name = QString::fromStdString(iceberg.name);
+        for (const IcebergColumn column : kEditorNumbers)
+            put(row, column, icebergNumber(iceberg, column));
+    }
+    return rows;
+}
+
+std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
+{
+    const MissionSnapshot& shown = record.shown();
+    const std::unordered_map<std::string, double> arrivals_s = arrivalsOf(record);
+    const std::vector<int> visits = visitsOf(record);
+    const std::vector<int> places = placesOf(shown);
+    std::vector<IcebergTableRow> rows;
+    rows.reserve(shown.icebergs.size());
+    for (std::size_t i = 0; i < shown.icebergs.size(); ++i) {
+        const Iceberg& iceberg = shown.icebergs[i];
+        const Track& track = shown.world.tracks[i];
+        IcebergTableRow& row = rows.emplace_back();
+        row.id = iceberg.id;
+        row.name = QString::fromStdString(iceberg.name);
+        row.state = stateOf(shown, i, places[i]);
+        put(row, IcebergColumn::State, stateOrder(row.state, places[i]));
+        if (row.state == IcebergState::Later) {
+            put(row, IcebergColumn::Appears, iceberg.appears_s);
+            continue;
+        }
+        const Point estimate_m = record.estimate_m(i);
+        put(row, IcebergColumn::Sigma, track.sigma_m2);
+        put(row, IcebergColumn::Deviation, std::sqrt(track.sigma_m2));
+        const double since_s = std::max(track.anchor_s, iceberg.appears_s);
+        put(row, IcebergColumn::Unseen, track.inView ? 0 : shown.time_s - since_s);
+        if (const auto arrival = arrivals_s.find(iceberg.id); arrival != arrivals_s.end())
+            put(row, IcebergColumn::Arrival, arrival->second);
+        put(row, IcebergColumn::Visits, visits[i]);
+        put(row, IcebergColumn::East, estimate_m.x());
+        put(row, IcebergColumn::North, estimate_m.y());
+        put(row, IcebergColumn::Speed, track.velocity_mps.norm());
+    }
+    return rows;
+}
+
+QString stateText(const IcebergTableRow& row)
+{
+    switch (row.state) {
+    case IcebergState::InView:
+        return IcebergRowText::tr("in view");
+    case IcebergState::Target:
+        return IcebergRowText::tr("target");
+    case IcebergState::Planned:
+        return IcebergRowText::tr("number %1 in the order")
+            .arg(row.value(IcebergColumn::State).value_or(0));
+    case IcebergState::Unplanned:
+        return IcebergRowText::tr("not in the order");
+    case IcebergState::Later:
+        return IcebergRowText::tr("not there yet");
+    }
+    return {};
+}
+
+QString cellText(const IcebergTableRow& row, IcebergColumn column, bool inFlight,
+                 const QLocale& locale)
+{
+    if (column == IcebergColumn::Name)
+        return row.label();
+    if (column == IcebergColumn::State)
+        return stateText(row);
+    const std::optional<double> value = row.value(column);
+    return orDash(value ? numberText(*value, column, inFlight, locale) : QString());
+}
+
+QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLocale& locale)
+{
+    const std::optional<double> value = row.value(column);
+    switch (column) {
+    case IcebergColumn::Name:
+        return IcebergRowText::tr("%1 (id %2)").arg(row.label(), QString::fromStdString(row.id));
+    case IcebergColumn::State:
+        return row.state == IcebergState::Later
+                   ? IcebergRowText::tr("Appears at %1")
+                         .arg(clockText(row.value(IcebergColumn::Appears).value_or(0)))
+                   : QString();
+    case IcebergColumn::Sigma:
+    case IcebergColumn::Sigma0:
+        return value ? IcebergRowText::tr("%1 m², a standard deviation of %2 m")
+                           .arg(significantText(*value, 3, locale),
+                                significantText(std::sqrt(*value), 3, locale))
+                     : QString();
+    case IcebergColumn::Direction:
+        return value ? QString() : IcebergRowText::tr("It stands still.");
+    case IcebergColumn::Deviation:
+    case IcebergColumn::Unseen:
+    case IcebergColumn::Arrival:
+    case IcebergColumn::Visits:
+    case IcebergColumn::East:
+    case IcebergColumn::North:
+    case IcebergColumn::Speed:
+    case IcebergColumn::Growth:
+    case IcebergColumn::Observed:
+    case IcebergColumn::Appears:
+        break;
+    }
+    return {};
+}
+
+} // namespace berg

@@ -1,0 +1,66 @@
+#include "widgets/panels/inspector_row_makers.h"
+
+#include <type_traits>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+/** The values of an enumeration of the core in the order of its declaration. */
+template <class Member>
+ChoiceRow choiceRow(const RowWords& words, const QStringList& choices, Member member)
+{
+    using Enum = std::remove_reference_t<decltype(member(std::declval<Scenario&>()))>;
+    return {
+        .words = words,
+        .choices = choices,
+        .read = [member](const Scenario& scenario) { return static_cast<int>(member(scenario)); },
+        .write = [member](Scenario& scenario,
+                          int choice) { member(scenario) = static_cast<Enum>(choice); }};
+}
+
+} // namespace
+
+std::vector<InspectorRow> plannerRows()
+{
+    // 0 stands for "none": the file leaves the member out.
+    NumberRow reach{
+        .words = {.key = u"scenarioReach"_s,
+                  .label = InspectorRows::tr("Reach radius"),
+                  .toolTip = InspectorRows::tr("How near the UAV has to come to an iceberg; at 0 "
+                                               "it is reached when it is in view."),
+                  .undoText = InspectorRows::tr("Change reach radius")},
+        .unit = u" m"_s,
+        .decimals = {.least = 0, .most = 1},
+        .step = 10,
+        .read = [](const Scenario& scenario,
+                   const std::string&) { return scenario.reachRadius_m.value_or(0); },
+        .write =
+            [](Scenario& scenario, const std::string&, double value) {
+                scenario.reachRadius_m = value > 0 ? std::optional<double>(value) : std::nullopt;
+            },
+        .range = always({.low = 0, .high = kExtent_m.high}),
+        .lowestText = InspectorRows::tr("in view")};
+    return {reach,
+            choiceRow(
+                {.key = u"scenarioFovShape"_s,
+                 .label = InspectorRows::tr("Field of view"),
+                 .toolTip = InspectorRows::tr("Shape of what the camera covers."),
+                 .undoText = InspectorRows::tr("Change field of view")},
+                {InspectorRows::tr("turns with the UAV"), InspectorRows::tr("along the north"),
+                 InspectorRows::tr("a disk")},
+                [](auto& scenario) -> auto& { return scenario.fovShape; }),
+            choiceRow(
+                {.key = u"scenarioFormulation"_s,
+                 .label = InspectorRows::tr("Formulation"),
+                 .toolTip = InspectorRows::tr("Integer program that COIN-OR CBC solves when it is "
+                                              "the solver."),
+                 .undoText = InspectorRows::tr("Change formulation")},
+                {InspectorRows::tr("by position"), InspectorRows::tr("as printed"),
+                 InspectorRows::tr("reduced")},
+                [](auto& scenario) -> auto& { return scenario.planner.formulation; })};
+}
+
+} // namespace berg
