@@ -1,0 +1,507 @@
+#include "core/io/scenario_json.h"
+#include "tests/support/approx.h"
+#include "tests/support/mission_builder.h"
+#include "tests/support/panel_test.h"
+#include "tests/support/scenario_builder.h"
+#include "widgets/panels/iceberg_table_model.h"
+#include "widgets/panels/plan_rows.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QUndoStack>
+
+#include <algorithm>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using Ids = std::vector<std::string>;
+
+namespace {
+
+constexpr int col(IcebergColumn column)
+{
+    return static_cast<int>(column);
+}
+
+const std::vector<int> kEditorColumns{
+    col(IcebergColumn::Name),   col(IcebergColumn::East),      col(IcebergColumn::North),
+    col(IcebergColumn::Speed),  col(IcebergColumn::Direction), col(IcebergColumn::Sigma0),
+    col(IcebergColumn::Growth), col(IcebergColumn::Observed),  col(IcebergColumn::Appears)};
+
+/** Four icebergs, one of them not there before 150 s. */
+Scenario fourOneLater()
+{
+    return test::changed([](Scenario& scenario) { scenario.icebergs[2].appears_s = 150; });
+}
+
+struct Fixture
+{
+    ScenarioDocument document;
+    IcebergTableModel model;
+    QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::QtTest};
+
+    explicit Fixture(const Scenario& scenario = test::fourIcebergs(),
+                     const QLocale& locale = QLocale::c())
+        : model(document, locale)
+    {
+        document.reset(scenario);
+        QObject::connect(&document, &ScenarioDocument::scenarioChanged, &model,
+                         [this] { model.showScenario(); });
+        model.showScenario();
+    }
+    [[nodiscard]] QString cell(int row, IcebergColumn column) const
+    {
+        return model.index(row, col(column)).data().toString();
+    }
+    bool put(int row, IcebergColumn column, const QVariant& value)
+    {
+        return model.setData(model.index(row, col(column)), value, Qt::EditRole);
+    }
+    [[nodiscard]] const std::vector<Iceberg>& icebergs() const
+    {
+        return document.scenario().icebergs;
+    }
+    [[nodiscard]] QString undoText() const { return document.undoStack()->undoText(); }
+    [[nodiscard]] Ids shown() const
+    {
+        Ids ids;
+        for (int row = 0; row < model.rowCount(); ++row)
+            ids.push_back(model.rowAt(row).id);
+        return ids;
+    }
+    [[nodiscard]] std::vector<int> allRows() const
+    {
+        std::vector<int> rows;
+        for (int row = 0; row < model.rowCount(); ++row)
+            rows.push_back(row);
+        return rows;
+    }
+};
+
+/** The record of the mission, looking back at `time_s`. */
+FlightRecord recordAt(const Mission& mission, double time_s)
+{
+    FlightRecord record = recordOf(mission);
+    record.now.phase = RunPhase::Paused;
+    record.instant = snapshotAt(mission, time_s);
+    return record;
+}
+
+} // namespace
+
+class TestIcebergTableModel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void editorShowsTheScenario()
+    {
+        const Fixture f;
+        QCOMPARE(f.model.rowCount(), 4);
+        QCOMPARE(f.cell(0, IcebergColumn::Name), u"berg-1"_s);
+        QCOMPARE(f.cell(2, IcebergColumn::Name), u"Isbjerg Å"_s);
+        QCOMPARE(f.cell(0, IcebergColumn::East), u"2"_s + QChar(0x202f) + u"000.0"_s);
+        QCOMPARE(f.cell(0, IcebergColumn::Speed), u"0.36"_s);
+        QCOMPARE(f.cell(0, IcebergColumn::Direction), u"124"_s); // (0.3, -0.2): 90 + 33.7
+        QCOMPARE(f.cell(2, IcebergColumn::Speed), u"0.00"_s);
+        QCOMPARE(f.cell(2, IcebergColumn::Direction), u"–"_s);
+        QCOMPARE(f.cell(1, IcebergColumn::Sigma0), u"3.50"_s);
+        QCOMPARE(f.cell(3, IcebergColumn::Observed), u"100"_s);
+        const QString toolTip =
+            f.model.index(1, col(IcebergColumn::Sigma0)).data(Qt::ToolTipRole).toString();
+        QVERIFY2(toolTip.contains(u"1.87 m"_s), qPrintable(toolTip)); // sqrt(3.5)
+    }
+
+    void columnsOfEditorAndFlight()
+    {
+        Fixture f;
+        for (int column = 0; column < f.model.columnCount(); ++column)
+            QCOMPARE(f.model.hasColumn(column),
+                     std::count(kEditorColumns.begin(), kEditorColumns.end(), column) == 1);
+        f.model.showRecord(recordAt(test::flown(test::fourIcebergs(), 10), 10));
+        QVERIFY(f.model.hasColumn(col(IcebergColumn::Sigma)));
+        QVERIFY(f.model.hasColumn(col(IcebergColumn::East)));
+        QVERIFY(!f.model.hasColumn(col(IcebergColumn::Sigma0)));
+        for (int column = 0; column < f.model.columnCount(); ++column)
+            for (const int role :
+                 {static_cast<int>(Qt::DisplayRole), static_cast<int>(Qt::ToolTipRole)})
+                QVERIFY(!f.model.headerData(column, Qt::Horizontal, role).toString().isEmpty());
+    }
+
+    void flightShowsTheInstant_data()
+    {
+        QTest::addColumn<double>("time_s");
+        for (const double time_s : {0.0, 57.3, 149.9, 150.0, 260.0, 400.0})
+            QTest::addRow("%g s", time_s) << time_s;
+    }
+
+    void flightShowsTheInstant()
+    {
+        QFETCH(double, time_s);
+        const Mission mission = test::flown(fourOneLater());
+        const FlightRecord record = recordAt(mission, time_s);
+        const MissionSnapshot& shown = record.shown();
+        Fixture f(fourOneLater());
+        f.model.showRecord(record);
+        QCOMPARE(f.model.rowCount(), 4);
+        int planned = 0;
+        for (int i = 0; i < 4; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            const IcebergTableRow& row = f.model.rowAt(i);
+            if (!shown.active[at]) {
+                QVERIFY(time_s < 150);
+                QCOMPARE(i, 2);
+                QCOMPARE(f.cell(i, IcebergColumn::State), u"not there yet"_s);
+                QCOMPARE(f.cell(i, IcebergColumn::Sigma), u"–"_s);
+                continue;
+            }
+            const Track& track = shown.world.tracks[at];
+            QCOMPARE(*row.value(IcebergColumn::Sigma), track.sigma_m2);
+            QCOMPARE(*row.value(IcebergColumn::Deviation), std::sqrt(track.sigma_m2));
+            QCOMPARE(*row.value(IcebergColumn::East), track.estimate_m(time_s).x());
+            QCOMPARE(*row.value(IcebergColumn::North), track.estimate_m(time_s).y());
+            QCOMPARE(*row.value(IcebergColumn::Speed), track.velocity_mps.norm());
+            QCOMPARE(row.state == IcebergState::InView, track.inView);
+            if (row.state == IcebergState::Planned)
+                ++planned;
+        }
+        for (const PlanRow& plan : planRows(shown, record.scenario))
+            QCOMPARE(*f.model.rowAt(f.model.rowOf(plan.id)).value(IcebergColumn::Arrival),
+                     plan.arrival_s);
+        if (shown.world.target >= 0 &&
+            !shown.world.tracks[static_cast<std::size_t>(shown.world.target)].inView)
+            QCOMPARE(f.cell(shown.world.target, IcebergColumn::State), u"target"_s);
+        if (time_s == 0)
+            QCOMPARE(planned, 2); // of three that are there one is flown to
+        double visits = 0;
+        for (int i = 0; i < 4; ++i)
+            visits += f.model.rowAt(i).value(IcebergColumn::Visits).value_or(0);
+        QCOMPARE(visits, static_cast<double>(shown.metrics.visits));
+    }
+
+    /** Against the recorded rows: since the last sample in view, or since it is known. */
+    void unseenSinceTheLastSight()
+    {
+        const Mission mission = test::flown(fourOneLater());
+        const FlightRecord whole = recordOf(mission);
+        Fixture f(fourOneLater());
+        int seenBefore = 0;
+        for (const std::size_t sample : {std::size_t{40}, std::size_t{200}, std::size_t{380}}) {
+            const double time_s = whole.history.samples[sample].time_s;
+            f.model.showRecord(recordAt(mission, time_s));
+            for (std::size_t i = 0; i < 4; ++i) {
+                if (!whole.history.rows[sample][i].active)
+                    continue;
+                std::size_t last = sample;
+                while (last > 0 && !whole.history.rows[last][i].inView &&
+                       whole.history.rows[last][i].active)
+                    --last;
+                seenBefore += whole.history.rows[last][i].inView && last < sample ? 1 : 0;
+                const double unseen_s =
+                    *f.model.rowAt(static_cast<int>(i)).value(IcebergColumn::Unseen);
+                // Samples are 1 s apart.
+                COMPARE_NEAR(unseen_s, time_s - whole.history.samples[last].time_s, 1.001);
+            }
+        }
+        QVERIFY(seenBefore >= 2);
+    }
+
+    void statesAreWords()
+    {
+        const FlightRecord record = recordAt(test::flown(test::fourIcebergs(), 20), 20);
+        Fixture f;
+        f.model.showRecord(record);
+        const std::vector<int>& order = record.shown().plan->order;
+        QVERIFY(order.size() >= 3);
+        QCOMPARE(f.cell(order[0], IcebergColumn::State), u"target"_s);
+        QCOMPARE(f.cell(order[2], IcebergColumn::State), u"number 3 in the order"_s);
+        QVERIFY(f.cell(order[0], IcebergColumn::Arrival).startsWith(u"in "_s));
+    }
+
+    void flightIsForReading()
+    {
+        Fixture f;
+        f.model.showRecord(recordAt(test::flown(test::fourIcebergs(), 20), 20));
+        for (int column = 0; column < f.model.columnCount(); ++column)
+            QVERIFY(!f.model.index(0, column).flags().testFlag(Qt::ItemIsEditable));
+        QVERIFY(!f.put(0, IcebergColumn::East, 7));
+        QCOMPARE(f.document.scenario(), test::fourIcebergs());
+        f.model.showScenario();
+        QVERIFY(f.model.index(0, col(IcebergColumn::East)).flags().testFlag(Qt::ItemIsEditable));
+        QVERIFY(!f.model.index(0, col(IcebergColumn::Sigma)).flags().testFlag(Qt::ItemIsEditable));
+    }
+
+    void sorts_data()
+    {
+        QTest::addColumn<IcebergColumn>("column");
+        QTest::addColumn<Qt::SortOrder>("order");
+        QTest::addColumn<Ids>("ids");
+        const auto add = [](const char* name, IcebergColumn column, const Ids& up,
+                            const Ids& down) {
+            QTest::addRow("%s up", name) << column << Qt::AscendingOrder << up;
+            QTest::addRow("%s down", name) << column << Qt::DescendingOrder << down;
+        };
+        add("east", IcebergColumn::East, {"berg-3", "berg-1", "berg-2", "berg-4"},
+            {"berg-4", "berg-2", "berg-1", "berg-3"});
+        add("sigma0", IcebergColumn::Sigma0, {"berg-1", "berg-2", "berg-3", "berg-4"},
+            {"berg-4", "berg-3", "berg-2", "berg-1"});
+        // 124, 338, none, 225 degrees: what is not there comes last either way.
+        add("direction", IcebergColumn::Direction, {"berg-1", "berg-4", "berg-2", "berg-3"},
+            {"berg-2", "berg-4", "berg-1", "berg-3"});
+        // berg-1, "Tabular ...", "Isbjerg Å", berg-4
+        add("name", IcebergColumn::Name, {"berg-1", "berg-4", "berg-3", "berg-2"},
+            {"berg-2", "berg-3", "berg-4", "berg-1"});
+        // 0, 0, 0, 100 s: equal ones as in the scenario.
+        add("observed", IcebergColumn::Observed, {"berg-1", "berg-2", "berg-3", "berg-4"},
+            {"berg-4", "berg-1", "berg-2", "berg-3"});
+    }
+
+    void sorts()
+    {
+        QFETCH(IcebergColumn, column);
+        QFETCH(Qt::SortOrder, order);
+        QFETCH(Ids, ids);
+        Fixture f;
+        f.model.sort(col(column), order);
+        QCOMPARE(f.shown(), ids);
+        f.model.sort(-1, order);
+        QCOMPARE(f.shown(), (Ids{"berg-1", "berg-2", "berg-3", "berg-4"}));
+    }
+
+    void namesSortByTheirNumbers()
+    {
+        Scenario scenario = test::emptySea();
+        for (int i = 1; i <= 12; ++i)
+            test::addIceberg(scenario, 0, 0);
+        Fixture f(scenario);
+        f.model.sort(col(IcebergColumn::Name), Qt::DescendingOrder);
+        QCOMPARE(f.shown().front(), "berg-12");
+        QCOMPARE(f.shown().back(), "berg-1");
+    }
+
+    void rowsKeepTheirIcebergsWhenSortedAnew()
+    {
+        Fixture f;
+        f.model.sort(col(IcebergColumn::East), Qt::AscendingOrder);
+        const QPersistentModelIndex third = f.model.index(2, 0);
+        QCOMPARE(f.model.rowAt(third.row()).id, "berg-2");
+        QSignalSpy resets(&f.model, &QAbstractItemModel::modelReset);
+        QVERIFY(f.put(2, IcebergColumn::East, -50));
+        QCOMPARE(f.shown(), (Ids{"berg-2", "berg-3", "berg-1", "berg-4"}));
+        QCOMPARE(third.row(), 0);
+        QCOMPARE(resets.size(), 0);
+    }
+
+    void filters()
+    {
+        Fixture f;
+        f.model.setFilter(u"isb"_s);
+        QCOMPARE(f.shown(), Ids{"berg-3"});
+        f.model.setFilter(u"BERG-"_s);
+        QCOMPARE(f.model.rowCount(), 4);
+        f.model.setFilter(u"nothing like it"_s);
+        QCOMPARE(f.model.rowCount(), 0);
+        QCOMPARE(f.model.total(), 4);
+        QCOMPARE(f.model.rowOf("berg-1"), -1);
+        f.model.setFilter({});
+        QCOMPARE(f.model.rowOf("berg-4"), 3);
+    }
+
+    void everyEditIsOneUndoStep_data()
+    {
+        QTest::addColumn<IcebergColumn>("column");
+        QTest::addColumn<QVariant>("value");
+        QTest::addColumn<QString>("undoText");
+        QTest::newRow("name") << IcebergColumn::Name << QVariant(u"Ny"_s) << u"Change name"_s;
+        QTest::newRow("east") << IcebergColumn::East << QVariant(-12.5) << u"Change position"_s;
+        QTest::newRow("north") << IcebergColumn::North << QVariant(99.0) << u"Change position"_s;
+        QTest::newRow("speed") << IcebergColumn::Speed << QVariant(0.5) << u"Change drift"_s;
+        QTest::newRow("direction")
+            << IcebergColumn::Direction << QVariant(45.0) << u"Change drift"_s;
+        QTest::newRow("sigma0") << IcebergColumn::Sigma0 << QVariant(7.5)
+                                << u"Change uncertainty"_s;
+        QTest::newRow("growth") << IcebergColumn::Growth << QVariant(0.1)
+                                << u"Change growth of uncertainty"_s;
+        QTest::newRow("observed") << IcebergColumn::Observed << QVariant(60.0)
+                                  << u"Change time last seen"_s;
+        QTest::newRow("appears") << IcebergColumn::Appears << QVariant(30.0)
+                                 << u"Change time of appearing"_s;
+    }
+
+    void everyEditIsOneUndoStep()
+    {
+        QFETCH(IcebergColumn, column);
+        QFETCH(QVariant, value);
+        QFETCH(QString, undoText);
+        Fixture f;
+        QVERIFY(f.put(0, column, value));
+        QCOMPARE(f.document.undoStack()->count(), 1);
+        QCOMPARE(f.undoText(), undoText);
+        const QVariant edited = f.model.index(0, col(column)).data(Qt::EditRole);
+        if (column == IcebergColumn::Name)
+            QCOMPARE(edited, value);
+        else
+            COMPARE_NEAR(edited.toDouble(), value.toDouble(), 1e-12); // drift is turned
+        QVERIFY(f.document.issues().empty() ||
+                f.document.issues().front().severity != Severity::Error);
+        f.document.undoStack()->undo();
+        QCOMPARE(f.document.scenario(), test::fourIcebergs());
+        QCOMPARE(f.document.undoStack()->index(), 0);
+    }
+
+    void editsKeepToTheLimits()
+    {
+        Fixture f;
+        f.put(0, IcebergColumn::East, 1e9);
+        QCOMPARE(f.icebergs()[0].position_m.x(), kLargestCoordinate_m);
+        f.put(0, IcebergColumn::Sigma0, -4);
+        QCOMPARE(f.icebergs()[0].sigma0_m2, 0.0);
+        f.put(0, IcebergColumn::Speed, 50);
+        QVERIFY(f.icebergs()[0].velocity_mps.cwiseAbs().maxCoeff() <= kLargestVelocity_mps);
+        const int steps = f.document.undoStack()->count();
+        f.put(0, IcebergColumn::Sigma0, 0); // as it is
+        QCOMPARE(f.document.undoStack()->count(), steps);
+    }
+
+    void oneStepSetsManyRows()
+    {
+        Fixture f;
+        QVERIFY(f.model.setAll({0, 2, 3}, IcebergColumn::Growth, 0.5));
+        QCOMPARE(f.document.undoStack()->count(), 1);
+        QCOMPARE(f.icebergs()[0].q_m2ps, 0.5);
+        QCOMPARE(f.icebergs()[1].q_m2ps, test::fourIcebergs().icebergs[1].q_m2ps);
+        QCOMPARE(f.icebergs()[2].q_m2ps, 0.5);
+        QCOMPARE(f.icebergs()[3].q_m2ps, 0.5);
+        f.document.undoStack()->undo();
+        QCOMPARE(f.document.scenario(), test::fourIcebergs());
+    }
+
+    void pasteIsOneUndoStep()
+    {
+        Fixture f;
+        f.model.sort(col(IcebergColumn::East), Qt::DescendingOrder); // berg-4, 2, 1, 3
+        const PasteOutcome outcome =
+            f.model.paste(u"1\n2\n3\n4\n5"_s, 1, col(IcebergColumn::Sigma0), kEditorColumns);
+        QCOMPARE(outcome.fault, QString());
+        QCOMPARE(f.icebergs().size(), std::size_t{6});
+        QCOMPARE(f.icebergs()[1].sigma0_m2, 1.0); // down the rows as they are shown
+        QCOMPARE(f.icebergs()[0].sigma0_m2, 2.0);
+        QCOMPARE(f.icebergs()[2].sigma0_m2, 3.0);
+        QCOMPARE(f.icebergs()[5].sigma0_m2, 5.0);
+        QCOMPARE(f.document.undoStack()->count(), 1);
+        QCOMPARE(f.undoText(), u"Paste icebergs"_s);
+        f.document.undoStack()->undo();
+        QCOMPARE(f.document.scenario(), test::fourIcebergs());
+        QCOMPARE(f.model.rowCount(), 4);
+    }
+
+    void brokenCellChangesNothing()
+    {
+        Fixture f;
+        const PasteOutcome outcome = f.model.paste(u"1\t2\n3\tfar\n5\t6\n7\t8\n9\t10"_s, 0,
+                                                   col(IcebergColumn::East), kEditorColumns);
+        QVERIFY(outcome.fault.contains(u"far"_s));
+        QCOMPARE(f.document.scenario(), test::fourIcebergs());
+        QCOMPARE(f.document.undoStack()->count(), 0);
+    }
+
+    void roundTrip_data()
+    {
+        QTest::addColumn<QLocale>("locale");
+        QTest::newRow("C") << QLocale::c();
+        QTest::newRow("de_DE") << QLocale(QLocale::German, QLocale::Germany);
+        QTest::newRow("nb_NO") << QLocale(QLocale::NorwegianBokmal, QLocale::Norway);
+    }
+
+    /** Onto the same icebergs nothing changes, not the last bit; elsewhere all numbers come over.
+     */
+    void roundTrip()
+    {
+        QFETCH(QLocale, locale);
+        const Scenario scenario = test::changed([](Scenario& s) {
+            s.icebergs[0].position_m = Point(1.0 / 3, -2e5 / 7);
+            s.icebergs[0].q_m2ps = 1e-7 / 3;
+            s.icebergs[1].velocity_mps = Point(-0.1, 1.0 / 7);
+            s.icebergs[3].appears_s = 12345678.9;
+        });
+        Fixture f(scenario, locale);
+        const QString text = f.model.copied(f.allRows(), kEditorColumns);
+        QCOMPARE(text.count(u'\n'), 6); // titles, four icebergs, and a name of two lines
+        // In whatever column the cursor is: titles come along.
+        PasteOutcome outcome = f.model.paste(text, 0, col(IcebergColumn::North), kEditorColumns);
+        QCOMPARE(outcome.fault, QString());
+        QCOMPARE(f.document.undoStack()->count(), 0);
+        QCOMPARE(f.document.scenario(), scenario);
+
+        const std::vector<std::string> none;
+        f.document.edit(u"delete"_s, [](Scenario& s) { s.icebergs.clear(); });
+        outcome = f.model.paste(text, 0, 0, kEditorColumns);
+        QCOMPARE(outcome.fault, QString());
+        QCOMPARE(f.icebergs().size(), scenario.icebergs.size());
+        for (std::size_t i = 0; i < f.icebergs().size(); ++i) {
+            const Iceberg& before = scenario.icebergs[i];
+            const Iceberg& after = f.icebergs()[i];
+            QCOMPARE(after.position_m, before.position_m);
+            QCOMPARE(after.sigma0_m2, before.sigma0_m2);
+            QCOMPARE(after.q_m2ps, before.q_m2ps);
+            QCOMPARE(after.observed_s, before.observed_s);
+            QCOMPARE(after.appears_s, before.appears_s);
+            // By way of speed and direction: rounding.
+            COMPARE_NEAR((after.velocity_mps - before.velocity_mps).norm(), 0.0, 1e-15);
+        }
+    }
+
+    void copiesTheFlightInSeconds()
+    {
+        Fixture f;
+        const FlightRecord record = recordAt(test::flown(test::fourIcebergs(), 90.3), 90.3);
+        f.model.showRecord(record);
+        const QString text = f.model.copied(
+            {0}, {col(IcebergColumn::Name), col(IcebergColumn::State), col(IcebergColumn::Sigma)});
+        const QStringList lines = text.split(u'\n');
+        QCOMPARE(lines[0], u"Iceberg\tState\tσ, m²"_s);
+        const QStringList cells = lines[1].split(u'\t');
+        QCOMPARE(cells[0], u"berg-1"_s);
+        QCOMPARE(cells[1], f.cell(0, IcebergColumn::State));
+        QCOMPARE(cells[2].toDouble(), record.shown().world.tracks[0].sigma_m2);
+    }
+
+    /** A flight that goes on neither begins the table anew nor tells of rows that stand still. */
+    void tellsOfWhatHasChanged()
+    {
+        Fixture f;
+        Mission mission(test::fourIcebergs());
+        mission.advance(50);
+        f.model.showRecord(recordAt(mission, 50));
+        QSignalSpy resets(&f.model, &QAbstractItemModel::modelReset);
+        QSignalSpy changes(&f.model, &QAbstractItemModel::dataChanged);
+        f.model.showRecord(recordAt(mission, 50));
+        QCOMPARE(changes.size(), 0);
+        mission.advance(51);
+        f.model.showRecord(recordAt(mission, 51));
+        QCOMPARE(changes.size(), 1);
+        QCOMPARE(resets.size(), 0);
+    }
+
+    void icebergsAddedInFlightAreThere()
+    {
+        Mission mission(test::fourIcebergs());
+        mission.advance(30);
+        Iceberg added;
+        added.id = "new";
+        added.position_m = Point(100, 200);
+        mission.intervene({.appears = added});
+        mission.advance(40);
+        Fixture f;
+        f.model.showRecord(recordAt(mission, 40));
+        QCOMPARE(f.model.rowCount(), 5);
+        QCOMPARE(*f.model.rowAt(f.model.rowOf("new")).value(IcebergColumn::Unseen) <= 10.0, true);
+        f.model.showRecord(recordAt(mission, 20));
+        QCOMPARE(f.model.rowCount(), 4);
+    }
+};
+
+QTEST_MAIN(TestIcebergTableModel)
+#include "tst_iceberg_table_model.moc"

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QStyledItemDelegate>
+
+namespace berg {
+
+/**
+ * Draws the table of icebergs, numbers in tabular figures, sigma with a bar on the scale of the
+ * map, and edits its cells with the inspector's inputs.
+ */
+class IcebergTableDelegate : public QStyledItemDelegate
+{
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void setTheme(const Theme& theme) { m_theme = theme; }
+    /** sigma at the end of the colour scale. */
+    void setSigmaFull(double full_m2) { m_sigmaFull_m2 = full_m2; }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override;
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+    void setModelData(QWidget* editor, QAbstractItemModel* model,
+                      const QModelIndex& index) const override;
+
+    /** Room that the bar takes left of the text of sigma. */
+    [[nodiscard]] static int barWidth();
+
+signals:
+    /** Ctrl+Return: what was typed goes to this cell of all rows selected. */
+    void allEdited(const QModelIndex& index, const QVariant& value) const;
+
+protected:
+    bool eventFilter(QObject* editor, QEvent* event) override;
+
+private:
+    void paintNumber(QPainter& painter, const QStyleOptionViewItem& option,
+                     const QString& text) const;
+    void paintBar(QPainter& painter, const QStyleOptionViewItem& option, double sigma_m2) const;
+
+    Theme m_theme = Theme::light();
+    double m_sigmaFull_m2 = 0;
+    bool m_editsAll = false; ///< while such an edit is being handed over
+};
+
+} // namespace berg
