@@ -1,0 +1,132 @@
+#include "app/start_content.h"
+
+#include "core/io/scenario_json.h"
+#include "core/sim/mission.h"
+#include "widgets/map/map_painter.h"
+#include "widgets/map/scenario_picture.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+/** Device-independent pixels for each unit of the layout: the small picture of a larger map. */
+constexpr double kReduction = 0.5;
+
+RecentFile readRecentFile(const QString& path)
+{
+    const QFileInfo file(path);
+    RecentFile recent{.path = path, .exists = file.exists(), .changed = file.lastModified()};
+    if (recent.exists && file.suffix() == u"berg"_s) {
+        try {
+            recent.icebergs = static_cast<int>(
+                loadScenario(QFile::encodeName(path).toStdString()).icebergs.size());
+        } catch (const Error&) {
+            recent.icebergs.reset(); // opening it tells why
+        }
+    }
+    return recent;
+}
+
+/** The map of a planned scenario without its words. */
+QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio)
+{
+    MapPicture picture = withScenario({}, scenario);
+    picture.plan = planFromStart(scenario).order;
+    const MapStyle style{.theme = theme, .locale = QLocale()};
+    const QRectF rect(QPointF(0, 0), QSizeF(kExamplePicture_px) / kReduction);
+    const MapLayout layout = arrangeMap(picture, style, rect);
+    const Graticule graticule = graticuleOf(LocalFrame(picture.origin), layout.view, layout.rect);
+    const MapFrame frame{
+        .picture = picture, .style = style, .layout = layout, .graticule = graticule};
+
+    QImage image(kExamplePicture_px * pixelRatio, QImage::Format_RGB32);
+    image.setDevicePixelRatio(pixelRatio);
+    QPainter painter(&image);
+    painter.scale(kReduction, kReduction);
+    paintMapGround(painter, frame);
+    paintMapContent(painter, frame);
+    return image;
+}
+
+Example paintedExample(const QString& path, const Theme& theme, double pixelRatio)
+{
+    const Scenario scenario = loadExample(path);
+    return {.path = path,
+            .title = QString::fromStdString(scenario.name),
+            .notes = QString::fromStdString(scenario.notes),
+            .icebergs = static_cast<int>(scenario.icebergs.size()),
+            .picture = pictureOf(scenario, theme, pixelRatio)};
+}
+
+} // namespace
+
+QStringList examplePaths()
+{
+    return {u":/scenarios/disko-bay-4.berg"_s,
+            u":/scenarios/recorded-drift.berg"_s,
+            u":/scenarios/grand-banks-12.berg"_s,
+            u":/scenarios/hibernia-asset.berg"_s,
+            u":/scenarios/flemish-pass-appearing.berg"_s,
+            u":/scenarios/barents-wind.berg"_s,
+            u":/scenarios/fram-strait-endurance.berg"_s,
+            u":/scenarios/svalbard-two-uavs.berg"_s,
+            u":/scenarios/labrador-20.berg"_s,
+            u":/scenarios/scoresby-sund-40.berg"_s};
+}
+
+Scenario loadExample(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        throw Error(ErrorCode::FileNotFound, path.toStdString(), "is not part of the program");
+    return scenarioFromJson(file.readAll().toStdString(), path.toStdString());
+}
+
+StartContent::StartContent(QObject* parent) : QObject(parent)
+{
+    m_thread.setMaxThreadCount(1);
+}
+
+StartContent::~StartContent()
+{
+    m_thread.clear();
+    m_thread.waitForDone();
+}
+
+void StartContent::finish()
+{
+    m_thread.clear();
+    m_thread.start(
+        [this] { QMetaObject::invokeMethod(this, &QObject::deleteLater, Qt::QueuedConnection); });
+}
+
+void StartContent::readRecent(const QStringList& paths)
+{
+    m_thread.start([this, paths] {
+        QList<RecentFile> files;
+        std::transform(paths.begin(), paths.end(), std::back_inserter(files), readRecentFile);
+        emit recentRead(files);
+    });
+}
+
+void StartContent::paintExamples(const Theme& theme, double pixelRatio)
+{
+    const QStringList paths = examplePaths();
+    for (int place = 0; place < paths.size(); ++place)
+        m_thread.start([this, place, path = paths[place], theme, pixelRatio] {
+            try {
+                emit examplePainted(place, paintedExample(path, theme, pixelRatio), theme.isDark);
+            } catch (const Error&) {
+                // A picture less; opening the example tells what is wrong with it.
+            }
+        });
+}
+
+} // namespace berg

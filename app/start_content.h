@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/scenario/scenario.h"
+#include "widgets/theme/theme.h"
+
+#include <QDateTime>
+#include <QImage>
+#include <QObject>
+#include <QStringList>
+#include <QThreadPool>
+
+#include <optional>
+
+namespace berg {
+
+/** A file opened before, as it is now. */
+struct RecentFile
+{
+    QString path;
+    bool exists = false;
+    QDateTime changed;
+    std::optional<int> icebergs; ///< none: cannot be read
+};
+
+/** A scenario that comes with the program. */
+struct Example
+{
+    QString path; ///< in the program's resources
+    QString title;
+    QString notes; ///< may be empty
+    int icebergs = 0;
+    QImage picture; ///< of `kExamplePicture_px` at the pixel ratio asked for
+};
+
+inline constexpr QSize kExamplePicture_px(252, 148);
+
+/** Paths of the examples, few icebergs first. */
+[[nodiscard]] QStringList examplePaths();
+
+/** Scenario of an example. Throws `Error`. Thread: any. */
+[[nodiscard]] Scenario loadExample(const QString& path);
+
+/**
+ * Reads what the start page lists and paints the examples, planned, on a thread of its own: files
+ * may lie on slow disks. GUI thread.
+ */
+class StartContent : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit StartContent(QObject* parent = nullptr);
+    /** Waits for the file or the picture under way: a fraction of a second. */
+    ~StartContent() override;
+
+    /** Nothing more is wanted: deletes itself after what is under way, without waiting for it. */
+    void finish();
+    void readRecent(const QStringList& paths);
+    void paintExamples(const Theme& theme, double pixelRatio);
+
+signals:
+    // From the thread that reads: connect with a context object.
+    void recentRead(const QList<berg::RecentFile>& files);
+    /** `place` among `examplePaths`. */
+    void examplePainted(int place, const berg::Example& example, bool dark);
+
+private:
+    QThreadPool m_thread;
+};
+
+} // namespace berg

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QPointer>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QPushButton;
+
+namespace berg {
+
+/** What one step of the tour points at, and its words. */
+struct TourStep
+{
+    QPointer<QWidget> target;
+    QString title;
+    QString text;
+};
+
+/**
+ * Walks through the window: dims it but for one part and says what that is for. Enter or Right
+ * goes on, Left back, Esc ends it. Covers its parent; ends for good with `finished`.
+ */
+class Tour : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /** `steps` is not empty. */
+    Tour(std::vector<TourStep> steps, const Theme& theme, QWidget* parent);
+
+    void setTheme(const Theme& theme);
+    [[nodiscard]] std::size_t step() const { return m_step; }
+
+signals:
+    void finished();
+
+protected:
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+
+private:
+    void makeBubble();
+    void go(std::size_t step);
+    void next();
+    void back();
+    void place();
+    [[nodiscard]] QRect spotlight() const;
+
+    std::vector<TourStep> m_steps;
+    std::size_t m_step = 0;
+    Theme m_theme;
+    QWidget* m_bubble;
+    QLabel* m_title;
+    QLabel* m_text;
+    QLabel* m_count;
+    QPushButton* m_back;
+    QPushButton* m_next;
+    QPushButton* m_skip;
+};
+
+} // namespace berg

@@ -1,0 +1,110 @@
+#include "widgets/model/autosaver.h"
+
+#include "widgets/model/error_text.h"
+#include "widgets/model/scenario_document.h"
+
+#include <QCoreApplication>
+#include <QSysInfo>
+
+namespace berg {
+
+Autosaver::Autosaver(ScenarioDocument& document, QObject* parent)
+    : QObject(parent), m_document(document)
+{
+    m_thread.setMaxThreadCount(1);
+    for (QTimer* timer : {&m_pause, &m_longest}) {
+        timer->setSingleShot(true);
+        connect(timer, &QTimer::timeout, this, &Autosaver::write);
+    }
+}
+
+Autosaver::~Autosaver()
+{
+    m_thread.waitForDone();
+    if (m_recovery && !m_keep)
+        removeRecovery(m_recovery->files);
+}
+
+void Autosaver::start(const QString& folder, const AutosaveTimes& times)
+{
+    m_store.emplace(folder);
+    m_pause.setInterval(times.pause_ms);
+    m_longest.setInterval(times.longest_ms);
+    connect(&m_document, &ScenarioDocument::replaced, this, &Autosaver::drop);
+    connect(&m_document, &ScenarioDocument::scenarioChanged, this, &Autosaver::follow);
+    connect(&m_document, &ScenarioDocument::cleanChanged, this, &Autosaver::follow);
+    follow();
+}
+
+FoundRecoveries Autosaver::abandoned() const
+{
+    return m_store ? m_store->abandoned() : FoundRecoveries();
+}
+
+void Autosaver::adopt(HeldRecovery recovery)
+{
+    drop();
+    m_thread.waitForDone(); // of the one given up
+    m_recovery = std::move(recovery);
+    follow();
+}
+
+void Autosaver::keep()
+{
+    if (!m_store || m_document.isClean())
+        return;
+    write();
+    m_thread.waitForDone();
+    m_keep = true;
+}
+
+void Autosaver::follow()
+{
+    if (m_document.isClean()) {
+        drop();
+        return;
+    }
+    m_pause.start();
+    if (!m_longest.isActive())
+        m_longest.start();
+}
+
+void Autosaver::drop()
+{
+    m_pause.stop();
+    m_longest.stop();
+    if (!m_recovery)
+        return;
+    m_thread.start([files = m_recovery->files] { removeRecovery(files); });
+    emit dropped();
+}
+
+void Autosaver::write()
+{
+    m_pause.stop();
+    m_longest.stop();
+    if (hasErrors(m_document.issues()))
+        return;
+    try {
+        if (!m_recovery)
+            m_recovery = m_store->add();
+    } catch (const Error& error) {
+        emit failed(errorReport(error));
+        return;
+    }
+    const RecoveryInfo info{.name = QString::fromStdString(m_document.scenario().name),
+                            .originalPath = m_document.filePath(),
+                            .edited = QDateTime::currentDateTime(),
+                            .pid = QCoreApplication::applicationPid(),
+                            .host = QSysInfo::machineHostName()};
+    m_thread.start([this, files = m_recovery->files, scenario = m_document.scenario(), info] {
+        try {
+            writeRecovery(files, scenario, info);
+            emit autosaved(info.edited);
+        } catch (const Error& error) {
+            emit failed(errorReport(error));
+        }
+    });
+}
+
+} // namespace berg

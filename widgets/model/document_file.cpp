@@ -1,0 +1,129 @@
+#include "widgets/model/document_file.h"
+
+#include "core/io/atomic_file.h"
+#include "widgets/model/scenario_document.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+/** Also of a file that does not exist yet in a folder that does. */
+QString canonicalPath(const QString& path)
+{
+    const QFileInfo file(path);
+    if (const QString canonical = file.canonicalFilePath(); !canonical.isEmpty())
+        return canonical;
+    return QDir(QFileInfo(file.absolutePath()).canonicalFilePath()).filePath(file.fileName());
+}
+
+QByteArray hashOf(const std::string& content)
+{
+    return QCryptographicHash::hash(QByteArrayView(content.data(), std::ssize(content)),
+                                    QCryptographicHash::Sha256);
+}
+
+/** As private as the file itself. */
+bool copyTo(const QString& path, const QString& copy)
+{
+    try {
+        const std::string content = readFile(QFile::encodeName(path).toStdString());
+        writeFileAtomically(QFile::encodeName(copy).toStdString(), content);
+        return QFile::setPermissions(copy, QFile::permissions(path));
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+} // namespace
+
+DocumentFile::DocumentFile(ScenarioDocument& document, QObject* parent)
+    : QObject(parent), m_document(document)
+{
+    connect(&m_document, &ScenarioDocument::filePathChanged, this, &DocumentFile::follow);
+}
+
+void DocumentFile::setLockFolder(const QString& folder)
+{
+    m_lockFolder = folder;
+    QDir().mkpath(folder);
+    follow();
+}
+
+/** Opened, saved, or begun without a file. */
+void DocumentFile::follow()
+{
+    m_seen = seen();
+    const QString path = m_document.filePath();
+    const QString lock = path.isEmpty() || m_lockFolder.isEmpty() ? QString() : lockPath(path);
+    if (lock == m_lockPath && m_lock.isHeld())
+        return;
+    m_lock.release();
+    m_lockPath = lock;
+    if (!lock.isEmpty()) // held by another window: the user has said that he wants it all the same
+        (void)m_lock.take(lock);
+}
+
+QString DocumentFile::lockPath(const QString& path) const
+{
+    const QByteArray key =
+        QCryptographicHash::hash(canonicalPath(path).toUtf8(), QCryptographicHash::Sha1);
+    return QDir(m_lockFolder).filePath(QString::fromLatin1(key.toHex()) + u".lock"_s);
+}
+
+std::optional<LockHolder> DocumentFile::otherHolder(const QString& path) const
+{
+    if (m_lockFolder.isEmpty() || path.isEmpty())
+        return std::nullopt;
+    const QString lock = lockPath(path);
+    if (lock == m_lockPath && m_lock.isHeld())
+        return std::nullopt;
+    FileLock attempt;
+    if (attempt.take(lock) != FileLock::Outcome::Busy)
+        return std::nullopt;
+    return lockHolder(lock);
+}
+
+std::optional<DocumentFile::Seen> DocumentFile::seen() const
+{
+    const QFileInfo file(m_document.filePath());
+    if (m_document.filePath().isEmpty() || !file.exists())
+        return std::nullopt;
+    try {
+        return Seen{.size = file.size(),
+                    .modified = file.lastModified(),
+                    .hash = hashOf(readFile(QFile::encodeName(file.filePath()).toStdString()))};
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+bool DocumentFile::isChangedOutside()
+{
+    const QFileInfo file(m_document.filePath());
+    if (m_document.filePath().isEmpty() || !file.exists())
+        return false;
+    if (m_seen && m_seen->size == file.size() && m_seen->modified == file.lastModified())
+        return false;
+    const std::optional<Seen> now = seen();
+    if (!now || !m_seen || now->hash != m_seen->hash)
+        return true;
+    m_seen = now; // written again as it was
+    return false;
+}
+
+bool DocumentFile::save(const QString& path, bool keepOld)
+{
+    const bool first = !m_written.contains(canonicalPath(path));
+    const bool kept = !keepOld || !first || !QFileInfo::exists(path) || copyTo(path, path + u'~');
+    m_document.save(path);
+    m_written.insert(canonicalPath(path));
+    return kept;
+}
+
+} // namespace berg

@@ -1,0 +1,130 @@
+#include "widgets/model/recovery_store.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/scenario_json.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QUuid>
+
+#include <algorithm>
+#include <optional>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+const QString kEnding = u".berg"_s;
+
+std::string nativePath(const QString& path)
+{
+    return QFile::encodeName(path).toStdString();
+}
+
+/** What the file says; of one that is missing or damaged, what can be told without it. */
+RecoveryInfo readInfo(const RecoveryFiles& files, const Scenario& scenario)
+{
+    RecoveryInfo info{.name = QString::fromStdString(scenario.name),
+                      .edited = QFileInfo(files.scenario()).lastModified()};
+    QFile file(files.info());
+    if (!file.open(QIODevice::ReadOnly))
+        return info;
+    const QJsonObject object = QJsonDocument::fromJson(file.readAll()).object();
+    info.originalPath = object.value("original_path"_L1).toString();
+    info.pid = object.value("pid"_L1).toInteger();
+    info.host = object.value("host"_L1).toString();
+    const QDateTime edited =
+        QDateTime::fromString(object.value("edited_utc"_L1).toString(), Qt::ISODateWithMs);
+    if (edited.isValid())
+        info.edited = edited.toLocalTime();
+    return info;
+}
+
+/** Puts what cannot be read out of the way, for whoever wants to look into it. */
+QString setAside(const RecoveryFiles& files)
+{
+    const QString aside = files.scenario() + u".damaged"_s;
+    QFile::rename(files.scenario(), aside);
+    return aside;
+}
+
+} // namespace
+
+QString RecoveryFiles::scenario() const
+{
+    return QDir(folder).filePath(id + kEnding);
+}
+
+QString RecoveryFiles::info() const
+{
+    return QDir(folder).filePath(id + u".json"_s);
+}
+
+QString RecoveryFiles::lock() const
+{
+    return QDir(folder).filePath(id + u".lock"_s);
+}
+
+void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const RecoveryInfo& info)
+{
+    const QJsonObject object{
+        {u"name"_s, info.name},
+        {u"original_path"_s, info.originalPath},
+        {u"edited_utc"_s, info.edited.toUTC().toString(Qt::ISODateWithMs)},
+        {u"pid"_s, info.pid},
+        {u"host"_s, info.host},
+    };
+    writeFileAtomically(nativePath(files.scenario()), scenarioToJson(scenario));
+    writeFileAtomically(nativePath(files.info()), QJsonDocument(object).toJson().toStdString());
+}
+
+void removeRecovery(const RecoveryFiles& files)
+{
+    const QDir folder(files.folder);
+    const QString lock = QFileInfo(files.lock()).fileName();
+    for (const QString& name :
+         folder.entryList({u'*' + files.id + u'*'}, QDir::Files | QDir::Hidden))
+        if (name != lock)
+            QFile::remove(folder.filePath(name));
+}
+
+HeldRecovery RecoveryStore::add() const
+{
+    HeldRecovery held{
+        .files = {.folder = m_folder, .id = QUuid::createUuid().toString(QUuid::WithoutBraces)},
+        .lock = {}};
+    if (!QDir().mkpath(m_folder) || held.lock.take(held.files.lock()) != FileLock::Outcome::Taken)
+        throw Error(ErrorCode::FileUnwritable, nativePath(held.files.lock()), "cannot be made");
+    return held;
+}
+
+FoundRecoveries RecoveryStore::abandoned() const
+{
+    FoundRecoveries found;
+    for (const QFileInfo& file : QDir(m_folder).entryInfoList({u'*' + kEnding}, QDir::Files)) {
+        HeldRecovery held{.files = {.folder = m_folder, .id = file.completeBaseName()}, .lock = {}};
+        if (held.lock.take(held.files.lock()) != FileLock::Outcome::Taken)
+            continue;
+        try {
+            Scenario scenario = loadScenario(nativePath(held.files.scenario()));
+            RecoveryInfo info = readInfo(held.files, scenario);
+            found.usable.push_back({.held = std::move(held),
+                                    .info = std::move(info),
+                                    .scenario = std::move(scenario)});
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::FileNotFound) // else its window just closed
+                found.damaged << setAside(held.files);
+        }
+    }
+    std::sort(found.usable.begin(), found.usable.end(),
+              [](const FoundRecovery& a, const FoundRecovery& b) {
+                  return a.info.edited > b.info.edited;
+              });
+    return found;
+}
+
+} // namespace berg
