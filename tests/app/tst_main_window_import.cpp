@@ -1,0 +1,196 @@
+#include "core/scenario/presets.h"
+#include "tests/support/import_dialog_test.h"
+#include "tests/support/window_fixture.h"
+
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QUndoStack>
+
+#include <algorithm>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::direct;
+using test::fixturePath;
+using test::WindowFixture;
+using test::written;
+
+namespace {
+
+/** A person who waits for the preview and presses Import. */
+auto accepts()
+{
+    return [](ImportRunner& runner, const ImportOffer& offer) {
+        ImportDialog dialog(runner, offer);
+        if (!QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000))
+            qFatal("no preview");
+        return dialog.choice();
+    };
+}
+
+void drop(QWidget& window, const QString& path)
+{
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &enter);
+    QDropEvent event(window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &event);
+}
+
+} // namespace
+
+/** What the window makes of an import. */
+class TestMainWindowImport : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void isOneUndoStep()
+    {
+        WindowFixture w(test::openSea());
+        const Scenario before = w.scenario();
+        w.interaction.path = fixturePath("iip.csv");
+        w.interaction.importAnswer = accepts();
+        w.trigger(u"importAction"_s);
+        const ImportResult core = direct("iip.csv", before);
+        QVERIFY(w.scenario() == core.scenario);
+        QCOMPARE(w.document().undoStack()->count(), 1);
+        QCOMPARE(w.document().undoStack()->undoText(),
+                 u"Import %1 icebergs from iip.csv"_s.arg(core.added));
+        QVERIFY(w.window().statusBar()->currentMessage().contains(u"iip.csv"_s));
+        QVERIFY(w.untilReady());
+        w.trigger(u"undoAction"_s);
+        QVERIFY(w.scenario() == before);
+        w.trigger(u"redoAction"_s);
+        QVERIFY(w.scenario() == core.scenario);
+    }
+
+    void newScenarioAsksAboutTheOld_data()
+    {
+        QTest::addColumn<bool>("discard");
+        QTest::newRow("cancel") << false;
+        QTest::newRow("discard") << true;
+    }
+
+    void newScenarioAsksAboutTheOld()
+    {
+        QFETCH(bool, discard);
+        WindowFixture w(randomScenario(31, {.icebergs = 3}));
+        w.document().edit(u"x"_s, [](Scenario& scenario) { scenario.name = "mine"; });
+        const Scenario before = w.scenario();
+        w.interaction.unsaved =
+            discard ? Interaction::Unsaved::Discard : Interaction::Unsaved::Cancel;
+        w.interaction.path = fixturePath("usnic.csv");
+        w.interaction.importAnswer = [](ImportRunner& runner, ImportOffer offer) {
+            offer.intoNew = true;
+            return accepts()(runner, offer);
+        };
+        w.trigger(u"importAction"_s);
+        QCOMPARE(w.interaction.unsavedNames, QStringList{u"mine"_s});
+        if (discard) {
+            QVERIFY(w.scenario() == direct("usnic.csv", newScenarioForImport("usnic")).scenario);
+            QVERIFY(!w.document().isClean()); // it is in no file
+            QVERIFY(w.document().filePath().isEmpty());
+        } else {
+            QVERIFY(w.scenario() == before);
+            QCOMPARE(w.document().undoStack()->count(), 1);
+        }
+    }
+
+    void cancelLeavesAllAsItWas()
+    {
+        WindowFixture w(randomScenario(31, {.icebergs = 3}));
+        const Scenario before = w.scenario();
+        w.trigger(u"importAction"_s); // no file
+        QVERIFY(w.interaction.importOffers.empty());
+        w.interaction.path = fixturePath("usnic.csv");
+        w.trigger(u"importAction"_s);
+        QCOMPARE(w.interaction.importOffers.size(), 1U);
+        QVERIFY(*w.interaction.importOffers.front().present == before);
+        QVERIFY(w.scenario() == before);
+        QVERIFY(w.document().isClean());
+        QVERIFY(w.interaction.errors.isEmpty());
+    }
+
+    void inFlightItIsRefused()
+    {
+        WindowFixture w(randomScenario(31, {.icebergs = 3}));
+        w.trigger(u"stepAction"_s);
+        QVERIFY(w.until([&] { return w.workspace.inFlight(); }));
+        w.interaction.path = fixturePath("usnic.csv");
+        w.trigger(u"importAction"_s);
+        QVERIFY(w.window().statusBar()->currentMessage().startsWith(u"In flight"_s));
+        w.window().statusBar()->clearMessage();
+        drop(w.window(), w.interaction.path);
+        QVERIFY(w.until([&] { return !w.window().statusBar()->currentMessage().isEmpty(); }));
+        QVERIFY(w.interaction.importOffers.empty());
+        QCOMPARE(w.interaction.openQuestions, 0);
+    }
+
+    void droppedFilesAreImported_data()
+    {
+        QTest::addColumn<QString>("ending");
+        for (const char* ending : {"csv", "geojson", "json", "kml", "gpx", "CSV"})
+            QTest::newRow(ending) << QString::fromLatin1(ending);
+    }
+
+    void droppedFilesAreImported()
+    {
+        QFETCH(QString, ending);
+        WindowFixture w(test::openSea());
+        const QString path =
+            written(w.file(u"dropped."_s + ending), "id,lat,lon\na,60,-50\nb,60.1,-50\n");
+        w.interaction.importAnswer = accepts();
+        drop(w.window(), path);
+        QVERIFY(w.until([&] { return w.scenario().icebergs.size() == 2; }));
+        QCOMPARE(w.interaction.importOffers.front().path, path);
+        QVERIFY(w.interaction.unsavedNames.isEmpty());
+    }
+
+    /** From the start page a new scenario is the first choice. */
+    void startPageImports()
+    {
+        WindowFixture w(randomScenario(31, {.icebergs = 3}));
+        w.window().showStartPage();
+        w.interaction.path = fixturePath("metno.geojson");
+        auto& button = test::child<QPushButton>(w.window(), u"startImportButton"_s);
+        button.click();
+        QVERIFY(w.window().startPageIsShown()); // cancelled
+        QVERIFY(w.interaction.importOffers.front().intoNew);
+        w.interaction.importAnswer = accepts();
+        button.click();
+        QVERIFY(!w.window().startPageIsShown());
+        QCOMPARE(w.scenario().name, std::string("metno"));
+        QCOMPARE(w.scenario().icebergs.size(), 3U);
+    }
+
+    void recordedTrackCanBeCleared()
+    {
+        ImportOptions options;
+        options.at = test::utc("2012-07-03T00:00:00Z");
+        options.withTracks = true;
+        const Scenario tracked = direct("cis-beacon.csv", test::openSea(), options).scenario;
+        const auto it = std::find_if(tracked.icebergs.begin(), tracked.icebergs.end(),
+                                     [](const Iceberg& iceberg) { return !iceberg.track.empty(); });
+        QVERIFY(it != tracked.icebergs.end());
+        WindowFixture w(tracked);
+        w.workspace.selection().set({it->id});
+        auto& button = test::child<QPushButton>(w.window(), u"icebergTrackClear"_s);
+        QVERIFY(!button.isHidden() && !button.parentWidget()->isHidden());
+        button.click();
+        QCOMPARE(w.document().undoStack()->count(), 1);
+        for (const Iceberg& iceberg : w.scenario().icebergs)
+            QVERIFY(iceberg.id != it->id || iceberg.track.empty());
+        QVERIFY(button.parentWidget()->isHidden());
+        w.trigger(u"undoAction"_s);
+        QVERIFY(w.scenario() == tracked);
+        QVERIFY(!button.parentWidget()->isHidden());
+    }
+};
+
+QTEST_MAIN(TestMainWindowImport)
+#include "tst_main_window_import.moc"

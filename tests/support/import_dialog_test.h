@@ -1,0 +1,98 @@
+#pragma once
+
+#include "app/import_dialog.h"
+#include "tests/support/import_fixtures.h"
+#include "tests/support/panel_test.h"
+#include "widgets/map/map_view.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateTimeEdit>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QtTest>
+
+namespace berg::test {
+
+inline QString fixturePath(const char* file)
+{
+    return QStringLiteral(BERG_TEST_DATA "/import/") + QString::fromLatin1(file);
+}
+
+/** The dialog by itself, on a runner of its own. */
+class Importing
+{
+public:
+    explicit Importing(const QString& path, const Scenario& present = openSea(),
+                       bool intoNew = false)
+        : m_dialog(m_runner, {.path = path,
+                              .present = std::make_shared<const Scenario>(present),
+                              .intoNew = intoNew,
+                              .theme = Theme::light()})
+    {
+        m_dialog.show();
+    }
+
+    [[nodiscard]] ImportDialog& dialog() { return m_dialog; }
+    [[nodiscard]] ImportRunner& runner() { return m_runner; }
+    [[nodiscard]] bool settles()
+    {
+        return QTest::qWaitFor([this] { return !m_runner.isBusy(); }, 60000);
+    }
+    template <class Widget>
+    [[nodiscard]] Widget& at(const QString& name)
+    {
+        return child<Widget>(m_dialog, name);
+    }
+    [[nodiscard]] QAbstractItemModel& rows(const QString& table)
+    {
+        return *at<QTableView>(table).model();
+    }
+    [[nodiscard]] QString cell(const QString& table, int row, int column)
+    {
+        return rows(table).index(row, column).data().toString();
+    }
+    [[nodiscard]] bool canImport()
+    {
+        return at<QPushButton>(QStringLiteral("importButton")).isEnabled();
+    }
+    [[nodiscard]] QString error() { return at<QLabel>(QStringLiteral("importError")).text(); }
+    [[nodiscard]] QString summary() { return at<QLabel>(QStringLiteral("importSummary")).text(); }
+    /** As the user does, who also tells the dialog. */
+    void choose(const QString& combo, int index)
+    {
+        auto& box = at<QComboBox>(combo);
+        box.setCurrentIndex(index);
+        emit box.activated(index);
+    }
+    void check(const QString& box) { at<QCheckBox>(box).click(); }
+    void setTime(const QString& name, const char* text)
+    {
+        check(name + QStringLiteral("Box"));
+        at<QDateTimeEdit>(name).setDateTime(
+            QDateTime::fromMSecsSinceEpoch(utc(text).time_since_epoch().count(), Qt::UTC));
+    }
+
+private:
+    ImportRunner m_runner;
+    ImportDialog m_dialog;
+};
+
+inline QString written(const QString& path, const QByteArray& content)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+        qFatal("cannot write %s", qPrintable(path));
+    return path;
+}
+
+/** What the file itself says comes out, without a dialog. */
+inline ImportResult direct(const char* file, const Scenario& base,
+                           const ImportOptions& options = {})
+{
+    return importSightings(base, readFixture(file), options);
+}
+
+} // namespace berg::test

@@ -1,0 +1,257 @@
+#include "widgets/model/import_text.h"
+
+#include "widgets/model/error_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct ImportWords
+{
+    Q_DECLARE_TR_FUNCTIONS(ImportWords)
+};
+
+constexpr double kHour_s = 3600;
+constexpr double kDay_s = 24 * kHour_s;
+
+/** Of the codes that mean something else for sightings than for files of ours. */
+QString errorSentence(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::FileTooLarge:
+        return ImportWords::tr(
+            "The file is too large to be imported. Split it, or leave out what is not "
+            "needed.");
+    case ErrorCode::SyntaxError:
+        return ImportWords::tr(
+            "The file is broken. Correct it at the place named, or export it again.");
+    case ErrorCode::WrongFormat:
+        return ImportWords::tr(
+            "This is no file of sightings that can be recognised. If it is a table, "
+            "name its columns for latitude and longitude.");
+    case ErrorCode::InvalidInput:
+        return ImportWords::tr("Nothing of it can be used like this.");
+    case ErrorCode::FileNotFound:
+    case ErrorCode::FileUnreadable:
+    case ErrorCode::FileUnwritable:
+    case ErrorCode::UnsupportedVersion:
+    case ErrorCode::Unsupported:
+    case ErrorCode::SolverFailed:
+    case ErrorCode::ReplayMismatch:
+        return errorText(code);
+    }
+    return {};
+}
+
+} // namespace
+
+QString rowFaultSentence(RowFault fault)
+{
+    switch (fault) {
+    case RowFault::ColumnCount:
+        return ImportWords::tr("Another number of columns than the first line");
+    case RowFault::UnclosedQuote:
+        return ImportWords::tr("A quote is opened and never closed");
+    case RowFault::TextAfterQuote:
+        return ImportWords::tr("Text follows a closing quote");
+    case RowFault::TimeMissing:
+        return ImportWords::tr("No time");
+    case RowFault::TimeUnreadable:
+        return ImportWords::tr("The time cannot be read");
+    case RowFault::TimeOutsideSeason:
+        return ImportWords::tr("The date is not in the season");
+    case RowFault::PositionMissing:
+        return ImportWords::tr("No position");
+    case RowFault::LatitudeWrong:
+        return ImportWords::tr("The latitude is no number from −90 to 90");
+    case RowFault::LongitudeWrong:
+        return ImportWords::tr("The longitude is no number from −180 to 360");
+    case RowFault::NumberWrong:
+        return ImportWords::tr("A number is out of range");
+    case RowFault::IdTooLong:
+        return ImportWords::tr("The id is too long");
+    case RowFault::NotAPoint:
+        return ImportWords::tr("Not a point");
+    case RowFault::TooFar:
+        return ImportWords::tr("More than 1000 km from the origin of the scenario");
+    }
+    return {};
+}
+
+QString importNoteSentence(ImportNote note)
+{
+    switch (note) {
+    case ImportNote::VelocityUnknown:
+        return ImportWords::tr("velocity unknown");
+    case ImportNote::VelocityGiven:
+        return ImportWords::tr("velocity from the file");
+    case ImportNote::VelocityClamped:
+        return ImportWords::tr("velocity limited to 5 m/s");
+    case ImportNote::GrowthEstimated:
+        return ImportWords::tr("q estimated");
+    case ImportNote::GrowthClamped:
+        return ImportWords::tr("q limited to 10⁶ m²/s");
+    case ImportNote::Stationary:
+        return ImportWords::tr("stationary");
+    case ImportNote::Repeated:
+        return ImportWords::tr("several sightings at one time");
+    case ImportNote::Jumped:
+        return ImportWords::tr("sightings at impossible places not used");
+    case ImportNote::TrackAttached:
+        return ImportWords::tr("recorded track");
+    case ImportNote::NoTrack:
+        return ImportWords::tr("no track: not sighted after the start");
+    case ImportNote::Older:
+        return ImportWords::tr("older than what the scenario has");
+    case ImportNote::SeenLater:
+        return ImportWords::tr("sighted only after the start");
+    case ImportNote::DriftedAway:
+        return ImportWords::tr("more than 1000 km from the origin at the start");
+    case ImportNote::TooMany:
+        return ImportWords::tr("the scenario is full");
+    case ImportNote::IdTaken:
+        return ImportWords::tr("a UAV has this id");
+    }
+    return {};
+}
+
+QString importOutcomeWord(ImportOutcome outcome)
+{
+    switch (outcome) {
+    case ImportOutcome::Added:
+        return ImportWords::tr("new");
+    case ImportOutcome::Updated:
+        return ImportWords::tr("updated");
+    case ImportOutcome::Unchanged:
+        return ImportWords::tr("unchanged");
+    case ImportOutcome::LeftOut:
+        return ImportWords::tr("left out");
+    }
+    return {};
+}
+
+QString sightingFieldName(SightingField field)
+{
+    switch (field) {
+    case SightingField::Id:
+        return ImportWords::tr("Id");
+    case SightingField::Name:
+        return ImportWords::tr("Name");
+    case SightingField::Date:
+        return ImportWords::tr("Date");
+    case SightingField::Time:
+        return ImportWords::tr("Time");
+    case SightingField::Latitude:
+        return ImportWords::tr("Latitude");
+    case SightingField::Longitude:
+        return ImportWords::tr("Longitude");
+    case SightingField::Speed:
+        return ImportWords::tr("Speed");
+    case SightingField::Direction:
+        return ImportWords::tr("Direction");
+    case SightingField::Sigma:
+        return ImportWords::tr("Uncertainty σ");
+    case SightingField::Growth:
+        return ImportWords::tr("Growth q");
+    case SightingField::Length:
+        return ImportWords::tr("Length");
+    case SightingField::Radius:
+        return ImportWords::tr("Radius");
+    case SightingField::Area:
+        return ImportWords::tr("Area");
+    case SightingField::SizeClass:
+        return ImportWords::tr("Size class");
+    case SightingField::Remarks:
+        return ImportWords::tr("Remarks");
+    }
+    return {};
+}
+
+QString importFormatName(std::string_view id)
+{
+    if (id == "kml")
+        return ImportWords::tr("KML (Google Earth)");
+    if (id == "gpx")
+        return ImportWords::tr("GPX (waypoints and tracks)");
+    if (id == "metno")
+        return ImportWords::tr("MET Norway (GeoJSON)");
+    if (id == "geojson")
+        return ImportWords::tr("GeoJSON (QGIS)");
+    if (id == "iip")
+        return ImportWords::tr("International Ice Patrol (CSV)");
+    if (id == "cis-beacon")
+        return ImportWords::tr("Canadian Ice Service (CSV)");
+    if (id == "usnic")
+        return ImportWords::tr("US National Ice Center (CSV)");
+    if (id == "csv")
+        return ImportWords::tr("Any table (CSV)");
+    return QString::fromUtf8(id.data(), qsizetype(id.size()));
+}
+
+QString importSummary(const ImportPreview& preview)
+{
+    const ImportResult& result = preview.result;
+    QStringList parts;
+    const auto add = [&](std::size_t count, const char* one, const char* many) {
+        if (count > 0)
+            parts << (count == 1 ? ImportWords::tr(one) : ImportWords::tr(many).arg(count));
+    };
+    add(result.added, QT_TRANSLATE_NOOP("ImportWords", "1 new"),
+        QT_TRANSLATE_NOOP("ImportWords", "%1 new"));
+    add(result.updated, QT_TRANSLATE_NOOP("ImportWords", "1 updated"),
+        QT_TRANSLATE_NOOP("ImportWords", "%1 updated"));
+    add(result.unchanged, QT_TRANSLATE_NOOP("ImportWords", "1 unchanged"),
+        QT_TRANSLATE_NOOP("ImportWords", "%1 unchanged"));
+    add(result.leftOut, QT_TRANSLATE_NOOP("ImportWords", "1 left out"),
+        QT_TRANSLATE_NOOP("ImportWords", "%1 left out"));
+    add(result.outsideArea, QT_TRANSLATE_NOOP("ImportWords", "1 sighting outside the area"),
+        QT_TRANSLATE_NOOP("ImportWords", "%1 sightings outside the area"));
+    add(result.outsideTime, QT_TRANSLATE_NOOP("ImportWords", "1 sighting outside the time"),
+        QT_TRANSLATE_NOOP("ImportWords", "%1 sightings outside the time"));
+    add(result.rejected.count, QT_TRANSLATE_NOOP("ImportWords", "1 row rejected"),
+        QT_TRANSLATE_NOOP("ImportWords", "%1 rows rejected"));
+    return parts.isEmpty() ? ImportWords::tr("Nothing to import") : parts.join(u", "_s);
+}
+
+QString importErrorReport(const Error& error)
+{
+    QString report =
+        u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorSentence(error.code()));
+    if (error.issues().empty())
+        return report + u'\n' + QString::fromUtf8(error.what());
+    for (const Issue& issue : error.issues()) {
+        const QString message = QString::fromStdString(issue.message);
+        report += u'\n' + (issue.field.empty()
+                               ? message
+                               : u"%1: %2"_s.arg(QString::fromStdString(issue.field), message));
+    }
+    return report;
+}
+
+QString utcTimeText(UtcTime time)
+{
+    return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), Qt::UTC)
+        .toString(u"yyyy-MM-dd HH:mm"_s);
+}
+
+QString ageText(double age_s, const QLocale& locale)
+{
+    const double minutes = std::round(age_s / 60);
+    const auto whole = [&](double value) { return fixedText(std::floor(value), 0, locale); };
+    if (age_s >= kDay_s)
+        return ImportWords::tr("%1 d %2 h")
+            .arg(whole(age_s / kDay_s), whole(std::fmod(age_s, kDay_s) / kHour_s));
+    if (minutes >= 60)
+        return ImportWords::tr("%1 h %2 min")
+            .arg(whole(minutes / 60), whole(std::fmod(minutes, 60)));
+    return ImportWords::tr("%1 min").arg(whole(minutes));
+}
+
+} // namespace berg

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "widgets/model/import_preview.h"
+
+#include <QWidget>
+
+#include <array>
+#include <span>
+
+class QCheckBox;
+class QComboBox;
+class QDateTimeEdit;
+class QFormLayout;
+class QPushButton;
+
+namespace berg {
+
+class NumberField;
+
+/** The smallest box round a closed outline that goes round what is wanted, a pole included. */
+[[nodiscard]] GeoBox boxRound(std::span<const LatLon> outline);
+
+/** How sightings become icebergs, for editing. */
+class ImportOptionsView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /** `presentName`: scenario on screen; `intoNew`: what is chosen at first. */
+    ImportOptionsView(const QString& presentName, bool intoNew, QWidget* parent = nullptr);
+
+    [[nodiscard]] ImportOptions options() const;
+    [[nodiscard]] bool intoNew() const;
+    /** None: as the file suggests. */
+    [[nodiscard]] std::optional<bool> oneIceberg() const { return m_oneChosen; }
+
+    /** Times to start from, and whether there is a choice about unnamed icebergs. */
+    void showFile(const SightingSummary& file);
+    void setArea(const GeoBox& box);
+
+signals:
+    void edited();
+    void presentViewRequested();
+
+private:
+    /** A time that counts only when it is asked for. */
+    struct TimeRow
+    {
+        QCheckBox* box;
+        QDateTimeEdit* edit;
+    };
+    void addTarget(const QString& presentName, bool intoNew);
+    TimeRow addTime(const QString& name, const QString& text, const QString& toolTip);
+    void addArea();
+    NumberField* addNumber(const QString& name, const QString& label, const QString& toolTip,
+                           double value, double highest, int decimals, const QString& unit);
+    void addTracks();
+    void enableInputs();
+
+    QFormLayout* m_form;
+    QComboBox* m_target;
+    TimeRow m_at;
+    TimeRow m_since;
+    TimeRow m_until;
+    QCheckBox* m_areaBox;
+    std::array<NumberField*, 4> m_edges; ///< south, west, north, east
+    QPushButton* m_presentView;
+    NumberField* m_sigma;
+    NumberField* m_growth;
+    QCheckBox* m_tracks;
+    QCheckBox* m_one;
+    std::optional<bool> m_oneChosen;
+    bool m_timesShown = false;
+};
+
+} // namespace berg
