@@ -124,6 +124,15 @@ private slots:
         QCOMPARE(longitudeText(angle_deg, decimals, kEnglish), longitude);
     }
 
+    void linesBetweenHemispheres()
+    {
+        QCOMPARE(latitudeText(0, 0, kEnglish), u"0° 00′"_s);
+        QCOMPARE(longitudeText(0, -1, kEnglish), u"0°"_s);
+        QCOMPARE(longitudeText(180, -1, kEnglish), u"180°"_s);
+        QCOMPARE(longitudeText(-180, 1, kEnglish), u"180° 00.0′"_s);
+        QCOMPARE(longitudeText(179.99, 1, kEnglish), u"179° 59.4′ E"_s);
+    }
+
     void clockValues_data()
     {
         QTest::addColumn<QString>("text");

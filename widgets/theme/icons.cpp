@@ -39,6 +39,15 @@ QString linesOf(IconName name)
                "M 2 14 L 22 14 M 5.5 14 L 8 19 L 13 21 L 16.5 18.5 L 18.5 14"_s;
     case IconName::Uav:
         return u"M 12 3 L 20.5 20 L 12 16 L 3.5 20 Z M 12 3 L 12 16"_s;
+    case IconName::Asset:
+        return u"M 4 10 L 20 10 L 20 14 L 4 14 Z M 7 14 L 5 21.5 M 17 14 L 19 21.5 "
+               "M 6.2 17.5 L 17.8 17.5 M 9.5 10 L 11.5 3 L 13.5 10"_s;
+    case IconName::Area:
+        return u"M 5 7.5 L 15.5 4.5 L 20 12.5 L 14 19.5 L 5.5 16.5 Z "
+               "O 5 7.5 1.6 O 15.5 4.5 1.6 O 20 12.5 1.6 O 14 19.5 1.6 O 5.5 16.5 1.6"_s;
+    case IconName::Measure:
+        return u"M 2.5 16.5 L 16.5 2.5 L 21.5 7.5 L 7.5 21.5 Z M 6 13 L 8.3 15.3 "
+               "M 9.5 9.5 L 12.7 12.7 M 13 6 L 15.3 8.3"_s;
     case IconName::Pan:
         return u"M 12 2.5 L 12 21.5 M 2.5 12 L 21.5 12 "
                "M 9 5.5 L 12 2.5 L 15 5.5 M 9 18.5 L 12 21.5 L 15 18.5 "
@@ -75,6 +84,11 @@ QString linesOf(IconName name)
                "M 4 16.5 C 6.5 12.5 9.5 13 12 15.5 C 14.5 18 17.5 18.5 20 14.5"_s;
     case IconName::Warning:
         return u"M 12 3.5 L 22 20.5 L 2 20.5 Z M 12 10 L 12 14.5 M 12 17.3 L 12 17.6"_s;
+    case IconName::Fault:
+        return u"M 8 2.5 L 16 2.5 L 21.5 8 L 21.5 16 L 16 21.5 L 8 21.5 L 2.5 16 L 2.5 8 Z "
+               "M 8.5 8.5 L 15.5 15.5 M 15.5 8.5 L 8.5 15.5"_s;
+    case IconName::Hint:
+        return u"O 12 12 9 M 12 11 L 12 16.5 M 12 7.5 L 12 7.8"_s;
     case IconName::Locked:
         return u"M 5 11 L 19 11 L 19 20.5 L 5 20.5 Z "
                "M 8 11 L 8 8 C 8 5.5 9.7 3.5 12 3.5 C 14.3 3.5 16 5.5 16 8 L 16 11"_s;

@@ -15,6 +15,9 @@ enum class IconName
     Select,
     Iceberg,
     Uav,
+    Asset,   ///< a platform on its legs
+    Area,    ///< an outline with corners
+    Measure, ///< a ruler
     Pan,
     Undo,
     Redo,
@@ -27,6 +30,8 @@ enum class IconName
     Proven,   ///< a tick in a circle
     Estimate, ///< two waves: about
     Warning,
+    Fault, ///< a cross in an octagon: nothing goes on before it is mended
+    Hint,  ///< an i in a circle
     Locked
 };
 inline constexpr int kIconCount = static_cast<int>(IconName::Locked) + 1;

@@ -11,25 +11,21 @@ namespace berg {
 namespace {
 
 constexpr QChar kNarrowSpace{0x202f};
+constexpr double kNauticalMile_m = 1852;
+constexpr double kKilometre_m = 1000;
+constexpr double kHour_s = 3600;
+constexpr double kNoAngle_deg = 1e-9; ///< from lines that belong to neither hemisphere
 
 struct QuantityText
 {
     Q_DECLARE_TR_FUNCTIONS(QuantityText)
 };
 
-/** "47° 03.2′" of an angle >= 0. */
-QString angleText(double angle_deg, int decimals, const QLocale& locale)
+/** An angle >= 0 in the form chosen. */
+QString shownAngle(double angle_deg, int decimals, const QLocale& locale)
 {
-    if (decimals < 0)
-        return u"%1°"_s.arg(std::lround(angle_deg));
-    const double unit = std::pow(10.0, decimals);
-    const auto total = std::llround(angle_deg * 60 * unit); // rounded once: never 60.0 minutes
-    const auto perDegree = std::llround(60 * unit);
-    const double minutes = static_cast<double>(total % perDegree) / unit;
-    QString text = locale.toString(minutes, 'f', decimals);
-    if (minutes < 10)
-        text.prepend(u'0');
-    return u"%1° %2′"_s.arg(total / perDegree).arg(text);
+    QString text = QString::fromStdString(angleText(angle_deg, shownUnits().coordinates, decimals));
+    return text.replace(u'.', locale.decimalPoint());
 }
 
 } // namespace
@@ -83,11 +79,55 @@ std::optional<double> clockValue(const QString& text)
     return time_s;
 }
 
-QString distanceText(double distance_m, const QLocale& locale, int digits)
+ShownUnit distanceUnit()
 {
+    if (shownUnits().distance == DistanceUnit::Nautical)
+        return {.inSi = kNauticalMile_m, .name = QuantityText::tr("nmi")};
+    return {.name = QuantityText::tr("m")};
+}
+
+ShownUnit longDistanceUnit()
+{
+    if (shownUnits().distance == DistanceUnit::Nautical)
+        return distanceUnit();
+    return {.inSi = kKilometre_m, .name = QuantityText::tr("km")};
+}
+
+ShownUnit speedUnit()
+{
+    if (shownUnits().speed == SpeedUnit::Knots)
+        return {.inSi = kNauticalMile_m, .per = kHour_s, .name = QuantityText::tr("kn")};
+    return {.name = QuantityText::tr("m/s")};
+}
+
+ShownUnit areaUnit()
+{
+    if (shownUnits().distance == DistanceUnit::Nautical)
+        return {.inSi = kNauticalMile_m * kNauticalMile_m, .name = QuantityText::tr("nmi²")};
+    return {.inSi = kKilometre_m * kKilometre_m, .name = QuantityText::tr("km²")};
+}
+
+QString distanceText(double distance_m, const QLocale& locale, int digits, DistanceUnit unit)
+{
+    const auto number = [&](double value) { return significantText(value, digits, locale); };
+    if (unit == DistanceUnit::Nautical)
+        return QuantityText::tr("%1 nmi").arg(number(distance_m / kNauticalMile_m));
     if (distance_m < 999.5)
-        return QuantityText::tr("%1 m").arg(significantText(distance_m, digits, locale));
-    return QuantityText::tr("%1 km").arg(significantText(distance_m / 1000, digits, locale));
+        return QuantityText::tr("%1 m").arg(number(distance_m));
+    return QuantityText::tr("%1 km").arg(number(distance_m / kKilometre_m));
+}
+
+QString offsetText(double offset_m, const QLocale& locale)
+{
+    const bool isNautical = shownUnits().distance == DistanceUnit::Nautical;
+    const ShownUnit unit = distanceUnit();
+    return u"%1 %2"_s.arg(fixedText(unit.fromSi(offset_m), isNautical ? 3 : 0, locale), unit.name);
+}
+
+QString speedText(double speed_mps, const QLocale& locale, int digits)
+{
+    const ShownUnit unit = speedUnit();
+    return u"%1 %2"_s.arg(significantText(unit.fromSi(speed_mps), digits, locale), unit.name);
 }
 
 QString sigmaText(double sigma_m2, const QLocale& locale)
@@ -107,16 +147,26 @@ QString durationText(double time_s, const QLocale& locale)
 
 QString latitudeText(double latitude_deg, int decimals, const QLocale& locale)
 {
-    const QString angle = angleText(std::abs(latitude_deg), decimals, locale);
+    const QString angle = shownAngle(std::abs(latitude_deg), decimals, locale);
+    if (std::abs(latitude_deg) < kNoAngle_deg)
+        return angle;
     return latitude_deg < 0 ? QuantityText::tr("%1 S", "latitude").arg(angle)
                             : QuantityText::tr("%1 N", "latitude").arg(angle);
 }
 
 QString longitudeText(double longitude_deg, int decimals, const QLocale& locale)
 {
-    const QString angle = angleText(std::abs(longitude_deg), decimals, locale);
+    const QString angle = shownAngle(std::abs(longitude_deg), decimals, locale);
+    if (std::abs(std::remainder(longitude_deg, 180.0)) < kNoAngle_deg)
+        return angle;
     return longitude_deg < 0 ? QuantityText::tr("%1 W", "longitude").arg(angle)
                              : QuantityText::tr("%1 E", "longitude").arg(angle);
+}
+
+QString placeText(const LatLon& place, int decimals, const QLocale& locale)
+{
+    return latitudeText(place.latitude_deg, decimals, locale) + u"  "_s +
+           longitudeText(place.longitude_deg, decimals, locale);
 }
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/geodesy.h"
+#include "widgets/theme/unit_settings.h"
 
 #include <QLocale>
 #include <QString>
@@ -10,7 +11,24 @@
 namespace berg {
 
 // How quantities are written on screen: decimal sign of the locale, narrow no-break spaces between
-// thousands (ISO 80000-1), digits that mean something, always a unit. Files never use these.
+// thousands (ISO 80000-1), digits that mean something, always a unit, the one of `shownUnits`.
+// Files never use these.
+
+/** A unit that numbers are shown and typed in. */
+struct ShownUnit
+{
+    double inSi = 1; ///< times this,
+    double per = 1;  ///< by this: 1852 m / 3600 s, so that what is typed is converted exactly
+    QString name;
+
+    [[nodiscard]] double toSi(double value) const { return value * inSi / per; }
+    [[nodiscard]] double fromSi(double value) const { return value * per / inSi; }
+};
+
+[[nodiscard]] ShownUnit distanceUnit();     ///< m or nmi
+[[nodiscard]] ShownUnit longDistanceUnit(); ///< km or nmi
+[[nodiscard]] ShownUnit speedUnit();        ///< m/s or kn
+[[nodiscard]] ShownUnit areaUnit();         ///< km² or nmi²
 
 /** Fixed number of decimals, e.g. "84 420" or "0.25". */
 [[nodiscard]] QString fixedText(double value, int decimals, const QLocale& locale);
@@ -24,8 +42,15 @@ namespace berg {
 /** Seconds of "90", "mm:ss" or "h:mm:ss", fractions with either decimal sign; none: no time. */
 [[nodiscard]] std::optional<double> clockValue(const QString& text);
 
-/** "850 m", "1.85 km" with so many significant digits. */
-[[nodiscard]] QString distanceText(double distance_m, const QLocale& locale, int digits = 3);
+/** "850 m", "1.85 km" or "0.999 nmi" with so many significant digits. */
+[[nodiscard]] QString distanceText(double distance_m, const QLocale& locale, int digits = 3,
+                                   DistanceUnit unit = shownUnits().distance);
+
+/** "-1 234 m" or "-0.666 nmi": a coordinate of the plane, to the metre. */
+[[nodiscard]] QString offsetText(double offset_m, const QLocale& locale);
+
+/** "0.32 m/s" or "0.62 kn" with so many significant digits. */
+[[nodiscard]] QString speedText(double speed_mps, const QLocale& locale, int digits = 2);
 
 /** "8.12 m²": three digits. */
 [[nodiscard]] QString sigmaText(double sigma_m2, const QLocale& locale);
@@ -34,10 +59,13 @@ namespace berg {
 [[nodiscard]] QString durationText(double time_s, const QLocale& locale);
 
 /**
- * Degrees and minutes with the hemisphere, as navigators write them: 47° 03.2′ N.
- * `decimals` of the minutes, 0..4; -1: whole degrees only.
+ * An angle with the hemisphere in the form chosen: 47° 03.2′ N, 47.053° N or 47° 03′ 12″ N. The
+ * equator and the meridians of 0 and 180 degrees belong to none.
+ * `decimals` of the minutes, 0..4, give the precision in every form; -1: whole degrees only.
  */
 [[nodiscard]] QString latitudeText(double latitude_deg, int decimals, const QLocale& locale);
 [[nodiscard]] QString longitudeText(double longitude_deg, int decimals, const QLocale& locale);
+/** Both, as far apart as they are read. */
+[[nodiscard]] QString placeText(const LatLon& place, int decimals, const QLocale& locale);
 
 } // namespace berg

@@ -33,7 +33,9 @@ Theme Theme::light()
     theme.uav = QColor(0xd9541e);
     theme.plan = QColor(0x1769aa);
     theme.planText = QColor(0xffffff);
+    theme.formerPlan = QColor(0x5d7b96);
     theme.track = QColor(0x43535f);
+    theme.swept = QColor(0x2a, 0x8f, 0x86, 24);
     theme.comparison = QColor(0xb3263a);
     theme.text = QColor(0x16222b);
     theme.mutedText = QColor(0x4c5e6a);
@@ -62,7 +64,9 @@ Theme Theme::dark()
     theme.uav = QColor(0xff8a4c);
     theme.plan = QColor(0x5fb3f2);
     theme.planText = QColor(0x0b1720);
+    theme.formerPlan = QColor(0x5f7d96);
     theme.track = QColor(0x9fb1bd);
+    theme.swept = QColor(0x4f, 0xd0, 0xc0, 30);
     theme.comparison = QColor(0xff7a8a);
     theme.text = QColor(0xe8eff3);
     theme.mutedText = QColor(0x9cb0bc);

@@ -23,12 +23,14 @@ struct Theme
     QColor coast;
     QColor graticule;
     QColor graticuleText;
-    QColor ice;      ///< lit facet of an iceberg
-    QColor ink;      ///< outlines of symbols, drift arrows
-    QColor uav;      ///< UAV and its field of view
-    QColor plan;     ///< planned order
-    QColor planText; ///< number in an order circle
-    QColor track;    ///< flown track where it is newest
+    QColor ice;        ///< lit facet of an iceberg
+    QColor ink;        ///< outlines of symbols, drift arrows
+    QColor uav;        ///< UAV and its field of view
+    QColor plan;       ///< planned order
+    QColor planText;   ///< number in an order circle
+    QColor formerPlan; ///< what the plan took the place of
+    QColor track;      ///< flown track where it is newest
+    QColor swept;      ///< over water seen so far, translucent
     QColor comparison;
 
     // Text and panels

@@ -1,0 +1,133 @@
+#include "app/origin_dialog.h"
+#include "core/scenario/presets.h"
+#include "tests/support/approx.h"
+#include "tests/support/map_fixture.h"
+#include "tests/support/window_fixture.h"
+#include "widgets/map/overview_inset.h"
+#include "widgets/panels/goto_bar.h"
+#include "widgets/panels/number_field.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::WindowFixture;
+
+namespace {
+
+Scenario fourIcebergs()
+{
+    return test::MapFixture::fourIcebergs();
+}
+
+} // namespace
+
+/** Units, going to places, and moving the scenario. */
+class TestMainWindowPlaces : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        qRegisterMetaType<std::string>("std::string");
+        QLocale::setDefault(QLocale::c());
+    }
+    void init() { test::failOnWarnings(); }
+    void cleanup() { setShownUnits({}); }
+
+    void goesToAPlace()
+    {
+        WindowFixture w(fourIcebergs());
+        auto& bar = test::child<GotoBar>(w.window(), u"gotoBar"_s);
+        auto& mark = test::child<QWidget>(w.window(), u"placeMark"_s);
+        w.trigger(u"gotoAction"_s);
+        QVERIFY(bar.isVisible());
+        const LatLon place = LocalFrame(w.scenario().origin).toGeographic({50'000, -20'000});
+        auto& field = test::child<PlaceField>(bar, u"gotoField"_s);
+        field.setText(QString::fromStdString(
+            berg::placeText(place, CoordinateForm::DegreesMinutesSeconds, 4)));
+        QTest::keyClick(&field, Qt::Key_Return);
+        QVERIFY(bar.isHidden());
+        const Point middle_m = w.map().toWorld(QRectF(w.map().rect()).center());
+        COMPARE_NEAR((middle_m - Point(50'000, -20'000)).norm(), 0,
+                     50); // half a pixel
+        QVERIFY(mark.isVisible());
+        QVERIFY(mark.geometry().contains(w.map().rect().center()));
+        w.map().panBy({40, 0});
+        QVERIFY(mark.geometry().contains(w.map().rect().center() + QPoint(40, 0)));
+    }
+
+    void chosenUnitsAreEverywhere()
+    {
+        WindowFixture w(fourIcebergs());
+        w.trigger(u"units/distance-nautical"_s);
+        w.trigger(u"units/speed-knots"_s);
+        QVERIFY(w.until([&] {
+            return test::child<NumberField>(w.window(), u"uavAirspeed"_s).suffix() == u" kn"_s;
+        }));
+        QCOMPARE(test::child<NumberField>(w.window(), u"icebergEast"_s).suffix(), u" nmi"_s);
+        QVERIFY(w.action(u"units/distance-nautical"_s).isChecked());
+        QVERIFY(!w.action(u"units/distance-metric"_s).isChecked());
+        QTest::mouseMove(&w.map(), w.map().rect().center());
+        const QString cursor = test::child<QLabel>(w.window(), u"cursorLabel"_s).text();
+        QVERIFY2(cursor.contains(u"nmi E"_s) && cursor.contains(u"′ N"_s), qPrintable(cursor));
+        w.trigger(u"units/coordinates-decimal"_s);
+        QVERIFY(w.until([&] { return w.action(u"units/coordinates-decimal"_s).isChecked(); }));
+        QVERIFY(w.until([] { return shownUnits().coordinates == CoordinateForm::DecimalDegrees; }));
+    }
+
+    void movesTheScenario()
+    {
+        WindowFixture w(fourIcebergs());
+        const Scenario before = w.scenario();
+        const LatLon origin{.latitude_deg = before.origin.latitude_deg + 0.1,
+                            .longitude_deg = before.origin.longitude_deg + 0.2};
+        w.interaction.originChoice = OriginChoice{.origin = origin, .mode = MoveMode::KeepPlaces};
+        w.trigger(u"moveScenarioAction"_s);
+        QVERIFY(w.interaction.suggestedOrigins == std::vector{before.origin});
+        QVERIFY(w.scenario() == movedTo(before, origin, MoveMode::KeepPlaces));
+        w.trigger(u"undoAction"_s);
+        QVERIFY(w.scenario() == before);
+    }
+
+    void cancelledMoveChangesNothing()
+    {
+        WindowFixture w(fourIcebergs());
+        const Scenario before = w.scenario();
+        w.trigger(u"moveScenarioAction"_s);
+        QCOMPARE(w.interaction.suggestedOrigins.size(), std::size_t{1});
+        QVERIFY(w.scenario() == before);
+    }
+
+    void dialog()
+    {
+        const Scenario scenario = fourIcebergs();
+        OriginDialog dialog(scenario, scenario.origin, Theme::light());
+        dialog.setLocale(QLocale::c());
+        dialog.show();
+        auto& field = test::child<PlaceField>(dialog, u"originField"_s);
+        auto& move = test::child<QPushButton>(dialog, u"moveButton"_s);
+        QVERIFY(!move.isEnabled()); // it is there
+        field.setText(u"78 N"_s);
+        QVERIFY(!move.isEnabled());
+        QVERIFY(!dialog.choice());
+        QVERIFY(!test::child<QLabel>(dialog, u"originNote"_s).text().isEmpty());
+        field.setText(u"Ross Sea"_s);
+        QVERIFY(dialog.choice() == (OriginChoice{{-75, -175}, MoveMode::KeepLayout}));
+        test::child<QRadioButton>(dialog, u"keepPlaces"_s).setChecked(true);
+        QVERIFY(!dialog.choice()); // the icebergs are half the Earth away
+        QVERIFY(!move.isEnabled());
+        emit test::child<OverviewInset>(dialog, u"originChart"_s)
+            .placePicked({scenario.origin.latitude_deg + 1, scenario.origin.longitude_deg});
+        QVERIFY(dialog.choice());
+        QCOMPARE(dialog.choice()->mode, MoveMode::KeepPlaces);
+        COMPARE_NEAR(dialog.choice()->origin.latitude_deg, scenario.origin.latitude_deg + 1, 1e-4);
+    }
+};
+
+QTEST_MAIN(TestMainWindowPlaces)
+#include "tst_main_window_places.moc"

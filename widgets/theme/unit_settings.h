@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/base/coordinates.h"
+
+#include <QSettings>
+
+#include <cstdint>
+
+namespace berg {
+
+enum class DistanceUnit : std::uint8_t
+{
+    Metric,  ///< m and km
+    Nautical ///< nautical miles of 1852 m
+};
+
+enum class SpeedUnit : std::uint8_t
+{
+    MetresPerSecond,
+    Knots
+};
+
+/**
+ * What distances, speeds and places are shown and typed in; one unit for each quantity. Files,
+ * the command line and everything inside are SI. Sizes of things, their uncertainty and the
+ * cross-track error are metres in any case.
+ */
+struct Units
+{
+    DistanceUnit distance = DistanceUnit::Metric;
+    SpeedUnit speed = SpeedUnit::MetresPerSecond;
+    CoordinateForm coordinates = CoordinateForm::DegreesMinutes;
+    bool operator==(const Units&) const = default;
+};
+
+/**
+ * Those in use: of the process, as the default `QLocale` is. Whoever makes windows sets them
+ * before, and makes the window anew when they change. Any thread may read.
+ */
+[[nodiscard]] Units shownUnits();
+void setShownUnits(const Units& units);
+
+// Settings of the user: the key of each quantity, and the values it takes, the default first.
+inline constexpr const char* kDistanceUnitKey = "units/distance"; ///< metric, nautical
+inline constexpr const char* kSpeedUnitKey = "units/speed";       ///< mps, knots
+inline constexpr const char* kCoordinateFormKey =
+    "units/coordinates"; ///< minutes, decimal, seconds
+
+/** What is not there or unknown is the default. */
+[[nodiscard]] Units readUnits(const QSettings& settings);
+
+} // namespace berg
