@@ -1,5 +1,7 @@
+#include "core/base/angles.h"
 #include "tests/support/approx.h"
 #include "tests/support/map_builder.h"
+#include "widgets/map/footprint.h"
 #include "widgets/map/map_painter.h"
 #include "widgets/map/map_symbols.h"
 
@@ -220,6 +222,82 @@ private slots:
             red += colour.red() - colour.blue() > 60 ? 1 : 0;
         }
         QVERIFY2(red < 90, QByteArray::number(red).constData()); // of 290
+    }
+
+    /** Dashed below the plan, with a row in the legend. */
+    void formerPlanIsDrawn()
+    {
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = kLocale};
+        const QSize size(1280, 800);
+        MapPicture picture = test::randomPicture(4);
+        picture.track.clear();
+        const QSizeF legend = layoutOf(picture, size).legend.size();
+        QVERIFY(formerLegs(picture, layoutOf(picture, size)).empty());
+        picture.formerPlan = {3, 1};
+        picture.formerFrom_m = Point(500, 600);
+        const MapLayout layout = layoutOf(picture, size);
+        QVERIFY(layout.legend.height() > legend.height());
+        const std::vector<QLineF> legs = formerLegs(picture, layout);
+        QCOMPARE(legs.size(), std::size_t{2});
+        COMPARE_NEAR(QLineF(legs[0].p1(), layout.view.toPixel({500, 600})).length(), 0, 1e-6);
+        COMPARE_NEAR(QLineF(legs[1].p2(), layout.icebergs[1].centre_px).length(),
+                     layout.icebergs[1].radius_px, 1e-6);
+        const QImage image = mapImage(picture, style, size, 1);
+        int drawn = 0;
+        int probes = 0;
+        for (double at = 2; at < legs[0].length(); at += 1, ++probes) {
+            const QPointF place = legs[0].pointAt(at / legs[0].length());
+            drawn += hasColourNear(image, place, 1, theme.formerPlan) ? 1 : 0;
+        }
+        QVERIFY2(drawn > probes / 4 && drawn < 0.95 * probes, QByteArray::number(drawn)); // dashes
+        picture.formerFrom_m.reset();
+        const QPointF uav = layout.view.toPixel(picture.uav->position_m);
+        COMPARE_NEAR(QLineF(formerLegs(picture, layout)[0].p1(), uav).length(), 0, 1e-6);
+    }
+
+    /** The water passed is tinted once, below everything; the rest of the sea is not. */
+    void waterSeenIsTinted()
+    {
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = kLocale};
+        const QRectF rect(0, 0, 1280, 800);
+        const MapViewTransform view({2500, 3000}, rect.center(), 0.2);
+        MapPicture picture = test::randomPicture(1);
+        picture.plan.clear();
+        picture.track.clear();
+        const auto layout = [&] { return arrangeMap(picture, style, rect, view); };
+        const auto drawn = [&] {
+            QImage image(rect.size().toSize(), QImage::Format_RGB32);
+            QPainter painter(&image);
+            paintMap(painter, picture, style, layout());
+            return image;
+        };
+        const auto fly = [&](double from_m, double to_m) {
+            for (double east_m = from_m; east_m != to_m; east_m += from_m < to_m ? 100 : -100)
+                picture.swept.push_back({.position_m = {east_m, 3500},
+                                         .psi_rad = from_m < to_m ? 0 : kPi,
+                                         .time_s = 5.0 * double(picture.swept.size())});
+        };
+        const QSizeF legend = layout().legend.size();
+        fly(1000, 4000);
+        QVERIFY(layout().legend.height() > legend.height());
+        const QPoint passed = view.toPixel({2612, 3690}).toPoint();
+        const QPoint beside = view.toPixel({2612, 3910}).toPoint();
+        const QImage once = drawn();
+        QColor tint = theme.swept;
+        tint.setAlpha(255);
+        const QColor seen = mixed(theme.sea, tint, double{theme.swept.alphaF()});
+        const QColor shown = once.pixelColor(passed);
+        QVERIFY2(std::abs(shown.red() - seen.red()) <= 2 &&
+                     std::abs(shown.green() - seen.green()) <= 2 &&
+                     std::abs(shown.blue() - seen.blue()) <= 2,
+                 qPrintable(shown.name() + u" for "_s + seen.name())); // blended in 8 bits
+        QCOMPARE(once.pixelColor(beside), theme.sea);
+        fly(4000, 1000); // back over the same water
+        QCOMPARE(drawn().pixelColor(passed), shown);
+        picture.uav.reset();
+        QVERIFY(!picture.showsSwept());
     }
 
     void seenIcebergHasNoRing()

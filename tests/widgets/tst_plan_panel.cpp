@@ -48,6 +48,7 @@ MissionSnapshot twoIcebergs(const Scenario& scenario)
                          .velocity_mps = Point(1, 2),
                          .sigma_m2 = 7,
                          .q_m2ps = 0.1}};
+    now.active = {true, true};
     now.plan = PlanEvent{.order = {0, 1}};
     return now;
 }
@@ -125,19 +126,6 @@ private slots:
         COMPARE_NEAR(rows[1].arrivalSigma_m2, 7 + 0.1 * 55, 1e-9);
     }
 
-    void changeIsThatOfThePlanShown()
-    {
-        FlightRecord record;
-        QVERIFY(!planChange_m(record));
-        record.history.plans = {{.distance_m = 9000}, {.distance_m = 10200}, {.distance_m = 8000}};
-        record.now.planCount = 3;
-        QCOMPARE(planChange_m(record).value(), -2200.0);
-        record.instant = MissionSnapshot{.planCount = 2};
-        QCOMPARE(planChange_m(record).value(), 1200.0);
-        record.instant->planCount = 1;
-        QVERIFY(!planChange_m(record));
-    }
-
     void windChangesTimesNotLegs()
     {
         Scenario scenario = twoIcebergScenario();
@@ -180,7 +168,7 @@ private slots:
         QVERIFY2(toolTip.contains(u"10.3 m²"_s), qPrintable(toolTip));
     }
 
-    void summaryTellsLengthEndAndChange()
+    void summaryTellsLengthEndAndZeta()
     {
         Fixture f;
         f.panel.resize(600, 240);
@@ -188,14 +176,33 @@ private slots:
         QVERIFY(summary.text().isEmpty());
         f.panel.showPlan(rowsOf({"a", "b", "c"})); // 1 km each, the last in 3 min
         QCOMPARE(summary.text(), u"3.00 km, flown in 03:00"_s);
-        f.panel.showChange(1234);
-        QCOMPARE(summary.text(), u"3.00 km, flown in 03:00; +1.2 km against the plan before"_s);
-        f.panel.showChange(-850);
-        QCOMPARE(summary.text(), u"3.00 km, flown in 03:00; −850 m against the plan before"_s);
-        f.panel.showChange(-4); // as good as the same
-        QCOMPARE(summary.text(), u"3.00 km, flown in 03:00"_s);
+        f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423});
+        QCOMPARE(summary.text().section(u'\n', 1), u"Predicted ζ at the end: 84\u202f420 m² s"_s);
         f.panel.showPlan({});
+        f.panel.showOutlook(std::nullopt);
         QVERIFY(summary.text().isEmpty());
+    }
+
+    void summaryTellsWhatAChangeCosts()
+    {
+        Fixture f;
+        f.panel.resize(600, 240);
+        const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
+        f.panel.showPlan(rowsOf({"a", "b"}));
+        PlanOutlook outlook{.zeta_m2s = 5000,
+                            .change =
+                                PlanChange{.before = {1, 0}, .distance_m = 1234, .zeta_m2s = -567},
+                            .changed_s = 83,
+                            .before = {u"b"_s, u"a"_s}};
+        f.panel.showOutlook(outlook);
+        QCOMPARE(summary.text().section(u'\n', 2),
+                 u"Against the plan before: +1.2 km, ζ −570 m² s"_s);
+        QVERIFY2(summary.toolTip().contains(u"01:23: b, a"_s), qPrintable(summary.toolTip()));
+        outlook.change->distance_m = -850;
+        outlook.change->zeta_m2s = 40;
+        f.panel.showOutlook(outlook);
+        QCOMPARE(summary.text().section(u'\n', 2),
+                 u"Against the plan before: −850 m, ζ +40 m² s"_s);
     }
 
     void longSummaryIsInTheToolTip()
@@ -203,10 +210,10 @@ private slots:
         Fixture f;
         f.panel.resize(150, 240);
         f.panel.showPlan(rowsOf({"a"}));
-        f.panel.showChange(1234);
+        f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423});
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         QVERIFY(summary.text().endsWith(u'…'));
-        QVERIFY(summary.toolTip().endsWith(u"plan before"_s));
+        QVERIFY2(summary.toolTip().contains(u"84\u202f420 m² s"_s), qPrintable(summary.toolTip()));
         QCOMPARE(f.panel.width(), 150);
     }
 

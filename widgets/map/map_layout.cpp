@@ -1,6 +1,6 @@
 #include "widgets/map/map_layout.h"
 
-#include "core/base/angles.h"
+#include "widgets/map/footprint.h"
 #include "widgets/map/map_symbols.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -60,7 +60,7 @@ bool fits(const QSizeF& size, const QRectF& rect)
 /** Overlays into their corners: title top left, legend bottom left, the others on the right. */
 void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
 {
-    layout.title = layout.legend = layout.scaleBar = layout.north = {};
+    layout.title = layout.legend = layout.scaleBar = layout.north = layout.inset = {};
     const QRectF inner = layout.rect.adjusted(kMargin_px, kMargin_px, -kMargin_px, -kMargin_px);
     const QSizeF title = titleSize(picture, style, 0.6 * layout.rect.width());
     if (!title.isEmpty() && title.width() >= 120 && title.height() <= 0.4 * layout.rect.height())
@@ -76,6 +76,12 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
     const QSizeF north = northArrowSize();
     if (fits(north, layout.rect))
         layout.north = QRectF(inner.topRight() - QPointF(north.width(), 0), north);
+    const QRectF inset(
+        QPointF(inner.right() - style.inset_px.width(), layout.north.bottom() + kMargin_px),
+        style.inset_px);
+    const double floor = layout.scaleBar.isNull() ? inner.bottom() : layout.scaleBar.top();
+    if (fits(style.inset_px, layout.rect) && inset.bottom() + kMargin_px <= floor)
+        layout.inset = inset;
 }
 
 SymbolScale symbolScale(const MapPicture& picture, const MapViewTransform& view)
@@ -223,10 +229,7 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
         const LabelDisk& anchor = layout.icebergs[i];
         if (!overlaps(layout.rect, anchor))
             continue;
-        double width_px = std::ceil(metrics.horizontalAdvance(labelText(picture.icebergs[i]))) + 2;
-        if (layout.order[i] > 0)
-            width_px += 2 * kOrderDisk_px + kOrderGap_px;
-        LabelRequest request{.anchor = anchor, .size_px = QSizeF(width_px, kLabelHeight_px)};
+        LabelRequest request{.anchor = anchor, .size_px = {}};
         const auto before = continuity.labels.find(picture.icebergs[i].id);
         const bool mayLook =
             !continuity.turn ||
@@ -246,6 +249,10 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
         }
         if (!mayLook)
             continue;
+        double width_px = std::ceil(metrics.horizontalAdvance(labelText(picture.icebergs[i]))) + 2;
+        if (layout.order[i] > 0)
+            width_px += 2 * kOrderDisk_px + kOrderGap_px;
+        request.size_px = QSizeF(width_px, kLabelHeight_px);
         requests.push_back(request);
         asking.push_back(i);
     }
@@ -255,12 +262,32 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
     return labels;
 }
 
+/** Legs from symbol to symbol, cut at them; a null line where there is no room between. */
+std::vector<QLineF> legsThrough(const std::vector<int>& icebergs, const QPointF& from_px,
+                                const MapLayout& layout)
+{
+    std::vector<QLineF> legs;
+    LabelDisk from{.centre_px = from_px, .radius_px = 0};
+    for (const int iceberg : icebergs) {
+        const LabelDisk to = layout.icebergs[static_cast<std::size_t>(iceberg)];
+        const QLineF centres(from.centre_px, to.centre_px);
+        const double length_px = centres.length();
+        if (length_px > from.radius_px + to.radius_px + 1)
+            legs.emplace_back(centres.pointAt(from.radius_px / length_px),
+                              centres.pointAt(1 - to.radius_px / length_px));
+        else
+            legs.emplace_back(to.centre_px, to.centre_px);
+        from = to;
+    }
+    return legs;
+}
+
 } // namespace
 
 std::vector<QRectF> MapLayout::overlays() const
 {
     std::vector<QRectF> shown;
-    for (const QRectF& overlay : {title, legend, scaleBar, north})
+    for (const QRectF& overlay : {title, legend, scaleBar, north, inset})
         if (!overlay.isNull())
             shown.push_back(overlay);
     return shown;
@@ -315,47 +342,19 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
     return layout;
 }
 
-QPolygonF fieldOutline(const MapUav& uav, const MapViewTransform& view)
-{
-    const bool isDisk = uav.sensor.shape == FovShape::Disk;
-    const double psi_rad = uav.sensor.shape == FovShape::North ? kPi / 2 : uav.psi_rad;
-    const Point along(std::cos(psi_rad), std::sin(psi_rad));
-    const Point across(-along.y(), along.x());
-    const Point half_m = 0.5 * uav.sensor.fov_m;
-    QPolygonF outline;
-    constexpr int kDiskCorners = 72;
-    const int corners = isDisk ? kDiskCorners : 4;
-    for (int i = 0; i <= corners; ++i) {
-        const double angle_rad = 2 * kPi * (i + 0.5) / corners;
-        // A rectangle is the four signs of (cos, sin) at 45, 135, ... degrees.
-        const Point unit = isDisk ? Point(std::cos(angle_rad), std::sin(angle_rad))
-                                  : Point(std::copysign(1.0, std::cos(angle_rad)),
-                                          std::copysign(1.0, std::sin(angle_rad)));
-        const double side_m = isDisk ? half_m.x() : half_m.y();
-        outline << view.toPixel(uav.position_m + along * (unit.x() * half_m.x()) +
-                                across * (unit.y() * side_m));
-    }
-    return outline;
-}
-
 std::vector<QLineF> planLegs(const MapPicture& picture, const MapLayout& layout)
 {
-    std::vector<QLineF> legs;
     if (!picture.uav)
-        return legs;
-    LabelDisk from{.centre_px = layout.view.toPixel(picture.uav->position_m), .radius_px = 0};
-    for (const int iceberg : picture.plan) {
-        const LabelDisk to = layout.icebergs[static_cast<std::size_t>(iceberg)];
-        const QLineF centres(from.centre_px, to.centre_px);
-        const double length_px = centres.length();
-        if (length_px > from.radius_px + to.radius_px + 1)
-            legs.emplace_back(centres.pointAt(from.radius_px / length_px),
-                              centres.pointAt(1 - to.radius_px / length_px));
-        else
-            legs.emplace_back(to.centre_px, to.centre_px);
-        from = to;
-    }
-    return legs;
+        return {};
+    return legsThrough(picture.plan, layout.view.toPixel(picture.uav->position_m), layout);
+}
+
+std::vector<QLineF> formerLegs(const MapPicture& picture, const MapLayout& layout)
+{
+    if (!picture.uav)
+        return {};
+    const Point from_m = picture.formerFrom_m.value_or(picture.uav->position_m);
+    return legsThrough(picture.formerPlan, layout.view.toPixel(from_m), layout);
 }
 
 QLineF driftArrow(const MapPicture& picture, const MapLayout& layout, std::size_t iceberg)

@@ -19,6 +19,7 @@ struct MapLayout
     QRectF legend;
     QRectF scaleBar;
     QRectF north;
+    QRectF inset;                    ///< kept free, not painted
     std::vector<LabelDisk> icebergs; ///< symbol with its ring, by index
     std::vector<int> order;          ///< 1-based position in the plan by iceberg; 0: not planned
     std::vector<PlacedLabel> labels; ///< id with order number, by iceberg; null: out of sight
@@ -64,11 +65,11 @@ struct MapContinuity
                                    const std::optional<MapViewTransform>& view = {},
                                    const MapContinuity& continuity = {});
 
-/** Outline of the field of view on the screen. */
-[[nodiscard]] QPolygonF fieldOutline(const MapUav& uav, const MapViewTransform& view);
-
 /** The legs of the plan on the screen, from the UAV on, cut at the symbols. */
 [[nodiscard]] std::vector<QLineF> planLegs(const MapPicture& picture, const MapLayout& layout);
+
+/** The legs of what the plan took the place of, from where the UAV was then. */
+[[nodiscard]] std::vector<QLineF> formerLegs(const MapPicture& picture, const MapLayout& layout);
 
 /** Longest of the usual times whose way at this speed is an arrow of good length; 0: none. */
 [[nodiscard]] double driftTimeFor_s(double speed_mps, double scale_pxpm);

@@ -49,6 +49,13 @@ void drawPlanSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
     drawOrderDisk(painter, {swatch.center().x(), y}, 7.5, 1, theme);
 }
 
+void drawFormerSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+{
+    painter.setPen(formerPlanPen(theme));
+    painter.drawLine(QPointF(swatch.left(), swatch.center().y()),
+                     QPointF(swatch.right(), swatch.center().y()));
+}
+
 void drawTrackSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
 {
     QLinearGradient fade(swatch.topLeft(), swatch.topRight());
@@ -75,6 +82,17 @@ void drawFieldSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme
     fill.setAlphaF(0.12F);
     painter.setPen(QPen(theme.uav, 1.5));
     painter.setBrush(fill);
+    painter.drawRect(box);
+}
+
+/** Water, the right half of it seen. */
+void drawSweptSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+{
+    const QRectF box(swatch.left() + 2, swatch.center().y() - 6, kSwatch_px - 4, 12);
+    painter.fillRect(box, theme.sea);
+    painter.fillRect(box.adjusted(box.width() / 2, 0, 0, 0), theme.swept);
+    painter.setPen(QPen(theme.panelLine, 1));
+    painter.setBrush(Qt::NoBrush);
     painter.drawRect(box);
 }
 
@@ -107,6 +125,9 @@ std::vector<LegendRow> rowsOf(const MapPicture& picture, const MapStyle& style,
     if (!picture.plan.empty())
         rows.push_back({MapLegend::tr("Plan, next leg thicker"),
                         [&](QPainter& p, const QRectF& r) { drawPlanSwatch(p, r, theme); }});
+    if (!picture.formerPlan.empty())
+        rows.push_back({MapLegend::tr("Plan before the change"),
+                        [&](QPainter& p, const QRectF& r) { drawFormerSwatch(p, r, theme); }});
     if (picture.track.size() > 1)
         rows.push_back({MapLegend::tr("Flown, older parts fainter"),
                         [&](QPainter& p, const QRectF& r) { drawTrackSwatch(p, r, theme); }});
@@ -119,6 +140,9 @@ std::vector<LegendRow> rowsOf(const MapPicture& picture, const MapStyle& style,
     if (picture.uav)
         rows.push_back({MapLegend::tr("Field of view"),
                         [&](QPainter& p, const QRectF& r) { drawFieldSwatch(p, r, theme); }});
+    if (picture.showsSwept())
+        rows.push_back({MapLegend::tr("Seen so far"),
+                        [&](QPainter& p, const QRectF& r) { drawSweptSwatch(p, r, theme); }});
     if (scale.driftTime_s > 0)
         rows.push_back(
             {MapLegend::tr("Drift in %1").arg(durationText(scale.driftTime_s, style.locale)),

@@ -50,6 +50,23 @@ void paintHoverMark(QPainter& painter, const LabelDisk& symbol, const Theme& the
     drawRing(painter, symbol.centre_px, symbol.radius_px + kRingGap_px, 1.2, theme);
 }
 
+void paintRecordedTrack(QPainter& painter, const QPolygonF& way, const Theme& theme)
+{
+    if (way.isEmpty())
+        return;
+    QPolygonF seen{way.front()}; // a pixel apart
+    for (const QPointF& at : way)
+        if ((at - seen.back()).manhattanLength() >= 1)
+            seen << at;
+    const PainterState saved(painter);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(mixed(theme.sea, theme.ink, 0.55), 1.2, Qt::SolidLine, Qt::RoundCap,
+                        Qt::BevelJoin));
+    painter.drawPolyline(seen);
+    painter.setBrush(theme.sea);
+    painter.drawEllipse(seen.back(), 2.5, 2.5);
+}
+
 void paintRubberBand(QPainter& painter, const QRectF& band, const Theme& theme)
 {
     const PainterState saved(painter);
@@ -75,7 +92,11 @@ void paintBubble(QPainter& painter, const QPointF& at, const QString& text, cons
 {
     const PainterState saved(painter);
     const QFontMetricsF metrics(theme.body());
-    const QSizeF size(tabularWidth(metrics, text) + 20, metrics.height() + 10);
+    const QStringList lines = text.split(u'\n');
+    double widest_px = 0;
+    for (const QString& line : lines)
+        widest_px = std::max(widest_px, tabularWidth(metrics, line));
+    const QSizeF size(widest_px + 20, static_cast<double>(lines.size()) * metrics.height() + 10);
     QPointF corner = at + QPointF(18, 14);
     // Where there is no room the other side of the cursor has some.
     if (corner.x() + size.width() > area.right())
@@ -88,7 +109,31 @@ void paintBubble(QPainter& painter, const QPointF& at, const QString& text, cons
     paintPanel(painter, box, theme);
     painter.setFont(theme.body());
     painter.setPen(theme.text);
-    drawTabular(painter, box.topLeft() + QPointF(10, 5 + metrics.ascent()), text);
+    QPointF baseline = box.topLeft() + QPointF(10, 5 + metrics.ascent());
+    for (const QString& line : lines) {
+        drawTabular(painter, baseline, line);
+        baseline.ry() += metrics.height();
+    }
+}
+
+void paintTag(QPainter& painter, const QPointF& centre, const QString& text, const Theme& theme)
+{
+    const PainterState saved(painter);
+    const QFontMetricsF metrics(theme.small());
+    const QSizeF size(tabularWidth(metrics, text) + 10, metrics.height() + 4);
+    const QRectF box(centre - QPointF(size.width(), size.height()) / 2, size);
+    paintPanel(painter, box, theme);
+    painter.setFont(theme.small());
+    painter.setPen(theme.text);
+    drawTabular(painter, box.topLeft() + QPointF(5, 2 + metrics.ascent()), text);
+}
+
+void paintAreaMark(QPainter& painter, const QPolygonF& outline, bool isSelected, const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.text, isSelected ? 2.2 : 1.8));
+    painter.drawPolygon(outline);
 }
 
 void paintFocusFrame(QPainter& painter, const QRectF& rect, const Theme& theme)

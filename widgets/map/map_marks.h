@@ -22,7 +22,17 @@ void paintRubberBand(QPainter& painter, const QRectF& band, const Theme& theme);
 /** From where something was taken to where it is now. */
 void paintDragTrail(QPainter& painter, const QLineF& way, const Theme& theme);
 
-/** Words beside the cursor, inside `area`, on a panel. */
+/** Where an iceberg truly was, by its record; faint. Points on the screen, in the order of time. */
+void paintRecordedTrack(QPainter& painter, const QPolygonF& way, const Theme& theme);
+
+/** Selected or under the cursor: the outline of the area is thicker. */
+void paintAreaMark(QPainter& painter, const QPolygonF& outline, bool isSelected,
+                   const Theme& theme);
+
+/** A few words in the middle of a line, on a panel. */
+void paintTag(QPainter& painter, const QPointF& centre, const QString& text, const Theme& theme);
+
+/** Lines of words beside the cursor, inside `area`, on a panel. */
 void paintBubble(QPainter& painter, const QPointF& at, const QString& text, const QRectF& area,
                  const Theme& theme);
 

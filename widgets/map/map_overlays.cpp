@@ -61,7 +61,7 @@ ScaleBar metricBar(const MapViewTransform& view, const MapStyle& style)
 {
     const double length_m = roundDown125(kBarLength_px / view.scale_pxpm());
     return {.length_px = length_m * view.scale_pxpm(),
-            .text = distanceText(length_m, style.locale, 1)};
+            .text = distanceText(length_m, style.locale, 1, DistanceUnit::Metric)};
 }
 
 ScaleBar nauticalBar(const MapViewTransform& view, const MapStyle& style)
@@ -69,7 +69,8 @@ ScaleBar nauticalBar(const MapViewTransform& view, const MapStyle& style)
     const double length_nmi =
         roundDown125(kBarLength_px / view.scale_pxpm() / kMetresPerNauticalMile);
     return {.length_px = length_nmi * kMetresPerNauticalMile * view.scale_pxpm(),
-            .text = MapOverlays::tr("%1 nmi").arg(significantText(length_nmi, 1, style.locale))};
+            .text = distanceText(length_nmi * kMetresPerNauticalMile, style.locale, 1,
+                                 DistanceUnit::Nautical)};
 }
 
 void paintBar(QPainter& painter, const QPointF& at, const ScaleBar& bar, const Theme& theme)

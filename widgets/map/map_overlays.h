@@ -14,6 +14,7 @@ struct MapStyle
 {
     const Theme& theme;
     QLocale locale;
+    QSizeF inset_px = {}; ///< kept free below the north arrow; empty: nothing
 };
 
 /** How symbols are scaled in one view; the legend explains it. */

@@ -1,8 +1,11 @@
 #include "widgets/map/map_painter.h"
 
 #include "core/base/random.h"
+#include "widgets/map/land_layer.h"
+#include "widgets/map/map_paint.h"
 #include "widgets/map/map_sprites.h"
 #include "widgets/map/map_symbols.h"
+#include "widgets/map/map_ways.h"
 #include "widgets/map/painter_state.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -17,46 +20,12 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kOldestTrack = 0.2; // share of the track's colour left at its oldest end
-constexpr int kTrackShades = 40;
-constexpr double kComparison_px = 1.2;      // thinner than the track
-constexpr double kComparisonMarks_px = 150; // between its arrow heads
-constexpr double kComparisonMark_px = 9;
-
 constexpr double kArrowRoom_px = 60; // that a drift arrow may take beside its symbol
 constexpr double kSigmaSteps = 250;  // of the colour of kept drawings
 constexpr double kRingSteps = 4;     // for each pixel, of the rings of kept drawings
 
-struct Paint
-{
-    QPainter& painter;
-    const MapPicture& picture;
-    const MapStyle& style;
-    const MapLayout& layout;
-    const Theme& theme;
-    const Graticule& graticule;
-    MapSprites* sprites;
-
-    Paint(QPainter& target, const MapFrame& frame)
-        : painter(target)
-        , picture(frame.picture)
-        , style(frame.style)
-        , layout(frame.layout)
-        , theme(frame.style.theme)
-        , graticule(frame.graticule)
-        , sprites(frame.sprites)
-    {
-        painter.save();
-        painter.setClipRect(layout.rect, Qt::IntersectClip);
-        painter.setRenderHint(QPainter::Antialiasing);
-    }
-    ~Paint() { painter.restore(); }
-    Paint(const Paint&) = delete;
-    Paint& operator=(const Paint&) = delete;
-};
-
 /** Draws round `at`, by way of the kept drawings when there are any. */
-void paintKept(const Paint& p, const QString& key, const QRectF& bounds, const QPointF& at,
+void paintKept(const MapPaint& p, const QString& key, const QRectF& bounds, const QPointF& at,
                const std::function<void(QPainter&)>& draw)
 {
     if (p.sprites != nullptr) {
@@ -68,129 +37,28 @@ void paintKept(const Paint& p, const QString& key, const QRectF& bounds, const Q
     draw(p.painter);
 }
 
-/** Where a path crosses the inside of an edge of the map, to label it there. */
-std::optional<QPointF> crossing(const QPolygonF& path, const QLineF& edge)
+void paintGraticuleLabels(const MapPaint& p)
 {
-    for (int i = 0; i + 1 < path.size(); ++i) {
-        QPointF at;
-        if (QLineF(path[i], path[i + 1]).intersects(edge, &at) == QLineF::BoundedIntersection)
-            return at;
-    }
-    return std::nullopt;
-}
-
-void paintGraticuleLabels(const Paint& p)
-{
-    const Graticule& graticule = p.graticule;
-    p.painter.setFont(p.theme.small());
-    const QFontMetricsF metrics(p.theme.small());
-    const QRectF& rect = p.layout.rect;
-    // Longitudes along the upper edge, latitudes along the right one; never under an overlay.
-    const QLineF top(rect.left(), rect.top() + 11, rect.right(), rect.top() + 11);
-    const QLineF right(rect.right() - 6, rect.top(), rect.right() - 6, rect.bottom());
     std::vector<QRectF> taken = p.layout.overlays();
     for (const PlacedLabel& label : p.layout.labels)
         taken.push_back(label.rect);
     for (const LabelDisk& disk : p.layout.icebergs)
         taken.emplace_back(disk.centre_px.x() - disk.radius_px, disk.centre_px.y() - disk.radius_px,
                            2 * disk.radius_px, 2 * disk.radius_px);
-    for (const GraticuleLine& line : graticule.lines) {
-        const std::optional<QPointF> at = crossing(line.path_px, line.isMeridian ? top : right);
-        if (!at)
-            continue;
-        const QString text =
-            line.isMeridian
-                ? longitudeText(line.value_deg, graticule.longitudeDecimals, p.style.locale)
-                : latitudeText(line.value_deg, graticule.latitudeDecimals, p.style.locale);
-        const QSizeF size(metrics.horizontalAdvance(text) + 2, metrics.height());
-        const QRectF box(
-            line.isMeridian ? QPointF(at->x() - size.width() / 2, rect.top() + 5)
-                            : QPointF(rect.right() - size.width() - 6, at->y() - size.height() / 2),
-            size);
-        const QRectF wide = box.adjusted(-4, -2, 4, 2);
-        const bool clear =
-            rect.contains(box) && std::none_of(taken.begin(), taken.end(),
-                                               [&](const QRectF& r) { return r.intersects(wide); });
-        if (!clear)
-            continue;
-        taken.push_back(wide);
-        paintKept(p, u"graticule "_s + text, QRectF(QPointF(-3, -3), size + QSizeF(6, 6)),
-                  box.topLeft(), [&](QPainter& painter) {
+    for (const GraticuleLabel& label :
+         graticuleLabels(p.graticule, p.layout.rect, QFontMetricsF(p.theme.small()),
+                         p.style.locale, std::move(taken))) {
+        const QSizeF size = label.rect.size();
+        paintKept(p, u"graticule "_s + label.text, QRectF(QPointF(-3, -3), size + QSizeF(6, 6)),
+                  label.rect.topLeft(), [&](QPainter& painter) {
                       painter.setFont(p.theme.small());
-                      drawHaloText(painter, QRectF(QPointF(0, 0), size), Qt::AlignCenter, text,
-                                   p.theme.graticuleText, p.theme.sea);
+                      drawHaloText(painter, QRectF(QPointF(0, 0), size), Qt::AlignCenter,
+                                   label.text, p.theme.graticuleText, p.theme.sea);
                   });
     }
 }
 
-void paintTrack(const Paint& p)
-{
-    const std::vector<MapTrackPoint>& track = p.picture.track;
-    if (track.size() < 2)
-        return;
-    const double from_s = track.front().time_s;
-    const double span_s = std::max(1e-9, track.back().time_s - from_s);
-    const auto shadeOf = [&](double time_s) {
-        return static_cast<int>((time_s - from_s) / span_s * (kTrackShades - 1));
-    };
-    p.painter.setBrush(Qt::NoBrush);
-    QPolygonF piece{p.layout.view.toPixel(track.front().position_m)};
-    int shade = 0;
-    const auto flush = [&] {
-        // Mixed with the sea instead of translucent: crossings would add up otherwise. Round joins
-        // look the same on so thin a line, but take most of the time of a frame.
-        const double share =
-            kOldestTrack + (1 - kOldestTrack) * static_cast<double>(shade) / (kTrackShades - 1);
-        p.painter.setPen(QPen(mixed(p.theme.sea, p.theme.track, share), 1.6, Qt::SolidLine,
-                              Qt::FlatCap, Qt::BevelJoin));
-        p.painter.drawPolyline(piece);
-    };
-    for (const MapTrackPoint& point : track) {
-        const QPointF at = p.layout.view.toPixel(point.position_m);
-        const QPointF step = at - piece.back();
-        if (QPointF::dotProduct(step, step) >= 1)
-            piece << at;
-        if (shadeOf(point.time_s) == shade)
-            continue;
-        flush();
-        piece = QPolygonF{piece.back()};
-        shade = shadeOf(point.time_s);
-    }
-    piece << p.layout.view.toPixel(track.back().position_m);
-    flush();
-}
-
-/** One colour and arrow heads along the way: told from the flown track by shape too. */
-void paintComparison(const Paint& p)
-{
-    const std::vector<MapTrackPoint>& track = p.picture.comparisonTrack;
-    if (track.size() < 2)
-        return;
-    QPolygonF line{p.layout.view.toPixel(track.front().position_m)};
-    std::vector<QLineF> marks;
-    double sinceMark_px = kComparisonMarks_px / 2;
-    for (const MapTrackPoint& point : track) {
-        const QLineF step(line.back(), p.layout.view.toPixel(point.position_m));
-        if (step.length() < 1)
-            continue;
-        line << step.p2();
-        sinceMark_px += step.length();
-        if (sinceMark_px >= kComparisonMarks_px && p.layout.rect.contains(step.p2())) {
-            // Longer than the step: marks keep off lines too short for them.
-            const QPointF reach = (step.p2() - step.p1()) / step.length() * 3 * kComparisonMark_px;
-            marks.emplace_back(step.p2() - reach, step.p2() + reach);
-            sinceMark_px = 0;
-        }
-    }
-    p.painter.setBrush(Qt::NoBrush);
-    p.painter.setPen(
-        QPen(p.theme.comparison, kComparison_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
-    p.painter.drawPolyline(line);
-    for (const QLineF& mark : marks)
-        drawDirectionMark(p.painter, mark, p.theme.comparison, kComparisonMark_px);
-}
-
-void paintArea(const Paint& p)
+void paintArea(const MapPaint& p)
 {
     if (p.picture.area_m.empty())
         return;
@@ -202,34 +70,6 @@ void paintArea(const Paint& p)
     p.painter.drawPolygon(outline);
 }
 
-void paintPlan(const Paint& p)
-{
-    const std::vector<QLineF> legs = planLegs(p.picture, p.layout);
-    for (std::size_t k = legs.size(); k-- > 0;) {
-        const bool isNext = k == 0;
-        const double width_px = isNext ? 3.2 : 1.6;
-        if (legs[k].isNull())
-            continue;
-        // A rim of sea sets the line off from the track below.
-        p.painter.setPen(QPen(p.theme.sea, width_px + 2.4, Qt::SolidLine, Qt::FlatCap));
-        p.painter.drawLine(legs[k]);
-        p.painter.setPen(QPen(p.theme.plan, width_px, Qt::SolidLine, Qt::FlatCap));
-        p.painter.drawLine(legs[k]);
-        drawDirectionMark(p.painter, legs[k], p.theme.plan, isNext ? 13 : 10);
-    }
-}
-
-void paintFieldOfView(const Paint& p)
-{
-    if (!p.picture.uav)
-        return;
-    QColor fill = p.theme.uav;
-    fill.setAlphaF(0.09F);
-    p.painter.setPen(QPen(p.theme.uav, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-    p.painter.setBrush(fill);
-    p.painter.drawPolygon(fieldOutline(*p.picture.uav, p.layout.view));
-}
-
 /** Kept drawings come in steps too fine to see, so that slow growth can use them. */
 void roundForKeeping(double& ring_px, double& sigma)
 {
@@ -237,7 +77,7 @@ void roundForKeeping(double& ring_px, double& sigma)
     sigma = std::round(sigma * kSigmaSteps) / kSigmaSteps;
 }
 
-void paintIcebergs(const Paint& p)
+void paintIcebergs(const MapPaint& p)
 {
     for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
         const LabelDisk& disk = p.layout.icebergs[i];
@@ -274,7 +114,7 @@ void paintIcebergs(const Paint& p)
     }
 }
 
-void paintLabel(const Paint& p, std::size_t i)
+void paintLabel(const MapPaint& p, std::size_t i)
 {
     const PlacedLabel& label = p.layout.labels[i];
     if (label.rect.isNull())
@@ -305,7 +145,7 @@ void paintLabel(const Paint& p, std::size_t i)
               label.rect.topLeft(), draw);
 }
 
-void paintAsset(const Paint& p)
+void paintAsset(const MapPaint& p)
 {
     if (!p.picture.asset)
         return;
@@ -317,26 +157,25 @@ void paintAsset(const Paint& p)
 }
 
 /** What the look of the legend depends on. */
-QString legendKey(const Paint& p)
+QString legendKey(const MapPaint& p)
 {
     const auto any = [&](const auto& test) {
         return std::any_of(p.picture.icebergs.begin(), p.picture.icebergs.end(), test);
     };
     const bool inView = any([](const MapIceberg& iceberg) { return iceberg.inView; });
     const bool later = any([](const MapIceberg& iceberg) { return iceberg.appears_s > 0; });
-    return u"legend %1 %2 %3 %4%5%6%7%8 %9 "_s.arg(p.layout.symbols.ring_pxpm)
+    const int rows = int(inView) + 2 * int(later) + 4 * int(!p.picture.plan.empty()) +
+                     8 * int(p.picture.track.size() > 1) + 16 * int(p.picture.uav.has_value()) +
+                     32 * int(p.picture.showsSwept()) + 64 * int(!p.picture.formerPlan.empty());
+    return u"legend %1 %2 %3 %4 %5 "_s.arg(p.layout.symbols.ring_pxpm)
                .arg(p.layout.symbols.driftTime_s)
                .arg(p.picture.sigmaFull_m2)
-               .arg(int(inView))
-               .arg(int(later))
-               .arg(int(!p.picture.plan.empty()))
-               .arg(int(p.picture.track.size() > 1))
-               .arg(int(p.picture.uav.has_value()))
+               .arg(rows)
                .arg(p.style.locale.name()) + // last, the one text of the user's
            (p.picture.comparisonTrack.size() > 1 ? p.picture.comparisonName : QString());
 }
 
-void paintOverlays(const Paint& p, double north_rad)
+void paintOverlays(const MapPaint& p, double north_rad)
 {
     const auto panel = [&](const QRectF& rect, const QString& key, const auto& draw) {
         const QRectF bounds(QPointF(0, 0), rect.size());
@@ -369,8 +208,18 @@ void paintOverlays(const Paint& p, double north_rad)
 
 void paintMapGround(QPainter& painter, const MapFrame& frame)
 {
-    const Paint p(painter, frame);
-    painter.fillRect(p.layout.rect, p.theme.sea);
+    const MapPaint p(painter, frame);
+    const LandRequest land{.plane = LocalFrame(p.picture.origin),
+                           .view = p.layout.view,
+                           .rect = p.layout.rect,
+                           .ratio = painter.device()->devicePixelRatioF(),
+                           .look = landLookOf(p.theme)};
+    if (frame.land != nullptr)
+        frame.land->paint(painter, land);
+    else
+        paintLand(painter, land.plane, land.view, land.rect, land.look);
+    if (const auto reach = reachIn(land.rect, land.plane, land.view))
+        painter.setClipPath(*reach, Qt::IntersectClip);
     painter.setPen(QPen(p.theme.graticule, 1));
     for (const GraticuleLine& line : p.graticule.lines)
         painter.drawPolyline(line.path_px);
@@ -378,11 +227,13 @@ void paintMapGround(QPainter& painter, const MapFrame& frame)
 
 void paintMapContent(QPainter& painter, const MapFrame& frame)
 {
-    const Paint p(painter, frame);
+    const MapPaint p(painter, frame);
     paintArea(p);
+    paintSwept(p);
     paintComparison(p);
     paintTrack(p);
     paintFieldOfView(p);
+    paintFormerPlan(p);
     paintPlan(p);
     paintIcebergs(p);
     paintAsset(p);
@@ -393,7 +244,7 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
 
 void paintMapLabels(QPainter& painter, const MapFrame& frame)
 {
-    const Paint p(painter, frame);
+    const MapPaint p(painter, frame);
     for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i)
         paintLabel(p, i);
     paintGraticuleLabels(p);
@@ -401,7 +252,7 @@ void paintMapLabels(QPainter& painter, const MapFrame& frame)
 
 void paintMapOverlays(QPainter& painter, const MapFrame& frame)
 {
-    const Paint p(painter, frame);
+    const MapPaint p(painter, frame);
     const LocalFrame plane(p.picture.origin);
     paintOverlays(p, northAngle_rad(plane, p.layout.view.toWorld(p.layout.rect.center())));
 }

@@ -7,7 +7,9 @@
 
 namespace berg {
 
+class LandLayer;
 class MapSprites;
+class SweptLayer;
 
 /** One picture and where its parts go. Everything is borrowed. */
 struct MapFrame
@@ -17,14 +19,16 @@ struct MapFrame
     const MapLayout& layout;
     const Graticule& graticule;
     MapSprites* sprites = nullptr; ///< null: everything is drawn afresh, at its exact place
+    LandLayer* land = nullptr;     ///< null: the land is drawn here and now
+    SweptLayer* swept = nullptr;    ///< null: the water seen is painted afresh
 };
 
 // The layers of a map from below; each keeps to the inside of `layout.rect`. They work on any paint
 // device whose logical unit is the device-independent pixel.
 
-/** Sea and graticule: the same as long as the view is. */
+/** Sea, land and graticule: the same as long as the view is. */
 void paintMapGround(QPainter& painter, const MapFrame& frame);
-/** Area, track, plan, icebergs, UAV. */
+/** Area, water seen, track, plan, icebergs, UAV. */
 void paintMapContent(QPainter& painter, const MapFrame& frame);
 /** Names of the icebergs with their order, numbers of the graticule. */
 void paintMapLabels(QPainter& painter, const MapFrame& frame);

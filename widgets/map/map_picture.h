@@ -39,6 +39,15 @@ struct MapTrackPoint
     double time_s = 0;
 };
 
+/** The UAV at one instant of its flight. */
+struct MapPose
+{
+    Point position_m = Point::Zero();
+    double psi_rad = 0; ///< in [-pi, pi]
+    double time_s = 0;
+    bool operator==(const MapPose&) const = default;
+};
+
 struct MapAsset
 {
     QString name;
@@ -62,7 +71,10 @@ struct MapPicture
     LatLon origin{47, -48}; ///< of the local plane
     std::optional<MapUav> uav;
     std::vector<MapIceberg> icebergs;
-    std::vector<int> plan; ///< indices of `icebergs` in the order to be visited
+    std::vector<int> plan;             ///< indices of `icebergs` in the order to be visited
+    std::vector<int> formerPlan;       ///< what `plan` took the place of; empty: nothing to tell
+    std::optional<Point> formerFrom_m; ///< where the UAV was then; none: where it is
+    std::vector<MapPose> swept; ///< by time; round and between them the UAV has seen the water
     std::vector<MapTrackPoint> track;
     std::vector<MapTrackPoint> comparisonTrack; ///< of another run in the same world
     QString comparisonName;                     ///< what that run is, for the legend
@@ -71,6 +83,9 @@ struct MapPicture
     double sigmaFull_m2 = 10; ///< end of the colour scale, > 0
     QString emptyTitle;       ///< shown when there is no iceberg
     QString emptyHint;        ///< what to do about it
+
+    /** There is water seen to be shown. */
+    [[nodiscard]] bool showsSwept() const { return uav.has_value() && swept.size() > 1; }
 };
 
 /** Smallest "round" end of a sigma scale at or above `sigma_m2`: 1, 2, 5, 10, 15, 20, 30, ... */

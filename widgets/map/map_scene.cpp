@@ -1,16 +1,22 @@
 #include "widgets/map/map_scene.h"
 
+#include "widgets/map/map_marks.h"
 #include "widgets/map/scenario_picture.h"
+#include "widgets/model/selection.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 
 namespace berg {
 namespace {
 
-constexpr double kUavReach_px = 17;      // half the size of the UAV's symbol and a little more
+constexpr double kUavReach_px = 17; // half the size of the UAV's symbol and a little more
+constexpr double kAssetReach_px = 14;
+constexpr double kOutlineReach_px = 5;
 constexpr double kSmallestReach_px = 13; // symbols are at least this easy to hit
 constexpr double kReachMargin_px = 2;
 
@@ -22,13 +28,17 @@ constexpr std::size_t kLabelPairs = 10000;
 
 } // namespace
 
-MapScene::MapScene() : m_theme(Theme::light()) {}
+MapScene::MapScene() : m_theme(Theme::light()), m_land(std::make_unique<LandLayer>())
+{
+    QObject::connect(m_land.get(), &LandLayer::updated, m_land.get(),
+                     [this] { m_isGroundOld = true; });
+}
 
 void MapScene::setPicture(MapPicture picture)
 {
     if (!(picture.origin == m_picture.origin)) {
         m_graticule.reset();
-        m_ground = {};
+        m_isGroundOld = true;
     }
     m_picture = std::move(picture);
     m_layout.reset();
@@ -38,7 +48,7 @@ void MapScene::setTheme(const Theme& theme)
 {
     m_theme = theme;
     m_sprites.clear();
-    m_ground = {};
+    m_isGroundOld = true;
     m_layout.reset();
 }
 
@@ -53,7 +63,7 @@ void MapScene::setRect(const QRectF& rect)
 {
     m_rect = rect;
     m_graticule.reset();
-    m_ground = {};
+    m_isGroundOld = true;
     m_layout.reset();
 }
 
@@ -61,7 +71,7 @@ void MapScene::setView(const MapViewTransform& view)
 {
     m_view = view;
     m_graticule.reset();
-    m_ground = {};
+    m_isGroundOld = true;
     m_layout.reset();
 }
 
@@ -69,9 +79,15 @@ void MapScene::fit()
 {
     m_continuity = {};
     m_labelsOwed = m_picture.icebergs.size();
-    const MapLayout fitted = arrangeMap(m_picture, {.theme = m_theme, .locale = m_locale}, m_rect,
-                                        std::nullopt, {.turn = LabelTurn{}}); // labels do not count
+    const MapLayout fitted = arrangeMap(m_picture, style(), m_rect, std::nullopt,
+                                        {.turn = LabelTurn{}}); // labels do not count
     setView(fitted.view);
+}
+
+void MapScene::setInset(const QSizeF& inset_px)
+{
+    m_inset_px = inset_px;
+    m_layout.reset();
 }
 
 void MapScene::setDriftTime(std::optional<double> driftTime_s)
@@ -90,8 +106,7 @@ const MapLayout& MapScene::layout()
         });
     m_continuity.driftTime_s = m_driftTime_s;
     m_continuity.turn = nextTurn(static_cast<std::size_t>(inSight));
-    m_layout =
-        arrangeMap(m_picture, {.theme = m_theme, .locale = m_locale}, m_rect, m_view, m_continuity);
+    m_layout = arrangeMap(m_picture, style(), m_rect, m_view, m_continuity);
     m_continuity = continuityOf(m_picture, *m_layout);
     return *m_layout;
 }
@@ -143,6 +158,11 @@ std::string MapScene::objectAt(const QPointF& at)
         if (way.length() <= kUavReach_px)
             offer(m_picture.uav->key, way.length());
     }
+    if (m_picture.asset) {
+        const QLineF way(at, map.view.toPixel(m_picture.asset->position_m));
+        if (way.length() <= kAssetReach_px)
+            offer(kAssetKey, way.length());
+    }
     for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i) {
         const LabelDisk& disk = map.icebergs[i];
         const QLineF way(at, disk.centre_px);
@@ -152,7 +172,30 @@ std::string MapScene::objectAt(const QPointF& at)
         else if (nearest.empty() && map.labels[i].rect.contains(at))
             offer(keyOf(m_picture.icebergs[i]), 1e6); // any symbol under the name comes first
     }
-    return nearest;
+    return nearest.empty() && isOnAreaOutline(at) ? kAreaKey : nearest;
+}
+
+QPolygonF MapScene::areaOutline() const
+{
+    QPolygonF outline;
+    for (const Point& corner_m : m_picture.area_m)
+        outline << m_view.toPixel(corner_m);
+    return outline;
+}
+
+bool MapScene::isOnAreaOutline(const QPointF& at) const
+{
+    const QPolygonF outline = areaOutline();
+    for (qsizetype i = 0; i < outline.size(); ++i) {
+        const QPointF from = outline[i];
+        const QPointF edge = outline[(i + 1) % outline.size()] - from;
+        const double length2 = QPointF::dotProduct(edge, edge);
+        const double share =
+            length2 > 0 ? std::clamp(QPointF::dotProduct(at - from, edge) / length2, 0.0, 1.0) : 0;
+        if (QLineF(at, from + edge * share).length() <= kOutlineReach_px)
+            return true;
+    }
+    return false;
 }
 
 std::vector<std::string> MapScene::objectsIn(const QRectF& rect)
@@ -165,19 +208,59 @@ std::vector<std::string> MapScene::objectsIn(const QRectF& rect)
     if (m_picture.uav && !m_picture.uav->key.empty() &&
         rect.contains(map.view.toPixel(m_picture.uav->position_m)))
         keys.push_back(m_picture.uav->key);
+    if (m_picture.asset && rect.contains(map.view.toPixel(m_picture.asset->position_m)))
+        keys.emplace_back(kAssetKey);
     return keys;
 }
 
-std::optional<LabelDisk> MapScene::symbolOf(const std::string& key)
+/** UAV or asset. */
+std::optional<LabelDisk> MapScene::singleSymbolOf(const std::string& key)
 {
     const MapLayout& map = layout();
     if (m_picture.uav && m_picture.uav->key == key && !key.empty())
         return LabelDisk{.centre_px = map.view.toPixel(m_picture.uav->position_m),
                          .radius_px = kUavReach_px};
-    for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i)
-        if (keyOf(m_picture.icebergs[i]) == key)
-            return map.icebergs[i];
+    if (key == kAssetKey && m_picture.asset)
+        return LabelDisk{.centre_px = map.view.toPixel(m_picture.asset->position_m),
+                         .radius_px = kAssetReach_px};
     return std::nullopt;
+}
+
+std::optional<LabelDisk> MapScene::symbolOf(const std::string& key)
+{
+    const std::vector<LabelDisk> symbols = symbolsOf({key});
+    return symbols.empty() ? std::nullopt : std::optional(symbols.front());
+}
+
+/** In no particular order. */
+std::vector<LabelDisk> MapScene::symbolsOf(const std::vector<std::string>& keys)
+{
+    std::vector<LabelDisk> symbols;
+    for (const std::string& key : keys)
+        if (const std::optional<LabelDisk> symbol = singleSymbolOf(key))
+            symbols.push_back(*symbol);
+    const MapLayout& map = layout();
+    const std::unordered_set<std::string_view> wanted(keys.begin(), keys.end());
+    for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i)
+        if (wanted.contains(keyOf(m_picture.icebergs[i])))
+            symbols.push_back(map.icebergs[i]);
+    return symbols;
+}
+
+void MapScene::paintSelection(QPainter& painter, const std::vector<std::string>& keys)
+{
+    constexpr double kSteps = 4; // for each pixel, of the size of kept marks
+    constexpr double kBeside_px = 10;
+    for (const LabelDisk& symbol : symbolsOf(keys)) {
+        const double radius_px = std::round(symbol.radius_px * kSteps) / kSteps;
+        const double reach_px = radius_px + kBeside_px;
+        m_sprites.paint(painter, QLatin1String("selected ") + QString::number(radius_px),
+                        QRectF(-reach_px, -reach_px, 2 * reach_px, 2 * reach_px), symbol.centre_px,
+                        [&](QPainter& own) {
+                            paintSelectionMark(own, {.centre_px = {}, .radius_px = radius_px},
+                                               m_theme);
+                        });
+    }
 }
 
 bool MapScene::isOverlay(const QPointF& at)
@@ -190,13 +273,18 @@ bool MapScene::isOverlay(const QPointF& at)
 void MapScene::paintGround(QPainter& painter, const MapFrame& frame)
 {
     const double ratio = painter.device()->devicePixelRatioF();
-    if (m_ground.isNull() || m_ground.devicePixelRatioF() != ratio) {
-        const QSizeF size = m_rect.size() * ratio;
-        m_ground = QPixmap(static_cast<int>(std::ceil(size.width())),
-                           static_cast<int>(std::ceil(size.height())));
+    const QSizeF exact = m_rect.size() * ratio;
+    const QSize size(static_cast<int>(std::ceil(exact.width())),
+                     static_cast<int>(std::ceil(exact.height())));
+    if (m_ground.size() != size || m_ground.devicePixelRatioF() != ratio) {
+        m_ground = QPixmap(size);
         m_ground.setDevicePixelRatio(ratio);
         m_ground.fill(m_theme.sea); // opaque, so that copying is all there is to do
+        m_isGroundOld = true;
+    }
+    if (std::exchange(m_isGroundOld, false)) {
         QPainter own(&m_ground);
+        own.translate(-m_rect.topLeft());
         paintMapGround(own, frame);
     }
     painter.drawPixmap(m_rect.topLeft(), m_ground);
@@ -207,12 +295,14 @@ void MapScene::paint(QPainter& painter, const std::function<void()>& marks)
     const MapLayout& map = layout();
     if (!m_graticule)
         m_graticule = graticuleOf(LocalFrame(m_picture.origin), m_view, m_rect);
-    const MapStyle style{.theme = m_theme, .locale = m_locale};
+    const MapStyle look = style();
     const MapFrame frame{.picture = m_picture,
-                         .style = style,
+                         .style = look,
                          .layout = map,
                          .graticule = *m_graticule,
-                         .sprites = &m_sprites};
+                         .sprites = &m_sprites,
+                         .land = m_land.get(),
+                         .swept = &m_swept};
     paintGround(painter, frame);
     paintMapContent(painter, frame);
     marks();

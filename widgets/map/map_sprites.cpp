@@ -1,12 +1,13 @@
 #include "widgets/map/map_sprites.h"
 
 #include <cmath>
+#include <utility>
 
 namespace berg {
 namespace {
 
-// Some MB; only a long flight with ever new numbers comes near it.
-constexpr qsizetype kMostSprites = 2000;
+// In each of two parts: some MB; only a long flight with ever new numbers comes near it.
+constexpr qsizetype kMostSprites = 1000;
 
 } // namespace
 
@@ -14,13 +15,17 @@ void MapSprites::paint(QPainter& painter, const QString& key, const QRectF& boun
                        const QPointF& at, const std::function<void(QPainter&)>& draw)
 {
     const double ratio = painter.device()->devicePixelRatioF();
-    if (ratio != m_ratio || m_pixmaps.size() >= kMostSprites) {
+    if (ratio != m_ratio) {
         clear();
         m_ratio = ratio;
     }
+    if (m_pixmaps.size() >= kMostSprites) // those in use come back one by one
+        m_older = std::exchange(m_pixmaps, {});
     const auto snapped = [ratio](double v) { return std::floor(v * ratio) / ratio; };
     const QPointF corner(snapped(bounds.left()), snapped(bounds.top()));
     auto it = m_pixmaps.find(key);
+    if (const auto older = m_older.constFind(key); it == m_pixmaps.end() && older != m_older.cend())
+        it = m_pixmaps.insert(key, *older);
     if (it == m_pixmaps.end()) {
         const QSize size(static_cast<int>(std::ceil((bounds.right() - corner.x()) * ratio)) + 1,
                          static_cast<int>(std::ceil((bounds.bottom() - corner.y()) * ratio)) + 1);

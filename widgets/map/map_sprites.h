@@ -23,11 +23,16 @@ public:
                const std::function<void(QPainter&)>& draw);
 
     /** Forgets all drawings, e.g. because the theme is another one. */
-    void clear() { m_pixmaps.clear(); }
+    void clear()
+    {
+        m_pixmaps.clear();
+        m_older.clear();
+    }
 
 private:
     QHash<QString, QPixmap> m_pixmaps;
-    double m_ratio = 0; ///< device pixels for each unit of the drawings held
+    QHash<QString, QPixmap> m_older; ///< from before there were too many
+    double m_ratio = 0;              ///< device pixels for each unit of the drawings held
 };
 
 } // namespace berg

@@ -192,6 +192,13 @@ void drawDirectionMark(QPainter& painter, const QLineF& line, const QColor& colo
                                   tip - along * size_px - across * (0.5 * size_px)});
 }
 
+QPen formerPlanPen(const Theme& theme)
+{
+    QPen pen(theme.formerPlan, 1.4, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({5, 3.5});
+    return pen;
+}
+
 void drawOrderDisk(QPainter& painter, const QPointF& centre, double radius_px, int number,
                    const Theme& theme)
 {

@@ -23,11 +23,7 @@ constexpr double kLargestScale_pxpm = 10;
 constexpr double kFollowShare = 0.2;
 
 constexpr int kSettle_ms = 50;
-
-bool isEditing(MapToolKind kind)
-{
-    return kind == MapToolKind::Iceberg || kind == MapToolKind::Uav;
-}
+constexpr int kOutlinePieces = 8; // of each side
 
 } // namespace
 
@@ -49,6 +45,7 @@ MapView::MapView(ScenarioDocument& document, Selection& selection, QWidget* pare
         m_scene.settle();
         update();
     });
+    connect(&m_scene.land(), &LandLayer::updated, this, qOverload<>(&QWidget::update));
     connect(&m_document, &ScenarioDocument::replaced, this, &MapView::scenarioReplaced);
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &MapView::scenarioChanged);
     connect(&m_selection, &Selection::changed, this, &MapView::selectionChanged);
@@ -104,6 +101,54 @@ void MapView::fit()
     m_isFitted = true;
     updateHover();
     update();
+    emit outlineChanged();
+}
+
+void MapView::setInset(QWidget* inset)
+{
+    if (m_inset != nullptr && m_inset != inset)
+        m_inset->hide();
+    m_inset = inset;
+    m_scene.setInset(inset != nullptr ? QSizeF(inset->sizeHint()) : QSizeF());
+    placeInset();
+    update();
+}
+
+void MapView::placeInset()
+{
+    if (m_inset == nullptr)
+        return;
+    const QRectF place = m_scene.layout().inset;
+    m_inset->setVisible(!place.isNull());
+    if (!place.isNull())
+        m_inset->setGeometry(place.toRect());
+}
+
+std::vector<LatLon> MapView::outline() const
+{
+    const LocalFrame frame(m_scene.picture().origin);
+    const QRectF shown = m_scene.rect();
+    const QPolygonF corners({shown.topLeft(), shown.topRight(), shown.bottomRight(),
+                             shown.bottomLeft(), shown.topLeft()});
+    std::vector<LatLon> places;
+    for (qsizetype i = 0; i + 1 < corners.size(); ++i) {
+        const QLineF side(corners[i], corners[i + 1]);
+        for (int k = 0; k < kOutlinePieces; ++k)
+            places.push_back(
+                frame.toGeographic(toWorld(side.pointAt(static_cast<double>(k) / kOutlinePieces))));
+    }
+    return places;
+}
+
+void MapView::centreOn(const LatLon& place)
+{
+    const Point place_m = LocalFrame(m_scene.picture().origin).toPlane(place);
+    panBy(m_scene.rect().center() - toScreen(place_m));
+}
+
+void MapView::finishLand()
+{
+    m_scene.land().finish();
 }
 
 void MapView::zoomBy(double factor, const QPointF& at)
@@ -117,6 +162,15 @@ void MapView::zoomBy(double factor, const QPointF& at)
     const bool staysAtUav = m_followsUav && m_scene.picture().uav;
     const QPointF fixed = staysAtUav ? toScreen(m_scene.picture().uav->position_m) : at;
     setView(view().zoomed(wanted_pxpm / scale_pxpm, fixed));
+}
+
+void MapView::showIceberg(const std::string& id)
+{
+    const std::vector<MapIceberg>& icebergs = m_scene.picture().icebergs;
+    const auto it = std::find_if(icebergs.begin(), icebergs.end(),
+                                 [&](const MapIceberg& iceberg) { return keyOf(iceberg) == id; });
+    if (it != icebergs.end())
+        panBy(m_scene.rect().center() - toScreen(it->position_m));
 }
 
 void MapView::panBy(const QPointF& offset_px)
@@ -158,6 +212,7 @@ void MapView::setView(const MapViewTransform& view)
     m_isFitted = false;
     updateHover();
     update();
+    emit outlineChanged();
 }
 
 void MapView::keepUavInSight()
@@ -198,8 +253,11 @@ void MapView::refreshPicture()
     if (shown.uav && shown.uav->key.empty() && !scenario.uavs.empty())
         shown.uav->key = scenario.uavs.front().id;
     const bool isOtherCount = shown.icebergs.size() != m_scene.picture().icebergs.size();
+    const bool isElsewhere = !(shown.origin == m_scene.picture().origin);
     m_scene.setPicture(std::move(shown));
     keepUavInSight();
+    if (isElsewhere)
+        emit outlineChanged();
     if (isOtherCount)
         updateTexts();
     updateHover();
@@ -208,7 +266,7 @@ void MapView::refreshPicture()
 
 void MapView::scenarioReplaced()
 {
-    m_tool->documentChanged(); // taking back would bring the old scenario into the new one
+    m_tool->documentReplaced(); // taking back would bring the old scenario into the new one
     m_fitsNextPicture = true;
     MapPicture empty;
     empty.emptyTitle = m_picture.emptyTitle;
@@ -236,44 +294,6 @@ void MapView::endNudges()
     // The gesture of a tool ends with the tool's own press, not in the middle of it.
     if (!m_tool->isBusy())
         m_document.endGesture();
-}
-
-void MapView::deleteSelected()
-{
-    m_tool->cancel();
-    if (m_isLocked)
-        return;
-    const std::vector<std::string> ids = m_selection.ids();
-    const auto count = std::count_if(ids.begin(), ids.end(), [&](const std::string& id) {
-        return findIceberg(m_document.scenario(), id) != nullptr;
-    });
-    if (count == 0)
-        return;
-    m_document.edit(count == 1 ? tr("Delete iceberg")
-                               : tr("Delete %n icebergs", nullptr, static_cast<int>(count)),
-                    [&](Scenario& scenario) { removeIcebergs(scenario, ids); });
-}
-
-void MapView::selectAll()
-{
-    std::vector<std::string> ids;
-    for (const MapIceberg& iceberg : m_scene.picture().icebergs)
-        ids.push_back(keyOf(iceberg));
-    m_selection.set(std::move(ids));
-}
-
-void MapView::nudge(double east_m, double north_m)
-{
-    m_tool->cancel();
-    if (m_isLocked || m_selection.isEmpty())
-        return;
-    const std::vector<std::string> ids = m_selection.ids();
-    m_document.edit(
-        moveText(m_document.scenario(), ids),
-        [&](Scenario& scenario) {
-            moveObjects(scenario, ids, {east_m, north_m});
-        },
-        u"nudge"_s);
 }
 
 void MapView::toolActed()
@@ -319,15 +339,25 @@ void MapView::paintMarks(QPainter& painter)
     const auto hover = [&](const std::string& id) {
         if (id.empty() || m_selection.contains(id))
             return;
+        if (id == kAreaKey)
+            paintAreaMark(painter, m_scene.areaOutline(), false, theme);
         if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
             paintHoverMark(painter, *symbol, theme);
     };
     hover(m_hovered);
     if (m_highlighted != m_hovered)
         hover(m_highlighted);
-    for (const std::string& id : m_selection.ids())
-        if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
-            paintSelectionMark(painter, *symbol, theme);
+    if (m_selection.contains(kAreaKey))
+        paintAreaMark(painter, m_scene.areaOutline(), true, theme);
+    for (const Iceberg& iceberg : m_document.scenario().icebergs) {
+        if (iceberg.track.empty() || !m_selection.contains(iceberg.id))
+            continue;
+        QPolygonF way;
+        for (const Point& position_m : iceberg.track.position_m)
+            way << toScreen(position_m);
+        paintRecordedTrack(painter, way, theme);
+    }
+    m_scene.paintSelection(painter, m_selection.ids());
 }
 
 void MapView::paintEvent(QPaintEvent*)
@@ -350,6 +380,7 @@ void MapView::resizeEvent(QResizeEvent*)
         fit();
     else
         setView(view().moved(m_scene.rect().center() - before));
+    placeInset();
 }
 
 void MapView::changeEvent(QEvent* event)

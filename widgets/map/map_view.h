@@ -42,7 +42,18 @@ public:
     [[nodiscard]] MapToolKind tool() const { return m_toolKind; }
 
     void fit();
+    /** Shows a widget of its size hint below the north arrow, where there is room; null: none. */
+    void setInset(QWidget* inset);
+    [[nodiscard]] bool hasInset() const { return m_inset != nullptr; }
+    /** What is shown: corners, and points between them, all the way round. */
+    [[nodiscard]] std::vector<LatLon> outline() const;
+    /** Shows this place in the middle, or the next one that a scenario can have something at. */
+    void centreOn(const LatLon& place);
+    /** Waits until all the land of the view last painted can be painted: for pictures. */
+    void finishLand();
     void zoomBy(double factor, const QPointF& at);
+    /** Brings this iceberg to the middle; nothing when it is not in the picture. */
+    void showIceberg(const std::string& id);
     /** Moves what is shown by `offset_px`. */
     void panBy(const QPointF& offset_px);
     /** Keeps the UAV in the middle part of the view until the map is moved by hand. */
@@ -65,14 +76,33 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {900, 600}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
 
+    /** A tool is drawing: undo is to take back its last point and nothing else. */
+    [[nodiscard]] bool isDrawing() const;
+
 public slots:
+    /** Icebergs, asset and area that are selected, or the part that a tool has current. */
     void deleteSelected();
     void selectAll();
     /** Moves the selection, metres east and north; calls that follow each other are one undo step.
      */
     void nudge(double east_m, double north_m);
+    /** The last point of what is being drawn. */
+    void takeLastBack();
+
+    /** The icebergs selected onto the clipboard; false when there are none. */
+    bool copySelected();
+    void cutSelected();
+    /** Icebergs of the clipboard round the cursor; beside where they were when it is elsewhere. */
+    void paste();
+    void pasteAt(const std::optional<Point>& place_m);
+    void duplicateSelected();
+    void addIcebergAt(const Point& place_m);
 
 signals:
+    /** Another part of the Earth is shown. */
+    void outlineChanged();
+    /** Why something that was asked for was not done. */
+    void refused(const QString& text);
     void cursorMoved(const berg::Point& position_m);
     void cursorLeft();
     void toolChanged(berg::MapToolKind kind);
@@ -82,7 +112,9 @@ signals:
     /** The object under the cursor; empty: none. */
     void hovered(const std::string& id);
     void editRequested(const std::string& id);
-    void contextMenuRequested(const QPoint& globalPos, const berg::Point& position_m);
+    /** At an object, which is selected then, or on water: empty. */
+    void contextMenuRequested(const QPoint& globalPos, const berg::Point& position_m,
+                              const std::string& id);
 
 protected:
     bool event(QEvent* event) override;
@@ -107,6 +139,7 @@ private:
     void refreshPicture();
     void keepUavInSight();
     void setView(const MapViewTransform& view);
+    void placeInset();
     void stopFollowing();
     void endNudges();
     void toolActed();
@@ -114,6 +147,10 @@ private:
     void updateHover();
     void requestContextMenu(const QPoint& globalPos, const QPointF& at);
     void pressArrow(const QKeyEvent& event);
+    void leave();
+    [[nodiscard]] QString removalText(const std::vector<std::string>& ids) const;
+    void addCopiesOf(const std::vector<Iceberg>& icebergs, const std::optional<Point>& place_m,
+                     const QString& undoText);
     bool nativeGesture(const QNativeGestureEvent& event);
     bool gesture(QGestureEvent& event);
     bool showToolTip(const QHelpEvent& event);
@@ -140,6 +177,7 @@ private:
     std::string m_highlighted;
     QString m_status;
     QTimer m_settleTimer;
+    QWidget* m_inset = nullptr; ///< none: not shown
 };
 
 } // namespace berg

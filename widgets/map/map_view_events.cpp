@@ -47,6 +47,12 @@ bool isModifier(const QKeyEvent& event)
            event.key() == Qt::Key_Alt || event.key() == Qt::Key_Meta;
 }
 
+/** Keys that mean a drawing while there is one. */
+bool isDrawingKey(const QKeyEvent& event)
+{
+    return event.key() == Qt::Key_Backspace || event.matches(QKeySequence::Undo) || isEnter(event);
+}
+
 } // namespace
 
 MapPointer MapView::pointerOf(const QMouseEvent& event) const
@@ -68,6 +74,9 @@ void MapView::mousePressEvent(QMouseEvent* event)
         setCursor(Qt::ClosedHandCursor);
     } else if (event->button() == Qt::RightButton && m_tool->isBusy()) {
         m_tool->cancel();
+        toolActed();
+    } else if (event->button() == Qt::RightButton && m_tool->isDrawing()) {
+        m_tool->finishDrawing();
         toolActed();
     } else if (event->button() == Qt::RightButton) {
         requestContextMenu(event->globalPosition().toPoint(), event->position());
@@ -93,6 +102,8 @@ void MapView::mouseMoveEvent(QMouseEvent* event)
         toolActed();
     } else {
         updateHover();
+        if (m_tool->hover(pointerOf(*event)))
+            toolActed();
     }
     emit cursorMoved(toWorld(event->position()));
 }
@@ -111,6 +122,11 @@ void MapView::mouseReleaseEvent(QMouseEvent* event)
 void MapView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     event->accept();
+    if (event->button() == Qt::LeftButton && m_tool->isDrawing()) {
+        m_tool->finishDrawing();
+        toolActed();
+        return;
+    }
     const std::string id = m_scene.objectAt(event->position());
     if (event->button() == Qt::LeftButton && !id.empty())
         emit editRequested(id);
@@ -124,10 +140,10 @@ void MapView::contextMenuEvent(QContextMenuEvent* event)
     if (event->reason() != QContextMenuEvent::Keyboard)
         return; // the press of the button has asked already
     QPointF at = m_scene.rect().center();
-    if (!m_selection.isEmpty())
-        if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(m_selection.ids().front()))
-            at = symbol->centre_px;
-    emit contextMenuRequested(mapToGlobal(at.toPoint()), toWorld(at));
+    const std::string id = m_selection.isEmpty() ? std::string() : m_selection.ids().front();
+    if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
+        at = symbol->centre_px;
+    emit contextMenuRequested(mapToGlobal(at.toPoint()), toWorld(at), id);
 }
 
 void MapView::requestContextMenu(const QPoint& globalPos, const QPointF& at)
@@ -135,7 +151,7 @@ void MapView::requestContextMenu(const QPoint& globalPos, const QPointF& at)
     const std::string id = m_scene.objectAt(at);
     if (!id.empty() && !m_selection.contains(id))
         m_selection.set({id});
-    emit contextMenuRequested(globalPos, toWorld(at));
+    emit contextMenuRequested(globalPos, toWorld(at), id);
 }
 
 void MapView::wheelEvent(QWheelEvent* event)
@@ -157,6 +173,15 @@ void MapView::keyPressEvent(QKeyEvent* event)
         QWidget::keyPressEvent(event);
         return;
     }
+    if (m_tool->isDrawing() && isDrawingKey(*event)) {
+        if (isEnter(*event))
+            m_tool->finishDrawing();
+        else
+            m_tool->takeLastBack();
+        event->accept();
+        toolActed();
+        return;
+    }
     const bool isArrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right ||
                          event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
     if (!isArrow)
@@ -176,16 +201,25 @@ void MapView::keyPressEvent(QKeyEvent* event)
         fit();
     else if (event->key() == Qt::Key_Escape && m_tool->isBusy())
         m_tool->cancel();
-    else if (event->key() == Qt::Key_Escape && m_toolKind != MapToolKind::Select)
-        setTool(MapToolKind::Select);
     else if (event->key() == Qt::Key_Escape)
-        m_selection.clear();
+        leave();
     else if (!m_tool->key(*event)) {
         QWidget::keyPressEvent(event);
         return;
     }
     event->accept();
     toolActed();
+}
+
+/** One thing at a time: what is drawn, then the tool, then the selection. */
+void MapView::leave()
+{
+    if (m_tool->dropDrawing())
+        return;
+    if (m_toolKind != MapToolKind::Select)
+        setTool(MapToolKind::Select);
+    else
+        m_selection.clear();
 }
 
 void MapView::pressArrow(const QKeyEvent& event)
@@ -200,7 +234,7 @@ void MapView::pressArrow(const QKeyEvent& event)
         way.y() = 1;
     else
         way.y() = -1;
-    if (m_selection.isEmpty()) {
+    if (m_selection.isEmpty() || m_tool->isDrawing()) {
         // The view goes where the arrow points, so the map goes the other way.
         const double pan_px = isLarge ? kLargePan_px : kPan_px;
         panBy(QPointF(-way.x(), way.y()) * pan_px);
@@ -219,10 +253,13 @@ bool MapView::event(QEvent* event)
         return gesture(*static_cast<QGestureEvent*>(event)) || QWidget::event(event);
     if (event->type() == QEvent::ToolTip)
         return showToolTip(*static_cast<QHelpEvent*>(event));
-    if (event->type() == QEvent::ShortcutOverride && m_tool->isBusy() &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        event->accept(); // what is under way comes before any shortcut
-        return true;
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if ((m_tool->isBusy() && key.key() == Qt::Key_Escape) ||
+            (m_tool->isDrawing() && isDrawingKey(key))) {
+            event->accept(); // what is under way comes before any shortcut
+            return true;
+        }
     }
     return QWidget::event(event);
 }
@@ -265,8 +302,8 @@ bool MapView::showToolTip(const QHelpEvent& event)
     const QLocale& words = m_scene.locale();
     const double speed_mps = iceberg->velocity_mps.norm();
     const QString drift =
-        speed_mps > 0 ? tr("drifting %1 m/s towards %2")
-                            .arg(fixedText(speed_mps, 2, words), bearingText(iceberg->velocity_mps))
+        speed_mps > 0 ? tr("drifting %1 towards %2")
+                            .arg(speedText(speed_mps, words), bearingText(iceberg->velocity_mps))
                       : tr("not drifting");
     const QString text = tr("%1: σ %2 m² (√σ %3 m), %4")
                              .arg(iceberg->id, significantText(iceberg->sigma_m2, 3, words),

@@ -80,6 +80,36 @@ std::vector<MapTrackPoint> trackOf(const FlightRecord& record)
     return track;
 }
 
+/** Where the UAV was at each sample until the time shown, and is. */
+std::vector<MapPose> posesOf(const FlightRecord& record)
+{
+    const MissionSnapshot& shown = record.shown();
+    std::vector<MapPose> poses;
+    poses.reserve(record.history.samples.size() + 1);
+    for (const Sample& sample : record.history.samples) {
+        if (sample.time_s > shown.time_s)
+            break;
+        poses.push_back({.position_m = sample.uav.position_m,
+                         .psi_rad = sample.uav.psi_rad,
+                         .time_s = sample.time_s});
+    }
+    if (!poses.empty() && poses.back().time_s < shown.time_s)
+        poses.push_back({.position_m = shown.world.uav.position_m,
+                         .psi_rad = shown.world.uav.psi_rad,
+                         .time_s = shown.time_s});
+    return poses;
+}
+
+/** Icebergs of an order as places in the picture. */
+std::vector<int> placesOf(const std::vector<int>& order, const std::vector<int>& shown)
+{
+    std::vector<int> places;
+    for (const int iceberg : order)
+        if (const int place = shown[static_cast<std::size_t>(iceberg)]; place >= 0)
+            places.push_back(place);
+    return places;
+}
+
 } // namespace
 
 double sigmaScaleEnd_m2(const FlightRecord& record)
@@ -126,10 +156,13 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
     std::vector<int> shown;
     picture.icebergs = icebergsOf(record, shown);
     if (record.shown().plan)
-        for (const int iceberg : record.shown().plan->order)
-            if (const int place = shown[static_cast<std::size_t>(iceberg)]; place >= 0)
-                picture.plan.push_back(place);
+        picture.plan = placesOf(record.shown().plan->order, shown);
+    if (const std::optional<ShownChange> change = record.changeShown()) {
+        picture.formerPlan = placesOf(change->change.before, shown);
+        picture.formerFrom_m = change->from_m;
+    }
     picture.track = trackOf(record);
+    picture.swept = posesOf(record);
     picture.area_m = scenario.area_m;
     if (scenario.asset)
         picture.asset = MapAsset{.name = QString::fromStdString(scenario.asset->name),

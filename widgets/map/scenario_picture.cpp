@@ -19,6 +19,25 @@ MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario)
             .key = iceberg.id};
 }
 
+std::vector<std::string> keysOf(const std::vector<int>& order, const MapPicture& picture)
+{
+    std::vector<std::string> keys;
+    for (const int place : order)
+        keys.push_back(keyOf(picture.icebergs[static_cast<std::size_t>(place)]));
+    return keys;
+}
+
+/** Those of the keys that are there, in their order. */
+std::vector<int> placesOf(const std::vector<std::string>& keys,
+                          const std::unordered_map<std::string, int>& places)
+{
+    std::vector<int> order;
+    for (const std::string& key : keys)
+        if (const auto place = places.find(key); place != places.end())
+            order.push_back(place->second);
+    return order;
+}
+
 /** What the UAV sees at t = 0 is certain. */
 void markInView(MapPicture& picture)
 {
@@ -41,9 +60,8 @@ std::string keyOf(const MapIceberg& iceberg)
 
 MapPicture withScenario(MapPicture picture, const Scenario& scenario)
 {
-    std::vector<std::string> planned;
-    for (const int place : picture.plan)
-        planned.push_back(keyOf(picture.icebergs[static_cast<std::size_t>(place)]));
+    const std::vector<std::string> planned = keysOf(picture.plan, picture);
+    const std::vector<std::string> former = keysOf(picture.formerPlan, picture);
 
     std::unordered_map<std::string, int> places;
     picture.icebergs.clear();
@@ -51,10 +69,8 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
         places.emplace(iceberg.id, static_cast<int>(picture.icebergs.size()));
         picture.icebergs.push_back(mapIceberg(iceberg, scenario));
     }
-    picture.plan.clear();
-    for (const std::string& id : planned)
-        if (const auto place = places.find(id); place != places.end())
-            picture.plan.push_back(place->second);
+    picture.plan = placesOf(planned, places);
+    picture.formerPlan = placesOf(former, places);
 
     picture.uav.reset();
     if (!scenario.uavs.empty()) {

@@ -1,10 +1,45 @@
 #include "widgets/model/flight_record.h"
 
+#include "widgets/model/compared_run.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace berg {
+
+namespace {
+
+/** On the track as it is drawn, straight between its samples. */
+Point placeAt(const FlightRecord& record, double time_s)
+{
+    const std::vector<Sample>& samples = record.history.samples;
+    const auto after = std::lower_bound(samples.begin(), samples.end(), time_s,
+                                        [](const Sample& s, double t) { return s.time_s < t; });
+    const bool isLast = after == samples.end();
+    const Point to_m = isLast ? record.now.world.uav.position_m : after->uav.position_m;
+    if (after == samples.begin())
+        return to_m;
+    const Sample& before = *std::prev(after);
+    const double length_s = (isLast ? record.now.time_s : after->time_s) - before.time_s;
+    const double share = length_s > 0 ? (time_s - before.time_s) / length_s : 1;
+    return before.uav.position_m + share * (to_m - before.uav.position_m);
+}
+
+/** The plan that changed the order last, the plans after it being the same again; null: none. */
+const PlanEvent* lastChange(const FlightRecord& record)
+{
+    const std::vector<PlanEvent>& plans = record.history.plans;
+    for (std::size_t k = std::min(record.shown().planCount, plans.size()); k-- > 0;) {
+        if (plans[k].change)
+            return &plans[k];
+        if (plans[k].reason != PlanReason::Intervention)
+            break;
+    }
+    return nullptr;
+}
+
+} // namespace
 
 void FlightRecord::begin(const Scenario& flown)
 {
@@ -21,6 +56,43 @@ void FlightRecord::take(MissionSnapshot snapshot)
     }
     append(history, std::exchange(snapshot.news, {}));
     now = std::move(snapshot);
+    if (!inFlight())
+        noteStartPlan();
+}
+
+/** Before take-off each plan is a mission of its own: what one changes is known only here. */
+void FlightRecord::noteStartPlan()
+{
+    if (startPlan && !isSameWorld(startPlan->scenario, scenario))
+        startPlan.reset();
+    if (now.phase != RunPhase::Ready || !now.plan)
+        return;
+    const std::vector<int>& order = now.plan->order;
+    StartPlan next{.scenario = scenario, .order = order};
+    if (startPlan)
+        next.change = startPlan->order == order
+                          ? startPlan->change
+                          : planChange(forecastStart(now, scenario), startPlan->order, order,
+                                       scenario.duration_s);
+    startPlan = std::move(next);
+}
+
+std::optional<ShownChange> FlightRecord::changeShown() const
+{
+    if (!inFlight() && startPlan && startPlan->change && now.plan)
+        return ShownChange{.change = *startPlan->change};
+    const PlanEvent* plan = lastChange(*this);
+    if (plan == nullptr)
+        return std::nullopt;
+    const std::vector<int>& before = plan->change->before;
+    const bool isLeft = std::any_of(before.begin(), before.end(), [&](int iceberg) {
+        const Track& track = shown().world.tracks[static_cast<std::size_t>(iceberg)];
+        return !track.inView && track.anchor_s <= plan->time_s;
+    });
+    if (!isLeft)
+        return std::nullopt;
+    return ShownChange{
+        .change = *plan->change, .time_s = plan->time_s, .from_m = placeAt(*this, plan->time_s)};
 }
 
 bool FlightRecord::inFlight() const

@@ -4,6 +4,22 @@
 
 namespace berg {
 
+/** The last plan that was made before take-off. */
+struct StartPlan
+{
+    Scenario scenario;
+    std::vector<int> order;
+    std::optional<PlanChange> change; ///< the last of the order, since only the planner is changed
+};
+
+/** What the plan shown took the place of. */
+struct ShownChange
+{
+    PlanChange change;
+    double time_s = 0;           ///< when
+    std::optional<Point> from_m; ///< where the UAV was then; none: where it is
+};
+
 /**
  * What map, charts and panels show of one mission: its scenario, how it stands, what it was like
  * at the instant the user looks at, and the history so far. Made from a finished mission, or grown
@@ -15,6 +31,7 @@ struct FlightRecord
     MissionSnapshot now;                    ///< newest; its news are in the history
     std::optional<MissionSnapshot> instant; ///< looked back at; none: the newest is shown
     MissionHistory history;
+    std::optional<StartPlan> startPlan;
 
     /** What is to be drawn. */
     [[nodiscard]] const MissionSnapshot& shown() const { return instant ? *instant : now; }
@@ -28,8 +45,17 @@ struct FlightRecord
     [[nodiscard]] bool inFlight() const;
     /** At the time shown. */
     [[nodiscard]] Point estimate_m(std::size_t iceberg) const;
+    /**
+     * In flight that of the last plan at the time shown, or of one before it when all that came
+     * after were changes of the planner that left the order as it was. Before take-off that of the
+     * last other order in this world. None: no order was changed, or all of the old one are seen.
+     */
+    [[nodiscard]] std::optional<ShownChange> changeShown() const;
     /** So many events had come by the time shown. */
     [[nodiscard]] std::size_t eventsShown() const;
+
+private:
+    void noteStartPlan();
 };
 
 [[nodiscard]] FlightRecord recordOf(const Mission& mission);

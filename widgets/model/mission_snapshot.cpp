@@ -48,6 +48,15 @@ void append(MissionHistory& history, HistoryNews news)
     join(history.events, news.firstEvent, std::move(news.part.events));
 }
 
+ForecastStart forecastStart(const MissionSnapshot& snapshot, const Scenario& scenario)
+{
+    return {.world = snapshot.world,
+            .active = snapshot.active,
+            .time_s = snapshot.time_s,
+            .airspeed_mps = scenario.uavs.front().spec.airspeed_mps,
+            .wind_mps = scenario.wind_mps};
+}
+
 MissionSnapshot snapshotOf(const Mission& mission)
 {
     MissionSnapshot snapshot = worldOf(mission, mission.simulation());

@@ -55,6 +55,10 @@ struct MissionSnapshot
     std::optional<Error> error;
 };
 
+/** The instant of the snapshot as one to forecast from; the snapshot must outlive it. */
+[[nodiscard]] ForecastStart forecastStart(const MissionSnapshot& snapshot,
+                                          const Scenario& scenario);
+
 /** The mission as it is now, without generation, phase and news. */
 [[nodiscard]] MissionSnapshot snapshotOf(const Mission& mission);
 

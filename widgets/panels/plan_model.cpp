@@ -3,8 +3,8 @@
 #include "widgets/theme/quantity_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -22,20 +22,10 @@ QString PlanModel::arrivalText(double arrival_s)
 
 void PlanModel::setRows(std::vector<PlanRow> rows)
 {
+    if (rows == m_rows)
+        return;
     const int before = rowCount();
     const int after = static_cast<int>(rows.size());
-    const int kept = std::min(before, after);
-
-    using Texts = std::array<QString, ColumnCount>;
-    const auto textsOf = [this](int row) {
-        Texts texts;
-        for (int column = 0; column < ColumnCount; ++column)
-            texts[static_cast<std::size_t>(column)] = text(row, static_cast<Column>(column));
-        return texts;
-    };
-    std::vector<Texts> shown;
-    for (int row = 0; row < kept; ++row)
-        shown.push_back(textsOf(row));
 
     // Rows come and go at the end, so that the ones above stay where the view has them.
     if (after < before) {
@@ -48,9 +38,27 @@ void PlanModel::setRows(std::vector<PlanRow> rows)
         endInsertRows();
     }
     m_rows = std::move(rows);
-    for (int row = 0; row < kept; ++row)
-        if (textsOf(row) != shown[static_cast<std::size_t>(row)])
-            emit dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    takeTexts(std::min(before, after));
+}
+
+/** Tells which of the first `kept` rows read otherwise than before, as one span. */
+void PlanModel::takeTexts(int kept)
+{
+    const std::vector<Texts> before = std::exchange(m_texts, {});
+    m_texts.reserve(m_rows.size());
+    int first = kept;
+    int last = -1;
+    for (int row = 0; row < rowCount(); ++row) {
+        Texts& texts = m_texts.emplace_back();
+        for (int column = 0; column < ColumnCount; ++column)
+            texts[static_cast<std::size_t>(column)] = text(row, static_cast<Column>(column));
+        if (row < kept && texts != before[static_cast<std::size_t>(row)]) {
+            first = std::min(first, row);
+            last = row;
+        }
+    }
+    if (last >= first)
+        emit dataChanged(index(first, 0), index(last, ColumnCount - 1));
 }
 
 void PlanModel::setHighlight(const std::string& id)

@@ -5,9 +5,11 @@
 #include <QAbstractTableModel>
 #include <QLocale>
 
+#include <array>
+
 namespace berg {
 
-/** The plan as a table. Tells of the cells whose text has changed and of no others. */
+/** The plan as a table. Tells of the rows whose text has changed, as one span. */
 class PlanModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -48,11 +50,15 @@ public:
                                       int role) const override;
 
 private:
+    using Texts = std::array<QString, ColumnCount>; ///< of one row
+
+    void takeTexts(int kept);
     [[nodiscard]] QString text(int row, Column column) const;
     [[nodiscard]] QString toolTip(int row, Column column) const;
 
     QLocale m_locale;
     std::vector<PlanRow> m_rows;
+    std::vector<Texts> m_texts; ///< of them, as they were last told of
     std::string m_highlight;
 };
 

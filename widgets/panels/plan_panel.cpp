@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -25,7 +26,11 @@ constexpr int kCellMargins_px = 10;
 constexpr int kSummaryMargin_px = 4;
 constexpr int kNameRoom_px = 85; // that a name and a scroll bar have beside the last column
 constexpr double kHour_s = 3600;
-constexpr double kSmallestChange_m = 10;
+
+QString signedText(double value, const QString& size)
+{
+    return (value < 0 ? u"−"_s : u"+"_s) + size;
+}
 
 } // namespace
 
@@ -150,33 +155,59 @@ void PlanPanel::chooseColumns()
     m_table->setColumnHidden(PlanModel::ArrivalSigma, width() - taken_px < kNameRoom_px);
 }
 
-/** How long the plan is, when it is flown, and what that is against the one before. */
 void PlanPanel::updateSummary()
 {
+    QStringList lines = summaryLines();
+    m_summary->setToolTip(summaryToolTip());
+    for (QString& line : lines)
+        line = m_summary->fontMetrics().elidedText(line, Qt::ElideRight,
+                                                   width() - 2 * kCellMargins_px);
+    m_summary->setText(lines.join(u'\n'));
+}
+
+/** How long the plan is, when it is flown, what comes of it, and that against the one before. */
+QStringList PlanPanel::summaryLines() const
+{
     const std::vector<PlanRow>& rows = m_model->rows();
-    QString text;
+    QStringList lines;
     if (!rows.empty()) {
         double length_m = 0;
         for (const PlanRow& row : rows)
             length_m += row.leg_m;
-        text = tr("%1, flown %2")
-                   .arg(distanceText(length_m, locale()),
-                        PlanModel::arrivalText(rows.back().arrival_s));
-        if (m_change_m && std::abs(*m_change_m) >= kSmallestChange_m) {
-            const QString change = distanceText(std::abs(*m_change_m), locale(), 2);
-            text += u"; "_s + (*m_change_m > 0 ? tr("+%1 against the plan before").arg(change)
-                                               : tr("−%1 against the plan before").arg(change));
-        }
+        lines << tr("%1, flown %2")
+                     .arg(distanceText(length_m, locale()),
+                          PlanModel::arrivalText(rows.back().arrival_s));
     }
-    const QString shown =
-        m_summary->fontMetrics().elidedText(text, Qt::ElideRight, width() - 2 * kCellMargins_px);
-    m_summary->setText(shown);
-    m_summary->setToolTip(shown == text ? QString() : text);
+    if (!m_outlook)
+        return lines;
+    lines << tr("Predicted ζ at the end: %1 m² s")
+                 .arg(significantText(m_outlook->zeta_m2s, 4, locale()));
+    if (const std::optional<PlanChange>& change = m_outlook->change)
+        lines << tr("Against the plan before: %1, ζ %2 m² s")
+                     .arg(signedText(change->distance_m,
+                                     distanceText(std::abs(change->distance_m), locale(), 2)),
+                          signedText(change->zeta_m2s,
+                                     significantText(std::abs(change->zeta_m2s), 2, locale())));
+    return lines;
 }
 
-void PlanPanel::showChange(std::optional<double> change_m)
+/** The same unabridged, the order before, and what the prediction rests on. */
+QString PlanPanel::summaryToolTip() const
 {
-    m_change_m = change_m;
+    QStringList lines = summaryLines();
+    if (!m_outlook)
+        return lines.join(u'\n');
+    if (m_outlook->change)
+        lines << tr("Order before the change at %1: %2")
+                     .arg(clockText(m_outlook->changed_s), m_outlook->before.join(u", "_s));
+    lines << tr("Predicted for straight legs to where the icebergs are now,\n"
+                "with nothing seen on the way and nothing planned again.");
+    return lines.join(u'\n');
+}
+
+void PlanPanel::showOutlook(std::optional<PlanOutlook> outlook)
+{
+    m_outlook = std::move(outlook);
     updateSummary();
 }
 

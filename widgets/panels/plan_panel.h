@@ -26,8 +26,8 @@ public:
     void setSigmaFull(double full_m2);
 
     void showPlan(std::vector<PlanRow> rows);
-    /** `planChange_m` of the plan shown; none: nothing is said of it. */
-    void showChange(std::optional<double> change_m);
+    /** Of the plan shown; none: only its length is told. */
+    void showOutlook(std::optional<PlanOutlook> outlook);
     /** Marks this iceberg's row, e.g. while the pointer is on it on the map; empty: none. */
     void setHighlight(const std::string& id);
 
@@ -46,6 +46,8 @@ private:
     void setColumnWidths();
     void chooseColumns();
     void updateSummary();
+    [[nodiscard]] QStringList summaryLines() const;
+    [[nodiscard]] QString summaryToolTip() const;
     void setHovered(const std::string& id);
     void choose(const QModelIndex& index);
 
@@ -54,7 +56,7 @@ private:
     QTableView* m_table;
     QLabel* m_empty;
     QLabel* m_summary;
-    std::optional<double> m_change_m;
+    std::optional<PlanOutlook> m_outlook;
     std::string m_hovered;
     std::string m_chosen; ///< kept while it is not in the plan
     double m_sigmaFull_m2 = 0;

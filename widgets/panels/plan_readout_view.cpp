@@ -53,6 +53,8 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     m_state->setObjectName(u"planState"_s);
     m_state->setAccessibleName(tr("State of the plan"));
     m_state->setWordWrap(true);
+    m_state->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_state, &QLabel::linkActivated, this, &PlanReadoutView::checksRequested);
     stateRow->addWidget(m_mark, 0, Qt::AlignTop);
     stateRow->addWidget(m_state, 1);
     grid->addLayout(stateRow, 6, 0, 1, 2);
@@ -104,6 +106,10 @@ void PlanReadoutView::drawMark()
         m_mark->setPixmap(icon(IconName::Warning, m_theme)
                               .pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
         break;
+    case PlanVerdict::Fault:
+        m_mark->setPixmap(
+            icon(IconName::Fault, m_theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
+        break;
     }
     m_mark->setVisible(m_verdict != PlanVerdict::None);
 }
@@ -123,7 +129,11 @@ void PlanReadoutView::showPlan(const PlanReadout& readout, PolicyKind policy)
     });
 
     const PlanState state = planState(readout, locale());
-    m_state->setText(state.text);
+    if (state.verdict == PlanVerdict::Fault)
+        m_state->setText(u"%1 <a href=\"checks\">%2</a>"_s.arg(state.text.toHtmlEscaped(),
+                                                               tr("Show the checks")));
+    else
+        m_state->setText(state.text);
     m_state->setToolTip(state.details);
     m_mark->setToolTip(state.details);
     if (state.verdict != m_verdict) {

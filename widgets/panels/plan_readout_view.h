@@ -22,6 +22,9 @@ public:
     void setTheme(const Theme& theme);
     void showPlan(const PlanReadout& readout, PolicyKind policy);
 
+signals:
+    void checksRequested();
+
 private:
     [[nodiscard]] FigureLabel* addFigure(int row, int column, const QString& name,
                                          const QString& caption, const QString& toolTip);

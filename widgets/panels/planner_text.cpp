@@ -92,6 +92,8 @@ PlanState stateOfSolve(const PlanReadout& readout, const QLocale& locale)
 
 PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
 {
+    if (!readout.fault.isEmpty())
+        return {PlanVerdict::Fault, readout.fault, {}};
     if (!readout.plan)
         return {PlanVerdict::None,
                 readout.solving ? PlannerText::tr("Planning…") : PlannerText::tr("No plan yet"),

@@ -20,6 +20,7 @@ struct PlanReadout
 {
     std::optional<PlanEvent> plan;
     bool solving = false;
+    QString fault; ///< why nothing can be planned; empty: nothing stands in the way
 };
 
 /** How much is known about a plan. */
@@ -28,7 +29,8 @@ enum class PlanVerdict
     None, ///< nothing to judge
     Proven,
     Estimate, ///< a good order, not proven
-    Warning   ///< not what was asked for
+    Warning,  ///< not what was asked for
+    Fault     ///< nothing can be planned
 };
 
 /** What to say of a plan. */

@@ -1,0 +1,140 @@
+#include "widgets/map/map_ways.h"
+
+#include "widgets/map/footprint.h"
+#include "widgets/map/map_paint.h"
+#include "widgets/map/map_symbols.h"
+#include "widgets/map/swept_layer.h"
+
+#include <algorithm>
+
+namespace berg {
+namespace {
+
+constexpr double kOldestTrack = 0.2; // share of the track's colour left at its oldest end
+constexpr int kTrackShades = 40;
+constexpr double kComparison_px = 1.2;      // thinner than the track
+constexpr double kComparisonMarks_px = 150; // between its arrow heads
+constexpr double kComparisonMark_px = 9;
+
+} // namespace
+
+void paintSwept(const MapPaint& p)
+{
+    if (!p.picture.showsSwept())
+        return;
+    const SweptLook look{.view = p.layout.view,
+                         .rect = p.layout.rect,
+                         .ratio = p.painter.device()->devicePixelRatioF(),
+                         .sensor = p.picture.uav->sensor,
+                         .tint = p.theme.swept};
+    if (p.swept != nullptr) {
+        p.swept->paint(p.painter, p.picture.swept, look);
+        return;
+    }
+    SweptMask mask;
+    p.painter.drawImage(p.layout.rect.topLeft(), mask.updated(p.picture.swept, look));
+}
+
+/** One colour and arrow heads along the way: told from the flown track by shape too. */
+void paintComparison(const MapPaint& p)
+{
+    const std::vector<MapTrackPoint>& track = p.picture.comparisonTrack;
+    if (track.size() < 2)
+        return;
+    QPolygonF line{p.layout.view.toPixel(track.front().position_m)};
+    std::vector<QLineF> marks;
+    double sinceMark_px = kComparisonMarks_px / 2;
+    for (const MapTrackPoint& point : track) {
+        const QLineF step(line.back(), p.layout.view.toPixel(point.position_m));
+        if (step.length() < 1)
+            continue;
+        line << step.p2();
+        sinceMark_px += step.length();
+        if (sinceMark_px >= kComparisonMarks_px && p.layout.rect.contains(step.p2())) {
+            // Longer than the step: marks keep off lines too short for them.
+            const QPointF reach = (step.p2() - step.p1()) / step.length() * 3 * kComparisonMark_px;
+            marks.emplace_back(step.p2() - reach, step.p2() + reach);
+            sinceMark_px = 0;
+        }
+    }
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(
+        QPen(p.theme.comparison, kComparison_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+    p.painter.drawPolyline(line);
+    for (const QLineF& mark : marks)
+        drawDirectionMark(p.painter, mark, p.theme.comparison, kComparisonMark_px);
+}
+
+void paintTrack(const MapPaint& p)
+{
+    const std::vector<MapTrackPoint>& track = p.picture.track;
+    if (track.size() < 2)
+        return;
+    const double from_s = track.front().time_s;
+    const double span_s = std::max(1e-9, track.back().time_s - from_s);
+    const auto shadeOf = [&](double time_s) {
+        return static_cast<int>((time_s - from_s) / span_s * (kTrackShades - 1));
+    };
+    p.painter.setBrush(Qt::NoBrush);
+    QPolygonF piece{p.layout.view.toPixel(track.front().position_m)};
+    int shade = 0;
+    const auto flush = [&] {
+        // Mixed with the sea instead of translucent: crossings would add up otherwise. Round joins
+        // look the same on so thin a line, but take most of the time of a frame.
+        const double share =
+            kOldestTrack + (1 - kOldestTrack) * static_cast<double>(shade) / (kTrackShades - 1);
+        p.painter.setPen(QPen(mixed(p.theme.sea, p.theme.track, share), 1.6, Qt::SolidLine,
+                              Qt::FlatCap, Qt::BevelJoin));
+        p.painter.drawPolyline(piece);
+    };
+    for (const MapTrackPoint& point : track) {
+        const QPointF at = p.layout.view.toPixel(point.position_m);
+        const QPointF step = at - piece.back();
+        if (QPointF::dotProduct(step, step) >= 1)
+            piece << at;
+        if (shadeOf(point.time_s) == shade)
+            continue;
+        flush();
+        piece = QPolygonF{piece.back()};
+        shade = shadeOf(point.time_s);
+    }
+    piece << p.layout.view.toPixel(track.back().position_m);
+    flush();
+}
+
+void paintFieldOfView(const MapPaint& p)
+{
+    if (!p.picture.uav)
+        return;
+    QColor fill = p.theme.uav;
+    fill.setAlphaF(0.09F);
+    p.painter.setPen(QPen(p.theme.uav, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    p.painter.setBrush(fill);
+    p.painter.drawPolygon(fieldOutline(*p.picture.uav, p.layout.view));
+}
+
+void paintFormerPlan(const MapPaint& p)
+{
+    p.painter.setPen(formerPlanPen(p.theme));
+    for (const QLineF& leg : formerLegs(p.picture, p.layout))
+        p.painter.drawLine(leg);
+}
+
+void paintPlan(const MapPaint& p)
+{
+    const std::vector<QLineF> legs = planLegs(p.picture, p.layout);
+    for (std::size_t k = legs.size(); k-- > 0;) {
+        const bool isNext = k == 0;
+        const double width_px = isNext ? 3.2 : 1.6;
+        if (legs[k].isNull())
+            continue;
+        // A rim of sea sets the line off from the track below.
+        p.painter.setPen(QPen(p.theme.sea, width_px + 2.4, Qt::SolidLine, Qt::FlatCap));
+        p.painter.drawLine(legs[k]);
+        p.painter.setPen(QPen(p.theme.plan, width_px, Qt::SolidLine, Qt::FlatCap));
+        p.painter.drawLine(legs[k]);
+        drawDirectionMark(p.painter, legs[k], p.theme.plan, isNext ? 13 : 10);
+    }
+}
+
+} // namespace berg
