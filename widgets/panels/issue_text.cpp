@@ -1,6 +1,9 @@
 #include "widgets/panels/issue_text.h"
 
+#include "core/scenario/advice.h"
+
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <charconv>
 
@@ -28,48 +31,160 @@ std::string withoutIndices(const std::string& field)
     return name;
 }
 
-QString warningText(const std::string& field)
+/** What the core advises and how the user is told. */
+struct AdviceText
 {
-    if (field == "uavs")
-        return IssueText::tr("This version flies the first UAV only; the others are kept.");
-    if (field == "uavs.endurance_s")
-        return IssueText::tr("The endurance is kept, but not used by this version.");
-    if (field == "icebergs.velocity_mps")
-        return IssueText::tr("Drifts so fast that the UAV may not catch up with it.");
-    if (field == "wind_mps")
-        return IssueText::tr("The UAV will make little way against this wind.");
-    if (field == "area_m")
-        return IssueText::tr("The area is kept, but not used by this version.");
-    if (field == "asset")
-        return IssueText::tr("The asset is kept, but not used by this version.");
-    if (field == "planner.policy")
-        return IssueText::tr("This version cannot fly the policy chosen.");
+    std::string_view message;
+    const char* text;
+};
+
+constexpr AdviceText kAdviceTexts[] = {
+    {advised::kUnknownMembers,
+     QT_TRANSLATE_NOOP("IssueText", "The file holds members that this version does not know. They "
+                                    "are kept, but not used.")},
+    {advised::kAreaUnused,
+     QT_TRANSLATE_NOOP("IssueText", "The area serves these checks; this version flies beyond it.")},
+    {advised::kAssetUnused,
+     QT_TRANSLATE_NOOP("IssueText", "The asset is kept, but not used by this version.")},
+    {advised::kFirstUavOnly,
+     QT_TRANSLATE_NOOP("IssueText", "This version flies the first UAV only; the others are kept.")},
+    {advised::kEnduranceUnused,
+     QT_TRANSLATE_NOOP("IssueText", "The endurance is kept, but not used by this version.")},
+    {advised::kEnduranceShort,
+     QT_TRANSLATE_NOOP("IssueText", "The endurance is shorter than the run, and this version flies "
+                                    "on when it is over.")},
+    {advised::kNoRoundTrip,
+     QT_TRANSLATE_NOOP("IssueText", "The endurance is too short for the way to the nearest iceberg "
+                                    "and back.")},
+    {advised::kUavOutside, QT_TRANSLATE_NOOP("IssueText", "Starts outside the area.")},
+    {advised::kWideTurn,
+     QT_TRANSLATE_NOOP("IssueText", "The turn radius is larger than half the field of view, so "
+                                    "that an iceberg may be missed.")},
+    {advised::kReachInsideTurn,
+     QT_TRANSLATE_NOOP("IssueText", "The radius that counts as reached is smaller than the turn "
+                                    "radius, so that the UAV flies on and comes back.")},
+    {advised::kOutsideArea, QT_TRANSLATE_NOOP("IssueText", "Lies outside the area.")},
+    {advised::kLeavesArea,
+     QT_TRANSLATE_NOOP("IssueText", "Drifts out of the area before the end of the run.")},
+    {advised::kSamePlace,
+     QT_TRANSLATE_NOOP("IssueText", "Lies where another iceberg lies. Is it the same one?")},
+    {advised::kOutOfReach,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "So far away that the UAV cannot get there before the end of the run.")},
+    {advised::kTooShort,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "The run is over before the UAV can get to the first iceberg.")},
+    {advised::kFast,
+     QT_TRANSLATE_NOOP("IssueText", "Drifts faster than icebergs do. Is the unit right?")},
+    {advised::kTrackShort,
+     QT_TRANSLATE_NOOP("IssueText", "Its recorded track ends before the run does; from then on it "
+                                    "stands still.")},
+    {advised::kTrackFar,
+     QT_TRANSLATE_NOOP("IssueText", "Its recorded track begins so far from the estimate that the "
+                                    "UAV will not see it there.")},
+    {advised::kAssetInIce, QT_TRANSLATE_NOOP("IssueText", "The asset lies inside an iceberg.")},
+    {advised::kNoSigma,
+     QT_TRANSLATE_NOOP("IssueText", "No iceberg is uncertain at the start, so distance alone makes "
+                                    "the first plan.")},
+    {advised::kBeyondProof,
+     QT_TRANSLATE_NOOP("IssueText", "More icebergs than can be proven optimal; the plan comes with "
+                                    "a bound.")},
+    {advised::kSolverUnable,
+     QT_TRANSLATE_NOOP("IssueText", "This solver cannot plan so many icebergs. Choose Automatic.")},
+    {advised::kLongProof,
+     QT_TRANSLATE_NOOP("IssueText", "Proving the optimum of so many icebergs can take a minute and "
+                                    "more.")},
+};
+
+QString adviceText(const std::string& message)
+{
+    for (const AdviceText& advice : kAdviceTexts)
+        if (advice.message == message)
+            return QCoreApplication::translate("IssueText", advice.text);
     return {};
 }
 
-QString hintText(const std::string& field)
+/** Of the findings that do not come from `advice`; those are told by their field. */
+QString findingText(const Issue& issue)
 {
-    if (field == "icebergs")
-        return IssueText::tr("There are no icebergs yet, so there is nothing to plan.");
-    if (field == "icebergs.appears_s")
-        return IssueText::tr("Appears after the end of the run, so it is never planned.");
+    const std::string field = withoutIndices(issue.field);
+    switch (issue.severity) {
+    case Severity::Error:
+        if (field == "wind_mps")
+            return IssueText::tr("The wind must be slower than the UAV flies.");
+        break;
+    case Severity::Warning:
+        if (field == "icebergs.velocity_mps")
+            return IssueText::tr("Drifts so fast that the UAV may not catch up with it.");
+        if (field == "wind_mps")
+            return IssueText::tr("The UAV will make little way against this wind.");
+        if (field == "planner.policy")
+            return IssueText::tr("This version cannot fly the policy chosen.");
+        break;
+    case Severity::Hint:
+        if (field == "icebergs")
+            return IssueText::tr("There are no icebergs yet, so there is nothing to plan.");
+        if (field == "icebergs.appears_s")
+            return IssueText::tr("Appears after the end of the run, so it is never planned.");
+        break;
+    }
     return {};
+}
+
+template <class Object>
+QString nameOfEntry(const Issue& issue, std::string_view list, const std::vector<Object>& objects)
+{
+    const int index = issueIndex(issue, list);
+    if (index < 0 || index >= static_cast<int>(objects.size()))
+        return {};
+    const Object& object = objects[static_cast<std::size_t>(index)];
+    return QString::fromStdString(object.name.empty() ? object.id : object.name);
 }
 
 } // namespace
 
 QString issueText(const Issue& issue)
 {
-    const std::string field = withoutIndices(issue.field);
-    QString text;
-    if (issue.severity == Severity::Warning)
-        text = warningText(field);
-    else if (issue.severity == Severity::Hint)
-        text = hintText(field);
+    QString text = adviceText(issue.message);
+    if (text.isEmpty())
+        text = findingText(issue);
     if (!text.isEmpty())
         return text;
     return u"%1: %2"_s.arg(QString::fromStdString(issue.field),
                            QString::fromStdString(issue.message));
+}
+
+QString issueLine(const Issue& issue, const Scenario& scenario)
+{
+    QString owner = nameOfEntry(issue, "icebergs", scenario.icebergs);
+    if (owner.isEmpty())
+        owner = nameOfEntry(issue, "uavs", scenario.uavs);
+    return owner.isEmpty() ? issueText(issue) : u"%1: %2"_s.arg(owner, issueText(issue));
+}
+
+IssueCounts countIssues(const std::vector<Issue>& issues)
+{
+    IssueCounts counts;
+    for (const Issue& issue : issues)
+        ++(issue.severity == Severity::Error     ? counts.errors
+           : issue.severity == Severity::Warning ? counts.warnings
+                                                 : counts.hints);
+    return counts;
+}
+
+QString countsText(const IssueCounts& counts)
+{
+    QStringList parts;
+    if (counts.errors > 0)
+        parts << (counts.errors == 1 ? IssueText::tr("1 error")
+                                     : IssueText::tr("%n errors", nullptr, counts.errors));
+    if (counts.warnings > 0)
+        parts << (counts.warnings == 1 ? IssueText::tr("1 warning")
+                                       : IssueText::tr("%n warnings", nullptr, counts.warnings));
+    if (parts.isEmpty() && counts.hints > 0)
+        parts << (counts.hints == 1 ? IssueText::tr("1 hint")
+                                    : IssueText::tr("%n hints", nullptr, counts.hints));
+    return parts.join(u", "_s);
 }
 
 int issueIndex(const Issue& issue, std::string_view list)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/error.h"
+#include "core/scenario/scenario.h"
 
 #include <QString>
 
@@ -11,6 +11,19 @@ namespace berg {
  * of the inputs rule out come in the core's own words, after their field.
  */
 [[nodiscard]] QString issueText(const Issue& issue);
+
+/** The same after the name of the iceberg or UAV it is about, where it is about one. */
+[[nodiscard]] QString issueLine(const Issue& issue, const Scenario& scenario);
+
+struct IssueCounts
+{
+    int errors = 0;
+    int warnings = 0;
+    int hints = 0;
+};
+[[nodiscard]] IssueCounts countIssues(const std::vector<Issue>& issues);
+/** "2 errors, 1 warning"; hints only when there is nothing worse; empty: nothing. */
+[[nodiscard]] QString countsText(const IssueCounts& counts);
 
 /** What a finding is about: the K of `icebergs[K]...` or `uavs[K]...`; -1: neither. */
 [[nodiscard]] int issueIndex(const Issue& issue, std::string_view list);

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "widgets/model/scenario_document.h"
+#include "widgets/theme/theme.h"
+
+#include <QWidget>
+
+class QListWidget;
+class QStackedLayout;
+
+namespace berg {
+
+class CaptionLabel;
+
+/**
+ * Every finding about the scenario as it is now, worst first; one chosen by a click or Return is
+ * told to whoever can show what it is about.
+ */
+class CheckPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /** `document` is borrowed and must outlive the panel. */
+    explicit CheckPanel(const ScenarioDocument& document, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+
+signals:
+    void chosen(const berg::Issue& issue);
+
+private:
+    void refresh();
+    void fill();
+    void choose(int row);
+
+    const ScenarioDocument& m_document;
+    Theme m_theme = Theme::light();
+    std::vector<Issue> m_issues; ///< as listed
+    QStringList m_lines;
+    QStackedLayout* m_pages;
+    QListWidget* m_list;
+    CaptionLabel* m_empty;
+};
+
+} // namespace berg
