@@ -14,21 +14,14 @@
 #include "tests/bench/bench_window.h"
 #include "widgets/map/map_view.h"
 
-#include <QApplication>
-#include <QElapsedTimer>
-#include <QEventLoop>
 #include <QSettings>
 #include <QTemporaryDir>
-#include <QTimer>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <functional>
 #include <string>
-#include <utility>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -39,43 +32,6 @@ constexpr int kSettle_ms = 2500; ///< the first plan and its curve
 constexpr int kFlight_ms = 5000; ///< of each case
 constexpr double kDay_s = 86400;
 
-double elapsed_ms(const QElapsedTimer& clock)
-{
-    return static_cast<double>(clock.nsecsElapsed()) * 1e-6;
-}
-
-/** What this thread has worked. */
-double worked_ms()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
-
-/** Tells how long the paints of one widget and the frames of its window take. */
-class FrameWatch final : public QApplication
-{
-public:
-    using QApplication::QApplication;
-
-    bool notify(QObject* receiver, QEvent* event) override
-    {
-        const bool isPaint = receiver == map && event->type() == QEvent::Paint;
-        const bool isFrame = receiver == window && event->type() == QEvent::UpdateRequest;
-        if (!isPaint && !isFrame)
-            return QApplication::notify(receiver, event);
-        const double before_ms = worked_ms();
-        const bool isDone = QApplication::notify(receiver, event);
-        (isPaint ? paints_ms : frames_ms).push_back(worked_ms() - before_ms);
-        return isDone;
-    }
-
-    QObject* map = nullptr;
-    QObject* window = nullptr;
-    std::vector<double> paints_ms;
-    std::vector<double> frames_ms;
-};
-
 /** "VmHWM:" or "VmRSS:", MB; -1 where the system does not tell. */
 double memory_mb(const std::string& which)
 {
@@ -85,12 +41,6 @@ double memory_mb(const std::string& which)
             return std::atof(line.c_str() + which.size()) / 1024;
     return -1;
 }
-
-struct LongestTurn
-{
-    double waited_ms = 0;
-    double worked_ms = 0;
-};
 
 class Bench
 {
@@ -103,7 +53,7 @@ public:
         m_window.show();
         m_application.map = &m_window.mapView();
         m_application.window = &m_window;
-        run(kSettle_ms, [] { return false; });
+        watchTurns(kSettle_ms);
     }
     ~Bench()
     {
@@ -117,7 +67,7 @@ public:
     void fly(const char* name, double rate)
     {
         m_workspace.reset();
-        run(kSettle_ms, [] { return false; });
+        watchTurns(kSettle_ms);
         m_workspace.fly(rate);
         report(name, [this] { return hasEnded(); });
         m_workspace.pause();
@@ -131,7 +81,7 @@ public:
         clock.start();
         report("day, first seconds", [this] { return hasEnded(); });
         while (!hasEnded() && now().time_s < 0.9 * kDay_s)
-            run(kFlight_ms, [this] { return hasEnded() || now().time_s >= 0.9 * kDay_s; });
+            watchTurns(kFlight_ms, [this] { return hasEnded() || now().time_s >= 0.9 * kDay_s; });
         report("day, last tenth", [this] { return hasEnded(); });
         std::printf(
             "  flown %.0f s in %.1f s, memory %.0f MB, at most %.0f MB, %zu samples, %zu plans\n",
@@ -146,41 +96,16 @@ private:
         return now().phase == RunPhase::Finished || now().phase == RunPhase::Failed;
     }
 
-    /** Lets the window live for so long; returns the longest turn of the loop. */
-    LongestTurn run(int length_ms, const std::function<bool()>& mayEnd)
-    {
-        QEventLoop loop;
-        QTimer pulse;
-        pulse.setTimerType(Qt::PreciseTimer);
-        QElapsedTimer whole;
-        QElapsedTimer sinceLast;
-        LongestTurn longest;
-        double workedBefore_ms = worked_ms();
-        QObject::connect(&pulse, &QTimer::timeout, &loop, [&] {
-            const double now_ms = worked_ms();
-            longest.waited_ms = std::max(longest.waited_ms, elapsed_ms(sinceLast));
-            longest.worked_ms =
-                std::max(longest.worked_ms, now_ms - std::exchange(workedBefore_ms, now_ms));
-            sinceLast.start();
-            if (whole.elapsed() >= length_ms || mayEnd())
-                loop.quit();
-        });
-        whole.start();
-        sinceLast.start();
-        pulse.start(1);
-        loop.exec();
-        return longest;
-    }
-
     void report(const char* name, const std::function<bool()>& mayEnd)
     {
         m_application.paints_ms.clear();
         m_application.frames_ms.clear();
+        m_application.longest = {};
         const double from_s = now().time_s;
         QElapsedTimer clock;
         clock.start();
         const double before_ms = worked_ms();
-        const LongestTurn longest = run(kFlight_ms, mayEnd);
+        const LongestTurn longest = watchTurns(kFlight_ms, mayEnd);
         const double busy_ms = worked_ms() - before_ms;
         const double wall_s = elapsed_ms(clock) / 1000;
         std::printf("  %s: %.0f s flown in %.1f s\n", name, now().time_s - from_s, wall_s);
@@ -189,6 +114,9 @@ private:
         std::printf("    %.1f frames/s, longest block %.1f ms (%.1f ms of work), at work %.0f %%\n",
                     static_cast<double>(m_application.paints_ms.size()) / wall_s, longest.waited_ms,
                     longest.worked_ms, busy_ms / wall_s / 10);
+        std::printf("    longest event: %.1f ms of work, type %d to %s\n",
+                    m_application.longest.work_ms, m_application.longest.type,
+                    m_application.longest.receiver.c_str());
         std::fflush(stdout);
     }
 

@@ -169,12 +169,11 @@ private slots:
     void takesAnyProblem()
     {
         CurveRunner runner;
-        VisitationProblem problem =
-            visitationProblem(Simulation(randomScenario(10)).planRequest(), Route::Open);
-        problem.problem.sigma_m2[2] = 99;
-        runner.setProblem(problem);
+        PlanRequest request = Simulation(randomScenario(10)).planRequest();
+        request.problem.sigma_m2[2] = 99;
+        runner.setRequest(std::make_shared<const PlanRequest>(request), Route::Open);
         QVERIFY(completes(runner));
-        QVERIFY(runner.curve() == tauCurve(problem.problem, {}));
+        QVERIFY(runner.curve() == tauCurve(visitationProblem(request, Route::Open).problem, {}));
     }
 
     /** Closing does not wait for proofs: the stop token ends them. */

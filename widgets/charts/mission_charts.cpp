@@ -15,7 +15,6 @@ namespace berg {
 namespace {
 
 constexpr std::size_t kScaleValues = 16384; // enough for the 95 % mark of the scale of sigma
-constexpr double kMetres = 1000;            // in a kilometre
 
 struct MissionCharts
 {
@@ -158,16 +157,18 @@ void fillSigma(TimeChartContent& content, const FlightRecord& record, const QLoc
 void fillDistance(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
 {
     content.title = MissionCharts::tr("Distance flown");
-    content.leftTitle = MissionCharts::tr("Distance through the air, km");
+    const QString unit = longDistanceUnit().name;
+    content.leftTitle = MissionCharts::tr("Distance through the air, %1").arg(unit);
     if (!hasFlown(record))
         return;
     const QString flown = distanceText(record.history.samples.back().flown_m, locale);
-    content.lines.push_back({.label = flown,
-                             .points = {},
-                             .role = LineRole::Accumulated,
-                             .name = MissionCharts::tr("Flown"),
-                             .unit = MissionCharts::tr("km"),
-                             .key = u"flown_km"_s});
+    content.lines.push_back(
+        {.label = flown,
+         .points = {},
+         .role = LineRole::Accumulated,
+         .name = MissionCharts::tr("Flown"),
+         .unit = unit,
+         .key = shownUnits().distance == DistanceUnit::Nautical ? u"flown_nmi"_s : u"flown_km"_s});
     content.summary = MissionCharts::tr("At %1 %2 are flown.").arg(atTime(record), flown);
 }
 
@@ -305,7 +306,7 @@ std::optional<double> chartValue(ChartKind kind, const FlightRecord& record, std
         return icebergs[line].sigma_m2;
     }
     case ChartKind::Distance:
-        return sample.flown_m / kMetres;
+        return longDistanceUnit().fromSi(sample.flown_m);
     case ChartKind::TurnRate:
         return degFromRad(sample.u_radps);
     case ChartKind::CrossTrack:

@@ -25,9 +25,9 @@ constexpr double kRoomForEnds_px = 240; ///< to name the ends of the front
 constexpr double kTitleGap_px = 16;     ///< at least between the two titles
 constexpr double kEndGap_px = 12;       ///< between a name and its end
 
-double km(const CurveInterval& interval)
+double shownDistance(const CurveInterval& interval)
 {
-    return interval.distance_m / 1000;
+    return longDistanceUnit().fromSi(interval.distance_m);
 }
 
 } // namespace
@@ -129,11 +129,11 @@ void ParetoChart::layOut()
                                              : tr("Computing the plans for every τ");
         return;
     }
-    m_frame.timeTitle = tr("Distance, km");
+    m_frame.timeTitle = tr("Distance, %1").arg(longDistanceUnit().name);
     // Along the curve both go down.
     m_reward = axisOver(plans.back().reward_m2, plans.front().reward_m2,
                         std::max(1, static_cast<int>(height_px / kTickSpacing_px)));
-    m_distance = axisOver(km(plans.back()), km(plans.front()),
+    m_distance = axisOver(shownDistance(plans.back()), shownDistance(plans.front()),
                           std::max(1, static_cast<int>((width() - 80) / kDistanceSpacing_px)));
     m_frame.left = ticks(m_reward, top_px + height_px, top_px);
     double widest_px = 0;
@@ -168,7 +168,7 @@ void ParetoChart::fillTitles()
 QPointF ParetoChart::place(const CurveInterval& interval) const
 {
     const QRectF& plot = m_frame.plot;
-    return {plot.left() + plot.width() * m_distance.share(km(interval)),
+    return {plot.left() + plot.width() * m_distance.share(shownDistance(interval)),
             plot.bottom() - plot.height() * m_reward.share(interval.reward_m2)};
 }
 

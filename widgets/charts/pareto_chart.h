@@ -76,7 +76,7 @@ private:
     bool m_titleShown = true;
     int m_present = -1;
     int m_hovered = -1;
-    Axis m_distance; ///< km
+    Axis m_distance; ///< km or nmi
     Axis m_reward;   ///< m^2
     ChartFrame m_frame;
 };

@@ -99,20 +99,26 @@ void TimeChart::setGradients(bool wanted)
 
 void TimeChart::setContent(const TimeChartContent& content)
 {
-    const bool sameLines =
-        std::equal(content.lines.begin(), content.lines.end(), m_content.lines.begin(),
-                   m_content.lines.end(), [](const TimeLine& a, const TimeLine& b) {
-                       return a.role == b.role && a.onRightAxis == b.onRightAxis;
-                   });
     m_content = content;
     setAccessibleName(content.title);
     const QString text = content.summary.isEmpty() ? content.leftTitle : content.summary;
     setAccessibleDescription(hasPoints() ? text : content.emptyText);
     if (m_zoom && m_zoom->from_s >= content.duration_s && !m_following)
         m_zoom.reset(); // another mission, which has not come that far
-    if (!sameLines)
+    if (!hasSeriesForLines())
         rebuild(); // else the series there are get new points
     layOut();
+}
+
+/** Each line has one of its kind; those beyond are kept without points, for the next flight. */
+bool TimeChart::hasSeriesForLines() const
+{
+    const std::vector<TimeLine>& lines = m_content.lines;
+    return lines.size() <= m_built.size() &&
+           std::equal(lines.begin(), lines.end(), m_built.begin(),
+                      [](const TimeLine& line, const LineKind& built) {
+                          return line.role == built.role && line.onRightAxis == built.onRightAxis;
+                      });
 }
 
 void TimeChart::rebuild()
@@ -120,6 +126,7 @@ void TimeChart::rebuild()
     chart()->removeAllSeries(); // deletes them
     m_series.clear();
     m_areas.clear();
+    m_built.clear();
     // Areas first: lines must not disappear below them.
     for (const TimeLine& line : m_content.lines) {
         QAreaSeries* area = nullptr;
@@ -134,6 +141,7 @@ void TimeChart::rebuild()
         auto* series = new QLineSeries;
         addSeries(series, line);
         m_series.push_back(series);
+        m_built.push_back({.role = line.role, .onRightAxis = line.onRightAxis});
     }
 }
 
@@ -177,7 +185,7 @@ void TimeChart::styleLines()
     m_plain = segments > kSmoothSegments;
     // Round ends join the segments, at several times the cost; where those are short, all is one.
     const Qt::PenCapStyle cap = segments > kRoundSegments ? Qt::FlatCap : Qt::RoundCap;
-    for (std::size_t i = 0; i < m_series.size(); ++i) {
+    for (std::size_t i = 0; i < m_drawn.size(); ++i) {
         // Where lines are that dense, single ones can only be told through one another.
         const LineEmphasis emphasis = m_content.lines[i].emphasis;
         const bool isFaint =

@@ -97,6 +97,12 @@ private:
         double highest = 0;
     };
 
+    struct LineKind
+    {
+        LineRole role = LineRole::Momentary;
+        bool onRightAxis = false;
+    };
+    [[nodiscard]] bool hasSeriesForLines() const;
     void rebuild();
     void addSeries(QAbstractSeries* series, const TimeLine& line);
     void layOut();
@@ -148,6 +154,7 @@ private:
     QValueAxis* m_time = nullptr;
     QValueAxis* m_left = nullptr;
     QValueAxis* m_right = nullptr;
+    std::vector<LineKind> m_built; ///< what the series below are for
     std::vector<QLineSeries*> m_series;
     std::vector<QAreaSeries*> m_areas;
     std::vector<QList<QPointF>> m_drawn;

@@ -45,10 +45,10 @@ std::optional<QPointF> endOf(const QList<QPointF>& points, const TimeWindow& vie
     return points.back().x() < view.from_s ? std::nullopt : std::optional(points.back());
 }
 
-QFont labelFont(const Theme& theme, const TimeLine& line)
+QFont labelFont(const Theme& theme, bool isStrong)
 {
     QFont font = theme.small();
-    font.setBold(line.emphasis == LineEmphasis::Strong);
+    font.setBold(isStrong);
     return font;
 }
 
@@ -57,10 +57,12 @@ QFont labelFont(const Theme& theme, const TimeLine& line)
 double TimeChart::marginWidth() const
 {
     double width_px = 0;
-    for (const TimeLine& line : m_content.lines)
-        if (!line.hidden)
-            width_px = std::max(
-                width_px, QFontMetricsF(labelFont(m_theme, line)).horizontalAdvance(line.label));
+    for (const bool isStrong : {false, true}) {
+        const QFontMetricsF metrics(labelFont(m_theme, isStrong));
+        for (const TimeLine& line : m_content.lines)
+            if (!line.hidden && (line.emphasis == LineEmphasis::Strong) == isStrong)
+                width_px = std::max(width_px, metrics.horizontalAdvance(line.label));
+    }
     return kLeader_px + width_px;
 }
 
@@ -100,7 +102,8 @@ void TimeChart::placeMarginLabels()
             continue;
         const TimeLine& line = m_content.lines[named[k]];
         const QPointF end = toView(line, *ends[named[k]]);
-        const QFontMetricsF metrics(labelFont(m_theme, line));
+        const bool isStrong = line.emphasis == LineEmphasis::Strong;
+        const QFontMetricsF metrics(labelFont(m_theme, isStrong));
         m_frame.labels.push_back(
             {.text = line.label,
              .rect = QRectF(end.x() + kLeader_px, *middles[k] - kLabelHeight_px / 2,
@@ -108,7 +111,7 @@ void TimeChart::placeMarginLabels()
              .end = end,
              .colour = lineColour(line),
              .inMargin = true,
-             .strong = line.emphasis == LineEmphasis::Strong,
+             .strong = isStrong,
              .key = line.key});
     }
 }

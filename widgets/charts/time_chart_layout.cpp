@@ -270,7 +270,7 @@ void TimeChart::simplifyLines()
 void TimeChart::showPoints()
 {
     // Qt draws each segment by itself: fewer of them are faster and join without seams.
-    for (std::size_t i = 0; i < m_series.size(); ++i) {
+    for (std::size_t i = 0; i < m_drawn.size(); ++i) {
         m_series[i]->replace(m_drawn[i]);
         if (m_areas[i] != nullptr)
             m_areas[i]->upperSeries()->replace(m_drawn[i]);

@@ -2,12 +2,13 @@
 
 #include "core/scenario/validate.h"
 #include "core/sim/simulation.h"
+#include "widgets/model/compared_run.h"
 
 #ifdef Q_OS_LINUX
 #include <sys/resource.h>
 #endif
 
-#include <algorithm>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -15,13 +16,6 @@ namespace berg {
 namespace {
 
 constexpr int kPause_ms = 150;
-
-bool hasErrors(const Scenario& scenario)
-{
-    const std::vector<Issue> issues = validate(scenario);
-    return std::any_of(issues.begin(), issues.end(),
-                       [](const Issue& issue) { return issue.severity == Severity::Error; });
-}
 
 bool same(const VisitationProblem& a, const VisitationProblem& b)
 {
@@ -63,23 +57,51 @@ CurveRunner::~CurveRunner()
 
 void CurveRunner::setScenario(const Scenario& scenario)
 {
-    if (hasErrors(scenario))
-        clear();
-    else
-        setProblem(visitationProblem(Simulation(scenario).planRequest(), scenario.planner.route));
+    if (m_scenario && isSameWorld(*m_scenario, scenario) &&
+        m_scenario->planner.route == scenario.planner.route)
+        return;
+    m_scenario = scenario;
+    ask([this]() -> std::optional<VisitationProblem> {
+        if (hasErrors(validate(*m_scenario)))
+            return std::nullopt;
+        return visitationProblem(Simulation(*m_scenario).planRequest(), m_scenario->planner.route);
+    });
 }
 
-void CurveRunner::setProblem(VisitationProblem problem)
+void CurveRunner::setRequest(std::shared_ptr<const PlanRequest> request, Route route)
 {
-    if (same(problem, m_problem))
+    m_scenario.reset();
+    ask([request = std::move(request), route] { return visitationProblem(*request, route); });
+}
+
+/** A problem has a matrix of distances: in a drag only the last one is made. */
+void CurveRunner::ask(MakeProblem problem)
+{
+    if (m_pause.isActive()) { // so there is no curve that could be of another problem
+        m_next = std::move(problem);
+        m_pause.start();
         return;
-    m_problem = std::move(problem);
+    }
+    take(problem());
+}
+
+void CurveRunner::take(std::optional<VisitationProblem> problem)
+{
+    if (!problem) {
+        clear();
+        return;
+    }
+    if (same(*problem, m_problem))
+        return;
+    m_problem = std::move(*problem);
     dropCurve(false);
     m_pause.start();
 }
 
 void CurveRunner::clear()
 {
+    m_scenario.reset();
+    m_next = {};
     m_problem = {};
     m_pause.stop();
     dropCurve(true);
@@ -99,6 +121,14 @@ void CurveRunner::dropCurve(bool complete)
 
 void CurveRunner::start()
 {
+    if (m_next) {
+        std::optional<VisitationProblem> problem = std::exchange(m_next, {})();
+        if (!problem) {
+            clear();
+            return;
+        }
+        m_problem = std::move(*problem);
+    }
     m_stop = std::stop_source();
     QMetaObject::invokeMethod(
         m_onThread,
@@ -124,10 +154,10 @@ void CurveRunner::publish(const Request& request, const TauCurve& curve)
 {
     if (!request.stop.stop_requested() &&
         m_results.put({.generation = request.generation, .curve = curve}))
-        QMetaObject::invokeMethod(this, &CurveRunner::take, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &CurveRunner::takeResult, Qt::QueuedConnection);
 }
 
-void CurveRunner::take()
+void CurveRunner::takeResult()
 {
     std::optional<Result> result = m_results.take();
     if (!result || result->generation != m_generation)

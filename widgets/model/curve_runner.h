@@ -8,6 +8,10 @@
 #include <QThread>
 #include <QTimer>
 
+#include <functional>
+#include <memory>
+#include <optional>
+
 namespace berg {
 
 /**
@@ -27,7 +31,7 @@ public:
     /** The curve of the plan from the scenario's start; none when the scenario has errors. */
     void setScenario(const Scenario& scenario);
     /** The curve of any other instant, `ids` being icebergs of the caller. */
-    void setProblem(VisitationProblem problem);
+    void setRequest(std::shared_ptr<const PlanRequest> request, Route route);
     /** No curve wanted. */
     void clear();
 
@@ -52,13 +56,20 @@ private:
         TvpProblem problem;
         std::stop_token stop;
     };
+    /** None: there is no curve. */
+    using MakeProblem = std::function<std::optional<VisitationProblem>()>;
+
+    void ask(MakeProblem problem);
+    void take(std::optional<VisitationProblem> problem);
     void dropCurve(bool complete);
     void start();
-    void take();
+    void takeResult();
     // On the thread of the runner:
     void compute(const Request& request);
     void publish(const Request& request, const TauCurve& curve);
 
+    std::optional<Scenario> m_scenario; ///< what was asked for last; none: a request
+    MakeProblem m_next; ///< asked for since the last change came: made when they are at rest
     VisitationProblem m_problem;
     TauCurve m_curve{.intervals = {}, .complete = true};
     std::uint64_t m_generation = 0;

@@ -7,23 +7,28 @@
 #include <QUndoCommand>
 #include <QUndoStack>
 
+#include <memory>
+
 namespace berg {
 
-/** The one undo command: the scenario before and after. Scenarios are a few kilobytes. */
+/**
+ * The one undo command: the scenario before and after. One of 500 icebergs takes 130 kilobytes, so
+ * that commands which follow each other share the one between them.
+ */
 class EditScenario final : public QUndoCommand
 {
 public:
     EditScenario(ScenarioDocument& document, const QString& text, Scenario after, QString gesture)
         : QUndoCommand(text)
         , m_document(document)
-        , m_before(document.scenario())
-        , m_after(std::move(after))
+        , m_before(present(document))
+        , m_after(std::make_shared<const Scenario>(std::move(after)))
         , m_gesture(std::move(gesture))
     {
     }
 
-    void undo() override { m_document.setScenario(m_before); }
-    void redo() override { m_document.setScenario(m_after); }
+    void undo() override { m_document.setScenario(*m_before); }
+    void redo() override { m_document.setScenario(*m_after); }
     [[nodiscard]] int id() const override { return m_gesture.isEmpty() ? -1 : 1; }
 
     bool mergeWith(const QUndoCommand* other) override
@@ -32,14 +37,22 @@ public:
         if (next == nullptr || next->m_gesture != m_gesture)
             return false;
         m_after = next->m_after;
-        setObsolete(m_after == m_before);
+        setObsolete(*m_after == *m_before);
         return true;
     }
 
 private:
+    static std::shared_ptr<const Scenario> present(const ScenarioDocument& document)
+    {
+        const QUndoStack& history = *document.undoStack();
+        const auto* last = dynamic_cast<const EditScenario*>(history.command(history.index() - 1));
+        return last != nullptr ? last->m_after
+                               : std::make_shared<const Scenario>(document.scenario());
+    }
+
     ScenarioDocument& m_document;
-    Scenario m_before;
-    Scenario m_after;
+    std::shared_ptr<const Scenario> m_before;
+    std::shared_ptr<const Scenario> m_after;
     QString m_gesture;
 };
 
@@ -106,24 +119,33 @@ void ScenarioDocument::setScenario(const Scenario& scenario)
         emit scenarioChanged(parts);
 }
 
-void ScenarioDocument::reset(const Scenario& scenario)
+void ScenarioDocument::begin(const Scenario& scenario, const QString& filePath, bool clean)
 {
     m_undoStack->clear();
-    m_filePath.clear();
+    m_filePath = filePath;
     m_scenario = scenario;
     m_issues = validate(m_scenario);
     emit replaced();
+    if (!clean)
+        m_undoStack->resetClean(); // no number of undos leads to what is in the file
     emit filePathChanged(m_filePath);
     emit scenarioChanged(ScenarioPart::Icebergs | ScenarioPart::Uavs | ScenarioPart::Planner |
                          ScenarioPart::Settings);
 }
 
+void ScenarioDocument::reset(const Scenario& scenario)
+{
+    begin(scenario, {}, true);
+}
+
+void ScenarioDocument::restore(const Scenario& scenario, const QString& filePath)
+{
+    begin(scenario, filePath, false);
+}
+
 void ScenarioDocument::open(const QString& path)
 {
-    const Scenario scenario = loadScenario(QFile::encodeName(path).toStdString());
-    reset(scenario);
-    m_filePath = path;
-    emit filePathChanged(m_filePath);
+    begin(loadScenario(QFile::encodeName(path).toStdString()), path, true);
 }
 
 void ScenarioDocument::save(const QString& path)

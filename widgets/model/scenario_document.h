@@ -58,6 +58,9 @@ public:
     /** Replaces everything and forgets the history: a new, unsaved scenario. */
     void reset(const Scenario& scenario);
 
+    /** Unsaved work of a program that ended: as `reset`, but with changes that are in no file. */
+    void restore(const Scenario& scenario, const QString& filePath);
+
     /** Throws `Error` of `loadScenario`; then nothing has changed. */
     void open(const QString& path);
     /** Throws `Error{FileUnwritable}`; then the document is as dirty as before. */
@@ -72,6 +75,7 @@ signals:
 
 private:
     friend class EditScenario;
+    void begin(const Scenario& scenario, const QString& filePath, bool clean);
     void setScenario(const Scenario& scenario);
 
     Scenario m_scenario;

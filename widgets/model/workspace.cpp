@@ -78,7 +78,7 @@ void Workspace::updateCurve()
     if (!inFlight() || !shown.request || m_curvePlan == plan)
         return;
     m_curvePlan = plan;
-    m_curve.setProblem(visitationProblem(*shown.request, m_record.scenario.planner.route));
+    m_curve.setRequest(shown.request, m_record.scenario.planner.route);
 }
 
 void Workspace::setPlanner(const QString& text, const std::function<void(PlannerSettings&)>& change,

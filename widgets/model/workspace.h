@@ -1,8 +1,11 @@
 #pragma once
 
+#include "widgets/model/autosaver.h"
 #include "widgets/model/benchmark_runner.h"
 #include "widgets/model/curve_runner.h"
+#include "widgets/model/document_file.h"
 #include "widgets/model/flight_record.h"
+#include "widgets/model/import_runner.h"
 #include "widgets/model/mission_runner.h"
 #include "widgets/model/run_list.h"
 #include "widgets/model/scenario_document.h"
@@ -29,6 +32,8 @@ public:
     explicit Workspace(QObject* parent = nullptr);
 
     [[nodiscard]] ScenarioDocument& document() { return m_document; }
+    [[nodiscard]] DocumentFile& file() { return m_file; }
+    [[nodiscard]] Autosaver& autosaver() { return m_autosaver; }
     [[nodiscard]] Selection& selection() { return m_selection; }
     [[nodiscard]] MissionRunner& runner() { return m_runner; }
     /** Of the plan in force, before take-off and in flight. */
@@ -36,6 +41,7 @@ public:
     /** What was flown, at its end or when it was given up. */
     [[nodiscard]] RunList& runs() { return m_runs; }
     [[nodiscard]] BenchmarkRunner& benchmark() { return m_benchmark; }
+    [[nodiscard]] ImportRunner& imports() { return m_imports; }
     [[nodiscard]] const FlightRecord& record() const { return m_record; }
     [[nodiscard]] bool inFlight() const { return m_record.inFlight(); }
     /** In force: the document's, or in flight those of the mission at the instant shown. */
@@ -97,6 +103,8 @@ private:
                     const QString& gesture = {});
 
     ScenarioDocument m_document;
+    DocumentFile m_file{m_document};
+    Autosaver m_autosaver{m_document};
     Selection m_selection;
     FlightRecord m_record;
     std::optional<double> m_tauWanted; ///< in flight, not yet told to the mission
@@ -109,6 +117,7 @@ private:
     std::optional<std::pair<std::uint64_t, std::size_t>> m_curvePlan;
     CurveRunner m_curve;
     BenchmarkRunner m_benchmark;
+    ImportRunner m_imports;
     RunList m_runs;
     MissionRunner m_runner; ///< last: its thread ends before the rest
 };

@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kRow_px = 22;
 constexpr int kCellMargins_px = 9;
-constexpr double kKilometre_m = 1000;
 
 enum Column
 {
@@ -156,8 +155,8 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
         ComparisonText::tr("Plans"), [](const RunFigures& f) { return f.plans; }, Good::Neither,
         whole, wholeDifference, ComparisonText::tr("Times the visiting order was planned."));
     maker.add(
-        ComparisonText::tr("Flown, km"),
-        [](const RunFigures& f) { return f.flown_m / kKilometre_m; }, Good::Neither,
+        ComparisonText::tr("Flown, %1").arg(longDistanceUnit().name),
+        [](const RunFigures& f) { return longDistanceUnit().fromSi(f.flown_m); }, Good::Neither,
         [&](double value) { return significantText(value, 3, locale); },
         [&](double value, double of) {
             const double difference = std::round(10 * (value - of)) / 10;

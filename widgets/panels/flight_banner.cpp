@@ -40,9 +40,12 @@ FlightBanner::FlightBanner(QWidget* parent) : QWidget(parent)
                         tr("Gives up what was flown after this instant. From here the trade-off "
                            "and the policy can be changed and another way flown."));
     m_newest = addButton(u"newestButton"_s, tr("Newest"), tr("Back to the end of what is flown."));
+    m_checks = addButton(u"showChecksButton"_s, tr("Checks"),
+                         tr("Lists everything that is found about the scenario."));
     connect(m_stop, &QPushButton::clicked, this, &FlightBanner::stopRequested);
     connect(m_flyOn, &QPushButton::clicked, this, &FlightBanner::flyOnRequested);
     connect(m_newest, &QPushButton::clicked, this, &FlightBanner::newestRequested);
+    connect(m_checks, &QPushButton::clicked, this, &FlightBanner::checksRequested);
     parent->installEventFilter(this);
     setTheme(m_theme);
     showState(false, {});
@@ -62,35 +65,56 @@ QPushButton* FlightBanner::addButton(const QString& name, const QString& text,
 void FlightBanner::setTheme(const Theme& theme)
 {
     m_theme = theme;
-    m_icon->setPixmap(icon(m_looksBack ? IconName::Reset : IconName::Locked, theme)
-                          .pixmap(QSize(kIcon_px, kIcon_px), devicePixelRatioF()));
+    m_icon->setPixmap(
+        icon(m_iconName, theme).pixmap(QSize(kIcon_px, kIcon_px), devicePixelRatioF()));
     m_text->setFont(theme.body());
     place();
     update();
 }
 
-void FlightBanner::showState(bool inFlight, std::optional<double> lookBack_s)
+void FlightBanner::setIcon(IconName name)
+{
+    if (name == m_iconName)
+        return;
+    m_iconName = name;
+    setTheme(m_theme);
+}
+
+void FlightBanner::showState(bool inFlight, std::optional<double> lookBack_s, const QString& fault)
 {
     const bool looksBack = inFlight && lookBack_s.has_value();
-    if (looksBack != m_looksBack) {
-        m_looksBack = looksBack;
-        setTheme(m_theme); // another icon
-    }
+    m_fault = inFlight ? QString() : fault;
+    setIcon(!m_fault.isEmpty() ? IconName::Fault : looksBack ? IconName::Reset : IconName::Locked);
     m_text->setText(looksBack ? tr("Looking back at %1").arg(clockText(*lookBack_s))
                               : tr("Scenario locked in flight"));
     m_text->setToolTip(
         looksBack ? QString()
                   : tr("τ and policy can be changed while flying; the plan follows at once."));
-    m_stop->setVisible(!looksBack);
+    m_stop->setVisible(inFlight && !looksBack);
     m_flyOn->setVisible(looksBack);
     m_newest->setVisible(looksBack);
-    setVisible(inFlight);
+    m_checks->setVisible(!m_fault.isEmpty());
+    setVisible(inFlight || !m_fault.isEmpty());
     place();
+}
+
+/** As much of the reason as the map has room for; all of it is in the tool tip. */
+void FlightBanner::elideFault()
+{
+    const int beside_px = width() - m_text->width();
+    m_text->setToolTip(m_fault);
+    m_text->setText(m_text->fontMetrics().elidedText(
+        tr("Cannot be planned: %1").arg(m_fault), Qt::ElideRight,
+        std::max(0, parentWidget()->width() - beside_px - 2 * kEdge_px)));
 }
 
 void FlightBanner::place()
 {
     adjustSize();
+    if (!m_fault.isEmpty()) {
+        elideFault();
+        adjustSize();
+    }
     const QSize map = parentWidget()->size();
     move(std::max(0, (map.width() - width()) / 2), map.height() - height() - kEdge_px);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
 #include <QWidget>
@@ -13,8 +14,8 @@ namespace berg {
 
 /**
  * Says on top of the map why the scenario is locked, in flight or while one looks back, with the
- * one click that ends it. Keeps itself in the middle of its parent's lower edge,
- * between legend and scale.
+ * one click that ends it, or why nothing can be planned. Keeps itself in the middle of its parent's
+ * lower edge, between legend and scale.
  */
 class FlightBanner : public QWidget
 {
@@ -24,14 +25,18 @@ public:
     explicit FlightBanner(QWidget* parent);
 
     void setTheme(const Theme& theme);
-    /** `lookBack_s`: the instant looked back at; none: the newest is shown. */
-    void showState(bool inFlight, std::optional<double> lookBack_s);
+    /**
+     * `lookBack_s`: the instant looked back at; none: the newest is shown. `fault`: why nothing
+     * can be planned; empty: nothing stands in the way.
+     */
+    void showState(bool inFlight, std::optional<double> lookBack_s, const QString& fault = {});
 
 signals:
     void stopRequested();
     /** Give up what came after the instant shown and fly on from it. */
     void flyOnRequested();
     void newestRequested();
+    void checksRequested();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -40,14 +45,18 @@ protected:
 private:
     QPushButton* addButton(const QString& name, const QString& text, const QString& toolTip);
     void place();
+    void elideFault();
+    void setIcon(IconName icon);
 
     Theme m_theme = Theme::light();
-    bool m_looksBack = false;
+    IconName m_iconName = IconName::Locked;
+    QString m_fault; ///< shown
     QLabel* m_icon;
     QLabel* m_text;
     QPushButton* m_stop;
     QPushButton* m_flyOn;
     QPushButton* m_newest;
+    QPushButton* m_checks;
 };
 
 } // namespace berg

@@ -131,6 +131,7 @@ TradeoffPanel::TradeoffPanel(QWidget* parent) : QWidget(parent)
     addChoices();
     m_result = new PlanReadoutView(this);
     column->addWidget(m_result);
+    connect(m_result, &PlanReadoutView::checksRequested, this, &TradeoffPanel::checksRequested);
     column->addStretch();
 
     m_tauRest.setSingleShot(true);

@@ -55,6 +55,8 @@ signals:
     void policyEdited(berg::PolicyKind policy);
     void backendEdited(berg::Backend backend);
     void routeEdited(berg::Route route);
+    /** What stands in the way of planning is to be shown. */
+    void checksRequested();
 
 private:
     void addTau();
