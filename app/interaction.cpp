@@ -1,10 +1,14 @@
 #include "app/interaction.h"
 
 #include "app/export_dialog.h"
+#include "app/import_dialog.h"
+#include "app/origin_dialog.h"
+#include "app/recovery_dialog.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 
 using namespace Qt::StringLiterals;
 
@@ -53,6 +57,16 @@ QString DialogInteraction::savePath(QWidget* parent, const QString& suggested,
     return dialog.selectedFiles().front();
 }
 
+std::optional<OriginChoice> DialogInteraction::askOrigin(QWidget* parent, const Scenario& scenario,
+                                                         const LatLon& suggested,
+                                                         const Theme& theme)
+{
+    OriginDialog dialog(scenario, suggested, theme, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.choice();
+}
+
 std::optional<ExportChoice> DialogInteraction::chooseExport(QWidget* parent,
                                                             const ExportOffer& offer)
 {
@@ -60,6 +74,72 @@ std::optional<ExportChoice> DialogInteraction::chooseExport(QWidget* parent,
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     return dialog.choice();
+}
+
+std::optional<ImportChoice> DialogInteraction::chooseImport(QWidget* parent, ImportRunner& runner,
+                                                            const ImportOffer& offer)
+{
+    ImportDialog dialog(runner, offer, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.choice();
+}
+
+Interaction::InUse DialogInteraction::askInUse(QWidget* parent, const QString& fileName,
+                                               const QString& holder)
+{
+    QMessageBox box(QMessageBox::Question, Dialogs::tr("File in use"),
+                    Dialogs::tr("\"%1\" is open in another window.").arg(fileName),
+                    QMessageBox::Cancel, parent);
+    box.setInformativeText(
+        Dialogs::tr("%1 has it open. A copy can be changed freely and saved under another name; "
+                    "if both windows save to the file, the last one wins.")
+            .arg(holder));
+    QPushButton* copy = box.addButton(Dialogs::tr("Open a copy"), QMessageBox::AcceptRole);
+    const QPushButton* anyway =
+        box.addButton(Dialogs::tr("Open anyway"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(copy);
+    box.exec();
+    if (box.clickedButton() == copy)
+        return InUse::OpenCopy;
+    return box.clickedButton() == anyway ? InUse::OpenAnyway : InUse::Cancel;
+}
+
+Interaction::Overwrite DialogInteraction::askOverwrite(QWidget* parent, const QString& fileName,
+                                                       const QString& reason)
+{
+    QMessageBox box(QMessageBox::Warning, Dialogs::tr("Write over the file?"),
+                    Dialogs::tr("Write over \"%1\"?").arg(fileName), QMessageBox::Cancel, parent);
+    box.setInformativeText(reason);
+    const QPushButton* overwrite =
+        box.addButton(Dialogs::tr("Write over it"), QMessageBox::DestructiveRole);
+    QPushButton* saveAs = box.addButton(Dialogs::tr("Save as..."), QMessageBox::AcceptRole);
+    box.setDefaultButton(saveAs);
+    box.exec();
+    if (box.clickedButton() == overwrite)
+        return Overwrite::Overwrite;
+    return box.clickedButton() == saveAs ? Overwrite::SaveAs : Overwrite::Cancel;
+}
+
+bool DialogInteraction::askReload(QWidget* parent, const QString& fileName)
+{
+    QMessageBox box(QMessageBox::Question, Dialogs::tr("File changed"),
+                    Dialogs::tr("\"%1\" was changed by another program.").arg(fileName),
+                    QMessageBox::NoButton, parent);
+    box.setInformativeText(Dialogs::tr("You have no unsaved changes of your own."));
+    QPushButton* reload = box.addButton(Dialogs::tr("Open it again"), QMessageBox::AcceptRole);
+    box.addButton(Dialogs::tr("Keep what I see"), QMessageBox::RejectRole);
+    box.setDefaultButton(reload);
+    box.exec();
+    return box.clickedButton() == reload;
+}
+
+RecoveryAnswer DialogInteraction::askRecovery(QWidget* parent,
+                                              const std::vector<RecoveryOffer>& offers)
+{
+    RecoveryDialog dialog(offers, parent);
+    dialog.exec();
+    return dialog.answer();
 }
 
 void DialogInteraction::showError(QWidget* parent, const QString& text)

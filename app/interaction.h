@@ -1,12 +1,19 @@
 #pragma once
 
+#include "core/scenario/move_origin.h"
+#include "widgets/theme/theme.h"
+
 #include <QString>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 class QWidget;
 
 namespace berg {
+
+class ImportRunner;
 
 /** What can be exported, and what to suggest. */
 struct ExportOffer
@@ -23,6 +30,52 @@ struct ExportChoice
     QString path;
 };
 
+/** A file of sightings, and what they can be added to. */
+struct ImportOffer
+{
+    QString path;
+    std::shared_ptr<const Scenario> present; ///< on screen
+    bool intoNew = false;                    ///< chosen at first: a new scenario
+    Theme theme;
+};
+
+/** What the user wants imported. */
+struct ImportChoice
+{
+    Scenario scenario;    ///< that comes out
+    bool intoNew = false; ///< in place of the present one, not a change of it
+    int icebergs = 0;     ///< new or updated
+};
+
+/** Unsaved work of a program that ended unexpectedly, as the user sees it. */
+struct RecoveryOffer
+{
+    QString name;
+    QString path;   ///< of its file; empty: none yet
+    QString edited; ///< when, in words
+};
+
+/** What is to be done with which of the offers. */
+struct RecoveryAnswer
+{
+    enum class Action
+    {
+        Restore,
+        Discard,
+        Later ///< with all of them
+    };
+    Action action = Action::Later;
+    std::size_t offer = 0;
+};
+
+/** Where a scenario is to be moved. */
+struct OriginChoice
+{
+    LatLon origin;
+    MoveMode mode = MoveMode::KeepLayout;
+    bool operator==(const OriginChoice&) const = default;
+};
+
 /** Everything modal the window asks of a person, behind one interface so that tests can answer. */
 class Interaction
 {
@@ -31,6 +84,18 @@ public:
     {
         Save,
         Discard,
+        Cancel
+    };
+    enum class InUse
+    {
+        OpenCopy,
+        OpenAnyway,
+        Cancel
+    };
+    enum class Overwrite
+    {
+        Overwrite,
+        SaveAs,
         Cancel
     };
 
@@ -48,6 +113,25 @@ public:
     /** None: cancelled. */
     [[nodiscard]] virtual std::optional<ExportChoice> chooseExport(QWidget* parent,
                                                                    const ExportOffer& offer) = 0;
+    /** None: cancelled. */
+    [[nodiscard]] virtual std::optional<ImportChoice>
+    chooseImport(QWidget* parent, ImportRunner& runner, const ImportOffer& offer) = 0;
+    /** None: cancelled. What is chosen can be done with this scenario. */
+    [[nodiscard]] virtual std::optional<OriginChoice> askOrigin(QWidget* parent,
+                                                                const Scenario& scenario,
+                                                                const LatLon& suggested,
+                                                                const Theme& theme) = 0;
+    /** Another window has the file open; `holder` says which. */
+    [[nodiscard]] virtual InUse askInUse(QWidget* parent, const QString& fileName,
+                                         const QString& holder) = 0;
+    /** The file is not to be written over without a word; `reason` says why. */
+    [[nodiscard]] virtual Overwrite askOverwrite(QWidget* parent, const QString& fileName,
+                                                 const QString& reason) = 0;
+    /** The file was changed by somebody else, and here nothing is unsaved. */
+    [[nodiscard]] virtual bool askReload(QWidget* parent, const QString& fileName) = 0;
+    /** `offers` is not empty. */
+    [[nodiscard]] virtual RecoveryAnswer askRecovery(QWidget* parent,
+                                                     const std::vector<RecoveryOffer>& offers) = 0;
     virtual void showError(QWidget* parent, const QString& text) = 0;
     virtual void showInformation(QWidget* parent, const QString& title, const QString& html) = 0;
 };
@@ -62,6 +146,18 @@ public:
                                    const QString& filter) override;
     [[nodiscard]] std::optional<ExportChoice> chooseExport(QWidget* parent,
                                                            const ExportOffer& offer) override;
+    [[nodiscard]] std::optional<ImportChoice> chooseImport(QWidget* parent, ImportRunner& runner,
+                                                           const ImportOffer& offer) override;
+    [[nodiscard]] std::optional<OriginChoice> askOrigin(QWidget* parent, const Scenario& scenario,
+                                                        const LatLon& suggested,
+                                                        const Theme& theme) override;
+    [[nodiscard]] InUse askInUse(QWidget* parent, const QString& fileName,
+                                 const QString& holder) override;
+    [[nodiscard]] Overwrite askOverwrite(QWidget* parent, const QString& fileName,
+                                         const QString& reason) override;
+    [[nodiscard]] bool askReload(QWidget* parent, const QString& fileName) override;
+    [[nodiscard]] RecoveryAnswer askRecovery(QWidget* parent,
+                                             const std::vector<RecoveryOffer>& offers) override;
     void showError(QWidget* parent, const QString& text) override;
     void showInformation(QWidget* parent, const QString& title, const QString& html) override;
 };

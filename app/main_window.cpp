@@ -1,16 +1,24 @@
 #include "app/main_window.h"
 
+#include "app/start_page.h"
+#include "app/tour.h"
 #include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
 #include "widgets/map/map_view.h"
 #include "widgets/map/mission_picture.h"
+#include "widgets/map/overview_inset.h"
+#include "widgets/map/place_mark.h"
 #include "widgets/model/error_text.h"
 #include "widgets/model/event_text.h"
 #include "widgets/panels/chart_panel.h"
+#include "widgets/panels/check_panel.h"
 #include "widgets/panels/comparison_panel.h"
 #include "widgets/panels/event_panel.h"
 #include "widgets/panels/flight_banner.h"
+#include "widgets/panels/goto_bar.h"
+#include "widgets/panels/iceberg_table.h"
 #include "widgets/panels/inspector_panel.h"
+#include "widgets/panels/panel_labels.h"
 #include "widgets/panels/plan_panel.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/panels/run_time_line.h"
@@ -29,6 +37,7 @@
 #include <QMimeData>
 #include <QStatusBar>
 #include <QUndoStack>
+#include <QUndoView>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -85,22 +94,38 @@ void MainWindow::showTitle()
     setWindowModified(!document.isClean());
 }
 
+void MainWindow::finishLand()
+{
+    m_map->finishLand();
+    if (m_overview->isVisible())
+        m_overview->finishLand();
+}
+
+void MainWindow::showOverview()
+{
+    if (!m_map->hasInset())
+        return;
+    m_overview->setPlace(m_workspace.document().scenario().origin);
+    m_overview->setExtent(m_map->outline());
+}
+
 void MainWindow::showCursor(const Point& position_m)
 {
     const LatLon place =
         LocalFrame(m_workspace.document().scenario().origin).toGeographic(position_m);
-    m_cursorLabel->setText(tr("%1  %2   %3 m E  %4 m N")
-                               .arg(latitudeText(place.latitude_deg, 2, locale()),
-                                    longitudeText(place.longitude_deg, 2, locale()),
-                                    fixedText(position_m.x(), 0, locale()),
-                                    fixedText(position_m.y(), 0, locale())));
+    m_cursorLabel->setText(tr("%1   %2 E  %3 N", "place, east and north of the origin")
+                               .arg(placeText(place, 2, locale()),
+                                    offsetText(position_m.x(), locale()),
+                                    offsetText(position_m.y(), locale())));
 }
 
 void MainWindow::setInFlight(bool inFlight)
 {
     m_map->setLocked(inFlight);
-    m_banner->showState(inFlight, m_workspace.lookedAt_s());
+    m_banner->showState(inFlight, m_workspace.lookedAt_s(), planFault());
     m_inspector->setLocked(inFlight);
+    m_icebergs->showRecord(m_workspace.record());
+    m_history->setEnabled(!inFlight);
     m_tradeoff->setInFlight(inFlight);
     if (inFlight)
         m_map->setTool(MapToolKind::Select);
@@ -130,6 +155,9 @@ void MainWindow::applyTheme(const Theme& theme)
     m_theme = theme;
     QApplication::setPalette(paletteOf(theme));
     m_banner->setTheme(theme);
+    m_overview->setTheme(theme);
+    m_goto->setTheme(theme);
+    m_placeMark->setTheme(theme);
     m_map->setTheme(theme);
     m_tradeoff->setTheme(theme);
     m_plan->setTheme(theme);
@@ -142,12 +170,21 @@ void MainWindow::applyTheme(const Theme& theme)
     m_pareto->setTheme(theme);
     m_solveTime->setTheme(theme);
     m_events->setTheme(theme);
+    m_checks->setTheme(theme);
+    m_icebergs->setTheme(theme);
+    m_autosaveLabel->setTheme(theme);
+    if (m_startPage != nullptr)
+        m_startPage->setTheme(theme);
+    if (m_tour != nullptr)
+        m_tour->setTheme(theme);
+    m_history->setCleanIcon(icon(IconName::Save, theme));
     refreshIcons();
+    showChecks();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!maySettleChanges()) {
+    if (!m_endAgreed && !maySettleChanges()) {
         event->ignore();
         return;
     }
@@ -161,6 +198,8 @@ void MainWindow::changeEvent(QEvent* event)
     // The desktop has changed its colours, e.g. at sunset.
     if (event->type() == QEvent::ThemeChange)
         followSystem();
+    if (event->type() == QEvent::ActivationChange && isActiveWindow())
+        QTimer::singleShot(0, this, &MainWindow::lookAtFile);
     QMainWindow::changeEvent(event);
 }
 
@@ -194,7 +233,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     if (urls.isEmpty())
         return;
     event->acceptProposedAction();
-    openFile(urls.front().toLocalFile());
+    openDropped(urls.front().toLocalFile());
 }
 
 } // namespace berg

@@ -18,21 +18,31 @@
 class QAction;
 class QActionGroup;
 class QLabel;
+class QToolButton;
 class QMenu;
+class QUndoView;
 
 namespace berg {
 
+class CaptionLabel;
 class ChartPanel;
+class CheckPanel;
 class ComparisonChart;
 class ComparisonPanel;
 class EventPanel;
 class FlightBanner;
+class GotoBar;
+class IcebergTable;
 class InspectorPanel;
 class MapView;
+class OverviewInset;
 class ParetoChart;
+class PlaceMark;
 class PlanPanel;
 class PlaybackBar;
 class SolveTimePanel;
+class StartPage;
+class Tour;
 class TradeoffPanel;
 
 /** Appearance by the user's choice. */
@@ -57,14 +67,27 @@ public:
 
     /** Opens a scenario after the question about unsaved changes; false when it was not opened. */
     bool openFile(const QString& path);
+    /** Over everything but the menus; opening anything closes it. */
+    void showStartPage();
+    [[nodiscard]] bool startPageIsShown() const { return m_startPage != nullptr; }
+    /** Whether the user wants it when no file is named. */
+    [[nodiscard]] static bool wantsStartPage(const QSettings& settings);
+    /** Unsaved work of programs that ended unexpectedly; false, and no question: there is none. */
+    bool offerRecoveries();
+    /** The session ends; false: not now. Without a question what is unsaved is left to recovery. */
+    [[nodiscard]] bool mayEndSession(bool mayAsk);
     void setAppearance(Appearance appearance);
     /** Applies a theme now; `setAppearance` decides it in daily use. */
     void applyTheme(const Theme& theme);
     [[nodiscard]] MapView& mapView() { return *m_map; }
+    /** Waits until all the land last painted can be painted: for pictures. */
+    void finishLand();
 
 signals:
     /** Another language was chosen: the owner makes a new window. Empty: the system's. */
     void languageChosen(const QString& language);
+    /** Other units were chosen, and are in the settings: as another language. */
+    void unitsChosen();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -74,7 +97,13 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    static constexpr int kLayoutVersion = 2; ///< of the docks' saved places
+    // Settings
+    static constexpr const char* kKeepOldKey = "files/keepOld"; ///< on unless told otherwise
+    static constexpr const char* kRecentFilesKey = "files/recent";
+    static constexpr const char* kShowAtStartKey = "start/show"; ///< on unless told otherwise
+    static constexpr const char* kTourSeenKey = "start/tourSeen";
+
+    static constexpr int kLayoutVersion = 3; ///< of the docks' saved places
 
     struct ActionSpec
     {
@@ -89,18 +118,36 @@ private:
     void buildDocks();
     void connectPanels();
     void showFlight();
+    void showPlan();
     void showCharts();
+    void showChart(ChartPanel& chart);
+    void showNextChart();
+    void showTables();
     void showEvents();
     void showCurve();
     void showSelection();
     void showComparison();
     void showPlanner();
     void showTitle();
+    void showOverview();
     void showCursor(const Point& position_m);
     void setInFlight(bool inFlight);
     void followSystem();
     void togglePlay();
-    void showContextMenu(const QPoint& globalPos);
+    void openInspector();
+
+    // main_window_checks.cpp
+    void connectChecks();
+    void showChecks();
+    void openChecks();
+    void showCulprit(const Issue& issue);
+    [[nodiscard]] QString planFault() const;
+    void generateIcebergs();
+
+    // main_window_menu.cpp
+    void showContextMenu(const QPoint& globalPos, const Point& position_m, const std::string& id);
+    void addObjectActions(QMenu& menu, const std::string& id);
+    void addWaterActions(QMenu& menu, const Point& position_m);
 
     // main_window_actions.cpp
     template <class Slot>
@@ -122,6 +169,8 @@ private:
     // main_window_files.cpp
     void finishTyping();
     [[nodiscard]] bool maySettleChanges();
+    [[nodiscard]] bool openUnlessInUse(const QString& path);
+    [[nodiscard]] Interaction::Overwrite mayOverwrite(const QString& path);
     void newScenario();
     void openScenario();
     bool saveScenario();
@@ -136,6 +185,31 @@ private:
     void openRunToCompare();
     void rememberFile(const QString& path);
     void fillRecentMenu();
+
+    // main_window_import.cpp
+    [[nodiscard]] bool mayImport();
+    void chooseSightings();
+    void importSightings(const QString& path);
+    void takeImport(const ImportChoice& choice, const QString& fileName);
+    void openDropped(const QString& path);
+
+    // main_window_places.cpp
+    void buildPlaces();
+    void buildUnitMenu(QMenu& menu);
+    void openGoto();
+    void showPlace(const LatLon& place, const QString& name);
+    void moveScenario(const LatLon& suggested);
+
+    // main_window_start.cpp
+    void connectStartPage(StartPage& page);
+    void closeStartPage();
+    void openExample(const QString& path);
+    void startTour();
+
+    // main_window_safety.cpp
+    void connectSafety();
+    void restore(FoundRecovery found);
+    void lookAtFile();
 
     Workspace& m_workspace;
     Interaction& m_interaction;
@@ -155,7 +229,12 @@ private:
     ParetoChart* m_pareto = nullptr;
     SolveTimePanel* m_solveTime = nullptr;
     FlightBanner* m_banner = nullptr;
+    OverviewInset* m_overview = nullptr;
+    GotoBar* m_goto = nullptr;
+    PlaceMark* m_placeMark = nullptr;
+    IcebergTable* m_icebergs = nullptr;
     EventPanel* m_events = nullptr;
+    CheckPanel* m_checks = nullptr;
     std::vector<QDockWidget*> m_docks;
     QByteArray m_defaultLayout;
 
@@ -164,15 +243,27 @@ private:
     QActionGroup* m_tools = nullptr;
     QMenu* m_recentMenu = nullptr;
     QAction* m_followAction = nullptr;
+    QAction* m_sweptAction = nullptr; ///< whether the water seen so far is shown
     QAction* m_playAction = nullptr;
     QLabel* m_hintLabel = nullptr; ///< what the tool expects
     QLabel* m_cursorLabel = nullptr;
     QLabel* m_stateLabel = nullptr;
+    QToolButton* m_checksButton = nullptr; ///< counts errors and warnings, where there are any
+    CaptionLabel* m_autosaveLabel = nullptr;
+    QUndoView* m_history = nullptr;
+    StartPage* m_startPage = nullptr; ///< while it is shown
+    Tour* m_tour = nullptr;           ///< while it goes on
+
+    bool m_endAgreed = false;  ///< with the end of the session, and nothing changed since
+    bool m_asksReload = false; ///< the question is on screen
+    QDateTime m_reloadRefused; ///< of this change of the file
 
     std::vector<TimeMark> m_marks;  ///< on the time line
     std::size_t m_markedEvents = 0; ///< of the history, turned into marks
     std::uint64_t m_markRewrites = 0;
-    QTimer m_chartTimer; ///< charts at most 25 times a second
+    QTimer m_chartTimer; ///< each chart at most 25 times a second
+    std::size_t m_nextChart = 0;
+    QTimer m_tableTimer; ///< tables of icebergs and, in flight, of the plan at most 10 times
 };
 
 } // namespace berg

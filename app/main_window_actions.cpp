@@ -1,5 +1,7 @@
 #include "app/main_window.h"
 #include "widgets/map/map_view.h"
+#include "widgets/map/overview_inset.h"
+#include "widgets/model/scenario_edits.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/panels/solve_time_panel.h"
 #include "widgets/panels/tradeoff_panel.h"
@@ -9,7 +11,9 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -55,8 +59,14 @@ void MainWindow::buildFileMenu()
               [this] { newScenario(); });
     addAction(menu, {"openAction", tr("&Open..."), QKeySequence::Open, IconName::Open},
               [this] { openScenario(); });
+    addAction(menu, {"startPageAction", tr("S&tart page"), {}, std::nullopt},
+              [this] { showStartPage(); });
     m_recentMenu = menu.addMenu(tr("Open &recent"));
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    addAction(menu,
+              {"importAction", tr("&Import sightings..."), QKeySequence(Qt::CTRL | Qt::Key_I),
+               std::nullopt},
+              [this] { chooseSightings(); });
     menu.addSeparator();
     addAction(menu, {"saveAction", tr("&Save"), QKeySequence::Save, IconName::Save},
               [this] { saveScenario(); });
@@ -64,6 +74,17 @@ void MainWindow::buildFileMenu()
               {"saveAsAction", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
                std::nullopt},
               [this] { saveScenarioAs(); });
+    QAction* keepOld =
+        addAction(menu, {"keepOldAction", tr("Keep a &backup copy"), {}, std::nullopt},
+                  [this](bool on) { m_settings.setValue(kKeepOldKey, on); });
+    keepOld->setCheckable(true);
+    keepOld->setChecked(m_settings.value(kKeepOldKey, true).toBool());
+    keepOld->setStatusTip(tr("Before a file is first written over, what it held is kept as "
+                             "NAME.berg~"));
+    addAction(menu, {"recoverAction", tr("Reco&ver unsaved work..."), {}, std::nullopt}, [this] {
+        if (!offerRecoveries())
+            statusBar()->showMessage(tr("No unsaved work is left to recover"), 4000);
+    });
     addAction(
         menu,
         {"saveRunAction", tr("Save r&un..."), QKeySequence(Qt::CTRL | Qt::Key_R), std::nullopt},
@@ -93,17 +114,43 @@ void MainWindow::buildEditMenu()
     m_icons.emplace_back(undo, IconName::Undo);
     m_icons.emplace_back(redo, IconName::Redo);
     menu.addActions({undo, redo});
+    // While something is drawn on the map, what is undone is its last point.
+    disconnect(undo, &QAction::triggered, history, nullptr);
+    connect(undo, &QAction::triggered, this, [this, history] {
+        if (m_map->isDrawing())
+            m_map->takeLastBack();
+        else
+            history->undo();
+    });
     connect(history, &QUndoStack::indexChanged, this, &MainWindow::updateActions,
             Qt::QueuedConnection);
     menu.addSeparator();
-    m_editActions = {undo, redo,
-                     addAction(menu,
-                               {"deleteAction", tr("&Delete"), QKeySequence::Delete, std::nullopt},
-                               [this] { m_map->deleteSelected(); })};
+    QAction* cut = addAction(menu, {"cutAction", tr("Cu&t"), QKeySequence::Cut, std::nullopt},
+                             [this] { m_map->cutSelected(); });
+    addAction(menu, {"copyAction", tr("&Copy"), QKeySequence::Copy, std::nullopt},
+              [this] { m_map->copySelected(); });
+    QAction* paste =
+        addAction(menu, {"pasteAction", tr("&Paste"), QKeySequence::Paste, std::nullopt},
+                  [this] { m_map->paste(); });
+    QAction* duplicate = addAction(
+        menu,
+        {"duplicateAction", tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), std::nullopt},
+        [this] { m_map->duplicateSelected(); });
+    QAction* remove =
+        addAction(menu, {"deleteAction", tr("&Delete"), QKeySequence::Delete, std::nullopt},
+                  [this] { m_map->deleteSelected(); });
+    m_editActions = {undo, redo, cut, paste, duplicate, remove};
+    m_editActions.push_back(
+        addAction(menu, {"generateAction", tr("&Generate icebergs..."), {}, std::nullopt},
+                  [this] { generateIcebergs(); }));
     addAction(
         menu,
         {"selectAllAction", tr("Select &all icebergs"), QKeySequence::SelectAll, std::nullopt},
         [this] { m_map->selectAll(); });
+    menu.addSeparator();
+    m_editActions.push_back(
+        addAction(menu, {"moveScenarioAction", tr("&Move the scenario…"), {}, std::nullopt},
+                  [this] { moveScenario(m_workspace.document().scenario().origin); }));
 }
 
 void MainWindow::addChoice(QMenu& menu, const QString& text, const QString& key,
@@ -134,6 +181,28 @@ void MainWindow::buildViewMenu()
               [this] { m_map->zoomBy(1.25, QRectF(m_map->rect()).center()); });
     addAction(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut, std::nullopt},
               [this] { m_map->zoomBy(0.8, QRectF(m_map->rect()).center()); });
+    addAction(
+        menu,
+        {"gotoAction", tr("&Go to a place"), QKeySequence(Qt::CTRL | Qt::Key_G), std::nullopt},
+        [this] { openGoto(); });
+    QAction* overview = addAction(
+        menu, {"overviewAction", tr("O&verview"), Qt::Key_O, std::nullopt}, [this](bool on) {
+            m_settings.setValue("view/overview", on);
+            m_map->setInset(on ? m_overview : nullptr);
+            showOverview();
+        });
+    overview->setCheckable(true);
+    overview->setChecked(m_settings.value("view/overview", false).toBool());
+    m_map->setInset(overview->isChecked() ? m_overview : nullptr);
+    m_sweptAction =
+        addAction(menu, {"sweptAction", tr("Swept ar&ea"), {}, std::nullopt}, [this](bool on) {
+            m_settings.setValue("view/swept", on);
+            showFlight();
+        });
+    m_sweptAction->setCheckable(true);
+    m_sweptAction->setChecked(m_settings.value("view/swept", true).toBool());
+    addAction(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7, std::nullopt},
+              [this] { openChecks(); });
     addAction(menu, {"solveTimeAction", tr("&Solve time study"), {}, std::nullopt}, [this] {
         auto* dock = findChild<QDockWidget*>(u"solveTimeDock"_s);
         if (!dock->isVisible()) { // a study wants more room than the docks have
@@ -162,6 +231,7 @@ void MainWindow::buildViewMenu()
     connect(&appearance, &QMenu::triggered, this, [this](QAction* action) {
         setAppearance(static_cast<Appearance>(action->data().toInt()));
     });
+    buildUnitMenu(*menu.addMenu(tr("U&nits")));
     QMenu& language = *menu.addMenu(tr("&Language"));
     addChoice(language, tr("Like the system"), u"view/language"_s, u""_s);
     addChoice(language, u"English"_s, u"view/language"_s, u"en"_s);
@@ -194,8 +264,11 @@ void MainWindow::buildFlightMenu()
               [this] { m_tradeoff->stepPlan(-1); });
     menu.addSeparator();
     addAction(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N, std::nullopt}, [this] {
-        const auto& ids = m_workspace.selection().ids();
-        m_workspace.reportSeen({ids.begin(), ids.end()});
+        std::vector<std::string> ids;
+        for (const Iceberg& iceberg :
+             icebergsOf(m_workspace.document().scenario(), m_workspace.selection().ids()))
+            ids.push_back(iceberg.id);
+        m_workspace.reportSeen(ids);
     });
     menu.addSeparator();
     addAction(menu, {"stepBackAction", tr("Step &back one second"), Qt::Key_Comma, std::nullopt},
@@ -218,7 +291,7 @@ void MainWindow::buildFlightMenu()
               [this] { m_workspace.stepToEvent(-1); });
     addAction(
         menu,
-        {"goToTimeAction", tr("&Go to time"), QKeySequence(Qt::CTRL | Qt::Key_G), std::nullopt},
+        {"goToTimeAction", tr("&Go to time"), QKeySequence(Qt::CTRL | Qt::Key_T), std::nullopt},
         [this] { m_playback->editTime(); });
     addAction(
         menu,
@@ -236,6 +309,7 @@ void MainWindow::buildHelpMenu()
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
     addAction(menu, {"shortcutsAction", tr("&Shortcuts"), Qt::Key_Question, std::nullopt},
               [this] { showShortcuts(); });
+    addAction(menu, {"tourAction", tr("&Tour"), {}, std::nullopt}, [this] { startTour(); });
     addAction(menu, {"aboutAction", tr("&About Bergwatch"), {}, std::nullopt},
               [this] { showAbout(); });
 }
@@ -249,7 +323,7 @@ void MainWindow::addTool(MapToolKind kind, const ActionSpec& spec)
     action->setToolTip(u"%1 (%2)"_s.arg(spec.text, spec.shortcut.toString()));
     action->setData(static_cast<int>(kind));
     m_icons.emplace_back(action, *spec.icon);
-    if (kind == MapToolKind::Iceberg || kind == MapToolKind::Uav)
+    if (isEditing(kind))
         m_editActions.push_back(action);
     connect(action, &QAction::triggered, this, [this, kind] { m_map->setTool(kind); });
 }
@@ -264,6 +338,9 @@ void MainWindow::buildToolBar()
     addTool(MapToolKind::Select, {"selectTool", tr("Select"), Qt::Key_S, IconName::Select});
     addTool(MapToolKind::Iceberg, {"icebergTool", tr("Iceberg"), Qt::Key_I, IconName::Iceberg});
     addTool(MapToolKind::Uav, {"uavTool", tr("UAV"), Qt::Key_U, IconName::Uav});
+    addTool(MapToolKind::Asset, {"assetTool", tr("Asset"), Qt::Key_A, IconName::Asset});
+    addTool(MapToolKind::Area, {"areaTool", tr("Area"), Qt::Key_R, IconName::Area});
+    addTool(MapToolKind::Measure, {"measureTool", tr("Measure"), Qt::Key_M, IconName::Measure});
     addTool(MapToolKind::Pan, {"panTool", tr("Pan"), Qt::Key_H, IconName::Pan});
     m_tools->actions().front()->setChecked(true);
     connect(m_map, &MapView::toolChanged, this, [this](MapToolKind kind) {
@@ -277,8 +354,13 @@ void MainWindow::buildToolBar()
                                   {u"exportAction"_s}};
     for (const QStringList& group : groups) {
         bar->addSeparator();
-        for (const QString& name : group)
-            bar->addAction(findChild<QAction*>(name));
+        for (const QString& name : group) {
+            auto* action = findChild<QAction*>(name);
+            bar->addAction(action);
+            // There is room for the names of the tools; those of commands are in the menus.
+            if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
+                button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        }
     }
     QMenu& edit = *menuBar()->addMenu(tr("&Tools"));
     edit.addActions(m_tools->actions());
@@ -296,23 +378,17 @@ void MainWindow::updateActions()
     const QUndoStack* history = m_workspace.document().undoStack();
     for (QAction* action : m_editActions)
         action->setEnabled(!locked);
-    findChild<QAction*>(u"undoAction"_s)->setEnabled(!locked && history->canUndo());
+    findChild<QAction*>(u"undoAction"_s)
+        ->setEnabled(m_map->isDrawing() || (!locked && history->canUndo()));
     findChild<QAction*>(u"redoAction"_s)->setEnabled(!locked && history->canRedo());
-    findChild<QAction*>(u"seenAction"_s)->setEnabled(locked && !m_workspace.selection().isEmpty());
     findChild<QAction*>(u"deleteAction"_s)
         ->setEnabled(!locked && !m_workspace.selection().isEmpty());
-}
-
-void MainWindow::showContextMenu(const QPoint& globalPos)
-{
-    QMenu menu;
-    menu.addAction(findChild<QAction*>(u"deleteAction"_s));
-    menu.addAction(findChild<QAction*>(u"selectAllAction"_s));
-    menu.addAction(findChild<QAction*>(u"seenAction"_s));
-    menu.addSeparator();
-    menu.addAction(findChild<QAction*>(u"fitAction"_s));
-    menu.addAction(m_followAction);
-    menu.exec(globalPos);
+    const std::vector<std::string>& ids = m_workspace.selection().ids();
+    const bool hasIcebergs = !icebergsOf(m_workspace.document().scenario(), ids).empty();
+    findChild<QAction*>(u"copyAction"_s)->setEnabled(hasIcebergs);
+    findChild<QAction*>(u"seenAction"_s)->setEnabled(locked && hasIcebergs);
+    for (const QString& name : {u"cutAction"_s, u"duplicateAction"_s})
+        findChild<QAction*>(name)->setEnabled(!locked && hasIcebergs);
 }
 
 void MainWindow::showShortcuts()
@@ -330,7 +406,9 @@ void MainWindow::showShortcuts()
     rows += row(tr("Zoom at the cursor"), tr("wheel"));
     rows += row(tr("Pan"), tr("middle button, or arrow keys"));
     rows += row(tr("Nudge what is selected"), tr("arrow keys"));
-    rows += row(tr("Leave the tool, drop the selection"), tr("Esc"));
+    rows += row(tr("Close what is drawn, take its last point back"), tr("Enter, Backspace"));
+    rows += row(tr("Steps of 15° while an arrow is drawn"), tr("Shift"));
+    rows += row(tr("Leave what is drawn, the tool, the selection"), tr("Esc"));
     m_interaction.showInformation(this, tr("Shortcuts"), u"<table>%1</table>"_s.arg(rows));
 }
 
@@ -340,7 +418,7 @@ void MainWindow::showAbout()
         this, tr("About Bergwatch"),
         tr("<h3>Bergwatch %1</h3><p>Plans, flies and measures UAV missions that keep watch over "
            "drifting icebergs.</p><p>Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: "
-           "EPL.</p>")
+           "EPL. Land made with Natural Earth.</p>")
             .arg(QApplication::applicationVersion()));
 }
 

@@ -5,6 +5,7 @@
 #include "widgets/map/map_view.h"
 #include "widgets/model/error_text.h"
 #include "widgets/panels/chart_panel.h"
+#include "widgets/panels/iceberg_table.h"
 #include "widgets/panels/inspector_panel.h"
 #include "widgets/panels/tradeoff_panel.h"
 
@@ -23,6 +24,7 @@ namespace berg {
 namespace {
 
 constexpr int kRecentFiles = 8;
+constexpr int kMessage_ms = 4000;
 
 QString scenarioFilter()
 {
@@ -37,6 +39,14 @@ QString fileNameOf(const QString& name)
     return clean.isEmpty() || clean.startsWith(u'.') ? MainWindow::tr("Untitled") + clean : clean;
 }
 
+/** "Bergwatch, process 4711 on fram": whoever has a file open. */
+QString holderText(const LockHolder& holder)
+{
+    return holder.pid == 0
+               ? MainWindow::tr("Another Bergwatch")
+               : MainWindow::tr("Bergwatch, process %1 on %2").arg(holder.pid).arg(holder.host);
+}
+
 QString withExtension(const QString& path, const QString& extension)
 {
     return QFileInfo(path).suffix().isEmpty() ? path + u'.' + extension : path;
@@ -48,6 +58,7 @@ QString withExtension(const QString& path, const QString& extension)
 void MainWindow::finishTyping()
 {
     m_inspector->finishTyping();
+    m_icebergs->finishTyping();
     m_tradeoff->finishTyping();
 }
 
@@ -86,12 +97,35 @@ void MainWindow::openScenario()
         openFile(path);
 }
 
+/** False: another window has the file, and the user then does not want it. */
+bool MainWindow::openUnlessInUse(const QString& path)
+{
+    const QString name = QFileInfo(path).fileName();
+    const std::optional<LockHolder> holder = m_workspace.file().otherHolder(path);
+    const Interaction::InUse choice = holder
+                                          ? m_interaction.askInUse(this, name, holderText(*holder))
+                                          : Interaction::InUse::OpenAnyway;
+    switch (choice) {
+    case Interaction::InUse::OpenCopy:
+        m_workspace.document().reset(loadScenario(QFile::encodeName(path).toStdString()));
+        statusBar()->showMessage(tr("Opened a copy of %1").arg(name), kMessage_ms);
+        return true;
+    case Interaction::InUse::OpenAnyway:
+        m_workspace.openFile(path);
+        return true;
+    case Interaction::InUse::Cancel:
+        return false;
+    }
+    return false;
+}
+
 bool MainWindow::openFile(const QString& path)
 {
     if (!maySettleChanges())
         return false;
     try {
-        m_workspace.openFile(path);
+        if (!openUnlessInUse(path))
+            return false;
         rememberFile(path);
         return true;
     } catch (const Error& error) {
@@ -117,13 +151,43 @@ bool MainWindow::saveScenarioAs()
     return !path.isEmpty() && saveTo(withExtension(path, u"berg"_s));
 }
 
+/** Asks when somebody else's work would be lost. */
+Interaction::Overwrite MainWindow::mayOverwrite(const QString& path)
+{
+    const QString name = QFileInfo(path).fileName();
+    DocumentFile& file = m_workspace.file();
+    if (path == m_workspace.document().filePath()) {
+        if (file.isChangedOutside())
+            return m_interaction.askOverwrite(
+                this, name,
+                tr("Another program has changed it since you opened it. Those changes would be "
+                   "lost."));
+    } else if (const std::optional<LockHolder> holder = file.otherHolder(path)) {
+        return m_interaction.askOverwrite(
+            this, name,
+            tr("%1 has it open. What is saved there would be lost.").arg(holderText(*holder)));
+    }
+    return Interaction::Overwrite::Overwrite;
+}
+
 bool MainWindow::saveTo(const QString& path)
 {
     finishTyping();
+    switch (mayOverwrite(path)) {
+    case Interaction::Overwrite::Overwrite:
+        break;
+    case Interaction::Overwrite::SaveAs:
+        return saveScenarioAs();
+    case Interaction::Overwrite::Cancel:
+        return false;
+    }
     try {
-        m_workspace.document().save(path);
+        const bool keepOld = m_settings.value(kKeepOldKey, true).toBool();
+        const bool kept = m_workspace.file().save(path, keepOld);
         rememberFile(path);
-        statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
+        statusBar()->showMessage(
+            (kept ? tr("Saved %1") : tr("Saved %1; its folder takes no backup copy")).arg(path),
+            kMessage_ms);
         return true;
     } catch (const Error& error) {
         m_interaction.showError(this, errorReport(error));
@@ -214,18 +278,18 @@ void MainWindow::openRunToCompare()
 
 void MainWindow::rememberFile(const QString& path)
 {
-    QStringList files = m_settings.value("files/recent").toStringList();
+    QStringList files = m_settings.value(kRecentFilesKey).toStringList();
     const QString absolute = QFileInfo(path).absoluteFilePath();
     files.removeAll(absolute);
     files.prepend(absolute);
-    m_settings.setValue("files/recent", files.mid(0, kRecentFiles));
+    m_settings.setValue(kRecentFilesKey, files.mid(0, kRecentFiles));
 }
 
 void MainWindow::fillRecentMenu()
 {
     m_recentMenu->clear();
     m_recentMenu->setToolTipsVisible(true);
-    for (const QString& path : m_settings.value("files/recent").toStringList()) {
+    for (const QString& path : m_settings.value(kRecentFilesKey).toStringList()) {
         const QFileInfo file(path);
         if (!file.exists())
             continue;

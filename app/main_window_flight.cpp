@@ -4,12 +4,12 @@
 #include "widgets/map/comparison_track.h"
 #include "widgets/map/map_view.h"
 #include "widgets/map/mission_picture.h"
-#include "widgets/model/error_text.h"
 #include "widgets/model/event_text.h"
 #include "widgets/panels/chart_panel.h"
 #include "widgets/panels/comparison_panel.h"
 #include "widgets/panels/event_panel.h"
 #include "widgets/panels/flight_banner.h"
+#include "widgets/panels/iceberg_table.h"
 #include "widgets/panels/inspector_panel.h"
 #include "widgets/panels/plan_panel.h"
 #include "widgets/panels/playback_bar.h"
@@ -29,9 +29,9 @@ namespace {
 constexpr int kLongestState_px = 420;
 
 /** The words of the status bar for what the mission thread is doing. */
-QString phaseText(const MissionSnapshot& snapshot)
+QString phaseText(RunPhase phase, const QString& fault)
 {
-    switch (snapshot.phase) {
+    switch (phase) {
     case RunPhase::Planning:
         return MainWindow::tr("Planning");
     case RunPhase::Ready:
@@ -43,8 +43,7 @@ QString phaseText(const MissionSnapshot& snapshot)
     case RunPhase::Finished:
         return MainWindow::tr("Flown to the end");
     case RunPhase::Failed:
-        return MainWindow::tr("Cannot be planned: %1")
-            .arg(snapshot.error ? errorReport(*snapshot.error).section(u'\n', 0, 0) : QString());
+        return MainWindow::tr("Cannot be planned: %1").arg(fault);
     }
     return {};
 }
@@ -82,25 +81,31 @@ void MainWindow::showFlight()
 {
     const FlightRecord& record = m_workspace.record();
     MapPicture picture = missionPicture(record, locale());
+    if (!m_sweptAction->isChecked())
+        picture.swept.clear();
     if (const RunPointer other = m_workspace.runs().otherIn(record.scenario))
         addComparison(picture, *other,
                       record.inFlight() ? record.shown().time_s : record.scenario.duration_s,
                       locale());
-    picture.emptyHint = tr("Press I and click on the map to place one, drag on to let it drift.");
+    picture.emptyHint = tr("Press I and click on the map to place one, drag on to let it drift, "
+                           "or import sightings.");
     m_plan->setSigmaFull(picture.sigmaFull_m2);
+    m_icebergs->setSigmaFull(picture.sigmaFull_m2);
     m_map->setPicture(std::move(picture));
-    m_plan->showPlan(planRows(record.shown(), record.scenario));
-    m_plan->showChange(planChange_m(record));
-    m_tradeoff->showPlan(
-        {.plan = record.shown().plan, .solving = record.now.phase == RunPhase::Planning});
+    const QString fault = planFault();
+    m_tradeoff->showPlan({.plan = record.shown().plan,
+                          .solving = record.now.phase == RunPhase::Planning,
+                          .fault = fault});
     const bool playing = m_workspace.isPlaying();
+    if (!playing) // else at the pace of the tables
+        showPlan();
     m_playback->showState(playing          ? RunPhase::Flying
                           : record.instant ? RunPhase::Paused
                                            : record.now.phase,
                           record.shown().time_s, record.scenario.duration_s, record.now.time_s);
-    m_banner->showState(record.inFlight(), m_workspace.lookedAt_s());
+    m_banner->showState(record.inFlight(), m_workspace.lookedAt_s(), fault);
     m_comparisonChart->setCursor_s(m_workspace.lookedAt_s());
-    const QString phase = phaseText(record.now);
+    const QString phase = phaseText(record.now.phase, fault);
     m_stateLabel->setText(
         m_stateLabel->fontMetrics().elidedText(phase, Qt::ElideRight, kLongestState_px));
     m_stateLabel->setToolTip(phase == m_stateLabel->text() ? QString() : phase);
@@ -111,12 +116,45 @@ void MainWindow::showFlight()
         m_chartTimer.start();
 }
 
+void MainWindow::showPlan()
+{
+    const FlightRecord& record = m_workspace.record();
+    m_plan->showPlan(planRows(record.shown(), record.scenario));
+    m_plan->showOutlook(planOutlook(record));
+}
+
 void MainWindow::showCharts()
 {
     for (ChartPanel* chart : m_charts)
-        if (chart->isVisible()) // behind another tab it is shown when it comes to the front
-            chart->showRecord(m_workspace.record());
+        showChart(*chart);
     showEvents();
+}
+
+void MainWindow::showChart(ChartPanel& chart)
+{
+    if (chart.isVisible()) // behind another tab it is shown when it comes to the front
+        chart.showRecord(m_workspace.record());
+}
+
+/** One in a turn of the event loop, so that no frame has to paint all of them. */
+void MainWindow::showNextChart()
+{
+    showChart(*m_charts[m_nextChart]);
+    m_nextChart = (m_nextChart + 1) % m_charts.size();
+    if (m_nextChart != 0) {
+        m_chartTimer.start();
+        return;
+    }
+    showEvents();
+    if (!m_tableTimer.isActive())
+        m_tableTimer.start();
+}
+
+void MainWindow::showTables()
+{
+    if (m_icebergs->isVisible())
+        m_icebergs->showRecord(m_workspace.record());
+    showPlan();
 }
 
 void MainWindow::showComparison()

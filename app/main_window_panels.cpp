@@ -2,11 +2,15 @@
 #include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
 #include "widgets/map/map_view.h"
+#include "widgets/map/overview_inset.h"
 #include "widgets/panels/chart_panel.h"
+#include "widgets/panels/check_panel.h"
 #include "widgets/panels/comparison_panel.h"
 #include "widgets/panels/event_panel.h"
 #include "widgets/panels/flight_banner.h"
+#include "widgets/panels/iceberg_table.h"
 #include "widgets/panels/inspector_panel.h"
+#include "widgets/panels/panel_labels.h"
 #include "widgets/panels/plan_panel.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/panels/solve_time_panel.h"
@@ -16,6 +20,8 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QStatusBar>
+#include <QToolButton>
+#include <QUndoView>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -25,6 +31,8 @@ namespace berg {
 namespace {
 
 constexpr int kChartInterval_ms = 40;
+constexpr int kTableInterval_ms = 100;
+constexpr int kRefusal_ms = 8000; ///< to read why something was not done
 
 } // namespace
 
@@ -41,7 +49,16 @@ void MainWindow::buildPanels()
     m_pareto->setTitleShown(false);
     m_solveTime = new SolveTimePanel(m_workspace.benchmark());
     m_banner = new FlightBanner(m_map);
+    m_overview = new OverviewInset(m_map);
+    m_overview->hide();
+    m_history = new QUndoView(m_workspace.document().undoStack());
+    m_history->setEmptyLabel(tr("As opened"));
+    m_history->setToolTip(tr("Click a line to go back or forth to it; the disk marks what is "
+                             "saved."));
     m_events = new EventPanel;
+    m_checks = new CheckPanel(m_workspace.document());
+    m_icebergs = new IcebergTable(m_workspace.document(), m_workspace.selection());
+    m_icebergs->setHiddenColumns(m_settings.value("icebergs/hiddenColumns").toStringList());
     m_comparison = new ComparisonPanel(m_workspace.runs());
     m_comparisonChart = new ComparisonChart(m_theme);
     m_comparisonChart->setTitleShown(false);
@@ -56,13 +73,26 @@ void MainWindow::buildPanels()
 
     m_stateLabel = new QLabel;
     m_stateLabel->setObjectName(u"stateLabel"_s);
+    m_autosaveLabel = new CaptionLabel;
+    m_autosaveLabel->setObjectName(u"autosaveLabel"_s);
     m_cursorLabel = new QLabel;
     m_cursorLabel->setObjectName(u"cursorLabel"_s);
     m_hintLabel = new QLabel;
     m_hintLabel->setObjectName(u"hintLabel"_s);
     statusBar()->addWidget(m_hintLabel, 1);
+    m_checksButton = new QToolButton;
+    m_checksButton->setObjectName(u"checksButton"_s);
+    m_checksButton->setAutoRaise(true);
+    m_checksButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_checksButton->setFocusPolicy(Qt::TabFocus);
+    m_checksButton->setToolTip(tr("Shows what is found about the scenario."));
+    QSizePolicy room = m_checksButton->sizePolicy();
+    room.setRetainSizeWhenHidden(true); // or the map above gets another size
+    m_checksButton->setSizePolicy(room);
+    statusBar()->addPermanentWidget(m_checksButton);
     statusBar()->addPermanentWidget(m_stateLabel);
     statusBar()->addPermanentWidget(m_cursorLabel);
+    statusBar()->addPermanentWidget(m_autosaveLabel);
 }
 
 void MainWindow::buildDocks()
@@ -77,6 +107,10 @@ void MainWindow::buildDocks()
             if (visible && !m_chartTimer.isActive())
                 m_chartTimer.start();
         });
+        connect(widget->toggleViewAction(), &QAction::triggered, widget, [widget](bool shown) {
+            if (shown)
+                widget->raise(); // among its tabs
+        });
         m_docks.push_back(widget);
         return widget;
     };
@@ -89,6 +123,9 @@ void MainWindow::buildDocks()
     QDockWidget* pareto = dock("paretoDock", tr("Trade-offs"), m_pareto, Qt::RightDockWidgetArea);
     tabifyDockWidget(plan, inspector);
     tabifyDockWidget(inspector, pareto);
+    QDockWidget* history = dock("historyDock", tr("History"), m_history, Qt::RightDockWidgetArea);
+    tabifyDockWidget(pareto, history);
+    history->hide(); // for whoever wants it
     plan->raise();
     QDockWidget* zeta = dock("zetaDock", tr("Chart"), m_charts.front(), Qt::BottomDockWidgetArea);
     QDockWidget* sigma =
@@ -97,7 +134,9 @@ void MainWindow::buildDocks()
     splitDockWidget(zeta, sigma, Qt::Horizontal);
     QDockWidget* comparisonChart =
         dock("comparisonChartDock", tr("Two runs"), m_comparisonChart, Qt::BottomDockWidgetArea);
+    QDockWidget* checks = dock("checksDock", tr("Checks"), m_checks, Qt::BottomDockWidgetArea);
     tabifyDockWidget(zeta, comparisonChart);
+    tabifyDockWidget(comparisonChart, checks);
     zeta->raise();
     auto* study = new QScrollArea; // so that it does not ask for the room it is best in
     study->setWidgetResizable(true);
@@ -107,7 +146,10 @@ void MainWindow::buildDocks()
         dock("solveTimeDock", tr("Solve time"), study, Qt::BottomDockWidgetArea);
     QDockWidget* comparison =
         dock("comparisonDock", tr("Comparison"), m_comparison, Qt::BottomDockWidgetArea);
-    tabifyDockWidget(sigma, events);
+    QDockWidget* icebergs =
+        dock("icebergsDock", tr("Icebergs"), m_icebergs, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(sigma, icebergs);
+    tabifyDockWidget(icebergs, events);
     tabifyDockWidget(events, comparison);
     tabifyDockWidget(comparison, solveTime);
     solveTime->hide(); // a study, not part of watching a flight
@@ -125,7 +167,7 @@ void MainWindow::connectPanels()
     connect(&m_workspace, &Workspace::flightChanged, this, &MainWindow::showFlight);
     connect(&m_workspace, &Workspace::inFlightChanged, this, &MainWindow::setInFlight);
     connect(&m_workspace, &Workspace::refused, this, [this](const QString& text) {
-        statusBar()->showMessage(text, 8000);
+        statusBar()->showMessage(text, kRefusal_ms);
         showPlanner(); // what was refused is not in force
     });
     connect(&m_workspace.runner(), &MissionRunner::exportReady, this, &MainWindow::writeExport);
@@ -146,6 +188,9 @@ void MainWindow::connectPanels()
         showSelection();
     });
 
+    buildPlaces();
+    connectSafety();
+    connectChecks();
     connect(m_tradeoff, &TradeoffPanel::tauEdited, &m_workspace, &Workspace::setTau);
     connect(m_tradeoff, &TradeoffPanel::tauEditFinished, &document, &ScenarioDocument::endGesture);
     connect(m_tradeoff, &TradeoffPanel::policyEdited, &m_workspace, &Workspace::setPolicy);
@@ -176,26 +221,41 @@ void MainWindow::connectPanels()
 
     connect(m_plan, &PlanPanel::hovered, m_map, &MapView::setHighlight);
     connect(m_map, &MapView::hovered, m_plan, &PlanPanel::setHighlight);
+    connect(m_icebergs, &IcebergTable::hovered, m_map, &MapView::setHighlight);
+    connect(m_map, &MapView::hovered, m_icebergs, &IcebergTable::setHighlight);
+    connect(m_icebergs, &IcebergTable::chosen, this, [this](const std::string& id) {
+        m_workspace.selection().set({id});
+        m_map->showIceberg(id);
+    });
+    connect(m_icebergs, &IcebergTable::mapPasteRequested, m_map, &MapView::paste);
+    connect(m_icebergs, &IcebergTable::hiddenColumnsChanged, this, [this](const QStringList& keys) {
+        m_settings.setValue("icebergs/hiddenColumns", keys);
+    });
     connect(m_plan, &PlanPanel::activated, this,
             [this](const std::string& id) { m_workspace.selection().set({id}); });
+    connect(m_map, &MapView::outlineChanged, this, &MainWindow::showOverview);
+    connect(m_overview, &OverviewInset::placePicked, m_map, &MapView::centreOn);
     connect(m_map, &MapView::followUavChanged, m_followAction, &QAction::setChecked);
     connect(m_map, &MapView::cursorMoved, this, &MainWindow::showCursor);
     connect(m_map, &MapView::cursorLeft, m_cursorLabel, &QLabel::clear);
-    connect(m_map, &MapView::editRequested, this, [this] {
-        auto* dock = findChild<QDockWidget*>(u"inspectorDock"_s);
-        dock->show();
-        dock->raise();
-        m_inspector->setFocus();
+    connect(m_map, &MapView::editRequested, this, &MainWindow::openInspector);
+    connect(m_map, &MapView::statusText, this, [this](const QString& text) {
+        m_hintLabel->setText(text);
+        updateActions(); // drawing has begun or ended
     });
-    connect(m_map, &MapView::statusText, m_hintLabel, &QLabel::setText);
+    connect(m_map, &MapView::refused, this,
+            [this](const QString& text) { statusBar()->showMessage(text, kRefusal_ms); });
     connect(m_banner, &FlightBanner::stopRequested, &m_workspace, &Workspace::reset);
     connect(m_banner, &FlightBanner::flyOnRequested, &m_workspace, &Workspace::flyOnFromHere);
     connect(m_banner, &FlightBanner::newestRequested, &m_workspace, &Workspace::lookAtNewest);
     connect(m_map, &MapView::contextMenuRequested, this, &MainWindow::showContextMenu);
 
     m_chartTimer.setSingleShot(true);
-    m_chartTimer.setInterval(kChartInterval_ms);
-    connect(&m_chartTimer, &QTimer::timeout, this, &MainWindow::showCharts);
+    m_chartTimer.setInterval(kChartInterval_ms / static_cast<int>(m_charts.size()));
+    connect(&m_chartTimer, &QTimer::timeout, this, &MainWindow::showNextChart);
+    m_tableTimer.setSingleShot(true);
+    m_tableTimer.setInterval(kTableInterval_ms);
+    connect(&m_tableTimer, &QTimer::timeout, this, &MainWindow::showTables);
 }
 
 } // namespace berg

@@ -2,7 +2,9 @@
 
 #include "app/window_run.h"
 #include "widgets/map/map_view.h"
+#include "widgets/panels/chart_panel.h"
 #include "widgets/panels/playback_bar.h"
+#include "widgets/theme/unit_settings.h"
 
 namespace berg {
 
@@ -16,24 +18,36 @@ WindowHolder::~WindowHolder() = default;
 
 void WindowHolder::make()
 {
+    setShownUnits(readUnits(m_settings));
     m_window = std::make_unique<MainWindow>(m_workspace, m_interaction, m_settings);
     connect(
         m_window.get(), &MainWindow::languageChosen, this,
-        [this](const QString& language) { change(language); }, Qt::QueuedConnection);
+        [this](const QString& language) { remake([&] { installLanguage(language); }); },
+        Qt::QueuedConnection);
+    connect(
+        m_window.get(), &MainWindow::unitsChosen, this, [this] { remake([] {}); },
+        Qt::QueuedConnection);
 }
 
-void WindowHolder::change(const QString& language)
+/** Makes a window after a change of what all its texts depend on. */
+void WindowHolder::remake(const std::function<void()>& change)
 {
     const QByteArray geometry = m_window->saveGeometry();
     const QByteArray state = m_window->saveState();
     const std::unique_ptr<MainWindow> old = std::move(m_window);
-    installLanguage(language);
+    change();
     make();
     m_window->restoreGeometry(geometry);
     m_window->restoreState(state);
     m_window->show();
+    if (old->startPageIsShown())
+        m_window->showStartPage();
     m_window->mapView().showAs(old->mapView());
     m_window->findChild<PlaybackBar*>()->setRate(old->findChild<PlaybackBar*>()->rate());
+    const auto charts = m_window->findChildren<ChartPanel*>();
+    const auto oldCharts = old->findChildren<ChartPanel*>();
+    for (qsizetype i = 0; i < charts.size(); ++i)
+        charts[i]->setKind(oldCharts[i]->kind());
 }
 
 } // namespace berg

@@ -4,11 +4,13 @@
 
 #include <QObject>
 
+#include <functional>
 #include <memory>
 
 namespace berg {
 
-/** Holds the window, which is made anew for each language; what it works on stays. GUI thread. */
+/** Holds the window, which is made anew for each language and choice of units; what it works on
+ * stays. GUI thread. */
 class WindowHolder : public QObject
 {
     Q_OBJECT
@@ -18,12 +20,12 @@ public:
     WindowHolder(Workspace& workspace, Interaction& interaction, QSettings& settings);
     ~WindowHolder() override;
 
-    /** The present one: another after each change of the language. */
+    /** The present one: another after each change of language or units. */
     [[nodiscard]] MainWindow& window() { return *m_window; }
 
 private:
     void make();
-    void change(const QString& language);
+    void remake(const std::function<void()>& change);
 
     Workspace& m_workspace;
     Interaction& m_interaction;

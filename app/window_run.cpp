@@ -3,12 +3,15 @@
 #include "app/window_holder.h"
 #include "core/io/atomic_file.h"
 #include "core/scenario/presets.h"
+#include "widgets/map/map_view.h"
 #include "widgets/model/error_text.h"
 
 #include <QApplication>
 #include <QBuffer>
+#include <QDir>
 #include <QFile>
 #include <QLibraryInfo>
+#include <QStandardPaths>
 #include <QTextStream>
 #include <QTranslator>
 
@@ -27,6 +30,13 @@ void say(const QString& text)
     QTextStream(stderr) << text << Qt::endl;
 }
 
+/** Where unsaved work and locks are kept; with settings of their own, beside those. */
+QString dataFolder(const QString& config)
+{
+    return config.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
+                            : config + u".data"_s;
+}
+
 void saveImage(const QPixmap& picture, const QString& path)
 {
     QByteArray png;
@@ -43,6 +53,8 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
     const auto done = [&window, path = options.screenshot] {
         int code = 0;
         try {
+            window.grab(); // tells what land it needs
+            window.finishLand();
             saveImage(window.grab(), path);
         } catch (const Error& error) {
             say(errorReport(error));
@@ -64,6 +76,23 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
         QTimer::singleShot(300, &window, done);
     };
     QObject::connect(&workspace, &Workspace::flightChanged, &window, onFlight);
+}
+
+void keepSafe(Workspace& workspace, const QString& config)
+{
+    const QDir data(dataFolder(config));
+    workspace.file().setLockFolder(data.filePath(u"locks"_s));
+    workspace.autosaver().start(data.filePath(u"recovery"_s));
+}
+
+/** What is there to be asked or shown once the window stands; `inUse`: `file` is not open yet. */
+void greet(MainWindow& window, const QSettings& settings, const QString& file, bool inUse)
+{
+    if (inUse)
+        window.openFile(file);
+    else if (file.isEmpty() && MainWindow::wantsStartPage(settings))
+        window.showStartPage();
+    window.offerRecoveries();
 }
 
 } // namespace
@@ -96,7 +125,10 @@ int runWindow(const WindowOptions& options)
     Workspace workspace;
     DialogInteraction interaction;
     workspace.document().reset(defaultScenario());
-    if (!options.scenario.isEmpty()) {
+    if (!picture)
+        keepSafe(workspace, options.config);
+    const bool inUse = workspace.file().otherHolder(options.scenario).has_value();
+    if (!options.scenario.isEmpty() && !inUse) {
         try {
             workspace.openFile(options.scenario);
         } catch (const Error& error) {
@@ -112,6 +144,10 @@ int runWindow(const WindowOptions& options)
     if (picture)
         arrangeScreenshot(workspace, window, options);
     window.show();
+    if (!picture)
+        QTimer::singleShot(0, &window, [&window, &settings, &options, inUse] {
+            greet(window, settings, options.scenario, inUse);
+        });
     return QApplication::exec();
 }
 

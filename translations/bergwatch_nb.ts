@@ -2,6 +2,44 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nb_NO">
 <context>
+    <name>AreaTool</name>
+    <message>
+        <source>Add area</source>
+        <translation>Legg til område</translation>
+    </message>
+    <message>
+        <source>Replace area</source>
+        <translation>Erstatt område</translation>
+    </message>
+    <message>
+        <source>An area needs three corners. Esc drops what is drawn.</source>
+        <translation>Et område trenger tre hjørner. Esc forkaster det som er tegnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>An area has at most %n corners.</source>
+        <translation>
+            <numerusform>Et område har høyst %n hjørne.</numerusform>
+            <numerusform>Et område har høyst %n hjørner.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A click on the first corner or Enter closes the area. Backspace takes a corner back, Esc all.</source>
+        <translation>Klikk på det første hjørnet eller Enter lukker området. Slett bakover angrer ett hjørne, Esc alle.</translation>
+    </message>
+    <message>
+        <source>Click sets the next corner. Backspace takes one back, Esc drops the area.</source>
+        <translation>Klikk setter neste hjørne. Slett bakover angrer ett, Esc forkaster området.</translation>
+    </message>
+    <message>
+        <source>Drag a corner or an edge&apos;s middle; a click begins another area. Esc leaves the tool.</source>
+        <translation>Dra et hjørne eller midten av en kant; et klikk begynner et nytt område. Esc forlater verktøyet.</translation>
+    </message>
+    <message>
+        <source>Click sets the first corner of the area. Esc leaves the tool.</source>
+        <translation>Klikk setter områdets første hjørne. Esc forlater verktøyet.</translation>
+    </message>
+</context>
+<context>
     <name>ComparedRunText</name>
     <message>
         <source>τ %1</source>
@@ -106,10 +144,6 @@
         <translation>Ganger besøksrekkefølgen ble planlagt.</translation>
     </message>
     <message>
-        <source>Flown, km</source>
-        <translation>Fløyet, km</translation>
-    </message>
-    <message>
         <source>Distance flown through the air.</source>
         <translation>Avstand fløyet gjennom luften.</translation>
     </message>
@@ -132,6 +166,10 @@
     <message>
         <source>Unseen for %1 in all in A.</source>
         <translation>Usett i %1 til sammen i A.</translation>
+    </message>
+    <message>
+        <source>Flown, %1</source>
+        <translation>Fløyet, %1</translation>
     </message>
 </context>
 <context>
@@ -175,6 +213,62 @@
         <source>Bergwatch</source>
         <translation>Bergwatch</translation>
     </message>
+    <message>
+        <source>File in use</source>
+        <translation>Filen er i bruk</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>«%1» er åpen i et annet vindu.</translation>
+    </message>
+    <message>
+        <source>%1 has it open. A copy can be changed freely and saved under another name; if both windows save to the file, the last one wins.</source>
+        <translation>%1 har den åpen. En kopi kan endres fritt og lagres under et annet navn; lagrer begge vinduene i filen, gjelder det siste.</translation>
+    </message>
+    <message>
+        <source>Open a copy</source>
+        <translation>Åpne en kopi</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Åpne likevel</translation>
+    </message>
+    <message>
+        <source>Write over the file?</source>
+        <translation>Skrive over filen?</translation>
+    </message>
+    <message>
+        <source>Write over &quot;%1&quot;?</source>
+        <translation>Skrive over «%1»?</translation>
+    </message>
+    <message>
+        <source>Write over it</source>
+        <translation>Skriv over</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Lagre som …</translation>
+    </message>
+    <message>
+        <source>File changed</source>
+        <translation>Filen er endret</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was changed by another program.</source>
+        <translation>«%1» ble endret av et annet program.</translation>
+    </message>
+    <message>
+        <source>You have no unsaved changes of your own.</source>
+        <translation>Du har ingen egne ulagrede endringer.</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Åpne på nytt</translation>
+    </message>
+    <message>
+        <source>Keep what I see</source>
+        <translation>Behold det jeg ser</translation>
+    </message>
 </context>
 <context>
     <name>DomainText</name>
@@ -205,6 +299,17 @@
     <message>
         <source>Balanced visiting order, trade-off τ %1</source>
         <translation>Balansert besøksrekkefølge, avveining τ %1</translation>
+    </message>
+</context>
+<context>
+    <name>DriftArrow</name>
+    <message>
+        <source>The arrow is the way drifted in %1. Shift keeps to steps of %2°, Esc takes it back.</source>
+        <translation>Pilen er veien som drives på %1. Skift holder seg til trinn på %2°, Esc angrer.</translation>
+    </message>
+    <message>
+        <source>Heading %1</source>
+        <translation>Kurs %1</translation>
     </message>
 </context>
 <context>
@@ -303,6 +408,621 @@
     <message>
         <source>%1 reported seen</source>
         <translation>%1 meldt sett</translation>
+    </message>
+</context>
+<context>
+    <name>HandleDrag</name>
+    <message>
+        <source>Change drift</source>
+        <translation>Endre drift</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change drift of %n icebergs</source>
+        <translation>
+            <numerusform>Endre driften til %n isfjell</numerusform>
+            <numerusform>Endre driften til %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn UAV</source>
+        <translation>Drei UAV</translation>
+    </message>
+    <message>
+        <source>Let go to keep this heading. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <translation>Slipp for å beholde denne kursen. Skift holder seg til trinn på %1°, Esc angrer.</translation>
+    </message>
+    <message>
+        <source>Add corner</source>
+        <translation>Legg til hjørne</translation>
+    </message>
+    <message>
+        <source>Move corner</source>
+        <translation>Flytt hjørne</translation>
+    </message>
+    <message>
+        <source>Let go to place the corner here. Esc takes it back.</source>
+        <translation>Slipp for å sette hjørnet her. Esc angrer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drag gives all %n icebergs selected the same drift.</source>
+        <translation>
+            <numerusform>Dra gir %n valgt isfjell denne driften.</numerusform>
+            <numerusform>Dra gir alle de %n valgte isfjellene samme drift.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag sets the drift of the iceberg.</source>
+        <translation>Dra setter driften til isfjellet.</translation>
+    </message>
+    <message>
+        <source>Drag turns the UAV.</source>
+        <translation>Dra dreier UAV-en.</translation>
+    </message>
+    <message>
+        <source>Drag moves the corner, a click and Del remove it.</source>
+        <translation>Dra flytter hjørnet, klikk og Delete fjerner det.</translation>
+    </message>
+    <message>
+        <source>Drag makes a new corner here.</source>
+        <translation>Dra lager et nytt hjørne her.</translation>
+    </message>
+    <message>
+        <source>An area has at least three corners. Remove the area as a whole.</source>
+        <translation>Et område har minst tre hjørner. Fjern hele området.</translation>
+    </message>
+    <message>
+        <source>Without this corner the outline would cross itself.</source>
+        <translation>Uten dette hjørnet ville omrisset krysse seg selv.</translation>
+    </message>
+    <message>
+        <source>Remove corner</source>
+        <translation>Fjern hjørne</translation>
+    </message>
+    <message>
+        <source>The outline would cross itself here.</source>
+        <translation>Omrisset ville krysse seg selv her.</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergClipboard</name>
+    <message>
+        <source>The clipboard</source>
+        <translation>Utklippstavlen</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergColumnText</name>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>Name of the iceberg, its id where it has none</source>
+        <translation>Navnet på isfjellet, id-en der det ikke har noe</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the position now; the bar is on the scale of the map</source>
+        <translation>Usikkerheten i posisjonen nå; søylen følger kartets skala</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position now</source>
+        <translation>Standardavviket til posisjonen nå</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Tilstand</translation>
+    </message>
+    <message>
+        <source>In view, flown to, or its place in the visiting order</source>
+        <translation>I synsfeltet, på vei dit, eller plassen i besøksrekkefølgen</translation>
+    </message>
+    <message>
+        <source>Unseen for</source>
+        <translation>Usett i</translation>
+    </message>
+    <message>
+        <source>Unseen for, s</source>
+        <translation>Usett i, s</translation>
+    </message>
+    <message>
+        <source>Time since it was last in view, or since it is known</source>
+        <translation>Tiden siden det sist var i synsfeltet, eller siden det ble kjent</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankomst</translation>
+    </message>
+    <message>
+        <source>Arrival in, s</source>
+        <translation>Ankomst om, s</translation>
+    </message>
+    <message>
+        <source>Time from now until the UAV is there, by the plan in force</source>
+        <translation>Tiden fra nå til dronen er der, etter planen som gjelder</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøk</translation>
+    </message>
+    <message>
+        <source>How often it was the target and was reached</source>
+        <translation>Hvor ofte det var målet og ble nådd</translation>
+    </message>
+    <message>
+        <source>Position east of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
+        <translation>Posisjon øst for scenarioets origo: før avgang ved starten, under flygingen estimatet</translation>
+    </message>
+    <message>
+        <source>Position north of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
+        <translation>Posisjon nord for scenarioets origo: før avgang ved starten, under flygingen estimatet</translation>
+    </message>
+    <message>
+        <source>Known drift; in flight the current is in it</source>
+        <translation>Kjent drift; under flygingen er strømmen med</translation>
+    </message>
+    <message>
+        <source>Direction, °</source>
+        <translation>Retning, °</translation>
+    </message>
+    <message>
+        <source>Where it drifts to, degrees clockwise from north</source>
+        <translation>Hvor det driver, i grader med klokken fra nord</translation>
+    </message>
+    <message>
+        <source>Last seen, s ago</source>
+        <translation>Sist sett, s siden</translation>
+    </message>
+    <message>
+        <source>Appears at, s</source>
+        <translation>Dukker opp, s</translation>
+    </message>
+    <message>
+        <source>East, %1</source>
+        <translation>Øst, %1</translation>
+    </message>
+    <message>
+        <source>North, %1</source>
+        <translation>Nord, %1</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Fart, %1</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergPasteText</name>
+    <message>
+        <source>There is no text to be pasted.</source>
+        <translation>Det er ingen tekst å lime inn.</translation>
+    </message>
+    <message>
+        <source>Row %1 has a cell &quot;%2&quot; to the right of the last column.</source>
+        <translation>Rad %1 har en celle «%2» til høyre for den siste kolonnen.</translation>
+    </message>
+    <message>
+        <source>Row %1: a scenario holds at most %2 icebergs.</source>
+        <translation>Rad %1: et scenario har plass til høyst %2 isfjell.</translation>
+    </message>
+    <message>
+        <source>Row %1, column &quot;%2&quot;: &quot;%3&quot; is not a number.</source>
+        <translation>Rad %1, kolonne «%2»: «%3» er ikke et tall.</translation>
+    </message>
+    <message>
+        <source>Row %1, column &quot;%2&quot;: %3 is not from %4 to %5.</source>
+        <translation>Rad %1, kolonne «%2»: %3 er ikke fra %4 til %5.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted.</source>
+        <translation>Ingenting ble limt inn.</translation>
+    </message>
+</context>
+<context>
+    <name>IcebergRowText</name>
+    <message>
+        <source>in view</source>
+        <translation>i synsfeltet</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>mål</translation>
+    </message>
+    <message>
+        <source>number %1 in the order</source>
+        <translation>nummer %1 i rekkefølgen</translation>
+    </message>
+    <message>
+        <source>not in the order</source>
+        <translation>ikke i rekkefølgen</translation>
+    </message>
+    <message>
+        <source>not there yet</source>
+        <translation>ikke der ennå</translation>
+    </message>
+    <message>
+        <source>%1 (id %2)</source>
+        <translation>%1 (id-en er %2)</translation>
+    </message>
+    <message>
+        <source>Appears at %1</source>
+        <translation>Dukker opp %1</translation>
+    </message>
+    <message>
+        <source>%1 m², a standard deviation of %2 m</source>
+        <translation>%1 m², et standardavvik på %2 m</translation>
+    </message>
+    <message>
+        <source>It stands still.</source>
+        <translation>Det står stille.</translation>
+    </message>
+</context>
+<context>
+    <name>ImportCells</name>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observasjoner</translation>
+    </message>
+    <message>
+        <source>Last seen, UTC</source>
+        <translation>Sist sett, UTC</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alder</translation>
+    </message>
+    <message>
+        <source>Speed, m/s</source>
+        <translation>Fart, m/s</translation>
+    </message>
+    <message>
+        <source>Direction, °</source>
+        <translation>Retning, °</translation>
+    </message>
+    <message>
+        <source>σ, m²</source>
+        <translation>σ, m²</translation>
+    </message>
+    <message>
+        <source>q, m²/s</source>
+        <translation>q, m²/s</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Merknader</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linje</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grunn</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopier</translation>
+    </message>
+</context>
+<context>
+    <name>ImportWords</name>
+    <message>
+        <source>The file is too large to be imported. Split it, or leave out what is not needed.</source>
+        <translation>Filen er for stor til å importeres. Del den, eller utelat det som ikke trengs.</translation>
+    </message>
+    <message>
+        <source>The file is broken. Correct it at the place named, or export it again.</source>
+        <translation>Filen er ødelagt. Rett den på stedet som er nevnt, eller eksporter den på nytt.</translation>
+    </message>
+    <message>
+        <source>This is no file of sightings that can be recognised. If it is a table, name its columns for latitude and longitude.</source>
+        <translation>Dette er ingen gjenkjennelig fil med observasjoner. Er det en tabell, så velg kolonnene for bredde og lengde.</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be used like this.</source>
+        <translation>Ingenting i den kan brukes slik.</translation>
+    </message>
+    <message>
+        <source>Another number of columns than the first line</source>
+        <translation>Et annet antall kolonner enn første linje</translation>
+    </message>
+    <message>
+        <source>A quote is opened and never closed</source>
+        <translation>Et anførselstegn åpnes og lukkes aldri</translation>
+    </message>
+    <message>
+        <source>Text follows a closing quote</source>
+        <translation>Tekst følger etter et lukkende anførselstegn</translation>
+    </message>
+    <message>
+        <source>No time</source>
+        <translation>Ingen tid</translation>
+    </message>
+    <message>
+        <source>The time cannot be read</source>
+        <translation>Tiden kan ikke leses</translation>
+    </message>
+    <message>
+        <source>The date is not in the season</source>
+        <translation>Datoen er ikke i sesongen</translation>
+    </message>
+    <message>
+        <source>No position</source>
+        <translation>Ingen posisjon</translation>
+    </message>
+    <message>
+        <source>The latitude is no number from −90 to 90</source>
+        <translation>Bredden er ikke et tall fra −90 til 90</translation>
+    </message>
+    <message>
+        <source>The longitude is no number from −180 to 360</source>
+        <translation>Lengden er ikke et tall fra −180 til 360</translation>
+    </message>
+    <message>
+        <source>A number is out of range</source>
+        <translation>Et tall er utenfor området</translation>
+    </message>
+    <message>
+        <source>The id is too long</source>
+        <translation>Id-en er for lang</translation>
+    </message>
+    <message>
+        <source>Not a point</source>
+        <translation>Ikke et punkt</translation>
+    </message>
+    <message>
+        <source>More than 1000 km from the origin of the scenario</source>
+        <translation>Mer enn 1000 km fra scenarioets origo</translation>
+    </message>
+    <message>
+        <source>velocity unknown</source>
+        <translation>hastigheten er ukjent</translation>
+    </message>
+    <message>
+        <source>velocity from the file</source>
+        <translation>hastigheten er fra filen</translation>
+    </message>
+    <message>
+        <source>velocity limited to 5 m/s</source>
+        <translation>hastigheten er begrenset til 5 m/s</translation>
+    </message>
+    <message>
+        <source>q estimated</source>
+        <translation>q er anslått</translation>
+    </message>
+    <message>
+        <source>q limited to 10⁶ m²/s</source>
+        <translation>q er begrenset til 10⁶ m²/s</translation>
+    </message>
+    <message>
+        <source>stationary</source>
+        <translation>ligger stille</translation>
+    </message>
+    <message>
+        <source>several sightings at one time</source>
+        <translation>flere observasjoner til samme tid</translation>
+    </message>
+    <message>
+        <source>sightings at impossible places not used</source>
+        <translation>observasjoner på umulige steder er ikke brukt</translation>
+    </message>
+    <message>
+        <source>recorded track</source>
+        <translation>registrert spor</translation>
+    </message>
+    <message>
+        <source>no track: not sighted after the start</source>
+        <translation>uten spor: ikke observert etter starten</translation>
+    </message>
+    <message>
+        <source>older than what the scenario has</source>
+        <translation>eldre enn det scenarioet har</translation>
+    </message>
+    <message>
+        <source>sighted only after the start</source>
+        <translation>først observert etter starten</translation>
+    </message>
+    <message>
+        <source>more than 1000 km from the origin at the start</source>
+        <translation>mer enn 1000 km fra origo ved starten</translation>
+    </message>
+    <message>
+        <source>the scenario is full</source>
+        <translation>scenarioet er fullt</translation>
+    </message>
+    <message>
+        <source>a UAV has this id</source>
+        <translation>en drone har denne id-en</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nytt</translation>
+    </message>
+    <message>
+        <source>updated</source>
+        <translation>oppdatert</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>uendret</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>utelatt</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Dato</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Lengde</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Retning</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ</source>
+        <translation>Usikkerhet σ</translation>
+    </message>
+    <message>
+        <source>Growth q</source>
+        <translation>Vekst q</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Utstrekning</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Halvlengde</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>Size class</source>
+        <translation>Størrelsesklasse</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkninger</translation>
+    </message>
+    <message>
+        <source>KML (Google Earth)</source>
+        <translation>KML (Google Earth)</translation>
+    </message>
+    <message>
+        <source>GPX (waypoints and tracks)</source>
+        <translation>GPX (veipunkter og spor)</translation>
+    </message>
+    <message>
+        <source>GeoJSON (QGIS)</source>
+        <translation>GeoJSON (QGIS)</translation>
+    </message>
+    <message>
+        <source>International Ice Patrol (CSV)</source>
+        <translation>International Ice Patrol (CSV)</translation>
+    </message>
+    <message>
+        <source>US National Ice Center (CSV)</source>
+        <translation>US National Ice Center (CSV)</translation>
+    </message>
+    <message>
+        <source>Any table (CSV)</source>
+        <translation>En hvilken som helst tabell (CSV)</translation>
+    </message>
+    <message>
+        <source>1 new</source>
+        <translation>1 nytt</translation>
+    </message>
+    <message>
+        <source>%1 new</source>
+        <translation>%1 nye</translation>
+    </message>
+    <message>
+        <source>1 updated</source>
+        <translation>1 oppdatert</translation>
+    </message>
+    <message>
+        <source>%1 updated</source>
+        <translation>%1 oppdatert</translation>
+    </message>
+    <message>
+        <source>1 unchanged</source>
+        <translation>1 uendret</translation>
+    </message>
+    <message>
+        <source>%1 unchanged</source>
+        <translation>%1 uendret</translation>
+    </message>
+    <message>
+        <source>1 left out</source>
+        <translation>1 utelatt</translation>
+    </message>
+    <message>
+        <source>%1 left out</source>
+        <translation>%1 utelatt</translation>
+    </message>
+    <message>
+        <source>1 sighting outside the area</source>
+        <translation>1 observasjon utenfor området</translation>
+    </message>
+    <message>
+        <source>%1 sightings outside the area</source>
+        <translation>%1 observasjoner utenfor området</translation>
+    </message>
+    <message>
+        <source>1 sighting outside the time</source>
+        <translation>1 observasjon utenfor tidsrommet</translation>
+    </message>
+    <message>
+        <source>%1 sightings outside the time</source>
+        <translation>%1 observasjoner utenfor tidsrommet</translation>
+    </message>
+    <message>
+        <source>1 row rejected</source>
+        <translation>1 rad avvist</translation>
+    </message>
+    <message>
+        <source>%1 rows rejected</source>
+        <translation>%1 rader avvist</translation>
+    </message>
+    <message>
+        <source>Nothing to import</source>
+        <translation>Ingenting å importere</translation>
+    </message>
+    <message>
+        <source>%1 d %2 h</source>
+        <translation>%1 d %2 t</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 t %2 min</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>MET Norway (GeoJSON)</source>
+        <translation>MET Norge (GeoJSON)</translation>
+    </message>
+    <message>
+        <source>Canadian Ice Service (CSV)</source>
+        <translation>Canadian Ice Service (CSV)</translation>
     </message>
 </context>
 <context>
@@ -431,10 +1151,6 @@
     <message>
         <source>stands still</source>
         <translation>står stille</translation>
-    </message>
-    <message>
-        <source>%1 m/s towards %2°</source>
-        <translation>%1 m/s mot %2°</translation>
     </message>
     <message>
         <source>Change wind</source>
@@ -628,6 +1344,196 @@
         <source>unlimited</source>
         <translation>ubegrenset</translation>
     </message>
+    <message>
+        <source>Change velocity of the asset</source>
+        <translation>Endre farten til objektet</translation>
+    </message>
+    <message>
+        <source>Speed east</source>
+        <translation>Fart øst</translation>
+    </message>
+    <message>
+        <source>What a ship makes to the east; 0 for a platform.</source>
+        <translation>Et skips fart mot øst; 0 for en plattform.</translation>
+    </message>
+    <message>
+        <source>Speed north</source>
+        <translation>Fart nord</translation>
+    </message>
+    <message>
+        <source>What a ship makes to the north; 0 for a platform.</source>
+        <translation>Et skips fart mot nord; 0 for en plattform.</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Rekkevidde</translation>
+    </message>
+    <message>
+        <source>How near an iceberg matters to it.</source>
+        <translation>Hvor nær et isfjell betyr noe for det.</translation>
+    </message>
+    <message>
+        <source>Change range of the asset</source>
+        <translation>Endre rekkevidden til objektet</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Vekt</translation>
+    </message>
+    <message>
+        <source>How much more an iceberg near it matters.</source>
+        <translation>Hvor mye mer et isfjell i nærheten betyr.</translation>
+    </message>
+    <message>
+        <source>Change gain of the asset</source>
+        <translation>Endre vekten til objektet</translation>
+    </message>
+    <message>
+        <source>Takes the asset off the map.</source>
+        <translation>Tar objektet bort fra kartet.</translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Fjern objektet</translation>
+    </message>
+    <message>
+        <source>Takes the area off the map.</source>
+        <translation>Tar området bort fra kartet.</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Fjern området</translation>
+    </message>
+    <message>
+        <source>Reach radius</source>
+        <translation>Nåradius</translation>
+    </message>
+    <message>
+        <source>How near the UAV has to come to an iceberg; at 0 it is reached when it is in view.</source>
+        <translation>Hvor nær UAV-en må komme et isfjell; ved 0 er det nådd når det er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Change reach radius</source>
+        <translation>Endre nåradius</translation>
+    </message>
+    <message>
+        <source>in view</source>
+        <translation>i synsfeltet</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Synsfelt</translation>
+    </message>
+    <message>
+        <source>Shape of what the camera covers.</source>
+        <translation>Formen på det kameraet dekker.</translation>
+    </message>
+    <message>
+        <source>turns with the UAV</source>
+        <translation>dreier med UAV-en</translation>
+    </message>
+    <message>
+        <source>along the north</source>
+        <translation>langs nord</translation>
+    </message>
+    <message>
+        <source>a disk</source>
+        <translation>en sirkel</translation>
+    </message>
+    <message>
+        <source>Formulation</source>
+        <translation>Formulering</translation>
+    </message>
+    <message>
+        <source>Integer program that COIN-OR CBC solves when it is the solver.</source>
+        <translation>Heltallsprogrammet som COIN-OR CBC løser når den er valgt.</translation>
+    </message>
+    <message>
+        <source>Change formulation</source>
+        <translation>Endre formulering</translation>
+    </message>
+    <message>
+        <source>by position</source>
+        <translation>etter plass</translation>
+    </message>
+    <message>
+        <source>as printed</source>
+        <translation>som trykt</translation>
+    </message>
+    <message>
+        <source>reduced</source>
+        <translation>redusert</translation>
+    </message>
+    <message>
+        <source>Change origin</source>
+        <translation>Endre origo</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Of the origin, north positive; everything moves along with it.</source>
+        <translation>Til origo, nord er positiv; alt flytter med.</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Lengde</translation>
+    </message>
+    <message>
+        <source>Of the origin, east positive; everything moves along with it.</source>
+        <translation>Til origo, øst er positiv; alt flytter med.</translation>
+    </message>
+    <message>
+        <source>Start (UTC)</source>
+        <translation>Starttid (UTC)</translation>
+    </message>
+    <message>
+        <source>Date and time of the start, such as 2024-05-01T06:00:00Z; empty: times are relative.</source>
+        <translation>Dato og klokkeslett for start, som 2024-05-01T06:00:00Z; tomt: tidene er relative.</translation>
+    </message>
+    <message>
+        <source>Change start</source>
+        <translation>Endre starttid</translation>
+    </message>
+    <message>
+        <source>relative times</source>
+        <translation>relative tider</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n corners, %1</source>
+        <translation>
+            <numerusform>%n hjørne, %1</numerusform>
+            <numerusform>%n hjørner, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recorded track</source>
+        <translation>Registrert spor</translation>
+    </message>
+    <message>
+        <source>Its true motion follows this record, while the estimate follows the drift above.</source>
+        <translation>Den sanne bevegelsen følger dette sporet, mens estimatet følger driften ovenfor.</translation>
+    </message>
+    <message>
+        <source>Clear recorded track</source>
+        <translation>Fjern registrert spor</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Fjern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n punkt</numerusform>
+            <numerusform>%n punkter</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 towards %2°</source>
+        <translation>%1 mot %2°</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -648,10 +1554,6 @@
         <translation>UAV-en kommer knapt fremover mot denne vinden.</translation>
     </message>
     <message>
-        <source>The area is kept, but not used by this version.</source>
-        <translation>Området beholdes, men brukes ikke av denne versjonen.</translation>
-    </message>
-    <message>
         <source>The asset is kept, but not used by this version.</source>
         <translation>Objektet som skal vernes beholdes, men brukes ikke av denne versjonen.</translation>
     </message>
@@ -666,6 +1568,123 @@
     <message>
         <source>Appears after the end of the run, so it is never planned.</source>
         <translation>Dukker opp etter flygingens slutt, så det blir aldri planlagt.</translation>
+    </message>
+    <message>
+        <source>The file holds members that this version does not know. They are kept, but not used.</source>
+        <translation>Filen inneholder felter som denne versjonen ikke kjenner. De beholdes, men brukes ikke.</translation>
+    </message>
+    <message>
+        <source>The area serves these checks; this version flies beyond it.</source>
+        <translation>Området brukes i denne kontrollen; denne versjonen flyr utenfor det.</translation>
+    </message>
+    <message>
+        <source>The endurance is shorter than the run, and this version flies on when it is over.</source>
+        <translation>Utholdenheten er kortere enn flygingen, og denne versjonen flyr videre når den er brukt opp.</translation>
+    </message>
+    <message>
+        <source>The endurance is too short for the way to the nearest iceberg and back.</source>
+        <translation>Utholdenheten er for kort til veien til nærmeste isfjell og tilbake.</translation>
+    </message>
+    <message>
+        <source>Starts outside the area.</source>
+        <translation>Starter utenfor området.</translation>
+    </message>
+    <message>
+        <source>The turn radius is larger than half the field of view, so that an iceberg may be missed.</source>
+        <translation>Svingradien er større enn halve synsfeltet, så et isfjell kan bli oversett.</translation>
+    </message>
+    <message>
+        <source>The radius that counts as reached is smaller than the turn radius, so that the UAV flies on and comes back.</source>
+        <translation>Radien som regnes som nådd, er mindre enn svingradien, så UAV-en flyr videre og kommer tilbake.</translation>
+    </message>
+    <message>
+        <source>Lies outside the area.</source>
+        <translation>Ligger utenfor området.</translation>
+    </message>
+    <message>
+        <source>Drifts out of the area before the end of the run.</source>
+        <translation>Driver ut av området før flygingen er slutt.</translation>
+    </message>
+    <message>
+        <source>Lies where another iceberg lies. Is it the same one?</source>
+        <translation>Ligger der et annet isfjell ligger. Er det det samme?</translation>
+    </message>
+    <message>
+        <source>So far away that the UAV cannot get there before the end of the run.</source>
+        <translation>Så langt unna at UAV-en ikke rekker dit før flygingen er slutt.</translation>
+    </message>
+    <message>
+        <source>The run is over before the UAV can get to the first iceberg.</source>
+        <translation>Kjøringen er slutt før UAV-en rekker fram til det første isfjellet.</translation>
+    </message>
+    <message>
+        <source>Drifts faster than icebergs do. Is the unit right?</source>
+        <translation>Driver fortere enn isfjell gjør. Er enheten riktig?</translation>
+    </message>
+    <message>
+        <source>Its recorded track ends before the run does; from then on it stands still.</source>
+        <translation>Det registrerte sporet slutter før flygingen; deretter ligger det stille.</translation>
+    </message>
+    <message>
+        <source>Its recorded track begins so far from the estimate that the UAV will not see it there.</source>
+        <translation>Det registrerte sporet begynner så langt fra estimatet at UAV-en ikke ser det der.</translation>
+    </message>
+    <message>
+        <source>The asset lies inside an iceberg.</source>
+        <translation>Objektet ligger inne i et isfjell.</translation>
+    </message>
+    <message>
+        <source>No iceberg is uncertain at the start, so distance alone makes the first plan.</source>
+        <translation>Ingen isfjell er usikre ved start, så avstanden alene avgjør den første planen.</translation>
+    </message>
+    <message>
+        <source>More icebergs than can be proven optimal; the plan comes with a bound.</source>
+        <translation>Flere isfjell enn det kan bevises optimum for; planen kommer med en skranke.</translation>
+    </message>
+    <message>
+        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
+        <translation>Denne løseren kan ikke planlegge så mange isfjell. Velg Automatisk.</translation>
+    </message>
+    <message>
+        <source>Proving the optimum of so many icebergs can take a minute and more.</source>
+        <translation>Å bevise optimum for så mange isfjell kan ta et minutt eller mer.</translation>
+    </message>
+    <message>
+        <source>The wind must be slower than the UAV flies.</source>
+        <translation>Vinden må være svakere enn UAV-ens fart.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n errors</source>
+        <translation>
+            <numerusform>%n feil</numerusform>
+            <numerusform>%n feil</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warnings</source>
+        <translation>
+            <numerusform>%n advarsel</numerusform>
+            <numerusform>%n advarsler</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hints</source>
+        <translation>
+            <numerusform>%n tips</numerusform>
+            <numerusform>%n tips</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 error</source>
+        <translation>1 feil</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 advarsel</translation>
+    </message>
+    <message>
+        <source>1 hint</source>
+        <translation>1 tips</translation>
     </message>
 </context>
 <context>
@@ -794,13 +1813,17 @@
         <source>Compared: %1</source>
         <translation>Sammenlignet: %1</translation>
     </message>
+    <message>
+        <source>Plan before the change</source>
+        <translation>Planen før endringen</translation>
+    </message>
+    <message>
+        <source>Seen so far</source>
+        <translation>Sett hittil</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
-    <message>
-        <source>%1 nmi</source>
-        <translation>%1 nmi</translation>
-    </message>
     <message>
         <source>N</source>
         <comment>north on the compass</comment>
@@ -834,6 +1857,41 @@
             <numerusform>Flytt %n isfjell</numerusform>
             <numerusform>Flytt %n isfjell</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Flytt objektet</translation>
+    </message>
+    <message>
+        <source>Move area</source>
+        <translation>Flytt området</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>Total %1</source>
+        <translation>Til sammen %1</translation>
+    </message>
+    <message>
+        <source>Click sets the next point, Enter ends the line, Backspace takes one back, Esc clears.</source>
+        <translation>Klikk setter neste punkt, Enter avslutter linjen, Slett bakover angrer ett, Esc tømmer.</translation>
+    </message>
+    <message>
+        <source>Click begins another line. Esc clears this one.</source>
+        <translation>Klikk begynner en ny linje. Esc fjerner denne.</translation>
+    </message>
+    <message>
+        <source>Click points to measure the way between them: geodesic length, true bearing, time of flight.</source>
+        <translation>Klikk punkter for å måle veien mellom dem: geodetisk lengde, rettvisende peiling, flytid.</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 ved %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2 in the wind</source>
+        <translation>%1 ved %2 i vinden</translation>
     </message>
 </context>
 <context>
@@ -926,16 +1984,8 @@
         <translation>Fløyet avstand</translation>
     </message>
     <message>
-        <source>Distance through the air, km</source>
-        <translation>Avstand gjennom luften, km</translation>
-    </message>
-    <message>
         <source>Flown</source>
         <translation>Fløyet</translation>
-    </message>
-    <message>
-        <source>km</source>
-        <translation>km</translation>
     </message>
     <message>
         <source>At %1 %2 are flown.</source>
@@ -989,6 +2039,10 @@
         <source>σ of each iceberg</source>
         <translation>σ for hvert isfjell</translation>
     </message>
+    <message>
+        <source>Distance through the air, %1</source>
+        <translation>Avstand gjennom luften, %1</translation>
+    </message>
 </context>
 <context>
     <name>MissionPicture</name>
@@ -1014,11 +2068,174 @@
     </message>
 </context>
 <context>
-    <name>PlacingTools</name>
+    <name>PlaceText</name>
     <message>
-        <source>%1 m/s (%2 kn)</source>
-        <translation>%1 m/s (%2 knop)</translation>
+        <source>Labrador Sea</source>
+        <translation>Labradorhavet</translation>
     </message>
+    <message>
+        <source>Davis Strait</source>
+        <translation>Davisstredet</translation>
+    </message>
+    <message>
+        <source>Baffin Bay</source>
+        <translation>Baffinbukta</translation>
+    </message>
+    <message>
+        <source>Disko Bay</source>
+        <translation>Diskobukta</translation>
+    </message>
+    <message>
+        <source>Melville Bay</source>
+        <translation>Melvillebukta</translation>
+    </message>
+    <message>
+        <source>Cape York</source>
+        <translation>Kapp York</translation>
+    </message>
+    <message>
+        <source>Nares Strait</source>
+        <translation>Naresstredet</translation>
+    </message>
+    <message>
+        <source>Cape Farewell</source>
+        <translation>Kapp Farvel</translation>
+    </message>
+    <message>
+        <source>Denmark Strait</source>
+        <translation>Danmarkstredet</translation>
+    </message>
+    <message>
+        <source>Scoresby Sund</source>
+        <translation>Scoresbysund</translation>
+    </message>
+    <message>
+        <source>Fram Strait</source>
+        <translation>Framstredet</translation>
+    </message>
+    <message>
+        <source>Hinlopen Strait</source>
+        <translation>Hinlopenstretet</translation>
+    </message>
+    <message>
+        <source>Bear Island</source>
+        <translation>Bjørnøya</translation>
+    </message>
+    <message>
+        <source>Barents Sea</source>
+        <translation>Barentshavet</translation>
+    </message>
+    <message>
+        <source>Franz Josef Land</source>
+        <translation>Frans Josefs land</translation>
+    </message>
+    <message>
+        <source>Novaya Zemlya</source>
+        <translation>Novaja Semlja</translation>
+    </message>
+    <message>
+        <source>Kara Sea</source>
+        <translation>Karahavet</translation>
+    </message>
+    <message>
+        <source>Laptev Sea</source>
+        <translation>Laptevhavet</translation>
+    </message>
+    <message>
+        <source>Bering Strait</source>
+        <translation>Beringstredet</translation>
+    </message>
+    <message>
+        <source>Beaufort Sea</source>
+        <translation>Beauforthavet</translation>
+    </message>
+    <message>
+        <source>North Pole</source>
+        <translation>Nordpolen</translation>
+    </message>
+    <message>
+        <source>Drake Passage</source>
+        <translation>Drakestredet</translation>
+    </message>
+    <message>
+        <source>South Georgia</source>
+        <translation>Sør-Georgia</translation>
+    </message>
+    <message>
+        <source>Weddell Sea</source>
+        <translation>Weddellhavet</translation>
+    </message>
+    <message>
+        <source>Amery Ice Shelf</source>
+        <translation>Ameryisbremmen</translation>
+    </message>
+    <message>
+        <source>Ross Sea</source>
+        <translation>Rosshavet</translation>
+    </message>
+    <message>
+        <source>McMurdo Sound</source>
+        <translation>McMurdosundet</translation>
+    </message>
+    <message>
+        <source>South Pole</source>
+        <translation>Sydpolen</translation>
+    </message>
+    <message>
+        <source>There is no place of this name here, and it is not a coordinate.</source>
+        <translation>Ingen sted med dette navnet finnes her, og det er ingen koordinat.</translation>
+    </message>
+    <message>
+        <source>Several places are called like this.</source>
+        <translation>Flere steder heter noe slikt.</translation>
+    </message>
+    <message>
+        <source>A coordinate or the name of a place is needed.</source>
+        <translation>En koordinat eller navnet på et sted trengs.</translation>
+    </message>
+    <message>
+        <source>This is not a coordinate. Such as 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
+        <translation>Dette er ingen koordinat. Slik som 47° 03,2′ N 48° 06′ V, eller 47,05 -48,1.</translation>
+    </message>
+    <message>
+        <source>This is half a coordinate: latitude and longitude are needed.</source>
+        <translation>Dette er en halv koordinat: både bredde og lengde trengs.</translation>
+    </message>
+    <message>
+        <source>This can be read in more than one way. Spaces and the letters N, S, E and W make it clear.</source>
+        <translation>Dette kan leses på flere måter. Mellomrom og bokstavene N, S, Ø og V gjør det klart.</translation>
+    </message>
+    <message>
+        <source>One half says which hemisphere it is in, the other does not.</source>
+        <translation>Den ene halvdelen sier hvilken halvkule den er på, den andre ikke.</translation>
+    </message>
+    <message>
+        <source>Either a sign or a letter says which hemisphere, not both.</source>
+        <translation>Enten et fortegn eller en bokstav sier hvilken halvkule, ikke begge.</translation>
+    </message>
+    <message>
+        <source>One latitude and one longitude are needed, not two of a kind.</source>
+        <translation>Én bredde og én lengde trengs, ikke to av samme slag.</translation>
+    </message>
+    <message>
+        <source>Minutes and seconds are less than 60.</source>
+        <translation>Minutter og sekunder er mindre enn 60.</translation>
+    </message>
+    <message>
+        <source>Latitudes go from 90° S to 90° N.</source>
+        <translation>Bredder går fra 90° S til 90° N.</translation>
+    </message>
+    <message>
+        <source>Longitudes go from 180° W to 180° E.</source>
+        <translation>Lengder går fra 180° V til 180° Ø.</translation>
+    </message>
+    <message>
+        <source>There is no such place on the UTM or MGRS grid.</source>
+        <translation>Det finnes ikke noe slikt sted i rutenettet UTM eller MGRS.</translation>
+    </message>
+</context>
+<context>
+    <name>PlacingTools</name>
     <message>
         <source>Add iceberg</source>
         <translation>Legg til isfjell</translation>
@@ -1026,10 +2243,6 @@
     <message>
         <source>Change drift</source>
         <translation>Endre drift</translation>
-    </message>
-    <message>
-        <source>The arrow is the way drifted in %1. Esc takes it back.</source>
-        <translation>Pilen er drivveien på %1. Esc angrer.</translation>
     </message>
     <message numerus="yes">
         <source>A scenario holds at most %n icebergs.</source>
@@ -1047,16 +2260,32 @@
         <translation>Plasser UAV</translation>
     </message>
     <message>
-        <source>Heading %1</source>
-        <translation>Kurs %1</translation>
-    </message>
-    <message>
         <source>Let go to keep this heading. Esc takes it back.</source>
         <translation>Slipp for å beholde denne kursen. Esc angrer.</translation>
     </message>
     <message>
         <source>Click places the UAV, drag on to turn it. Esc leaves the tool.</source>
         <translation>Klikk plasserer UAV-en, dra videre for å dreie den. Esc forlater verktøyet.</translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Flytt objektet</translation>
+    </message>
+    <message>
+        <source>Place asset</source>
+        <translation>Plasser objektet</translation>
+    </message>
+    <message>
+        <source>Let go to place it here. Esc takes it back.</source>
+        <translation>Slipp for å plassere det her. Esc angrer.</translation>
+    </message>
+    <message>
+        <source>Click moves the asset here. Esc leaves the tool.</source>
+        <translation>Klikk flytter objektet hit. Esc forlater verktøyet.</translation>
+    </message>
+    <message>
+        <source>Click places the asset to be protected. Esc leaves the tool.</source>
+        <translation>Klikk plasserer objektet som skal vernes. Esc forlater verktøyet.</translation>
     </message>
 </context>
 <context>
@@ -1265,6 +2494,38 @@
         <source>%1 m²</source>
         <translation>%1 m²</translation>
     </message>
+    <message>
+        <source>nmi</source>
+        <translation>nmi</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>km</source>
+        <translation>km</translation>
+    </message>
+    <message>
+        <source>kn</source>
+        <translation>kn</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>nmi²</source>
+        <translation>nmi²</translation>
+    </message>
+    <message>
+        <source>km²</source>
+        <translation>km²</translation>
+    </message>
+    <message>
+        <source>%1 nmi</source>
+        <translation>%1 nmi</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -1411,6 +2672,29 @@
     <message>
         <source>Table of numbers (*.csv)</source>
         <translation>Talltabell (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::CheckPanel</name>
+    <message>
+        <source>Error: must be mended before anything is planned</source>
+        <translation>Feil: må rettes før noe kan planlegges</translation>
+    </message>
+    <message>
+        <source>Warning: probably not what you want</source>
+        <translation>Advarsel: trolig ikke det du ønsker</translation>
+    </message>
+    <message>
+        <source>Hint: good to know</source>
+        <translation>Tips: greit å vite</translation>
+    </message>
+    <message>
+        <source>Nothing to mend</source>
+        <translation>Ingenting å rette</translation>
+    </message>
+    <message>
+        <source>Findings about the scenario</source>
+        <translation>Funn om scenarioet</translation>
     </message>
 </context>
 <context>
@@ -1575,6 +2859,20 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::ExampleCard</name>
+    <message>
+        <source>1 iceberg</source>
+        <translation>1 isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n isfjell</numerusform>
+            <numerusform>%n isfjell</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>berg::ExportDialog</name>
     <message>
         <source>Maps (QGIS)</source>
@@ -1695,6 +2993,245 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>τ and policy can be changed while flying; the plan follows at once.</source>
         <translation>τ og strategi kan endres under flyging; planen følger med straks.</translation>
     </message>
+    <message>
+        <source>Checks</source>
+        <translation>Kontroll</translation>
+    </message>
+    <message>
+        <source>Lists everything that is found about the scenario.</source>
+        <translation>Viser alt som er funnet om scenarioet.</translation>
+    </message>
+    <message>
+        <source>Cannot be planned: %1</source>
+        <translation>Kan ikke planlegges: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::GenerateDialog</name>
+    <message>
+        <source>There is no room for so many so far from each other. Take fewer, a smaller distance or a larger area.</source>
+        <translation>Det er ikke plass til så mange så langt fra hverandre. Velg færre, en mindre avstand eller et større område.</translation>
+    </message>
+    <message>
+        <source>The area is too thin to place icebergs in.</source>
+        <translation>Området er for smalt til å plassere isfjell i.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %1 icebergs.</source>
+        <translation>Et scenario har høyst %1 isfjell.</translation>
+    </message>
+    <message>
+        <source>The highest speed is below the lowest.</source>
+        <translation>Høyeste fart er lavere enn laveste.</translation>
+    </message>
+    <message>
+        <source>The largest uncertainty is below the smallest.</source>
+        <translation>Største usikkerhet er mindre enn minste.</translation>
+    </message>
+    <message>
+        <source>Generate icebergs</source>
+        <translation>Generer isfjell</translation>
+    </message>
+    <message>
+        <source>&amp;Number</source>
+        <translation>A&amp;ntall</translation>
+    </message>
+    <message>
+        <source>The scenario&apos;s area</source>
+        <translation>Scenarioets område</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Det kartet viser</translation>
+    </message>
+    <message>
+        <source>Rectangle in the middle of the map</source>
+        <translation>Rektangel midt i kartet</translation>
+    </message>
+    <message>
+        <source>&amp;Where</source>
+        <translation>&amp;Hvor</translation>
+    </message>
+    <message>
+        <source>Width of the rectangle</source>
+        <translation>Rektangelets bredde</translation>
+    </message>
+    <message>
+        <source>Height of the rectangle</source>
+        <translation>Rektangelets høyde</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>S&amp;tørrelse</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Laveste fart</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Høyeste fart</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>&amp;Fart</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>til</translation>
+    </message>
+    <message>
+        <source>In any direction</source>
+        <translation>I alle retninger</translation>
+    </message>
+    <message>
+        <source>About one direction</source>
+        <translation>Omkring én retning</translation>
+    </message>
+    <message>
+        <source>D&amp;rift</source>
+        <translation>&amp;Drift</translation>
+    </message>
+    <message>
+        <source>Direction they drift to, from north</source>
+        <translation>Retningen de driver mot, fra nord</translation>
+    </message>
+    <message>
+        <source>To either side of it</source>
+        <translation>Til hver side av den</translation>
+    </message>
+    <message>
+        <source>D&amp;irection</source>
+        <translation>&amp;Retning</translation>
+    </message>
+    <message>
+        <source>Smallest σ at the start</source>
+        <translation>Minste σ ved start</translation>
+    </message>
+    <message>
+        <source>Largest σ at the start</source>
+        <translation>Største σ ved start</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty σ</source>
+        <translation>&amp;Usikkerhet σ</translation>
+    </message>
+    <message>
+        <source>Growth of σ</source>
+        <translation>Vekst i σ</translation>
+    </message>
+    <message>
+        <source>&amp;Growth q</source>
+        <translation>&amp;Vekst q</translation>
+    </message>
+    <message>
+        <source>Least distance between two icebergs</source>
+        <translation>Minste avstand mellom to isfjell</translation>
+    </message>
+    <message>
+        <source>Least &amp;distance</source>
+        <translation>&amp;Minste avstand</translation>
+    </message>
+    <message>
+        <source>The same number draws the same field again.</source>
+        <translation>Samme tall gir samme felt på nytt.</translation>
+    </message>
+    <message>
+        <source>&amp;Another</source>
+        <translation>&amp;Et annet</translation>
+    </message>
+    <message>
+        <source>Throws the dice for another field.</source>
+        <translation>Kaster terning om et nytt felt.</translation>
+    </message>
+    <message>
+        <source>&amp;Seed</source>
+        <translation>&amp;Startverdi</translation>
+    </message>
+    <message>
+        <source>R&amp;eplace the present icebergs</source>
+        <translation>Erst&amp;att isfjellene som er der</translation>
+    </message>
+    <message>
+        <source>Generate</source>
+        <translation>Generer</translation>
+    </message>
+    <message numerus="yes">
+        <source>The scenario then holds %n icebergs.</source>
+        <translation>
+            <numerusform>Scenarioet får da %n isfjell.</numerusform>
+            <numerusform>Scenarioet får da %n isfjell.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scenario then holds one iceberg.</source>
+        <translation>Scenarioet får da ett isfjell.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+</context>
+<context>
+    <name>berg::GotoBar</name>
+    <message>
+        <source>Go to</source>
+        <translation>Gå til</translation>
+    </message>
+    <message>
+        <source>Move the scenario here…</source>
+        <translation>Flytt scenarioet hit…</translation>
+    </message>
+    <message>
+        <source>This is %1 from the origin of the scenario, which reaches %2.</source>
+        <translation>Dette er %1 fra origo i scenarioet, som rekker %2.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::IcebergTable</name>
+    <message>
+        <source>Find by name or id</source>
+        <translation>Finn etter navn eller id</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>A row for each iceberg. Before take-off Return edits a cell, Ctrl+Return sets it in all rows selected, Ctrl+C and Ctrl+V exchange rows with a spreadsheet. In flight Return shows the iceberg on the map.</source>
+        <translation>En rad for hvert isfjell. Før avgang endrer Enter en celle, Ctrl+Enter setter den i alle valgte rader, og Ctrl+C og Ctrl+V utveksler rader med et regneark. Under flygingen viser Enter isfjellet på kartet.</translation>
+    </message>
+    <message>
+        <source>No iceberg has this in its name or id.</source>
+        <translation>Ingen isfjell har dette i navnet eller id-en.</translation>
+    </message>
+    <message>
+        <source>There are no icebergs in this flight.</source>
+        <translation>Det er ingen isfjell i denne flygingen.</translation>
+    </message>
+    <message>
+        <source>No icebergs yet: press I and click on the map, or copy rows of a spreadsheet (name, east, north, speed, direction, σ₀ ...) and paste them here with Ctrl+V.</source>
+        <translation>Ingen isfjell ennå: trykk I og klikk på kartet, eller kopier rader fra et regneark (navn, øst, nord, fart, retning, σ₀ ...) og lim dem inn her med Ctrl+V.</translation>
+    </message>
+    <message>
+        <source>In flight the icebergs cannot be edited. Reset the flight to paste.</source>
+        <translation>Under flygingen kan isfjellene ikke endres. Nullstill flygingen for å lime inn.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopier</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Lim inn</translation>
+    </message>
+</context>
+<context>
+    <name>berg::IcebergTableModel</name>
+    <message>
+        <source>Paste icebergs</source>
+        <translation>Lim inn isfjell</translation>
+    </message>
 </context>
 <context>
     <name>berg::IdField</name>
@@ -1705,6 +3242,207 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Names the iceberg in files and lists; each id is there once.</source>
         <translation>Navngir isfjellet i filer og lister; hver id finnes bare én gang.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportColumnsView</name>
+    <message>
+        <source>This format has no columns to choose.</source>
+        <translation>Dette formatet har ingen kolonner å velge.</translation>
+    </message>
+    <message>
+        <source>First rows of the file</source>
+        <translation>De første radene i filen</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisk: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportDialog</name>
+    <message>
+        <source>No icebergs</source>
+        <translation>Ingen isfjell</translation>
+    </message>
+    <message>
+        <source>None of the sightings is taken.</source>
+        <translation>Ingen av observasjonene er tatt med.</translation>
+    </message>
+    <message>
+        <source>Import sightings from %1</source>
+        <translation>Importer observasjoner fra %1</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>Map of what comes out</source>
+        <translation>Kart over resultatet</translation>
+    </message>
+    <message>
+        <source>+ new   * updated</source>
+        <translation>+ nytt   * oppdatert</translation>
+    </message>
+    <message>
+        <source>Icebergs of the file</source>
+        <translation>Isfjellene i filen</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>Rejected rows</source>
+        <translation>Avviste rader</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolonner</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisk: %1</translation>
+    </message>
+    <message>
+        <source>Icebergs (%1)</source>
+        <translation>Isfjell (%1)</translation>
+    </message>
+    <message>
+        <source>Rejected rows (%1)</source>
+        <translation>Avviste rader (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1, %2 ...</source>
+        <translation>Leser %1, %2 …</translation>
+    </message>
+    <message>
+        <source>Working ...</source>
+        <translation>Arbeider …</translation>
+    </message>
+    <message>
+        <source>Im&amp;port</source>
+        <translation>Im&amp;porter</translation>
+    </message>
+    <message>
+        <source>Icebergs (first %1 of %2)</source>
+        <translation>Isfjell (de første %1 av %2)</translation>
+    </message>
+    <message>
+        <source>Rejected rows (first %1 of %2)</source>
+        <translation>Avviste rader (de første %1 av %2)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportOptionsView</name>
+    <message>
+        <source>S&amp;tart at</source>
+        <translation>&amp;Start</translation>
+    </message>
+    <message>
+        <source>UTC time that becomes the start of the scenario. Otherwise the last sighting is.</source>
+        <translation>UTC-tiden som blir scenarioets start. Ellers er det den siste observasjonen.</translation>
+    </message>
+    <message>
+        <source>Not &amp;before</source>
+        <translation>Ikke f&amp;ør</translation>
+    </message>
+    <message>
+        <source>Earlier sightings are left out.</source>
+        <translation>Tidligere observasjoner utelates.</translation>
+    </message>
+    <message>
+        <source>Not &amp;after</source>
+        <translation>Ikke &amp;etter</translation>
+    </message>
+    <message>
+        <source>Later sightings are left out.</source>
+        <translation>Senere observasjoner utelates.</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty σ₀</source>
+        <translation>&amp;Usikkerhet σ₀</translation>
+    </message>
+    <message>
+        <source>Variance of a position where the file tells none.</source>
+        <translation>Variansen til en posisjon der filen ikke sier noe.</translation>
+    </message>
+    <message>
+        <source>&amp;Growth q</source>
+        <translation>&amp;Vekst q</translation>
+    </message>
+    <message>
+        <source>Growth of the uncertainty where the sightings are too few to estimate it.</source>
+        <translation>Usikkerhetens vekst der observasjonene er for få til å anslå den.</translation>
+    </message>
+    <message>
+        <source>The present scenario</source>
+        <translation>Scenarioet på skjermen</translation>
+    </message>
+    <message>
+        <source>A new scenario</source>
+        <translation>Et nytt scenario</translation>
+    </message>
+    <message>
+        <source>Icebergs that the present scenario has already are updated by their ids.</source>
+        <translation>Isfjell som scenarioet på skjermen alt har, oppdateres etter id-ene.</translation>
+    </message>
+    <message>
+        <source>&amp;Into</source>
+        <translation>&amp;Til</translation>
+    </message>
+    <message>
+        <source>Insi&amp;de</source>
+        <translation>Inne&amp;nfor</translation>
+    </message>
+    <message>
+        <source>Sightings outside these latitudes and longitudes are left out.</source>
+        <translation>Observasjoner utenfor disse bredde- og lengdegradene utelates.</translation>
+    </message>
+    <message>
+        <source>What the &amp;map shows</source>
+        <translation>Det &amp;kartet viser</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Sør</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>Vest</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Øst</translation>
+    </message>
+    <message>
+        <source>With &amp;recorded tracks</source>
+        <translation>Med &amp;registrerte spor</translation>
+    </message>
+    <message>
+        <source>Sightings after the start become the true motion of an iceberg. Name the start for that.</source>
+        <translation>Observasjoner etter starten blir isfjellets sanne bevegelse. Da må starten oppgis.</translation>
+    </message>
+    <message>
+        <source>All rows are &amp;one iceberg</source>
+        <translation>&amp;Alle radene er ett isfjell</translation>
+    </message>
+    <message>
+        <source>The file names no icebergs: its rows are the track of one beacon, or an iceberg each.</source>
+        <translation>Filen navngir ingen isfjell: Radene er sporet til én bøye, eller ett isfjell hver.</translation>
     </message>
 </context>
 <context>
@@ -1727,10 +3465,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Scenario</source>
         <translation>Scenarioet</translation>
-    </message>
-    <message>
-        <source>Select an iceberg or a UAV on the map to edit it.</source>
-        <translation>Velg et isfjell eller en UAV på kartet for å redigere.</translation>
     </message>
     <message>
         <source>Iceberg</source>
@@ -1774,6 +3508,22 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Change id</source>
         <translation>Endre id</translation>
     </message>
+    <message>
+        <source>Select something on the map to edit it.</source>
+        <translation>Velg noe på kartet for å redigere det.</translation>
+    </message>
+    <message>
+        <source>Asset</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>Drag its corners on the map to change it.</source>
+        <translation>Dra hjørnene på kartet for å endre det.</translation>
+    </message>
 </context>
 <context>
     <name>berg::MainWindow</name>
@@ -1816,10 +3566,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Untitled</source>
         <translation>Uten navn</translation>
-    </message>
-    <message>
-        <source>%1  %2   %3 m E  %4 m N</source>
-        <translation>%1  %2   %3 m Ø  %4 m N</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -2002,10 +3748,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>piltastene</translation>
     </message>
     <message>
-        <source>Leave the tool, drop the selection</source>
-        <translation>Forlat verktøyet, fjern utvalget</translation>
-    </message>
-    <message>
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
@@ -2016,10 +3758,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>About Bergwatch</source>
         <translation>Om Bergwatch</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlegger, flyr og måler UAV-oppdrag som holder øye med drivende isfjell.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-lisens. Qt Charts: GPL 3. COIN-OR CBC: EPL.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Scenarios (*.berg);;All files (*)</source>
@@ -2150,8 +3888,320 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Gjør om</translation>
     </message>
     <message>
-        <source>Press I and click on the map to place one, drag on to let it drift.</source>
-        <translation>Trykk I og klikk på kartet for å plassere ett, dra videre for å la det drive.</translation>
+        <source>S&amp;tart page</source>
+        <translation>S&amp;tartside</translation>
+    </message>
+    <message>
+        <source>Keep a &amp;backup copy</source>
+        <translation>Behold en sikkerhets&amp;kopi</translation>
+    </message>
+    <message>
+        <source>Before a file is first written over, what it held is kept as NAME.berg~</source>
+        <translation>Før en fil skrives over første gang, tas det som sto i den, vare på som NAVN.berg~</translation>
+    </message>
+    <message>
+        <source>Reco&amp;ver unsaved work...</source>
+        <translation>&amp;Gjenopprett ulagret arbeid …</translation>
+    </message>
+    <message>
+        <source>No unsaved work is left to recover</source>
+        <translation>Det er ikke noe ulagret arbeid å gjenopprette</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Klipp &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopier</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Lim inn</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>&amp;Dupliser</translation>
+    </message>
+    <message>
+        <source>O&amp;verview</source>
+        <translation>&amp;Oversiktskart</translation>
+    </message>
+    <message>
+        <source>Swept ar&amp;ea</source>
+        <translation>S&amp;ett område</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>Om&amp;visning</translation>
+    </message>
+    <message>
+        <source>Asset</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mål</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlegger, flyr og måler UAV-oppdrag som holder øye med drivende isfjell.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-lisens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområdene er laget med Natural Earth.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Another Bergwatch</source>
+        <translation>En annen Bergwatch</translation>
+    </message>
+    <message>
+        <source>Bergwatch, process %1 on %2</source>
+        <translation>Bergwatch, prosess %1 på %2</translation>
+    </message>
+    <message>
+        <source>Opened a copy of %1</source>
+        <translation>Åpnet en kopi av %1</translation>
+    </message>
+    <message>
+        <source>Another program has changed it since you opened it. Those changes would be lost.</source>
+        <translation>Et annet program har endret den siden du åpnet den. De endringene ville gå tapt.</translation>
+    </message>
+    <message>
+        <source>%1 has it open. What is saved there would be lost.</source>
+        <translation>%1 har den åpen. Det som lagres der, ville gå tapt.</translation>
+    </message>
+    <message>
+        <source>Saved %1; its folder takes no backup copy</source>
+        <translation>Lagret %1; mappen tar ikke imot en sikkerhetskopi</translation>
+    </message>
+    <message>
+        <source>Show in the inspector</source>
+        <translation>Vis i Egenskaper</translation>
+    </message>
+    <message>
+        <source>Edit in the inspector</source>
+        <translation>Rediger i Egenskaper</translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Fjern objektet</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Fjern området</translation>
+    </message>
+    <message>
+        <source>New iceberg here</source>
+        <translation>Nytt isfjell her</translation>
+    </message>
+    <message>
+        <source>Paste here</source>
+        <translation>Lim inn her</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Som åpnet</translation>
+    </message>
+    <message>
+        <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
+        <translation>Klikk på en linje for å gå tilbake eller fram til den; disketten merker det som er lagret.</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historikk</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>Autosaved %1</source>
+        <translation>Autolagret %1</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Autolagringen mislyktes: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
+%1</source>
+        <translation>Ulagret arbeid fra et program som sluttet uventet, kan ikke leses. Det er tatt vare på i denne filen:
+%1</translation>
+    </message>
+    <message>
+        <source>Restored, not saved yet</source>
+        <translation>Gjenopprettet, ikke lagret ennå</translation>
+    </message>
+    <message>
+        <source>1. Place icebergs</source>
+        <translation>1. Plasser isfjell</translation>
+    </message>
+    <message>
+        <source>Press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
+        <translation>Trykk I og klikk i kartet: et isfjell. Dra det for å flytte det, dobbeltklikk på det for å oppgi driften og hvor usikker posisjonen er. Planen følger med straks.</translation>
+    </message>
+    <message>
+        <source>2. Drag τ</source>
+        <translation>2. Dra τ</translation>
+    </message>
+    <message>
+        <source>3. Press Space</source>
+        <translation>3. Trykk mellomrom</translation>
+    </message>
+    <message>
+        <source>Space flies the plan and pauses it; drag along the time line to look back. Stop and edit goes back to the start.</source>
+        <translation>Mellomrom flyr planen og tar pause; dra langs tidslinjen for å se tilbake. «Stopp og rediger» går tilbake til start.</translation>
+    </message>
+    <message>
+        <source>To the left the most uncertain icebergs come first, to the right the way gets shorter. Ticks mark where another order becomes the best one.</source>
+        <translation>Til venstre kommer de mest usikre isfjellene først, til høyre blir veien kortere. Merkene viser hvor en annen rekkefølge blir den beste.</translation>
+    </message>
+    <message>
+        <source>Close what is drawn, take its last point back</source>
+        <translation>Lukk det som tegnes, angre siste punkt</translation>
+    </message>
+    <message>
+        <source>Enter, Backspace</source>
+        <translation>Enter, Slett bakover</translation>
+    </message>
+    <message>
+        <source>Steps of 15° while an arrow is drawn</source>
+        <translation>Trinn på 15° mens en pil tegnes</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Skift</translation>
+    </message>
+    <message>
+        <source>Leave what is drawn, the tool, the selection</source>
+        <translation>Forlat det som tegnes, verktøyet, utvalget</translation>
+    </message>
+    <message>
+        <source>%1   %2 E  %3 N</source>
+        <comment>place, east and north of the origin</comment>
+        <translation>%1   %2 Ø  %3 N</translation>
+    </message>
+    <message>
+        <source>&amp;Import sightings...</source>
+        <translation>I&amp;mporter observasjoner …</translation>
+    </message>
+    <message>
+        <source>&amp;Generate icebergs...</source>
+        <translation>Generer &amp;isfjell …</translation>
+    </message>
+    <message>
+        <source>&amp;Move the scenario…</source>
+        <translation>&amp;Flytt scenarioet…</translation>
+    </message>
+    <message>
+        <source>&amp;Go to a place</source>
+        <translation>&amp;Gå til et sted</translation>
+    </message>
+    <message>
+        <source>Chec&amp;ks</source>
+        <translation>Kont&amp;roll</translation>
+    </message>
+    <message>
+        <source>U&amp;nits</source>
+        <translation>En&amp;heter</translation>
+    </message>
+    <message numerus="yes">
+        <source>Generate %n icebergs</source>
+        <translation>
+            <numerusform>Generer %n isfjell</numerusform>
+            <numerusform>Generer %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Press I and click on the map to place one, drag on to let it drift, or import sightings.</source>
+        <translation>Trykk I og klikk i kartet for å plassere ett, dra videre for å la det drive, eller importer observasjoner.</translation>
+    </message>
+    <message>
+        <source>In flight no sightings can be imported. Reset the flight to import them.</source>
+        <translation>Under flygingen kan ingen observasjoner importeres. Nullstill flygingen for å importere dem.</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx);;All files (*)</source>
+        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.gpx);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Import 1 iceberg from %1</source>
+        <translation>Importer 1 isfjell fra %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n icebergs from %1</source>
+        <translation>
+            <numerusform>Importer %n isfjell fra %1</numerusform>
+            <numerusform>Importer %n isfjell fra %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Imported 1 iceberg from %1</source>
+        <translation>Importerte 1 isfjell fra %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Imported %n icebergs from %1</source>
+        <translation>
+            <numerusform>Importerte %n isfjell fra %1</numerusform>
+            <numerusform>Importerte %n isfjell fra %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Shows what is found about the scenario.</source>
+        <translation>Viser hva som er funnet om scenarioet.</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Kontroll</translation>
+    </message>
+    <message>
+        <source>&amp;Distances</source>
+        <translation>&amp;Avstander</translation>
+    </message>
+    <message>
+        <source>Metres and kilometres</source>
+        <translation>Meter og kilometer</translation>
+    </message>
+    <message>
+        <source>Nautical miles</source>
+        <translation>Nautiske mil</translation>
+    </message>
+    <message>
+        <source>&amp;Speeds</source>
+        <translation>&amp;Fart</translation>
+    </message>
+    <message>
+        <source>Metres per second</source>
+        <translation>Meter per sekund</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Knop</translation>
+    </message>
+    <message>
+        <source>&amp;Coordinates</source>
+        <translation>&amp;Koordinater</translation>
+    </message>
+    <message>
+        <source>Degrees and minutes, %1</source>
+        <translation>Grader og minutter, %1</translation>
+    </message>
+    <message>
+        <source>Decimal degrees, %1</source>
+        <translation>Desimalgrader, %1</translation>
+    </message>
+    <message>
+        <source>Degrees, minutes, seconds, %1</source>
+        <translation>Grader, minutter, sekunder, %1</translation>
+    </message>
+    <message>
+        <source>Move scenario</source>
+        <translation>Flytt scenarioet</translation>
+    </message>
+    <message>
+        <source>Generate iceberg</source>
+        <translation>Generer isfjell</translation>
     </message>
 </context>
 <context>
@@ -2179,16 +4229,83 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         </translation>
     </message>
     <message>
-        <source>drifting %1 m/s towards %2</source>
-        <translation>driver %1 m/s mot %2</translation>
-    </message>
-    <message>
         <source>not drifting</source>
         <translation>driver ikke</translation>
     </message>
     <message>
         <source>%1: σ %2 m² (√σ %3 m), %4</source>
         <translation>%1: σ er %2 m² (√σ %3 m), %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n objects</source>
+        <translation>
+            <numerusform>Slett %n objekt</numerusform>
+            <numerusform>Slett %n objekter</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Fjern objektet</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Fjern området</translation>
+    </message>
+    <message>
+        <source>Cut iceberg</source>
+        <translation>Klipp ut isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n icebergs</source>
+        <translation>
+            <numerusform>Klipp ut %n isfjell</numerusform>
+            <numerusform>Klipp ut %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no icebergs on the clipboard.</source>
+        <translation>Det er ingen isfjell på utklippstavlen.</translation>
+    </message>
+    <message>
+        <source>What is on the clipboard cannot be pasted. %1</source>
+        <translation>Det som er på utklippstavlen, kan ikke limes inn. %1</translation>
+    </message>
+    <message>
+        <source>Paste iceberg</source>
+        <translation>Lim inn isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n icebergs</source>
+        <translation>
+            <numerusform>Lim inn %n isfjell</numerusform>
+            <numerusform>Lim inn %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Duplicate iceberg</source>
+        <translation>Dupliser isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n icebergs</source>
+        <translation>
+            <numerusform>Dupliser %n isfjell</numerusform>
+            <numerusform>Dupliser %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n icebergs.</source>
+        <translation>
+            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
+            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Legg til isfjell</translation>
+    </message>
+    <message>
+        <source>drifting %1 towards %2</source>
+        <translation>driver %1 mot %2</translation>
     </message>
 </context>
 <context>
@@ -2218,6 +4335,56 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::OriginDialog</name>
+    <message>
+        <source>Move the scenario</source>
+        <translation>Flytt scenarioet</translation>
+    </message>
+    <message>
+        <source>&amp;Origin at</source>
+        <translation>&amp;Origo i</translation>
+    </message>
+    <message>
+        <source>Move &amp;everything along with the origin</source>
+        <translation>Flytt &amp;alt sammen med origo</translation>
+    </message>
+    <message>
+        <source>&amp;Leave everything where it is on the Earth</source>
+        <translation>&amp;La alt ligge der det er på jorden</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Flytt</translation>
+    </message>
+    <message>
+        <source>Not everything could stay where it is: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
+        <translation>Ikke alt kunne ligge der det er: et scenario rekker %1 fra origo. Flytt alt med, eller velg et nærmere sted.</translation>
+    </message>
+    <message>
+        <source>The origin comes to %1, %2 away. Places, courses and drift on the Earth stay the same.</source>
+        <translation>Origo kommer til %1, %2 unna. Steder, kurser og drift på jorden blir de samme.</translation>
+    </message>
+    <message>
+        <source>Everything comes to %1, %2 away, and keeps its place about the origin.</source>
+        <translation>Alt kommer til %1, %2 unna, og beholder plassen sin rundt origo.</translation>
+    </message>
+    <message>
+        <source>The origin is here now.</source>
+        <translation>Origo er her nå.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::OverviewInset</name>
+    <message>
+        <source>Overview</source>
+        <translation>Oversiktskart</translation>
+    </message>
+    <message>
+        <source>Polar chart of where the map is. A click picks a place for the map.</source>
+        <translation>Polarkart over hvor kartet er. Et klikk velger et sted for kartet.</translation>
+    </message>
+</context>
+<context>
     <name>berg::ParetoChart</name>
     <message>
         <source>Distance against uncertainty reward</source>
@@ -2230,10 +4397,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Computing the plans for every τ</source>
         <translation>Beregner planene for alle τ</translation>
-    </message>
-    <message>
-        <source>Distance, km</source>
-        <translation>Avstand, km</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -2254,6 +4417,17 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Shortest path</source>
         <translation>Korteste vei</translation>
+    </message>
+    <message>
+        <source>Distance, %1</source>
+        <translation>Avstand, %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PlaceField</name>
+    <message>
+        <source>Coordinate or name of a place</source>
+        <translation>Koordinat eller navn på et sted</translation>
     </message>
 </context>
 <context>
@@ -2326,12 +4500,22 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>%1, fløyet %2</translation>
     </message>
     <message>
-        <source>+%1 against the plan before</source>
-        <translation>+%1 mot planen før</translation>
+        <source>Predicted ζ at the end: %1 m² s</source>
+        <translation>Ventet ζ ved slutten: %1 m² s</translation>
     </message>
     <message>
-        <source>−%1 against the plan before</source>
-        <translation>−%1 mot planen før</translation>
+        <source>Against the plan before: %1, ζ %2 m² s</source>
+        <translation>Mot planen før: %1, ζ %2 m² s</translation>
+    </message>
+    <message>
+        <source>Order before the change at %1: %2</source>
+        <translation>Rekkefølgen før endringen ved %1: %2</translation>
+    </message>
+    <message>
+        <source>Predicted for straight legs to where the icebergs are now,
+with nothing seen on the way and nothing planned again.</source>
+        <translation>Beregnet for rette etapper til der isfjellene er nå,
+uten noe sett underveis og uten ny planlegging.</translation>
     </message>
 </context>
 <context>
@@ -2379,6 +4563,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>%1 m²/m</source>
         <translation>%1 m²/m</translation>
+    </message>
+    <message>
+        <source>Show the checks</source>
+        <translation>Vis kontrollen</translation>
     </message>
 </context>
 <context>
@@ -2462,6 +4650,60 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Fastest</source>
         <translation>Raskest</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RecentRow</name>
+    <message>
+        <source>The file is gone</source>
+        <translation>Filen er borte</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Take it out of this list.</source>
+        <translation>Ta den ut av denne listen.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RecoveryDialog</name>
+    <message>
+        <source>Recovered work</source>
+        <translation>Gjenopprettet arbeid</translation>
+    </message>
+    <message>
+        <source>Bergwatch ended unexpectedly. These changes were in no file; restored, they still are to be saved.</source>
+        <translation>Bergwatch sluttet uventet. Disse endringene sto ikke i noen fil; etter gjenoppretting må de fortsatt lagres.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Gjenopprett</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Forkast</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Senere</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Endret</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>ikke lagret ennå</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
     </message>
 </context>
 <context>
@@ -2671,6 +4913,53 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::StartPage</name>
+    <message>
+        <source>Keep watch over drifting icebergs.</source>
+        <translation>Hold øye med isfjell i drift.</translation>
+    </message>
+    <message>
+        <source>Continue with %1</source>
+        <translation>Fortsett med %1</translation>
+    </message>
+    <message>
+        <source>New scenario</source>
+        <translation>Nytt scenario</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Åpne …</translation>
+    </message>
+    <message>
+        <source>New here? Take the tour, three steps</source>
+        <translation>Ny her? Ta omvisningen, tre steg</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Omvisning</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Nylige filer</translation>
+    </message>
+    <message>
+        <source>Show this page at the start</source>
+        <translation>Vis denne siden ved start</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Eksempler</translation>
+    </message>
+    <message>
+        <source>No files yet</source>
+        <translation>Ingen filer ennå</translation>
+    </message>
+    <message>
+        <source>Import sightings...</source>
+        <translation>Importer observasjoner …</translation>
+    </message>
+</context>
+<context>
     <name>berg::TauStrip</name>
     <message>
         <source>Plans along the trade-off τ</source>
@@ -2690,6 +4979,29 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>The plans for every τ are being computed.</source>
         <translation>Planene for alle τ blir beregnet.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Tour</name>
+    <message>
+        <source>Skip</source>
+        <translation>Hopp over</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Tilbake</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Ferdig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Neste</translation>
     </message>
 </context>
 <context>

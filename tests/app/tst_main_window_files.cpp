@@ -1,3 +1,5 @@
+#include "app/start_items.h"
+#include "core/io/run_json.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/window_fixture.h"
@@ -24,6 +26,8 @@ enum class Way
 {
     New,
     Open,
+    Run,
+    Example,
     Recent,
     Drop,
     Close,
@@ -71,6 +75,14 @@ void leave(WindowFixture& w, Way way, const QString& other)
     case Way::Open:
         w.interaction.path = other;
         w.trigger(u"openAction"_s);
+        return;
+    case Way::Run:
+        w.interaction.path = w.file(u"other.bergrun"_s);
+        w.trigger(u"openAction"_s);
+        return;
+    case Way::Example:
+        w.trigger(u"startPageAction"_s);
+        w.window().findChild<ExampleCard*>()->click();
         return;
     case Way::Recent:
         recentActions(w).front()->trigger();
@@ -212,9 +224,10 @@ private slots:
     {
         QTest::addColumn<Way>("way");
         QTest::addColumn<Unsaved>("answer");
-        const std::pair<Way, const char*> ways[] = {{Way::New, "new"},       {Way::Open, "open"},
-                                                    {Way::Recent, "recent"}, {Way::Drop, "drop"},
-                                                    {Way::Close, "close"},   {Way::Quit, "quit"}};
+        const std::pair<Way, const char*> ways[] = {
+            {Way::New, "new"},         {Way::Open, "open"},     {Way::Run, "run"},
+            {Way::Example, "example"}, {Way::Recent, "recent"}, {Way::Drop, "drop"},
+            {Way::Close, "close"},     {Way::Quit, "quit"}};
         for (const auto& [way, name] : ways) {
             QTest::addRow("%s, cancel", name) << way << Unsaved::Cancel;
             QTest::addRow("%s, discard", name) << way << Unsaved::Discard;
@@ -230,6 +243,8 @@ private slots:
         const QString other = w.file(u"other.berg"_s);
         const QString own = w.file(u"own.berg"_s);
         saveScenario(three(33), other.toStdString());
+        saveRun(test::elsewhere([] { return runOf(Mission(three(33))); }),
+                w.file(u"other.bergrun"_s).toStdString());
         w.interaction.path = other;
         w.trigger(u"openAction"_s); // for the recent files
         w.trigger(u"newAction"_s);
@@ -257,6 +272,8 @@ private slots:
         } else if (way == Way::New) {
             QVERIFY(w.scenario().icebergs.empty());
             QVERIFY(w.document().filePath().isEmpty());
+        } else if (way == Way::Example) {
+            QVERIFY(w.scenario() == loadExample(examplePaths().front()));
         } else if (!closes) {
             QVERIFY(w.scenario() == three(33));
         }

@@ -1,6 +1,7 @@
 #include "app/window_run.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
+#include "widgets/map/overview_inset.h"
 #include "widgets/panels/panel_labels.h"
 #include "widgets/theme/theme.h"
 
@@ -64,7 +65,7 @@ QString clippedText(const QWidget& widget)
         if (label->text().isEmpty())
             return {};
         const QRect room = label->contentsRect();
-        const int flags = label->wordWrap() ? int{Qt::TextWordWrap} : int{Qt::TextSingleLine};
+        const int flags = label->wordWrap() ? int{Qt::TextWordWrap} : 0;
         const QSize needed = label->fontMetrics().boundingRect(room, flags, label->text()).size();
         const bool fits = needed.width() <= room.width() && needed.height() <= room.height();
         return fits ? QString()
@@ -132,6 +133,27 @@ private slots:
     void initTestCase() { installLanguage(u"en"_s); }
     void init() { test::failOnWarnings(); }
 
+    /** The swept area is shown from the start, can be switched off, and stays so. */
+    void sweptAreaIsSwitchedAndRemembered()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QAction& swept = w.action(u"sweptAction"_s);
+        QVERIFY(swept.isCheckable() && swept.isChecked());
+        w.workspace.runner().stepBy(60);
+        QVERIFY(w.until([&] { return w.record().now.time_s > 59; }));
+        const QImage shown = w.map().grab().toImage();
+        swept.trigger();
+        const QImage hidden = w.map().grab().toImage();
+        QVERIFY(hidden != shown);
+        QCOMPARE(w.settings.value("view/swept").toBool(), false);
+        {
+            const MainWindow next(w.workspace, w.interaction, w.settings);
+            QVERIFY(!test::child<QAction>(next, u"sweptAction"_s).isChecked());
+        }
+        swept.trigger();
+        QVERIFY(w.map().grab().toImage() != hidden);
+    }
+
     void languageChangesAndComesBack()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -144,14 +166,15 @@ private slots:
         const Scenario scenario = w.scenario();
         const auto ids = w.workspace.selection().ids();
         const std::uint64_t flight = w.record().now.generation;
-        QTest::qWait(100); // charts are drawn a moment after the picture
+        // Charts are drawn a moment after the picture.
+        QVERIFY(w.until([&] { return fixedTexts(w.window()).contains(u"Zeta"_s); }));
         const QStringList english = fixedTexts(w.window());
         const QSize size = w.window().size();
 
         const MainWindow* before = &w.window();
         w.trigger(u"view/language-nb"_s);
         QVERIFY(w.until([&] { return &w.window() != before; }));
-        QTest::qWait(100);
+        QVERIFY(w.until([&] { return fixedTexts(w.window()).contains(u"Zeta-kurve"_s); }));
         const QStringList norwegian = fixedTexts(w.window());
         QCOMPARE(norwegian.size(), english.size());
         qsizetype same = 0;
@@ -307,13 +330,41 @@ private slots:
     }
 
     /** Every tool and command of the tool bar is in sight. */
+    void toolBarIsWhole_data() { fitsTheDesignSize_data(); }
+
     void toolBarIsWhole()
     {
-        const test::LongerTexts longer(40);
+        QFETCH(QString, language);
+        QFETCH(int, longer);
+        installLanguage(language);
+        const auto restore = qScopeGuard([] { installLanguage(u"en"_s); });
+        std::unique_ptr<test::LongerTexts> texts;
+        if (longer > 0)
+            texts = std::make_unique<test::LongerTexts>(longer);
         WindowFixture w(test::MapFixture::fourIcebergs());
         for (const QToolButton* button : w.window().findChildren<QToolButton*>())
             if (button->objectName() == u"qt_toolbar_ext_button"_s)
                 QVERIFY(!button->isVisible());
+    }
+
+    void overviewIsShownOnDemandAndMovesTheMap()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(w.untilReady());
+        auto& overview = test::child<OverviewInset>(w.window(), u"overviewInset"_s);
+        QVERIFY(!overview.isVisible());
+        w.trigger(u"overviewAction"_s);
+        QVERIFY(overview.isVisible());
+        QVERIFY(w.settings.value(u"view/overview"_s).toBool());
+        const LocalFrame frame(w.scenario().origin);
+        const LatLon place = frame.toGeographic({-300'000, 200'000});
+        const QPoint at = overview.pixelOf(place).toPoint();
+        QTest::mouseClick(&overview, Qt::LeftButton, {}, at);
+        const Point middle_m = w.map().toWorld(QRectF(w.map().rect()).center());
+        const LatLon picked = *overview.placeAt(at);
+        QVERIFY((middle_m - frame.toPlane(picked)).norm() < 1);
+        w.trigger(u"overviewAction"_s);
+        QVERIFY(!overview.isVisible());
     }
 
     void layoutComesBack()

@@ -4,6 +4,8 @@
 
 #include <QStringList>
 
+#include <functional>
+
 namespace berg::test {
 
 /** Answers what the window asks as the test has set, and keeps what was asked. */
@@ -12,14 +14,27 @@ class FakeInteraction final : public Interaction
 public:
     Unsaved unsaved = Unsaved::Cancel;
     QString path; ///< of the next file; empty: cancelled
+    InUse inUse = InUse::Cancel;
+    Overwrite overwrite = Overwrite::Cancel;
+    bool reload = false;
+    std::vector<RecoveryAnswer> recoveryAnswers; ///< one after the other, then Later
     std::optional<ExportChoice> exportChoice;
+    std::optional<OriginChoice> originChoice;
+    /** Answers a question about an import; null: cancelled. */
+    std::function<std::optional<ImportChoice>(ImportRunner&, const ImportOffer&)> importAnswer;
 
     QStringList unsavedNames; ///< each question about unsaved changes
     QStringList suggested;    ///< each question where to save
     int openQuestions = 0;
+    QStringList holders;          ///< each question about a file in use
+    QStringList overwriteReasons; ///< each question before writing over a file
+    QStringList reloadQuestions;
+    std::vector<std::vector<RecoveryOffer>> recoveryOffers;
     QStringList errors;
     QStringList informations;
     std::vector<ExportOffer> offers;
+    std::vector<LatLon> suggestedOrigins;
+    std::vector<ImportOffer> importOffers;
 
     [[nodiscard]] Unsaved askUnsaved(QWidget*, const QString& name) override
     {
@@ -41,6 +56,40 @@ public:
     {
         offers.push_back(offer);
         return exportChoice;
+    }
+    [[nodiscard]] std::optional<ImportChoice> chooseImport(QWidget*, ImportRunner& runner,
+                                                           const ImportOffer& offer) override
+    {
+        importOffers.push_back(offer);
+        return importAnswer ? importAnswer(runner, offer) : std::nullopt;
+    }
+    [[nodiscard]] std::optional<OriginChoice> askOrigin(QWidget*, const Scenario&,
+                                                        const LatLon& place, const Theme&) override
+    {
+        suggestedOrigins.push_back(place);
+        return originChoice;
+    }
+    [[nodiscard]] InUse askInUse(QWidget*, const QString&, const QString& holder) override
+    {
+        holders << holder;
+        return inUse;
+    }
+    [[nodiscard]] Overwrite askOverwrite(QWidget*, const QString&, const QString& reason) override
+    {
+        overwriteReasons << reason;
+        return overwrite;
+    }
+    [[nodiscard]] bool askReload(QWidget*, const QString& fileName) override
+    {
+        reloadQuestions << fileName;
+        return reload;
+    }
+    [[nodiscard]] RecoveryAnswer askRecovery(QWidget*,
+                                             const std::vector<RecoveryOffer>& offered) override
+    {
+        recoveryOffers.push_back(offered);
+        const std::size_t asked = recoveryOffers.size();
+        return asked <= recoveryAnswers.size() ? recoveryAnswers[asked - 1] : RecoveryAnswer{};
     }
     void showError(QWidget*, const QString& text) override { errors << text; }
     void showInformation(QWidget*, const QString& title, const QString& html) override

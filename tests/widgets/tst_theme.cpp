@@ -44,6 +44,8 @@ const std::vector<Pair>& pairs()
         {"UAV on panel", &Theme::uav, &Theme::panel, kLineContrast},
         {"marks on chart", &Theme::uav, &Theme::chart, kLineContrast},
         {"plan on sea", &Theme::plan, &Theme::sea, kLineContrast},
+        {"former plan on sea", &Theme::formerPlan, &Theme::sea, kLineContrast},
+        {"former plan on panel", &Theme::formerPlan, &Theme::panel, kLineContrast},
         {"track on sea", &Theme::track, &Theme::sea, kLineContrast},
         {"comparison on sea", &Theme::comparison, &Theme::sea, kLineContrast},
         {"symbol outline on sea", &Theme::ink, &Theme::sea, kLineContrast},
@@ -102,6 +104,22 @@ private slots:
         const Pair& p = pairs()[static_cast<std::size_t>(pair)];
         const double ratio = contrastRatio(theme.*p.on, theme.*p.below);
         QVERIFY2(ratio >= p.least, QByteArray::number(ratio).constData());
+    }
+
+    void waterSeenHidesNothing_data() { addThemes(); }
+
+    /** The tint can be told from the sea, and what is drawn on it reads as on the sea. */
+    void waterSeenHidesNothing()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = themeOf(isDark);
+        QColor tint = theme.swept;
+        tint.setAlpha(255);
+        const QColor seen = mixed(theme.sea, tint, double{theme.swept.alphaF()});
+        QVERIFY(std::abs(lightness(seen) - lightness(theme.sea)) > 3);
+        for (const Pair& p : pairs())
+            if (p.below == &Theme::sea)
+                QVERIFY2(contrastRatio(theme.*p.on, seen) >= p.least, p.name);
     }
 
     void sigmaIsVisibleEverywhere_data() { addThemes(); }

@@ -315,6 +315,8 @@ private slots:
                               plan.fellBack = true;
                           })},
             PlanVerdict::Warning, u"This solver cannot plan so many icebergs. Choose Automatic."_s);
+        row("fault", {.plan = provenPlan(), .fault = u"Too windy."_s}, PlanVerdict::Fault,
+            u"Too windy."_s);
         row("all in view", {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); })},
             PlanVerdict::None, u"Nothing to visit now"_s);
         row("greedy", {.plan = planWith([](PlanEvent& plan) { plan.backend = "greedy"; })},

@@ -1,0 +1,213 @@
+#include "tests/support/map_fixture.h"
+#include "tests/support/window_fixture.h"
+
+#include <QClipboard>
+#include <QLineEdit>
+#include <QMenu>
+#include <QStatusBar>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::WindowFixture;
+using Ids = std::vector<std::string>;
+
+namespace {
+
+const Point kWater_m(2500, 1500);
+constexpr double kPixel_m = 20; // more than a pixel of these maps is wide
+
+Scenario withEverything()
+{
+    Scenario scenario = test::MapFixture::fourIcebergs();
+    scenario.asset = Asset{.name = "Hibernia", .position_m = {2500, 2600}};
+    scenario.area_m = {{1000, 500}, {4200, 500}, {4200, 3600}, {1000, 3600}};
+    return scenario;
+}
+
+/** The context menu of the map at a place; it closes with the test. */
+QMenu& menuAt(WindowFixture& w, const Point& place_m)
+{
+    QTest::mouseClick(&w.map(), Qt::RightButton, {}, w.pixelOf(place_m));
+    return test::child<QMenu>(w.window(), u"mapMenu"_s);
+}
+
+QStringList textsOf(const QMenu& menu)
+{
+    QStringList texts;
+    for (const QAction* action : menu.actions())
+        if (!action->isSeparator() && action->isEnabled())
+            texts << QString(action->text()).remove(u'&');
+    return texts;
+}
+
+void choose(QMenu& menu, const QString& text)
+{
+    for (QAction* action : menu.actions())
+        if (QString(action->text()).remove(u'&') == text) {
+            action->trigger();
+            menu.close();
+            QTest::qWait(0); // deleted
+            return;
+        }
+    qFatal("no entry %s", qPrintable(text));
+}
+
+} // namespace
+
+/** Context menus of the map, and what the Edit menu does with icebergs. */
+class TestMainWindowMenu : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void everyObjectOffersItsOwn_data()
+    {
+        QTest::addColumn<Point>("place_m");
+        QTest::addColumn<QStringList>("offered");
+        QTest::addColumn<QStringList>("kept");
+        const QString edit = u"Edit in the inspector"_s;
+        QTest::newRow("iceberg") << Point(1500, 1000)
+                                 << QStringList{edit, u"Cut"_s, u"Copy"_s, u"Duplicate"_s,
+                                                u"Delete"_s}
+                                 << QStringList{u"Paste here"_s, u"Remove area"_s};
+        QTest::newRow("UAV") << Point(0, 0) << QStringList{edit}
+                             << QStringList{u"Cut"_s, u"Delete"_s};
+        QTest::newRow("asset") << Point(2500, 2600) << QStringList{edit, u"Remove asset"_s}
+                               << QStringList{u"Cut"_s, u"Remove area"_s};
+        QTest::newRow("area") << Point(4200, 2500) << QStringList{edit, u"Remove area"_s}
+                              << QStringList{u"Cut"_s, u"Remove asset"_s};
+        QTest::newRow("water") << kWater_m << QStringList{u"New iceberg here"_s, u"Paste here"_s}
+                               << QStringList{edit, u"Remove area"_s};
+    }
+
+    void everyObjectOffersItsOwn()
+    {
+        QFETCH(Point, place_m);
+        QFETCH(QStringList, offered);
+        QFETCH(QStringList, kept);
+        WindowFixture w(withEverything());
+        const QStringList texts = textsOf(menuAt(w, place_m));
+        for (const QString& text : offered)
+            QVERIFY2(texts.contains(text), qPrintable(text + u" in "_s + texts.join(u", "_s)));
+        for (const QString& text : kept)
+            QVERIFY2(!texts.contains(text), qPrintable(text));
+        QVERIFY(texts.contains(u"Fit everything"_s));
+    }
+
+    void waterTakesIcebergs()
+    {
+        WindowFixture w(withEverything());
+        choose(menuAt(w, kWater_m), u"New iceberg here"_s);
+        QCOMPARE(w.scenario().icebergs.size(), 5U);
+        QVERIFY((w.scenario().icebergs[4].position_m - kWater_m).norm() < kPixel_m);
+        QCOMPARE(w.workspace.selection().ids(), (Ids{"berg-5"}));
+        w.trigger(u"copyAction"_s);
+        choose(menuAt(w, {2000, 2200}), u"Paste here"_s);
+        QCOMPARE(w.scenario().icebergs.size(), 6U);
+        QVERIFY((w.scenario().icebergs[5].position_m - Point(2000, 2200)).norm() < kPixel_m);
+        QCOMPARE(w.document().undoStack()->count(), 2);
+    }
+
+    void assetAndAreaAreRemoved()
+    {
+        WindowFixture w(withEverything());
+        choose(menuAt(w, {4200, 2500}), u"Remove area"_s);
+        QVERIFY(w.scenario().area_m.empty());
+        choose(menuAt(w, {2500, 2600}), u"Remove asset"_s);
+        QVERIFY(!w.scenario().asset);
+        w.trigger(u"undoAction"_s);
+        w.trigger(u"undoAction"_s);
+        QVERIFY(w.scenario() == withEverything());
+    }
+
+    void inFlightNothingIsChanged()
+    {
+        WindowFixture w(withEverything());
+        w.trigger(u"stepAction"_s);
+        QVERIFY(w.until(RunPhase::Paused));
+        QMenu& water = menuAt(w, kWater_m);
+        QVERIFY(!textsOf(water).contains(u"Paste here"_s));
+        water.close();
+        QTest::qWait(0);
+        const QStringList texts = textsOf(menuAt(w, {3500, 3000}));
+        QVERIFY(texts.contains(u"Report as seen now"_s));
+        QVERIFY(texts.contains(u"Show in the inspector"_s));
+        QVERIFY(texts.contains(u"Copy"_s));
+        for (const QString& name : {u"cutAction"_s, u"pasteAction"_s, u"duplicateAction"_s,
+                                    u"assetTool"_s, u"areaTool"_s})
+            QVERIFY2(!w.action(name).isEnabled(), qPrintable(name));
+        QVERIFY(w.action(u"measureTool"_s).isEnabled());
+    }
+
+    void keysCopyPasteCutAndDuplicate()
+    {
+        WindowFixture w(withEverything());
+        QVERIFY(!w.action(u"copyAction"_s).isEnabled());
+        w.workspace.selection().set({"berg-1", "berg-2"});
+        w.map().setFocus();
+        QTest::keyClick(&w.map(), Qt::Key_C, Qt::ControlModifier);
+        QTest::keyClick(&w.map(), Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(w.scenario().icebergs.size(), 6U);
+        QTest::keyClick(&w.map(), Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(w.scenario().icebergs.size(), 8U);
+        QTest::keyClick(&w.map(), Qt::Key_X, Qt::ControlModifier);
+        QCOMPARE(w.scenario().icebergs.size(), 6U);
+        QCOMPARE(w.document().undoStack()->count(), 3);
+        QApplication::clipboard()->setText(u"something else"_s);
+        QTest::keyClick(&w.map(), Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(w.scenario().icebergs.size(), 6U);
+        QCOMPARE(w.window().statusBar()->currentMessage(),
+                 u"There are no icebergs on the clipboard."_s);
+    }
+
+    /** A field that is typed in keeps the keys to itself. */
+    void textFieldsKeepTheirClipboard()
+    {
+        WindowFixture w(withEverything());
+        w.workspace.selection().set({"berg-1"});
+        w.window().findChild<QWidget*>(u"inspectorDock"_s)->raise();
+        auto& name = test::child<QLineEdit>(w.window(), u"icebergName"_s);
+        name.setFocus();
+        QTest::keyClicks(&name, u"Big"_s);
+        name.selectAll();
+        QTest::keyClick(&name, Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(), u"Big"_s);
+        name.end(false);
+        QTest::keyClick(&name, Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(name.text(), u"BigBig"_s);
+        QCOMPARE(w.scenario().icebergs.size(), 4U);
+    }
+
+    void twoWindowsShareIcebergs()
+    {
+        WindowFixture from(withEverything());
+        from.workspace.selection().set({"berg-3"});
+        from.trigger(u"copyAction"_s);
+        WindowFixture to(test::emptySea());
+        to.trigger(u"pasteAction"_s);
+        QCOMPARE(to.scenario().icebergs.size(), 1U);
+        QVERIFY(to.scenario().icebergs[0].velocity_mps == from.scenario().icebergs[2].velocity_mps);
+    }
+
+    /** The command in the menu and the tool bar, too, takes back the last corner and no more. */
+    void undoWhileDrawingTakesACornerBack()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.trigger(u"areaTool"_s);
+        QVERIFY(!w.action(u"undoAction"_s).isEnabled());
+        w.click(w.pixelOf(Point(2000, 1500)));
+        w.click(w.pixelOf(Point(3000, 1500)));
+        QVERIFY(w.action(u"undoAction"_s).isEnabled());
+        w.trigger(u"undoAction"_s);
+        QVERIFY(w.map().isDrawing());
+        w.trigger(u"undoAction"_s);
+        QVERIFY(!w.map().isDrawing());
+        QVERIFY(!w.action(u"undoAction"_s).isEnabled());
+        QVERIFY(w.scenario() == test::MapFixture::fourIcebergs());
+    }
+};
+
+QTEST_MAIN(TestMainWindowMenu)
+#include "tst_main_window_menu.moc"
