@@ -435,6 +435,8 @@ CbcSolver::CbcSolver(Formulation formulation) : m_formulation(formulation) {}
 
 std::string CbcSolver::whyNot(const TvpProblem& problem) const
 {
+    if (problem.criterion != Criterion::Visitation)
+        return "The MILPs are those of Eq. (1); latency is not its objective.";
     const auto limit = [this]() -> std::pair<const char*, int> {
         switch (m_formulation) {
         case Formulation::Position:

@@ -12,14 +12,18 @@ namespace berg {
 
 namespace {
 
-/** Largest problem that dynamic programming solves faster; measured by bench_solvers. */
+/** Largest problems that dynamic programming solves faster; measured by bench_solvers. */
 constexpr int kMostBySubsets = 14;
+constexpr int kMostLatencyBySubsets = 16;
 /** Work of one restart of the local search, per iceberg squared; by measurement. */
 constexpr std::int64_t kWorkOfRestart = 11;
 /** Share of all work that goes into more local search while the proof is under way: 1 / this. */
 constexpr std::int64_t kSearchShare = 10;
 /** A few restarts more are not worth while. */
 constexpr std::int64_t kLeastRestarts = 50;
+
+/** As `BoundOptions::manyArcs`; the graphs of latency are larger, and sooner small again. */
+constexpr std::int64_t kManyLatencyArcs = 6'000'000;
 
 /** First restarts from a disturbed order: the optimum in nine cases of ten at 40 icebergs. */
 std::int64_t firstRestarts(std::int64_t icebergs)
@@ -28,6 +32,7 @@ std::int64_t firstRestarts(std::int64_t icebergs)
 }
 
 /** One solve: local search and bound take turns. */
+template <class Costs>
 class Engine
 {
 public:
@@ -56,6 +61,8 @@ public:
 
         BoundOptions options;
         options.gap = m_options.gap;
+        if constexpr (Costs::kWeighted)
+            options.manyArcs = kManyLatencyArcs;
         options.workLimit = mostWork() - m_effort.work;
         options.memoryLimit_bytes =
             m_options.memoryLimit_bytes.value_or(std::numeric_limits<std::int64_t>::max() / 4);
@@ -155,11 +162,11 @@ private:
     const TvpProblem& m_problem;
     const SolveOptions& m_options;
     SolveWatch m_watch;
-    VisitCosts m_costs;
+    Costs m_costs;
     double m_shift;     ///< cost = objective + shift
     std::int64_t m_own; ///< the back end's own limit of work
     SearchEffort m_effort;
-    OrderSearch m_search;
+    OrderSearch<Costs> m_search;
     std::optional<std::int64_t> m_searched; ///< work of the first local search, once it is done
     std::optional<StopReason> m_cut;
     double m_objective = 0; ///< of the best order
@@ -172,7 +179,9 @@ SolveOutcome solveByEngine(const TvpProblem& problem, const SolveOptions& option
                            std::optional<std::int64_t> effort)
 {
     if (problem.mu > 0)
-        return Engine(problem, options, effort).run();
+        return problem.criterion == Criterion::Latency
+                   ? Engine<LatencyCosts>(problem, options, effort).run()
+                   : Engine<VisitCosts>(problem, options, effort).run();
 
     SolveOutcome outcome;
     outcome.status = SolveStatus::Optimal;
@@ -191,7 +200,9 @@ std::int64_t responsiveEffort(int icebergs)
 bool subsetsPay(const TvpProblem& problem, const SolveOptions& options)
 {
     const int n = problem.icebergCount();
-    return n <= kMostBySubsets && problem.mu > 0 &&
+    const int most =
+        problem.criterion == Criterion::Latency ? kMostLatencyBySubsets : kMostBySubsets;
+    return n <= most && problem.mu > 0 &&
            SubsetSolver::workFor(n) <= options.workLimit.value_or(SubsetSolver::workFor(n)) &&
            SubsetSolver::bytesFor(n) <=
                options.memoryLimit_bytes.value_or(SubsetSolver::bytesFor(n));

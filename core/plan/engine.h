@@ -8,7 +8,8 @@ namespace berg {
  * The engine behind the back ends `exact`, `auto` and `heuristic`: a local optimum, a first bound,
  * an iterated local search (`OrderSearch`), then rounds of the layered relaxation (`improveBound`)
  * with more local search between them, until the optimum is proven or a limit comes. Keeps to all
- * of `SolveOptions`. At mu = 0 the optimum is a sort. Deterministic unless cut by time or stop.
+ * of `SolveOptions`. At mu = 0 the optimum is a sort (for latency any order). Deterministic unless
+ * cut by time or stop.
  *
  * `effort` is a limit of the back end's own, in the unit of `SolveOptions::workLimit`; it ends
  * the solve with `StopReason::Finished`. `problem` is valid and has at least one iceberg; a hint
@@ -25,7 +26,7 @@ inline constexpr int kMostProvenByEngine = 127;
 
 /**
  * True when dynamic programming over subsets is faster than the engine and keeps to the options'
- * limits: up to 14 icebergs.
+ * limits: up to 14 icebergs, for latency 16.
  */
 [[nodiscard]] bool subsetsPay(const TvpProblem& problem, const SolveOptions& options);
 

@@ -21,10 +21,11 @@ struct State
 };
 
 /** States of one layer by (visited, last iceberg): open addressing, grown by doubling. */
+template <class Costs>
 class StateTable
 {
 public:
-    explicit StateTable(const LayeredGraph& graph) : m_graph(graph), m_slots(1024, -1) {}
+    explicit StateTable(const LayeredGraph<Costs>& graph) : m_graph(graph), m_slots(1024, -1) {}
 
     void offer(const State& state)
     {
@@ -69,10 +70,24 @@ private:
         }
     }
 
-    const LayeredGraph& m_graph;
+    const LayeredGraph<Costs>& m_graph;
     std::vector<State> m_states;
     std::vector<int> m_slots;
 };
+
+/** How often a leg counts that is flown when `visited` have been seen. */
+template <class Costs>
+double legWeight(const Costs& costs, const NodeSet& visited)
+{
+    double unseen = 1;
+    if constexpr (Costs::kWeighted) {
+        unseen = 0;
+        for (int i = 1; i <= costs.icebergs; ++i)
+            if (!visited.contains(i))
+                unseen += costs.sigmaOf(i);
+    }
+    return unseen;
+}
 
 /** Keeps the `most` states of least estimate, returns the least estimate dropped. */
 double truncate(std::vector<State>& states, int most)
@@ -92,14 +107,15 @@ double truncate(std::vector<State>& states, int most)
 
 } // namespace
 
-GraphSearchResult searchGraph(const LayeredGraph& graph, const Prices& prices,
+template <class Costs>
+GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Prices& prices,
                               const GraphSearchLimits& limits)
 {
-    const VisitCosts& costs = graph.costs();
+    const Costs& costs = graph.costs();
     const double allowed = prices.cutoff - prices.sum;
     GraphSearchResult result;
     double dropped = allowed;
-    StateTable table(graph);
+    StateTable<Costs> table(graph);
     std::vector<std::vector<State>> layers(1);
     layers[0].push_back({.visited = {}, .estimate = graph.completion(0)});
     for (int p = 0; p < graph.icebergs(); ++p) {
@@ -110,12 +126,13 @@ GraphSearchResult searchGraph(const LayeredGraph& graph, const Prices& prices,
                 return result;
             }
             const int i = graph.iceberg(from[k].node);
+            const double weight = legWeight(costs, from[k].visited);
             for (const int to : graph.successors(from[k].node)) {
                 const int j = graph.iceberg(to);
                 if (from[k].visited.contains(j))
                     continue;
-                const double length =
-                    from[k].length + costs.leg(i, j) + costs.visit(j, p + 1) - prices.lambda(j);
+                const double length = from[k].length + weight * costs.leg(i, j) +
+                                      costs.visit(j, p + 1) - prices.lambda(j);
                 const double estimate = length + graph.completion(to);
                 if (estimate < allowed)
                     table.offer({.visited = from[k].visited.with(j),
@@ -145,5 +162,10 @@ GraphSearchResult searchGraph(const LayeredGraph& graph, const Prices& prices,
     std::reverse(result.order.begin(), result.order.end());
     return result;
 }
+
+template GraphSearchResult searchGraph(const LayeredGraph<VisitCosts>&, const Prices&,
+                                       const GraphSearchLimits&);
+template GraphSearchResult searchGraph(const LayeredGraph<LatencyCosts>&, const Prices&,
+                                       const GraphSearchLimits&);
 
 } // namespace berg

@@ -7,7 +7,7 @@ namespace berg {
 /** How far `searchGraph` goes. */
 struct GraphSearchLimits
 {
-    int mostStates = 0; ///< kept for each position
+    int mostStates = 0; ///< kept for each number of visits
     CutQuestion cut;    ///< a search that is cut has a bound of -infinity and no order
 };
 
@@ -21,11 +21,12 @@ struct GraphSearchResult
 
 /**
  * Dynamic programming over (set of icebergs visited, last one) along the paths of a swept graph,
- * keeping `mostStates` for each position at most: those of least length + completion. The least
- * value dropped is a lower bound on every order lost by that; if nothing is dropped, the answer
- * is exact.
+ * keeping `mostStates` for each number of visits at most: those of least length + completion. The
+ * least value dropped is a lower bound on every order lost by that; if nothing is dropped, the
+ * answer is exact. Costs are those of the orders, also where the graph knows bounds on them only.
  */
-[[nodiscard]] GraphSearchResult searchGraph(const LayeredGraph& graph, const Prices& prices,
+template <class Costs>
+[[nodiscard]] GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Prices& prices,
                                             const GraphSearchLimits& limits);
 
 } // namespace berg

@@ -37,7 +37,7 @@ constexpr std::size_t kRecentPaths = 20;
 constexpr std::array kStages{0.005, 0.002};
 
 /** The arcs of a graph without their memories, sorted. */
-std::vector<PositionArc> arcsOf(const LayeredGraph& graph)
+std::vector<PositionArc> arcsOf(const LayeredGraph<VisitCosts>& graph)
 {
     std::vector<PositionArc> arcs;
     const auto less = [](const PositionArc& a, const PositionArc& b) {
@@ -57,19 +57,21 @@ std::vector<PositionArc> arcsOf(const LayeredGraph& graph)
 }
 
 /** A graph, the memory it is to be refined with next, and how it came about. */
+template <class Costs>
 struct Stage
 {
-    LayeredGraph graph;
+    LayeredGraph<Costs> graph;
     NgSets sets;
     int cap = 0; ///< icebergs that a memory may grow to
     PriceAscent ascent;
 };
 
 /** The run of `improveBound`: an incumbent, a bound, and a graph of what may lie between. */
+template <class Costs>
 class BoundSearch
 {
 public:
-    BoundSearch(const VisitCosts& costs, const VisitOrder& order, const BoundOptions& options)
+    BoundSearch(const Costs& costs, const VisitOrder& order, const BoundOptions& options)
         : m_costs(costs)
         , m_options(options)
         , m_cost(costs.total(order))
@@ -82,7 +84,7 @@ public:
 
     BoundResult run()
     {
-        LayeredPaths paths(m_costs);
+        LayeredPaths<Costs> paths(m_costs);
         relax(paths, kFirstSteps);
         takeSuggestion();
         m_gap = m_options.gap;
@@ -97,9 +99,9 @@ public:
     std::vector<PositionArc> arcs()
     {
         m_keepEqual = true;
-        LayeredPaths paths(m_costs);
+        LayeredPaths<Costs> paths(m_costs);
         relax(paths, plainSteps());
-        Stage stage = firstStage(paths);
+        Stage<Costs> stage = firstStage(paths);
         std::vector<PositionArc> arcs = arcsOf(stage.graph);
         if (m_costs.icebergs >= NodeSet::kCapacity)
             return arcs;
@@ -112,7 +114,7 @@ public:
             pays = m_graphs == 1 ||
                    static_cast<double>(fewer.size()) < kPays * static_cast<double>(arcs.size());
             arcs = std::move(fewer);
-            forbidCycles(stage.sets, m_recent, ++stage.cap);
+            forbidCycles(stage.sets, m_costs, m_recent, ++stage.cap);
         }
         return arcs;
     }
@@ -144,7 +146,7 @@ private:
                                 : std::max<std::int64_t>(kPlainSteps, 2 * m_costs.icebergs);
     }
 
-    [[nodiscard]] static std::int64_t workOfSweep(const LayeredGraph& graph)
+    [[nodiscard]] static std::int64_t workOfSweep(const LayeredGraph<Costs>& graph)
     {
         return graph.arcCount() + kWorkOfNode * graph.nodeCount();
     }
@@ -197,12 +199,11 @@ private:
             m_options.onImproved(m_result.order, m_result.bound);
     }
 
-    void relax(LayeredPaths& paths, std::int64_t steps)
+    void relax(LayeredPaths<Costs>& paths, std::int64_t steps)
     {
-        const std::int64_t n = m_costs.icebergs;
         for (std::int64_t k = 0; k < steps && !finished(); ++k) {
             const double bound = paths.sweep(m_ascent.here(cutoff()), cutQuestion());
-            m_result.work += n * n * n / 2;
+            m_result.work += paths.workOfSweep();
             if (!std::isfinite(bound))
                 return;
             const std::vector<int> path = paths.shortestPath();
@@ -216,24 +217,26 @@ private:
     }
 
     /** The graph without memory, and the memory to begin with. */
-    Stage firstStage(LayeredPaths& paths)
+    Stage<Costs> firstStage(LayeredPaths<Costs>& paths)
     {
         const std::int64_t n = m_costs.icebergs;
         const int nearest = n <= 50 ? 3 : 2; // large graphs must grow slowly
         const Prices prices = m_ascent.best(cutoff());
-        paths.sweep(prices, {});
-        m_result.work += 2 * n * n * n;
-        return {.graph = LayeredGraph(m_costs, paths, prices),
+        // By position it is quick, and `arcs` needs the graph also when cut.
+        const CutQuestion question = Costs::kWeighted ? cutQuestion() : CutQuestion{};
+        paths.sweep(prices, question);
+        m_result.work += 4 * paths.workOfSweep();
+        return {.graph = LayeredGraph(m_costs, paths, prices, question),
                 .sets = nearestSets(m_costs, nearest),
                 .cap = nearest,
                 .ascent = m_ascent};
     }
 
     /** Rounds of refining, ascent, exact search and more memory. */
-    void tighten(LayeredPaths& paths)
+    void tighten(LayeredPaths<Costs>& paths)
     {
-        Stage stage = firstStage(paths);
-        std::optional<Stage> saved; // where the next gap is gone for from
+        Stage<Costs> stage = firstStage(paths);
+        std::optional<Stage<Costs>> saved; // where the next gap is gone for from
         bool staged = false;
         while (!finished()) {
             if (!staged && isLarge(stage.graph)) {
@@ -261,13 +264,13 @@ private:
                 if (m_gap == m_options.gap)
                     saved.reset();
             } else {
-                forbidCycles(stage.sets, m_recent, ++stage.cap);
+                forbidCycles(stage.sets, m_costs, m_recent, ++stage.cap);
             }
         }
     }
 
     /** Whether it is time to certify other gaps first. */
-    [[nodiscard]] bool isLarge(const LayeredGraph& graph) const
+    [[nodiscard]] bool isLarge(const LayeredGraph<Costs>& graph) const
     {
         constexpr std::int64_t kMemoryShare = 20;
         return graph.arcCount() > m_options.manyArcs ||
@@ -284,7 +287,7 @@ private:
     }
 
     /** False when cut, or when the refined graph would be larger than the limits allow. */
-    bool refine(Stage& stage, std::int64_t otherBytes)
+    bool refine(Stage<Costs>& stage, std::int64_t otherBytes)
     {
         constexpr std::int64_t kGrowth = 3; // of vectors, and what the search needs
         const Prices prices = m_ascent.best(cutoff());
@@ -294,7 +297,7 @@ private:
         const std::int64_t left = m_options.workLimit - m_result.work;
         const std::int64_t left_bytes =
             m_options.memoryLimit_bytes - stage.graph.bytes() - otherBytes;
-        Refinement refined = stage.graph.refined(
+        Refinement<Costs> refined = stage.graph.refined(
             stage.sets, prices,
             {.arcs = left / (kWorkOfRefining + kLaterSteps), .bytes = left_bytes / kGrowth},
             cutQuestion());
@@ -308,7 +311,7 @@ private:
         return true;
     }
 
-    void ascend(LayeredGraph& graph)
+    void ascend(LayeredGraph<Costs>& graph)
     {
         const int steps = m_graphs == 1 ? kFirstGraphSteps : kLaterSteps;
         m_ascent.restart();
@@ -337,7 +340,7 @@ private:
             trim(graph);
     }
 
-    void trim(LayeredGraph& graph)
+    void trim(LayeredGraph<Costs>& graph)
     {
         const Prices prices = m_ascent.best(cutoff());
         graph.sweep(prices, cutQuestion());
@@ -346,7 +349,7 @@ private:
         m_result.work += 3 * workOfSweep(graph);
     }
 
-    void searchIn(LayeredGraph& graph)
+    void searchIn(LayeredGraph<Costs>& graph)
     {
         const Prices prices = m_ascent.best(cutoff());
         graph.sweep(prices, cutQuestion());
@@ -362,7 +365,7 @@ private:
         takeBound(found.bound);
     }
 
-    const VisitCosts& m_costs;
+    const Costs& m_costs;
     const BoundOptions& m_options;
     BoundResult m_result;
     double m_cost; ///< of m_result.order
@@ -378,11 +381,14 @@ private:
 
 } // namespace
 
-BoundResult improveBound(const VisitCosts& costs, const VisitOrder& order,
-                         const BoundOptions& options)
+template <class Costs>
+BoundResult improveBound(const Costs& costs, const VisitOrder& order, const BoundOptions& options)
 {
     return BoundSearch(costs, order, options).run();
 }
+
+template BoundResult improveBound(const VisitCosts&, const VisitOrder&, const BoundOptions&);
+template BoundResult improveBound(const LatencyCosts&, const VisitOrder&, const BoundOptions&);
 
 std::vector<PositionArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
                                        const BoundOptions& options)

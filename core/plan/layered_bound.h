@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/order_moves.h"
+#include "core/plan/order_costs.h"
 
 #include <Eigen/Core>
 
@@ -18,7 +18,7 @@ struct OrderSuggestion
     std::int64_t work = 0;
 };
 
-/** Limits, help and reports of `improveBound`. All costs are those of `VisitCosts`. */
+/** Limits, help and reports of `improveBound`. */
 struct BoundOptions
 {
     double gap = 0;             ///< stop at this gap relative to the order's cost
@@ -63,7 +63,7 @@ struct PositionArc
 
 /**
  * Lower bound on the cost of all orders: Lagrangian relaxation of "each iceberg once" on the
- * position-layered graph, strengthened by ng-paths whose memory grows where the relaxed paths
+ * layered graph, strengthened by ng-paths whose memory grows where the relaxed paths
  * visit an iceberg twice (dynamic ng-path relaxation: Roberti and Mingozzi 2014) and by a
  * truncated exact search; what cannot beat `order` is deleted on the way. Ends in the proof that
  * `order` is optimal, or in a better one that is, unless a limit comes first: then the bound is
@@ -71,7 +71,8 @@ struct PositionArc
  * within 0.5 % and then one within 0.2 % is certified first, on what little can beat the order
  * by so much. Above 127 icebergs only the relaxation without memory is computed.
  */
-[[nodiscard]] BoundResult improveBound(const VisitCosts& costs, const VisitOrder& order,
+template <class Costs>
+[[nodiscard]] BoundResult improveBound(const Costs& costs, const VisitOrder& order,
                                        const BoundOptions& options);
 
 /**

@@ -1,5 +1,7 @@
 #include "core/plan/layered_graph.h"
 
+#include "core/plan/label_table.h"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -10,66 +12,20 @@ namespace berg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/** Nodes of a refined graph made between two looks at the clock. */
+/** Nodes between two looks at the clock. */
 constexpr int kNodesPerCheck = 4096;
+/** The same for arcs of a graph, and for levels of the complete graph. */
+constexpr std::size_t kArcsPerCheck = 100'000;
+constexpr int kLevelsPerCheck = 16;
 
-/** The (old node, memory) pairs of one layer: open addressing, grown by doubling. */
-class LabelTable
+template <class Costs>
+int longestStep(const Costs& costs)
 {
-public:
-    struct Label
-    {
-        NodeSet memory;
-        double length = kInfinity;
-        int node = 0;
-    };
-
-    LabelTable() : m_slots(256, -1) {}
-    [[nodiscard]] const std::vector<Label>& labels() const { return m_labels; }
-    /** Number of the label, which becomes as long as `length` at most. */
-    int offer(const Label& label)
-    {
-        if (4 * m_labels.size() >= m_slots.size())
-            resize(2 * m_slots.size());
-        std::size_t slot = slotOf(label);
-        for (; m_slots[slot] >= 0; slot = (slot + 1) & (m_slots.size() - 1)) {
-            Label& other = m_labels[static_cast<std::size_t>(m_slots[slot])];
-            if (other.node == label.node && other.memory == label.memory) {
-                other.length = std::min(other.length, label.length);
-                return m_slots[slot];
-            }
-        }
-        m_slots[slot] = static_cast<int>(m_labels.size());
-        m_labels.push_back(label);
-        return m_slots[slot];
-    }
-    void clear()
-    {
-        m_labels.clear();
-        resize(m_slots.size());
-    }
-
-private:
-    [[nodiscard]] std::size_t slotOf(const Label& label) const
-    {
-        const auto node = static_cast<std::size_t>(label.node);
-        const std::size_t mixed = label.memory.hash() + node * 0x9e3779b97f4a7c15U;
-        return (mixed ^ (mixed >> 32)) & (m_slots.size() - 1);
-    }
-    void resize(std::size_t slots)
-    {
-        m_slots.assign(slots, -1);
-        for (std::size_t k = 0; k < m_labels.size(); ++k) {
-            std::size_t slot = slotOf(m_labels[k]);
-            while (m_slots[slot] >= 0)
-                slot = (slot + 1) & (slots - 1);
-            m_slots[slot] = static_cast<int>(k);
-        }
-    }
-
-    std::vector<Label> m_labels;
-    std::vector<int> m_slots; ///< a power of two
-};
+    int longest = 1;
+    for (int i = 1; i <= costs.icebergs; ++i)
+        longest = std::max(longest, costs.step(i));
+    return longest;
+}
 
 } // namespace
 
@@ -85,60 +41,22 @@ std::size_t NodeSet::hash() const
     return static_cast<std::size_t>(mixed ^ (mixed >> 29));
 }
 
-LayeredPaths::LayeredPaths(const VisitCosts& costs)
-    : m_costs(&costs)
-    , m_legs(costs.legs.bottomRightCorner(costs.icebergs, costs.icebergs).array())
-    , m_lengths(costs.icebergs, costs.icebergs)
-{
-    m_legs.matrix().diagonal().setConstant(kInfinity);
-}
-
-double LayeredPaths::sweep(const Prices& prices, const CutQuestion& cut)
-{
-    const Eigen::Index n = m_costs->icebergs;
-    const Eigen::ArrayXd sigma = Eigen::Map<const Eigen::ArrayXd>(m_costs->sigma.data() + 1, n);
-    const Eigen::ArrayXd lambda = prices.lambda.tail(n).array();
-    m_lengths.col(0) = m_costs->legs.col(0).tail(n).array() + 2 * sigma - lambda;
-    Eigen::ArrayXd least(n);
-    for (Eigen::Index p = 1; p < n; ++p) {
-        if (cut && cut())
-            return -kInfinity;
-        least.setConstant(kInfinity);
-        Eigen::Index i = 0;
-        for (; i + 3 < n; i += 4) // four at once: `least` is read and written once
-            least = least
-                        .min((m_legs.col(i) + m_lengths(i, p - 1))
-                                 .min(m_legs.col(i + 1) + m_lengths(i + 1, p - 1)))
-                        .min((m_legs.col(i + 2) + m_lengths(i + 2, p - 1))
-                                 .min(m_legs.col(i + 3) + m_lengths(i + 3, p - 1)));
-        for (; i < n; ++i)
-            least = least.min(m_legs.col(i) + m_lengths(i, p - 1));
-        m_lengths.col(p) = least + static_cast<double>(p + 2) * sigma - lambda;
-    }
-    Eigen::Index last = 0;
-    const Eigen::ArrayXd wayBack = m_costs->legs.row(0).tail(n).transpose().array();
-    const double length = (m_lengths.col(n - 1) + wayBack).minCoeff(&last);
-    m_last = static_cast<int>(last) + 1;
-    return prices.sum + length;
-}
-
-std::vector<int> LayeredPaths::shortestPath() const
-{
-    std::vector<int> path(static_cast<std::size_t>(m_costs->icebergs));
-    path.back() = m_last;
-    for (int p = m_costs->icebergs - 1; p >= 1; --p) {
-        Eigen::Index before = 0;
-        const int to = path[static_cast<std::size_t>(p)];
-        // Only the least one matters: what the step adds to it is the same for all.
-        (m_lengths.col(p - 1) + m_legs.row(to - 1).transpose()).minCoeff(&before);
-        path[static_cast<std::size_t>(p) - 1] = static_cast<int>(before) + 1;
-    }
-    return path;
-}
-
-LayeredGraph::LayeredGraph(const VisitCosts& costs, const LayeredPaths& paths, const Prices& prices)
+template <class Costs>
+LayeredGraph<Costs>::LayeredGraph(const Costs& costs, const LayeredPaths<Costs>& paths,
+                                  const Prices& prices, const CutQuestion& cut)
     : m_costs(&costs)
 {
+    if constexpr (Costs::kWeighted)
+        buildBySigmaSeen(paths, prices, cut);
+    else
+        buildByPosition(paths, prices);
+}
+
+template <class Costs>
+void LayeredGraph<Costs>::buildByPosition(const LayeredPaths<Costs>& paths,
+                                          const Prices& prices) requires(!Costs::kWeighted)
+{
+    const Costs& costs = *m_costs;
     const int n = costs.icebergs;
     // Completion of the complete graph, from the back; column p - 1 for position p.
     Eigen::ArrayXXd completion(n, n);
@@ -184,22 +102,100 @@ LayeredGraph::LayeredGraph(const VisitCosts& costs, const LayeredPaths& paths, c
     m_firstArc.resize(m_iceberg.size() + 1, m_arcs.size());
 }
 
-std::int64_t LayeredGraph::bytes() const
+template <class Costs>
+void LayeredGraph<Costs>::buildBySigmaSeen(const LayeredPaths<Costs>& paths, const Prices& prices,
+                                           const CutQuestion& cut) requires(Costs::kWeighted)
 {
-    constexpr std::size_t kNode = sizeof(int) + sizeof(std::size_t) + 2 * sizeof(double);
+    const Costs& costs = *m_costs;
+    const int n = costs.icebergs;
+    const double allowed = prices.cutoff - prices.sum;
+    Eigen::ArrayXXd length = Eigen::ArrayXXd::Constant(n, lastLayer() + 1, kInfinity);
+    // Calls `take(j, level, length)` for every leg from the node that is on a path below the
+    // cutoff.
+    const auto forLegs = [&](int i, int level, const auto& take) {
+        const double weight = costs.leastUnseen(level);
+        const double here = i == 0 ? 0.0 : length(i - 1, level);
+        for (int j = 1; j <= n; ++j) {
+            const int next = level + costs.step(j);
+            if (j == i || next > lastLayer())
+                continue;
+            const double there = here + weight * costs.leg(i, j) - prices.lambda(j);
+            if (there + paths.completion(j, next) < allowed)
+                take(j, next, there);
+        }
+    };
+    const auto offer = [&length](int j, int level, double there) {
+        length(j - 1, level) = std::min(length(j - 1, level), there);
+    };
+    Eigen::ArrayXXi id = Eigen::ArrayXXi::Constant(n, lastLayer() + 1, -1);
+    m_iceberg.push_back(0);
+    m_firstNode = {0, 1};
+    forLegs(0, 0, offer);
+    for (int level = 1; level <= lastLayer(); ++level) {
+        if (level % kLevelsPerCheck == 0 && cut && cut())
+            return;
+        for (int i = 1; i <= n; ++i)
+            if (length(i - 1, level) < kInfinity) {
+                id(i - 1, level) = nodeCount();
+                m_iceberg.push_back(i);
+                forLegs(i, level, offer);
+            }
+        m_firstNode.push_back(nodeCount());
+    }
+    for (int level = 0; level <= lastLayer(); ++level) {
+        if (level % kLevelsPerCheck == 0 && cut && cut())
+            return;
+        for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
+            m_firstArc.push_back(m_arcs.size());
+            forLegs(iceberg(v), level,
+                    [&](int j, int next, double) { m_arcs.push_back(id(j - 1, next)); });
+        }
+    }
+    m_firstArc.push_back(m_arcs.size());
+    refreshUnseen(cut);
+}
+
+template <class Costs>
+void LayeredGraph<Costs>::refreshUnseen(const CutQuestion& cut) requires(Costs::kWeighted)
+{
+    m_unseen.assign(m_iceberg.size(), kInfinity);
+    m_unseen[0] = m_costs->sigmaSum;
+    for (int level = 0; level <= lastLayer(); ++level)
+        for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
+            if (v % kNodesPerCheck == 0 && cut && cut()) {
+                std::fill(m_unseen.begin() + v, m_unseen.end(), 0.0);
+                return;
+            }
+            double& unseen = m_unseen[static_cast<std::size_t>(v)];
+            const double alongPaths = unseen - m_costs->sigmaOf(iceberg(v));
+            const double ofAnySet = m_costs->leastUnseen(level);
+            unseen = alongPaths < kInfinity ? std::max(alongPaths, ofAnySet) : ofAnySet;
+            for (const int to : successors(v)) {
+                double& there = m_unseen[static_cast<std::size_t>(to)];
+                there = std::min(there, unseen);
+            }
+        }
+}
+
+template <class Costs>
+std::int64_t LayeredGraph<Costs>::bytes() const
+{
+    constexpr std::size_t kNode =
+        sizeof(int) + sizeof(std::size_t) + (Costs::kWeighted ? 3 : 2) * sizeof(double);
     return static_cast<std::int64_t>(m_arcs.size() * sizeof(int) + m_iceberg.size() * kNode);
 }
 
-double LayeredGraph::sweep(const Prices& prices, const CutQuestion& cut)
+template <class Costs>
+double LayeredGraph<Costs>::sweep(const Prices& prices, const CutQuestion& cut)
 {
     m_completion.resize(m_iceberg.size());
     m_entry.resize(m_iceberg.size());
-    for (int p = icebergs(); p >= 0; --p) {
-        if (cut && cut())
-            return -kInfinity;
+    for (int p = lastLayer(); p >= 0; --p) {
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
+            if (v % kNodesPerCheck == 0 && cut && cut())
+                return -kInfinity;
             const int i = iceberg(v);
-            const double least = p == icebergs() ? m_costs->leg(i, 0) : leastOnwards(v);
+            const double least = p == lastLayer() ? m_costs->leg(i, 0) : leastOnwards(v);
             m_completion[static_cast<std::size_t>(v)] = least;
             m_entry[static_cast<std::size_t>(v)] = least + m_costs->visit(i, p) - prices.lambda(i);
         }
@@ -207,11 +203,13 @@ double LayeredGraph::sweep(const Prices& prices, const CutQuestion& cut)
     return prices.sum + completion(0);
 }
 
-double LayeredGraph::leastOnwards(int node) const
+template <class Costs>
+double LayeredGraph<Costs>::leastOnwards(int node) const
 {
     const double* const legs = m_costs->legs.col(iceberg(node)).data();
-    const auto onwards = [this, legs](int to) {
-        return legs[iceberg(to)] + m_entry[static_cast<std::size_t>(to)];
+    const double factor = weight(node);
+    const auto onwards = [this, legs, factor](int to) {
+        return factor * legs[iceberg(to)] + m_entry[static_cast<std::size_t>(to)];
     };
     // Four minima at once: a single one would wait for each comparison.
     std::array<double, 4> least{kInfinity, kInfinity, kInfinity, kInfinity};
@@ -225,18 +223,19 @@ double LayeredGraph::leastOnwards(int node) const
     return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
 }
 
-std::vector<int> LayeredGraph::shortestPath() const
+template <class Costs>
+std::vector<int> LayeredGraph<Costs>::shortestPath() const
 {
     std::vector<int> path;
     if (completion(0) == kInfinity)
         return path;
     path.reserve(static_cast<std::size_t>(icebergs()));
-    for (int v = 0; v < layerBegin(icebergs());) {
+    for (int v = 0; v < layerBegin(lastLayer());) {
         double least = kInfinity;
         int next = v;
         for (const int to : successors(v)) {
-            const double length =
-                m_costs->leg(iceberg(v), iceberg(to)) + m_entry[static_cast<std::size_t>(to)];
+            const double length = weight(v) * m_costs->leg(iceberg(v), iceberg(to)) +
+                                  m_entry[static_cast<std::size_t>(to)];
             if (length < least) {
                 least = length;
                 next = to;
@@ -248,28 +247,30 @@ std::vector<int> LayeredGraph::shortestPath() const
     return path;
 }
 
-std::vector<double> LayeredGraph::lengthsFromStart(const Prices& prices,
-                                                   const CutQuestion& cut) const
+template <class Costs>
+std::vector<double> LayeredGraph<Costs>::lengthsFromStart(const Prices& prices,
+                                                          const CutQuestion& cut) const
 {
     std::vector<double> length(m_iceberg.size(), kInfinity);
     length[0] = 0;
-    for (int p = 0; p <= icebergs(); ++p) {
-        if (cut && cut())
-            return {};
+    for (int p = 0; p <= lastLayer(); ++p) {
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
+            if (v % kNodesPerCheck == 0 && cut && cut())
+                return {};
             const int i = iceberg(v);
             double& here = length[static_cast<std::size_t>(v)];
             here += m_costs->visit(i, p) - prices.lambda(i);
             for (const int to : successors(v)) {
                 double& there = length[static_cast<std::size_t>(to)];
-                there = std::min(there, here + m_costs->leg(i, iceberg(to)));
+                there = std::min(there, here + weight(v) * m_costs->leg(i, iceberg(to)));
             }
         }
     }
     return length;
 }
 
-bool LayeredGraph::trim(const Prices& prices, const CutQuestion& cut)
+template <class Costs>
+bool LayeredGraph<Costs>::trim(const Prices& prices, const CutQuestion& cut)
 {
     const std::vector<double> length = lengthsFromStart(prices, cut);
     if (length.empty())
@@ -287,19 +288,19 @@ bool LayeredGraph::trim(const Prices& prices, const CutQuestion& cut)
     std::vector<int> firstNode(m_firstNode.size(), kept);
     std::size_t layer = 0;
     for (int v = 0; v < nodeCount(); ++v) {
+        if (v % kNodesPerCheck == 0 && cut && cut())
+            return false;
         if (id[at(v)] < 0)
             continue;
-        while (m_firstNode[layer] <= v) {
-            if (cut && cut())
-                return false;
+        while (m_firstNode[layer] <= v)
             firstNode[layer++] = id[at(v)];
-        }
         const std::size_t begin = m_firstArc[at(v)];
         const std::size_t end = m_firstArc[at(v) + 1];
         const std::size_t newBegin = arcs;
         for (std::size_t a = begin; a < end; ++a) {
             const int to = m_arcs[a];
-            const double onwards = m_costs->leg(iceberg(v), iceberg(to)) + m_entry[at(to)];
+            const double onwards =
+                weight(v) * m_costs->leg(iceberg(v), iceberg(to)) + m_entry[at(to)];
             if (id[at(to)] >= 0 && length[at(v)] + onwards < allowed)
                 m_arcs[arcs++] = id[at(to)];
         }
@@ -314,52 +315,69 @@ bool LayeredGraph::trim(const Prices& prices, const CutQuestion& cut)
     m_firstArc.resize(at(kept) + 1);
     m_firstArc[at(kept)] = arcs;
     m_completion.resize(at(kept));
+    if constexpr (Costs::kWeighted)
+        refreshUnseen(cut);
     return true;
 }
 
-Refinement LayeredGraph::refined(const NgSets& sets, const Prices& prices,
-                                 const GraphLimits& limits, const CutQuestion& cut) const
+template <class Costs>
+Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Prices& prices,
+                                               const GraphLimits& limits,
+                                               const CutQuestion& cut) const
 {
     LayeredGraph result(*m_costs);
     result.m_firstNode.push_back(0);
     const double allowed = prices.cutoff - prices.sum;
-    LabelTable current;
-    LabelTable next;
-    current.offer({.memory = {}, .length = 0, .node = 0});
-    for (int p = 0;; ++p) {
-        const int begin = result.nodeCount();
-        const int end = begin + static_cast<int>(current.labels().size());
-        result.m_firstNode.push_back(end);
-        for (const LabelTable::Label& label : current.labels()) {
+    LabelTables tables(longestStep(*m_costs));
+    tables.offer(0, {.memory = {}, .length = 0, .node = 0});
+    std::vector<int> labelOf; // number of each node's label
+    for (int level = 0; level <= lastLayer(); ++level) {
+        for (const LabelTable::Label& label : tables.at(level).labels()) {
             if (result.nodeCount() % kNodesPerCheck == 0 && cut && cut())
                 return {};
+            if constexpr (Costs::kWeighted)
+                labelOf.push_back(label.number);
             const int i = iceberg(label.node);
-            const double length = label.length + m_costs->visit(i, p) - prices.lambda(i);
+            const double length = label.length + m_costs->visit(i, level) - prices.lambda(i);
+            const double factor = weight(label.node);
             const NodeSet visited = i == 0 ? label.memory : label.memory.with(i);
             result.m_iceberg.push_back(i);
             result.m_firstArc.push_back(result.m_arcs.size());
             for (const int to : successors(label.node)) {
                 const int j = iceberg(to);
-                const double leg = m_costs->leg(i, j);
+                const double leg = factor * m_costs->leg(i, j);
                 if (label.memory.contains(j) ||
                     length + leg + m_entry[static_cast<std::size_t>(to)] >= allowed)
                     continue;
-                const int id = next.offer(
-                    {.memory = visited & sets.at(p + 1, j), .length = length + leg, .node = to});
-                result.m_arcs.push_back(end + id);
+                const int next = level + m_costs->step(j);
+                const NodeSet memory = visited & sets.at(bandOf(*m_costs, next), j);
+                result.m_arcs.push_back(
+                    tables.offer(next, {.memory = memory, .length = length + leg, .node = to}));
             }
         }
+        tables.at(level).clear();
+        result.m_firstNode.push_back(result.nodeCount());
         if (result.bytes() > limits.bytes)
             return {.graph = {}, .memoryOut = true};
-        if (result.arcCount() > limits.arcs || (cut && cut()))
+        if (result.arcCount() > limits.arcs)
             return {};
-        if (p == icebergs())
-            break;
-        std::swap(current, next);
-        next.clear();
     }
     result.m_firstArc.push_back(result.m_arcs.size());
+    if constexpr (Costs::kWeighted) {
+        std::vector<int> nodeOf(labelOf.size());
+        for (int v = 0; v < result.nodeCount(); ++v)
+            nodeOf[static_cast<std::size_t>(labelOf[static_cast<std::size_t>(v)])] = v;
+        for (std::size_t a = 0; a < result.m_arcs.size(); ++a) {
+            if (a % kArcsPerCheck == 0 && cut && cut())
+                return {};
+            result.m_arcs[a] = nodeOf[static_cast<std::size_t>(result.m_arcs[a])];
+        }
+        result.refreshUnseen(cut);
+    }
     return {.graph = std::move(result)};
 }
+
+template class LayeredGraph<VisitCosts>;
+template class LayeredGraph<LatencyCosts>;
 
 } // namespace berg

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "core/plan/order_moves.h"
-
-#include <Eigen/Core>
+#include "core/plan/layered_paths.h"
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -47,7 +44,7 @@ private:
     }
 };
 
-/** What is remembered where: one set per position 1 .. n and iceberg 1 .. n. */
+/** What is remembered where: one set per band 1 .. n (`bandOf`) and iceberg 1 .. n. */
 class NgSets
 {
 public:
@@ -56,19 +53,16 @@ public:
         , m_sets(static_cast<std::size_t>(icebergs + 1) * static_cast<std::size_t>(icebergs + 1))
     {
     }
-    [[nodiscard]] const NodeSet& at(int position, int iceberg) const
+    [[nodiscard]] const NodeSet& at(int band, int iceberg) const
     {
-        return m_sets[index(position, iceberg)];
+        return m_sets[index(band, iceberg)];
     }
-    [[nodiscard]] NodeSet& at(int position, int iceberg)
-    {
-        return m_sets[index(position, iceberg)];
-    }
+    [[nodiscard]] NodeSet& at(int band, int iceberg) { return m_sets[index(band, iceberg)]; }
 
 private:
-    [[nodiscard]] std::size_t index(int position, int iceberg) const
+    [[nodiscard]] std::size_t index(int band, int iceberg) const
     {
-        return static_cast<std::size_t>(position) * static_cast<std::size_t>(m_icebergs + 1) +
+        return static_cast<std::size_t>(band) * static_cast<std::size_t>(m_icebergs + 1) +
                static_cast<std::size_t>(iceberg);
     }
 
@@ -76,16 +70,16 @@ private:
     std::vector<NodeSet> m_sets;
 };
 
-/** Asked at least every 10 ms during long work; true ends it. May be empty. */
-using CutQuestion = std::function<bool()>;
-
-/** Multipliers of "each iceberg once", one per node ([0] is 0), and the cost they cut at. */
-struct Prices
+/** Levels 1 .. `lastLevel` in as many bands as there are icebergs: positions, if these are levels.
+ */
+template <class Costs>
+[[nodiscard]] int bandOf(const Costs& costs, int level)
 {
-    Eigen::VectorXd lambda;
-    double sum = 0;    ///< of lambda
-    double cutoff = 0; ///< paths of at least this cost are not wanted
-};
+    if constexpr (Costs::kWeighted)
+        return 1 + static_cast<int>(std::int64_t{level - 1} * costs.icebergs / costs.lastLevel());
+    else
+        return level;
+}
 
 /** How large a graph may become. */
 struct GraphLimits
@@ -94,56 +88,39 @@ struct GraphLimits
     std::int64_t bytes = std::numeric_limits<std::int64_t>::max();
 };
 
-/**
- * Shortest paths by positions 1 .. n in the complete graph (any iceberg after any other one, no
- * memory), without building it: O(n^3) vector operations a sweep, O(n^2) memory. Any n.
- */
-class LayeredPaths
-{
-public:
-    explicit LayeredPaths(const VisitCosts& costs);
-
-    /** As `LayeredGraph::sweep`; -infinity when cut. */
-    double sweep(const Prices& prices, const CutQuestion& cut);
-    /** Shortest path of the last sweep, which was not cut: icebergs by position. */
-    [[nodiscard]] std::vector<int> shortestPath() const;
-    /** Length from the UAV to `iceberg` (1 .. n) in `position`, its multiplier included. */
-    [[nodiscard]] double length(int iceberg, int position) const
-    {
-        return m_lengths(iceberg - 1, position - 1);
-    }
-
-private:
-    const VisitCosts* m_costs;
-    Eigen::ArrayXXd m_legs;    ///< n x n, column = from; the diagonal is infinite
-    Eigen::ArrayXXd m_lengths; ///< n x n, column = position
-    int m_last = 0;            ///< iceberg the shortest path ends at
-};
-
+template <class Costs>
 struct Refinement;
 
 /**
- * The position-layered graph of Picard and Queyranne (1978): a node is an iceberg in a position,
- * with a memory of icebergs visited before that may not be visited next (ng-paths: Baldacci,
- * Mingozzi and Roberti 2011). Paths from the UAV through all layers include every order whose
- * cost is below the cutoffs it was trimmed with; those that visit an iceberg twice are what the
- * multipliers are for. The length of a path is its cost - sum lambda over its visits, so that
+ * The layered graph of Picard and Queyranne (1978): a node is an iceberg at a level (position; or
+ * sigma seen), with a memory of icebergs visited before that may not be visited next (ng-paths:
+ * Baldacci, Mingozzi and Roberti 2011). Paths from the UAV to the last level include every order
+ * whose cost is below the cutoffs it was trimmed with; those that visit an iceberg twice are what
+ * the multipliers are for. The length of a path is its cost - sum lambda over its visits, so that
  * sum(lambda) + shortest length is a lower bound on the best order still inside.
  *
- * Node 0 is the UAV; nodes are ordered by layer. At most 127 icebergs.
+ * Where legs are weighted by the sigma unseen, a node counts them with the least that any path to
+ * it leaves unseen; that gets truer with every path deleted and every memory added.
+ *
+ * Node 0 is the UAV; nodes are ordered by level. At most 127 icebergs.
  */
+template <class Costs>
 class LayeredGraph
 {
 public:
-    /** Graph without memory, with the arcs on paths below the cutoff. Cost: O(n^3). */
-    LayeredGraph(const VisitCosts& costs, const LayeredPaths& paths, const Prices& prices);
+    /**
+     * Graph without memory, with the arcs on paths below the cutoff, from paths swept at the same
+     * prices. Cost: a few sweeps of them. Of no use when cut.
+     */
+    LayeredGraph(const Costs& costs, const LayeredPaths<Costs>& paths, const Prices& prices,
+                 const CutQuestion& cut = {});
 
     /**
      * Finds all shortest lengths to the end. Returns the lower bound sum(lambda) + shortest
      * length, +infinity when no path is left, -infinity when cut.
      */
     double sweep(const Prices& prices, const CutQuestion& cut = {});
-    /** Shortest path of the last sweep: icebergs by position; empty when there is none. */
+    /** Shortest path of the last sweep: icebergs in turn; empty when there is none. */
     [[nodiscard]] std::vector<int> shortestPath() const;
     /** Length from `node` to the end at the last sweep's multipliers. */
     [[nodiscard]] double completion(int node) const
@@ -162,19 +139,21 @@ public:
      * below the cutoff. Sweep at the same prices first. No graph when it would exceed the limits
      * or when cut. Needs up to three times `GraphLimits::bytes` on the way.
      */
-    [[nodiscard]] Refinement refined(const NgSets& sets, const Prices& prices,
-                                     const GraphLimits& limits, const CutQuestion& cut) const;
+    [[nodiscard]] Refinement<Costs> refined(const NgSets& sets, const Prices& prices,
+                                            const GraphLimits& limits,
+                                            const CutQuestion& cut) const;
 
-    [[nodiscard]] const VisitCosts& costs() const { return *m_costs; }
+    [[nodiscard]] const Costs& costs() const { return *m_costs; }
     [[nodiscard]] int icebergs() const { return m_costs->icebergs; }
     [[nodiscard]] int iceberg(int node) const { return m_iceberg[static_cast<std::size_t>(node)]; }
     [[nodiscard]] int nodeCount() const { return static_cast<int>(m_iceberg.size()); }
-    /** Nodes of `layer` 0 .. n are numbered from `layerEnd(layer - 1)` to this less one. */
+    /** Nodes of `layer` 0 .. `lastLevel` are numbered from `layerEnd(layer - 1)` to this less one.
+     */
     [[nodiscard]] int layerEnd(int layer) const { return layerBegin(layer + 1); }
     [[nodiscard]] std::int64_t arcCount() const { return static_cast<std::int64_t>(m_arcs.size()); }
     /** Memory in use. */
     [[nodiscard]] std::int64_t bytes() const;
-    /** Nodes of the next layer that may follow `node`. */
+    /** Nodes that may follow `node`. */
     [[nodiscard]] std::span<const int> successors(int node) const
     {
         const auto v = static_cast<std::size_t>(node);
@@ -182,7 +161,12 @@ public:
     }
 
 private:
-    explicit LayeredGraph(const VisitCosts& costs) : m_costs(&costs) {}
+    explicit LayeredGraph(const Costs& costs) : m_costs(&costs) {}
+    void buildByPosition(const LayeredPaths<Costs>& paths,
+                         const Prices& prices) requires(!Costs::kWeighted);
+    void buildBySigmaSeen(const LayeredPaths<Costs>& paths, const Prices& prices,
+                          const CutQuestion& cut) requires(Costs::kWeighted);
+    [[nodiscard]] int lastLayer() const { return m_costs->lastLevel(); }
     [[nodiscard]] int layerBegin(int layer) const
     {
         return m_firstNode[static_cast<std::size_t>(layer)];
@@ -191,20 +175,33 @@ private:
     [[nodiscard]] std::vector<double> lengthsFromStart(const Prices& prices,
                                                        const CutQuestion& cut) const;
     [[nodiscard]] double leastOnwards(int node) const;
+    /** How often legs from the node count. */
+    [[nodiscard]] double weight(int node) const
+    {
+        if constexpr (Costs::kWeighted)
+            return m_unseen[static_cast<std::size_t>(node)];
+        else
+            return 1;
+    }
+    /** Finds the least sigma unseen of every node anew; when cut, with 0 where it did not get to.
+     */
+    void refreshUnseen(const CutQuestion& cut) requires(Costs::kWeighted);
 
-    const VisitCosts* m_costs;
-    std::vector<int> m_firstNode;        ///< n + 2: nodes of layer p are [p] .. [p + 1] - 1
+    const Costs* m_costs;
+    std::vector<int> m_firstNode;        ///< levels + 2: nodes of layer p are [p] .. [p + 1] - 1
     std::vector<int> m_iceberg;          ///< by node
     std::vector<std::size_t> m_firstArc; ///< nodes + 1
     std::vector<int> m_arcs;             ///< node each arc leads to; its cost follows from its ends
+    std::vector<double> m_unseen;        ///< by node, the least; empty when legs have no weight
     std::vector<double> m_completion;    ///< by node, of the last sweep
     std::vector<double> m_entry;         ///< completion + cost of the visit - its multiplier
 };
 
 /** What `LayeredGraph::refined` made. */
+template <class Costs>
 struct Refinement
 {
-    std::optional<LayeredGraph> graph;
+    std::optional<LayeredGraph<Costs>> graph;
     bool memoryOut = false; ///< no graph because of `GraphLimits::bytes`
 };
 

@@ -9,7 +9,7 @@ namespace berg {
 namespace {
 
 constexpr std::size_t kMostCyclesAtOnce = 800;
-/** A cycle is forbidden where it was seen and in as many positions before and behind. */
+/** A cycle is forbidden where it was seen and in as many bands before and behind. */
 constexpr int kMemoryWindow = 10;
 
 /** A path's return to an iceberg: it is at positions `first` and `last`, not between. */
@@ -21,12 +21,12 @@ struct Cycle
 };
 
 /** All cycles of the paths, the shortest first. */
-std::vector<Cycle> cyclesOf(std::span<const std::vector<int>> paths)
+std::vector<Cycle> cyclesOf(std::span<const std::vector<int>> paths, int icebergs)
 {
     std::vector<Cycle> cycles;
     std::vector<int> seen;
     for (const std::vector<int>& path : paths) {
-        seen.assign(path.size() + 1, 0);
+        seen.assign(static_cast<std::size_t>(icebergs) + 1, 0);
         for (std::size_t k = 0; k < path.size(); ++k) {
             int& before = seen[static_cast<std::size_t>(path[k])];
             const int position = static_cast<int>(k) + 1;
@@ -44,7 +44,7 @@ std::vector<Cycle> cyclesOf(std::span<const std::vector<int>> paths)
 
 } // namespace
 
-NgSets nearestSets(const VisitCosts& costs, int count)
+NgSets nearestSets(const LegTable& costs, int count)
 {
     const int n = costs.icebergs;
     NgSets sets(n);
@@ -65,26 +65,40 @@ NgSets nearestSets(const VisitCosts& costs, int count)
     return sets;
 }
 
-void forbidCycles(NgSets& sets, std::span<const std::vector<int>> paths, int cap)
+template <class Costs>
+void forbidCycles(NgSets& sets, const Costs& costs, std::span<const std::vector<int>> paths,
+                  int cap)
 {
-    for (const Cycle& cycle : cyclesOf(paths)) {
+    std::vector<int> bands; // of the path, by position from 1
+    for (const Cycle& cycle : cyclesOf(paths, costs.icebergs)) {
         const auto node = [&](int position) {
             return (*cycle.path)[static_cast<std::size_t>(position) - 1];
         };
+        bands.assign(1, 0);
+        int level = 0;
+        for (int p = 1; p < cycle.last; ++p) {
+            level += costs.step(node(p));
+            bands.push_back(bandOf(costs, level));
+        }
+        const auto band = [&](int position) { return bands[static_cast<std::size_t>(position)]; };
         const int twice = node(cycle.first);
         bool room = true;
         for (int p = cycle.first + 1; p < cycle.last; ++p) {
-            const NodeSet& memory = sets.at(p, node(p));
+            const NodeSet& memory = sets.at(band(p), node(p));
             room = room && (memory.contains(twice) || memory.size() < cap);
         }
         if (!room)
             continue;
-        const int n = static_cast<int>(cycle.path->size());
+        const int n = costs.icebergs;
         for (int p = cycle.first + 1; p < cycle.last; ++p)
-            for (int q = std::max(1, p - kMemoryWindow); q <= std::min(n, p + kMemoryWindow); ++q)
+            for (int q = std::max(1, band(p) - kMemoryWindow);
+                 q <= std::min(n, band(p) + kMemoryWindow); ++q)
                 if (sets.at(q, node(p)).size() < cap + 2)
                     sets.at(q, node(p)).insert(twice);
     }
 }
+
+template void forbidCycles(NgSets&, const VisitCosts&, std::span<const std::vector<int>>, int);
+template void forbidCycles(NgSets&, const LatencyCosts&, std::span<const std::vector<int>>, int);
 
 } // namespace berg

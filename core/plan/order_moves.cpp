@@ -6,29 +6,8 @@
 
 namespace berg {
 
-VisitCosts::VisitCosts(const TvpProblem& problem)
-    : icebergs(problem.icebergCount())
-    , legs(problem.mu * problem.distance_m.transpose())
-    , sigma(problem.sigma_m2)
-{
-    legs.diagonal().setZero(); // never read, may be anything in the problem
-    if (problem.route == Route::Open)
-        legs.row(0).setZero();
-}
-
-double VisitCosts::total(std::span<const int> order) const
-{
-    double sum = 0;
-    int from = 0;
-    int position = 0;
-    for (const int node : order) {
-        sum += leg(from, node) + visit(node, ++position);
-        from = node;
-    }
-    return sum + leg(from, 0);
-}
-
-OrderMoves::OrderMoves(const VisitCosts& costs, std::span<const int> order)
+template <class Costs>
+OrderMoves<Costs>::OrderMoves(const Costs& costs, std::span<const int> order)
     : m_costs(costs)
     , m_node(static_cast<std::size_t>(costs.icebergs) + 2, 0)
     , m_position(static_cast<std::size_t>(costs.icebergs) + 1, 0)
@@ -37,102 +16,179 @@ OrderMoves::OrderMoves(const VisitCosts& costs, std::span<const int> order)
     assign(order);
 }
 
-void OrderMoves::assign(std::span<const int> order)
+template <class Costs>
+void OrderMoves<Costs>::assign(std::span<const int> order)
 {
     std::copy(order.begin(), order.end(), m_node.begin() + 1);
     refresh(1);
 }
 
-VisitOrder OrderMoves::order() const
+template <class Costs>
+VisitOrder OrderMoves<Costs>::order() const
 {
     return {m_node.begin() + 1, m_node.end() - 1};
 }
 
-double OrderMoves::cost() const
+template <class Costs>
+double OrderMoves<Costs>::cost() const
 {
-    const Prefix& end = m_sums.back();
-    return end.forward + end.moment + end.sigma; // sigma (p + 1) = moment + sigma
+    const Sums& end = m_sums.back();
+    if constexpr (Costs::kWeighted)
+        return m_costs.sigmaSum * end.forward - end.forwardSeen;
+    else
+        return end.forward + end.moment + end.sigma; // sigma (p + 1) = moment + sigma
 }
 
-void OrderMoves::refresh(int firstChanged)
+template <class Costs>
+OrderSums<Costs> OrderMoves<Costs>::next(const Sums& last, int position) const
+{
+    const int node = at(position);
+    const double sigma = m_costs.sigmaOf(node);
+    const double forward = m_costs.leg(at(position - 1), node);
+    const double backward = m_costs.leg(node, at(position - 1));
+    Sums sums{.forward = last.forward + forward,
+              .backward = last.backward + backward,
+              .sigma = last.sigma + sigma};
+    if constexpr (Costs::kWeighted) {
+        sums.forwardSeen = last.forwardSeen + forward * last.sigma;
+        sums.backwardSeen = last.backwardSeen + backward * last.sigma;
+    } else {
+        sums.moment = last.moment + sigma * position;
+    }
+    return sums;
+}
+
+template <class Costs>
+void OrderMoves<Costs>::refresh(int firstChanged)
 {
     for (int p = firstChanged; p <= icebergs() + 1; ++p) {
-        const int node = at(p);
-        const int before = at(p - 1);
-        const Prefix& last = sums(p - 1);
-        const double sigma = m_costs.sigma[static_cast<std::size_t>(node)];
-        m_sums[static_cast<std::size_t>(p)] = {.forward = last.forward + m_costs.leg(before, node),
-                                               .backward =
-                                                   last.backward + m_costs.leg(node, before),
-                                               .sigma = last.sigma + sigma,
-                                               .moment = last.moment + sigma * p};
-        m_position[static_cast<std::size_t>(node)] = p;
+        m_sums[static_cast<std::size_t>(p)] = next(sums(p - 1), p);
+        m_position[static_cast<std::size_t>(at(p))] = p;
     }
     m_position[0] = 0;
 }
 
-double OrderMoves::reversal(int first, int last) const
+template <class Costs>
+template <std::size_t Count>
+double OrderMoves<Costs>::rearrangement(const std::array<Piece, Count>& pieces) const
+    requires(Costs::kWeighted)
 {
-    const Prefix& a = sums(first);
-    const Prefix& b = sums(last);
-    const Prefix& before = sums(first - 1);
-    const double legs = m_costs.leg(at(first - 1), at(last)) +
-                        m_costs.leg(at(first), at(last + 1)) -
-                        m_costs.leg(at(first - 1), at(first)) - m_costs.leg(at(last), at(last + 1));
-    const double inside = (b.backward - a.backward) - (b.forward - a.forward);
-    // Position p becomes first + last - p.
-    const double waiting =
-        (first + last) * (b.sigma - before.sigma) - 2 * (b.moment - before.moment);
-    return legs + inside + waiting;
+    int first = icebergs();
+    int last = 1;
+    for (const Piece& piece : pieces) {
+        first = std::min(first, piece.first);
+        last = std::max(last, piece.last);
+    }
+    const Sums& before = sums(first - 1);
+
+    double unseen = m_costs.sigmaSum - before.sigma;
+    double cost = 0;
+    int from = at(first - 1);
+    for (const Piece& piece : pieces) {
+        const Sums& head = sums(piece.first);
+        const Sums& tail = sums(piece.last);
+        const Sums& outside = sums(piece.first - 1);
+        if (piece.turned) {
+            cost += m_costs.leg(from, at(piece.last)) * unseen;
+            cost += (unseen - tail.sigma) * (tail.backward - head.backward) +
+                    (tail.backwardSeen - head.backwardSeen);
+            from = at(piece.first);
+        } else {
+            cost += m_costs.leg(from, at(piece.first)) * unseen;
+            cost += (unseen + outside.sigma) * (tail.forward - head.forward) -
+                    (tail.forwardSeen - head.forwardSeen);
+            from = at(piece.last);
+        }
+        unseen -= tail.sigma - outside.sigma;
+    }
+    cost += m_costs.leg(from, at(last + 1)) * unseen;
+
+    const Sums& behind = sums(last + 1);
+    return cost - (m_costs.sigmaSum * (behind.forward - before.forward) -
+                   (behind.forwardSeen - before.forwardSeen));
 }
 
-double OrderMoves::exchange(int a, int b) const
+template <class Costs>
+double OrderMoves<Costs>::reversal(int first, int last) const
+{
+    if constexpr (Costs::kWeighted) {
+        return rearrangement(std::array{Piece{first, last, true}});
+    } else {
+        const Sums& a = sums(first);
+        const Sums& b = sums(last);
+        const Sums& before = sums(first - 1);
+        const double legs =
+            m_costs.leg(at(first - 1), at(last)) + m_costs.leg(at(first), at(last + 1)) -
+            m_costs.leg(at(first - 1), at(first)) - m_costs.leg(at(last), at(last + 1));
+        const double inside = (b.backward - a.backward) - (b.forward - a.forward);
+        // Position p becomes first + last - p.
+        const double waiting =
+            (first + last) * (b.sigma - before.sigma) - 2 * (b.moment - before.moment);
+        return legs + inside + waiting;
+    }
+}
+
+template <class Costs>
+double OrderMoves<Costs>::exchange(int a, int b) const
 {
     if (b == a + 1)
         return reversal(a, b);
-    const int x = at(a);
-    const int y = at(b);
-    const int beforeX = at(a - 1);
-    const int afterX = at(a + 1);
-    const int beforeY = at(b - 1);
-    const int afterY = at(b + 1);
-    const double gained = m_costs.leg(beforeX, y) + m_costs.leg(y, afterX) +
-                          m_costs.leg(beforeY, x) + m_costs.leg(x, afterY);
-    const double saved = m_costs.leg(beforeX, x) + m_costs.leg(x, afterX) +
-                         m_costs.leg(beforeY, y) + m_costs.leg(y, afterY);
-    const double sigmaX = m_costs.sigma[static_cast<std::size_t>(x)];
-    const double sigmaY = m_costs.sigma[static_cast<std::size_t>(y)];
-    return gained - saved + (sigmaX - sigmaY) * (b - a);
-}
-
-double OrderMoves::relocation(int first, int last, int after, bool turned) const
-{
-    const int before = at(first - 1);
-    const int behind = at(last + 1);
-    const int head = turned ? at(last) : at(first);
-    const int tail = turned ? at(first) : at(last);
-    double delta = m_costs.leg(before, behind) - m_costs.leg(before, at(first)) -
-                   m_costs.leg(at(last), behind);
-    delta += m_costs.leg(at(after), head) + m_costs.leg(tail, at(after + 1)) -
-             m_costs.leg(at(after), at(after + 1));
-
-    const Prefix& a = sums(first);
-    const Prefix& b = sums(last);
-    const Prefix& o = sums(first - 1);
-    const int length = last - first + 1;
-    const double pieceSigma = b.sigma - o.sigma;
-    if (turned) {
-        delta += (b.backward - a.backward) - (b.forward - a.forward);
-        delta += (first + last) * pieceSigma - 2 * (b.moment - o.moment);
+    if constexpr (Costs::kWeighted) {
+        return rearrangement(std::array{Piece{b, b}, Piece{a + 1, b - 1}, Piece{a, a}});
+    } else {
+        const int x = at(a);
+        const int y = at(b);
+        const int beforeX = at(a - 1);
+        const int afterX = at(a + 1);
+        const int beforeY = at(b - 1);
+        const int afterY = at(b + 1);
+        const double gained = m_costs.leg(beforeX, y) + m_costs.leg(y, afterX) +
+                              m_costs.leg(beforeY, x) + m_costs.leg(x, afterY);
+        const double saved = m_costs.leg(beforeX, x) + m_costs.leg(x, afterX) +
+                             m_costs.leg(beforeY, y) + m_costs.leg(y, afterY);
+        const double sigmaX = m_costs.sigma[static_cast<std::size_t>(x)];
+        const double sigmaY = m_costs.sigma[static_cast<std::size_t>(y)];
+        return gained - saved + (sigmaX - sigmaY) * (b - a);
     }
-    if (after > last)
-        delta += (after - last) * pieceSigma - length * (sums(after).sigma - b.sigma);
-    else
-        delta += length * (o.sigma - sums(after).sigma) - (first - 1 - after) * pieceSigma;
-    return delta;
 }
 
-OrderMove OrderMoves::bestMoveAt(int position) const
+template <class Costs>
+double OrderMoves<Costs>::relocation(int first, int last, int after, bool turned) const
+{
+    if constexpr (Costs::kWeighted) {
+        return after > last
+                   ? rearrangement(std::array{Piece{last + 1, after}, Piece{first, last, turned}})
+                   : rearrangement(
+                         std::array{Piece{first, last, turned}, Piece{after + 1, first - 1}});
+    } else {
+        const int before = at(first - 1);
+        const int behind = at(last + 1);
+        const int head = turned ? at(last) : at(first);
+        const int tail = turned ? at(first) : at(last);
+        double delta = m_costs.leg(before, behind) - m_costs.leg(before, at(first)) -
+                       m_costs.leg(at(last), behind);
+        delta += m_costs.leg(at(after), head) + m_costs.leg(tail, at(after + 1)) -
+                 m_costs.leg(at(after), at(after + 1));
+
+        const Sums& a = sums(first);
+        const Sums& b = sums(last);
+        const Sums& o = sums(first - 1);
+        const int length = last - first + 1;
+        const double pieceSigma = b.sigma - o.sigma;
+        if (turned) {
+            delta += (b.backward - a.backward) - (b.forward - a.forward);
+            delta += (first + last) * pieceSigma - 2 * (b.moment - o.moment);
+        }
+        if (after > last)
+            delta += (after - last) * pieceSigma - length * (sums(after).sigma - b.sigma);
+        else
+            delta += length * (o.sigma - sums(after).sigma) - (first - 1 - after) * pieceSigma;
+        return delta;
+    }
+}
+
+template <class Costs>
+OrderMove OrderMoves<Costs>::bestMoveAt(int position) const
 {
     using Kind = OrderMove::Kind;
     const int n = icebergs();
@@ -168,7 +224,8 @@ OrderMove OrderMoves::bestMoveAt(int position) const
     return best;
 }
 
-void OrderMoves::apply(const OrderMove& move)
+template <class Costs>
+void OrderMoves<Costs>::apply(const OrderMove& move)
 {
     const auto place = [this](int position) { return m_node.begin() + position; };
     switch (move.kind) {
@@ -192,6 +249,9 @@ void OrderMoves::apply(const OrderMove& move)
     const bool forward = move.kind != OrderMove::Kind::Relocate || move.after > move.last;
     refresh(forward ? move.first : move.after + 1);
 }
+
+template class OrderMoves<VisitCosts>;
+template class OrderMoves<LatencyCosts>;
 
 VisitOrder sigmaOrder(const TvpProblem& problem)
 {

@@ -1,35 +1,12 @@
 #pragma once
 
-#include "core/plan/tvp.h"
+#include "core/plan/order_costs.h"
 
-#include <Eigen/Core>
-
+#include <array>
 #include <span>
 #include <vector>
 
 namespace berg {
-
-/**
- * Eq. (1) plus the constant N sum(sigma), laid out for inner loops: a leg from i to j flown into
- * position p (1 for the first iceberg, so t = p + 1) costs mu d(i,j) + sigma_j (p + 1) >= 0.
- */
-struct VisitCosts
-{
-    explicit VisitCosts(const TvpProblem& problem);
-
-    [[nodiscard]] double leg(int from, int to) const { return legs(to, from); }
-    [[nodiscard]] double visit(int node, int position) const
-    {
-        return sigma[static_cast<std::size_t>(node)] * (position + 1);
-    }
-    /** Sum of an order's costs: `objective` + `objectiveShift`. */
-    [[nodiscard]] double total(std::span<const int> order) const;
-
-    int icebergs = 0;
-    Eigen::MatrixXd legs;      ///< N x N, column = from, row = to, mu d; row 0 is the end of the
-                               ///< route: 0 when open, the way back when closed
-    std::vector<double> sigma; ///< N, m^2
-};
 
 /** A change of an order: positions count from 1. `delta` is what it adds to the cost. */
 struct OrderMove
@@ -49,15 +26,39 @@ struct OrderMove
     double delta = 0;
 };
 
+/** Sums along an order up to position p, by which moves are valued. */
+template <class Costs>
+struct OrderSums;
+
+template <>
+struct OrderSums<VisitCosts>
+{
+    double forward = 0;  ///< legs 0 -> 1 -> .. -> p
+    double backward = 0; ///< the same legs flown the other way
+    double sigma = 0;    ///< sum of sigma up to p
+    double moment = 0;   ///< sum of sigma times position up to p
+};
+
+template <>
+struct OrderSums<LatencyCosts>
+{
+    double forward = 0;      ///< legs 0 -> 1 -> .. -> p
+    double backward = 0;     ///< the same legs flown the other way
+    double sigma = 0;        ///< sum of sigma up to p
+    double forwardSeen = 0;  ///< sum of leg times the sigma of the positions before it
+    double backwardSeen = 0; ///< the same with the legs flown the other way
+};
+
 /**
- * An order with prefix sums along it (legs both ways, sigma, sigma times position), by which every
- * move is valued in O(1), asymmetric distances included. Making a move costs O(n).
+ * An order with prefix sums along it, by which every move is valued in O(1), asymmetric distances
+ * included. Making a move costs O(n).
  */
+template <class Costs>
 class OrderMoves
 {
 public:
     /** Keeps a reference to `costs`. */
-    OrderMoves(const VisitCosts& costs, std::span<const int> order);
+    OrderMoves(const Costs& costs, std::span<const int> order);
 
     [[nodiscard]] int icebergs() const { return m_costs.icebergs; }
     /** Node at position 0 (the UAV) .. n, and 0 again at n + 1 (the end of the route). */
@@ -68,7 +69,7 @@ public:
     }
     [[nodiscard]] VisitOrder order() const;
     void assign(std::span<const int> order);
-    /** Cost of the whole order, as `VisitCosts::total` up to rounding. */
+    /** Cost of the whole order, as `Costs::total` up to rounding. */
     [[nodiscard]] double cost() const;
 
     /** Change of cost when positions first .. last are flown backwards; first < last. */
@@ -84,23 +85,29 @@ public:
     void apply(const OrderMove& move);
 
 private:
-    struct Prefix
-    {
-        double forward = 0;  ///< legs 0 -> 1 -> .. -> p
-        double backward = 0; ///< the same legs flown the other way
-        double sigma = 0;    ///< sum of sigma up to p
-        double moment = 0;   ///< sum of sigma times position up to p
-    };
-    [[nodiscard]] const Prefix& sums(int position) const
+    using Sums = OrderSums<Costs>;
+    [[nodiscard]] const Sums& sums(int position) const
     {
         return m_sums[static_cast<std::size_t>(position)];
     }
+    /** Positions first .. last as a piece of another order. */
+    struct Piece
+    {
+        int first = 0;
+        int last = 0;
+        bool turned = false;
+    };
+    /** Change of cost when a stretch is put together anew from its pieces. */
+    template <std::size_t Count>
+    [[nodiscard]] double rearrangement(const std::array<Piece, Count>& pieces) const
+        requires(Costs::kWeighted);
+    [[nodiscard]] Sums next(const Sums& last, int position) const;
     void refresh(int firstChanged);
 
-    const VisitCosts& m_costs;
+    const Costs& m_costs;
     std::vector<int> m_node;     ///< n + 2
     std::vector<int> m_position; ///< N, by node
-    std::vector<Prefix> m_sums;  ///< n + 2
+    std::vector<Sums> m_sums;    ///< n + 2
 };
 
 /** Largest sigma first, then nearest to the UAV, then smallest number: the optimum at mu = 0. */

@@ -9,7 +9,8 @@ namespace berg {
 namespace {
 
 /** Work of looking at one partner of an iceberg: seven moves valued. By measurement. */
-constexpr std::int64_t kWorkOfNeighbour = 8;
+template <class Costs>
+constexpr std::int64_t kWorkOfNeighbour = Costs::kWeighted ? 20 : 8;
 
 /** Gains below this share of the cost are rounding, not gains: a descent must come to an end. */
 constexpr double kLeastGain = 1e-10;
@@ -18,10 +19,11 @@ constexpr double kLeastGain = 1e-10;
  * Descent by first improvement over icebergs, best move of each iceberg. Icebergs whose
  * neighbours have not changed since they were looked at in vain are not looked at again.
  */
+template <class Costs>
 class Descent
 {
 public:
-    Descent(const VisitCosts& costs, const VisitOrder& order, SearchEffort& effort)
+    Descent(const Costs& costs, const VisitOrder& order, SearchEffort& effort)
         : m_moves(costs, order), m_effort(effort), m_active(order.size() + 1, true)
     {
     }
@@ -50,7 +52,7 @@ public:
                 const auto node = static_cast<std::size_t>(m_moves.at(position));
                 if (!m_active[node])
                     continue;
-                m_effort.work += kWorkOfNeighbour * m_moves.icebergs();
+                m_effort.work += kWorkOfNeighbour<Costs> * m_moves.icebergs();
                 if (m_effort.work >= m_effort.limit)
                     return;
                 if (++m_looks % kLooksPerCheck == 0 && m_effort.cut && m_effort.cut())
@@ -68,7 +70,7 @@ public:
 private:
     static constexpr int kLooksPerCheck = 16;
 
-    OrderMoves m_moves;
+    OrderMoves<Costs> m_moves;
     SearchEffort& m_effort;
     std::vector<bool> m_active; ///< by node
     int m_looks = 0;
@@ -80,7 +82,7 @@ enum class Greed
     Nearest,  ///< shortest leg
     Ratio,    ///< shortest leg per sigma
     Sigma,    ///< largest sigma
-    Earlier,  ///< leg less the cost of waiting for a part of the time that is left
+    Earlier,  ///< leg less the cost of waiting for a part of the time that is left, Eq. (1)
     Earliest, ///< the same with twice that part
 };
 
@@ -104,7 +106,7 @@ double greedyValue(Greed greed, double leg, double sigma, int left)
 }
 
 /** Ties go to the shorter leg, then to the smaller number. */
-VisitOrder greedyOrder(const VisitCosts& costs, Greed greed)
+VisitOrder greedyOrder(const LegTable& costs, Greed greed)
 {
     VisitOrder order;
     std::vector<bool> used(costs.sigma.size(), false);
@@ -154,27 +156,32 @@ OrderMove disturbance(Random& random, int icebergs)
 
 } // namespace
 
-OrderSearch::OrderSearch(const VisitCosts& costs, SearchEffort& effort)
+template <class Costs>
+OrderSearch<Costs>::OrderSearch(const Costs& costs, SearchEffort& effort)
     : m_costs(costs), m_effort(effort), m_random(2015, static_cast<std::uint64_t>(costs.icebergs))
 {
 }
 
-void OrderSearch::take(const VisitOrder& order)
+template <class Costs>
+void OrderSearch<Costs>::take(const VisitOrder& order)
 {
     keep(order, m_costs.total(order));
 }
 
-void OrderSearch::startGreedily()
+template <class Costs>
+void OrderSearch<Costs>::startGreedily()
 {
     take(greedyOrder(m_costs, Greed::Nearest));
 }
 
-void OrderSearch::descend()
+template <class Costs>
+void OrderSearch<Costs>::descend()
 {
     descendFrom(m_best);
 }
 
-void OrderSearch::descendFromGreedyOrders()
+template <class Costs>
+void OrderSearch<Costs>::descendFromGreedyOrders()
 {
     for (const Greed greed :
          {Greed::Nearest, Greed::Ratio, Greed::Sigma, Greed::Earlier, Greed::Earliest}) {
@@ -185,7 +192,8 @@ void OrderSearch::descendFromGreedyOrders()
     }
 }
 
-void OrderSearch::disturb(std::int64_t restarts)
+template <class Costs>
+void OrderSearch<Costs>::disturb(std::int64_t restarts)
 {
     if (m_costs.icebergs < 3)
         return; // a descent tries everything
@@ -209,14 +217,16 @@ void OrderSearch::disturb(std::int64_t restarts)
     }
 }
 
-void OrderSearch::descendFrom(const VisitOrder& order)
+template <class Costs>
+void OrderSearch<Costs>::descendFrom(const VisitOrder& order)
 {
     Descent descent(m_costs, order, m_effort);
     descent.run();
     keep(descent.order(), descent.cost());
 }
 
-void OrderSearch::keep(const VisitOrder& order, double cost)
+template <class Costs>
+void OrderSearch<Costs>::keep(const VisitOrder& order, double cost)
 {
     if (!m_best.empty() && cost >= m_bestCost * (1 - kLeastGain))
         return;
@@ -225,5 +235,8 @@ void OrderSearch::keep(const VisitOrder& order, double cost)
     if (onImproved)
         onImproved(m_best);
 }
+
+template class OrderSearch<VisitCosts>;
+template class OrderSearch<LatencyCosts>;
 
 } // namespace berg

@@ -25,11 +25,12 @@ struct SearchEffort
  * valued in O(1), asymmetric distances included. Deterministic; the best order is kept throughout,
  * whenever the effort is spent.
  */
+template <class Costs>
 class OrderSearch
 {
 public:
     /** Keeps references to `costs` and `effort`. */
-    OrderSearch(const VisitCosts& costs, SearchEffort& effort);
+    OrderSearch(const Costs& costs, SearchEffort& effort);
 
     /** Called with each new best order; may be empty. */
     std::function<void(const VisitOrder&)> onImproved;
@@ -52,7 +53,7 @@ private:
     void descendFrom(const VisitOrder& order);
     void keep(const VisitOrder& order, double cost);
 
-    const VisitCosts& m_costs;
+    const Costs& m_costs;
     SearchEffort& m_effort;
     Random m_random;
     VisitOrder m_best;

@@ -37,11 +37,13 @@ std::vector<int> nearestAvailable(const PlanRequest& request)
 
 } // namespace
 
-Planner::Planner(const PlannerSettings& settings, std::unique_ptr<TvpSolver> solver)
+Planner::Planner(const PlannerSettings& settings, std::unique_ptr<TvpSolver> solver,
+                 PolicyMaker maker)
     : m_settings(settings)
+    , m_maker(maker)
     , m_ownSolver(solver != nullptr)
     , m_solver(solver ? std::move(solver) : makeSolver(settings.backend, settings.formulation))
-    , m_policy(makePolicy(settings, *m_solver))
+    , m_policy(m_maker(settings, *m_solver))
 {
 }
 
@@ -52,7 +54,7 @@ void Planner::setSettings(const PlannerSettings& settings)
     std::unique_ptr<TvpSolver> solver;
     if (!m_ownSolver)
         solver = makeSolver(settings.backend, settings.formulation);
-    std::unique_ptr<Policy> policy = makePolicy(settings, solver ? *solver : *m_solver);
+    std::unique_ptr<Policy> policy = m_maker(settings, solver ? *solver : *m_solver);
     m_policy = std::move(policy);
     if (solver)
         m_solver = std::move(solver);

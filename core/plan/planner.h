@@ -12,8 +12,12 @@ namespace berg {
 class Planner
 {
 public:
-    /** `solver` replaces the back end of the settings when given (tests, fault injection). */
-    explicit Planner(const PlannerSettings& settings, std::unique_ptr<TvpSolver> solver = nullptr);
+    /**
+     * `solver` replaces the back end of the settings when given (tests, fault injection);
+     * `maker` makes the policy.
+     */
+    explicit Planner(const PlannerSettings& settings, std::unique_ptr<TvpSolver> solver = nullptr,
+                     PolicyMaker maker = makePolicy);
 
     [[nodiscard]] const PlannerSettings& settings() const { return m_settings; }
 
@@ -29,6 +33,7 @@ public:
 
 private:
     PlannerSettings m_settings;
+    PolicyMaker m_maker;
     bool m_ownSolver = false;
     std::unique_ptr<TvpSolver> m_solver;
     std::unique_ptr<Policy> m_policy;

@@ -87,15 +87,51 @@ public:
     PlanAnswer plan(const PlanRequest& request, std::span<const int> lastRest,
                     const SolveOptions& options) override
     {
-        const std::vector<int> nodes = availableNodes(request);
-        TvpProblem sub = restrictedTo(request.problem, nodes);
-        sub.route = m_settings.route;
-        sub.mu = tuningWeight(sub, m_settings.tau).mu;
-        return solved(std::move(sub), idsOf(request, nodes), lastRest, m_solver, options);
+        VisitationProblem now = visitationProblem(request, m_settings.route);
+        now.problem.mu = tuningWeight(now.problem, m_settings.tau).mu;
+        return solved(std::move(now.problem), std::move(now.ids), lastRest, m_solver, options);
     }
 
 private:
     PlannerSettings m_settings;
+    const TvpSolver& m_solver;
+};
+
+/** Sigma set aside: what is left of Eq. (1) is mu D with mu = 1, a travelling-salesman problem. */
+TvpProblem distanceOnly(TvpProblem problem, Route route)
+{
+    std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
+    problem.mu = 1;
+    problem.route = route;
+    return problem;
+}
+
+/**
+ * `latency`: least sum sigma_i t_i, t_i the predicted arrival times, solved again at every iceberg
+ * reached; neither tau nor the route matters. With all sigma 0 by distance alone, as Eq. (14) has
+ * it.
+ */
+class LatencyPolicy final : public Policy
+{
+public:
+    explicit LatencyPolicy(const TvpSolver& solver) : m_solver(solver) {}
+
+    PlanAnswer plan(const PlanRequest& request, std::span<const int> lastRest,
+                    const SolveOptions& options) override
+    {
+        require(request.speed_mps > 0, "latency: no arrival times without an airspeed");
+        VisitationProblem now = visitationProblem(request, Route::Open);
+        const std::vector<double>& sigma_m2 = now.problem.sigma_m2;
+        if (*std::max_element(sigma_m2.begin(), sigma_m2.end()) > 0) {
+            now.problem.criterion = Criterion::Latency;
+            now.problem.mu = 1 / request.speed_mps;
+        } else {
+            now.problem = distanceOnly(std::move(now.problem), Route::Open);
+        }
+        return solved(std::move(now.problem), std::move(now.ids), lastRest, m_solver, options);
+    }
+
+private:
     const TvpSolver& m_solver;
 };
 
@@ -138,15 +174,6 @@ private:
 
     bool m_nearest;
 };
-
-/** Sigma set aside: what is left of Eq. (1) is mu D with mu = 1, a travelling-salesman problem. */
-TvpProblem distanceOnly(TvpProblem problem, Route route)
-{
-    std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
-    problem.mu = 1;
-    problem.route = route;
-    return problem;
-}
 
 /**
  * What the two fixed routes share: the sequence is kept and flown iceberg by iceberg (those in
@@ -319,6 +346,16 @@ private:
 
 } // namespace
 
+VisitationProblem visitationProblem(const PlanRequest& request, Route route)
+{
+    const std::vector<int> nodes = availableNodes(request);
+    VisitationProblem result{.problem = restrictedTo(request.problem, nodes),
+                             .ids = idsOf(request, nodes)};
+    result.problem.mu = 0;
+    result.problem.route = route;
+    return result;
+}
+
 std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings, const TvpSolver& solver)
 {
     switch (settings.policy) {
@@ -333,6 +370,10 @@ std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings, const TvpSol
     case PolicyKind::Uncertainty:
         return std::make_unique<GreedyPolicy>(false);
     case PolicyKind::Latency:
+        if (settings.backend == Backend::Cbc)
+            throw Error(ErrorCode::Unsupported, "planner.backend",
+                        "the back end cbc cannot plan for the policy latency");
+        return std::make_unique<LatencyPolicy>(solver);
     case PolicyKind::Coverage:
         throw Error(ErrorCode::Unsupported, "planner.policy",
                     nameOf(kPolicyNames, settings.policy) + " is not flown by this version");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/geometry.h"
 #include "core/plan/solver.h"
 
 #include <memory>
@@ -32,13 +33,28 @@ struct PlannerSettings
     bool operator==(const PlannerSettings&) const = default;
 };
 
+struct FlightPicture; // core/coverage
+
 /** The picture at the instant of planning. Ids are the caller's own numbers of icebergs. */
 struct PlanRequest
 {
     TvpProblem problem;          ///< UAV and every iceberg there is; `mu` and `route` are not read
     std::vector<int> ids;        ///< N-1: id of iceberg node k+1
     std::vector<bool> available; ///< N-1: may be planned, i.e. neither in view nor just reached
-    double speed_mps = 0;
+    double speed_mps = 0;        ///< airspeed
+    /** For policies that predict the flight itself; the others do without. */
+    std::shared_ptr<const FlightPicture> picture;
+};
+
+/** One leg of a plan with aim points: a turn at the limit, then a line that passes an iceberg. */
+struct AimedLeg
+{
+    int iceberg = -1;              ///< id of the one that the line passes
+    double turn_rad = 0;           ///< left positive
+    Point from_m = Point::Zero();  ///< where the line starts, over ground
+    Point abeam_m = Point::Zero(); ///< where it passes the iceberg
+    double sighting_s = 0;         ///< when the first sighting on this leg is predicted
+    bool operator==(const AimedLeg&) const = default;
 };
 
 struct PlanAnswer
@@ -48,7 +64,18 @@ struct PlanAnswer
     TvpProblem problem;         ///< what was solved; empty when no solve was needed
     std::vector<int> solvedIds; ///< id of node k+1 of `problem`
     bool fellBack = false;      ///< no order from the solver: the rest of the last plan is flown
+    std::vector<AimedLeg> legs; ///< how to fly it; empty: straight to the first of `order`
+    std::optional<double> predictedZeta_m2s; ///< from now to the end of the run
 };
+
+/** What the policies `visitation` and `latency` solve in answer to a request; `mu` is 0. */
+struct VisitationProblem
+{
+    TvpProblem problem;   ///< the UAV and the available icebergs
+    std::vector<int> ids; ///< id of iceberg node k+1
+};
+
+[[nodiscard]] VisitationProblem visitationProblem(const PlanRequest& request, Route route);
 
 /** Chooses the order in which icebergs are flown to. One object serves one mission. */
 class Policy
@@ -70,9 +97,12 @@ public:
 
 /**
  * The policy of the settings, which solves with `solver` (borrowed, must outlive the policy).
- * Throws `Error{Unsupported}` for policies this version does not fly.
+ * Throws `Error{Unsupported}` for policies this version does not fly, or not with that back end.
  */
 [[nodiscard]] std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings,
                                                  const TvpSolver& solver);
+
+/** `makePolicy`, or a function of another module that knows more policies. */
+using PolicyMaker = std::unique_ptr<Policy> (*)(const PlannerSettings&, const TvpSolver&);
 
 } // namespace berg

@@ -4,6 +4,23 @@
 
 namespace berg {
 
+namespace {
+
+/** To each iceberg, from anywhere. */
+Eigen::VectorXd shortestLegs(const LegTable& costs)
+{
+    Eigen::VectorXd shortest = Eigen::VectorXd::Zero(costs.icebergs + 1);
+    for (int j = 1; j <= costs.icebergs; ++j) {
+        shortest(j) = costs.leg(0, j);
+        for (int i = 1; i <= costs.icebergs; ++i)
+            if (i != j)
+                shortest(j) = std::min(shortest(j), costs.leg(i, j));
+    }
+    return shortest;
+}
+
+} // namespace
+
 PriceAscent::PriceAscent(Eigen::VectorXd lambda) : m_lambda(std::move(lambda))
 {
     m_lambda(0) = 0;
@@ -56,15 +73,22 @@ Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order)
         square > 0 ? (deviation * (t.tail(n).array() - meanT)).sum() / square : 0.0;
     const double start = meanT - slope * meanSigma;
 
-    Eigen::VectorXd prices = Eigen::VectorXd::Zero(n + 1);
-    for (int j = 1; j <= n; ++j) {
-        double shortest = costs.leg(0, j);
-        for (int i = 1; i <= n; ++i)
-            if (i != j)
-                shortest = std::min(shortest, costs.leg(i, j));
-        prices(j) = shortest + start * sigma(j) + slope * sigma(j) * sigma(j) / 2;
-    }
+    Eigen::VectorXd prices = shortestLegs(costs);
+    for (int j = 1; j <= n; ++j)
+        prices(j) += start * sigma(j) + slope * sigma(j) * sigma(j) / 2;
     return prices;
+}
+
+Eigen::VectorXd firstPrices(const LatencyCosts& costs, const VisitOrder& order)
+{
+    double length = 0;
+    int from = 0;
+    for (const int to : order) {
+        length += costs.leg(from, to);
+        from = to;
+    }
+    const double meanWeight = length > 0 ? costs.total(order) / length : 0.0;
+    return meanWeight * shortestLegs(costs);
 }
 
 } // namespace berg

@@ -51,4 +51,7 @@ private:
  */
 [[nodiscard]] Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order);
 
+/** For latency: the shortest leg to it, at the mean weight of the legs of the order. */
+[[nodiscard]] Eigen::VectorXd firstPrices(const LatencyCosts& costs, const VisitOrder& order);
+
 } // namespace berg

@@ -20,13 +20,15 @@ constexpr std::uint32_t kSubsetsPerCheck = 4096;
 /**
  * g(R, i): least cost of flying from iceberg i over all icebergs of R (i not in R) to the end.
  * With n - |R| icebergs behind it, the next one is number n - |R| + 1 and has t one more:
- *   g(R, i) = min over j in R of mu d(i,j) + h(R, j),   h(R, j) = sigma_j t + g(R \ j, j).
- * h does not depend on i, so a row g(R, .) is |R| vector operations over i (those with i in R are
- * wasted). Counting the cost to go makes the order come out from the front, ties to the smallest
- * number. Icebergs count from 0 here; `Rows` is n rounded up to even: the compiler must know the
- * length of a row to keep it in registers.
+ *   g(R, i) = min over j in R of mu d(i,j) + h(R, j),   h(R, j) = sigma_j t + g(R \ j, j);
+ * for latency with the sigma of R unseen
+ *   g(R, i) = min over j in R of w mu d(i,j) + h(R, j), w = sum sigma over R, h(R, j) = g(R \ j,
+ * j). h does not depend on i, so a row g(R, .) is |R| vector operations over i (those with i in R
+ * are wasted). Counting the cost to go makes the order come out from the front, ties to the
+ * smallest number. Icebergs count from 0 here; `Rows` is n rounded up to even: the compiler must
+ * know the length of a row to keep it in registers.
  */
-template <int Rows>
+template <int Rows, Criterion Kind>
 class SubsetTable
 {
 public:
@@ -63,13 +65,14 @@ public:
         std::uint32_t set = subsets() - 1;
         for (int from = 0; set != 0; from = result.back()) {
             const double t = visitNumber(set);
+            const double weight = legWeight(set);
             double least = std::numeric_limits<double>::infinity();
             int next = 0;
             for (std::uint32_t rest = set; rest != 0; rest &= rest - 1) {
                 const int j = std::countr_zero(rest);
-                const double onwards = m_sigma[static_cast<std::size_t>(j)] * t +
-                                       row(set & ~(std::uint32_t{1} << j))[j];
-                const double cost = m_problem.mu * m_problem.distance_m(from, j + 1) + onwards;
+                const double onwards = visit(j, t) + row(set & ~(std::uint32_t{1} << j))[j];
+                const double cost =
+                    weight * (m_problem.mu * m_problem.distance_m(from, j + 1)) + onwards;
                 if (cost < least) {
                     least = cost;
                     next = j;
@@ -84,6 +87,32 @@ public:
 private:
     using Row = Eigen::Array<double, Rows, 1>;
     static constexpr std::uint32_t kGroup = 4;
+    static constexpr bool kLatency = Kind == Criterion::Latency;
+
+    /** Cost of visiting j as number `t`, beside the leg. */
+    [[nodiscard]] double visit(int j, double t) const
+    {
+        return kLatency ? 0 : m_sigma[static_cast<std::size_t>(j)] * t;
+    }
+    /** How often the next leg counts when the icebergs of `set` are left. */
+    [[nodiscard]] double legWeight(std::uint32_t set) const
+    {
+        double weight = 1;
+        if constexpr (kLatency) {
+            weight = 0;
+            for (std::uint32_t rest = set; rest != 0; rest &= rest - 1)
+                weight += m_sigma[static_cast<std::size_t>(std::countr_zero(rest))];
+        }
+        return weight;
+    }
+    /** Legs to j from all icebergs, as often as they count. */
+    [[nodiscard]] auto legsTo(int j, double weight) const
+    {
+        if constexpr (kLatency)
+            return weight * m_legs.col(j);
+        else
+            return m_legs.col(j);
+    }
 
     /** The four sets that differ in icebergs 0 and 1 only: they share the loop over the others. */
     void treatGroup(std::uint32_t upper)
@@ -91,7 +120,6 @@ private:
         struct Next
         {
             const double* rest = nullptr; ///< g(upper \ j, j), the three sets after it `Rows` on
-            double sigma = 0;
             int j = 0;
         };
         std::array<Next, kMostIcebergs> nexts;
@@ -99,35 +127,38 @@ private:
         for (std::uint32_t rest = upper; rest != 0; rest &= rest - 1) {
             const int j = std::countr_zero(rest);
             nexts[static_cast<std::size_t>(count++)] = {row(upper & ~(std::uint32_t{1} << j)) + j,
-                                                        m_sigma[static_cast<std::size_t>(j)], j};
+                                                        j};
         }
 
-        const auto overUpper = [&](int lower, double t) {
+        const auto overUpper = [&](std::uint32_t lower, double t) {
+            const double weight = legWeight(upper + lower);
             Row least = Row::Constant(std::numeric_limits<double>::infinity());
             for (int k = 0; k < count; ++k) {
                 const Next& next = nexts[static_cast<std::size_t>(k)];
-                least = least.min(m_legs.col(next.j) + (next.sigma * t + next.rest[lower * Rows]));
+                least = least.min(legsTo(next.j, weight) +
+                                  (visit(next.j, t) + next.rest[lower * Rows]));
             }
             return least;
         };
-        const auto over = [&](int j, double t, int rest) -> Row {
-            return m_legs.col(j) +
-                   (m_sigma[static_cast<std::size_t>(j)] * t + row(upper)[rest * Rows + j]);
+        const auto over = [&](std::uint32_t lower, int j, double t) -> Row {
+            const std::uint32_t rest = lower & ~(std::uint32_t{1} << j);
+            return legsTo(j, legWeight(upper + lower)) +
+                   (visit(j, t) + row(upper)[rest * Rows + static_cast<std::uint32_t>(j)]);
         };
-        const auto store = [&](int lower, const Row& values) {
+        const auto store = [&](std::uint32_t lower, const Row& values) {
             Eigen::Map<Row, Eigen::Aligned16>(row(upper) + lower * Rows) = values;
         };
         const double t = visitNumber(upper);
         store(0, upper == 0 ? endLegs() : overUpper(0, t));
-        store(1, overUpper(1, t - 1).min(over(0, t - 1, 0)));
-        store(2, overUpper(2, t - 1).min(over(1, t - 1, 0)));
-        store(3, overUpper(3, t - 2).min(over(0, t - 2, 2)).min(over(1, t - 2, 1)));
+        store(1, overUpper(1, t - 1).min(over(1, 0, t - 1)));
+        store(2, overUpper(2, t - 1).min(over(2, 1, t - 1)));
+        store(3, overUpper(3, t - 2).min(over(3, 0, t - 2)).min(over(3, 1, t - 2)));
     }
 
     [[nodiscard]] Row endLegs() const
     {
         Row legs = Row::Zero();
-        if (m_problem.route == Route::Closed)
+        if (!kLatency && m_problem.route == Route::Closed)
             for (int i = 0; i < m_icebergs; ++i)
                 legs(i) = m_problem.mu * m_problem.distance_m(i + 1, 0);
         return legs;
@@ -175,7 +206,7 @@ SolveOutcome proven(VisitOrder order, std::int64_t work, const TvpProblem& probl
     return outcome;
 }
 
-template <int Rows>
+template <int Rows, Criterion Kind>
 SolveOutcome solveWithRows(const TvpProblem& problem, const SolveOptions& options)
 {
     const SolveWatch watch(options);
@@ -188,7 +219,7 @@ SolveOutcome solveWithRows(const TvpProblem& problem, const SolveOptions& option
     if (options.memoryLimit_bytes && *options.memoryLimit_bytes < SubsetSolver::bytesFor(n))
         return cutShort(StopReason::MemoryLimit, options.hint, 0);
 
-    SubsetTable<Rows> table(problem);
+    SubsetTable<Rows, Kind> table(problem);
     const std::int64_t all = table.subsets();
     for (std::int64_t done = 0; done < all;) {
         if (const std::optional<StopReason> reason = watch.cut())
@@ -206,7 +237,9 @@ SolveOutcome solveWithAtLeast(const TvpProblem& problem, const SolveOptions& opt
     if constexpr (Rows < kMostIcebergs)
         if (problem.icebergCount() > Rows)
             return solveWithAtLeast<Rows + 2>(problem, options);
-    return solveWithRows<Rows>(problem, options);
+    return problem.criterion == Criterion::Latency
+               ? solveWithRows<Rows, Criterion::Latency>(problem, options)
+               : solveWithRows<Rows, Criterion::Visitation>(problem, options);
 }
 
 } // namespace

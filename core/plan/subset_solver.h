@@ -6,8 +6,8 @@ namespace berg {
 
 /**
  * Proven optimum by dynamic programming over subsets of icebergs (Held and Karp 1962, with the
- * position-dependent cost of Eq. (1)): 2^n n states, n <= 20 icebergs (168 MB). Ties go to the
- * smallest node numbers. Fastest for small problems, and an independent judge of the engine.
+ * position-dependent cost of Eq. (1), or latency): 2^n n states, n <= 20 icebergs (168 MB). Ties go
+ * to the smallest node numbers. Fastest for small problems, and an independent judge of the engine.
  * Work unit: entries of the table, roughly 2 ns each.
  */
 class SubsetSolver final : public TvpSolver

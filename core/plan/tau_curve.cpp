@@ -319,19 +319,4 @@ int intervalAt(const TauCurve& curve, double tau)
     return std::min(static_cast<int>(above - curve.intervals.begin()), count - 1);
 }
 
-VisitationProblem visitationProblem(const PlanRequest& request, Route route)
-{
-    VisitationProblem result;
-    std::vector<int> nodes;
-    for (std::size_t k = 0; k < request.ids.size(); ++k)
-        if (request.available[k]) {
-            nodes.push_back(static_cast<int>(k) + 1);
-            result.ids.push_back(request.ids[k]);
-        }
-    result.problem = restrictedTo(request.problem, nodes);
-    result.problem.mu = 0;
-    result.problem.route = route;
-    return result;
-}
-
 } // namespace berg

@@ -60,13 +60,4 @@ struct TauCurveOptions
  */
 [[nodiscard]] int intervalAt(const TauCurve& curve, double tau);
 
-/** What the policy `visitation` solves in answer to a request, but for tau (`mu` is 0). */
-struct VisitationProblem
-{
-    TvpProblem problem;   ///< the UAV and the available icebergs
-    std::vector<int> ids; ///< id of iceberg node k+1
-};
-
-[[nodiscard]] VisitationProblem visitationProblem(const PlanRequest& request, Route route);
-
 } // namespace berg

@@ -46,11 +46,28 @@ double uncertaintyReward(const TvpProblem& problem, std::span<const int> order)
 double objective(const TvpProblem& problem, std::span<const int> order)
 {
     require(isVisitOrder(problem, order), "objective: not a visiting order of this problem");
+    if (problem.criterion == Criterion::Latency)
+        return problem.mu * weightedLatency(problem, order);
     return problem.mu * flownDistance(problem, order) - uncertaintyReward(problem, order);
+}
+
+double weightedLatency(const TvpProblem& problem, std::span<const int> order)
+{
+    double distance_m = 0;
+    double sum = 0;
+    int from = 0;
+    for (const int node : order) {
+        distance_m += problem.distance_m(from, node);
+        sum += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
+        from = node;
+    }
+    return sum;
 }
 
 double objectiveShift(const TvpProblem& problem)
 {
+    if (problem.criterion == Criterion::Latency)
+        return 0;
     return problem.nodeCount() *
            std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
 }
@@ -69,7 +86,8 @@ TvpProblem restrictedTo(const TvpProblem& problem, std::span<const int> nodes)
     TvpProblem sub{.distance_m = Eigen::MatrixXd(size, size),
                    .sigma_m2 = {},
                    .mu = problem.mu,
-                   .route = problem.route};
+                   .route = problem.route,
+                   .criterion = problem.criterion};
     for (Eigen::Index j = 0; j < size; ++j)
         for (Eigen::Index i = 0; i < size; ++i)
             sub.distance_m(i, j) = problem.distance_m(all[static_cast<std::size_t>(i)],

@@ -16,6 +16,13 @@ enum class Route
     Closed
 };
 
+/** What a plan is judged by. */
+enum class Criterion
+{
+    Visitation, ///< Eq. (1): uncertain icebergs early, and mu times the distance
+    Latency     ///< mu times the sum of sigma_i times the distance flown until iceberg i
+};
+
 /**
  * The target visitation problem of Eq. (1)-(9): N nodes, node 0 is the UAV (the paper's node 1),
  * nodes 1 .. N-1 are icebergs. It knows distances and uncertainties, nothing of icebergs.
@@ -25,7 +32,8 @@ struct TvpProblem
     Eigen::MatrixXd distance_m;   ///< N x N, row = from; may be asymmetric; diagonal ignored
     std::vector<double> sigma_m2; ///< N; [0] is the UAV's and 0
     double mu = 0;                ///< weight of distance, Eq. (14), >= 0
-    Route route = Route::Open;
+    Route route = Route::Open;    ///< `Criterion::Latency`: the way back costs nothing
+    Criterion criterion = Criterion::Visitation;
 
     [[nodiscard]] int nodeCount() const { return static_cast<int>(sigma_m2.size()); }
     [[nodiscard]] int icebergCount() const { return nodeCount() - 1; }
@@ -41,18 +49,26 @@ using VisitOrder = std::vector<int>;
 [[nodiscard]] double flownDistance(const TvpProblem& problem, std::span<const int> order);
 
 /**
- * F of Eq. (1) with t(UAV) = 1, the only judge of plans: -sum sigma_i (N - t_i) + mu D.
- * `order` must satisfy `isVisitOrder`.
+ * The only judge of plans. Visitation: F of Eq. (1) with t(UAV) = 1, -sum sigma_i (N - t_i) + mu D.
+ * Latency: mu `weightedLatency`, which with mu = 1 / airspeed is sum sigma_i t_i in m^2 s, t_i the
+ * arrival time. `order` must satisfy `isVisitOrder`.
  */
 [[nodiscard]] double objective(const TvpProblem& problem, std::span<const int> order);
 
 /** Reward sum sigma_i (N - t_i), the first term of Eq. (1) with its sign changed. */
 [[nodiscard]] double uncertaintyReward(const TvpProblem& problem, std::span<const int> order);
 
-/** N sum(sigma): added to F it gives sum(sigma t) + mu D, which is never negative. */
+/** sum of sigma_i times the distance flown until iceberg i, m^3: a leg costs its length times the
+ * sigma still unvisited. */
+[[nodiscard]] double weightedLatency(const TvpProblem& problem, std::span<const int> order);
+
+/**
+ * What makes the objective a sum of costs, which is never negative: N sum(sigma), which added to F
+ * gives sum(sigma t) + mu D; 0 for latency.
+ */
 [[nodiscard]] double objectiveShift(const TvpProblem& problem);
 
-/** (objective - bound) / (objective + N sum sigma), at least 0; 0 when that divisor is 0. */
+/** (objective - bound) / (objective + `objectiveShift`), at least 0; 0 when that divisor is 0. */
 [[nodiscard]] double relativeGap(const TvpProblem& problem, double objective, double bound);
 
 /** Sub-problem of the UAV and `nodes` (iceberg nodes of `problem`), in the order given. */

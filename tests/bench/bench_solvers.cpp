@@ -2,7 +2,8 @@
 // and 3 in turn:
 //   bench_solvers [instances per size, default 20] [row ...]
 // Rows: exact (takes some minutes), subsets, heuristic, large, cbc
-// (position-indexed MILP); a size alone: exact:40.
+// (position-indexed MILP), latency (the policy's problem with real sigmas, exact),
+// latency-subsets; a size alone: exact:40.
 // Every size runs in a process of its own, so that its peak memory can be told. Times are CPU:
 // "1 %" until the order is within 1 % of the best one found, "0.2 %" until the bound is within
 // 0.2 % of the order, "total" until the end; each median and worst. "gap" is the worst one left.
@@ -10,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/plan/solver.h"
 #include "core/plan/subset_solver.h"
-#include "tests/support/brute_force.h"
+#include "tests/support/hard_problems.h"
 
 #include <algorithm>
 #include <array>
@@ -34,11 +35,28 @@ struct Row
     const char* name;
     std::function<std::unique_ptr<TvpSolver>()> make;
     std::vector<int> sizes;
+    Criterion criterion = Criterion::Visitation;
 };
 
 std::unique_ptr<TvpSolver> subsets()
 {
     return std::make_unique<SubsetSolver>();
+}
+
+/** The paper's instances with tau in turn; for latency, where tau says nothing, with real sigmas.
+ */
+TvpProblem instance(int number, int n, Criterion criterion)
+{
+    constexpr std::array kTaus{0.5, 1.0, 3.0};
+    const auto seed = 1000 + static_cast<std::uint64_t>(number);
+    const double tau = kTaus[static_cast<std::size_t>(number) % kTaus.size()];
+    TvpProblem problem = test::randomProblem(seed, n, tau, Route::Open);
+    if (criterion == Criterion::Latency) {
+        problem = test::madeOdd(std::move(problem), test::Oddity::RealSigmas, seed);
+        problem.criterion = criterion;
+        problem.mu = 1 / 22.0;
+    }
+    return problem;
 }
 
 double cpu_s()
@@ -120,14 +138,10 @@ void measure(const TvpSolver& solver, const TvpProblem& problem, Measured& measu
 void runSize(const Row& row, int n, int instances)
 {
     const std::unique_ptr<TvpSolver> solver = row.make();
-    constexpr std::array kTaus{0.5, 1.0, 3.0};
     Measured measured;
     for (int k = 0; k < instances; ++k)
-        measure(*solver,
-                test::randomProblem(1000 + static_cast<std::uint64_t>(k), n,
-                                    kTaus[static_cast<std::size_t>(k) % kTaus.size()], Route::Open),
-                measured);
-    std::printf("%-10s %4d", row.name, n);
+        measure(*solver, instance(k, n, row.criterion), measured);
+    std::printf("%-15s %4d", row.name, n);
     measured.good.print();
     measured.certified.print();
     measured.total.print();
@@ -144,7 +158,7 @@ void runApart(const Row& row, int n, int instances)
         try {
             runSize(row, n, instances);
         } catch (const Error& error) {
-            std::printf("%-10s %s", row.name, error.what());
+            std::printf("%-15s %s", row.name, error.what());
             std::fflush(stdout);
         }
         _exit(0);
@@ -168,8 +182,10 @@ int main(int argc, char** argv)
         {"subsets", subsets, {12, 13, 14, 15, 16, 18, 20}},
         {"heuristic", backend(Backend::Heuristic), {12, 13, 14, 15, 16, 20, 30, 40, 60, 100}},
         {"large", backend(Backend::Heuristic), {127, 200, 500}},
-        {"cbc", [] { return makeSolver(Backend::Cbc, Formulation::Position); }, {8, 12, 16}}};
-    std::printf("%-10s %4s %10s %10s %10s %10s %10s %10s %7s %6s %6s %9s\n", "back end", "n",
+        {"cbc", [] { return makeSolver(Backend::Cbc, Formulation::Position); }, {8, 12, 16}},
+        {"latency", backend(Backend::Exact), {12, 16, 20, 30, 40, 50, 60}, Criterion::Latency},
+        {"latency-subsets", subsets, {12, 14, 15, 16, 17, 18}, Criterion::Latency}};
+    std::printf("%-15s %4s %10s %10s %10s %10s %10s %10s %7s %6s %6s %9s\n", "back end", "n",
                 "1 % ms", "worst", "0.2 % ms", "worst", "total ms", "worst", "gap %", "0.2 %",
                 "proven", "memory");
     std::fflush(stdout);

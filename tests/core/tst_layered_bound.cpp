@@ -1,4 +1,5 @@
 #include "core/plan/layered_bound.h"
+#include "core/plan/order_moves.h"
 #include "core/plan/subset_solver.h"
 #include "tests/support/approx.h"
 #include "tests/support/hard_problems.h"

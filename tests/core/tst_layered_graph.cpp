@@ -34,7 +34,7 @@ std::vector<VisitOrder> allOrders(int icebergs)
 }
 
 /** True when the order is a path of the graph. */
-bool holds(const LayeredGraph& graph, const VisitOrder& order)
+bool holds(const LayeredGraph<VisitCosts>& graph, const VisitOrder& order)
 {
     int node = 0;
     for (const int iceberg : order) {
@@ -136,7 +136,8 @@ private slots:
             COMPARE_NEAR(graph.sweep(prices), plain, kRounding);
             QVERIFY(graph.shortestPath() == paths.shortestPath());
 
-            std::optional<LayeredGraph> some = graph.refined(someMemory(7), prices, {}, {}).graph;
+            std::optional<LayeredGraph<VisitCosts>> some =
+                graph.refined(someMemory(7), prices, {}, {}).graph;
             QVERIFY(some.has_value());
             const double better = some->sweep(prices);
             QVERIFY(better >= plain - kRounding);
@@ -156,7 +157,8 @@ private slots:
         (void)paths.sweep(prices, {});
         LayeredGraph graph(costs, paths, prices);
         (void)graph.sweep(prices);
-        std::optional<LayeredGraph> full = graph.refined(fullMemory(6), prices, {}, {}).graph;
+        std::optional<LayeredGraph<VisitCosts>> full =
+            graph.refined(fullMemory(6), prices, {}, {}).graph;
         QVERIFY(full.has_value());
         COMPARE_NEAR(full->sweep(prices), optimum, kRounding);
         QVERIFY(isElementary(full->shortestPath()));
@@ -179,7 +181,7 @@ private slots:
             LayeredPaths paths(costs);
             (void)paths.sweep(prices, {});
             LayeredGraph graph(costs, paths, prices);
-            const auto allHeld = [&](const LayeredGraph& where) {
+            const auto allHeld = [&](const LayeredGraph<VisitCosts>& where) {
                 return std::all_of(orders.begin(),
                                    orders.begin() + static_cast<std::ptrdiff_t>(wanted),
                                    [&](const VisitOrder& order) { return holds(where, order); });
@@ -194,7 +196,7 @@ private slots:
                 QVERIFY(allHeld(graph));
             }
             (void)graph.sweep(prices);
-            std::optional<LayeredGraph> refined =
+            std::optional<LayeredGraph<VisitCosts>> refined =
                 graph.refined(someMemory(6), prices, {}, {}).graph;
             QVERIFY(refined.has_value());
             QVERIFY(allHeld(*refined));
@@ -285,11 +287,13 @@ private slots:
         (void)graph.sweep(prices);
         QCOMPARE(graph.sweep(prices, cut), -std::numeric_limits<double>::infinity());
         (void)graph.sweep(prices);
-        const Refinement whenCut = graph.refined(fullMemory(8), prices, {}, cut);
+        const Refinement<VisitCosts> whenCut = graph.refined(fullMemory(8), prices, {}, cut);
         QVERIFY(!whenCut.graph && !whenCut.memoryOut);
-        const Refinement manyArcs = graph.refined(fullMemory(8), prices, {.arcs = 100}, {});
+        const Refinement<VisitCosts> manyArcs =
+            graph.refined(fullMemory(8), prices, {.arcs = 100}, {});
         QVERIFY(!manyArcs.graph && !manyArcs.memoryOut);
-        const Refinement large = graph.refined(fullMemory(8), prices, {.bytes = 1000}, {});
+        const Refinement<VisitCosts> large =
+            graph.refined(fullMemory(8), prices, {.bytes = 1000}, {});
         QVERIFY(!large.graph && large.memoryOut);
         const GraphSearchResult found = searchGraph(graph, prices, {.mostStates = 10, .cut = cut});
         QCOMPARE(found.bound, -std::numeric_limits<double>::infinity());

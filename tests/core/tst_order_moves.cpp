@@ -21,7 +21,7 @@ VisitOrder shuffled(Random& random, int icebergs)
 }
 
 /** All moves that exist for n icebergs, pieces of any length. */
-std::vector<OrderMove> allMoves(const OrderMoves& moves)
+std::vector<OrderMove> allMoves(const OrderMoves<VisitCosts>& moves)
 {
     using Kind = OrderMove::Kind;
     const int n = moves.icebergs();

@@ -50,8 +50,8 @@ TvpProblem subProblem(const PlanRequest& request)
     return sub;
 }
 
-constexpr std::array kFlown{PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour,
-                            PolicyKind::Nearest, PolicyKind::Uncertainty};
+constexpr std::array kFlown{PolicyKind::Visitation, PolicyKind::Path,        PolicyKind::Tour,
+                            PolicyKind::Nearest,    PolicyKind::Uncertainty, PolicyKind::Latency};
 
 } // namespace
 
@@ -178,6 +178,61 @@ private slots:
         });
     }
 
+    void latencyWithoutSigmaMeansShortestPath()
+    {
+        std::vector<Place> places = kFive;
+        for (Place& place : places)
+            place.sigma_m2 = 0;
+        const PlanRequest request = requestOf({0, 0}, places);
+        const PlanAnswer answer = policy(PolicyKind::Latency)->plan(request, {}, {});
+        QCOMPARE(answer.problem.mu, 1.0);
+        forEachOrder(request, [&](const Ids& other) {
+            QVERIFY(pathLength_m(request, answer.order) <= pathLength_m(request, other) + 1e-9);
+        });
+    }
+
+    /** The sum of sigma times arrival time, whatever tau and route say, over those available. */
+    void latencyIsTheOptimum()
+    {
+        const PlanRequest request = without(five(), {42});
+        const auto waiting_m2s = [&](const Ids& ids) {
+            double time_s = 0;
+            double sum_m2s = 0;
+            Eigen::Index from = 0;
+            for (const int id : ids) {
+                const Eigen::Index to = nodeOf(request, id);
+                time_s += request.problem.distance_m(from, to) / request.speed_mps;
+                sum_m2s += request.problem.sigma_m2[static_cast<std::size_t>(to)] * time_s;
+                from = to;
+            }
+            return sum_m2s;
+        };
+        for (const PlannerSettings& settings :
+             {PlannerSettings{.policy = PolicyKind::Latency, .tau = 0},
+              PlannerSettings{.policy = PolicyKind::Latency, .tau = 5, .route = Route::Closed}}) {
+            const PlanAnswer answer = makePolicy(settings, *m_solver)->plan(request, {}, {});
+            QCOMPARE(answer.order.size(), std::size_t{4});
+            COMPARE_NEAR(answer.outcome.objective, waiting_m2s(answer.order), 1e-9);
+            forEachOrder(request, [&](Ids other) {
+                std::erase(other, 42);
+                QVERIFY(waiting_m2s(answer.order) <= waiting_m2s(other) + 1e-9);
+            });
+        }
+    }
+
+    /** The MILPs are those of Eq. (1). */
+    void latencyIsNotForCbc()
+    {
+        const PlannerSettings settings{.policy = PolicyKind::Latency, .backend = Backend::Cbc};
+        try {
+            (void)makePolicy(settings, *m_solver);
+            QFAIL("nothing thrown");
+        } catch (const Error& e) {
+            QCOMPARE(e.code(), ErrorCode::Unsupported);
+            QCOMPARE(e.subject(), std::string("planner.backend"));
+        }
+    }
+
     /** Whatever is in view, the first of the order is not, and there is one if there can be. */
     void firstIsAlwaysAvailable_data()
     {
@@ -227,7 +282,7 @@ private slots:
     {
         QTest::addColumn<PolicyKind>("kind");
         for (const PolicyKind kind : {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Nearest,
-                                      PolicyKind::Uncertainty})
+                                      PolicyKind::Uncertainty, PolicyKind::Latency})
             QTest::newRow(nameOf(kPolicyNames, kind).c_str()) << kind;
     }
 
@@ -269,7 +324,8 @@ private slots:
     void noOrderFromTheSolver_data()
     {
         QTest::addColumn<PolicyKind>("kind");
-        for (const PolicyKind kind : {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour})
+        for (const PolicyKind kind :
+             {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour, PolicyKind::Latency})
             QTest::newRow(nameOf(kPolicyNames, kind).c_str()) << kind;
     }
 
@@ -315,7 +371,6 @@ private slots:
     void unsupportedPoliciesAreRefused_data()
     {
         QTest::addColumn<PolicyKind>("kind");
-        QTest::newRow("latency") << PolicyKind::Latency;
         QTest::newRow("coverage") << PolicyKind::Coverage;
     }
 

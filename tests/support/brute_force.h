@@ -15,7 +15,7 @@ namespace berg::test {
 /** Optimum found by looking at every order; `order` is the lexicographically first of the best. */
 struct BruteForce
 {
-    double objective = 0; ///< Eq. (1)
+    double objective = 0; ///< of the problem's criterion
     VisitOrder order;
 };
 
@@ -45,6 +45,28 @@ inline double costByVisitingNumbers(const TvpProblem& problem, const VisitOrder&
     return -reward + problem.mu * distance_m;
 }
 
+/** Weighted latency, leg by leg: each counts with the sigma that is not yet visited. */
+inline double costByLegs(const TvpProblem& problem, const VisitOrder& order)
+{
+    double cost = 0;
+    int from = 0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        double unseen_m2 = 0;
+        for (std::size_t later = k; later < order.size(); ++later)
+            unseen_m2 += problem.sigma_m2[static_cast<std::size_t>(order[later])];
+        cost += problem.mu * problem.distance_m(from, order[k]) * unseen_m2;
+        from = order[k];
+    }
+    return cost;
+}
+
+/** The objective, by its other formula. */
+inline double independentCost(const TvpProblem& problem, const VisitOrder& order)
+{
+    return problem.criterion == Criterion::Latency ? costByLegs(problem, order)
+                                                   : costByVisitingNumbers(problem, order);
+}
+
 /** Tries all permutations: (icebergs)! of them, meant for at most 8 icebergs. */
 inline BruteForce bruteForce(const TvpProblem& problem)
 {
@@ -52,7 +74,7 @@ inline BruteForce bruteForce(const TvpProblem& problem)
     std::iota(order.begin(), order.end(), 1);
     BruteForce best{.objective = std::numeric_limits<double>::infinity(), .order = {}};
     do {
-        const double cost = costByVisitingNumbers(problem, order);
+        const double cost = independentCost(problem, order);
         if (cost < best.objective)
             best = {.objective = cost, .order = order};
     } while (std::next_permutation(order.begin(), order.end()));

@@ -71,4 +71,13 @@ inline TvpProblem variedProblem(int icebergs, int number)
     return madeOdd(randomProblem(seed, icebergs, tau, route, asymmetric), oddity, seed);
 }
 
+/** The same variants for latency, which knows no tau: mu is 1 / airspeed. */
+inline TvpProblem variedLatencyProblem(int icebergs, int number)
+{
+    TvpProblem problem = variedProblem(icebergs, number);
+    problem.criterion = Criterion::Latency;
+    problem.mu = 1 / 22.0;
+    return problem;
+}
+
 } // namespace berg::test

@@ -23,7 +23,7 @@ struct Place
 
 inline PlanRequest requestOf(const Point& uav_m, const std::vector<Place>& places)
 {
-    PlanRequest request;
+    PlanRequest request{.speed_mps = 25};
     request.problem.sigma_m2 = {0};
     Eigen::MatrixX2d points_m(static_cast<Eigen::Index>(places.size()) + 1, 2);
     points_m.row(0) = uav_m.transpose();
