@@ -21,6 +21,7 @@ struct SolveArguments
     std::string file;
     std::optional<double> tau;
     std::optional<double> mu;
+    std::optional<PolicyKind> policy; ///< `plan` alone: a problem file has none
     std::optional<Backend> backend;
     std::optional<Formulation> formulation;
     std::optional<Route> route;
@@ -197,6 +198,7 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     PlannerSettings& planner = scenario.planner;
     planner.tau = arguments.tau.value_or(planner.tau);
     planner.route = arguments.route.value_or(planner.route);
+    planner.policy = arguments.policy.value_or(planner.policy);
     planner.backend = arguments.backend.value_or(planner.backend);
     planner.formulation = arguments.formulation.value_or(planner.formulation);
     printWarnings(arguments.file, validate(scenario));
@@ -223,6 +225,7 @@ void addPlanCommands(CLI::App& app, Action& action)
     });
     CLI::App* plan = app.add_subcommand("plan", "Plan the visiting order from a scenario's start");
     const auto scenario = addArguments(*plan, "SCENARIO");
+    addNamed(*plan, "--policy", scenario->policy, kPolicyNames, "How the order is chosen");
     plan->callback([scenario, &action] {
         action = [scenario](const std::stop_token& stop) { return planScenario(*scenario, stop); };
     });

@@ -51,6 +51,11 @@ std::string planText(const RecordedPlan& plan)
     object.add("time_s", plan.time_s);
     object.add("target", plan.target);
     object.addText("order", jsonArrayOf(plan.order));
+    if (!plan.legs.empty()) {
+        std::vector<std::string> legs;
+        std::transform(plan.legs.begin(), plan.legs.end(), std::back_inserter(legs), legText);
+        object.addText("legs", jsonArray(legs));
+    }
     return object.inLine();
 }
 
@@ -191,6 +196,18 @@ std::vector<int> readOrder(ObjectReader& object, const RunContext& context)
     return order;
 }
 
+std::vector<AimedLeg> readLegs(ObjectReader& object, const RunContext& context)
+{
+    std::vector<AimedLeg> legs;
+    if (object.find("legs") == nullptr)
+        return legs;
+    const Json* list = object.array("legs");
+    for (std::size_t k = 0; list != nullptr && k < list->size(); ++k)
+        legs.push_back(
+            readLeg((*list)[k], entryPath(object.path("legs"), k), object.faults(), context));
+    return legs;
+}
+
 std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context)
 {
     std::vector<RecordedPlan> plans;
@@ -201,6 +218,7 @@ std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context
         plan.time_s = readTime(object, context.flownUntil_s, i == 0 ? 0 : plans.back().time_s);
         plan.target = asInt(object.whole("target", -1, context.indices()));
         plan.order = readOrder(object, context);
+        plan.legs = readLegs(object, context);
         plans.push_back(std::move(plan));
     }
     return plans;

@@ -16,6 +16,7 @@ struct RecordedPlan
     double time_s = 0;
     int target = -1;
     std::vector<int> order;
+    std::vector<AimedLeg> legs; ///< of a plan with aim points
     bool operator==(const RecordedPlan&) const = default;
 };
 

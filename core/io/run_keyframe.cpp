@@ -3,6 +3,7 @@
 #include "core/io/json_writer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace berg {
 
@@ -71,6 +72,16 @@ std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
     return tracks;
 }
 
+/** An index of the run's icebergs; 0 and a fault when it is none. */
+int icebergOf(double number, const std::string& path, Faults& faults, const RunContext& context)
+{
+    if (number >= 0 && number < static_cast<double>(context.icebergs) &&
+        number == std::floor(number))
+        return static_cast<int>(number);
+    faults.add(path, "must be the index of an iceberg");
+    return 0;
+}
+
 LosGuidance readGuidance(ObjectReader& object)
 {
     LosGuidance guidance;
@@ -84,6 +95,24 @@ LosGuidance readGuidance(ObjectReader& object)
 }
 
 } // namespace
+
+std::string legText(const AimedLeg& leg)
+{
+    return jsonArrayOf(std::vector<double>{static_cast<double>(leg.iceberg), leg.turn_rad,
+                                           leg.from_m.x(), leg.from_m.y(), leg.abeam_m.x(),
+                                           leg.abeam_m.y(), leg.sighting_s});
+}
+
+AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
+                 const RunContext& context)
+{
+    const auto n = readNumbers<7>(value, path, faults);
+    return {.iceberg = icebergOf(n[0], entryPath(path, 0), faults, context),
+            .turn_rad = n[1],
+            .from_m = {n[2], n[3]},
+            .abeam_m = {n[4], n[5]},
+            .sighting_s = n[6]};
+}
 
 std::string keyframeText(const WorldState& state)
 {
@@ -105,6 +134,8 @@ std::string keyframeText(const WorldState& state)
     object.addText("guidance", guidanceText(state.guidance));
     object.add("run_out_m", state.runOut_m);
     object.add("misses", state.misses);
+    if (state.aim)
+        object.addText("aim", legText(*state.aim));
     object.addText("tracks", jsonLines(tracks, 2));
     return object.inLine();
 }
@@ -129,6 +160,8 @@ WorldState readKeyframe(const Json& value, const std::string& path, Faults& faul
     state.guidance = readGuidance(object);
     state.runOut_m = object.number("run_out_m", 0);
     state.misses = asInt(object.whole("misses", 0, {.low = 0, .high = kLargestCount}));
+    if (const Json* aim = object.find("aim"))
+        state.aim = readLeg(*aim, object.path("aim"), faults, context);
     state.tracks = readTracks(object, context);
     return state;
 }

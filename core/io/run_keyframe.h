@@ -33,10 +33,17 @@ struct RunContext
     }
 };
 
+/** A leg as an array: [iceberg, turn, line start east, north, abeam east, north, sighting time]. */
+[[nodiscard]] std::string legText(const AimedLeg& leg);
+
+[[nodiscard]] AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
+                               const RunContext& context);
+
 /**
  * One keyframe on one line, its tracks below it. Numbers that always come together are arrays:
  * `guidance` is [lookahead, integral gain, turn gain, leg start east, north, integral], each of
- * `tracks` is [anchor east, north, time, velocity east, north, sigma, q, 1 when in view].
+ * `tracks` is [anchor east, north, time, velocity east, north, sigma, q, 1 when in view]; `aim`,
+ * when there is one, is a leg.
  */
 [[nodiscard]] std::string keyframeText(const WorldState& state);
 

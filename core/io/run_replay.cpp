@@ -50,7 +50,16 @@ std::vector<Field> fieldsOf(const WorldState& state)
                               {"guidance[5]", guidance.integral_s},
                               {"run_out_m", state.runOut_m},
                               {"misses", state.misses},
+                              {"aim", state.aim ? 1.0 : 0.0},
                               {"tracks", static_cast<double>(state.tracks.size())}};
+    if (state.aim)
+        fields.insert(fields.end(), {{"aim[0]", state.aim->iceberg},
+                                     {"aim[1]", state.aim->turn_rad},
+                                     {"aim[2]", state.aim->from_m.x()},
+                                     {"aim[3]", state.aim->from_m.y()},
+                                     {"aim[4]", state.aim->abeam_m.x()},
+                                     {"aim[5]", state.aim->abeam_m.y()},
+                                     {"aim[6]", state.aim->sighting_s}});
     for (std::size_t i = 0; i < state.tracks.size(); ++i) {
         const Track& track = state.tracks[i];
         const std::string name = "tracks[" + std::to_string(i) + "]";
@@ -121,6 +130,9 @@ void comparePlans(const RunFile& recorded, const RunFile& replayed, std::vector<
     else if (a->target != b->target)
         issues.push_back({Severity::Error, path + ".target",
                           "at " + shortText(a->time_s) + " s: " + versus(a->target, b->target)});
+    else if (a->order == b->order)
+        issues.push_back({Severity::Error, path + ".legs",
+                          "at " + shortText(a->time_s) + " s: other aim points"});
     else
         issues.push_back(
             {Severity::Error, path + ".order", "at " + shortText(a->time_s) + " s: another order"});
@@ -151,7 +163,8 @@ RunFile runOf(const Mission& mission)
                 .keyframes = thinned(mission.recorder().keyframes()),
                 .metrics = mission.metrics()};
     for (const PlanEvent& plan : mission.plans())
-        run.plans.push_back({.time_s = plan.time_s, .target = plan.target, .order = plan.order});
+        run.plans.push_back(
+            {.time_s = plan.time_s, .target = plan.target, .order = plan.order, .legs = plan.legs});
     return run;
 }
 

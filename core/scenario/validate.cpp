@@ -277,10 +277,6 @@ void checkPlanner(const Scenario& s, Findings& findings)
     findings.inRange(s.planner.tau, {.low = 0, .high = kLargestTau}, "planner.tau");
     if (s.reachRadius_m)
         findings.inRange(*s.reachRadius_m, kExtent_m, "planner.reach_radius_m");
-    const PolicyKind policy = s.planner.policy;
-    if (policy == PolicyKind::Latency || policy == PolicyKind::Coverage)
-        findings.warn("planner.policy",
-                      nameOf(kPolicyNames, policy) + " is kept, but not flown by this version");
 }
 
 } // namespace

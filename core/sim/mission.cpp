@@ -1,6 +1,7 @@
 #include "core/sim/mission.h"
 
 #include "core/base/solving_guard.h"
+#include "core/coverage/coverage_policy.h"
 #include "core/plan/names.h"
 #include "core/scenario/validate.h"
 
@@ -26,9 +27,12 @@ PlanEvent planEvent(const PlanAnswer& answer)
     const SolveOutcome& outcome = answer.outcome;
     PlanEvent event{.target = answer.order.empty() ? -1 : answer.order.front(),
                     .order = answer.order,
+                    .legs = answer.legs,
+                    .predictedZeta_m2s = answer.predictedZeta_m2s,
                     .status = outcome.status,
                     .stop = outcome.reason,
                     .backend = outcome.backend,
+                    .criterion = answer.problem.criterion,
                     .mu = answer.problem.mu,
                     .objective = outcome.objective,
                     .bound = outcome.bound,
@@ -50,7 +54,7 @@ Mission::Mission(const Scenario& scenario, const MissionOptions& options,
     , m_options(options)
     , m_icebergs(scenario.icebergs)
     , m_simulation(scenario)
-    , m_planner(scenario.planner, std::move(solver))
+    , m_planner(scenario.planner, std::move(solver), makeFlownPolicy)
     , m_recorder(options.sampleInterval_s, options.keyframeInterval_s, scenario.dt_s)
 {
     if (m_options.record)
@@ -99,7 +103,7 @@ bool Mission::planNow(const std::stop_token& stop)
     event.time_s = m_simulation.time_s();
     event.reason = m_simulation.planReason();
     event.change = changeTo(event);
-    m_simulation.setTarget(event.target);
+    m_simulation.setTarget(event.target, firstAim(event));
     note(EventKind::Planned, event.target, answer.fellBack ? "last plan kept" : event.backend);
     m_plans.push_back(std::move(event));
     m_lastRequest = request;
@@ -223,7 +227,7 @@ Metrics Mission::metrics() const
 PlanAnswer planFromStart(const Scenario& scenario, const SolveOptions& options)
 {
     const PlanRequest request = Simulation(checked(scenario)).planRequest();
-    return Planner(scenario.planner).plan(request, options);
+    return Planner(scenario.planner, nullptr, makeFlownPolicy).plan(request, options);
 }
 
 } // namespace berg

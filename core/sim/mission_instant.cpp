@@ -79,7 +79,7 @@ private:
                 apply(changes[m_intervention]);
                 ++m_intervention;
             } else if (m_plan < plans.size() && isNow(plans[m_plan].time_s)) {
-                m_world.setTarget(plans[m_plan].target);
+                m_world.setTarget(plans[m_plan].target, firstAim(plans[m_plan]));
                 ++m_plan;
             } else {
                 return;

@@ -14,6 +14,11 @@ std::int64_t stepsOf(double interval_s, double dt_s)
 
 } // namespace
 
+std::optional<AimedLeg> firstAim(const PlanEvent& plan)
+{
+    return plan.legs.empty() ? std::nullopt : std::optional(plan.legs.front());
+}
+
 Recorder::Recorder(double interval_s, double keyframe_s, double dt_s)
     : m_sampleSteps(stepsOf(interval_s, dt_s)), m_keyframeSteps(stepsOf(keyframe_s, dt_s))
 {

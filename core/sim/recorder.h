@@ -12,11 +12,14 @@ struct PlanEvent
 {
     double time_s = 0;
     PlanReason reason = PlanReason::None;
-    int target = -1;        ///< index of the iceberg flown to; -1: circling
-    std::vector<int> order; ///< iceberg indices
+    int target = -1;                         ///< index of the iceberg flown to; -1: circling
+    std::vector<int> order;                  ///< iceberg indices
+    std::vector<AimedLeg> legs;              ///< how it is flown; empty: straight to the target
+    std::optional<double> predictedZeta_m2s; ///< from this plan to the end of the run
     SolveStatus status = SolveStatus::None;
     StopReason stop = StopReason::Finished;
     std::string backend;
+    Criterion criterion = Criterion::Visitation; ///< what `objective` and `bound` measure
     double mu = 0;
     double objective = 0;
     std::optional<double> bound;
@@ -36,6 +39,9 @@ enum class EventKind
     Appeared,
     Intervention
 };
+
+/** The aim of the leg that the plan starts with, if it has any. */
+[[nodiscard]] std::optional<AimedLeg> firstAim(const PlanEvent& plan);
 
 /** Detail of a sighting that was not the UAV's own. */
 inline constexpr const char* kReported = "reported";

@@ -11,6 +11,8 @@ namespace {
 
 /** Circle flown while every iceberg is in view: this much wider than the tightest turn. */
 constexpr double kCircleMargin = 1.2;
+/** A sighting later than predicted by this is overdue. */
+constexpr double kOverdue_s = 2;
 
 bool turnsInsideReach(const Uav& uav, const std::optional<double>& reachRadius_m)
 {
@@ -115,6 +117,13 @@ FieldOfView Simulation::fieldOfView() const
 PlanRequest Simulation::planRequest() const
 {
     PlanRequest request{.speed_mps = m_motion.airspeed_mps};
+    FlightPicture picture{.time_s = time_s(),
+                          .until_s = static_cast<double>(m_lastStep) * m_dt_s,
+                          .uav = m_state.uav,
+                          .motion = m_motion,
+                          .sensor = m_sensor,
+                          .seed = m_seed,
+                          .step = m_state.step};
     std::vector<Point> nodes_m{m_state.uav.position_m};
     request.problem.sigma_m2.push_back(0);
     for (int i = 0; i < icebergCount(); ++i) {
@@ -124,7 +133,9 @@ PlanRequest Simulation::planRequest() const
         request.available.push_back(available(i));
         request.problem.sigma_m2.push_back(track(i).sigma_m2);
         nodes_m.push_back(estimate_m(i));
+        picture.tracks.push_back(track(i));
     }
+    request.picture = std::make_shared<const FlightPicture>(std::move(picture));
     const auto n = static_cast<Eigen::Index>(nodes_m.size());
     request.problem.distance_m.resize(n, n);
     const bool calm = m_motion.wind_mps.isZero(0);
@@ -141,14 +152,15 @@ PlanRequest Simulation::planRequest() const
     return request;
 }
 
-void Simulation::setTarget(int iceberg)
+void Simulation::setTarget(int iceberg, const std::optional<AimedLeg>& aim)
 {
     m_planReason = PlanReason::None;
     m_state.target = iceberg;
+    m_state.aim = aim;
     m_state.misses = 0;
     if (iceberg >= 0) {
         m_state.mode = FlightMode::Leg;
-        m_state.guidance.startLeg(m_state.uav.position_m);
+        m_state.guidance.startLeg(aim ? aim->from_m : m_state.uav.position_m);
         return;
     }
     if (m_state.lastReached < 0)
@@ -228,6 +240,8 @@ double Simulation::steer()
 
 double Simulation::steerLeg()
 {
+    if (m_state.aim)
+        return steerAim();
     const Point end_m = estimate_m(m_state.target);
     LosGuidance::Command command = m_state.guidance.steer(m_state.uav, end_m, m_motion, m_dt_s);
     if (command.passedEnd) {
@@ -241,6 +255,24 @@ double Simulation::steerLeg()
         m_state.guidance.startLeg(m_state.uav.position_m);
         command = m_state.guidance.steer(m_state.uav, end_m, m_motion, m_dt_s);
     }
+    m_state.crossTrack_m = command.crossTrack_m;
+    return command.u_radps;
+}
+
+double Simulation::steerAim()
+{
+    AimedLeg& aim = *m_state.aim;
+    if (aim.turn_rad != 0) {
+        // The side of the turn is part of the plan; the last step ends it exactly.
+        const double u_radps =
+            std::clamp(aim.turn_rad / m_dt_s, -m_motion.limit_radps, m_motion.limit_radps);
+        const bool last = std::abs(u_radps) < m_motion.limit_radps;
+        aim.turn_rad = last ? 0 : aim.turn_rad - u_radps * m_dt_s;
+        m_state.crossTrack_m = 0;
+        return u_radps;
+    }
+    const LosGuidance::Command command =
+        m_state.guidance.steer(m_state.uav, aim.abeam_m, m_motion, m_dt_s);
     m_state.crossTrack_m = command.crossTrack_m;
     return command.u_radps;
 }
@@ -271,8 +303,26 @@ double Simulation::steerCircle()
                              m_state.guidance.gains.turn_1ps);
 }
 
+void Simulation::updatePlanReasonOfAim()
+{
+    if (!m_newlySeen.empty()) {
+        const bool reached = track(m_state.target).inView;
+        if (reached)
+            m_state.lastReached = m_state.target;
+        m_planReason = reached ? PlanReason::TargetReached : PlanReason::Sighted;
+    } else if (!m_newlyAppeared.empty()) {
+        m_planReason = PlanReason::Appeared;
+    } else if (time_s() > m_state.aim->sighting_s + kOverdue_s) {
+        m_planReason = PlanReason::Overdue;
+    }
+}
+
 void Simulation::updatePlanReason()
 {
+    if (m_state.target >= 0 && m_state.aim) {
+        updatePlanReasonOfAim();
+        return;
+    }
     if (m_state.target >= 0) {
         const bool reached =
             m_reachRadius_m ? withinReach(m_state.target) : track(m_state.target).inView;

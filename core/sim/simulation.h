@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/coverage/flight_picture.h"
 #include "core/scenario/scenario.h"
 #include "core/tracking/drift.h"
 #include "core/vehicle/los_guidance.h"
@@ -18,7 +19,9 @@ enum class PlanReason
     TargetReached,
     OutOfView,
     Appeared,
-    Intervention
+    Intervention,
+    Sighted, ///< on a leg with an aim: another iceberg than the target came into view
+    Overdue  ///< on such a leg: the sighting predicted has not come
 };
 
 /** What the autopilot is doing. */
@@ -45,8 +48,9 @@ struct WorldState
     int target = -1; ///< index into the icebergs; -1: none
     int lastReached = -1;
     LosGuidance guidance;
-    double runOut_m = 0; ///< left to fly straight in mode RunOut
-    int misses = 0;      ///< times the target was passed without reaching it
+    double runOut_m = 0;         ///< left to fly straight in mode RunOut
+    int misses = 0;              ///< times the target was passed without reaching it
+    std::optional<AimedLeg> aim; ///< flown in mode Leg instead of the way to the target's estimate
     bool operator==(const WorldState&) const = default;
 };
 
@@ -84,8 +88,11 @@ public:
     /** Distances over ground (air distances in wind) and sigmas of the active icebergs. */
     [[nodiscard]] PlanRequest planRequest() const;
 
-    /** Fly to this iceberg from here; -1: none available, circle the last one reached. */
-    void setTarget(int iceberg);
+    /**
+     * Fly to this iceberg from here; -1: none available, circle the last one reached. With an aim:
+     * along it until something comes into view.
+     */
+    void setTarget(int iceberg, const std::optional<AimedLeg>& aim = std::nullopt);
 
     /** Advances one dt. Must not be called while a plan is needed or when finished. */
     void advanceStep();
@@ -117,9 +124,11 @@ private:
     void observe(double dt_s);
     [[nodiscard]] double steer();
     [[nodiscard]] double steerLeg();
+    [[nodiscard]] double steerAim();
     [[nodiscard]] double steerRunOut();
     [[nodiscard]] double steerCircle();
     void updatePlanReason();
+    void updatePlanReasonOfAim();
 
     // What the scenario says.
     Motion m_motion;

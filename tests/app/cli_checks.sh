@@ -183,8 +183,14 @@ check "replay takes no changes" exits 2 "$cli" simulate out/run.bergrun --tau 2
 check "other seed, other zeta" exits 0 "$cli" simulate "$default" --seed 99 --json
 check "other seed differs" test "$(grep -v '"seconds"' stdout.txt | cmp -s - first.json; echo $?)" = 1
 check "no noise" exits 0 "$cli" simulate "$default" --no-noise --dt 0.05 --duration 300 --policy tour
-check "a policy of a later version" exits 3 "$cli" simulate "$default" --policy latency
-check "a policy of a later version: words" says "not flown by this version"
+check "latency flies" exits 0 "$cli" simulate "$default" --policy latency --json
+check "latency is planned" exits 0 "$cli" plan "$default" --policy latency
+check "latency is planned: proven" grep -q "proven optimal" stdout.txt
+check "latency with a back end that cannot" exits 3 "$cli" plan "$default" --policy latency --backend cbc
+check "latency is swept" exits 0 "$cli" sweep "$default" --tau 1 --policies visitation,latency
+check "coverage" exits 0 "$cli" simulate "$default" --policy coverage --duration 300 --output aimed
+check "coverage: replay" exits 0 "$cli" simulate aimed/run.bergrun
+check "coverage: the run holds its aim points" grep -q '"legs"' aimed/run.bergrun
 check "output folder that cannot be" exits 1 "$cli" simulate "$default" --output problem.json/out
 for scenario in "$source_dir"/resources/scenarios/*.berg; do
     check "simulate $(basename "$scenario")" exits 0 "$cli" simulate "$scenario" --json

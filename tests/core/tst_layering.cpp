@@ -28,10 +28,11 @@ const std::vector<Module> kModules{
     {"plan", {"base"}},
     {"vehicle", {"base"}},
     {"tracking", {"base"}},
+    {"coverage", {"base", "plan", "vehicle", "tracking"}},
     {"scenario", {"base", "plan", "vehicle", "tracking"}},
-    {"sim", {"base", "plan", "vehicle", "tracking", "scenario"}},
-    {"study", {"base", "plan", "vehicle", "tracking", "scenario", "sim"}},
-    {"io", {"base", "plan", "vehicle", "tracking", "scenario", "sim", "study"}},
+    {"sim", {"base", "plan", "vehicle", "tracking", "coverage", "scenario"}},
+    {"study", {"base", "plan", "vehicle", "tracking", "coverage", "scenario", "sim"}},
+    {"io", {"base", "plan", "vehicle", "tracking", "coverage", "scenario", "sim", "study"}},
 };
 
 struct Include
@@ -214,6 +215,9 @@ private slots:
         row("core/base/error.cpp", "\"core/plan/tvp.h\"", false);
         row("core/vehicle/dubins.cpp", "\"core/tracking/drift.h\"", false);
         row("core/tracking/drift.h", "\"core/plan/tvp.h\"", false);
+        row("core/coverage/coverage_model.h", "\"core/vehicle/dubins.h\"", true);
+        row("core/coverage/coverage_model.h", "\"core/sim/simulation.h\"", false);
+        row("core/plan/policy.h", "\"core/coverage/flight_picture.h\"", false);
         row("core/scenario/scenario.h", "\"core/tracking/drift.h\"", true);
         row("core/scenario/scenario.h", "\"core/sim/mission.h\"", false);
         row("core/sim/mission.cpp", "\"core/scenario/validate.h\"", true);

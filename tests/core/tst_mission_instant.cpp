@@ -76,6 +76,7 @@ private slots:
         QTest::newRow("keyframe where an intervention comes") << 3 << true << 12.34;
         QTest::newRow("keyframe at each step") << 4 << true << 0.1;
         QTest::newRow("one keyframe") << 5 << true << 10000.0;
+        QTest::newRow("with aim points") << 6 << true << 60.0;
     }
 
     void equalsTheFlight()
@@ -86,8 +87,11 @@ private slots:
         Scenario scenario = randomScenario(static_cast<std::uint64_t>(seed), {.icebergs = 8});
         scenario.duration_s = 500;
         scenario.icebergs[5].appears_s = 200.05; // between steps
+        if (seed == 6)
+            scenario.planner.policy = PolicyKind::Coverage;
         const std::vector<Change> list = changed ? changes() : std::vector<Change>();
-        const MissionOptions options{.keyframeInterval_s = keyframe_s};
+        const MissionOptions options{.workLimit = seed == 6 ? std::optional(20'000) : std::nullopt,
+                                     .keyframeInterval_s = keyframe_s};
         const Mission mission = flown(scenario, list, 500, options);
         for (const double time_s : {0.0, 0.1, 59.9, 60.0, 60.1, 123.3, 123.4, 123.5, 200.0, 200.1,
                                     299.9, 300.0, 417.7, 499.9, 500.0})

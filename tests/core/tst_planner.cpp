@@ -217,7 +217,7 @@ private slots:
     void refusedSettingsChangeNothing()
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder({.tau = 1.5});
-        QVERIFY_EXCEPTION_THROWN(planner->setSettings({.policy = PolicyKind::Latency}), Error);
+        QVERIFY_EXCEPTION_THROWN(planner->setSettings({.policy = PolicyKind::Coverage}), Error);
         QVERIFY((planner->settings() == PlannerSettings{.tau = 1.5}));
         m_script.answer = answering(noOrder(StopReason::TimeLimit));
         QVERIFY((planner->plan(without(five(), {3}), {}).order == Ids{10, 42, 5, 7}));

@@ -38,6 +38,22 @@ RunFile flownRun()
     return runOf(mission);
 }
 
+/** With aim points, the last keyframe on a leg that is flown with one. */
+RunFile coverageRun()
+{
+    Scenario scenario = randomScenario(4);
+    scenario.planner.policy = PolicyKind::Coverage;
+    Mission mission(scenario, {.workLimit = 20'000, .keyframeInterval_s = 20});
+    mission.advance(100);
+    mission.intervene({.appears = newcomer()});
+    mission.advance(200);
+    mission.intervene({.policy = PolicyKind::Nearest});
+    mission.advance(240);
+    mission.intervene({.policy = PolicyKind::Coverage});
+    mission.advance(300);
+    return runOf(mission);
+}
+
 /** The one run that most tests look at. */
 const RunFile& recorded()
 {
@@ -79,6 +95,48 @@ private slots:
         const RunFile read = runFromJson(text, "text");
         QVERIFY(read == recorded());
         QCOMPARE(runToJson(read), text);
+    }
+
+    void aimPointsReplay()
+    {
+        const RunFile run = coverageRun();
+        QVERIFY(!run.plans.front().legs.empty());
+        QVERIFY(run.keyframes.back().aim.has_value());
+        const std::string text = runToJson(run);
+        const RunFile read = runFromJson(text, "text");
+        QVERIFY(read == run);
+        QCOMPARE(runToJson(read), text);
+        const RunFile flown = runOf(replay(read));
+        QVERIFY(flown == run);
+        QVERIFY(compareRun(read, flown).empty());
+    }
+
+    void aimPointsAreCompared()
+    {
+        const RunFile run = coverageRun();
+        RunFile other = run;
+        other.plans[2].legs.back().abeam_m.x() += 1;
+        std::vector<Issue> issues = compareRun(run, other);
+        QCOMPARE(issues.size(), std::size_t{1});
+        QCOMPARE(issues[0].field, std::string("plans[2].legs"));
+        std::vector<AimedLeg> changed(7, *run.keyframes.back().aim);
+        changed[0].iceberg += 1;
+        changed[1].turn_rad += 1;
+        changed[2].from_m.x() += 1;
+        changed[3].from_m.y() += 1;
+        changed[4].abeam_m.x() += 1;
+        changed[5].abeam_m.y() += 1;
+        changed[6].sighting_s += 1;
+        const std::string path = "keyframes[" + std::to_string(run.keyframes.size() - 1) + "].aim";
+        for (std::size_t i = 0; i < changed.size(); ++i) {
+            other = run;
+            other.keyframes.back().aim = changed[i];
+            issues = compareRun(run, other);
+            QCOMPARE(issues.size(), std::size_t{1});
+            QCOMPARE(issues[0].field, path + '[' + std::to_string(i) + ']');
+        }
+        other.keyframes.back().aim.reset();
+        QCOMPARE(compareRun(run, other)[0].field, path);
     }
 
     void reportedSightingsReplay()

@@ -1,6 +1,7 @@
 #include "core/base/angles.h"
 #include "core/scenario/presets.h"
 #include "core/sim/simulation.h"
+#include "core/vehicle/tangent_turn.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QtTest>
@@ -48,6 +49,73 @@ private slots:
     {
         Simulation simulation(emptySea());
         QVERIFY_EXCEPTION_THROWN(simulation.advanceStep(), std::logic_error);
+    }
+
+    /** The turn is flown to the side it was planned for, to its end, then the line. */
+    void aimedLegIsFlownAsPlanned()
+    {
+        Scenario scenario = emptySea(400);
+        addIceberg(scenario, 3000, 0);
+        for (const double turn_rad : {2.0, -4.28318530717958647}) { // one course, either way round
+            Simulation simulation(scenario);
+            const Point along(std::cos(turn_rad), std::sin(turn_rad));
+            const double side = turn_rad > 0 ? 1 : -1;
+            const Point exit_m = turnedTo(Pose{}, along, side, turnRadius_m(UavSpec{})).position_m;
+            simulation.setTarget(0, AimedLeg{.iceberg = 0,
+                                             .turn_rad = turn_rad,
+                                             .from_m = exit_m,
+                                             .abeam_m = exit_m + 2000 * along,
+                                             .sighting_s = 100});
+            QVERIFY(simulation.state().aim.has_value());
+            while (simulation.state().aim->turn_rad != 0) {
+                simulation.advanceStep();
+                QVERIFY(simulation.state().u_radps * turn_rad > 0);
+            }
+            // The step in which the turn ends goes on along the line.
+            const Point beyond_m = simulation.state().uav.position_m - exit_m;
+            QVERIFY(std::abs(cross(along, beyond_m)) < 0.1);
+            QVERIFY(along.dot(beyond_m) > -0.01 && along.dot(beyond_m) < 2.21);
+            for (int i = 0; i < 100; ++i)
+                simulation.advanceStep();
+            QVERIFY(std::abs(simulation.state().crossTrack_m) < 0.1);
+            QVERIFY((simulation.state().uav.position_m - exit_m - 220 * along).norm() < 2.3);
+        }
+    }
+
+    void sightingsEndAnAimedLeg()
+    {
+        Scenario scenario = emptySea(400);
+        addIceberg(scenario, 3000, 0);
+        addIceberg(scenario, 1500, 100);
+        Simulation simulation(scenario);
+        const AimedLeg ahead{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 1200 / 22.0};
+        simulation.setTarget(0, ahead);
+        while (simulation.planReason() == PlanReason::None)
+            simulation.advanceStep();
+        QCOMPARE(simulation.planReason(), PlanReason::Sighted);
+        QVERIFY(simulation.track(1).inView);
+        QCOMPARE(simulation.state().lastReached, -1);
+        simulation.setTarget(0, AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 130});
+        while (simulation.planReason() == PlanReason::None)
+            simulation.advanceStep();
+        QCOMPARE(simulation.planReason(), PlanReason::TargetReached);
+        QCOMPARE(simulation.state().lastReached, 0);
+    }
+
+    void overdueSightingAsksForAPlan()
+    {
+        Scenario scenario = emptySea(400);
+        addIceberg(scenario, 3000, 0);
+        Simulation simulation(scenario);
+        simulation.setTarget(0, AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 50.05});
+        while (simulation.planReason() == PlanReason::None)
+            simulation.advanceStep();
+        QCOMPARE(simulation.planReason(), PlanReason::Overdue);
+        QVERIFY(std::abs(simulation.time_s() - 52.1) < 1e-9); // two seconds later, the next step
+        simulation.setTarget(0);                              // without an aim nothing is overdue
+        QVERIFY(!simulation.state().aim);
+        simulation.advanceStep();
+        QCOMPARE(simulation.planReason(), PlanReason::None);
     }
 
     /** Straight ahead: in view 300 m before the iceberg, sigma and zeta in closed form. */

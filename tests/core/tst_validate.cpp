@@ -140,10 +140,6 @@ const std::vector<Case>& cases()
         {"tau above 100", [](S& s) { s.planner.tau = 100.1; }, kError, "planner.tau"},
         {"tau NaN", [](S& s) { s.planner.tau = kNan; }, kError, "planner.tau"},
         {"reach 0", [](S& s) { s.reachRadius_m = 0; }, kError, "planner.reach_radius_m"},
-        {"latency", [](S& s) { s.planner.policy = PolicyKind::Latency; }, kWarning,
-         "planner.policy"},
-        {"coverage", [](S& s) { s.planner.policy = PolicyKind::Coverage; }, kWarning,
-         "planner.policy"},
     };
     return all;
 }

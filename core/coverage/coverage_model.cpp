@@ -1,0 +1,332 @@
+#include "core/coverage/coverage_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace berg {
+
+namespace {
+
+/** A turn is flown in arcs on which a point moves almost straight through the view. */
+constexpr double kLongestArc_s = 1;
+constexpr double kLongestArc_rad = 0.21;
+/** Times closer than this are one. */
+constexpr double kShortest_s = 1e-9;
+
+double largestQ_m2ps(const FlightPicture& picture)
+{
+    double q_m2ps = 0;
+    for (const Track& track : picture.tracks)
+        q_m2ps = std::max(q_m2ps, track.q_m2ps);
+    return q_m2ps;
+}
+
+/** Axes of the view at one instant. */
+struct ViewAxes
+{
+    Point origin_m;
+    Point x;
+
+    [[nodiscard]] Point coordinates(const Point& p_m) const
+    {
+        const Point d_m = p_m - origin_m;
+        return {x.dot(d_m), cross(x, d_m)};
+    }
+};
+
+ViewAxes axesOf(const ViewWindow& window, const Pose& uav)
+{
+    return {.origin_m = uav.position_m, .x = window.turns() ? uav.ahead : Point(0, 1)};
+}
+
+/** The point nearest to `p_m`, in axes of the view, that is just inside or outside of it. */
+Point atEdge(const ViewWindow& window, Point p_m, bool inside)
+{
+    constexpr double kFromEdge_m = 1;
+    const Point half_m = window.half_m() + Point::Constant(inside ? -kFromEdge_m : kFromEdge_m);
+    if (window.shape() == FovShape::Disk) {
+        const double far_m = p_m.norm();
+        return far_m > 0 ? Point(p_m * (half_m.x() / far_m)) : Point(half_m.x(), 0);
+    }
+    if (inside)
+        return p_m.cwiseMax(-half_m).cwiseMin(half_m);
+    const Point room_m = half_m - p_m.cwiseAbs();
+    const int axis = room_m.x() < room_m.y() ? 0 : 1;
+    p_m[axis] = std::copysign(half_m[axis], p_m[axis]);
+    return p_m;
+}
+
+/**
+ * Where to take an iceberg to be: at its estimate, but on the side of the view's edge on which it
+ * is. An estimate in view that is not seen is wrong; one near the edge of the sensor's view may be
+ * seen although it is outside the narrower one that is planned with.
+ */
+Point likelyPlace_m(const ViewWindow& window, const Pose& uav, const Point& estimate_m, bool inView)
+{
+    const ViewAxes axes = axesOf(window, uav);
+    const Point p_m = axes.coordinates(estimate_m);
+    if (window.contains(p_m) == inView)
+        return estimate_m;
+    const Point likely_m = atEdge(window, p_m, inView);
+    return axes.origin_m + rotated(likely_m, axes.x.x(), axes.x.y());
+}
+
+} // namespace
+
+/** One leg under way. */
+class CoverageModel::Flight
+{
+public:
+    Flight(const CoverageModel& model, CoverageState& state, int target,
+           std::vector<CoverageSighting>* sightings)
+        : m_model(model), m_state(state), m_target(target), m_sightings(sightings)
+    {
+    }
+
+    /** True when the target is in view, or the horizon has come, on the way. */
+    bool turn(const TangentTurn& turn)
+    {
+        const double side = turn.turn_rad < 0 ? -1 : 1;
+        double left_s = std::abs(turn.turn_rad) / m_model.m_limit_radps;
+        if (left_s <= kShortest_s)
+            return false;
+        const std::span<const int> near = nearIcebergs(side, left_s);
+        const double sine = side * m_model.m_sineOfArc;
+        while (left_s > 0) {
+            const bool last = left_s <= m_model.m_arc_s;
+            const double dt_s = last ? left_s : m_model.m_arc_s;
+            const Pose end =
+                last
+                    ? turn.end
+                    : turnedTo(m_state.uav, rotated(m_state.uav.ahead, m_model.m_cosineOfArc, sine),
+                               side, m_model.m_radius_m);
+            if (piece(end, dt_s, near)) {
+                const double angle_rad = side * m_model.m_limit_radps * (m_end_s - m_from_s);
+                moveTo(
+                    turnedTo(m_state.uav,
+                             rotated(m_state.uav.ahead, std::cos(angle_rad), std::sin(angle_rad)),
+                             side, m_model.m_radius_m));
+                return true;
+            }
+            moveTo(end);
+            left_s = last ? 0 : left_s - dt_s;
+        }
+        return false;
+    }
+
+    /** Until then, or to the end of a straight way of `length_m`. */
+    void straight(double length_m)
+    {
+        const double dt_s = length_m / m_model.m_speed_mps;
+        Pose end = m_state.uav;
+        end.position_m += end.ahead * length_m;
+        piece(end, dt_s, m_model.m_all);
+        end.position_m =
+            m_state.uav.position_m + end.ahead * (m_model.m_speed_mps * (m_end_s - m_from_s));
+        moveTo(end);
+    }
+
+private:
+    /** Those that may come into view on a turn; the others need not be looked at. */
+    std::span<const int> nearIcebergs(double side, double turn_s)
+    {
+        const Point centre_m =
+            m_state.uav.position_m + side * m_model.m_radius_m * m_state.uav.left();
+        const double reach_m =
+            m_model.m_radius_m + m_model.m_window.reach_m() + m_model.m_fastest_mps * turn_s;
+        std::size_t count = 0;
+        for (const int i : m_model.m_all) {
+            const Point d_m = m_model.place_m(i, m_state.time_s) - centre_m;
+            if (d_m.squaredNorm() > reach_m * reach_m)
+                continue;
+            if (count == m_near.size())
+                return m_model.m_all;
+            m_near[count++] = i;
+        }
+        return {m_near.data(), count};
+    }
+
+    void moveTo(const Pose& uav)
+    {
+        m_state.uav = uav;
+        m_state.time_s = m_end_s;
+    }
+
+    /**
+     * What is seen of `icebergs` on a short arc or a straight line from the state to `end`; true
+     * when the leg ends on it. `m_end_s` is the end of the piece or of the leg.
+     */
+    bool piece(const Pose& end, double dt_s, std::span<const int> icebergs)
+    {
+        const ViewAxes before = axesOf(m_model.m_window, m_state.uav);
+        const ViewAxes after = axesOf(m_model.m_window, end);
+        m_from_s = m_state.time_s;
+        const double to_s = m_from_s + dt_s;
+        m_end_s = std::min(to_s, m_model.m_horizon.length_s);
+        const auto crossing = [&](int iceberg) {
+            return m_model.m_window.crossing(before.coordinates(m_model.place_m(iceberg, m_from_s)),
+                                             after.coordinates(m_model.place_m(iceberg, to_s)));
+        };
+        bool ends = m_end_s < to_s;
+        if (const std::optional<ViewSpan> span = crossing(m_target)) {
+            const double enter_s = m_from_s + span->enter * dt_s;
+            ends = ends || enter_s <= m_end_s;
+            m_end_s = std::min(m_end_s, enter_s);
+        }
+        for (const int i : icebergs)
+            if (const std::optional<ViewSpan> span = crossing(i))
+                see(i, m_from_s + span->enter * dt_s, m_from_s + span->leave * dt_s);
+        return ends;
+    }
+
+    void see(int iceberg, double enter_s, double leave_s)
+    {
+        if (enter_s > m_end_s)
+            return;
+        CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(iceberg)];
+        const double unseen_s = enter_s - account.paid_s;
+        const double q_m2ps = m_model.m_bergs[static_cast<std::size_t>(iceberg)].q_m2ps;
+        if (unseen_s > kShortest_s) {
+            m_state.cost_m2s += unseen_s * (account.sigma_m2 + q_m2ps / 2 * unseen_s);
+            if (m_sightings)
+                m_sightings->push_back({iceberg, enter_s});
+        }
+        account = {.paid_s = std::min(leave_s, m_end_s), .sigma_m2 = 0};
+    }
+
+    const CoverageModel& m_model;
+    CoverageState& m_state;
+    int m_target;
+    std::vector<CoverageSighting>* m_sightings;
+    double m_from_s = 0;
+    double m_end_s = 0;
+    std::array<int, 48> m_near;
+};
+
+CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon)
+    : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)))
+    , m_horizon(horizon)
+    , m_uav(poseOf(picture.uav))
+    , m_wind_mps(picture.motion.wind_mps)
+    , m_speed_mps(picture.motion.airspeed_mps)
+    , m_limit_radps(picture.motion.limit_radps)
+    , m_radius_m(picture.motion.airspeed_mps / picture.motion.limit_radps)
+    , m_arc_s(std::min(kLongestArc_s, kLongestArc_rad / m_limit_radps))
+    , m_cosineOfArc(std::cos(m_limit_radps * m_arc_s))
+    , m_sineOfArc(std::sin(m_limit_radps * m_arc_s))
+{
+    for (const Track& track : picture.tracks) {
+        const Point estimate_m = track.estimate_m(picture.time_s);
+        m_bergs.push_back({.place_m = likelyPlace_m(m_window, m_uav, estimate_m, track.inView),
+                           .velocity_mps = track.velocity_mps - m_wind_mps,
+                           .q_m2ps = track.q_m2ps,
+                           .sigma_m2 = track.sigma_m2});
+        m_fastest_mps = std::max(m_fastest_mps, m_bergs.back().velocity_mps.norm());
+    }
+    m_all.resize(m_bergs.size());
+    std::iota(m_all.begin(), m_all.end(), 0);
+}
+
+CoverageState CoverageModel::start() const
+{
+    CoverageState state{.uav = m_uav};
+    for (const Berg& berg : m_bergs)
+        state.accounts.push_back({.paid_s = 0, .sigma_m2 = berg.sigma_m2});
+    return state;
+}
+
+TangentTurn CoverageModel::turnOf(const CoverageState& state, const CoverageLeg& leg) const
+{
+    // Aimed at where the iceberg will be when it is seen: iterated, as the time depends on it.
+    constexpr int kMostRounds = 8;
+    constexpr double kGoodEnough_m = 0.3;
+    const double drift_mps = m_bergs[static_cast<std::size_t>(leg.iceberg)].velocity_mps.norm();
+    double ahead_s =
+        std::max(0.0, distance_m(state, leg.iceberg) - m_window.half_m().x()) / m_speed_mps;
+    TangentTurn turn;
+    for (int round = 0; round < kMostRounds; ++round) {
+        turn = turnOntoLine(
+            state.uav,
+            {.target_m = place_m(leg.iceberg, state.time_s + ahead_s), .offset_m = leg.offset_m},
+            m_radius_m);
+        const double entry_m = m_window.entry_m(turn.end.ahead, leg.offset_m);
+        const double was_s = ahead_s;
+        ahead_s = std::abs(turn.turn_rad) / m_limit_radps +
+                  std::max(0.0, turn.length_m - entry_m) / m_speed_mps;
+        if (std::abs(ahead_s - was_s) * drift_mps < kGoodEnough_m)
+            break;
+    }
+    return turn;
+}
+
+bool CoverageModel::fly(CoverageState& state, const CoverageLeg& leg,
+                        std::vector<CoverageSighting>* sightings) const
+{
+    if (atEnd(state) || inView(state, leg.iceberg))
+        return false;
+    const double from_s = state.time_s;
+    const TangentTurn turn = turnOf(state, leg);
+    Flight flight(*this, state, leg.iceberg, sightings);
+    if (!flight.turn(turn))
+        flight.straight(turn.length_m);
+    return state.time_s - from_s > kShortest_s;
+}
+
+double CoverageModel::total_m2s(const CoverageState& state) const
+{
+    double cost_m2s = state.cost_m2s;
+    for (std::size_t i = 0; i < m_bergs.size(); ++i) {
+        const CoverageState::Account& account = state.accounts[i];
+        const double unseen_s = m_horizon.length_s - account.paid_s;
+        const double grown_m2 = m_bergs[i].q_m2ps * unseen_s;
+        cost_m2s += unseen_s * (account.sigma_m2 + grown_m2 / 2) +
+                    m_horizon.rest_s * (account.sigma_m2 + grown_m2);
+    }
+    return cost_m2s;
+}
+
+double CoverageModel::costSoFar_m2s(const CoverageState& state) const
+{
+    double cost_m2s = state.cost_m2s;
+    for (std::size_t i = 0; i < m_bergs.size(); ++i) {
+        const CoverageState::Account& account = state.accounts[i];
+        const double unseen_s = state.time_s - account.paid_s;
+        cost_m2s += unseen_s * (account.sigma_m2 + m_bergs[i].q_m2ps / 2 * unseen_s);
+    }
+    return cost_m2s;
+}
+
+double CoverageModel::sigma_m2(const CoverageState& state, int iceberg) const
+{
+    const auto i = static_cast<std::size_t>(iceberg);
+    const CoverageState::Account& account = state.accounts[i];
+    return account.sigma_m2 + m_bergs[i].q_m2ps * (state.time_s - account.paid_s);
+}
+
+bool CoverageModel::inView(const CoverageState& state, int iceberg) const
+{
+    return m_window.contains(
+        axesOf(m_window, state.uav).coordinates(place_m(iceberg, state.time_s)));
+}
+
+double CoverageModel::distance_m(const CoverageState& state, int iceberg) const
+{
+    return (place_m(iceberg, state.time_s) - state.uav.position_m).norm();
+}
+
+CoverageModel::Course CoverageModel::course(const CoverageState& state,
+                                            const CoverageLeg& leg) const
+{
+    Course course{.turn = turnOf(state, leg), .abeam_m = Point::Zero()};
+    const Pose& end = course.turn.end;
+    const double turned_s = state.time_s + std::abs(course.turn.turn_rad) / m_limit_radps;
+    const double abeam_s = turned_s + course.turn.length_m / m_speed_mps;
+    course.abeam_m = end.position_m + end.ahead * course.turn.length_m + m_wind_mps * abeam_s;
+    course.turn.end.position_m += m_wind_mps * turned_s;
+    return course;
+}
+
+} // namespace berg

@@ -1,0 +1,134 @@
+#include "core/coverage/coverage_moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+/** How often each move is made, of `kAll`; those of one place come first. */
+constexpr std::uint64_t kOffset = 40;
+constexpr std::uint64_t kInsert = kOffset + 16;
+constexpr std::uint64_t kRemove = kInsert + 12;
+constexpr std::uint64_t kReplace = kRemove + 8;
+constexpr std::uint64_t kSwap = kReplace + 8;
+constexpr std::uint64_t kMove = kSwap + 10;
+constexpr std::uint64_t kAll = kMove + 10;
+
+/** Places are drawn as this power of a uniform number: the front is flown first and most often. */
+constexpr double kFrontPower = 1.3;
+/** The same of a new iceberg, among those by distance from the one before. */
+constexpr double kNearPower = 1.5;
+/** Moves of two places keep within so many legs. */
+constexpr std::size_t kWithin = 8;
+/** Largest step of an offset, of the largest offset. */
+constexpr double kOffsetStep = 0.6;
+
+auto at(CoveragePlan& plan, std::size_t place)
+{
+    return plan.begin() + static_cast<std::ptrdiff_t>(place);
+}
+
+} // namespace
+
+CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random)
+    : m_edge_m(model.largestOffset_m()), m_random(random)
+{
+    for (int i = 0; i < model.icebergCount(); ++i) {
+        std::vector<int> others;
+        for (int j = 0; j < model.icebergCount(); ++j)
+            if (j != i)
+                others.push_back(j);
+        std::stable_sort(others.begin(), others.end(), [&](int a, int b) {
+            return model.between_m(i, a) < model.between_m(i, b);
+        });
+        m_neighbours.push_back(std::move(others));
+    }
+}
+
+std::size_t CoverageMoves::change(CoveragePlan& plan)
+{
+    const std::uint64_t dice = m_random.below(kAll);
+    return dice < kReplace ? changeOne(plan, dice) : changeTwo(plan, dice);
+}
+
+std::size_t CoverageMoves::changeOne(CoveragePlan& plan, std::uint64_t dice)
+{
+    const std::size_t place = drawn(plan.size(), kFrontPower);
+    if (dice < kOffset)
+        plan[place].offset_m = nearOffset_m(plan[place].offset_m);
+    else if (dice < kInsert)
+        plan.insert(at(plan, place), anyLeg(plan, place));
+    else if (dice < kRemove)
+        plan.erase(at(plan, place));
+    else
+        plan[place] = anyLeg(plan, place);
+    return place;
+}
+
+std::size_t CoverageMoves::changeTwo(CoveragePlan& plan, std::uint64_t dice)
+{
+    const std::size_t a = drawn(plan.size(), kFrontPower);
+    const std::size_t b = placeNear(a, plan.size());
+    const auto [first, last] = std::minmax(a, b);
+    if (dice < kSwap) {
+        std::swap(plan[a], plan[b]);
+    } else if (dice < kMove) {
+        const CoverageLeg leg = plan[a];
+        plan.erase(at(plan, a));
+        plan.insert(at(plan, b), leg);
+    } else {
+        std::reverse(at(plan, first), at(plan, last) + 1);
+        // Flown the other way, an iceberg lies on the other side of its line.
+        for (std::size_t i = first; i <= last; ++i)
+            plan[i].offset_m = -plan[i].offset_m;
+    }
+    return first;
+}
+
+std::size_t CoverageMoves::drawn(std::size_t count, double power)
+{
+    const double share = std::pow(m_random.uniform(), power);
+    return std::min(count - 1, static_cast<std::size_t>(share * static_cast<double>(count)));
+}
+
+std::size_t CoverageMoves::placeNear(std::size_t place, std::size_t count)
+{
+    const std::size_t first = place - std::min(place, kWithin);
+    const std::size_t last = std::min(count - 1, place + kWithin);
+    return first + m_random.below(last - first + 1);
+}
+
+CoverageLeg CoverageMoves::anyLeg(const CoveragePlan& plan, std::size_t place)
+{
+    const int before = plan[place > 0 ? place - 1 : place].iceberg;
+    const std::vector<int>& others = m_neighbours[static_cast<std::size_t>(before)];
+    const int iceberg = others.empty() ? before : others[drawn(others.size(), kNearPower)];
+    return {.iceberg = iceberg, .offset_m = anyOffset_m()};
+}
+
+/** The middle and the edges are where good lines often are. */
+double CoverageMoves::anyOffset_m()
+{
+    switch (m_random.below(4)) {
+    case 0:
+        return 0;
+    case 1:
+        return m_edge_m;
+    case 2:
+        return -m_edge_m;
+    default:
+        return m_random.uniform(-m_edge_m, m_edge_m);
+    }
+}
+
+double CoverageMoves::nearOffset_m(double offset_m)
+{
+    if (m_random.below(3) == 0)
+        return anyOffset_m();
+    const double step_m = kOffsetStep * m_edge_m * (m_random.uniform() - m_random.uniform());
+    return std::clamp(offset_m + step_m, -m_edge_m, m_edge_m);
+}
+
+} // namespace berg

@@ -1,0 +1,204 @@
+#include "core/coverage/coverage_policy.h"
+
+#include "core/coverage/coverage_search.h"
+#include "core/coverage/described_plan.h"
+#include "core/plan/tuning.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace berg {
+
+namespace {
+
+/** Work of the first plan, and of each one after it: about 200 ms and 5 ms. */
+constexpr std::int64_t kFirstWork = 10'000'000;
+constexpr std::int64_t kNextWork = 250'000;
+/** Of the first work, for each plan to start from; the best of them gets the rest. */
+constexpr double kShareOfStart = 0.15;
+/** For each order to start from, in the solver's units. */
+constexpr std::int64_t kOrderWork = 5'000'000;
+/** Temperature at which searches begin, of the predicted cost. */
+constexpr double kHeat = 0.0008;
+
+/** Up to this is judged as a whole; of longer runs a part, and what it leaves. */
+constexpr double kWhole_s = 1000;
+constexpr CoverageHorizon kPart{.length_s = 800, .rest_s = 25};
+
+CoverageHorizon horizonOf(const FlightPicture& picture)
+{
+    const double left_s = picture.until_s - picture.time_s;
+    return left_s <= kWhole_s ? CoverageHorizon{.length_s = left_s} : kPart;
+}
+
+CoverageSearch searchFor(const CoverageModel& model, const FlightPicture& picture)
+{
+    const std::uint64_t stream = stableHash("coverage") + static_cast<std::uint64_t>(picture.step);
+    return CoverageSearch(model, Random(picture.seed, stream));
+}
+
+/** Straight at the icebergs in this order (nodes 1 ..), so many times. */
+CoveragePlan straightPlan(const VisitOrder& order, int rounds)
+{
+    CoveragePlan plan;
+    for (int round = 0; round < rounds; ++round)
+        for (const int node : order)
+            plan.push_back({.iceberg = node - 1, .offset_m = 0});
+    return plan;
+}
+
+/** Greedy, the paper's order, and the shortest tour round and round, either way. */
+std::vector<CoveragePlan> firstPlans(const PlanRequest& request, const SolveOptions& limits)
+{
+    constexpr double kTau = 1;
+    constexpr int kRounds = 20; // more than a horizon holds, as a rule; greedy legs follow
+    const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
+    TvpProblem problem = request.problem;
+    problem.route = Route::Open;
+    problem.mu = tuningWeight(problem, kTau).mu;
+    const VisitOrder order = solver->solve(problem, limits).order;
+    std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
+    problem.mu = 1;
+    problem.route = Route::Closed;
+    VisitOrder tour = solver->solve(problem, limits).order;
+    const CoveragePlan there = straightPlan(tour, kRounds);
+    std::reverse(tour.begin(), tour.end());
+    return {{}, straightPlan(order, 1), there, straightPlan(tour, kRounds)};
+}
+
+/** Predicted zeta minimised over sequences of icebergs and aim points. */
+class CoveragePolicy final : public Policy
+{
+public:
+    PlanAnswer plan(const PlanRequest& request, std::span<const int> lastRest,
+                    const SolveOptions& options) override;
+
+private:
+    /** A leg with the id of its iceberg, which stays the same in flight. */
+    struct KeptLeg
+    {
+        int id = -1;
+        double offset_m = 0;
+    };
+
+    [[nodiscard]] static CoverageResult first(CoverageSearch& search, const PlanRequest& request,
+                                              const SolveOptions& options, const SolveWatch& watch);
+    [[nodiscard]] CoverageResult next(CoverageSearch& search, const PlanRequest& request,
+                                      bool warmStart, const SolveOptions& options,
+                                      const SolveWatch& watch) const;
+    [[nodiscard]] CoveragePlan rest(const PlanRequest& request) const;
+    void keep(const PlanRequest& request, const CoveragePlan& plan);
+
+    std::vector<KeptLeg> m_last; ///< the plan that is flown; empty: none yet
+};
+
+CoverageResult CoveragePolicy::first(CoverageSearch& search, const PlanRequest& request,
+                                     const SolveOptions& options, const SolveWatch& watch)
+{
+    const std::int64_t work = options.workLimit.value_or(kFirstWork);
+    const auto share = static_cast<std::int64_t>(kShareOfStart * static_cast<double>(work));
+    const SolveOptions limits{.timeLimit_s = options.timeLimit_s,
+                              .workLimit = std::min(kOrderWork, work),
+                              .stop = options.stop};
+    std::optional<CoverageResult> best;
+    for (const CoveragePlan& start : firstPlans(request, limits)) {
+        const CoverageResult found =
+            search.improved(search.completed(start), search.work() + share, kHeat, watch);
+        if (!best || found.total_m2s < best->total_m2s)
+            best = found;
+    }
+    return search.improved(*best, work, kHeat, watch);
+}
+
+CoverageResult CoveragePolicy::next(CoverageSearch& search, const PlanRequest& request,
+                                    bool warmStart, const SolveOptions& options,
+                                    const SolveWatch& watch) const
+{
+    CoverageResult start = search.completed({});
+    if (warmStart) {
+        CoverageResult warm = search.completed(rest(request));
+        if (warm.total_m2s <= start.total_m2s)
+            start = std::move(warm);
+    }
+    return search.improved(start, options.workLimit.value_or(kNextWork), kHeat, watch);
+}
+
+/** The last plan; legs to icebergs that have come into view since are dropped when flown. */
+CoveragePlan CoveragePolicy::rest(const PlanRequest& request) const
+{
+    CoveragePlan plan;
+    for (const KeptLeg& leg : m_last) {
+        const auto it = std::find(request.ids.begin(), request.ids.end(), leg.id);
+        if (it != request.ids.end())
+            plan.push_back(
+                {.iceberg = static_cast<int>(it - request.ids.begin()), .offset_m = leg.offset_m});
+    }
+    return plan;
+}
+
+void CoveragePolicy::keep(const PlanRequest& request, const CoveragePlan& plan)
+{
+    m_last.clear();
+    for (const CoverageLeg& leg : plan)
+        m_last.push_back(
+            {.id = request.ids[static_cast<std::size_t>(leg.iceberg)], .offset_m = leg.offset_m});
+}
+
+/** Of a plan and its prediction; the solve that found it is the caller's to tell of. */
+PlanAnswer answerOf(const CoverageModel& model, const PlanRequest& request,
+                    const CoverageResult& found)
+{
+    DescribedPlan described = describe(model, request, found.plan);
+    PlanAnswer answer{.problem = restrictedTo(request.problem, described.nodes),
+                      .legs = std::move(described.legs),
+                      .predictedZeta_m2s = found.total_m2s};
+    for (const int node : described.nodes)
+        answer.order.push_back(request.ids[static_cast<std::size_t>(node - 1)]);
+    answer.solvedIds = answer.order;
+    answer.outcome.order.resize(answer.order.size());
+    std::iota(answer.outcome.order.begin(), answer.outcome.order.end(), 1);
+    answer.outcome.objective = objective(answer.problem, answer.outcome.order);
+    return answer;
+}
+
+PlanAnswer CoveragePolicy::plan(const PlanRequest& request, std::span<const int> lastRest,
+                                const SolveOptions& options)
+{
+    require(request.picture != nullptr, "CoveragePolicy: the request has no picture of the flight");
+    const Stopwatch clock;
+    const SolveWatch watch(options);
+    PlanAnswer answer;
+    const bool nothing = std::none_of(request.available.begin(), request.available.end(),
+                                      [](bool available) { return available; });
+    if (!nothing) {
+        const CoverageModel model(*request.picture, horizonOf(*request.picture));
+        CoverageSearch search = searchFor(model, *request.picture);
+        const bool warmStart = !lastRest.empty();
+        const CoverageResult found = m_last.empty()
+                                         ? first(search, request, options, watch)
+                                         : next(search, request, warmStart, options, watch);
+        const std::optional<StopReason> cut = watch.cut();
+        if (cut == StopReason::Cancelled)
+            return {.outcome = {.reason = StopReason::Cancelled, .backend = "coverage"}};
+        answer = answerOf(model, request, found);
+        answer.outcome.reason = cut.value_or(StopReason::WorkLimit);
+        answer.outcome.work = search.work();
+        answer.outcome.hintUsed = warmStart && !m_last.empty();
+        keep(request, found.plan);
+    }
+    answer.outcome.status = SolveStatus::Feasible;
+    answer.outcome.backend = "coverage";
+    answer.outcome.elapsed_s = clock.elapsed_s();
+    return answer;
+}
+
+} // namespace
+
+std::unique_ptr<Policy> makeFlownPolicy(const PlannerSettings& settings, const TvpSolver& solver)
+{
+    if (settings.policy == PolicyKind::Coverage)
+        return std::make_unique<CoveragePolicy>();
+    return makePolicy(settings, solver);
+}
+
+} // namespace berg

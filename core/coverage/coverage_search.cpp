@@ -1,0 +1,174 @@
+#include "core/coverage/coverage_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** A leg costs as much as so many icebergs before it looks at any. */
+constexpr std::int64_t kWorkOfLeg = 20;
+constexpr std::size_t kMostLegs = 2000;
+/** Steps between questions to the watch: some 0.2 ms. */
+constexpr int kStepsPerLook = 32;
+/** Temperature at the end, of that at the beginning. */
+constexpr double kCool = 0.02;
+/** A candidate is given up when it is behind by this share of what is still to be paid. */
+constexpr double kHope = 0.03;
+
+} // namespace
+
+CoverageSearch::CoverageSearch(const CoverageModel& model, const Random& random)
+    : m_model(model), m_moves(model, random), m_start(model.start())
+{
+}
+
+CoverageResult CoverageSearch::completed(const CoveragePlan& plan)
+{
+    load(plan);
+    return {.plan = m_now.legs, .total_m2s = m_now.total_m2s};
+}
+
+void CoverageSearch::load(const CoveragePlan& plan)
+{
+    m_now = {};
+    m_candidate = plan;
+    flyTail(0, std::numeric_limits<double>::infinity());
+    accept(0);
+}
+
+CoverageResult CoverageSearch::improved(const CoverageResult& start, std::int64_t untilWork,
+                                        double heat, const SolveWatch& watch)
+{
+    load(start.plan);
+    CoverageResult best = start;
+    const double hottest_m2s = heat * m_now.total_m2s;
+    const std::int64_t begin = m_work;
+    for (int step = 0; m_work < untilWork && !m_now.legs.empty(); ++step) {
+        if (step % kStepsPerLook == 0 && watch.cut())
+            break;
+        const double left =
+            static_cast<double>(untilWork - m_work) / static_cast<double>(untilWork - begin);
+        m_candidate = m_now.legs;
+        const std::size_t from = m_moves.change(m_candidate);
+        // Metropolis: the chance is drawn first, so that the flight can end when it is missed.
+        const double worse_m2s =
+            -hottest_m2s * (left * left + kCool) * std::log(1 - m_moves.uniform());
+        ++m_work;
+        if (!flyTail(from, m_now.total_m2s + worse_m2s))
+            continue;
+        accept(from);
+        if (m_now.total_m2s < best.total_m2s)
+            best = {.plan = m_now.legs, .total_m2s = m_now.total_m2s};
+    }
+    return best;
+}
+
+/**
+ * Flies the candidate from leg `from` on to the horizon. False, and the tail is of no use, when it
+ * costs more than the limit.
+ */
+bool CoverageSearch::flyTail(std::size_t from, double limit_m2s)
+{
+    m_tail.legs.clear();
+    std::size_t next = from;
+    std::size_t place = from;
+    // Asked anew each time: the states move when there is no more room.
+    const auto reached = [&]() -> const CoverageState& {
+        return m_tail.legs.empty() ? stateBefore(from) : m_tail.states[m_tail.legs.size() - 1];
+    };
+    while (!m_model.atEnd(reached()) && m_tail.legs.size() < kMostLegs) {
+        const bool planned = next < m_candidate.size();
+        const std::optional<CoverageLeg> leg = planned ? m_candidate[next++] : greedyLeg(reached());
+        if (!leg)
+            break;
+        if (addToTail(reached(), *leg)) {
+            if (hopeless(limit_m2s, place))
+                return false;
+        } else if (!planned) {
+            break;
+        }
+    }
+    m_tail.total_m2s = m_model.total_m2s(reached());
+    return m_tail.total_m2s <= limit_m2s;
+}
+
+bool CoverageSearch::addToTail(const CoverageState& before, const CoverageLeg& leg)
+{
+    const std::size_t k = m_tail.legs.size();
+    if (m_tail.states.size() <= k) {
+        CoverageState copy = before; // it may be in the vector that is about to move
+        m_tail.states.push_back(std::move(copy));
+        m_tail.soFar_m2s.push_back(0);
+    } else {
+        m_tail.states[k] = before;
+    }
+    m_work += kWorkOfLeg + m_model.icebergCount();
+    CoverageState& state = m_tail.states[k];
+    if (!m_model.fly(state, leg))
+        return false;
+    m_tail.soFar_m2s[k] = m_model.costSoFar_m2s(state);
+    m_tail.legs.push_back(leg);
+    return true;
+}
+
+/**
+ * Whether the tail's last leg has cost so much more than the present plan had at that time that the
+ * rest will hardly make up for it. `place`: of a leg of the present plan before, moves on with it.
+ */
+bool CoverageSearch::hopeless(double limit_m2s, std::size_t& place) const
+{
+    const std::size_t last = m_tail.legs.size() - 1;
+    const double time_s = m_tail.states[last].time_s;
+    while (place < m_now.legs.size() && m_now.states[place].time_s < time_s)
+        ++place;
+    if (place == m_now.legs.size() || !std::isfinite(limit_m2s))
+        return false;
+    const double from_s = stateBefore(place).time_s;
+    const double from_m2s = place == 0 ? 0 : m_now.soFar_m2s[place - 1];
+    const double share = (time_s - from_s) / (m_now.states[place].time_s - from_s);
+    const double now_m2s = from_m2s + share * (m_now.soFar_m2s[place] - from_m2s);
+    return m_tail.soFar_m2s[last] - now_m2s >
+           limit_m2s - m_now.total_m2s + kHope * (m_now.total_m2s - now_m2s);
+}
+
+void CoverageSearch::accept(std::size_t from)
+{
+    const std::size_t count = from + m_tail.legs.size();
+    m_now.legs.resize(from);
+    m_now.legs.insert(m_now.legs.end(), m_tail.legs.begin(), m_tail.legs.end());
+    if (m_now.states.size() < count) {
+        m_now.states.resize(count);
+        m_now.soFar_m2s.resize(count);
+    }
+    for (std::size_t k = from; k < count; ++k) {
+        std::swap(m_now.states[k], m_tail.states[k - from]);
+        m_now.soFar_m2s[k] = m_tail.soFar_m2s[k - from];
+    }
+    m_now.total_m2s = m_tail.total_m2s;
+}
+
+/** The largest sigma for its way; none when every iceberg is in view. */
+std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state) const
+{
+    constexpr double kShortestWay_m = 50;
+    std::optional<CoverageLeg> best;
+    double bestScore = -1;
+    for (int i = 0; i < m_model.icebergCount(); ++i) {
+        if (m_model.inView(state, i))
+            continue;
+        const double way_m =
+            std::max(kShortestWay_m, m_model.distance_m(state, i) - m_model.largestOffset_m());
+        const double score = m_model.sigma_m2(state, i) / way_m;
+        if (score > bestScore) {
+            best = CoverageLeg{.iceberg = i, .offset_m = 0};
+            bestScore = score;
+        }
+    }
+    return best;
+}
+
+} // namespace berg

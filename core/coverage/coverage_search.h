@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/coverage/coverage_moves.h"
+#include "core/plan/solve_watch.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace berg {
+
+/** A plan and what it costs. */
+struct CoverageResult
+{
+    CoveragePlan plan;    ///< as far as the horizon
+    double total_m2s = 0; ///< predicted, see `CoverageModel::total_m2s`
+};
+
+/**
+ * Improves plans by simulated annealing over the legs and their offsets. Effort is counted in work,
+ * so that the same work gives the same plan on every machine: a leg predicted is 20 units and one
+ * for each iceberg, a unit about 10 to 20 ns. Borrows the model, which has an iceberg at least.
+ */
+class CoverageSearch
+{
+public:
+    CoverageSearch(const CoverageModel& model, const Random& random);
+
+    /** The plan flown to the horizon: legs without use left out, greedy ones added at its end. */
+    [[nodiscard]] CoverageResult completed(const CoveragePlan& plan);
+
+    /**
+     * The best plan found from `start` on until `work()` comes to `untilWork` or the watch says
+     * stop; never worse than `start`. `heat`: temperature at the beginning, of the start's cost.
+     */
+    [[nodiscard]] CoverageResult improved(const CoverageResult& start, std::int64_t untilWork,
+                                          double heat, const SolveWatch& watch);
+
+    [[nodiscard]] std::int64_t work() const { return m_work; }
+
+private:
+    /** Legs and the states after each of them, with the cost up to then. */
+    struct Flown
+    {
+        CoveragePlan legs;
+        std::vector<CoverageState> states; ///< at least one per leg, the rest is room
+        std::vector<double> soFar_m2s;
+        double total_m2s = 0;
+    };
+
+    void load(const CoveragePlan& plan);
+    [[nodiscard]] const CoverageState& stateBefore(std::size_t leg) const
+    {
+        return leg == 0 ? m_start : m_now.states[leg - 1];
+    }
+    bool flyTail(std::size_t from, double limit_m2s);
+    bool addToTail(const CoverageState& before, const CoverageLeg& leg);
+    [[nodiscard]] bool hopeless(double limit_m2s, std::size_t& place) const;
+    [[nodiscard]] std::optional<CoverageLeg> greedyLeg(const CoverageState& state) const;
+    void accept(std::size_t from);
+
+    const CoverageModel& m_model;
+    CoverageMoves m_moves;
+    std::int64_t m_work = 0;
+    CoverageState m_start;
+    Flown m_now;
+    CoveragePlan m_candidate; ///< the present legs with a change
+    Flown m_tail;             ///< its flight from the change on
+};
+
+} // namespace berg

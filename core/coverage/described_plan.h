@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/coverage/coverage_model.h"
+#include "core/plan/policy.h"
+
+#include <vector>
+
+namespace berg {
+
+/** A plan in the words of the autopilot and of those who watch. */
+struct DescribedPlan
+{
+    std::vector<AimedLeg> legs;
+    /**
+     * Available nodes of the request in the order of their first predicted sighting; those that
+     * the plan does not see come last. The first one is what the first leg is flown until.
+     */
+    std::vector<int> nodes;
+};
+
+/** `request` is what the model was made of; its picture must be there. */
+[[nodiscard]] DescribedPlan describe(const CoverageModel& model, const PlanRequest& request,
+                                     const CoveragePlan& plan);
+
+} // namespace berg

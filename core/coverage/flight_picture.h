@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/tracking/observer.h"
+#include "core/vehicle/los_guidance.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace berg {
+
+/** All that may be known of a flight at one instant: what its rest is predicted from. */
+struct FlightPicture
+{
+    double time_s = 0;
+    double until_s = 0; ///< end of the run
+    DubinsState uav;
+    Motion motion;
+    SensorSpec sensor;
+    std::vector<Track> tracks; ///< one per id of the `PlanRequest`, in its order
+    std::uint64_t seed = 0;    ///< of the scenario
+    std::int64_t step = 0;     ///< with `seed`, names the random numbers of a search made now
+};
+
+} // namespace berg

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "core/tracking/observer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace berg {
+
+/** Part of a straight way, as fractions of it. */
+struct ViewSpan
+{
+    double enter = 0;
+    double leave = 1;
+};
+
+/**
+ * The field of view as planners need it: when a point that moves past the UAV is in it. Points are
+ * taken in the view's own axes (`x` along the first extent, `y` to its left, UAV at the origin).
+ */
+class ViewWindow
+{
+public:
+    /**
+     * `margin_m` narrower on each side than the sensor, a third of that in front and behind when
+     * it turns with the UAV, but half as wide as the sensor at least.
+     */
+    ViewWindow(const SensorSpec& sensor, double margin_m);
+
+    /** Whether the axes turn with the UAV. */
+    [[nodiscard]] bool turns() const { return m_shape == FovShape::Body; }
+    [[nodiscard]] FovShape shape() const { return m_shape; }
+    /** Half extents; those of a disk are equal. */
+    [[nodiscard]] const Point& half_m() const { return m_half_m; }
+    /** No point farther away than this is in view. */
+    [[nodiscard]] double reach_m() const
+    {
+        return m_shape == FovShape::Disk ? m_half_m.x() : m_half_m.norm();
+    }
+    /** A line that passes a point at no more than this brings it into view, on any course. */
+    [[nodiscard]] double largestOffset_m() const { return m_largestOffset_m; }
+
+    [[nodiscard]] bool contains(const Point& p_m) const
+    {
+        if (m_shape == FovShape::Disk)
+            return p_m.squaredNorm() <= m_half_m.x() * m_half_m.x();
+        return std::abs(p_m.x()) <= m_half_m.x() && std::abs(p_m.y()) <= m_half_m.y();
+    }
+
+    /** Which part of the straight way between the two points is in view. */
+    [[nodiscard]] std::optional<ViewSpan> crossing(const Point& from_m, const Point& to_m) const
+    {
+        if (m_shape == FovShape::Disk)
+            return crossingDisk(from_m, to_m);
+        for (int axis = 0; axis < 2; ++axis)
+            if ((from_m[axis] > m_half_m[axis] && to_m[axis] > m_half_m[axis]) ||
+                (from_m[axis] < -m_half_m[axis] && to_m[axis] < -m_half_m[axis]))
+                return std::nullopt;
+        return crossingRectangle(from_m, to_m);
+    }
+
+    /**
+     * How far before abeam a point comes into view that is passed on a straight course `ahead` (a
+     * unit vector, east and north) and lies `offset_m` left of it.
+     */
+    [[nodiscard]] double entry_m(const Point& ahead, double offset_m) const;
+
+private:
+    [[nodiscard]] std::optional<ViewSpan> crossingRectangle(const Point& from_m,
+                                                            const Point& to_m) const;
+    [[nodiscard]] std::optional<ViewSpan> crossingDisk(const Point& from_m,
+                                                       const Point& to_m) const;
+
+    FovShape m_shape;
+    Point m_half_m;
+    double m_largestOffset_m;
+};
+
+/**
+ * How much narrower than the sensor a view is planned, so that a drift of `q_m2ps` over the
+ * minutes between plan and sighting does not carry an iceberg past its edge.
+ */
+[[nodiscard]] double viewMargin_m(double q_m2ps);
+
+} // namespace berg

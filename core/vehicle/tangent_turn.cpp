@@ -1,0 +1,66 @@
+#include "core/vehicle/tangent_turn.h"
+
+#include "core/base/angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+/** Turns this close to a full circle are none. */
+constexpr double kNoTurn_rad = 1e-9;
+
+struct SideTurn
+{
+    Point course = Point::Zero();
+    double arc_rad = 0; ///< >= 0
+    double length_m = 0;
+    bool possible = false;
+};
+
+/** `side` 1: to the left, -1: to the right. */
+SideTurn turnTo(double side, const Pose& start, const LinePast& line, double radius_m)
+{
+    const Point toTarget_m = line.target_m - start.position_m - side * radius_m * start.left();
+    const double squared_m2 = toTarget_m.squaredNorm();
+    const double lateral_m = line.offset_m - side * radius_m;
+    const double length_m2 = squared_m2 - lateral_m * lateral_m;
+    SideTurn turn{.length_m = std::sqrt(std::max(0.0, length_m2)), .possible = length_m2 >= 0};
+    // The course is the bearing of the target turned by -asin(lateral / distance).
+    const double distance_m = turn.possible ? std::sqrt(squared_m2) : std::abs(lateral_m);
+    turn.course = rotated(toTarget_m, turn.length_m / distance_m, -lateral_m / distance_m);
+    turn.course.normalize();
+    const double arc_rad =
+        side * std::atan2(cross(start.ahead, turn.course), start.ahead.dot(turn.course));
+    turn.arc_rad = arc_rad < -kNoTurn_rad ? arc_rad + 2 * kPi : std::max(0.0, arc_rad);
+    return turn;
+}
+
+} // namespace
+
+Pose poseOf(const DubinsState& state)
+{
+    return {.position_m = state.position_m,
+            .ahead = Point(std::cos(state.psi_rad), std::sin(state.psi_rad))};
+}
+
+TangentTurn turnOntoLine(const Pose& start, const LinePast& line, double radius_m)
+{
+    const double lateral_m = start.left().dot(line.target_m - start.position_m) - line.offset_m;
+    double side = lateral_m >= 0 ? 1 : -1;
+    SideTurn turn = turnTo(side, start, line, radius_m);
+    if (!turn.possible || turn.arc_rad >= kPi) {
+        const SideTurn other = turnTo(-side, start, line, radius_m);
+        if (other.possible && (!turn.possible || other.arc_rad < turn.arc_rad)) {
+            turn = other;
+            side = -side;
+        }
+    }
+    return {.turn_rad = side * turn.arc_rad,
+            .end = turnedTo(start, turn.course, side, radius_m),
+            .length_m = turn.length_m};
+}
+
+} // namespace berg

@@ -1,0 +1,185 @@
+#include "core/coverage/coverage_model.h"
+#include "core/coverage/coverage_policy.h"
+#include "core/plan/planner.h"
+#include "core/scenario/presets.h"
+#include "core/sim/simulation.h"
+#include "tests/support/scenario_builder.h"
+#include "tests/support/test_solvers.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <set>
+
+using namespace berg;
+using test::addIceberg;
+using test::emptySea;
+
+namespace {
+
+constexpr std::int64_t kWork = 100'000;
+
+std::unique_ptr<Policy> coverage()
+{
+    static const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
+    return makeFlownPolicy({.policy = PolicyKind::Coverage}, *solver);
+}
+
+PlanRequest requestOf(const Scenario& scenario)
+{
+    return Simulation(scenario).planRequest();
+}
+
+/** Every available id once, the first of them sighted on the first leg, numbers that fit. */
+void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
+{
+    std::multiset<int> available;
+    for (std::size_t k = 0; k < request.ids.size(); ++k)
+        if (request.available[k])
+            available.insert(request.ids[k]);
+    QVERIFY(std::multiset<int>(answer.order.begin(), answer.order.end()) == available);
+    QVERIFY(isVisitOrder(answer.problem, answer.outcome.order));
+    QVERIFY(answer.solvedIds == answer.order);
+    QVERIFY(answer.outcome.status == SolveStatus::Feasible);
+    QVERIFY(!answer.legs.empty());
+    QVERIFY(answer.predictedZeta_m2s.has_value());
+    double before_s = request.picture->time_s;
+    for (const AimedLeg& leg : answer.legs) {
+        QVERIFY(leg.sighting_s >= before_s);
+        QVERIFY(leg.sighting_s <= request.picture->until_s + 1e-9);
+        before_s = leg.sighting_s;
+    }
+}
+
+} // namespace
+
+class TestCoveragePolicy : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void plansAllThatIsAvailable()
+    {
+        for (int seed = 1; seed <= 10; ++seed) {
+            Scenario scenario = randomScenario(seed);
+            scenario.icebergs[0].position_m = scenario.uavs[0].position_m; // in view
+            const PlanRequest request = requestOf(scenario);
+            QVERIFY(!request.available[0]);
+            verifyAnswer(coverage()->plan(request, {}, {.workLimit = kWork}), request);
+        }
+    }
+
+    /** Re-planned after each of some flown seconds. */
+    void rePlans()
+    {
+        Simulation simulation(randomScenario(3));
+        const std::unique_ptr<Policy> policy = coverage();
+        std::vector<int> last;
+        for (int k = 0; k < 15; ++k) {
+            const PlanRequest request = simulation.planRequest();
+            const PlanAnswer answer = policy->plan(request, last, {.workLimit = kWork});
+            verifyAnswer(answer, request);
+            QCOMPARE(answer.outcome.hintUsed, k > 0);
+            simulation.setTarget(answer.order.front(), answer.legs.front());
+            for (int i = 0; i < 200 && simulation.planReason() == PlanReason::None; ++i)
+                simulation.advanceStep();
+            last = answer.order;
+        }
+    }
+
+    /** A warm start costs no more than was left of the plan before. */
+    void warmStartIsKept()
+    {
+        Scenario scenario = randomScenario(5);
+        scenario.noise = false;
+        Simulation simulation(scenario);
+        const std::unique_ptr<Policy> policy = coverage();
+        const PlanAnswer first = policy->plan(simulation.planRequest(), {}, {});
+        simulation.setTarget(first.order.front(), first.legs.front());
+        while (simulation.planReason() == PlanReason::None)
+            simulation.advanceStep();
+        const PlanRequest request = simulation.planRequest();
+        const double left_m2s = *first.predictedZeta_m2s - simulation.state().zeta_m2s;
+        const PlanAnswer warm = policy->plan(request, first.order, {.workLimit = 1});
+        QVERIFY(*warm.predictedZeta_m2s < 1.005 * left_m2s);
+        const PlanAnswer cold = policy->plan(request, {}, {.workLimit = 1});
+        QVERIFY(!cold.outcome.hintUsed);
+        QVERIFY(*cold.predictedZeta_m2s > 1.03 * left_m2s); // greedy alone
+    }
+
+    void nothingAvailable()
+    {
+        Scenario scenario = emptySea();
+        addIceberg(scenario, 50, 0);
+        const PlanAnswer answer = coverage()->plan(requestOf(scenario), {}, {});
+        QVERIFY(answer.order.empty());
+        QVERIFY(answer.legs.empty());
+        QVERIFY(!answer.predictedZeta_m2s);
+        QVERIFY(coverage()->plan(requestOf(emptySea()), {}, {}).order.empty());
+    }
+
+    void cancelLeavesNoTrace()
+    {
+        std::stop_source source;
+        source.request_stop();
+        const PlanRequest request = requestOf(randomScenario(6));
+        const std::unique_ptr<Policy> policy = coverage();
+        const PlanAnswer cut = policy->plan(request, {}, {.stop = source.get_token()});
+        QVERIFY(cut.outcome.reason == StopReason::Cancelled);
+        QVERIFY(cut.order.empty());
+        const SolveOptions options{.workLimit = kWork};
+        QVERIFY(policy->plan(request, {}, options).legs ==
+                coverage()->plan(request, {}, options).legs);
+    }
+
+    void timeLimitStillGivesAPlan()
+    {
+        const PlanRequest request = requestOf(randomScenario(6));
+        const PlanAnswer answer = coverage()->plan(request, {}, {.timeLimit_s = 0});
+        QVERIFY(answer.outcome.reason == StopReason::TimeLimit);
+        verifyAnswer(answer, request);
+    }
+
+    /** New icebergs are in the next plan, and those that are gone no longer. */
+    void picturesMayChange()
+    {
+        const std::unique_ptr<Policy> policy = coverage();
+        const SolveOptions options{.workLimit = kWork};
+        PlanRequest request = requestOf(randomScenario(7, {.icebergs = 8}));
+        const std::vector<int> order = policy->plan(request, {}, options).order;
+        const PlanRequest more = requestOf(randomScenario(7, {.icebergs = 10}));
+        verifyAnswer(policy->plan(more, order, options), more);
+        const PlanRequest fewer = requestOf(randomScenario(7, {.icebergs = 3}));
+        verifyAnswer(policy->plan(fewer, order, options), fewer);
+    }
+
+    void longRunsAreJudgedByAPart()
+    {
+        Scenario scenario = randomScenario(8);
+        scenario.duration_s = 4000;
+        const PlanRequest request = requestOf(scenario);
+        const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
+        verifyAnswer(answer, request);
+        QVERIFY(answer.legs.back().sighting_s < 1500);
+    }
+
+    void otherPoliciesAreMadeToo()
+    {
+        const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
+        const PlanRequest request = requestOf(randomScenario(9));
+        const PlannerSettings settings{.policy = PolicyKind::Nearest};
+        const PlanAnswer answer = makeFlownPolicy(settings, *solver)->plan(request, {}, {});
+        QVERIFY(answer.order == makePolicy(settings, *solver)->plan(request, {}, {}).order);
+        QVERIFY(answer.legs.empty());
+    }
+
+    void aPictureIsNeeded()
+    {
+        PlanRequest request = requestOf(randomScenario(9));
+        request.picture = nullptr;
+        QVERIFY_EXCEPTION_THROWN((void)coverage()->plan(request, {}, {}), std::logic_error);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCoveragePolicy)
+#include "tst_coverage_policy.moc"
