@@ -409,6 +409,14 @@
         <source>%1 reported seen</source>
         <translation>%1 meldt sett</translation>
     </message>
+    <message>
+        <source>iceberg sighted on the way</source>
+        <translation>isfjell sett underveis</translation>
+    </message>
+    <message>
+        <source>sighting overdue</source>
+        <translation>observasjon uteblitt</translation>
+    </message>
 </context>
 <context>
     <name>HandleDrag</name>
@@ -2446,6 +2454,46 @@
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Predicted zeta: %1 m² s</source>
+        <translation>Forutsagt zeta: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Objective: %1 m² s</source>
+        <translation>Målfunksjon: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Lower bound: %1 m² s</source>
+        <translation>Nedre grense: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Weighs uncertainty seen early against the length of the way, by τ.</source>
+        <translation>Veier usikkerhet sett tidlig mot veiens lengde, med τ.</translation>
+    </message>
+    <message>
+        <source>Flies the shortest way past all icebergs, then the next one.</source>
+        <translation>Flyr den korteste veien forbi alle isfjell, så den neste.</translation>
+    </message>
+    <message>
+        <source>Flies one shortest round tour again and again.</source>
+        <translation>Flyr én korteste rundtur om og om igjen.</translation>
+    </message>
+    <message>
+        <source>Flies to the nearest iceberg out of view.</source>
+        <translation>Flyr til det nærmeste isfjellet som ikke er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Flies to the iceberg of the greatest uncertainty.</source>
+        <translation>Flyr til isfjellet med størst usikkerhet.</translation>
+    </message>
+    <message>
+        <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
+        <translation>Holder ventetiden for alle isfjell kort, vektet med usikkerheten deres.</translation>
+    </message>
+    <message>
+        <source>Predicts zeta for ways that pass icebergs at an offset and see several at once.</source>
+        <translation>Forutsier zeta for veier som passerer isfjell på avstand og ser flere på én gang.</translation>
     </message>
 </context>
 <context>
@@ -5007,10 +5055,6 @@ uten noe sett underveis og uten ny planlegging.</translation>
 <context>
     <name>berg::TradeoffPanel</name>
     <message>
-        <source>This version of Bergwatch cannot fly this policy. Choose another one.</source>
-        <translation>Denne versjonen av Bergwatch kan ikke fly denne strategien. Velg en annen.</translation>
-    </message>
-    <message>
         <source>Trade-off τ</source>
         <translation>Avveining τ</translation>
     </message>
@@ -5043,10 +5087,6 @@ uten noe sett underveis og uten ny planlegging.</translation>
         <translation>Denne utgaven av Bergwatch er bygd uten denne løseren.</translation>
     </message>
     <message>
-        <source>%1 (not available)</source>
-        <translation>%1 (ikke tilgjengelig)</translation>
-    </message>
-    <message>
         <source>The policy chosen does not use this.</source>
         <translation>Den valgte strategien bruker ikke dette.</translation>
     </message>
@@ -5061,10 +5101,6 @@ uten noe sett underveis og uten ny planlegging.</translation>
     <message>
         <source>Trade-off τ from 0 to 100.</source>
         <translation>Avveining τ fra 0 til 100.</translation>
-    </message>
-    <message>
-        <source>How the next iceberg is chosen.</source>
-        <translation>Hvordan neste isfjell velges.</translation>
     </message>
     <message>
         <source>What makes the plan. Automatic proves small problems and searches in large ones.</source>

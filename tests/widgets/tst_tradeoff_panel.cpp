@@ -1,3 +1,4 @@
+#include "core/plan/names.h"
 #include "tests/support/approx.h"
 #include "tests/support/panel_test.h"
 #include "widgets/panels/number_field.h"
@@ -193,8 +194,8 @@ private slots:
         Fixture f;
         QTest::keyClick(&f.policy, Qt::Key_Down);
         QCOMPARE(f.policyEdited.count(), 1);
-        QCOMPARE(f.policyEdited.front().front().value<PolicyKind>(), PolicyKind::Path);
-        f.panel.showSettings({.policy = PolicyKind::Path});
+        QCOMPARE(f.policyEdited.front().front().value<PolicyKind>(), PolicyKind::Latency);
+        f.panel.showSettings({.policy = PolicyKind::Latency});
         f.panel.showSettings({});
         QTest::keyClick(&f.solver, Qt::Key_Down);
         QCOMPARE(f.backendEdited.count(), 1);
@@ -205,18 +206,21 @@ private slots:
         QCOMPARE(f.intents(), 3);
     }
 
-    void policiesThatCannotBeFlownAreShownOnly()
+    void everyPolicyIsOfferedAndExplained()
     {
         Fixture f;
-        QCOMPARE(f.policy.count(), 5);
+        QCOMPARE(f.policy.count(), static_cast<int>(std::size(kPolicyNames)));
+        QSet<QString> sentences;
+        for (int row = 0; row < f.policy.count(); ++row)
+            sentences << f.policy.itemData(row, Qt::ToolTipRole).toString();
+        QCOMPARE(sentences.size(), f.policy.count());
+        QVERIFY(!sentences.contains(QString()));
         f.panel.showSettings({.policy = PolicyKind::Coverage});
-        QCOMPARE(f.policy.count(), 6);
-        QVERIFY(f.policy.currentText().contains(u"not available"_s));
-        const auto* model = qobject_cast<QStandardItemModel*>(f.policy.model());
-        QVERIFY(!model->item(f.policy.currentIndex())->isEnabled());
-        QVERIFY(!f.policy.currentData(Qt::ToolTipRole).toString().isEmpty());
-        f.panel.showSettings({});
-        QCOMPARE(f.policy.count(), 5);
+        QCOMPARE(f.policy.currentData().value<PolicyKind>(), PolicyKind::Coverage);
+        QVERIFY(sentences.contains(f.policy.toolTip()));
+        QVERIFY(!f.solver.isEnabled());
+        f.panel.showSettings({.policy = PolicyKind::Latency});
+        QVERIFY(f.solver.isEnabled());
         QCOMPARE(f.intents(), 0);
     }
 

@@ -69,6 +69,10 @@ QString planReasonText(PlanReason reason)
         return EventText::tr("new iceberg");
     case PlanReason::Intervention:
         return EventText::tr("changed in flight");
+    case PlanReason::Sighted:
+        return EventText::tr("iceberg sighted on the way");
+    case PlanReason::Overdue:
+        return EventText::tr("sighting overdue");
     }
     return {};
 }

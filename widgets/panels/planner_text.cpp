@@ -22,6 +22,8 @@ struct PlannerText
 /** The names by which the policies that need no solver sign their answers. */
 constexpr std::string_view kGreedy = "greedy";
 constexpr std::string_view kKeptRoute = "route";
+/** Weighs predicted zeta, not an order. */
+constexpr std::string_view kCoverage = "coverage";
 
 /** True when a solver has judged the order by Eq. (1). */
 bool isSolved(const PlanEvent& plan)
@@ -59,10 +61,17 @@ QString detailsOf(const PlanEvent& plan, const QLocale& locale)
                       PlannerText::tr("Status: %1")
                           .arg(QString::fromStdString(nameOf(kStatusNames, plan.status))),
                       PlannerText::tr("Time: %1").arg(solveTimeText(plan.elapsed_s, locale))};
-    if (plan.status != SolveStatus::None)
-        lines << PlannerText::tr("Objective: %1 m²").arg(number(plan.objective));
+    const bool isLatency = plan.criterion == Criterion::Latency;
+    if (plan.backend == kCoverage && plan.predictedZeta_m2s)
+        lines << PlannerText::tr("Predicted zeta: %1 m² s").arg(number(*plan.predictedZeta_m2s));
+    else if (plan.status != SolveStatus::None)
+        lines << (isLatency ? PlannerText::tr("Objective: %1 m² s")
+                            : PlannerText::tr("Objective: %1 m²"))
+                     .arg(number(plan.objective));
     if (plan.bound)
-        lines << PlannerText::tr("Lower bound: %1 m²").arg(number(*plan.bound));
+        lines << (isLatency ? PlannerText::tr("Lower bound: %1 m² s")
+                            : PlannerText::tr("Lower bound: %1 m²"))
+                     .arg(number(*plan.bound));
     if (plan.warmStarted)
         lines << PlannerText::tr("Started from the plan before");
     return lines.join(u'\n');
@@ -141,6 +150,30 @@ QString policyName(PolicyKind policy)
     return {};
 }
 
+QString policySentence(PolicyKind policy)
+{
+    switch (policy) {
+    case PolicyKind::Visitation:
+        return PlannerText::tr(
+            "Weighs uncertainty seen early against the length of the way, by τ.");
+    case PolicyKind::Path:
+        return PlannerText::tr("Flies the shortest way past all icebergs, then the next one.");
+    case PolicyKind::Tour:
+        return PlannerText::tr("Flies one shortest round tour again and again.");
+    case PolicyKind::Nearest:
+        return PlannerText::tr("Flies to the nearest iceberg out of view.");
+    case PolicyKind::Uncertainty:
+        return PlannerText::tr("Flies to the iceberg of the greatest uncertainty.");
+    case PolicyKind::Latency:
+        return PlannerText::tr(
+            "Keeps the waiting time of all icebergs short, weighted by their uncertainty.");
+    case PolicyKind::Coverage:
+        return PlannerText::tr(
+            "Predicts zeta for ways that pass icebergs at an offset and see several at once.");
+    }
+    return {};
+}
+
 QString backendName(Backend backend)
 {
     switch (backend) {
@@ -184,8 +217,10 @@ PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
     if (plan.status == SolveStatus::None || plan.backend == kKeptRoute)
         return figures;
     figures.distance_m = plan.distance_m;
-    // The routes are made as if every sigma were 0; the greedy rules put no price on distance.
-    if (policy == PolicyKind::Path || policy == PolicyKind::Tour)
+    // Only Eq. (1) has a reward: the routes are made as if every sigma were 0, the others weigh
+    // time.
+    if (policy == PolicyKind::Path || policy == PolicyKind::Tour || policy == PolicyKind::Latency ||
+        policy == PolicyKind::Coverage)
         return figures;
     figures.reward_m2 = plan.mu * plan.distance_m - plan.objective;
     if (!isSolved(plan))

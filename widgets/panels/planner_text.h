@@ -12,6 +12,8 @@ namespace berg {
 
 /** Name of a choice in the user's words, as the lists of the trade-off panel show it. */
 [[nodiscard]] QString policyName(PolicyKind policy);
+/** What it does, in a sentence. */
+[[nodiscard]] QString policySentence(PolicyKind policy);
 [[nodiscard]] QString backendName(Backend backend);
 [[nodiscard]] QString routeName(Route route);
 

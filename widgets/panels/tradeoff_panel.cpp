@@ -100,17 +100,6 @@ void select(QComboBox& combo, Enum value)
         combo.setCurrentIndex(row);
 }
 
-QString notFlown()
-{
-    return TradeoffPanel::tr("This version of Bergwatch cannot fly this policy. Choose another "
-                             "one.");
-}
-
-bool isFlown(PolicyKind policy)
-{
-    return policy != PolicyKind::Latency && policy != PolicyKind::Coverage;
-}
-
 bool hasBackend(Backend backend)
 {
     try {
@@ -206,9 +195,12 @@ void TradeoffPanel::addChoices()
     m_route = addCombo(*grid, 3, 1, 1, u"routeCombo"_s, tr("Route"));
     qobject_cast<QVBoxLayout*>(layout())->addLayout(grid);
 
-    for (const PolicyKind policy : {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour,
-                                    PolicyKind::Nearest, PolicyKind::Uncertainty})
+    for (const PolicyKind policy :
+         {PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage, PolicyKind::Path,
+          PolicyKind::Tour, PolicyKind::Nearest, PolicyKind::Uncertainty}) {
         offer(*m_policy, static_cast<int>(policy), policyName(policy), {});
+        m_policy->setItemData(m_policy->count() - 1, policySentence(policy), Qt::ToolTipRole);
+    }
     for (const Backend backend : {Backend::Auto, Backend::Exact, Backend::Cbc, Backend::Heuristic})
         offer(*m_backend, static_cast<int>(backend), backendName(backend),
               hasBackend(backend) ? QString()
@@ -331,14 +323,6 @@ void TradeoffPanel::showSettings(const PlannerSettings& settings)
 
 void TradeoffPanel::showChoices()
 {
-    for (const PolicyKind policy : {PolicyKind::Latency, PolicyKind::Coverage}) {
-        const int row = m_policy->findData(static_cast<int>(policy));
-        if (policy == m_settings.policy && row < 0)
-            offer(*m_policy, static_cast<int>(policy),
-                  tr("%1 (not available)").arg(policyName(policy)), notFlown());
-        else if (policy != m_settings.policy && row >= 0)
-            m_policy->removeItem(row);
-    }
     select(*m_policy, m_settings.policy);
     select(*m_backend, m_settings.backend);
     select(*m_route, m_settings.route);
@@ -357,7 +341,8 @@ void TradeoffPanel::updateEnabled()
 {
     const PolicyKind policy = m_settings.policy;
     const bool usesTau = policy == PolicyKind::Visitation;
-    const bool usesSolver = usesTau || policy == PolicyKind::Path || policy == PolicyKind::Tour;
+    const bool usesSolver = usesTau || policy == PolicyKind::Path || policy == PolicyKind::Tour ||
+                            policy == PolicyKind::Latency;
     const QString noUse = tr("The policy chosen does not use this.");
     const QString locked = tr("Locked in flight. Reset the flight to change this.");
 
@@ -371,7 +356,7 @@ void TradeoffPanel::updateEnabled()
            "keys change τ by 0.01, Page keys by 0.25."));
     set(*m_tau, tauWhyNot, tr("Trade-off τ from 0 to 100."));
     m_strip->setEnabled(usesTau); // its tool tips are its own
-    m_policy->setToolTip(isFlown(policy) ? tr("How the next iceberg is chosen.") : notFlown());
+    m_policy->setToolTip(policySentence(policy));
     set(*m_backend, m_inFlight ? locked : (usesSolver ? QString() : noUse),
         tr("What makes the plan. Automatic proves small problems and searches in large ones."));
     set(*m_route, m_inFlight ? locked : (usesTau ? QString() : noUse),
