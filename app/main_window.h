@@ -263,6 +263,7 @@ private:
     std::uint64_t m_markRewrites = 0;
     QTimer m_chartTimer; ///< each chart at most 25 times a second
     std::size_t m_nextChart = 0;
+    std::size_t m_chartsDue = 0; ///< so many do not show the newest yet
     QTimer m_tableTimer; ///< tables of icebergs and, in flight, of the plan at most 10 times
 };
 

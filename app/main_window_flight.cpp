@@ -20,6 +20,8 @@
 #include <QLabel>
 #include <QStatusBar>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -112,6 +114,7 @@ void MainWindow::showFlight()
     m_playAction->setText(playing ? tr("Pause") : tr("Fly"));
     if (record.inFlight())
         showPlanner();
+    m_chartsDue = m_charts.size();
     if (!m_chartTimer.isActive())
         m_chartTimer.start();
 }
@@ -141,10 +144,11 @@ void MainWindow::showNextChart()
 {
     showChart(*m_charts[m_nextChart]);
     m_nextChart = (m_nextChart + 1) % m_charts.size();
-    if (m_nextChart != 0) {
+    m_chartsDue -= std::min<std::size_t>(m_chartsDue, 1);
+    if (m_chartsDue > 0)
         m_chartTimer.start();
+    if (m_nextChart != 0)
         return;
-    }
     showEvents();
     if (!m_tableTimer.isActive())
         m_tableTimer.start();

@@ -104,6 +104,7 @@ void MainWindow::buildDocks()
         widget->setWidget(content);
         addDockWidget(area, widget);
         connect(widget, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+            m_chartsDue = m_charts.size();
             if (visible && !m_chartTimer.isActive())
                 m_chartTimer.start();
         });

@@ -3,12 +3,14 @@
 #include "core/scenario/presets.h"
 #include "tests/support/scenario_builder.h"
 #include "tests/support/window_fixture.h"
+#include "widgets/charts/time_chart.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QSlider>
 #include <QTableView>
 #include <QToolButton>
 #include <QUndoStack>
@@ -32,6 +34,13 @@ void flyAtFullSpeed(WindowFixture& w)
     for (int presses = 0; rate.currentData().toDouble() != 0 && presses < rate.count(); ++presses)
         QTest::keyClick(&w.map(), Qt::Key_BracketRight);
     QCOMPARE(rate.currentData().toDouble(), 0.0);
+}
+
+/** End of the first line; -1: nothing is drawn. */
+double shownUntil_s(const TimeChart& chart)
+{
+    const std::vector<TimeLine>& lines = chart.content().lines;
+    return lines.empty() || lines.front().points.empty() ? -1 : lines.front().points.back().x();
 }
 
 /** This build may lack it. */
@@ -154,10 +163,10 @@ private slots:
         auto& policy = test::child<QComboBox>(w.window(), u"policyCombo"_s);
         policy.setFocus();
         QTest::keyClick(&policy, Qt::Key_Down);
-        QVERIFY(w.until([&] { return w.record().now.planner.policy == PolicyKind::Path; }));
+        QVERIFY(w.until([&] { return w.record().now.planner.policy == PolicyKind::Latency; }));
         QCOMPARE(w.scenario().planner.policy, PolicyKind::Visitation);
         QCOMPARE(w.document().undoStack()->count(), 0);
-        QVERIFY(!test::child<QComboBox>(w.window(), u"solverCombo"_s).isEnabled());
+        QVERIFY(!test::child<QSlider>(w.window(), u"tauSlider"_s).isEnabled());
         w.trigger(u"resetAction"_s);
         QVERIFY(w.untilReady());
         QCOMPARE(w.record().now.planner.policy, PolicyKind::Visitation);
@@ -200,6 +209,20 @@ private slots:
         QVERIFY(w.until(
             [&] { return w.until(RunPhase::Finished) && w.record().now.generation > flight; }));
         QVERIFY(w.record().now.metrics.zeta_m2s == zeta_m2s);
+    }
+
+    /** They are drawn in turns; the last turn of each shows the end. */
+    void everyChartShowsTheNewest()
+    {
+        WindowFixture w(randomScenario(26, {.icebergs = 5}));
+        flyAtFullSpeed(w);
+        w.trigger(u"playAction"_s);
+        QVERIFY(w.until(RunPhase::Finished));
+        const QList<TimeChart*> charts = w.window().findChildren<TimeChart*>();
+        QCOMPARE(charts.size(), 2);
+        const Sample& last = w.record().history.samples.back();
+        for (TimeChart* chart : charts)
+            QTRY_COMPARE(shownUntil_s(*chart), last.time_s);
     }
 
     /** The list tells the events of the mission shown, not of one before. */

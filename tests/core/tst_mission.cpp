@@ -294,7 +294,6 @@ private slots:
         twin.id = "berg-1"; // taken
         QVERIFY_EXCEPTION_THROWN(mission.intervene({.appears = twin}), Error);
         QVERIFY_EXCEPTION_THROWN(mission.intervene({.tau = -1.0}), Error);
-        QVERIFY_EXCEPTION_THROWN(mission.intervene({.policy = PolicyKind::Coverage}), Error);
         QVERIFY(mission.simulation().state() == before);
         QVERIFY(mission.interventions().empty());
     }
