@@ -6,7 +6,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/scenario_builder.h"
 
-#include <QPolygonF>
+#include <QPointF>
 #include <QTest>
 
 #include <cmath>
@@ -125,10 +125,15 @@ private slots:
             west += iceberg.position_m.x() < centre_m.x() ? 1 : 0;
         }
         // The share west of the mean corner, by rejection in the rectangle round the area.
-        const QRectF box = QPolygonF(corners).boundingRect();
+        Point lowest_m = area_m.front();
+        Point highest_m = area_m.front();
+        for (const Point& corner_m : area_m) {
+            lowest_m = lowest_m.cwiseMin(corner_m);
+            highest_m = highest_m.cwiseMax(corner_m);
+        }
         for (int n = 0; n < 20000;) {
-            const Point p_m(random.uniform(box.left(), box.right()),
-                            random.uniform(box.top(), box.bottom()));
+            const Point p_m(random.uniform(lowest_m.x(), highest_m.x()),
+                            random.uniform(lowest_m.y(), highest_m.y()));
             if (!insidePolygon(area_m, p_m))
                 continue;
             ++n;

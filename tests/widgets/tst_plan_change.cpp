@@ -101,6 +101,18 @@ private slots:
         QCOMPARE(desk.former(), kUncertainFirst);
     }
 
+    /** Straight legs would foretell too much. */
+    void planWithAimPointsHasNoOutlook()
+    {
+        Desk desk;
+        Scenario scenario = rowOfIcebergs();
+        scenario.planner.policy = PolicyKind::Coverage;
+        desk.open(scenario);
+        QVERIFY(!desk.record().now.plan->legs.empty());
+        QVERIFY(!planOutlook(desk.record()));
+        QVERIFY(!planRows(desk.record().now, scenario).empty());
+    }
+
     void figuresBeforeTakeOff()
     {
         Desk desk;

@@ -33,7 +33,7 @@ struct PlanOutlook
     QStringList before;               ///< icebergs left in the order before
 };
 
-/** Of the instant shown; none without a plan. */
+/** Of the instant shown; none without a plan, or with one that has aim points. */
 [[nodiscard]] std::optional<PlanOutlook> planOutlook(const FlightRecord& record);
 
 } // namespace berg
