@@ -60,8 +60,8 @@ void paintRecordedTrack(QPainter& painter, const QPolygonF& way, const Theme& th
             seen << at;
     const PainterState saved(painter);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(mixed(theme.sea, theme.ink, 0.55), 1.2, Qt::SolidLine, Qt::RoundCap,
-                        Qt::BevelJoin));
+    painter.setPen(
+        QPen(mixed(theme.sea, theme.ink, 0.55), 1.2, Qt::SolidLine, Qt::RoundCap, Qt::BevelJoin));
     painter.drawPolyline(seen);
     painter.setBrush(theme.sea);
     painter.drawEllipse(seen.back(), 2.5, 2.5);

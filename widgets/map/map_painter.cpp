@@ -46,8 +46,8 @@ void paintGraticuleLabels(const MapPaint& p)
         taken.emplace_back(disk.centre_px.x() - disk.radius_px, disk.centre_px.y() - disk.radius_px,
                            2 * disk.radius_px, 2 * disk.radius_px);
     for (const GraticuleLabel& label :
-         graticuleLabels(p.graticule, p.layout.rect, QFontMetricsF(p.theme.small()),
-                         p.style.locale, std::move(taken))) {
+         graticuleLabels(p.graticule, p.layout.rect, QFontMetricsF(p.theme.small()), p.style.locale,
+                         std::move(taken))) {
         const QSizeF size = label.rect.size();
         paintKept(p, u"graticule "_s + label.text, QRectF(QPointF(-3, -3), size + QSizeF(6, 6)),
                   label.rect.topLeft(), [&](QPainter& painter) {

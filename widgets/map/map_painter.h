@@ -20,7 +20,7 @@ struct MapFrame
     const Graticule& graticule;
     MapSprites* sprites = nullptr; ///< null: everything is drawn afresh, at its exact place
     LandLayer* land = nullptr;     ///< null: the land is drawn here and now
-    SweptLayer* swept = nullptr;    ///< null: the water seen is painted afresh
+    SweptLayer* swept = nullptr;   ///< null: the water seen is painted afresh
 };
 
 // The layers of a map from below; each keeps to the inside of `layout.rect`. They work on any paint
