@@ -1,111 +1,13 @@
-#include "core/plan/engine.h"
-#include "core/plan/solver.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/solver_contestants.h"
 
-#include <QtTest>
-
-#include <array>
 #include <thread>
 
 using namespace berg;
+using namespace berg::test;
 
 namespace {
-
-/** The engine of `ExactSolver` at sizes where that uses dynamic programming. */
-class BareEngine final : public TvpSolver
-{
-public:
-    [[nodiscard]] std::string name() const override { return "engine"; }
-    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
-
-protected:
-    [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
-                                       const SolveOptions& options) const override
-    {
-        return solveByEngine(problem, options, std::nullopt);
-    }
-};
-
-/** One back end as `makeSolver` gives it (none: the bare engine), and what it promises. */
-struct Contestant
-{
-    const char* name = "";
-    std::optional<Backend> backend;
-    bool proves = false;     ///< answers small problems with status Optimal, always
-    double tolerance = 2e-9; ///< of its proofs, relative to F + N sum(sigma)
-};
-
-#if BERG_EXPECT_CBC
-constexpr std::size_t kContestants = 5;
-#else
-constexpr std::size_t kContestants = 4;
-#endif
-
-constexpr std::array<Contestant, kContestants> kAll{{
-    {.name = "exact", .backend = Backend::Exact, .proves = true},
-    {.name = "heuristic", .backend = Backend::Heuristic, .proves = true},
-    {.name = "engine", .proves = true},
-    {.name = "auto", .backend = Backend::Auto, .proves = true},
-#if BERG_EXPECT_CBC
-    // The linear programmes inside are solved to about 1e-7.
-    {.name = "cbc", .backend = Backend::Cbc, .proves = true, .tolerance = 1e-6},
-#endif
-}};
-
-/** What must hold of any answer to a problem whose optimum is known; empty when it does. */
-QString faultOf(const Contestant& contestant, const TvpProblem& problem,
-                const SolveOutcome& outcome, double optimum)
-{
-    const double scale = optimum + objectiveShift(problem);
-    const double tolerance = contestant.tolerance * scale + 1e-9;
-    if (outcome.backend.empty())
-        return QStringLiteral("no name");
-    if (outcome.elapsed_s < 0 || outcome.work < 0)
-        return QStringLiteral("negative effort");
-    if (outcome.status == SolveStatus::None) {
-        if (outcome.reason == StopReason::Finished)
-            return QStringLiteral("finished without an order");
-        return outcome.order.empty() ? QString() : QStringLiteral("an order, but status None");
-    }
-    if (!isVisitOrder(problem, outcome.order))
-        return QStringLiteral("not an order");
-    if (outcome.objective != objective(problem, outcome.order))
-        return QStringLiteral("objective is not that of the order");
-    if (std::abs(outcome.objective - test::costByVisitingNumbers(problem, outcome.order)) >
-        1e-11 * scale + 1e-9)
-        return QStringLiteral("objective is not that of the visiting numbers");
-    if (outcome.objective < optimum - 1e-11 * scale - 1e-9)
-        return QStringLiteral("better than the optimum");
-    if (outcome.bound && *outcome.bound > optimum + tolerance)
-        return QStringLiteral("bound %1 above the optimum %2").arg(*outcome.bound).arg(optimum);
-    if (outcome.bound && *outcome.bound > outcome.objective)
-        return QStringLiteral("bound above the objective");
-    if (outcome.status != SolveStatus::Optimal)
-        return {};
-    if (outcome.bound != outcome.objective)
-        return QStringLiteral("proven, but bound and objective differ");
-    if (outcome.objective > optimum + tolerance)
-        return QStringLiteral("claims %1 to be optimal, not %2")
-            .arg(outcome.objective)
-            .arg(optimum);
-    return {};
-}
-
-VisitOrder ascending(int icebergs)
-{
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
-    return order;
-}
-
-bool same(const SolveOutcome& a, const SolveOutcome& b)
-{
-    return a.status == b.status && a.reason == b.reason && a.order == b.order &&
-           a.objective == b.objective && a.bound == b.bound && a.work == b.work &&
-           a.hintUsed == b.hintUsed && a.backend == b.backend;
-}
 
 /** Small problems with something odd about them, by name. */
 std::vector<std::pair<const char*, TvpProblem>> oddProblems()
@@ -164,7 +66,7 @@ std::vector<std::pair<const char*, TvpProblem>> oddProblems()
 
 } // namespace
 
-/** What every back end owes its callers. A new one gets a row in `kAll`. */
+/** What every back end owes its callers, without limits. A new one gets a row in `kAll`. */
 class TestSolverConformance : public QObject
 {
     Q_OBJECT
@@ -304,96 +206,6 @@ private slots:
         QVERIFY(same(outcome, solver()->solve(problem, {})));
     }
 
-    // Limits ------------------------------------------------------------------------------------
-
-    void cancelledBeforeTheStart_data() { solvers_data(); }
-    void cancelledBeforeTheStart()
-    {
-        std::stop_source stop;
-        stop.request_stop();
-        SolveOptions options = hinted(ascending(6));
-        options.stop = stop.get_token();
-        const TvpProblem problem = test::randomProblem(92, 6, 1, Route::Open);
-        const SolveOutcome outcome = solver()->solve(problem, options);
-        QVERIFY(outcome.status == SolveStatus::None);
-        QVERIFY(outcome.reason == StopReason::Cancelled);
-        QVERIFY(outcome.order.empty());
-        QVERIFY(!outcome.bound);
-    }
-
-    void limitsAreOutcomes_data()
-    {
-        QTest::addColumn<int>("contestant");
-        QTest::addColumn<int>("workLimit"); // -1: no time instead
-        QTest::addColumn<bool>("withHint");
-        forEach([](int index, const char* name) {
-            for (const bool withHint : {false, true}) {
-                const char* with = withHint ? "hint" : "no hint";
-                QTest::addRow("%s, work 0, %s", name, with) << index << 0 << withHint;
-                QTest::addRow("%s, work 1, %s", name, with) << index << 1 << withHint;
-                QTest::addRow("%s, no time, %s", name, with) << index << -1 << withHint;
-            }
-        });
-    }
-
-    void limitsAreOutcomes()
-    {
-        QFETCH(int, workLimit);
-        QFETCH(bool, withHint);
-        const TvpProblem problem = test::randomProblem(93, 8, 1, Route::Open);
-        const double optimum = test::bruteForce(problem).objective;
-        SolveOptions options;
-        if (withHint)
-            options.hint = ascending(8);
-        if (workLimit >= 0)
-            options.workLimit = workLimit;
-        else
-            options.timeLimit_s = 0;
-        const SolveOutcome outcome = solver()->solve(problem, options);
-        QCOMPARE(faultOf(contestant(), problem, outcome, optimum), QString());
-        const StopReason limit = workLimit >= 0 ? StopReason::WorkLimit : StopReason::TimeLimit;
-        // A back end may be done before its first look at the limit.
-        QVERIFY(outcome.reason == limit || outcome.status == SolveStatus::Optimal);
-        if (withHint) {
-            QVERIFY(outcome.status != SolveStatus::None);
-            QVERIFY(outcome.objective <= objective(problem, options.hint));
-        }
-        if (workLimit >= 0) {
-            QVERIFY(same(outcome, solver()->solve(problem, options)));
-        }
-    }
-
-    /** Cancelled by its own first report: what has been found is not lost. */
-    void cancelledOnTheWay_data() { solvers_data(); }
-    void cancelledOnTheWay()
-    {
-        const TvpProblem problem = test::randomProblem(94, 8, 1, Route::Open);
-        std::stop_source stop;
-        SolveOptions options = hinted(ascending(8));
-        options.stop = stop.get_token();
-        options.onProgress = [&stop](const SolveProgress&) { stop.request_stop(); };
-        const SolveOutcome outcome = solver()->solve(problem, options);
-        QCOMPARE(faultOf(contestant(), problem, outcome, test::bruteForce(problem).objective),
-                 QString());
-        QVERIFY(outcome.reason == StopReason::Cancelled || outcome.status == SolveStatus::Optimal);
-        QVERIFY(outcome.status != SolveStatus::None);
-        QVERIFY(outcome.objective <= objective(problem, options.hint));
-    }
-
-    void keepsToTheGap_data() { solvers_data(); }
-    void keepsToTheGap()
-    {
-        const TvpProblem problem = test::randomProblem(95, 8, 1, Route::Closed);
-        SolveOptions options;
-        options.gap = 0.2;
-        const SolveOutcome outcome = solver()->solve(problem, options);
-        QCOMPARE(faultOf(contestant(), problem, outcome, test::bruteForce(problem).objective),
-                 QString());
-        QVERIFY(outcome.bound.has_value());
-        QVERIFY(relativeGap(problem, outcome.objective, *outcome.bound) <= 0.2 + 1e-9);
-        QVERIFY(outcome.status == SolveStatus::Optimal || outcome.reason == StopReason::GapReached);
-    }
-
     // Conduct -----------------------------------------------------------------------------------
 
     void reportsOnlyWhatIsTrue_data() { solvers_data(); }
@@ -481,37 +293,6 @@ private slots:
         QVERIFY(error.has_value());
         QVERIFY(error->code() == ErrorCode::InvalidInput);
         QVERIFY(test::names(error->issues(), field.toStdString()));
-    }
-
-private:
-    template <class Action>
-    static void forEach(Action&& action)
-    {
-        for (std::size_t k = 0; k < kAll.size(); ++k)
-            action(static_cast<int>(k), kAll[k].name);
-    }
-    static void solvers_data()
-    {
-        QTest::addColumn<int>("contestant");
-        forEach([](int index, const char* name) { QTest::newRow(name) << index; });
-    }
-    static const Contestant& contestant()
-    {
-        QFETCH(int, contestant);
-        return kAll.at(static_cast<std::size_t>(contestant));
-    }
-    static std::unique_ptr<TvpSolver> made(const Contestant& contestant)
-    {
-        if (contestant.backend)
-            return makeSolver(*contestant.backend);
-        return std::make_unique<BareEngine>();
-    }
-    static std::unique_ptr<TvpSolver> solver() { return made(contestant()); }
-    static SolveOptions hinted(const VisitOrder& hint)
-    {
-        SolveOptions options;
-        options.hint = hint;
-        return options;
     }
 };
 
