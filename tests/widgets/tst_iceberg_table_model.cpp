@@ -1,82 +1,27 @@
 #include "core/io/scenario_json.h"
 #include "tests/support/approx.h"
 #include "tests/support/mission_builder.h"
-#include "tests/support/panel_test.h"
-#include "tests/support/scenario_builder.h"
-#include "widgets/panels/iceberg_table_model.h"
+#include "tests/support/table_fixture.h"
 #include "widgets/panels/plan_rows.h"
 
-#include <QAbstractItemModelTester>
 #include <QSignalSpy>
-#include <QUndoStack>
 
 #include <algorithm>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Ids = std::vector<std::string>;
+using berg::test::col;
+using berg::test::Ids;
+using berg::test::kEditorColumns;
+using Fixture = berg::test::TableFixture;
 
 namespace {
-
-constexpr int col(IcebergColumn column)
-{
-    return static_cast<int>(column);
-}
-
-const std::vector<int> kEditorColumns{
-    col(IcebergColumn::Name),   col(IcebergColumn::East),      col(IcebergColumn::North),
-    col(IcebergColumn::Speed),  col(IcebergColumn::Direction), col(IcebergColumn::Sigma0),
-    col(IcebergColumn::Growth), col(IcebergColumn::Observed),  col(IcebergColumn::Appears)};
 
 /** Four icebergs, one of them not there before 150 s. */
 Scenario fourOneLater()
 {
     return test::changed([](Scenario& scenario) { scenario.icebergs[2].appears_s = 150; });
 }
-
-struct Fixture
-{
-    ScenarioDocument document;
-    IcebergTableModel model;
-    QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::QtTest};
-
-    explicit Fixture(const Scenario& scenario = test::fourIcebergs(),
-                     const QLocale& locale = QLocale::c())
-        : model(document, locale)
-    {
-        document.reset(scenario);
-        QObject::connect(&document, &ScenarioDocument::scenarioChanged, &model,
-                         [this] { model.showScenario(); });
-        model.showScenario();
-    }
-    [[nodiscard]] QString cell(int row, IcebergColumn column) const
-    {
-        return model.index(row, col(column)).data().toString();
-    }
-    bool put(int row, IcebergColumn column, const QVariant& value)
-    {
-        return model.setData(model.index(row, col(column)), value, Qt::EditRole);
-    }
-    [[nodiscard]] const std::vector<Iceberg>& icebergs() const
-    {
-        return document.scenario().icebergs;
-    }
-    [[nodiscard]] QString undoText() const { return document.undoStack()->undoText(); }
-    [[nodiscard]] Ids shown() const
-    {
-        Ids ids;
-        for (int row = 0; row < model.rowCount(); ++row)
-            ids.push_back(model.rowAt(row).id);
-        return ids;
-    }
-    [[nodiscard]] std::vector<int> allRows() const
-    {
-        std::vector<int> rows;
-        for (int row = 0; row < model.rowCount(); ++row)
-            rows.push_back(row);
-        return rows;
-    }
-};
 
 /** The record of the mission, looking back at `time_s`. */
 FlightRecord recordAt(const Mission& mission, double time_s)
@@ -307,150 +252,6 @@ private slots:
         QCOMPARE(f.model.rowOf("berg-1"), -1);
         f.model.setFilter({});
         QCOMPARE(f.model.rowOf("berg-4"), 3);
-    }
-
-    void everyEditIsOneUndoStep_data()
-    {
-        QTest::addColumn<IcebergColumn>("column");
-        QTest::addColumn<QVariant>("value");
-        QTest::addColumn<QString>("undoText");
-        QTest::newRow("name") << IcebergColumn::Name << QVariant(u"Ny"_s) << u"Change name"_s;
-        QTest::newRow("east") << IcebergColumn::East << QVariant(-12.5) << u"Change position"_s;
-        QTest::newRow("north") << IcebergColumn::North << QVariant(99.0) << u"Change position"_s;
-        QTest::newRow("speed") << IcebergColumn::Speed << QVariant(0.5) << u"Change drift"_s;
-        QTest::newRow("direction")
-            << IcebergColumn::Direction << QVariant(45.0) << u"Change drift"_s;
-        QTest::newRow("sigma0") << IcebergColumn::Sigma0 << QVariant(7.5)
-                                << u"Change uncertainty"_s;
-        QTest::newRow("growth") << IcebergColumn::Growth << QVariant(0.1)
-                                << u"Change growth of uncertainty"_s;
-        QTest::newRow("observed") << IcebergColumn::Observed << QVariant(60.0)
-                                  << u"Change time last seen"_s;
-        QTest::newRow("appears") << IcebergColumn::Appears << QVariant(30.0)
-                                 << u"Change time of appearing"_s;
-    }
-
-    void everyEditIsOneUndoStep()
-    {
-        QFETCH(IcebergColumn, column);
-        QFETCH(QVariant, value);
-        QFETCH(QString, undoText);
-        Fixture f;
-        QVERIFY(f.put(0, column, value));
-        QCOMPARE(f.document.undoStack()->count(), 1);
-        QCOMPARE(f.undoText(), undoText);
-        const QVariant edited = f.model.index(0, col(column)).data(Qt::EditRole);
-        if (column == IcebergColumn::Name)
-            QCOMPARE(edited, value);
-        else
-            COMPARE_NEAR(edited.toDouble(), value.toDouble(), 1e-12); // drift is turned
-        QVERIFY(f.document.issues().empty() ||
-                f.document.issues().front().severity != Severity::Error);
-        f.document.undoStack()->undo();
-        QCOMPARE(f.document.scenario(), test::fourIcebergs());
-        QCOMPARE(f.document.undoStack()->index(), 0);
-    }
-
-    void editsKeepToTheLimits()
-    {
-        Fixture f;
-        f.put(0, IcebergColumn::East, 1e9);
-        QCOMPARE(f.icebergs()[0].position_m.x(), kLargestCoordinate_m);
-        f.put(0, IcebergColumn::Sigma0, -4);
-        QCOMPARE(f.icebergs()[0].sigma0_m2, 0.0);
-        f.put(0, IcebergColumn::Speed, 50);
-        QVERIFY(f.icebergs()[0].velocity_mps.cwiseAbs().maxCoeff() <= kLargestVelocity_mps);
-        const int steps = f.document.undoStack()->count();
-        f.put(0, IcebergColumn::Sigma0, 0); // as it is
-        QCOMPARE(f.document.undoStack()->count(), steps);
-    }
-
-    void oneStepSetsManyRows()
-    {
-        Fixture f;
-        QVERIFY(f.model.setAll({0, 2, 3}, IcebergColumn::Growth, 0.5));
-        QCOMPARE(f.document.undoStack()->count(), 1);
-        QCOMPARE(f.icebergs()[0].q_m2ps, 0.5);
-        QCOMPARE(f.icebergs()[1].q_m2ps, test::fourIcebergs().icebergs[1].q_m2ps);
-        QCOMPARE(f.icebergs()[2].q_m2ps, 0.5);
-        QCOMPARE(f.icebergs()[3].q_m2ps, 0.5);
-        f.document.undoStack()->undo();
-        QCOMPARE(f.document.scenario(), test::fourIcebergs());
-    }
-
-    void pasteIsOneUndoStep()
-    {
-        Fixture f;
-        f.model.sort(col(IcebergColumn::East), Qt::DescendingOrder); // berg-4, 2, 1, 3
-        const PasteOutcome outcome =
-            f.model.paste(u"1\n2\n3\n4\n5"_s, 1, col(IcebergColumn::Sigma0), kEditorColumns);
-        QCOMPARE(outcome.fault, QString());
-        QCOMPARE(f.icebergs().size(), std::size_t{6});
-        QCOMPARE(f.icebergs()[1].sigma0_m2, 1.0); // down the rows as they are shown
-        QCOMPARE(f.icebergs()[0].sigma0_m2, 2.0);
-        QCOMPARE(f.icebergs()[2].sigma0_m2, 3.0);
-        QCOMPARE(f.icebergs()[5].sigma0_m2, 5.0);
-        QCOMPARE(f.document.undoStack()->count(), 1);
-        QCOMPARE(f.undoText(), u"Paste icebergs"_s);
-        f.document.undoStack()->undo();
-        QCOMPARE(f.document.scenario(), test::fourIcebergs());
-        QCOMPARE(f.model.rowCount(), 4);
-    }
-
-    void brokenCellChangesNothing()
-    {
-        Fixture f;
-        const PasteOutcome outcome = f.model.paste(u"1\t2\n3\tfar\n5\t6\n7\t8\n9\t10"_s, 0,
-                                                   col(IcebergColumn::East), kEditorColumns);
-        QVERIFY(outcome.fault.contains(u"far"_s));
-        QCOMPARE(f.document.scenario(), test::fourIcebergs());
-        QCOMPARE(f.document.undoStack()->count(), 0);
-    }
-
-    void roundTrip_data()
-    {
-        QTest::addColumn<QLocale>("locale");
-        QTest::newRow("C") << QLocale::c();
-        QTest::newRow("de_DE") << QLocale(QLocale::German, QLocale::Germany);
-        QTest::newRow("nb_NO") << QLocale(QLocale::NorwegianBokmal, QLocale::Norway);
-    }
-
-    /** Onto the same icebergs nothing changes, not the last bit; elsewhere all numbers come over.
-     */
-    void roundTrip()
-    {
-        QFETCH(QLocale, locale);
-        const Scenario scenario = test::changed([](Scenario& s) {
-            s.icebergs[0].position_m = Point(1.0 / 3, -2e5 / 7);
-            s.icebergs[0].q_m2ps = 1e-7 / 3;
-            s.icebergs[1].velocity_mps = Point(-0.1, 1.0 / 7);
-            s.icebergs[3].appears_s = 12345678.9;
-        });
-        Fixture f(scenario, locale);
-        const QString text = f.model.copied(f.allRows(), kEditorColumns);
-        QCOMPARE(text.count(u'\n'), 6); // titles, four icebergs, and a name of two lines
-        // In whatever column the cursor is: titles come along.
-        PasteOutcome outcome = f.model.paste(text, 0, col(IcebergColumn::North), kEditorColumns);
-        QCOMPARE(outcome.fault, QString());
-        QCOMPARE(f.document.undoStack()->count(), 0);
-        QCOMPARE(f.document.scenario(), scenario);
-
-        const std::vector<std::string> none;
-        f.document.edit(u"delete"_s, [](Scenario& s) { s.icebergs.clear(); });
-        outcome = f.model.paste(text, 0, 0, kEditorColumns);
-        QCOMPARE(outcome.fault, QString());
-        QCOMPARE(f.icebergs().size(), scenario.icebergs.size());
-        for (std::size_t i = 0; i < f.icebergs().size(); ++i) {
-            const Iceberg& before = scenario.icebergs[i];
-            const Iceberg& after = f.icebergs()[i];
-            QCOMPARE(after.position_m, before.position_m);
-            QCOMPARE(after.sigma0_m2, before.sigma0_m2);
-            QCOMPARE(after.q_m2ps, before.q_m2ps);
-            QCOMPARE(after.observed_s, before.observed_s);
-            QCOMPARE(after.appears_s, before.appears_s);
-            // By way of speed and direction: rounding.
-            COMPARE_NEAR((after.velocity_mps - before.velocity_mps).norm(), 0.0, 1e-15);
-        }
     }
 
     void copiesTheFlightInSeconds()
