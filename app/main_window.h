@@ -74,7 +74,7 @@ public:
     [[nodiscard]] static bool wantsStartPage(const QSettings& settings);
     /** Unsaved work of programs that ended unexpectedly; false, and no question: there is none. */
     bool offerRecoveries();
-    /** The session ends; false: not now. Without a question what is unsaved is left to recovery. */
+    /** The user logs out; false: not now. Without a question what is unsaved is left to recovery. */
     [[nodiscard]] bool mayEndSession(bool mayAsk);
     void setAppearance(Appearance appearance);
     /** Applies a theme now; `setAppearance` decides it in daily use. */
@@ -254,7 +254,7 @@ private:
     StartPage* m_startPage = nullptr; ///< while it is shown
     Tour* m_tour = nullptr;           ///< while it goes on
 
-    bool m_endAgreed = false;  ///< with the end of the session, and nothing changed since
+    bool m_endAgreed = false;  ///< with leaving when the user logs out, and nothing changed since
     bool m_asksReload = false; ///< the question is on screen
     QDateTime m_reloadRefused; ///< of this change of the file
 

@@ -69,7 +69,7 @@ struct SafeWindow : WindowFixture
 
 } // namespace
 
-/** Nothing is lost: recovery, files used by others, the end of the session, the history. */
+/** Nothing is lost: recovery, files used by others, logging out, the history. */
 class TestMainWindowSafety : public QObject
 {
     Q_OBJECT
