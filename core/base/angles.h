@@ -20,6 +20,8 @@ inline constexpr double kPi = std::numbers::pi;
 /** Angle brought into [-pi, pi]. */
 [[nodiscard]] inline double wrapPi(double angle_rad)
 {
+    if (std::abs(angle_rad) <= kPi)
+        return angle_rad; // what the remainder would be, which is dear
     return std::remainder(angle_rad, 2 * kPi);
 }
 

@@ -28,6 +28,11 @@ public:
     [[nodiscard]] std::uint64_t below(std::uint64_t count);
     /** Standard normal, polar method. */
     [[nodiscard]] double normal();
+    /**
+     * No number of `normal` is larger, either way: sqrt(-2 ln s) with s at least 2^-104, the sum of
+     * the squares of two multiples of 2^-52.
+     */
+    static constexpr double kLargestNormal = 12.1;
 
 private:
     std::uint64_t m_state[4];

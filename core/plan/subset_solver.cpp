@@ -14,6 +14,33 @@ namespace berg {
 namespace {
 
 constexpr int kMostIcebergs = SubsetSolver::kMostIcebergs;
+#if defined(__x86_64__) && defined(__GNUC__)
+#define BERG_WIDE [[gnu::target("avx2,popcnt")]]
+bool hasWideVectors()
+{
+    static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
+    return has;
+}
+#else
+#define BERG_WIDE
+bool hasWideVectors()
+{
+    return false;
+}
+#endif
+/** What is compiled twice, with wide vectors and without, has to be inlined for that. */
+#define BERG_INLINE [[gnu::always_inline]] inline
+/** Numbers that are added and compared at once. In memory they need no alignment of their own. */
+struct Two
+{
+    using Value = double __attribute__((vector_size(16)));
+    using InMemory = double __attribute__((vector_size(16), aligned(8), may_alias));
+};
+struct Four
+{
+    using Value = double __attribute__((vector_size(32)));
+    using InMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
+};
 /** Subsets between two looks at the clock: under 1 ms at 20 icebergs. */
 constexpr std::uint32_t kSubsetsPerCheck = 4096;
 
@@ -25,8 +52,11 @@ constexpr std::uint32_t kSubsetsPerCheck = 4096;
  *   g(R, i) = min over j in R of w mu d(i,j) + h(R, j), w = sum sigma over R, h(R, j) = g(R \ j,
  * j). h does not depend on i, so a row g(R, .) is |R| vector operations over i (those with i in R
  * are wasted). Counting the cost to go makes the order come out from the front, ties to the
- * smallest number. Icebergs count from 0 here; `Rows` is n rounded up to even: the compiler must
- * know the length of a row to keep it in registers.
+ * smallest number. Icebergs count from 0 here; `Rows` is n rounded up to whole vectors: the
+ * compiler must know the length of a row to keep it in registers.
+ *
+ * Vectors of four numbers take half the time where the processor has them, which is asked when the
+ * program runs. They add and compare the same numbers, so the result is the same everywhere.
  */
 template <int Rows, Criterion Kind>
 class SubsetTable
@@ -42,10 +72,14 @@ public:
             m_sigma[static_cast<std::size_t>(j)] =
                 real ? problem.sigma_m2[static_cast<std::size_t>(j) + 1] : 0.0;
             for (int i = 0; i < Rows; ++i)
-                m_legs(i, j) = real && i < m_icebergs && i != j
-                                   ? problem.mu * problem.distance_m(i + 1, j + 1)
-                                   : 0.0;
+                m_legs[static_cast<std::size_t>(j)].values[i] =
+                    real && i < m_icebergs && i != j ? problem.mu * problem.distance_m(i + 1, j + 1)
+                                                     : 0.0;
         }
+        m_endLegs = {};
+        if (!kLatency && problem.route == Route::Closed)
+            for (int i = 0; i < m_icebergs; ++i)
+                m_endLegs.values[i] = problem.mu * problem.distance_m(i + 1, 0);
     }
 
     [[nodiscard]] std::uint32_t subsets() const { return std::uint32_t{1} << m_icebergs; }
@@ -53,8 +87,10 @@ public:
     /** Treats the sets `from` .. `to` - 1, multiples of four; those below are done already. */
     void treat(std::uint32_t from, std::uint32_t to)
     {
-        for (std::uint32_t set = from; set < to; set += kGroup)
-            treatGroup(set);
+        if (hasWideVectors())
+            treatWide(from, to);
+        else
+            treatPlain(from, to);
     }
 
     /** The optimal order, after all sets have been treated. */
@@ -85,17 +121,51 @@ public:
     }
 
 private:
-    using Row = Eigen::Array<double, Rows, 1>;
+    struct alignas(32) Row
+    {
+        double values[std::size_t{Rows}];
+    };
+    /** A row in registers. */
+    template <class Vector>
+    struct Lanes
+    {
+        static constexpr std::size_t kParts = sizeof(Row) / sizeof(typename Vector::Value);
+        typename Vector::Value parts[kParts];
+    };
     static constexpr std::uint32_t kGroup = 4;
     static constexpr bool kLatency = Kind == Criterion::Latency;
 
+    /** A set less one of its icebergs, and what follows a flight to that. */
+    struct Next
+    {
+        const double* rest; ///< g(upper \ j, j), the three sets after it `Rows` on
+        int j;
+    };
+
+    /** Part `k` of a row. */
+    template <class Vector>
+    [[nodiscard]] BERG_INLINE static const typename Vector::InMemory& part(const double* values,
+                                                                           std::size_t k)
+    {
+        return reinterpret_cast<const typename Vector::InMemory*>(values)[k];
+    }
+
+    BERG_WIDE void treatWide(std::uint32_t from, std::uint32_t to) { treatBy<Four>(from, to); }
+    void treatPlain(std::uint32_t from, std::uint32_t to) { treatBy<Two>(from, to); }
+    template <class Vector>
+    BERG_INLINE void treatBy(std::uint32_t from, std::uint32_t to)
+    {
+        for (std::uint32_t set = from; set < to; set += kGroup)
+            treatGroup<Vector>(set);
+    }
+
     /** Cost of visiting j as number `t`, beside the leg. */
-    [[nodiscard]] double visit(int j, double t) const
+    [[nodiscard]] BERG_INLINE double visit(int j, double t) const
     {
         return kLatency ? 0 : m_sigma[static_cast<std::size_t>(j)] * t;
     }
     /** How often the next leg counts when the icebergs of `set` are left. */
-    [[nodiscard]] double legWeight(std::uint32_t set) const
+    [[nodiscard]] BERG_INLINE double legWeight(std::uint32_t set) const
     {
         double weight = 1;
         if constexpr (kLatency) {
@@ -105,78 +175,95 @@ private:
         }
         return weight;
     }
-    /** Legs to j from all icebergs, as often as they count. */
-    [[nodiscard]] auto legsTo(int j, double weight) const
-    {
-        if constexpr (kLatency)
-            return weight * m_legs.col(j);
-        else
-            return m_legs.col(j);
-    }
-
     /** The four sets that differ in icebergs 0 and 1 only: they share the loop over the others. */
-    void treatGroup(std::uint32_t upper)
+    template <class Vector>
+    BERG_INLINE void treatGroup(std::uint32_t upper)
     {
-        struct Next
-        {
-            const double* rest = nullptr; ///< g(upper \ j, j), the three sets after it `Rows` on
-            int j = 0;
-        };
-        std::array<Next, kMostIcebergs> nexts;
-        int count = 0;
+        std::array<Next, kMostIcebergs> nexts; // not zeroed: that would be dear here
+        std::size_t count = 0;
         for (std::uint32_t rest = upper; rest != 0; rest &= rest - 1) {
             const int j = std::countr_zero(rest);
-            nexts[static_cast<std::size_t>(count++)] = {row(upper & ~(std::uint32_t{1} << j)) + j,
-                                                        j};
+            nexts[count++] = {row(upper & ~(std::uint32_t{1} << j)) + j, j};
         }
-
-        const auto overUpper = [&](std::uint32_t lower, double t) {
-            const double weight = legWeight(upper + lower);
-            Row least = Row::Constant(std::numeric_limits<double>::infinity());
-            for (int k = 0; k < count; ++k) {
-                const Next& next = nexts[static_cast<std::size_t>(k)];
-                least = least.min(legsTo(next.j, weight) +
-                                  (visit(next.j, t) + next.rest[lower * Rows]));
-            }
-            return least;
-        };
-        const auto over = [&](std::uint32_t lower, int j, double t) -> Row {
-            const std::uint32_t rest = lower & ~(std::uint32_t{1} << j);
-            return legsTo(j, legWeight(upper + lower)) +
-                   (visit(j, t) + row(upper)[rest * Rows + static_cast<std::uint32_t>(j)]);
-        };
-        const auto store = [&](std::uint32_t lower, const Row& values) {
-            Eigen::Map<Row, Eigen::Aligned16>(row(upper) + lower * Rows) = values;
-        };
+        const std::span<const Next> next(nexts.data(), count);
         const double t = visitNumber(upper);
-        store(0, upper == 0 ? endLegs() : overUpper(0, t));
-        store(1, overUpper(1, t - 1).min(over(1, 0, t - 1)));
-        store(2, overUpper(2, t - 1).min(over(2, 1, t - 1)));
-        store(3, overUpper(3, t - 2).min(over(3, 0, t - 2)).min(over(3, 1, t - 2)));
+
+        Lanes<Vector> low[2]; // of icebergs 0 and 1: none, 0
+        overUpper(upper, 0, {t, t - 1}, next, low);
+        if (upper == 0)
+            for (std::size_t k = 0; k < Lanes<Vector>::kParts; ++k)
+                low[0].parts[k] = part<Vector>(m_endLegs.values, k);
+        store(upper, low[0]);
+        over(upper, 1, 0, t - 1, low[1]);
+        store(upper + 1, low[1]);
+
+        Lanes<Vector> high[2]; // of icebergs 0 and 1: 1, both
+        overUpper(upper, 2, {t - 1, t - 2}, next, high);
+        over(upper, 2, 1, t - 1, high[0]);
+        store(upper + 2, high[0]);
+        over(upper, 3, 0, t - 2, high[1]);
+        over(upper, 3, 1, t - 2, high[1]);
+        store(upper + 3, high[1]);
     }
 
-    [[nodiscard]] Row endLegs() const
+    /** The minimum over j in `upper`, for the sets that hold `lower` and `lower` + 1 of 0 and 1. */
+    template <class Vector>
+    BERG_INLINE void overUpper(std::uint32_t upper, std::uint32_t lower, std::array<double, 2> t,
+                               std::span<const Next> nexts, Lanes<Vector> (&least)[2]) const
     {
-        Row legs = Row::Zero();
-        if (!kLatency && m_problem.route == Route::Closed)
-            for (int i = 0; i < m_icebergs; ++i)
-                legs(i) = m_problem.mu * m_problem.distance_m(i + 1, 0);
-        return legs;
+        const std::array<double, 2> weight{legWeight(upper + lower), legWeight(upper + lower + 1)};
+        for (Lanes<Vector>& lanes : least)
+            for (typename Vector::Value& part : lanes.parts)
+                part = typename Vector::Value{} + std::numeric_limits<double>::infinity();
+        for (const Next& next : nexts)
+            for (std::size_t k = 0; k < 2; ++k)
+                take(next.j, weight[k], visit(next.j, t[k]) + next.rest[(lower + k) * Rows],
+                     least[k]);
     }
-    [[nodiscard]] double* row(std::uint32_t set) const
+
+    /** The same for j = 0 or 1, which is in `lower`. */
+    template <class Vector>
+    BERG_INLINE void over(std::uint32_t upper, std::uint32_t lower, int j, double t,
+                          Lanes<Vector>& least) const
+    {
+        const double* rest = row(upper + (lower & ~(std::uint32_t{1} << j)));
+        take(j, legWeight(upper + lower), visit(j, t) + rest[j], least);
+    }
+
+    /** Flying to j next, and what it costs from there. */
+    template <class Vector>
+    BERG_INLINE void take(int j, double weight, double onwards, Lanes<Vector>& least) const
+    {
+        const double* legs = m_legs[static_cast<std::size_t>(j)].values;
+        for (std::size_t k = 0; k < Lanes<Vector>::kParts; ++k) {
+            const typename Vector::Value leg = part<Vector>(legs, k);
+            const typename Vector::Value cost = (kLatency ? weight * leg : leg) + onwards;
+            least.parts[k] = cost < least.parts[k] ? cost : least.parts[k];
+        }
+    }
+
+    template <class Vector>
+    BERG_INLINE void store(std::uint32_t set, const Lanes<Vector>& values)
+    {
+        for (std::size_t k = 0; k < Lanes<Vector>::kParts; ++k)
+            reinterpret_cast<typename Vector::InMemory*>(row(set))[k] = values.parts[k];
+    }
+
+    [[nodiscard]] BERG_INLINE double* row(std::uint32_t set) const
     {
         return m_values.get() + std::size_t{set} * Rows;
     }
     /** t of the iceberg that is flown to next when the icebergs of `set` are left. */
-    [[nodiscard]] double visitNumber(std::uint32_t set) const
+    [[nodiscard]] BERG_INLINE double visitNumber(std::uint32_t set) const
     {
         return m_icebergs - std::popcount(set) + 2;
     }
 
     const TvpProblem& m_problem;
     int m_icebergs;
-    std::unique_ptr<double[]> m_values;      ///< not zeroed: every row is written once, then read
-    Eigen::Array<double, Rows, Rows> m_legs; ///< mu d, column = to
+    std::unique_ptr<double[]> m_values;        ///< not zeroed: every row is written once, then read
+    std::array<Row, std::size_t{Rows}> m_legs; ///< mu d to the iceberg of that number
+    Row m_endLegs;                             ///< the way back of a closed route
     std::array<double, std::size_t{Rows}> m_sigma;
 };
 
@@ -236,7 +323,7 @@ SolveOutcome solveWithAtLeast(const TvpProblem& problem, const SolveOptions& opt
 {
     if constexpr (Rows < kMostIcebergs)
         if (problem.icebergCount() > Rows)
-            return solveWithAtLeast<Rows + 2>(problem, options);
+            return solveWithAtLeast<Rows + 4>(problem, options);
     return problem.criterion == Criterion::Latency
                ? solveWithRows<Rows, Criterion::Latency>(problem, options)
                : solveWithRows<Rows, Criterion::Visitation>(problem, options);
@@ -254,7 +341,7 @@ std::string SubsetSolver::whyNot(const TvpProblem& problem) const
 
 SolveOutcome SubsetSolver::doSolve(const TvpProblem& problem, const SolveOptions& options) const
 {
-    return solveWithAtLeast<2>(problem, options);
+    return solveWithAtLeast<4>(problem, options);
 }
 
 } // namespace berg

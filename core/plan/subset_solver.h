@@ -22,7 +22,7 @@ public:
     }
     [[nodiscard]] static constexpr std::int64_t bytesFor(int icebergs)
     {
-        const int rows = icebergs + icebergs % 2; // a row is padded to an even length
+        const int rows = (icebergs + 3) / 4 * 4; // a row is padded to whole vectors
         return (std::int64_t{1} << icebergs) * rows * static_cast<std::int64_t>(sizeof(double));
     }
 

@@ -27,6 +27,9 @@ public:
 
     [[nodiscard]] bool contains(const Point& p_m) const;
 
+    /** No point farther from the UAV than this is in view, however it is turned. */
+    [[nodiscard]] static double reach_m(const SensorSpec& sensor);
+
 private:
     Point m_centre_m;
     Point m_along; ///< unit vector of the first extent

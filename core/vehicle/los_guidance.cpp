@@ -7,13 +7,24 @@
 
 namespace berg {
 
-double turnRateForCourse(double psi_rad, double course_rad, const Motion& motion, double gain_1ps)
+namespace {
+
+double crabAngle_rad(double course_rad, const Motion& motion)
 {
+    if (motion.wind_mps.isZero(0))
+        return 0;
     const Point along(std::cos(course_rad), std::sin(course_rad));
     const double across_mps = cross(along, motion.wind_mps);
     // A cross wind as fast as the UAV cannot be held; pointing into it is the best there is.
-    const double crab_rad = -std::asin(std::clamp(across_mps / motion.airspeed_mps, -1.0, 1.0));
-    const double u_radps = wrapPi(course_rad + crab_rad - psi_rad) * gain_1ps;
+    return -std::asin(std::clamp(across_mps / motion.airspeed_mps, -1.0, 1.0));
+}
+
+} // namespace
+
+double turnRateForCourse(double psi_rad, double course_rad, const Motion& motion, double gain_1ps)
+{
+    const double u_radps =
+        wrapPi(course_rad + crabAngle_rad(course_rad, motion) - psi_rad) * gain_1ps;
     return std::clamp(u_radps, -motion.limit_radps, motion.limit_radps);
 }
 

@@ -39,6 +39,17 @@ private slots:
         QVERIFY(std::isnan(wrapPi(std::numeric_limits<double>::infinity())));
     }
 
+    /** Angles that are left alone are those that the remainder leaves alone, to the sign of 0. */
+    void wrapIsTheRemainder()
+    {
+        for (const double angle_rad :
+             {0.0, -0.0, 1e-300, 3.0, kPi, -kPi, std::nextafter(kPi, 4), -3.2, 100.0}) {
+            const double expected_rad = std::remainder(angle_rad, 2 * kPi);
+            QVERIFY(wrapPi(angle_rad) == expected_rad);
+            QCOMPARE(std::signbit(wrapPi(angle_rad)), std::signbit(expected_rad));
+        }
+    }
+
     /** Navigators count clockwise from north, the paper counter-clockwise from east. */
     void headingAndPsi_data()
     {

@@ -216,6 +216,51 @@ private slots:
         DriftModel c(later, 6, "berg-1", true);
         QVERIFY(c.position_m(123.4) == kSpec.position_m);
     }
+
+    /** Drawn at once or as it goes, and beyond what was drawn: the same numbers, bit for bit. */
+    void noiseDrawnAtOnceIsTheSame()
+    {
+        const DriftNoise drawn(7, "berg-1", 100);
+        QVERIFY(drawn.isOf(7, "berg-1"));
+        QVERIFY(!drawn.isOf(8, "berg-1"));
+        QVERIFY(!drawn.isOf(7, "berg-2"));
+        DriftModel fresh(kSpec, 7, "berg-1", true);
+        DriftModel first(kSpec, drawn, true);
+        DriftModel second(kSpec, drawn, true); // copies do not take from each other
+        for (int i = 0; i <= 600; ++i) {
+            const Point expected_m = fresh.position_m(0.5 * i);
+            QVERIFY(first.position_m(0.5 * i) == expected_m);
+            QVERIFY(second.position_m(0.5 * i) == expected_m);
+        }
+    }
+
+    void askingAheadTakesNothing()
+    {
+        DriftModel asked(kSpec, 7, "berg-1", true);
+        DriftModel other(kSpec, 7, "berg-1", true);
+        asked.advanceTo(20.5);
+        const Point ahead_m = asked.at(33.25);
+        QVERIFY(asked.position_m(21) == other.position_m(21));
+        QVERIFY(other.position_m(33.25) == ahead_m);
+    }
+
+    void neverFasterThanItsLimit()
+    {
+        DriftModel drift(kSpec, 7, "berg-1", true);
+        const double limit_mps = drift.speedLimit_mps();
+        QVERIFY(limit_mps < 4); // or it would spare nobody anything
+        Point last_m = drift.position_m(0);
+        for (int second = 1; second <= 10000; ++second) {
+            const Point now_m = drift.position_m(second);
+            QVERIFY((now_m - last_m).norm() <= limit_mps);
+            last_m = now_m;
+        }
+        COMPARE_NEAR(DriftModel(kSpec, 7, "berg-1", false).speedLimit_mps(), std::hypot(0.3, 0.1),
+                     1e-15);
+        DriftSpec recorded = kSpec;
+        recorded.track = std::make_shared<const RecordedTrack>(RecordedTrack{{0}, {{1, 2}}});
+        QVERIFY(std::isinf(DriftModel(recorded, 7, "berg-1", true).speedLimit_mps()));
+    }
 };
 
 QTEST_APPLESS_MAIN(TestDrift)

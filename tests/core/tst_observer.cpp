@@ -128,6 +128,21 @@ private slots:
         COMPARE_NEAR(track.sigma_m2, 0.05, 1e-16);
         QVERIFY(!track.inView);
     }
+
+    /** Corners and the edge of the disk are in reach, and nothing beyond is in view. */
+    void reachOfTheShapes()
+    {
+        for (const FovShape shape : {FovShape::Body, FovShape::North, FovShape::Disk}) {
+            const SensorSpec sensor{.fov_m = {800, 600}, .shape = shape};
+            const double reach_m = FieldOfView::reach_m(sensor);
+            COMPARE_NEAR(reach_m, shape == FovShape::Disk ? 400.0 : 500.0, 1e-12);
+            for (int i = 0; i < 360; ++i) {
+                const Point towards(std::cos(radFromDeg(i)), std::sin(radFromDeg(i)));
+                const FieldOfView turned(sensor, kCentre_m, radFromDeg(2.5 * i));
+                QVERIFY(!turned.contains(kCentre_m + (reach_m + 1e-6) * towards));
+            }
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(TestObserver)

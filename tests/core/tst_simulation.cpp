@@ -357,6 +357,85 @@ private slots:
         flyTo(second, 4, end);
         QVERIFY(first.state() == second.state());
     }
+
+    /** Icebergs that are far away are not tested at every step; nobody may notice. */
+    void nothingInViewIsOverlooked_data()
+    {
+        QTest::addColumn<FovShape>("shape");
+        QTest::addColumn<double>("dt_s");
+        QTest::addColumn<double>("q_m2ps");
+        QTest::newRow("body") << FovShape::Body << 0.1 << 0.025;
+        QTest::newRow("north, odd steps") << FovShape::North << 0.3 << 0.025;
+        QTest::newRow("disk, long steps") << FovShape::Disk << 1.0 << 0.025;
+        QTest::newRow("wild drift") << FovShape::Body << 0.1 << 400.0;
+    }
+
+    void nothingInViewIsOverlooked()
+    {
+        QFETCH(FovShape, shape);
+        QFETCH(double, dt_s);
+        QFETCH(double, q_m2ps);
+        Scenario scenario = randomScenario(6);
+        scenario.fovShape = shape;
+        scenario.dt_s = dt_s;
+        scenario.wind_mps = {9, -4};
+        scenario.icebergs[3].appears_s = 77.7;
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.q_m2ps = q_m2ps;
+        const SensorSpec sensor{.fov_m = scenario.uavs[0].fov_m, .shape = shape};
+        Simulation simulation(scenario);
+        int inView = 0;
+        int wrong = 0;
+        flyTo(simulation, 2, [&](const Simulation& s) {
+            const DubinsState& uav = s.state().uav;
+            const FieldOfView view(sensor, uav.position_m, uav.psi_rad);
+            for (int i = 0; i < s.icebergCount(); ++i) {
+                inView += s.track(i).inView ? 1 : 0;
+                const bool seen = s.active(i) && view.contains(s.truth_m(i));
+                wrong += seen != s.track(i).inView ? 1 : 0;
+            }
+            return false;
+        });
+        QVERIFY(inView > 0);
+        QCOMPARE(wrong, 0);
+    }
+
+    void truthBetweenLooksIsThatOfTheDrift()
+    {
+        const Scenario scenario = randomScenario(6);
+        Simulation simulation(scenario);
+        const Iceberg& far = scenario.icebergs[9];
+        DriftModel drift(
+            {.position_m = far.position_m, .velocity_mps = far.velocity_mps, .q_m2ps = far.q_m2ps},
+            6, far.id, scenario.noise);
+        bool same = true;
+        flyTo(simulation, 2, [&](const Simulation& s) {
+            same = same && s.truth_m(9) == drift.position_m(s.time_s());
+            return s.time_s() >= 200;
+        });
+        QVERIFY(same);
+    }
+
+    void noiseDrawnAtOnceChangesNothing()
+    {
+        const Scenario scenario = randomScenario(5);
+        const std::vector<DriftNoise> noise = drawNoise(scenario);
+        Simulation alone(scenario);
+        Simulation sharing(scenario, noise);
+        const auto end = [](const Simulation& s) { return s.time_s() >= 300; };
+        flyTo(alone, 4, end);
+        flyTo(sharing, 4, end);
+        QVERIFY(alone.state() == sharing.state());
+        QVERIFY(alone.truth_m(7) == sharing.truth_m(7));
+    }
+
+    void noiseOfAnotherScenarioIsABug()
+    {
+        const std::vector<DriftNoise> noise = drawNoise(randomScenario(5));
+        QVERIFY_EXCEPTION_THROWN(Simulation(randomScenario(6), noise), std::logic_error);
+        const std::span<const DriftNoise> some = std::span(noise).first(3);
+        QVERIFY_EXCEPTION_THROWN(Simulation(randomScenario(5), some), std::logic_error);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestSimulation)
