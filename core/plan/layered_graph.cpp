@@ -1,6 +1,7 @@
 #include "core/plan/layered_graph.h"
 
 #include "core/plan/label_table.h"
+#include "core/plan/piece_list.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,9 +15,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /** Nodes between two looks at the clock. */
 constexpr int kNodesPerCheck = 4096;
-/** The same for arcs of a graph, and for levels of the complete graph. */
-constexpr std::size_t kArcsPerCheck = 100'000;
-constexpr int kLevelsPerCheck = 16;
+/** The same for arcs of a graph that is being made. */
+constexpr std::size_t kArcsPerCheck = 16'384;
 
 template <class Costs>
 int longestStep(const Costs& costs)
@@ -132,7 +132,7 @@ void LayeredGraph<Costs>::buildBySigmaSeen(const LayeredPaths<Costs>& paths, con
     m_firstNode = {0, 1};
     forLegs(0, 0, offer);
     for (int level = 1; level <= lastLayer(); ++level) {
-        if (level % kLevelsPerCheck == 0 && cut && cut())
+        if (cut && cut())
             return;
         for (int i = 1; i <= n; ++i)
             if (length(i - 1, level) < kInfinity) {
@@ -142,23 +142,29 @@ void LayeredGraph<Costs>::buildBySigmaSeen(const LayeredPaths<Costs>& paths, con
             }
         m_firstNode.push_back(nodeCount());
     }
+    PieceList<int> arcs;
     for (int level = 0; level <= lastLayer(); ++level) {
-        if (level % kLevelsPerCheck == 0 && cut && cut())
+        if (cut && cut())
             return;
         for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
-            m_firstArc.push_back(m_arcs.size());
+            m_firstArc.push_back(arcs.size());
             forLegs(iceberg(v), level,
-                    [&](int j, int next, double) { m_arcs.push_back(id(j - 1, next)); });
+                    [&](int j, int next, double) { arcs.push_back(id(j - 1, next)); });
         }
     }
-    m_firstArc.push_back(m_arcs.size());
+    m_firstArc.push_back(arcs.size());
+    if (!arcs.moveTo(m_arcs, cut))
+        return;
     refreshUnseen(cut);
 }
 
 template <class Costs>
 void LayeredGraph<Costs>::refreshUnseen(const CutQuestion& cut) requires(Costs::kWeighted)
 {
-    m_unseen.assign(m_iceberg.size(), kInfinity);
+    if (!fillInPieces(m_unseen, m_iceberg.size(), kInfinity, cut)) {
+        m_unseen.assign(m_iceberg.size(), 0.0);
+        return;
+    }
     m_unseen[0] = m_costs->sigmaSum;
     for (int level = 0; level <= lastLayer(); ++level)
         for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
@@ -180,16 +186,24 @@ void LayeredGraph<Costs>::refreshUnseen(const CutQuestion& cut) requires(Costs::
 template <class Costs>
 std::int64_t LayeredGraph<Costs>::bytes() const
 {
+    return bytesOf(m_iceberg.size(), m_arcs.size());
+}
+
+template <class Costs>
+std::int64_t LayeredGraph<Costs>::bytesOf(std::size_t nodes, std::size_t arcs)
+{
     constexpr std::size_t kNode =
         sizeof(int) + sizeof(std::size_t) + (Costs::kWeighted ? 3 : 2) * sizeof(double);
-    return static_cast<std::int64_t>(m_arcs.size() * sizeof(int) + m_iceberg.size() * kNode);
+    return static_cast<std::int64_t>(arcs * sizeof(int) + nodes * kNode);
 }
 
 template <class Costs>
 double LayeredGraph<Costs>::sweep(const Prices& prices, const CutQuestion& cut)
 {
-    m_completion.resize(m_iceberg.size());
-    m_entry.resize(m_iceberg.size());
+    for (std::vector<double>* const values : {&m_completion, &m_entry})
+        if (values->size() != m_iceberg.size() &&
+            !fillInPieces(*values, m_iceberg.size(), 0.0, cut))
+            return -kInfinity;
     for (int p = lastLayer(); p >= 0; --p) {
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
             if (v % kNodesPerCheck == 0 && cut && cut())
@@ -251,7 +265,9 @@ template <class Costs>
 std::vector<double> LayeredGraph<Costs>::lengthsFromStart(const Prices& prices,
                                                           const CutQuestion& cut) const
 {
-    std::vector<double> length(m_iceberg.size(), kInfinity);
+    std::vector<double> length;
+    if (!fillInPieces(length, m_iceberg.size(), kInfinity, cut))
+        return {};
     length[0] = 0;
     for (int p = 0; p <= lastLayer(); ++p) {
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
@@ -278,11 +294,16 @@ bool LayeredGraph<Costs>::trim(const Prices& prices, const CutQuestion& cut)
     const double allowed = prices.cutoff - prices.sum;
     const auto at = [](int v) { return static_cast<std::size_t>(v); };
 
-    std::vector<int> id(m_iceberg.size(), -1);
+    std::vector<int> id;
+    if (!fillInPieces(id, m_iceberg.size(), -1, cut))
+        return false;
     int kept = 0;
-    for (int v = 0; v < nodeCount(); ++v)
+    for (int v = 0; v < nodeCount(); ++v) {
+        if (v % kNodesPerCheck == 0 && cut && cut())
+            return false;
         if (v == 0 || length[at(v)] + completion(v) < allowed)
             id[at(v)] = kept++;
+    }
 
     std::size_t arcs = 0;
     std::vector<int> firstNode(m_firstNode.size(), kept);
@@ -330,20 +351,30 @@ Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Prices&
     const double allowed = prices.cutoff - prices.sum;
     LabelTables tables(longestStep(*m_costs));
     tables.offer(0, {.memory = {}, .length = 0, .node = 0});
-    std::vector<int> labelOf; // number of each node's label
+    PieceList<int> labelOf; // number of each node's label
+    PieceList<int> icebergs;
+    PieceList<std::size_t> firstArc;
+    PieceList<int> arcs;    // as numbers of labels
+    std::size_t looked = 0; // so many arcs had been tried at the last look
+    std::size_t tried = 0;
     for (int level = 0; level <= lastLayer(); ++level) {
         for (const LabelTable::Label& label : tables.at(level).labels()) {
-            if (result.nodeCount() % kNodesPerCheck == 0 && cut && cut())
-                return {};
+            const std::span<const int> onwards = successors(label.node);
+            tried += 1 + onwards.size();
+            if (tried - looked > kArcsPerCheck) {
+                looked = tried;
+                if (cut && cut())
+                    return {};
+            }
             if constexpr (Costs::kWeighted)
                 labelOf.push_back(label.number);
             const int i = iceberg(label.node);
             const double length = label.length + m_costs->visit(i, level) - prices.lambda(i);
             const double factor = weight(label.node);
             const NodeSet visited = i == 0 ? label.memory : label.memory.with(i);
-            result.m_iceberg.push_back(i);
-            result.m_firstArc.push_back(result.m_arcs.size());
-            for (const int to : successors(label.node)) {
+            icebergs.push_back(i);
+            firstArc.push_back(arcs.size());
+            for (const int to : onwards) {
                 const int j = iceberg(to);
                 const double leg = factor * m_costs->leg(i, j);
                 if (label.memory.contains(j) ||
@@ -351,28 +382,33 @@ Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Prices&
                     continue;
                 const int next = level + m_costs->step(j);
                 const NodeSet memory = visited & sets.at(bandOf(*m_costs, next), j);
-                result.m_arcs.push_back(
+                arcs.push_back(
                     tables.offer(next, {.memory = memory, .length = length + leg, .node = to}));
             }
         }
         tables.at(level).clear();
-        result.m_firstNode.push_back(result.nodeCount());
-        if (result.bytes() > limits.bytes)
+        result.m_firstNode.push_back(static_cast<int>(icebergs.size()));
+        if (bytesOf(icebergs.size(), arcs.size()) > limits.bytes)
             return {.graph = {}, .memoryOut = true};
-        if (result.arcCount() > limits.arcs)
+        if (static_cast<std::int64_t>(arcs.size()) > limits.arcs)
             return {};
     }
-    result.m_firstArc.push_back(result.m_arcs.size());
+    firstArc.push_back(arcs.size());
+    if (!icebergs.moveTo(result.m_iceberg, cut) || !firstArc.moveTo(result.m_firstArc, cut))
+        return {};
     if constexpr (Costs::kWeighted) {
-        std::vector<int> nodeOf(labelOf.size());
-        for (int v = 0; v < result.nodeCount(); ++v)
-            nodeOf[static_cast<std::size_t>(labelOf[static_cast<std::size_t>(v)])] = v;
-        for (std::size_t a = 0; a < result.m_arcs.size(); ++a) {
-            if (a % kArcsPerCheck == 0 && cut && cut())
-                return {};
-            result.m_arcs[a] = nodeOf[static_cast<std::size_t>(result.m_arcs[a])];
-        }
+        std::vector<int> nodeOf;
+        if (!fillInPieces(nodeOf, labelOf.size(), 0, cut))
+            return {};
+        int node = 0;
+        const auto enter = [&](int number) { nodeOf[static_cast<std::size_t>(number)] = node++; };
+        if (!labelOf.forEach(cut, enter) || !arcs.moveTo(result.m_arcs, cut, [&](int number) {
+                return nodeOf[static_cast<std::size_t>(number)];
+            }))
+            return {};
         result.refreshUnseen(cut);
+    } else if (!arcs.moveTo(result.m_arcs, cut)) {
+        return {};
     }
     return {.graph = std::move(result)};
 }

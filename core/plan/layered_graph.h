@@ -162,6 +162,7 @@ public:
 
 private:
     explicit LayeredGraph(const Costs& costs) : m_costs(&costs) {}
+    [[nodiscard]] static std::int64_t bytesOf(std::size_t nodes, std::size_t arcs);
     void buildByPosition(const LayeredPaths<Costs>& paths,
                          const Prices& prices) requires(!Costs::kWeighted);
     void buildBySigmaSeen(const LayeredPaths<Costs>& paths, const Prices& prices,
