@@ -218,12 +218,14 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
     , m_cosineOfArc(std::cos(m_limit_radps * m_arc_s))
     , m_sineOfArc(std::sin(m_limit_radps * m_arc_s))
 {
-    for (const Track& track : picture.tracks) {
+    for (std::size_t i = 0; i < picture.tracks.size(); ++i) {
+        const Track& track = picture.tracks[i];
+        const double weight = picture.weights.empty() ? 1 : picture.weights[i];
         const Point estimate_m = track.estimate_m(picture.time_s);
         m_bergs.push_back({.place_m = likelyPlace_m(m_window, m_uav, estimate_m, track.inView),
                            .velocity_mps = track.velocity_mps - m_wind_mps,
-                           .q_m2ps = track.q_m2ps,
-                           .sigma_m2 = track.sigma_m2});
+                           .q_m2ps = weight * track.q_m2ps,
+                           .sigma_m2 = weight * track.sigma_m2});
         m_fastest_mps = std::max(m_fastest_mps, m_bergs.back().velocity_mps.norm());
     }
     m_all.resize(m_bergs.size());

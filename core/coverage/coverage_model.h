@@ -59,7 +59,7 @@ struct CoverageSighting
 class CoverageModel
 {
 public:
-    /** Borrows nothing. */
+    /** Borrows nothing. Costs are of the sigmas times the weights of the picture. */
     CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon);
 
     [[nodiscard]] int icebergCount() const { return static_cast<int>(m_bergs.size()); }

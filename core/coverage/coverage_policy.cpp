@@ -66,6 +66,56 @@ std::vector<CoveragePlan> firstPlans(const PlanRequest& request, const SolveOpti
     return {{}, straightPlan(order, 1), there, straightPlan(tour, kRounds)};
 }
 
+/** Of a plan and its prediction; the solve that found it is the caller's to tell of. */
+PlanAnswer answerOf(const CoverageModel& model, const PlanRequest& request,
+                    const CoverageResult& found)
+{
+    DescribedPlan described = describe(model, request, found.plan);
+    PlanAnswer answer{.problem = restrictedTo(request.problem, described.nodes),
+                      .legs = std::move(described.legs),
+                      .predictedZeta_m2s = found.total_m2s,
+                      .outlook = std::move(described.outlook)};
+    for (const int node : described.nodes)
+        answer.order.push_back(request.ids[static_cast<std::size_t>(node - 1)]);
+    answer.solvedIds = answer.order;
+    answer.outcome.order.resize(answer.order.size());
+    std::iota(answer.outcome.order.begin(), answer.outcome.order.end(), 1);
+    answer.outcome.objective = objective(answer.problem, answer.outcome.order);
+    return answer;
+}
+
+/** Tells whoever made the request of better plans, a few tens a second at most. */
+class ProgressTeller
+{
+public:
+    ProgressTeller(const CoverageModel& model, const PlanRequest& request,
+                   const SolveOptions& options)
+        : m_model(model), m_request(request), m_options(options)
+    {
+    }
+
+    void operator()(const CoverageResult& better)
+    {
+        constexpr double kBetween_s = 0.02;
+        const double elapsed_s = m_clock.elapsed_s();
+        if (elapsed_s < m_next_s)
+            return;
+        m_next_s = elapsed_s + kBetween_s;
+        PlanAnswer answer = answerOf(m_model, m_request, better);
+        m_options.onProgress({.order = std::move(answer.order),
+                              .objective = better.total_m2s,
+                              .elapsed_s = elapsed_s,
+                              .legs = std::move(answer.legs)});
+    }
+
+private:
+    const CoverageModel& m_model;
+    const PlanRequest& m_request;
+    const SolveOptions& m_options;
+    Stopwatch m_clock;
+    double m_next_s = 0;
+};
+
 /** Predicted zeta minimised over sequences of icebergs and aim points. */
 class CoveragePolicy final : public Policy
 {
@@ -144,21 +194,22 @@ void CoveragePolicy::keep(const PlanRequest& request, const CoveragePlan& plan)
             {.id = request.ids[static_cast<std::size_t>(leg.iceberg)], .offset_m = leg.offset_m});
 }
 
-/** Of a plan and its prediction; the solve that found it is the caller's to tell of. */
-PlanAnswer answerOf(const CoverageModel& model, const PlanRequest& request,
-                    const CoverageResult& found)
+bool isWeighted(const FlightPicture& picture)
 {
-    DescribedPlan described = describe(model, request, found.plan);
-    PlanAnswer answer{.problem = restrictedTo(request.problem, described.nodes),
-                      .legs = std::move(described.legs),
-                      .predictedZeta_m2s = found.total_m2s};
-    for (const int node : described.nodes)
-        answer.order.push_back(request.ids[static_cast<std::size_t>(node - 1)]);
-    answer.solvedIds = answer.order;
-    answer.outcome.order.resize(answer.order.size());
-    std::iota(answer.outcome.order.begin(), answer.outcome.order.end(), 1);
-    answer.outcome.objective = objective(answer.problem, answer.outcome.order);
-    return answer;
+    return std::any_of(picture.weights.begin(), picture.weights.end(),
+                       [](double weight) { return weight != 1; });
+}
+
+/** The plan was found with weights; zeta, which it is predicted to come to, has none. */
+PlanAnswer unweightedAnswer(const PlanRequest& request, const CoverageResult& found)
+{
+    FlightPicture picture = *request.picture;
+    picture.weights.clear();
+    const CoverageModel model(picture, horizonOf(picture));
+    CoverageState state = model.start();
+    for (const CoverageLeg& leg : found.plan)
+        model.fly(state, leg);
+    return answerOf(model, request, {.plan = found.plan, .total_m2s = model.total_m2s(state)});
 }
 
 PlanAnswer CoveragePolicy::plan(const PlanRequest& request, std::span<const int> lastRest,
@@ -174,13 +225,16 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, std::span<const int>
         const CoverageModel model(*request.picture, horizonOf(*request.picture));
         CoverageSearch search = searchFor(model, *request.picture);
         const bool warmStart = !lastRest.empty();
+        if (options.onProgress && m_last.empty()) // later plans take a few milliseconds
+            search.setListener(ProgressTeller(model, request, options));
         const CoverageResult found = m_last.empty()
                                          ? first(search, request, options, watch)
                                          : next(search, request, warmStart, options, watch);
         const std::optional<StopReason> cut = watch.cut();
         if (cut == StopReason::Cancelled)
             return {.outcome = {.reason = StopReason::Cancelled, .backend = "coverage"}};
-        answer = answerOf(model, request, found);
+        answer = isWeighted(*request.picture) ? unweightedAnswer(request, found)
+                                              : answerOf(model, request, found);
         answer.outcome.reason = cut.value_or(StopReason::WorkLimit);
         answer.outcome.work = search.work();
         answer.outcome.hintUsed = warmStart && !m_last.empty();

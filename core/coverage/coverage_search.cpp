@@ -45,6 +45,7 @@ CoverageResult CoverageSearch::improved(const CoverageResult& start, std::int64_
 {
     load(start.plan);
     CoverageResult best = start;
+    tell(best);
     const double hottest_m2s = heat * m_now.total_m2s;
     const std::int64_t begin = m_work;
     for (int step = 0; m_work < untilWork && !m_now.legs.empty(); ++step) {
@@ -61,10 +62,20 @@ CoverageResult CoverageSearch::improved(const CoverageResult& start, std::int64_
         if (!flyTail(from, m_now.total_m2s + worse_m2s))
             continue;
         accept(from);
-        if (m_now.total_m2s < best.total_m2s)
+        if (m_now.total_m2s < best.total_m2s) {
             best = {.plan = m_now.legs, .total_m2s = m_now.total_m2s};
+            tell(best);
+        }
     }
     return best;
+}
+
+void CoverageSearch::tell(const CoverageResult& better)
+{
+    if (!m_listener || better.total_m2s >= m_told_m2s)
+        return;
+    m_told_m2s = better.total_m2s;
+    m_listener(better);
 }
 
 /**

@@ -4,6 +4,9 @@
 #include "core/plan/solve_watch.h"
 
 #include <cstdint>
+#include <functional>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace berg {
@@ -37,6 +40,12 @@ public:
 
     [[nodiscard]] std::int64_t work() const { return m_work; }
 
+    /** Is told each plan better than all those before, of any start; changes nothing. */
+    void setListener(std::function<void(const CoverageResult&)> listener)
+    {
+        m_listener = std::move(listener);
+    }
+
 private:
     /** Legs and the states after each of them, with the cost up to then. */
     struct Flown
@@ -54,6 +63,7 @@ private:
     }
     bool flyTail(std::size_t from, double limit_m2s);
     bool addToTail(const CoverageState& before, const CoverageLeg& leg);
+    void tell(const CoverageResult& better);
     [[nodiscard]] bool hopeless(double limit_m2s, std::size_t& place) const;
     [[nodiscard]] std::optional<CoverageLeg> greedyLeg(const CoverageState& state) const;
     void accept(std::size_t from);
@@ -61,6 +71,8 @@ private:
     const CoverageModel& m_model;
     CoverageMoves m_moves;
     std::int64_t m_work = 0;
+    std::function<void(const CoverageResult&)> m_listener;
+    double m_told_m2s = std::numeric_limits<double>::infinity(); ///< the best told of
     CoverageState m_start;
     Flown m_now;
     CoveragePlan m_candidate; ///< the present legs with a change

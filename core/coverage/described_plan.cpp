@@ -6,23 +6,24 @@ namespace berg {
 
 namespace {
 
-std::vector<int> nodesBySighting(const PlanRequest& request,
-                                 std::vector<CoverageSighting> sightings)
+/** The available nodes in that order, and the times of the sightings there are. */
+void orderBySighting(DescribedPlan& described, const PlanRequest& request,
+                     std::vector<CoverageSighting> sightings)
 {
     std::stable_sort(sightings.begin(), sightings.end(),
                      [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
-    const int count = static_cast<int>(request.ids.size());
-    for (int i = 0; i < count; ++i)
-        sightings.push_back({.iceberg = i});
     std::vector<bool> wanted = request.available;
-    std::vector<int> nodes;
     for (const CoverageSighting& sighting : sightings) {
         const auto i = static_cast<std::size_t>(sighting.iceberg);
-        if (wanted[i])
-            nodes.push_back(sighting.iceberg + 1);
+        if (!wanted[i])
+            continue;
+        described.nodes.push_back(sighting.iceberg + 1);
+        described.outlook.sightings_s.push_back(request.picture->time_s + sighting.time_s);
         wanted[i] = false;
     }
-    return nodes;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i])
+            described.nodes.push_back(static_cast<int>(i) + 1);
 }
 
 /** An iceberg in view now comes into view again only if it leaves it, which is hard to predict. */
@@ -57,7 +58,10 @@ DescribedPlan describe(const CoverageModel& model, const PlanRequest& request,
                                                 firstSighting_s(request, onLeg, state.time_s)});
         all.insert(all.end(), onLeg.begin(), onLeg.end());
     }
-    described.nodes = nodesBySighting(request, std::move(all));
+    orderBySighting(described, request, std::move(all));
+    described.outlook.until_s = request.picture->time_s + model.horizon().length_s;
+    state.time_s = model.horizon().length_s; // until then nothing else is seen
+    described.outlook.zeta_m2s = model.costSoFar_m2s(state);
     return described;
 }
 

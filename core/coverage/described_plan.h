@@ -16,6 +16,7 @@ struct DescribedPlan
      * the plan does not see come last. The first one is what the first leg is flown until.
      */
     std::vector<int> nodes;
+    AimedOutlook outlook; ///< flown to the horizon of the model
 };
 
 /** `request` is what the model was made of; its picture must be there. */

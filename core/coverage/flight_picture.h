@@ -17,8 +17,10 @@ struct FlightPicture
     Motion motion;
     SensorSpec sensor;
     std::vector<Track> tracks; ///< one per id of the `PlanRequest`, in its order
-    std::uint64_t seed = 0;    ///< of the scenario
-    std::int64_t step = 0;     ///< with `seed`, names the random numbers of a search made now
+    /** By track: so much its sigma counts in the search for a plan. Empty: 1 each. */
+    std::vector<double> weights;
+    std::uint64_t seed = 0; ///< of the scenario
+    std::int64_t step = 0;  ///< with `seed`, names the random numbers of a search made now
 };
 
 } // namespace berg

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/geometry.h"
 #include "core/plan/solver.h"
 
 #include <memory>
@@ -46,17 +45,6 @@ struct PlanRequest
     std::shared_ptr<const FlightPicture> picture;
 };
 
-/** One leg of a plan with aim points: a turn at the limit, then a line that passes an iceberg. */
-struct AimedLeg
-{
-    int iceberg = -1;              ///< id of the one that the line passes
-    double turn_rad = 0;           ///< left positive
-    Point from_m = Point::Zero();  ///< where the line starts, over ground
-    Point abeam_m = Point::Zero(); ///< where it passes the iceberg
-    double sighting_s = 0;         ///< when the first sighting on this leg is predicted
-    bool operator==(const AimedLeg&) const = default;
-};
-
 struct PlanAnswer
 {
     std::vector<int> order;     ///< ids in visiting order, the first one available; may be empty
@@ -64,8 +52,10 @@ struct PlanAnswer
     TvpProblem problem;         ///< what was solved; empty when no solve was needed
     std::vector<int> solvedIds; ///< id of node k+1 of `problem`
     bool fellBack = false;      ///< no order from the solver: the rest of the last plan is flown
+    std::string failure;        ///< why, when the policy threw; English
     std::vector<AimedLeg> legs; ///< how to fly it; empty: straight to the first of `order`
-    std::optional<double> predictedZeta_m2s; ///< from now to the end of the run
+    std::optional<double> predictedZeta_m2s; ///< what `legs` were judged by
+    std::optional<AimedOutlook> outlook;     ///< of `legs`
 };
 
 /** What the policies `visitation` and `latency` solve in answer to a request; `mu` is 0. */

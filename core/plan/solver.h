@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/plan/aimed_leg.h"
 #include "core/plan/tvp.h"
 
 #include <cstdint>
@@ -38,6 +39,7 @@ struct SolveProgress
     double objective = 0;
     std::optional<double> bound; ///< valid lower bound on the optimum
     double elapsed_s = 0;
+    std::vector<AimedLeg> legs; ///< how the order is flown, of plans with aim points
 };
 
 struct SolveOptions

@@ -163,6 +163,63 @@ private slots:
         QVERIFY(answer.legs.back().sighting_s < 1500);
     }
 
+    /** Order, times and zeta of the prediction belong together. */
+    void outlookOfThePlan()
+    {
+        Scenario scenario = randomScenario(8);
+        const PlanRequest request = requestOf(scenario);
+        const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
+        const AimedOutlook outlook = answer.outlook.value();
+        QCOMPARE(outlook.until_s, scenario.duration_s);
+        QVERIFY(std::abs(outlook.zeta_m2s - *answer.predictedZeta_m2s) < 1e-6 * outlook.zeta_m2s);
+        QVERIFY(outlook.sightings_s.size() <= answer.order.size());
+        QVERIFY(outlook.sightings_s.size() > 6);
+        QVERIFY(std::is_sorted(outlook.sightings_s.begin(), outlook.sightings_s.end()));
+        QCOMPARE(outlook.sightings_s.front(), answer.legs.front().sighting_s);
+
+        Simulation simulation(scenario); // the first of the order is seen then
+        simulation.setTarget(answer.order.front(), answer.legs.front());
+        while (simulation.planReason() == PlanReason::None)
+            simulation.advanceStep();
+        QVERIFY(std::abs(simulation.time_s() - outlook.sightings_s.front()) < 1.5);
+        QVERIFY(simulation.track(answer.order.front()).inView);
+    }
+
+    void outlookOfALongRunEndsEarlier()
+    {
+        Scenario scenario = randomScenario(8);
+        scenario.duration_s = 4000;
+        const PlanAnswer answer = coverage()->plan(requestOf(scenario), {}, {.workLimit = kWork});
+        QCOMPARE(answer.outlook->until_s, 800.0);
+        QVERIFY(answer.outlook->zeta_m2s <
+                0.99 * *answer.predictedZeta_m2s); // judged by what is left, too
+        QVERIFY(answer.outlook->sightings_s.back() <= 800);
+    }
+
+    /** Whoever watches sees the first plan get better, and changes nothing by it. */
+    void firstPlanIsSeenImproving()
+    {
+        const PlanRequest request = requestOf(randomScenario(9));
+        const SolveOptions quiet{.workLimit = 3'000'000};
+        std::vector<SolveProgress> told;
+        SolveOptions watched = quiet;
+        watched.onProgress = [&](const SolveProgress& progress) { told.push_back(progress); };
+        const std::unique_ptr<Policy> policy = coverage();
+        const PlanAnswer answer = policy->plan(request, {}, watched);
+        QVERIFY(answer.legs == coverage()->plan(request, {}, quiet).legs);
+        QVERIFY(!told.empty());
+        for (std::size_t i = 0; i < told.size(); ++i) {
+            QVERIFY(std::is_permutation(told[i].order.begin(), told[i].order.end(),
+                                        answer.order.begin(), answer.order.end()));
+            QVERIFY(!told[i].legs.empty());
+            QVERIFY(told[i].objective >= *answer.predictedZeta_m2s);
+            QVERIFY(i == 0 || told[i].objective < told[i - 1].objective);
+        }
+        told.clear();
+        (void)policy->plan(request, answer.order, watched); // takes a moment only
+        QVERIFY(told.empty());
+    }
+
     void otherPoliciesAreMadeToo()
     {
         const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);

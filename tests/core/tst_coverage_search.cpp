@@ -110,6 +110,29 @@ private slots:
         }
     }
 
+    /** Of all starts together, each better than the one before; the plan is the same without. */
+    void listenerHearsOfBetterPlans()
+    {
+        const CoverageModel model = modelOf(randomScenario(7));
+        std::vector<CoverageResult> told;
+        CoverageSearch search(model, Random(3));
+        search.setListener([&](const CoverageResult& better) { told.push_back(better); });
+        CoverageSearch quiet(model, Random(3));
+        double best_m2s = std::numeric_limits<double>::infinity();
+        for (const CoveragePlan& start : {CoveragePlan{}, CoveragePlan{{2, 50}, {5, 0}}}) {
+            const CoverageResult found = search.improved(
+                search.completed(start), search.work() + 100'000, kHeat, SolveWatch({}));
+            const CoverageResult alone = quiet.improved(
+                quiet.completed(start), quiet.work() + 100'000, kHeat, SolveWatch({}));
+            QVERIFY(found.plan == alone.plan);
+            best_m2s = std::min(best_m2s, found.total_m2s);
+        }
+        QVERIFY(told.size() > 5);
+        for (std::size_t i = 1; i < told.size(); ++i)
+            QVERIFY(told[i].total_m2s < told[i - 1].total_m2s);
+        QCOMPARE(told.back().total_m2s, best_m2s);
+    }
+
     void sameWorkSamePlan()
     {
         const CoverageModel model = modelOf(randomScenario(7));

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/base/geometry.h"
+
+#include <vector>
+
+namespace berg {
+
+/** One leg of a plan with aim points: a turn at the limit, then a line that passes an iceberg. */
+struct AimedLeg
+{
+    int iceberg = -1;              ///< id of the one that the line passes
+    double turn_rad = 0;           ///< left positive
+    Point from_m = Point::Zero();  ///< where the line starts, over ground
+    Point abeam_m = Point::Zero(); ///< where it passes the iceberg
+    double sighting_s = 0;         ///< when the first sighting on this leg is predicted
+    bool operator==(const AimedLeg&) const = default;
+};
+
+/** What a plan with aim points is predicted to come to, flown to the end of the prediction. */
+struct AimedOutlook
+{
+    double until_s = 0;  ///< the end of the run, or earlier in a long one
+    double zeta_m2s = 0; ///< added until then
+    /** When the first ones of the plan's order are seen, ascending; the plan does not see the rest.
+     */
+    std::vector<double> sightings_s;
+    bool operator==(const AimedOutlook&) const = default;
+};
+
+} // namespace berg

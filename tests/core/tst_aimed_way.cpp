@@ -1,0 +1,191 @@
+#include "core/coverage/aimed_way.h"
+#include "core/coverage/described_plan.h"
+#include "core/scenario/presets.h"
+#include "core/sim/mission.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace berg;
+using test::addIceberg;
+using test::emptySea;
+
+namespace {
+
+const Motion kCalm{.airspeed_mps = 20, .limit_radps = 0.2}; // turns of 100 m
+
+/** Where the way is at that time. */
+Point placeAt(const std::vector<AimedWay>& ways, double time_s)
+{
+    Point at_m = ways.front().points.front().position_m;
+    for (const AimedWay& way : ways)
+        for (std::size_t i = 1; i < way.points.size(); ++i) {
+            const WayPoint& from = way.points[i - 1];
+            const WayPoint& to = way.points[i];
+            if (time_s >= to.time_s || to.time_s <= from.time_s)
+                at_m = to.position_m;
+            else if (time_s > from.time_s)
+                return from.position_m + (time_s - from.time_s) / (to.time_s - from.time_s) *
+                                             (to.position_m - from.position_m);
+        }
+    return at_m;
+}
+
+/** Random legs of the present picture of a simulation, as a planner would answer them. */
+DescribedPlan randomPlan(const PlanRequest& request, int legs, Random random)
+{
+    const CoverageModel model(*request.picture, {.length_s = 900});
+    CoveragePlan plan;
+    CoverageState state = model.start();
+    while (static_cast<int>(plan.size()) < legs) {
+        const CoverageLeg leg{.iceberg = static_cast<int>(random.below(request.ids.size())),
+                              .offset_m = random.uniform(-1, 1) * model.largestOffset_m()};
+        if (model.fly(state, leg))
+            plan.push_back(leg);
+        else if (model.atEnd(state))
+            break;
+    }
+    return describe(model, request, plan);
+}
+
+/** Largest distance between the ways and a flight of their legs, each begun when it is planned. */
+double largestMiss_m(const Scenario& scenario, const DescribedPlan& plan,
+                     const std::vector<AimedWay>& ways)
+{
+    Simulation simulation(scenario);
+    double miss_m = 0;
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+        simulation.setTarget(plan.legs[k].iceberg, plan.legs[k]);
+        while (simulation.time_s() < ways[k].points.back().time_s - simulation.dt_s() / 2) {
+            simulation.advanceStep();
+            miss_m = std::max(
+                miss_m,
+                (placeAt(ways, simulation.time_s()) - simulation.state().uav.position_m).norm());
+            if (simulation.planReason() != PlanReason::None)
+                simulation.setTarget(plan.legs[k].iceberg, simulation.state().aim);
+        }
+    }
+    return miss_m;
+}
+
+} // namespace
+
+class TestAimedWay : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** The way against the flight that it foretells: many legs in a row, without noise. */
+    void theFlightFollowsIt_data()
+    {
+        QTest::addColumn<FovShape>("shape");
+        QTest::addColumn<double>("wind_mps");
+        QTest::newRow("body") << FovShape::Body << 0.0;
+        QTest::newRow("disk") << FovShape::Disk << 0.0;
+        QTest::newRow("wind") << FovShape::Body << 9.0;
+    }
+    void theFlightFollowsIt()
+    {
+        QFETCH(FovShape, shape);
+        QFETCH(double, wind_mps);
+        int legs = 0;
+        for (int seed = 1; seed <= 15; ++seed) {
+            Scenario scenario = randomScenario(seed);
+            scenario.noise = false;
+            scenario.fovShape = shape;
+            scenario.wind_mps = Point(wind_mps, -wind_mps / 2);
+            const Simulation simulation(scenario);
+            const DescribedPlan plan =
+                randomPlan(simulation.planRequest(), 8, Random(static_cast<unsigned>(seed)));
+            const FlightPicture picture = *simulation.planRequest().picture;
+            const std::vector<AimedWay> ways = aimedWays(plan.legs, picture.uav, 0, picture.motion);
+            QCOMPARE(ways.size(), plan.legs.size());
+            legs += static_cast<int>(plan.legs.size());
+            const double miss_m = largestMiss_m(scenario, plan, ways);
+            QVERIFY2(miss_m < 6, qPrintable(QString("seed %1: %2 m").arg(seed).arg(miss_m)));
+        }
+        QVERIFY(legs > 60);
+    }
+
+    /** Plans of the policy itself, seen from the middle of their first leg. */
+    void aLegUnderWay()
+    {
+        Scenario scenario = randomScenario(4);
+        scenario.noise = false;
+        scenario.planner.policy = PolicyKind::Coverage;
+        Mission mission(scenario, {.workLimit = 100'000});
+        int checked = 0;
+        for (int k = 0; k < 40; ++k) {
+            mission.advance(mission.simulation().time_s() + 7);
+            const WorldState& world = mission.simulation().state();
+            const PlanEvent& plan = mission.plans().back();
+            if (!world.aim || plan.legs.size() < 2)
+                continue;
+            std::vector<AimedLeg> legs = plan.legs;
+            legs.front() = *world.aim;
+            const Motion& motion = mission.lastRequest()->picture->motion;
+            const double now_s = mission.simulation().time_s();
+            const std::vector<AimedWay> now = aimedWays(legs, world.uav, now_s, motion);
+            const std::vector<AimedWay> planned =
+                aimedWays(plan.legs, mission.lastRequest()->picture->uav, plan.time_s, motion);
+            QVERIFY(now.front().points.front().position_m == world.uav.position_m);
+            QVERIFY((placeAt(planned, now_s) - world.uav.position_m).norm() < 3);
+            for (const double later_s : {0.0, 10.0, 60.0})
+                QVERIFY((placeAt(now, now_s + later_s) - placeAt(planned, now_s + later_s)).norm() <
+                        6);
+            ++checked;
+        }
+        QVERIFY(checked > 20);
+    }
+
+    /** A quarter circle to the left, then 300 m north, by hand. */
+    void oneLeg()
+    {
+        const AimedLeg leg{.iceberg = 0,
+                           .turn_rad = M_PI / 2,
+                           .from_m = {100, 100},
+                           .abeam_m = {100, 1100},
+                           .sighting_s = 5 + M_PI / 2 / 0.2 + 15};
+        const std::vector<AimedWay> ways = aimedWays({&leg, 1}, {}, 5, kCalm);
+        QCOMPARE(ways.size(), std::size_t{1});
+        QVERIFY(ways.front().aim_m == leg.abeam_m);
+        const std::vector<WayPoint>& way = ways.front().points;
+        QVERIFY((way[way.size() - 2].position_m - leg.from_m).norm() < 1e-9);
+        QVERIFY((way.back().position_m - Point(100, 400)).norm() < 1e-9);
+        QVERIFY(std::abs(way.back().time_s - leg.sighting_s) < 1e-9);
+        for (const WayPoint& point : way) // on the circle until the line
+            if (point.position_m.y() < 100)
+                QVERIFY(std::abs((point.position_m - Point(0, 100)).norm() - 100) < 1e-9);
+        QVERIFY(std::abs(lengthUntil_m(ways, leg.sighting_s) - (100 * M_PI / 2 + 300)) < 0.1);
+        QVERIFY(std::abs(lengthUntil_m(ways, leg.sighting_s - 10) - (100 * M_PI / 2 + 100)) < 0.1);
+        QCOMPARE(lengthUntil_m(ways, 5), 0.0);
+        QVERIFY(std::abs(lengthUntil_m(ways, 1e6) - (100 * M_PI / 2 + 300)) < 0.1);
+    }
+
+    /** Seen while still turning: the next leg begins there. */
+    void legsMayEndInTheirTurn()
+    {
+        const std::vector<AimedLeg> legs{
+            {.turn_rad = M_PI, .from_m = {0, 200}, .abeam_m = {-1000, 200}, .sighting_s = 3},
+            // From a quarter circle on, to the right and east again.
+            {.turn_rad = -M_PI / 2, .from_m = {200, 200}, .abeam_m = {900, 200}, .sighting_s = 25}};
+        const std::vector<AimedWay> ways = aimedWays(legs, {}, 0, kCalm);
+        QVERIFY((ways[0].points.back().position_m - Point(100, 100)).norm() < 1e-9);
+        QVERIFY(std::abs(ways[0].points.back().time_s - M_PI / 2 / 0.2) < 1e-9);
+        QVERIFY((ways[1].points.front().position_m - Point(100, 100)).norm() < 1e-9);
+        for (const WayPoint& point : ways[1].points)
+            QVERIFY(point.position_m.x() > 99.9 && point.position_m.y() < 200.1);
+    }
+
+    void withoutLegsThereIsNoWay()
+    {
+        QVERIFY(aimedWays({}, {}, 0, kCalm).empty());
+        QCOMPARE(lengthUntil_m({}, 100), 0.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAimedWay)
+#include "tst_aimed_way.moc"
