@@ -34,6 +34,10 @@ std::string_view eventName(EventKind kind)
         return "sighted";
     case EventKind::Appeared:
         return "appeared";
+    case EventKind::PlannerFailed:
+        return "planner failed";
+    case EventKind::Alarm:
+        return "alarm";
     case EventKind::Intervention:
         return "intervention";
     }
@@ -136,11 +140,15 @@ std::string eventsCsv(const Mission& mission)
 
 std::string zetaCsv(const Mission& mission)
 {
-    std::string text = "time_s,sigma_sum_m2,zeta_m2s\n";
+    const bool weighted = mission.simulation().asset().has_value();
+    std::string text = "time_s,sigma_sum_m2,zeta_m2s";
+    text += weighted ? ",weighted_sigma_sum_m2\n" : "\n";
     for (const Sample& sample : mission.recorder().samples()) {
         add(text, sample.time_s, ',');
         add(text, sample.sigmaSum_m2, ',');
-        add(text, sample.zeta_m2s, '\n');
+        add(text, sample.zeta_m2s, weighted ? ',' : '\n');
+        if (weighted)
+            add(text, sample.weightedSum_m2, '\n');
     }
     return text;
 }

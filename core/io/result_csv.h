@@ -16,7 +16,7 @@ namespace berg {
 [[nodiscard]] std::string sigmaCsv(const Mission& mission);
 /** `time_s,event,uav,iceberg,detail` */
 [[nodiscard]] std::string eventsCsv(const Mission& mission);
-/** `time_s,sigma_sum_m2,zeta_m2s` */
+/** `time_s,sigma_sum_m2,zeta_m2s`, and `weighted_sigma_sum_m2` where there is an asset */
 [[nodiscard]] std::string zetaCsv(const Mission& mission);
 
 /** Shortest text that reads back as the same double, C locale; for CSV and XML. */

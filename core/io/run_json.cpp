@@ -38,6 +38,10 @@ std::string interventionText(const Intervention& intervention)
         object.add("tau", *intervention.tau);
     if (intervention.policy)
         object.add("policy", nameOf(kPolicyNames, *intervention.policy));
+    if (intervention.wind_mps)
+        object.add("wind_mps", *intervention.wind_mps);
+    if (intervention.asset)
+        object.addText("asset", assetText(*intervention.asset));
     if (intervention.appears)
         object.addText("appears", icebergText(*intervention.appears));
     if (intervention.seen)
@@ -118,6 +122,10 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
         intervention.tau = object.optionalNumber("tau", kTauLimits);
         if (object.find("policy") != nullptr)
             intervention.policy = object.choice("policy", PolicyKind::Visitation, kPolicyNames);
+        if (object.find("wind_mps") != nullptr)
+            intervention.wind_mps = object.point("wind_mps", Point::Zero());
+        if (const Json* asset = object.find("asset"))
+            intervention.asset = readAsset(*asset, object.path("asset"), run.faults());
         if (const Json* appears = object.find("appears"))
             intervention.appears = readIceberg(*appears, object.path("appears"), run.faults());
         if (object.find("seen") != nullptr)
@@ -144,6 +152,22 @@ void checkSeen(const RunFile& file, Faults& faults)
         if (!known)
             faults.add(entryPath("interventions", i) + ".seen",
                        "no iceberg of this id is there at this time");
+    }
+}
+
+/** Wind and asset must be such as a scenario may hold. */
+void checkSurroundings(const RunFile& file, Faults& faults)
+{
+    for (std::size_t i = 0; i < file.interventions.size(); ++i) {
+        const Intervention& change = file.interventions[i];
+        if (!change.wind_mps && !change.asset)
+            continue;
+        Scenario after = file.scenario;
+        after.wind_mps = change.wind_mps.value_or(after.wind_mps);
+        after.asset = change.asset ? change.asset : after.asset;
+        for (const Issue& issue : validate(after))
+            if (issue.severity == Severity::Error)
+                faults.add(entryPath("interventions", i) + '.' + issue.field, issue.message);
     }
 }
 
@@ -285,6 +309,7 @@ RunFile readRun(ObjectReader& run)
     if (!run.faults().empty())
         return file;
     file.interventions = readInterventions(run, file.flownUntil_s);
+    checkSurroundings(file, run.faults());
     checkAppearing(file, run.faults());
     checkSeen(file, run.faults());
     if (!run.faults().empty())
@@ -334,8 +359,8 @@ void saveRun(const RunFile& run, const std::string& path)
 
 std::string formatOf(std::string_view text, const std::string& subject)
 {
-    constexpr std::array<std::string_view, 3> kFormats = {"bergwatch-scenario", "bergwatch-problem",
-                                                          kFormat};
+    constexpr std::array<std::string_view, 4> kFormats = {"bergwatch-scenario", "bergwatch-problem",
+                                                          kFormat, "bergwatch-study"};
     const ParsedJson parsed = parseJson(text, subject);
     if (parsed.root.is_object()) {
         const auto format = parsed.root.find("format");
@@ -346,7 +371,8 @@ std::string formatOf(std::string_view text, const std::string& subject)
     }
     throw Error(ErrorCode::WrongFormat, subject,
                 {{Severity::Error, "format",
-                  "must be \"bergwatch-scenario\", \"bergwatch-problem\" or \"bergwatch-run\""}});
+                  "must be \"bergwatch-scenario\", \"bergwatch-problem\", \"bergwatch-run\" or "
+                  "\"bergwatch-study\""}});
 }
 
 } // namespace berg

@@ -61,8 +61,9 @@ void saveRun(const RunFile& run, const std::string& path);
 [[nodiscard]] std::vector<Issue> compareRun(const RunFile& recorded, const RunFile& replayed);
 
 /**
- * Format of a file by its `format` member: "bergwatch-scenario", "bergwatch-problem" or
- * "bergwatch-run". Throws `Error` SyntaxError, FileTooLarge, and WrongFormat for anything else.
+ * Format of a file by its `format` member: "bergwatch-scenario", "bergwatch-problem",
+ * "bergwatch-run" or "bergwatch-study". Throws `Error` SyntaxError, FileTooLarge, and WrongFormat
+ * for anything else.
  */
 [[nodiscard]] std::string formatOf(std::string_view text, const std::string& subject);
 

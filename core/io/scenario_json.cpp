@@ -52,6 +52,7 @@ Uav readUav(const Json& value, const std::string& path, Faults& faults)
     // No member means no limit, which memory writes as 0; a file that says 0 is mistaken.
     uav.spec.endurance_s =
         object.number("endurance_s", 0, Limits{.low = 0, .high = 1e9, .above = true});
+    uav.spec.autopilot_s = object.number("autopilot_s", uav.spec.autopilot_s);
     uav.extraJson = object.unknown();
     return uav;
 }
@@ -81,19 +82,6 @@ void readTrack(const Json& value, const std::string& path, Faults& faults, Icebe
         iceberg.track = {};
 }
 
-Asset readAsset(const Json& value, const std::string& path, Faults& faults)
-{
-    ObjectReader object(value, path, faults);
-    Asset asset;
-    asset.name = object.text("name");
-    asset.position_m = readPosition(object);
-    asset.velocity_mps = object.point("velocity_mps", asset.velocity_mps);
-    asset.range_m = object.number("range_m", asset.range_m);
-    asset.gain = object.number("gain", asset.gain);
-    asset.extraJson = object.unknown();
-    return asset;
-}
-
 void readPlanner(const Json& value, Scenario& scenario, ObjectReader& parent)
 {
     ObjectReader object(value, parent.path("planner"), parent.faults());
@@ -103,6 +91,7 @@ void readPlanner(const Json& value, Scenario& scenario, ObjectReader& parent)
     planner.route = object.choice("route", planner.route, kRouteNames);
     planner.backend = object.choice("backend", planner.backend, kBackendNames);
     planner.formulation = object.choice("formulation", planner.formulation, kFormulationNames);
+    scenario.planningTime_s = object.number("latency_s", scenario.planningTime_s);
     scenario.reachRadius_m = object.optionalNumber("reach_radius_m");
     scenario.fovShape = object.choice("fov_shape", scenario.fovShape, kFovShapeNames);
     scenario.plannerExtraJson = object.unknown();
@@ -205,19 +194,8 @@ std::string uavText(const Uav& uav)
     object.addUnless("fov_m", uav.fov_m, standard.fov_m);
     object.addUnless("altitude_m", uav.spec.altitude_m, standard.spec.altitude_m);
     object.addUnless("endurance_s", uav.spec.endurance_s, 0.0);
+    object.addUnless("autopilot_s", uav.spec.autopilot_s, 0.0);
     object.addExtra(uav.extraJson);
-    return object.inLine();
-}
-
-std::string assetText(const Asset& asset)
-{
-    JsonObject object;
-    object.addUnless("name", asset.name, {});
-    object.add("position_m", asset.position_m);
-    object.addUnless("velocity_mps", asset.velocity_mps, Point(Point::Zero()));
-    object.add("range_m", asset.range_m);
-    object.add("gain", asset.gain);
-    object.addExtra(asset.extraJson);
     return object.inLine();
 }
 
@@ -243,6 +221,7 @@ std::string plannerText(const Scenario& scenario)
         object.add("backend", nameOf(kBackendNames, planner.backend));
     if (planner.formulation != standard.formulation)
         object.add("formulation", nameOf(kFormulationNames, planner.formulation));
+    object.addUnless("latency_s", scenario.planningTime_s, 0.0);
     if (scenario.reachRadius_m)
         object.add("reach_radius_m", *scenario.reachRadius_m);
     if (scenario.fovShape != FovShape::Body)
@@ -272,6 +251,33 @@ std::vector<std::string> textsOf(const std::vector<Entry>& entries,
 }
 
 } // namespace
+
+Asset readAsset(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    Asset asset;
+    asset.name = object.text("name");
+    asset.position_m = readPosition(object);
+    asset.velocity_mps = object.point("velocity_mps", asset.velocity_mps);
+    asset.range_m = object.number("range_m", asset.range_m);
+    asset.gain = object.number("gain", asset.gain);
+    asset.alarm_m = object.number("alarm_m", asset.alarm_m);
+    asset.extraJson = object.unknown();
+    return asset;
+}
+
+std::string assetText(const Asset& asset)
+{
+    JsonObject object;
+    object.addUnless("name", asset.name, {});
+    object.add("position_m", asset.position_m);
+    object.addUnless("velocity_mps", asset.velocity_mps, Point(Point::Zero()));
+    object.add("range_m", asset.range_m);
+    object.add("gain", asset.gain);
+    object.addUnless("alarm_m", asset.alarm_m, 0.0);
+    object.addExtra(asset.extraJson);
+    return object.inLine();
+}
 
 Iceberg readIceberg(const Json& value, const std::string& path, Faults& faults)
 {

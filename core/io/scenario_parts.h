@@ -19,8 +19,12 @@ inline constexpr Limits kTauLimits{.low = 0, .high = 100};
 /** One entry of `icebergs`; its id is empty when the file gives none. */
 [[nodiscard]] Iceberg readIceberg(const Json& value, const std::string& path, Faults& faults);
 
+/** The member `asset`. */
+[[nodiscard]] Asset readAsset(const Json& value, const std::string& path, Faults& faults);
+
 /** The scenario as an object whose braces stand at `indent`. */
 [[nodiscard]] std::string scenarioText(const Scenario& scenario, int indent);
 [[nodiscard]] std::string icebergText(const Iceberg& iceberg);
+[[nodiscard]] std::string assetText(const Asset& asset);
 
 } // namespace berg

@@ -52,7 +52,10 @@ DriftModel driftOf(const Mission& mission, std::size_t iceberg)
     return {DriftSpec{.position_m = spec.position_m,
                       .start_s = start_s,
                       .velocity_mps = spec.velocity_mps + scenario.current_mps,
-                      .q_m2ps = spec.q_m2ps},
+                      .q_m2ps = spec.q_m2ps,
+                      .track = spec.track.empty()
+                                   ? nullptr
+                                   : std::make_shared<const RecordedTrack>(spec.track)},
             static_cast<std::uint64_t>(scenario.seed), spec.id, scenario.noise};
 }
 

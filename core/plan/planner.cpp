@@ -1,6 +1,9 @@
 #include "core/plan/planner.h"
 
+#include "core/base/solving_guard.h"
+
 #include <algorithm>
+#include <exception>
 
 namespace berg {
 
@@ -63,8 +66,15 @@ void Planner::setSettings(const PlannerSettings& settings)
 
 PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options, bool warmStart)
 {
+    requireSolvingAllowed(); // not one of the failures that are flown over
     const std::vector<int> lastRest = stillAvailable(m_lastOrder, request);
-    PlanAnswer answer = m_policy->plan(request, warmStart ? lastRest : std::vector<int>{}, options);
+    PlanAnswer answer;
+    try {
+        answer = m_policy->plan(request, warmStart ? lastRest : std::vector<int>{}, options);
+    } catch (const std::exception& failure) {
+        // The autopilot always has a next iceberg, whatever becomes of the planner.
+        answer = {.failure = failure.what()};
+    }
     if (answer.outcome.reason == StopReason::Cancelled)
         return answer; // nothing is remembered: the same call will be made again
     if (answer.order.empty()) {

@@ -25,7 +25,8 @@ public:
     void setSettings(const PlannerSettings& settings);
 
     /**
-     * The order to fly now; empty only when no iceberg is available, or when cancelled.
+     * The order to fly now; empty only when no iceberg is available, or when cancelled. A policy
+     * that throws is as one that finds no order, with `failure` saying why.
      * `warmStart` off keeps the last order from the solver (the fall-back still uses it).
      */
     [[nodiscard]] PlanAnswer plan(const PlanRequest& request, const SolveOptions& options,

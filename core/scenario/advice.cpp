@@ -108,8 +108,6 @@ void Adviser::adviseUnused()
         hint({}, advised::kUnknownMembers);
     if (!m_s.area_m.empty())
         hint("area_m", advised::kAreaUnused);
-    if (m_s.asset)
-        hint("asset", advised::kAssetUnused);
     if (m_s.uavs.size() > 1)
         hint("uavs[1]", advised::kFirstUavOnly);
 }

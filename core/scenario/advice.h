@@ -21,7 +21,6 @@ inline constexpr std::string_view kUnknownMembers =
     "members that this version does not know are kept, but not used";
 inline constexpr std::string_view kAreaUnused =
     "is used to check the scenario; this version flies beyond it";
-inline constexpr std::string_view kAssetUnused = "the asset is kept, but not used by this version";
 inline constexpr std::string_view kFirstUavOnly = "kept, but this version flies the first UAV only";
 inline constexpr std::string_view kEnduranceUnused =
     "the endurance is kept, but not used by this version";

@@ -14,6 +14,7 @@ struct FieldSpec
     double sigmaMin_m2 = 1;
     double sigmaMax_m2 = 10;
     double q_m2ps = 0.025;
+    bool operator==(const FieldSpec&) const = default;
 };
 
 /**

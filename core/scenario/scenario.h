@@ -47,7 +47,8 @@ struct Iceberg
     bool operator==(const Iceberg&) const = default;
 };
 
-/** Platform or ship to protect; its effect on priorities is not part of this version. */
+/** Platform or ship to protect: icebergs near it, or coming near, are visited first (`priority`).
+ */
 struct Asset
 {
     std::string name;
@@ -55,6 +56,7 @@ struct Asset
     Point velocity_mps = Point::Zero();
     double range_m = 10000;
     double gain = 5;
+    double alarm_m = 0; ///< radius of the inner ring; 0: half the range
     std::string extraJson;
     bool operator==(const Asset&) const = default;
 };
@@ -76,6 +78,7 @@ struct Scenario
     std::vector<Iceberg> icebergs;
     std::optional<Asset> asset;
     PlannerSettings planner;
+    double planningTime_s = 0;           ///< file: planner.latency_s; a plan is in force so late
     std::optional<double> reachRadius_m; ///< file: planner.reach_radius_m; none: reached in view
     FovShape fovShape = FovShape::Body;  ///< file: planner.fov_shape
     std::string plannerExtraJson;

@@ -19,6 +19,8 @@ constexpr std::int64_t kLargestSeed = std::int64_t{1} << 53;
 constexpr double kSmallestBank_deg = 1;
 constexpr double kLargestBank_deg = 80;
 constexpr double kLargestTau = 100;
+constexpr double kSlowestAutopilot_s = 60;
+constexpr double kLongestPlanning_s = 3600;
 /** Part of the airspeed above which wind makes flight times grow without much warning. */
 constexpr double kStrongWind = 0.7;
 
@@ -141,6 +143,8 @@ void checkUav(const Uav& uav, const std::string& path, Findings& findings)
     // In memory 0 stands for "none"; a file leaves the member out instead.
     findings.inRange(uav.spec.endurance_s, {.low = 0, .high = kLargestTime_s},
                      path + ".endurance_s");
+    findings.inRange(uav.spec.autopilot_s, {.low = 0, .high = kSlowestAutopilot_s},
+                     path + ".autopilot_s");
 }
 
 void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId, Findings& findings)
@@ -270,11 +274,13 @@ void checkAsset(const Scenario& s, Findings& findings)
                      "asset.velocity_mps");
     findings.inRange(s.asset->range_m, kExtent_m, "asset.range_m");
     findings.inRange(s.asset->gain, {.low = 0, .high = kLargestGain}, "asset.gain");
+    findings.inRange(s.asset->alarm_m, {.low = 0, .high = kLargestLength_m}, "asset.alarm_m");
 }
 
 void checkPlanner(const Scenario& s, Findings& findings)
 {
     findings.inRange(s.planner.tau, {.low = 0, .high = kLargestTau}, "planner.tau");
+    findings.inRange(s.planningTime_s, {.low = 0, .high = kLongestPlanning_s}, "planner.latency_s");
     if (s.reachRadius_m)
         findings.inRange(*s.reachRadius_m, kExtent_m, "planner.reach_radius_m");
 }

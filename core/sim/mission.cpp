@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace berg {
 
@@ -29,6 +30,7 @@ PlanEvent planEvent(const PlanAnswer& answer)
                     .order = answer.order,
                     .legs = answer.legs,
                     .predictedZeta_m2s = answer.predictedZeta_m2s,
+                    .outlook = answer.outlook,
                     .status = outcome.status,
                     .stop = outcome.reason,
                     .backend = outcome.backend,
@@ -49,11 +51,11 @@ PlanEvent planEvent(const PlanAnswer& answer)
 } // namespace
 
 Mission::Mission(const Scenario& scenario, const MissionOptions& options,
-                 std::unique_ptr<TvpSolver> solver)
+                 std::unique_ptr<TvpSolver> solver, std::span<const DriftNoise> noise)
     : m_scenario(checked(scenario))
     , m_options(options)
     , m_icebergs(scenario.icebergs)
-    , m_simulation(scenario)
+    , m_simulation(scenario, noise)
     , m_planner(scenario.planner, std::move(solver), makeFlownPolicy)
     , m_recorder(options.sampleInterval_s, options.keyframeInterval_s, scenario.dt_s)
 {
@@ -71,7 +73,7 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
     while (!m_simulation.finished()) {
         if (stop.stop_requested())
             return AdvanceStatus::Cancelled;
-        if (m_simulation.planReason() != PlanReason::None && !planNow(stop))
+        if (!planWhenDue(stop))
             return AdvanceStatus::Cancelled;
         if (m_simulation.state().step >= untilStep)
             return AdvanceStatus::Reached;
@@ -83,6 +85,33 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
             onProgress(m_simulation.time_s());
     }
     return AdvanceStatus::Finished;
+}
+
+/** Puts a pending plan in force and asks for one where it is needed. False: cancelled. */
+bool Mission::planWhenDue(const std::stop_token& stop)
+{
+    if (m_pending && m_simulation.state().step >= m_pending->step) {
+        PlanEvent plan = std::exchange(m_pending, std::nullopt)->plan;
+        // What has come into view since is not flown to.
+        std::erase_if(plan.order, [this](int i) { return !m_simulation.available(i); });
+        const bool outdated = plan.target >= 0 && !m_simulation.available(plan.target);
+        if (outdated) {
+            plan.target = plan.order.empty() ? -1 : plan.order.front();
+            plan.legs.clear();
+        }
+        const PlanReason missed = std::exchange(m_missed, PlanReason::None);
+        plan.time_s = m_simulation.time_s();
+        putInForce(std::move(plan));
+        if (missed != PlanReason::None || outdated)
+            m_simulation.requestPlan();
+    }
+    if (m_simulation.planReason() == PlanReason::None)
+        return true;
+    if (!m_pending)
+        return planNow(stop);
+    m_missed = m_simulation.planReason();
+    flyOn();
+    return true;
 }
 
 bool Mission::planNow(const std::stop_token& stop)
@@ -99,15 +128,66 @@ bool Mission::planNow(const std::stop_token& stop)
     if (answer.outcome.reason == StopReason::Cancelled)
         return false;
 
+    m_lastRequest = request;
+    if (!answer.failure.empty())
+        note(EventKind::PlannerFailed, -1, answer.failure);
     PlanEvent event = planEvent(answer);
     event.time_s = m_simulation.time_s();
     event.reason = m_simulation.planReason();
-    event.change = changeTo(event);
-    m_simulation.setTarget(event.target, firstAim(event));
-    note(EventKind::Planned, event.target, answer.fellBack ? "last plan kept" : event.backend);
-    m_plans.push_back(std::move(event));
-    m_lastRequest = request;
+    if (event.outlook && !event.outlook->sightings_s.empty())
+        event.distance_m = request->speed_mps * (event.outlook->sightings_s.back() - event.time_s);
+    // The first plan is made before take-off.
+    const std::int64_t wait = std::llround(m_scenario.planningTime_s / m_simulation.dt_s());
+    if (wait == 0 || m_plans.empty()) {
+        putInForce(std::move(event));
+        return true;
+    }
+    m_pending = {.plan = std::move(event), .step = m_simulation.state().step + wait};
+    flyOn();
     return true;
+}
+
+void Mission::putInForce(PlanEvent plan)
+{
+    plan.zeta_m2s = m_simulation.state().zeta_m2s;
+    if (m_options.record) // two forecasts: dear where missions are flown by the thousand
+        plan.change = changeTo(plan);
+    m_simulation.setTarget(plan.target, firstAim(plan));
+    note(EventKind::Planned, plan.target, plan.fellBack ? "last plan kept" : plan.backend);
+    m_plans.push_back(std::move(plan));
+}
+
+/** The autopilot's part while a plan is pending: the leg under way, or the next of the last plan.
+ */
+void Mission::flyOn()
+{
+    const PlanReason reason = m_simulation.planReason();
+    PlanEvent plan{.time_s = m_simulation.time_s(),
+                   .reason = reason,
+                   .zeta_m2s = m_simulation.state().zeta_m2s,
+                   .interim = true};
+    plan.order = restOfPlan(reason);
+    std::erase_if(plan.order, [this](int i) { return !m_simulation.available(i); });
+    if (plan.order.empty())
+        if (const int nearest = m_simulation.nearestAvailable(); nearest >= 0)
+            plan.order = {nearest};
+    plan.target = plan.order.empty() ? -1 : plan.order.front();
+    if (plan.target >= 0 && plan.target == m_simulation.state().target &&
+        m_simulation.state().aim) {
+        AimedLeg leg = *m_simulation.state().aim;
+        leg.sighting_s = std::max(leg.sighting_s, plan.time_s + m_scenario.planningTime_s);
+        plan.legs = {leg};
+    }
+    m_simulation.setTarget(plan.target, firstAim(plan));
+    m_plans.push_back(std::move(plan));
+}
+
+std::vector<int> Mission::restOfPlan(PlanReason reason) const
+{
+    std::vector<int> rest = m_plans.back().order;
+    if (reason == PlanReason::TargetReached && !rest.empty())
+        rest.erase(rest.begin());
+    return rest;
 }
 
 /** What `next` changes about the plan in force, seen from here. */
@@ -115,9 +195,7 @@ std::optional<PlanChange> Mission::changeTo(const PlanEvent& next) const
 {
     if (m_plans.empty())
         return std::nullopt;
-    std::vector<int> rest = m_plans.back().order;
-    if (next.reason == PlanReason::TargetReached && !rest.empty())
-        rest.erase(rest.begin());
+    std::vector<int> rest = restOfPlan(m_plans.back().interim ? PlanReason::None : next.reason);
     // Those in view are passed over, unless the new order keeps them, as fixed routes do.
     std::erase_if(rest, [&](int iceberg) {
         return !m_simulation.available(iceberg) &&
@@ -125,8 +203,8 @@ std::optional<PlanChange> Mission::changeTo(const PlanEvent& next) const
     });
     ForecastStart start{.world = m_simulation.state(),
                         .time_s = m_simulation.time_s(),
-                        .airspeed_mps = m_scenario.uavs.front().spec.airspeed_mps,
-                        .wind_mps = m_scenario.wind_mps};
+                        .airspeed_mps = m_simulation.motion().airspeed_mps,
+                        .wind_mps = m_simulation.motion().wind_mps};
     for (int i = 0; i < m_simulation.icebergCount(); ++i)
         start.active.push_back(m_simulation.active(i));
     const double left_s =
@@ -147,6 +225,7 @@ void Mission::tellIncumbent(const SolveProgress& progress)
                          .reason = m_simulation.planReason(),
                          .target = progress.order.front(),
                          .order = progress.order,
+                         .legs = progress.legs,
                          .status = SolveStatus::Feasible,
                          .objective = progress.objective,
                          .bound = progress.bound,
@@ -169,6 +248,27 @@ void Mission::noteStep()
         ++m_visits;
         note(EventKind::Reached, m_simulation.state().target, {});
     }
+    const auto second =
+        static_cast<std::int64_t>(std::max(1LL, std::llround(1 / m_simulation.dt_s())));
+    if (m_options.record && m_simulation.asset() && m_simulation.state().step % second == 0)
+        noteAlarms();
+}
+
+/** One for each time an iceberg is found to be on its way into the inner ring. */
+void Mission::noteAlarms()
+{
+    m_alarmed.resize(static_cast<std::size_t>(m_simulation.icebergCount()));
+    const double radius_m = alarmRadius_m(*m_simulation.asset());
+    for (int i = 0; i < m_simulation.icebergCount(); ++i) {
+        if (!m_simulation.active(i))
+            continue;
+        const std::optional<double> entry_s =
+            entryTime_s(*m_simulation.relativeToAsset(i), radius_m, kApproachHorizon_s);
+        const auto k = static_cast<std::size_t>(i);
+        if (entry_s && !m_alarmed[k])
+            note(EventKind::Alarm, i, "in " + std::to_string(std::llround(*entry_s)) + " s");
+        m_alarmed[k] = entry_s.has_value();
+    }
 }
 
 void Mission::intervene(Intervention intervention)
@@ -179,20 +279,30 @@ void Mission::intervene(Intervention intervention)
     Scenario after = m_scenario;
     after.planner = settings;
     after.icebergs = m_icebergs;
+    after.wind_mps = intervention.wind_mps.value_or(m_simulation.motion().wind_mps);
+    after.asset = intervention.asset ? intervention.asset : m_simulation.asset();
     if (intervention.appears)
         after.icebergs.push_back(*intervention.appears);
     checked(after);
     const int seen = intervention.seen ? appearedIceberg(*intervention.seen) : -1;
     // A plan still due is made before the change, as a replay does: it comes to this instant by
     // `advance`, which leaves no plan due.
-    if (m_simulation.planReason() != PlanReason::None && !m_simulation.finished())
-        static_cast<void>(planNow({}));
+    if (!m_simulation.finished())
+        static_cast<void>(planWhenDue({}));
 
     m_planner.setSettings(settings);
     intervention.time_s = m_simulation.time_s();
     if (intervention.tau || intervention.policy) {
         m_simulation.requestPlan();
         note(EventKind::Intervention, -1, nameOf(kPolicyNames, settings.policy));
+    }
+    if (intervention.wind_mps) {
+        m_simulation.setWind(*intervention.wind_mps);
+        note(EventKind::Intervention, -1, kWindChanged);
+    }
+    if (intervention.asset) {
+        m_simulation.setAsset(*intervention.asset);
+        note(EventKind::Intervention, -1, kAssetChanged);
     }
     if (intervention.appears) {
         m_icebergs.push_back(*intervention.appears);
@@ -220,7 +330,8 @@ Metrics Mission::metrics() const
 {
     return {.zeta_m2s = m_simulation.state().zeta_m2s,
             .visits = m_visits,
-            .replans = static_cast<int>(m_plans.size()),
+            .replans = static_cast<int>(std::count_if(
+                m_plans.begin(), m_plans.end(), [](const PlanEvent& p) { return !p.interim; })),
             .flown_m = m_simulation.state().flown_m};
 }
 

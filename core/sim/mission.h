@@ -29,6 +29,8 @@ struct Intervention
     double time_s = 0;
     std::optional<double> tau;
     std::optional<PolicyKind> policy;
+    std::optional<Point> wind_mps;   ///< from now on
+    std::optional<Asset> asset;      ///< protected from now on; its position is that at time 0
     std::optional<Iceberg> appears;  ///< a new iceberg, here and now
     std::optional<std::string> seen; ///< id of one that somebody else sees now
     bool operator==(const Intervention&) const = default;
@@ -61,10 +63,12 @@ class Mission
 public:
     /**
      * Throws `Error{InvalidInput}` when `validate(scenario)` finds errors and `Error{Unsupported}`
-     * for policies and back ends this build lacks. `solver` replaces the scenario's back end.
+     * for policies and back ends this build lacks. `solver` replaces the scenario's back end;
+     * `noise` is empty or what `drawNoise` gave for this field of icebergs: it only saves time.
      */
     explicit Mission(const Scenario& scenario, const MissionOptions& options = {},
-                     std::unique_ptr<TvpSolver> solver = nullptr);
+                     std::unique_ptr<TvpSolver> solver = nullptr,
+                     std::span<const DriftNoise> noise = {});
 
     /**
      * Flies until `until_s` (rounded to a step) or the end of the run. `onProgress(time_s)` is
@@ -103,11 +107,22 @@ public:
     [[nodiscard]] const std::vector<Iceberg>& icebergs() const { return m_icebergs; }
 
 private:
+    /** A plan that is made, but not in force before its time. */
+    struct PendingPlan
+    {
+        PlanEvent plan;
+        std::int64_t step = 0; ///< from which on it is in force
+    };
+    [[nodiscard]] bool planWhenDue(const std::stop_token& stop);
     [[nodiscard]] bool planNow(const std::stop_token& stop);
+    void putInForce(PlanEvent plan);
+    void flyOn();
+    [[nodiscard]] std::vector<int> restOfPlan(PlanReason reason) const;
     [[nodiscard]] std::optional<PlanChange> changeTo(const PlanEvent& next) const;
     void tellIncumbent(const SolveProgress& progress);
     void note(EventKind kind, int iceberg, std::string detail);
     void noteStep();
+    void noteAlarms();
     /** Index; throws `Error{InvalidInput}` when there is none of that id now. */
     [[nodiscard]] int appearedIceberg(const std::string& id) const;
 
@@ -118,11 +133,14 @@ private:
     Planner m_planner;
     Recorder m_recorder;
     std::vector<PlanEvent> m_plans;
+    std::optional<PendingPlan> m_pending;
+    PlanReason m_missed = PlanReason::None; ///< another plan was needed while one was pending
     std::shared_ptr<const PlanRequest> m_lastRequest;
     std::vector<MissionEvent> m_events;
     std::vector<Intervention> m_interventions;
     std::vector<std::size_t> m_plansBefore; ///< by intervention
     std::function<void(const PlanEvent&)> m_incumbentListener;
+    std::vector<bool> m_alarmed; ///< by iceberg: on its way into the asset's inner ring
     int m_visits = 0;
 };
 

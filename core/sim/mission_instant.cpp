@@ -46,12 +46,18 @@ public:
                            .visits = static_cast<int>(std::count_if(
                                events.begin(), end,
                                [](const MissionEvent& e) { return e.kind == EventKind::Reached; })),
-                           .replans = static_cast<int>(m_plan),
+                           .replans = plansMade(),
                            .flown_m = m_world.state().flown_m};
         return instant;
     }
 
 private:
+    [[nodiscard]] int plansMade() const
+    {
+        const auto first = m_mission.plans().begin();
+        return static_cast<int>(std::count_if(first, first + static_cast<std::ptrdiff_t>(m_plan),
+                                              [](const PlanEvent& plan) { return !plan.interim; }));
+    }
     [[nodiscard]] std::int64_t stepOf(double time_s) const
     {
         return std::llround(time_s / m_world.dt_s());
@@ -89,6 +95,10 @@ private:
 
     void apply(const Intervention& change)
     {
+        if (change.wind_mps)
+            m_world.setWind(*change.wind_mps);
+        if (change.asset)
+            m_world.setAsset(*change.asset);
         if (change.appears)
             m_world.addIceberg(*change.appears);
         if (!change.seen)

@@ -24,6 +24,21 @@ Recorder::Recorder(double interval_s, double keyframe_s, double dt_s)
 {
 }
 
+namespace {
+
+double weightedSum_m2(const Simulation& simulation)
+{
+    if (!simulation.asset())
+        return simulation.state().sigmaSum_m2;
+    double sum_m2 = 0;
+    for (int i = 0; i < simulation.icebergCount(); ++i)
+        if (simulation.active(i))
+            sum_m2 += simulation.priority(i) * simulation.track(i).sigma_m2;
+    return sum_m2;
+}
+
+} // namespace
+
 void Recorder::record(const Simulation& simulation)
 {
     const WorldState& state = simulation.state();
@@ -37,6 +52,7 @@ void Recorder::record(const Simulation& simulation)
                          .u_radps = state.u_radps,
                          .crossTrack_m = state.crossTrack_m,
                          .sigmaSum_m2 = state.sigmaSum_m2,
+                         .weightedSum_m2 = weightedSum_m2(simulation),
                          .zeta_m2s = state.zeta_m2s,
                          .flown_m = state.flown_m,
                          .target = state.target});

@@ -15,7 +15,9 @@ struct PlanEvent
     int target = -1;                         ///< index of the iceberg flown to; -1: circling
     std::vector<int> order;                  ///< iceberg indices
     std::vector<AimedLeg> legs;              ///< how it is flown; empty: straight to the target
-    std::optional<double> predictedZeta_m2s; ///< from this plan to the end of the run
+    std::optional<double> predictedZeta_m2s; ///< what `legs` were judged by
+    std::optional<AimedOutlook> outlook;     ///< of `legs`
+    double zeta_m2s = 0;                     ///< Eq. (24) until then
     SolveStatus status = SolveStatus::None;
     StopReason stop = StopReason::Finished;
     std::string backend;
@@ -28,7 +30,9 @@ struct PlanEvent
     double elapsed_s = 0; ///< of the solve; the one thing that differs between equal runs
     bool warmStarted = false;
     bool fellBack = false;
-    std::optional<PlanChange> change; ///< against the rest of the plan before, until the end
+    bool interim = false; ///< the autopilot goes on with the last plan while the next one is made
+    std::optional<PlanChange> change; ///< against the rest of the plan before, until the end; of
+                                      ///< missions that keep a record
 };
 
 enum class EventKind
@@ -37,6 +41,8 @@ enum class EventKind
     Reached,
     Sighted,
     Appeared,
+    PlannerFailed, ///< it threw; the last plan is flown on
+    Alarm,         ///< found to be on its way into the inner ring of the asset
     Intervention
 };
 
@@ -45,6 +51,10 @@ enum class EventKind
 
 /** Detail of a sighting that was not the UAV's own. */
 inline constexpr const char* kReported = "reported";
+
+/** Details of an intervention. */
+inline constexpr const char* kWindChanged = "wind";
+inline constexpr const char* kAssetChanged = "asset";
 
 /** One line of the event log. */
 struct MissionEvent
@@ -63,6 +73,7 @@ struct Sample
     double u_radps = 0;
     double crossTrack_m = 0;
     double sigmaSum_m2 = 0;
+    double weightedSum_m2 = 0; ///< sigmas times their priorities; as `sigmaSum_m2` with no asset
     double zeta_m2s = 0;
     double flown_m = 0;
     int target = -1;

@@ -11,6 +11,10 @@ namespace {
 
 /** Circle flown while every iceberg is in view: this much wider than the tightest turn. */
 constexpr double kCircleMargin = 1.2;
+/** Memory for noise drawn at once. */
+constexpr std::size_t kMostNoise_bytes = 32'000'000;
+/** Icebergs farther out of reach than this are out of view in spite of all rounding. */
+constexpr double kReachMargin_m = 1;
 /** A sighting later than predicted by this is overdue. */
 constexpr double kOverdue_s = 2;
 
@@ -22,30 +26,56 @@ bool turnsInsideReach(const Uav& uav, const std::optional<double>& reachRadius_m
 
 } // namespace
 
-Simulation::Simulation(const Scenario& scenario)
+std::vector<DriftNoise> drawNoise(const Scenario& scenario)
+{
+    const std::size_t share =
+        kMostNoise_bytes / sizeof(Point) / std::max<std::size_t>(1, scenario.icebergs.size());
+    const auto seconds = static_cast<std::size_t>(std::ceil(scenario.duration_s)) + 1;
+    std::vector<DriftNoise> noise;
+    for (const Iceberg& iceberg : scenario.icebergs)
+        noise.emplace_back(static_cast<std::uint64_t>(scenario.seed), iceberg.id,
+                           scenario.noise && iceberg.track.empty() ? std::min(seconds, share) : 0);
+    return noise;
+}
+
+Simulation::Simulation(const Scenario& scenario, std::span<const DriftNoise> noise)
     : m_motion{.airspeed_mps = scenario.uavs.at(0).spec.airspeed_mps,
                .limit_radps = maxTurnRate_radps(scenario.uavs[0].spec),
                .wind_mps = scenario.wind_mps}
     , m_sensor{.fov_m = scenario.uavs[0].fov_m, .shape = scenario.fovShape}
     , m_reachRadius_m(scenario.reachRadius_m)
+    , m_asset(scenario.asset)
     , m_current_mps(scenario.current_mps)
     , m_dt_s(scenario.dt_s)
+    , m_autopilotSteps(
+          std::max<std::int64_t>(1, std::llround(scenario.uavs[0].spec.autopilot_s / m_dt_s)))
+    , m_command_s(static_cast<double>(m_autopilotSteps) * m_dt_s)
     , m_lastStep(std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s)))
+    , m_stepsPerSecond(std::max<std::int64_t>(1, std::llround(1 / scenario.dt_s)))
     , m_seed(static_cast<std::uint64_t>(scenario.seed))
     , m_noise(scenario.noise)
+    , m_reach_m(FieldOfView::reach_m(m_sensor))
     , m_turnRadius_m(turnRadius_m(scenario.uavs[0].spec))
     , m_needsRunOut(turnsInsideReach(scenario.uavs[0], scenario.reachRadius_m))
 {
+    require(noise.empty() || noise.size() == scenario.icebergs.size(),
+            "Simulation: noise of another scenario");
     m_state.uav = {.position_m = scenario.uavs[0].position_m,
                    .psi_rad = psiFromHeading(scenario.uavs[0].heading_deg)};
     m_state.guidance.startLeg(m_state.uav.position_m);
-    for (const Iceberg& iceberg : scenario.icebergs)
-        insert(iceberg, 0, std::llround(iceberg.appears_s / m_dt_s));
+    for (std::size_t i = 0; i < scenario.icebergs.size(); ++i) {
+        const Iceberg& iceberg = scenario.icebergs[i];
+        require(noise.empty() || noise[i].isOf(m_seed, iceberg.id),
+                "Simulation: noise of another scenario");
+        insert(iceberg, noise.empty() ? DriftNoise(m_seed, iceberg.id) : noise[i], 0,
+               std::llround(iceberg.appears_s / m_dt_s));
+    }
     observe(0);
     m_newlyAppeared.clear(); // those that are there from the start are no news
 }
 
-void Simulation::insert(const Iceberg& iceberg, double start_s, std::int64_t appearsStep)
+void Simulation::insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
+                        std::int64_t appearsStep)
 {
     const Point velocity_mps = iceberg.velocity_mps + m_current_mps;
     m_drift.emplace_back(
@@ -56,9 +86,10 @@ void Simulation::insert(const Iceberg& iceberg, double start_s, std::int64_t app
                   .track = iceberg.track.empty()
                                ? nullptr
                                : std::make_shared<const RecordedTrack>(iceberg.track)},
-        m_seed, iceberg.id, m_noise);
+        std::move(noise), m_noise);
     m_appearsStep.push_back(appearsStep);
-    m_truth_m.push_back(m_drift.back().position_m(start_s));
+    m_lookStep.push_back(appearsStep);
+    m_nextLookStep = std::min(m_nextLookStep, appearsStep);
     // An iceberg that appears later has drifted unseen until then.
     const double unseen_s = static_cast<double>(appearsStep) * m_dt_s - start_s;
     m_state.tracks.push_back(
@@ -71,7 +102,7 @@ void Simulation::insert(const Iceberg& iceberg, double start_s, std::int64_t app
 
 void Simulation::addIceberg(const Iceberg& iceberg)
 {
-    insert(iceberg, time_s(), m_state.step);
+    insert(iceberg, DriftNoise(m_seed, iceberg.id), time_s(), m_state.step);
     const int added = icebergCount() - 1;
     if (fieldOfView().contains(truth_m(added)))
         m_state.tracks.back().seen(truth_m(added), time_s());
@@ -88,6 +119,36 @@ void Simulation::reportSighting(int iceberg)
     m_planReason = PlanReason::Intervention;
 }
 
+void Simulation::setWind(const Point& wind_mps)
+{
+    m_motion.wind_mps = wind_mps;
+    // It may come to icebergs sooner now.
+    for (std::size_t i = 0; i < m_lookStep.size(); ++i)
+        m_lookStep[i] = std::max(m_appearsStep[i], m_state.step + 1);
+    m_nextLookStep = m_state.step + 1;
+    requestPlan();
+}
+
+void Simulation::setAsset(const Asset& asset)
+{
+    m_asset = asset;
+    requestPlan();
+}
+
+std::optional<RelativeMotion> Simulation::relativeToAsset(int iceberg) const
+{
+    if (!m_asset)
+        return std::nullopt;
+    return berg::relativeToAsset(*m_asset, time_s(), estimate_m(iceberg),
+                                 track(iceberg).velocity_mps);
+}
+
+double Simulation::priority(int iceberg) const
+{
+    const std::optional<RelativeMotion> motion = relativeToAsset(iceberg);
+    return motion ? berg::priority(*m_asset, *motion) : 1;
+}
+
 bool Simulation::active(int iceberg) const
 {
     return m_appearsStep[index(iceberg)] <= m_state.step;
@@ -102,6 +163,12 @@ bool Simulation::withinReach(int iceberg) const
 bool Simulation::available(int iceberg) const
 {
     return active(iceberg) && !track(iceberg).inView && !withinReach(iceberg);
+}
+
+Point Simulation::truth_m(int iceberg) const
+{
+    const DriftModel& drift = m_drift[index(iceberg)];
+    return drift.at(active(iceberg) ? time_s() : drift.start_s());
 }
 
 Point Simulation::estimate_m(int iceberg) const
@@ -131,9 +198,11 @@ PlanRequest Simulation::planRequest() const
             continue;
         request.ids.push_back(i);
         request.available.push_back(available(i));
-        request.problem.sigma_m2.push_back(track(i).sigma_m2);
+        const double weight = priority(i);
+        request.problem.sigma_m2.push_back(weight * track(i).sigma_m2);
         nodes_m.push_back(estimate_m(i));
         picture.tracks.push_back(track(i));
+        picture.weights.push_back(weight);
     }
     request.picture = std::make_shared<const FlightPicture>(std::move(picture));
     const auto n = static_cast<Eigen::Index>(nodes_m.size());
@@ -164,17 +233,17 @@ void Simulation::setTarget(int iceberg, const std::optional<AimedLeg>& aim)
         return;
     }
     if (m_state.lastReached < 0)
-        m_state.lastReached = nearestActive();
+        m_state.lastReached = nearest(&Simulation::active);
     m_state.mode = m_state.lastReached < 0 ? FlightMode::Idle : FlightMode::Circle;
 }
 
-int Simulation::nearestActive() const
+int Simulation::nearest(bool (Simulation::*counts)(int) const) const
 {
     int nearest = -1;
     double nearest_m = 0;
     for (int i = 0; i < icebergCount(); ++i) {
         const double distance_m = (estimate_m(i) - m_state.uav.position_m).norm();
-        if (active(i) && (nearest < 0 || distance_m < nearest_m)) {
+        if ((this->*counts)(i) && (nearest < 0 || distance_m < nearest_m)) {
             nearest = i;
             nearest_m = distance_m;
         }
@@ -182,12 +251,17 @@ int Simulation::nearestActive() const
     return nearest;
 }
 
+int Simulation::nearestAvailable() const
+{
+    return nearest(&Simulation::available);
+}
+
 void Simulation::advanceStep()
 {
     require(m_planReason == PlanReason::None, "advanceStep: a plan is needed first");
     require(!finished(), "advanceStep: the run is over");
     ++m_state.step; // the estimates steered at are those at the end of the step
-    m_state.u_radps = steer();
+    m_state.u_radps = commanded();
     m_state.uav =
         berg::step(m_state.uav, m_motion.airspeed_mps, m_state.u_radps, m_dt_s, m_motion.wind_mps);
     m_state.flown_m += m_motion.airspeed_mps * m_dt_s;
@@ -200,26 +274,77 @@ void Simulation::advanceStep()
 
 void Simulation::observe(double dt_s)
 {
-    const FieldOfView view = fieldOfView();
     const double now_s = time_s();
-    m_state.sigmaSum_m2 = 0;
+    // Icebergs out of reach are left alone for long; so `truth_m` has at most a second to make up.
+    if (m_state.step % m_stepsPerSecond == 0)
+        for (std::size_t i = 0; i < m_drift.size(); ++i)
+            if (m_appearsStep[i] <= m_state.step)
+                m_drift[i].advanceTo(now_s);
+    if (m_nextLookStep <= m_state.step)
+        lookAround(now_s);
+    double sigmaSum_m2 = 0;
     for (std::size_t i = 0; i < m_state.tracks.size(); ++i) {
-        if (m_appearsStep[i] > m_state.step)
+        const std::int64_t age = m_state.step - m_appearsStep[i];
+        if (age < 0)
             continue;
         Track& track = m_state.tracks[i];
-        const bool appears = m_appearsStep[i] == m_state.step;
-        if (appears)
-            m_newlyAppeared.push_back(static_cast<int>(i));
-        m_truth_m[i] = m_drift[i].position_m(now_s);
-        if (view.contains(m_truth_m[i])) {
-            if (!track.inView)
-                m_newlySeen.push_back(static_cast<int>(i));
-            track.seen(m_truth_m[i], now_s);
-        } else {
-            track.unseen(appears ? 0 : dt_s);
-            m_state.sigmaSum_m2 += track.sigma_m2;
-        }
+        if (!track.inView)
+            track.unseen(age == 0 ? 0 : dt_s);
+        sigmaSum_m2 += track.sigma_m2;
     }
+    m_state.sigmaSum_m2 = sigmaSum_m2;
+}
+
+void Simulation::lookAround(double now_s)
+{
+    std::optional<FieldOfView> view;
+    m_nextLookStep = m_lastStep + 1;
+    for (std::size_t i = 0; i < m_lookStep.size(); ++i) {
+        if (m_lookStep[i] <= m_state.step)
+            look(i, now_s, view);
+        m_nextLookStep = std::min(m_nextLookStep, m_lookStep[i]);
+    }
+}
+
+/** Whether the iceberg is in view now. The view is made when it is first needed: it costs a sine.
+ */
+void Simulation::look(std::size_t iceberg, double now_s, std::optional<FieldOfView>& view)
+{
+    if (m_appearsStep[iceberg] == m_state.step)
+        m_newlyAppeared.push_back(static_cast<int>(iceberg));
+    Track& track = m_state.tracks[iceberg];
+    const Point truth_m = m_drift[iceberg].position_m(now_s);
+    const double away_m = (truth_m - m_state.uav.position_m).norm() - m_reach_m - kReachMargin_m;
+    if (away_m > 0) {
+        m_lookStep[iceberg] = firstStepInReach(m_drift[iceberg], away_m);
+        track.inView = false;
+        return;
+    }
+    m_lookStep[iceberg] = m_state.step + 1;
+    if (!view)
+        view = fieldOfView();
+    if (!view->contains(truth_m)) {
+        track.inView = false;
+        return;
+    }
+    if (!track.inView)
+        m_newlySeen.push_back(static_cast<int>(iceberg));
+    track.seen(truth_m, now_s);
+}
+
+/** The next step at which an iceberg may be in view that is so far out of reach now, UAV and it
+ * being as fast as they can. */
+std::int64_t Simulation::firstStepInReach(const DriftModel& drift, double away_m) const
+{
+    const double closing_mps =
+        m_motion.airspeed_mps + m_motion.wind_mps.norm() + drift.speedLimit_mps();
+    const auto steps = static_cast<std::int64_t>(away_m / closing_mps / m_dt_s);
+    return m_state.step + std::max<std::int64_t>(1, steps);
+}
+
+double Simulation::commanded()
+{
+    return (m_state.step - 1) % m_autopilotSteps == 0 ? steer() : m_state.u_radps;
 }
 
 double Simulation::steer()
@@ -243,7 +368,8 @@ double Simulation::steerLeg()
     if (m_state.aim)
         return steerAim();
     const Point end_m = estimate_m(m_state.target);
-    LosGuidance::Command command = m_state.guidance.steer(m_state.uav, end_m, m_motion, m_dt_s);
+    LosGuidance::Command command =
+        m_state.guidance.steer(m_state.uav, end_m, m_motion, m_command_s);
     if (command.passedEnd) {
         ++m_state.misses;
         if (m_needsRunOut) {
@@ -253,7 +379,7 @@ double Simulation::steerLeg()
             return steerRunOut();
         }
         m_state.guidance.startLeg(m_state.uav.position_m);
-        command = m_state.guidance.steer(m_state.uav, end_m, m_motion, m_dt_s);
+        command = m_state.guidance.steer(m_state.uav, end_m, m_motion, m_command_s);
     }
     m_state.crossTrack_m = command.crossTrack_m;
     return command.u_radps;
@@ -265,14 +391,14 @@ double Simulation::steerAim()
     if (aim.turn_rad != 0) {
         // The side of the turn is part of the plan; the last step ends it exactly.
         const double u_radps =
-            std::clamp(aim.turn_rad / m_dt_s, -m_motion.limit_radps, m_motion.limit_radps);
+            std::clamp(aim.turn_rad / m_command_s, -m_motion.limit_radps, m_motion.limit_radps);
         const bool last = std::abs(u_radps) < m_motion.limit_radps;
-        aim.turn_rad = last ? 0 : aim.turn_rad - u_radps * m_dt_s;
+        aim.turn_rad = last ? 0 : aim.turn_rad - u_radps * m_command_s;
         m_state.crossTrack_m = 0;
         return u_radps;
     }
     const LosGuidance::Command command =
-        m_state.guidance.steer(m_state.uav, aim.abeam_m, m_motion, m_dt_s);
+        m_state.guidance.steer(m_state.uav, aim.abeam_m, m_motion, m_command_s);
     m_state.crossTrack_m = command.crossTrack_m;
     return command.u_radps;
 }
@@ -280,7 +406,7 @@ double Simulation::steerAim()
 double Simulation::steerRunOut()
 {
     m_state.crossTrack_m = 0;
-    m_state.runOut_m -= m_motion.airspeed_mps * m_dt_s;
+    m_state.runOut_m -= m_motion.airspeed_mps * m_command_s;
     if (m_state.runOut_m <= 0) {
         m_state.mode = FlightMode::Leg;
         m_state.guidance.startLeg(m_state.uav.position_m);

@@ -13,6 +13,7 @@ struct UavSpec
     double maxBank_deg = 25;
     double altitude_m = 120;
     double endurance_s = 0; ///< 0: unlimited
+    double autopilot_s = 0; ///< between two commands of the autopilot; 0: one each time step
     bool operator==(const UavSpec&) const = default;
 };
 

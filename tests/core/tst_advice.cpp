@@ -61,8 +61,6 @@ const std::vector<Case>& cases()
     static const std::vector<Case> all = {
         {"unknown member", [](S& s) { s.icebergs[1].extraJson = R"({"shape":"tabular"})"; }, kHint,
          "", advised::kUnknownMembers, [](S& s) { s.icebergs[1].name = "tabular"; }},
-        {"asset", [](S& s) { s.asset = Asset{}; }, kHint, "asset", advised::kAssetUnused,
-         [](S&) {}},
         {"second UAV",
          [](S& s) {
              s.uavs.push_back(s.uavs[0]);
@@ -263,10 +261,10 @@ private slots:
         Scenario s = calmSea();
         s.asset = Asset{};
         s.asset->position_m = {549, 0}; // the radius is 50 m
-        QCOMPARE(validate(s).size(), std::size_t{2});
-        QCOMPARE(validate(s)[1].field, std::string("asset.position_m"));
-        s.asset->position_m = {551, 0};
         QCOMPARE(validate(s).size(), std::size_t{1});
+        QCOMPARE(validate(s)[0].field, std::string("asset.position_m"));
+        s.asset->position_m = {551, 0};
+        QCOMPARE(validate(s).size(), std::size_t{0});
     }
 
     void errorsComeFirst()

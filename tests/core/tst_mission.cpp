@@ -347,6 +347,44 @@ private slots:
         mission.advance(0);
         QCOMPARE(planFromStart(scenario).order, mission.plans().at(0).order);
     }
+
+    /** The first plan with aim points is told of while it is made, with its legs. */
+    void incumbentsHaveLegs()
+    {
+        Scenario scenario = randomScenario(5);
+        scenario.planner.policy = PolicyKind::Coverage;
+        Mission mission(scenario, {.workLimit = 100'000});
+        std::vector<PlanEvent> told;
+        mission.setIncumbentListener([&](const PlanEvent& plan) { told.push_back(plan); });
+        mission.advance(0);
+        QVERIFY(!told.empty());
+        QVERIFY(!told.front().legs.empty());
+        QCOMPARE(told.front().target, told.front().order.front());
+        const PlanEvent& plan = mission.plans().front();
+        QVERIFY(plan.outlook.has_value());
+        QCOMPARE(plan.distance_m, 22 * plan.outlook->sightings_s.back());
+        const std::size_t first = told.size();
+        mission.advance(200);
+        QVERIFY(mission.plans().size() > 2);
+        QCOMPARE(told.size(), first); // later ones take a moment only
+        QVERIFY(mission.plans().back().zeta_m2s > 0);
+    }
+
+    /** As a study flies: noise drawn once for all settings, and nothing kept but the numbers. */
+    void noiseDrawnOnceServesManyMissions()
+    {
+        Scenario scenario = randomScenario(23);
+        const std::vector<DriftNoise> noise = drawNoise(scenario);
+        for (const double tau : {0.5, 1.0, 2.0}) {
+            scenario.planner.tau = tau;
+            Mission alone(scenario);
+            Mission sharing(scenario, {.record = false}, nullptr, noise);
+            flyToEnd(alone);
+            flyToEnd(sharing);
+            QVERIFY(alone.metrics() == sharing.metrics());
+            QVERIFY(alone.simulation().state() == sharing.simulation().state());
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(TestMission)

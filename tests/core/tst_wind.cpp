@@ -1,0 +1,176 @@
+#include "core/base/angles.h"
+#include "core/io/run_json.h"
+#include "core/scenario/presets.h"
+#include "core/sim/mission_instant.h"
+#include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+constexpr double kWind_mps = 15;
+
+Point windFrom(int direction, int directions)
+{
+    const double angle_rad = 2 * kPi * direction / directions;
+    return {kWind_mps * std::cos(angle_rad), kWind_mps * std::sin(angle_rad)};
+}
+
+} // namespace
+
+/** Wind in closed loop: what the planner reckons with is what is flown. */
+class TestWind : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** A long leg in wind from all sides, until the iceberg comes into view. */
+    void longLegsTakeTheTimePlanned_data()
+    {
+        QTest::addColumn<int>("direction");
+        for (int k = 0; k < 12; ++k)
+            QTest::addRow("%d deg", 30 * k) << k;
+    }
+    void longLegsTakeTheTimePlanned()
+    {
+        QFETCH(int, direction);
+        Scenario scenario = emptySea(3000);
+        scenario.fovShape = FovShape::Disk;
+        scenario.wind_mps = windFrom(direction, 12);
+        addIceberg(scenario, 8000, 0);
+        Mission mission(scenario);
+        const double planned_s = flightTime_s({7700, 0}, 22, scenario.wind_mps); // seen at 300 m
+        while (mission.metrics().visits == 0 && !mission.simulation().finished())
+            mission.advance(mission.simulation().time_s() + 0.1);
+        QCOMPARE(mission.metrics().visits, 1);
+        QVERIFY2(std::abs(mission.simulation().time_s() / planned_s - 1) < 0.03,
+                 qPrintable(QString::number(mission.simulation().time_s() / planned_s)));
+        // The planner is charged the same: air distance U t.
+        const PlanRequest request = Simulation(scenario).planRequest();
+        COMPARE_NEAR(request.problem.distance_m(0, 1),
+                     22 * flightTime_s({8000, 0}, 22, scenario.wind_mps), 1e-9);
+    }
+
+    /**
+     * Legs of whole missions, turns and drift included, by the model of `coverage`: those that end
+     * as planned, not with an iceberg that had just left the view and came back into it.
+     */
+    void legsOfMissionsTakeTheTimePlanned()
+    {
+        double planned_s = 0;
+        double flown_s = 0;
+        for (int seed = 1; seed <= 12; ++seed) {
+            Scenario scenario = randomScenario(seed);
+            scenario.wind_mps = windFrom(seed, 12);
+            scenario.planner.policy = PolicyKind::Coverage;
+            Mission mission(scenario, {.workLimit = 30'000});
+            mission.advance(1000);
+            const std::vector<PlanEvent>& plans = mission.plans();
+            for (std::size_t i = 0; i + 1 < plans.size(); ++i) {
+                if (plans[i].legs.empty() || plans[i + 1].reason != PlanReason::TargetReached)
+                    continue;
+                planned_s += plans[i].legs.front().sighting_s - plans[i].time_s;
+                flown_s += plans[i + 1].time_s - plans[i].time_s;
+            }
+        }
+        QVERIFY(planned_s > 6000); // more than half of the twelve flights
+        QVERIFY2(std::abs(flown_s / planned_s - 1) < 0.03,
+                 qPrintable(QString::number(flown_s / planned_s)));
+    }
+
+    /** Against the wind is not with the wind: the order depends on it. */
+    void theOrderFollowsTheWind()
+    {
+        Scenario scenario = emptySea();
+        scenario.uavs[0].heading_deg = 0;
+        addIceberg(scenario, 2000, 0);
+        addIceberg(scenario, -2100, 0);
+        scenario.planner.policy = PolicyKind::Nearest;
+        QCOMPARE(planFromStart(scenario).order.at(0), 0);
+        scenario.wind_mps = {-kWind_mps, 0};
+        QCOMPARE(planFromStart(scenario).order.at(0), 1);
+    }
+
+    void windThatTurnsInFlightReplays()
+    {
+        const Scenario scenario = randomScenario(6);
+        const auto fly = [&](double until_s) {
+            Mission mission(scenario, {.keyframeInterval_s = 50});
+            mission.advance(120);
+            mission.intervene({.wind_mps = Point(12, -5)});
+            mission.advance(until_s);
+            return mission;
+        };
+        const Mission mission = fly(500);
+        QVERIFY(mission.simulation().motion().wind_mps == Point(12, -5));
+        const auto changed =
+            std::find_if(mission.events().begin(), mission.events().end(),
+                         [](const MissionEvent& e) { return e.kind == EventKind::Intervention; });
+        QVERIFY(changed != mission.events().end());
+        QCOMPARE(changed->detail, std::string(kWindChanged));
+
+        const RunFile read = runFromJson(runToJson(runOf(mission)), "run");
+        QVERIFY(read == runOf(mission));
+        QVERIFY(compareRun(read, runOf(replay(read))).empty());
+        QVERIFY(instantAt(mission, 260).simulation.state() == fly(260).simulation().state());
+        QVERIFY(instantAt(mission, 60).simulation.motion().wind_mps == Point(0, 0));
+    }
+
+    /** Icebergs out of reach are left alone for long: not longer than the new wind allows. */
+    void nothingIsOverlookedWhenTheWindTurns()
+    {
+        Scenario scenario = randomScenario(9);
+        scenario.wind_mps = {-18, 0};
+        Mission mission(scenario);
+        for (int step = 1; step <= 6000; ++step) {
+            mission.advance(0.1 * step);
+            if (step % 1000 == 0)
+                mission.intervene({.wind_mps = windFrom(step / 1000, 7)});
+            const Simulation& world = mission.simulation();
+            const FieldOfView view({.fov_m = scenario.uavs[0].fov_m}, world.state().uav.position_m,
+                                   world.state().uav.psi_rad);
+            for (int i = 0; i < world.icebergCount(); ++i)
+                QCOMPARE(world.track(i).inView, view.contains(world.truth_m(i)));
+        }
+        QVERIFY(mission.metrics().visits > 5);
+    }
+
+    void windAsFastAsTheUavIsRefusedInFlight()
+    {
+        Mission mission(randomScenario(6));
+        mission.advance(50);
+        QVERIFY_EXCEPTION_THROWN(mission.intervene({.wind_mps = Point(22, 0)}), Error);
+        QVERIFY_EXCEPTION_THROWN(mission.intervene({.wind_mps = Point(std::nan(""), 0)}), Error);
+        QVERIFY(mission.interventions().empty());
+        QVERIFY(mission.simulation().motion().wind_mps == Point(0, 0));
+    }
+
+    void aRunFileWithSuchWindIsRefused()
+    {
+        Mission mission(randomScenario(6));
+        mission.advance(50);
+        mission.intervene({.wind_mps = Point(9, 0)});
+        mission.advance(60);
+        std::string text = runToJson(runOf(mission));
+        const std::string wind = "\"wind_mps\": [9, 0]";
+        const std::size_t at = text.find(wind);
+        QVERIFY(at != std::string::npos);
+        text.replace(at, wind.size(), "\"wind_mps\": [29, 0]");
+        try {
+            static_cast<void>(runFromJson(text, "run.bergrun"));
+            QFAIL("accepted");
+        } catch (const Error& error) {
+            QCOMPARE(error.issues().front().field, std::string("interventions[0].wind_mps"));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestWind)
+#include "tst_wind.moc"
