@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "core/bound/zeta_bound.h"
 #include "core/io/atomic_file.h"
 #include "core/io/result_csv.h"
 #include "core/io/result_json.h"
@@ -8,6 +9,7 @@
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -24,6 +26,7 @@ struct SimulateArguments
     std::optional<double> dt_s;
     std::optional<std::int64_t> seed;
     bool noNoise = false;
+    bool bound = false;
     std::string outputFolder;
     bool json = false;
 
@@ -94,14 +97,34 @@ void writeResults(const Mission& mission, const std::string& folder)
     saveRun(runOf(mission), folder + "/run.bergrun");
 }
 
-void printSummary(const Mission& mission, double elapsed_s, bool replayed)
+/** What zeta of no flight is below at the time until which the mission has flown. */
+double lowerBound_m2s(const Mission& mission, bool quiet, const std::stop_token& stop)
+{
+    if (std::ranges::any_of(mission.interventions(),
+                            [](const Intervention& change) { return change.seen.has_value(); }))
+        throw UsageError{"simulate: --bound is for what the UAV sees by itself; in this run an "
+                         "iceberg was reported seen"};
+    ProgressBar bar("bounding", !quiet);
+    const ZetaBound bound = zetaLowerBound(
+        mission.scenario(), {.stop = stop, .onProgress = [&](const BoundProgress& progress) {
+                                 bar.update(progress.share);
+                             }});
+    if (bound.cancelled)
+        throw Interrupted{};
+    return bound.by_m2s(mission.simulation().time_s());
+}
+
+void printSummary(const Mission& mission, std::optional<double> bound_m2s, double elapsed_s,
+                  bool replayed)
 {
     const Metrics metrics = mission.metrics();
     const Scenario& scenario = mission.scenario();
     std::string text = scenario.name.empty() ? "" : scenario.name + '\n';
-    text += "zeta      " + grouped(metrics.zeta_m2s) + " m2 s\nvisits    " +
-            std::to_string(metrics.visits) + "   plans " + std::to_string(metrics.replans) +
-            "\nflown     " + grouped(metrics.flown_m) + " m in " +
+    text += "zeta      " + grouped(metrics.zeta_m2s) + " m2 s\n";
+    if (bound_m2s)
+        text += "bound     no flight can do better than " + grouped(*bound_m2s) + " m2 s\n";
+    text += "visits    " + std::to_string(metrics.visits) + "   plans " +
+            std::to_string(metrics.replans) + "\nflown     " + grouped(metrics.flown_m) + " m in " +
             grouped(mission.simulation().time_s()) + " s  (policy " +
             nameOf(kPolicyNames, scenario.planner.policy) + ", tau " +
             fixed(scenario.planner.tau, 2) + ")\ncomputed  in " + fixed(elapsed_s, 3) + " s\n";
@@ -119,10 +142,13 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
         replayed ? replayRun(arguments, text, stop) : flyScenario(arguments, text, stop);
     if (!arguments.outputFolder.empty())
         writeResults(mission, arguments.outputFolder);
+    std::optional<double> bound_m2s;
+    if (arguments.bound)
+        bound_m2s = lowerBound_m2s(mission, arguments.json, stop);
     if (arguments.json)
-        print(simulateJson(mission.metrics(), watch.elapsed_s()));
+        print(simulateJson(mission.metrics(), bound_m2s, watch.elapsed_s()));
     else
-        printSummary(mission, watch.elapsed_s(), replayed);
+        printSummary(mission, bound_m2s, watch.elapsed_s(), replayed);
     return kDone;
 }
 
@@ -144,6 +170,8 @@ void addSimulateCommand(CLI::App& app, Action& action)
     command->add_option("--seed", a.seed, "Seed of the noise")
         ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53));
     command->add_flag("--no-noise", a.noNoise, "Icebergs move with their known velocity alone");
+    command->add_flag("--bound", a.bound,
+                      "Also find a zeta that no flight of the scenario can do better than");
     command->add_option("--output", a.outputFolder, "Folder for tables and the run file");
     command->add_flag("--json", a.json, "Print one JSON document");
     command->callback([arguments, &action] {

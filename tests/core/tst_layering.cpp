@@ -30,6 +30,7 @@ const std::vector<Module> kModules{
     {"tracking", {"base"}},
     {"coverage", {"base", "plan", "vehicle", "tracking"}},
     {"scenario", {"base", "plan", "vehicle", "tracking"}},
+    {"bound", {"base", "plan", "vehicle", "tracking", "scenario"}},
     {"sim", {"base", "plan", "vehicle", "tracking", "coverage", "scenario"}},
     {"study", {"base", "plan", "vehicle", "tracking", "coverage", "scenario", "sim"}},
     {"io", {"base", "plan", "vehicle", "tracking", "coverage", "scenario", "sim", "study"}},

@@ -1,0 +1,234 @@
+#include "core/bound/group_floor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace berg {
+
+namespace {
+
+/** More than the rounding of positions in a run can come to. */
+constexpr double kSlack_m = 1e-3;
+/** Wind above this share of the airspeed: bounded by its speed alone, whatever the direction. */
+constexpr double kStrongWind = 0.95;
+/**
+ * Prices of a second of the whole way, over what all icebergs grow in it. They sharpen the first
+ * minutes only, so coarse cells do.
+ */
+constexpr std::array kStartPrices{0.25, 0.5, 1.0, 2.0};
+constexpr int kMostCellsPriced = 32;
+
+std::span<const double> startPrices(int perRegion)
+{
+    return std::span(kStartPrices).first(perRegion <= kMostCellsPriced ? kStartPrices.size() : 0);
+}
+
+/** Work of the legs between all cells, in units of chains. */
+std::int64_t legWork(int icebergs, int perRegion)
+{
+    constexpr std::int64_t kOneLeg = 60;
+    const std::int64_t cells = std::int64_t{icebergs} * perRegion;
+    return kOneLeg * cells * cells;
+}
+
+Travel travelIn(const Scenario& scenario, const Point& velocity_mps)
+{
+    const double airspeed_mps = scenario.uavs.at(0).spec.airspeed_mps;
+    const Point wind_mps = scenario.wind_mps - velocity_mps;
+    if (wind_mps.norm() <= kStrongWind * airspeed_mps)
+        return {.airspeed_mps = airspeed_mps, .wind_mps = wind_mps};
+    return {.airspeed_mps = airspeed_mps + wind_mps.norm()};
+}
+
+} // namespace
+
+GroupFloor::GroupFloor(const Scenario& scenario, const TrueMotion& motion,
+                       std::vector<int> icebergs)
+    : m_scenario(scenario)
+    , m_motion(motion)
+    , m_icebergs(std::move(icebergs))
+    , m_floor_m2(static_cast<std::size_t>(motion.blocks()), 0.0)
+{
+}
+
+std::vector<int> GroupFloor::present(const BoundWindow& window) const
+{
+    std::vector<int> result;
+    for (const int i : m_icebergs)
+        if (std::llround(m_scenario.icebergs[static_cast<std::size_t>(i)].appears_s /
+                         m_scenario.dt_s) <= m_motion.edgeStep(window.begin) + 1)
+            result.push_back(i);
+    return result;
+}
+
+Point GroupFloor::meanVelocity_mps(const std::vector<int>& icebergs,
+                                   const BoundWindow& window) const
+{
+    Point sum_m = Point::Zero();
+    for (const int i : icebergs)
+        sum_m += m_motion.position_m(i, window.end) - m_motion.position_m(i, window.from);
+    return sum_m / (static_cast<double>(icebergs.size()) *
+                    (m_motion.edge_s(window.end) - m_motion.edge_s(window.from)));
+}
+
+double GroupFloor::spread(const BoundWindow& window) const
+{
+    const std::vector<int> icebergs = present(window);
+    if (icebergs.empty())
+        return 0;
+    const Point velocity_mps = meanVelocity_mps(icebergs, window);
+    double radius_m = 0;
+    for (const int i : icebergs)
+        radius_m += m_motion.enclosure(i, window.from, window.end, velocity_mps).radius_m;
+    return radius_m / static_cast<double>(icebergs.size()) / region({}).half_m.norm();
+}
+
+ViewRegion GroupFloor::region(const Enclosure& enclosure) const
+{
+    const Point half_m = m_scenario.uavs.at(0).fov_m / 2;
+    ViewRegion result{.centre_m = enclosure.centre_m, .half_m = half_m, .disk = true};
+    switch (m_scenario.fovShape) {
+    case FovShape::North: // its first extent points north
+        result.half_m = Point(half_m.y(), half_m.x());
+        result.disk = false;
+        break;
+    case FovShape::Disk:
+        result.half_m = Point::Constant(half_m.x());
+        break;
+    case FovShape::Body: // any heading
+        result.half_m = Point::Constant(half_m.norm());
+        break;
+    }
+    result.half_m.array() += enclosure.radius_m + kSlack_m;
+    return result;
+}
+
+double GroupFloor::growth_m2ps(int iceberg) const
+{
+    return m_scenario.icebergs[static_cast<std::size_t>(iceberg)].q_m2ps;
+}
+
+std::int64_t GroupFloor::workOf(const BoundWindow& window, int perRegion) const
+{
+    const int icebergs = static_cast<int>(present(window).size());
+    if (icebergs == 0)
+        return 0;
+    const std::size_t tables = 1 + (window.from == 0 ? 1 + startPrices(perRegion).size() : 0);
+    const std::int64_t sets = std::int64_t{1} << icebergs;
+    return legWork(icebergs, perRegion) + (window.end - window.begin) * sets +
+           static_cast<std::int64_t>(tables) * chainWork(icebergs, perRegion);
+}
+
+void GroupFloor::raise(const BoundWindow& window, int perRegion, WorkMeter& meter)
+{
+    const std::vector<int> icebergs = present(window);
+    if (icebergs.empty())
+        return;
+    const std::optional<Chains> chains = chainsOf(icebergs, window, perRegion, meter);
+    if (!chains)
+        return;
+    double growth = 0;
+    for (const int i : icebergs)
+        growth += growth_m2ps(i);
+    if (growth > 0)
+        m_meanAge_s = std::max(m_meanAge_s, chains->priced.front().cost_m2.back() / growth);
+    raiseBlocks(window, *chains, unseenSets(icebergs, window.from == 0), meter);
+}
+
+std::optional<GroupFloor::Chains> GroupFloor::chainsOf(const std::vector<int>& icebergs,
+                                                       const BoundWindow& window, int perRegion,
+                                                       WorkMeter& meter) const
+{
+    const Point velocity_mps = meanVelocity_mps(icebergs, window);
+    std::vector<ViewRegion> regions;
+    ChainPrice price;
+    for (const int i : icebergs) {
+        regions.push_back(region(m_motion.enclosure(i, window.from, window.end, velocity_mps)));
+        price.perSeen.push_back(growth_m2ps(i));
+    }
+    if (!meter.spend(legWork(static_cast<int>(icebergs.size()), perRegion)))
+        return std::nullopt;
+    const ViewCells cells(regions, perRegion, travelIn(m_scenario, velocity_mps), meter.stop);
+    if (!meter.goesOn())
+        return std::nullopt;
+    Chains chains;
+    chains.priced.push_back({.cost_m2 = chainCosts(cells, price, {}, meter)});
+    if (window.from == 0)
+        reachFromStart(chains, cells, price, meter);
+    if (!meter.goesOn())
+        return std::nullopt;
+    if (window.from == 0)
+        seeAtStart(chains, regions);
+    return chains;
+}
+
+void GroupFloor::reachFromStart(Chains& chains, const ViewCells& cells, ChainPrice price,
+                                WorkMeter& meter) const
+{
+    const std::vector<float> fromStart_s = cells.legsFrom_s(m_scenario.uavs.at(0).position_m);
+    const ChainPrice time{.perSeen = std::vector<double>(price.perSeen.size(), 0.0), .always = 1};
+    chains.soonest_s = chainCosts(cells, time, fromStart_s, meter);
+    const double growth = std::accumulate(price.perSeen.begin(), price.perSeen.end(), 0.0);
+    for (const double share : startPrices(cells.perRegion())) {
+        price.always = share * growth;
+        chains.priced.push_back(
+            {.perSecond = price.always, .cost_m2 = chainCosts(cells, price, fromStart_s, meter)});
+    }
+}
+
+void GroupFloor::seeAtStart(Chains& chains, const std::vector<ViewRegion>& regions) const
+{
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        if (regions[i].contains(m_scenario.uavs.at(0).position_m))
+            seen |= std::size_t{1} << i;
+    chains.soonest_s[seen] = 0;
+    for (PricedChains& priced : chains.priced)
+        priced.cost_m2[seen] = 0;
+}
+
+std::vector<GroupFloor::Unseen> GroupFloor::unseenSets(const std::vector<int>& icebergs,
+                                                       bool sinceStart) const
+{
+    std::vector<Unseen> unseen(std::size_t{1} << icebergs.size());
+    for (std::size_t set = 0; set < unseen.size(); ++set)
+        for (std::size_t i = 0; i < icebergs.size(); ++i) {
+            if ((set >> i & 1U) != 0)
+                continue;
+            // In a later window: last seen as it began, at best.
+            if (sinceStart)
+                unseen[set].base_m2 +=
+                    initialSigma_m2(m_scenario.icebergs[static_cast<std::size_t>(icebergs[i])]);
+            unseen[set].rate_m2ps += growth_m2ps(icebergs[i]);
+        }
+    return unseen;
+}
+
+void GroupFloor::raiseBlocks(const BoundWindow& window, const Chains& chains,
+                             const std::vector<Unseen>& unseen, WorkMeter& meter)
+{
+    const double from_s = m_motion.edge_s(window.from);
+    for (int block = window.begin; block < window.end; ++block) {
+        if (!meter.spend(static_cast<std::int64_t>(unseen.size())))
+            return;
+        const double first_s = m_motion.edge_s(block) + m_scenario.dt_s - from_s;
+        const double last_s = m_motion.edge_s(block + 1) - from_s; // step of the block
+        double least_m2 = unseen.front().base_m2 + unseen.front().rate_m2ps * first_s;
+        for (std::size_t set = 1; set < unseen.size(); ++set) {
+            if (!chains.soonest_s.empty() && chains.soonest_s[set] > last_s)
+                continue;
+            double seen_m2 = 0;
+            for (const PricedChains& priced : chains.priced)
+                seen_m2 = std::max(seen_m2, priced.cost_m2[set] - priced.perSecond * last_s);
+            least_m2 =
+                std::min(least_m2, seen_m2 + unseen[set].base_m2 + unseen[set].rate_m2ps * first_s);
+        }
+        double& floor_m2 = m_floor_m2[static_cast<std::size_t>(block)];
+        floor_m2 = std::max(floor_m2, least_m2);
+    }
+}
+
+} // namespace berg

@@ -1,0 +1,111 @@
+#include "core/bound/true_motion.h"
+
+#include "core/tracking/drift.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace berg {
+
+namespace {
+
+struct TimedPoint
+{
+    double time_s = 0;
+    Point position_m = Point::Zero();
+};
+
+/** Instants strictly between the two at which the motion may have a corner, ascending. */
+std::vector<double> corners_s(const Scenario& scenario, const Iceberg& iceberg, double from_s,
+                              double to_s)
+{
+    if (!iceberg.track.empty()) {
+        const std::vector<double>& times_s = iceberg.track.time_s;
+        return {std::upper_bound(times_s.begin(), times_s.end(), from_s),
+                std::lower_bound(times_s.begin(), times_s.end(), to_s)};
+    }
+    std::vector<double> corners; // of the noise, which is linear between whole seconds
+    if (scenario.noise)
+        for (double s = std::floor(from_s) + 1; s < to_s; s += 1)
+            corners.push_back(s);
+    return corners;
+}
+
+double farthestFromChord_m(const std::vector<TimedPoint>& points, const TimedPoint& from,
+                           const TimedPoint& to)
+{
+    double farthest_m = 0;
+    for (const TimedPoint& p : points) {
+        const double share = (p.time_s - from.time_s) / (to.time_s - from.time_s);
+        const Point chord_m = from.position_m + share * (to.position_m - from.position_m);
+        farthest_m = std::max(farthest_m, (p.position_m - chord_m).norm());
+    }
+    return farthest_m;
+}
+
+} // namespace
+
+TrueMotion::TrueMotion(const Scenario& scenario, const std::stop_token& stop)
+    : m_dt_s(scenario.dt_s)
+{
+    // As many steps as the simulation flies.
+    const std::int64_t steps =
+        std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s));
+    const std::int64_t blocks = std::min(steps, kMostBlocks);
+    for (std::int64_t b = 0; b <= blocks; ++b)
+        m_edges.push_back(steps * b / blocks);
+    for (const Iceberg& iceberg : scenario.icebergs)
+        m_ways.push_back(wayOf(scenario, iceberg, stop));
+}
+
+TrueMotion::Way TrueMotion::wayOf(const Scenario& scenario, const Iceberg& iceberg,
+                                  const std::stop_token& stop) const
+{
+    DriftModel drift({.position_m = iceberg.position_m,
+                      .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
+                      .q_m2ps = iceberg.q_m2ps,
+                      .track = iceberg.track.empty()
+                                   ? nullptr
+                                   : std::make_shared<const RecordedTrack>(iceberg.track)},
+                     static_cast<std::uint64_t>(scenario.seed), iceberg.id, scenario.noise);
+    Way way;
+    TimedPoint last{.time_s = 0, .position_m = drift.position_m(0)};
+    way.position_m.push_back(last.position_m);
+    for (int b = 0; b < blocks() && !stop.stop_requested(); ++b) {
+        std::vector<TimedPoint> between;
+        for (const double corner_s : corners_s(scenario, iceberg, last.time_s, edge_s(b + 1)))
+            between.push_back({.time_s = corner_s, .position_m = drift.position_m(corner_s)});
+        const TimedPoint next{.time_s = edge_s(b + 1),
+                              .position_m = drift.position_m(edge_s(b + 1))};
+        way.position_m.push_back(next.position_m);
+        way.offChord_m.push_back(farthestFromChord_m(between, last, next));
+        last = next;
+    }
+    return way;
+}
+
+Enclosure TrueMotion::enclosure(int iceberg, int fromEdge, int toEdge,
+                                const Point& velocity_mps) const
+{
+    const Way& way = m_ways[at(iceberg)];
+    const auto inFrame = [&](int edge) -> Point {
+        return way.position_m[at(edge)] - velocity_mps * (edge_s(edge) - edge_s(fromEdge));
+    };
+    Eigen::AlignedBox2d box;
+    double offChord_m = 0;
+    for (int edge = fromEdge; edge <= toEdge; ++edge) {
+        box.extend(inFrame(edge));
+        if (edge > fromEdge)
+            offChord_m = std::max(offChord_m, way.offChord_m[at(edge - 1)]);
+    }
+    Enclosure result{.centre_m = box.center()};
+    for (int edge = fromEdge; edge <= toEdge; ++edge)
+        result.radius_m = std::max(result.radius_m, (inFrame(edge) - result.centre_m).norm());
+    result.radius_m += offChord_m;
+    return result;
+}
+
+} // namespace berg

@@ -1,0 +1,203 @@
+#include "core/bound/zeta_bound.h"
+
+#include "core/bound/group_floor.h"
+#include "core/bound/spread_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace berg {
+
+namespace {
+
+/** Icebergs of one dynamic programme: its work grows by a factor of 2.3 with each. */
+constexpr int kMostTogether = 14;
+constexpr std::size_t kMostAppearances = 16;
+constexpr int kCoarsestCells = 8;
+constexpr int kFinestCells = 128;
+/** Cells for icebergs that move: more would be lost in how far they get in a window. */
+constexpr int kCellsOfSlices = 16;
+/** Motion below this share of the view's reach is not worth a window of its own. */
+constexpr double kStandingSpread = 0.02;
+/** How far back flights are looked at, and how long a slice is, over the mean age. */
+constexpr double kLookBack = 2.5;
+constexpr double kShortestSlice = 0.5;
+/** Slices when nothing says how old sightings get: none there at the start, or all in view. */
+constexpr int kSlicesOfNoAge = 16;
+/** Off the result: more than rounding in the sums, here and in the simulation, can come to. */
+constexpr double kRoundingShare = 1e-9;
+
+class BoundSearch
+{
+public:
+    BoundSearch(const Scenario& scenario, const BoundOptions& options)
+        : m_scenario(scenario)
+        , m_options(options)
+        , m_motion(scenario, options.stop)
+        , m_meter{.limit = options.workLimit, .stop = options.stop}
+    {
+        if (options.stop.stop_requested())
+            return; // the motion is not complete
+        std::vector<Point> middles_m;
+        for (int i = 0; i < static_cast<int>(scenario.icebergs.size()); ++i)
+            middles_m.push_back(
+                (m_motion.position_m(i, 0) + m_motion.position_m(i, m_motion.blocks())) / 2);
+        for (std::vector<int>& group : spreadGroups(middles_m, kMostTogether))
+            m_floors.emplace_back(m_scenario, m_motion, std::move(group));
+    }
+
+    void run()
+    {
+        const bool moving = moves();
+        // A first look at standing icebergs tells the mean age.
+        if (moving && !look({{.from = 0, .begin = 0, .end = 1}}, kCoarsestCells))
+            return;
+        for (int cells = kCoarsestCells; cells <= kCellsOfSlices; cells *= 2)
+            if (!look(windows(1), cells))
+                return;
+        int slices = 1;
+        while (moving && slices < finestSlices()) {
+            slices = std::min(4 * slices, finestSlices());
+            if (!look(windows(slices), kCellsOfSlices))
+                return;
+        }
+        const int finestCells = moving ? kFinestCells / 2 : kFinestCells;
+        for (int cells = 2 * kCellsOfSlices; cells <= finestCells; cells *= 2)
+            if (!look(windows(slices), cells))
+                return;
+    }
+
+    [[nodiscard]] ZetaBound result() const
+    {
+        ZetaBound bound{.work = m_meter.used, .cancelled = m_options.stop.stop_requested()};
+        bound.curve.push_back({});
+        for (int block = 0; block < m_motion.blocks(); ++block) {
+            double sigma_m2 = 0;
+            for (const GroupFloor& floor : m_floors)
+                sigma_m2 += floor.floor_m2()[static_cast<std::size_t>(block)];
+            sigma_m2 *= 1 - kRoundingShare;
+            bound.zeta_m2s += sigma_m2 * (m_motion.edge_s(block + 1) - m_motion.edge_s(block));
+            bound.curve.push_back({.time_s = m_motion.edge_s(block + 1),
+                                   .sigma_m2 = sigma_m2,
+                                   .zeta_m2s = bound.zeta_m2s});
+        }
+        return bound;
+    }
+
+private:
+    [[nodiscard]] bool moves() const
+    {
+        return std::any_of(m_floors.begin(), m_floors.end(), [&](const GroupFloor& floor) {
+            return floor.spread({.from = 0, .begin = 0, .end = m_motion.blocks()}) >
+                   kStandingSpread;
+        });
+    }
+
+    [[nodiscard]] double meanAge_s() const
+    {
+        double age_s = 0;
+        for (const GroupFloor& floor : m_floors)
+            age_s = std::max(age_s, floor.meanAge_s());
+        return age_s;
+    }
+
+    /** So many that none is longer than is worth it. */
+    [[nodiscard]] int finestSlices() const
+    {
+        const double shortest_s = kShortestSlice * meanAge_s();
+        if (!(shortest_s > 0))
+            return kSlicesOfNoAge;
+        const double most = std::ceil(m_motion.edge_s(m_motion.blocks()) / shortest_s);
+        return static_cast<int>(std::clamp(most, 1.0, static_cast<double>(m_motion.blocks())));
+    }
+
+    /** Edges of blocks from which on one iceberg more is there; not all when they are many. */
+    [[nodiscard]] std::vector<int> appearances() const
+    {
+        std::vector<int> edges;
+        for (const Iceberg& iceberg : m_scenario.icebergs) {
+            const std::int64_t step = std::llround(iceberg.appears_s / m_scenario.dt_s);
+            int edge = 0;
+            while (edge < m_motion.blocks() && m_motion.edgeStep(edge) + 1 < step)
+                ++edge;
+            edges.push_back(edge);
+        }
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        std::vector<int> chosen;
+        const std::size_t stride = edges.size() / kMostAppearances + 1;
+        for (std::size_t i = stride - 1; i < edges.size(); i += stride)
+            chosen.push_back(edges[i]);
+        return chosen;
+    }
+
+    /** The run in so many slices, cut also where icebergs appear; one slice looks back to the
+     * start. */
+    [[nodiscard]] std::vector<BoundWindow> windows(int slices) const
+    {
+        std::vector<int> edges = appearances();
+        for (int i = 0; i <= slices; ++i)
+            edges.push_back(static_cast<int>(std::int64_t{m_motion.blocks()} * i / slices));
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        std::vector<BoundWindow> result;
+        int from = 0;
+        for (std::size_t i = 1; i < edges.size(); ++i) {
+            const int begin = edges[i - 1];
+            while (slices > 1 &&
+                   m_motion.edge_s(begin) - m_motion.edge_s(from) > kLookBack * meanAge_s())
+                ++from;
+            result.push_back({.from = from, .begin = begin, .end = edges[i]});
+        }
+        return result;
+    }
+
+    /** False when the work is at its end. */
+    bool look(const std::vector<BoundWindow>& windows, int cells)
+    {
+        for (const BoundWindow& window : windows)
+            for (GroupFloor& floor : m_floors) {
+                if (m_meter.used + floor.workOf(window, cells) > m_meter.limit)
+                    return false; // what is cut would be wasted
+                floor.raise(window, cells, m_meter);
+                if (!m_meter.goesOn())
+                    return false;
+                report();
+            }
+        return true;
+    }
+
+    void report() const
+    {
+        if (m_options.onProgress)
+            m_options.onProgress(
+                {.zeta_m2s = result().zeta_m2s,
+                 .share = static_cast<double>(m_meter.used) / static_cast<double>(m_meter.limit)});
+    }
+
+    const Scenario& m_scenario;
+    const BoundOptions& m_options;
+    TrueMotion m_motion;
+    WorkMeter m_meter;
+    std::vector<GroupFloor> m_floors;
+};
+
+} // namespace
+
+double ZetaBound::by_m2s(double time_s) const
+{
+    const auto after =
+        std::upper_bound(curve.begin(), curve.end(), time_s,
+                         [](double time, const BoundPoint& point) { return time < point.time_s; });
+    return after == curve.begin() ? 0 : std::prev(after)->zeta_m2s;
+}
+
+ZetaBound zetaLowerBound(const Scenario& scenario, const BoundOptions& options)
+{
+    BoundSearch search(scenario, options);
+    search.run();
+    return search.result();
+}
+
+} // namespace berg

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/scenario/scenario.h"
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+namespace berg {
+
+/** How good a bound is wanted. */
+struct BoundProgress
+{
+    double zeta_m2s = 0; ///< best bound so far
+    double share = 0;    ///< of the work limit
+};
+
+struct BoundOptions
+{
+    /** Units of about half a nanosecond: the default is some seconds on one core. */
+    std::int64_t workLimit = 10'000'000'000;
+    std::stop_token stop;
+    std::function<void(const BoundProgress&)> onProgress; ///< told of each rise, on this thread
+};
+
+/** At the end of a block of time steps. */
+struct BoundPoint
+{
+    double time_s = 0;
+    double sigma_m2 = 0; ///< over the block, sum of sigma is nowhere less
+    double zeta_m2s = 0; ///< zeta is not less by then
+    bool operator==(const BoundPoint&) const = default;
+};
+
+struct ZetaBound
+{
+    double zeta_m2s = 0;
+    std::vector<BoundPoint> curve; ///< from time 0 to the end of the run, at most 2001 points
+    std::int64_t work = 0;
+    bool cancelled = false; ///< the stop token ended it; the bound holds all the same
+
+    /** Zeta at this time is not less. Non-negative time. */
+    [[nodiscard]] double by_m2s(double time_s) const;
+};
+
+/**
+ * A number that zeta, Eq. (24), of no flight of this scenario is below, whatever the policy.
+ *
+ * It holds for every path that gets through the air no faster than the airspeed from the UAV's
+ * position at t = 0, with any turn radius, heading and endurance, and for the world that the
+ * scenario draws: the true tracks, noise of its seed included, are those the simulation flies.
+ * Icebergs added during the run only add to zeta; but one reported seen from outside breaks it.
+ *
+ * Why. Sigma of an iceberg is q x (time since it was in view), or initial + q t. Fix an instant t
+ * and a time w <= t, and let R_i hold every place from which iceberg i is in view at any instant of
+ * [w, t], in a frame that moves with the icebergs' mean velocity (Body: the disk of half the
+ * diagonal, which holds the rectangle at any heading). Let s_i be the last instant of [w, t] in
+ * R_i; the age of i is at least t - s_i. Sorted by s_i, the way from one to the next takes at least
+ * the least time of flight between the *edges* of the regions, because an s_i < t is a crossing of
+ * the edge; those with s_i = t were all in view when the last of them was entered, or when the last
+ * of the others was left. So sum of q_i (t - s_i) is at least the cheapest chain of edge points, a
+ * leg costing its time x q of what was seen before it: a dynamic programme over (set seen, cell of
+ * an edge), legs counted between the nearest points of cells. What is in no set pays initial + q t
+ * (w = 0), or q (t - w) (w > 0). With w = 0 a set also has to be reached from the start by t: by
+ * itself, and with several prices lambda on the way's length, cost + lambda (length - t). The bound
+ * is the least over all sets, at each block of time steps, the most over windows w and refinements,
+ * summed over disjoint groups of icebergs: what bounds one group says nothing of the others.
+ *
+ * The same bytes for the same scenario and work limit. More work never lowers it. The scenario must
+ * have no errors (`validate`).
+ */
+[[nodiscard]] ZetaBound zetaLowerBound(const Scenario& scenario, const BoundOptions& options = {});
+
+} // namespace berg
