@@ -18,8 +18,10 @@ using Action = std::function<int(const std::stop_token&)>;
 void addPlanCommands(CLI::App& app, Action& action);    ///< solve, plan
 void addCurveCommand(CLI::App& app, Action& action);    ///< curve
 void addSimulateCommand(CLI::App& app, Action& action); ///< simulate
-void addStudyCommands(CLI::App& app, Action& action);   ///< sweep, benchmark
-void addFileCommands(CLI::App& app, Action& action);    ///< export, validate
-void addImportCommand(CLI::App& app, Action& action);   ///< import
+void addSweepCommand(CLI::App& app, Action& action);    ///< sweep
+void addStudyCommand(CLI::App& app, Action& action);    ///< study
+void addBenchmarkCommand(CLI::App& app, Action& action);
+void addFileCommands(CLI::App& app, Action& action);  ///< export, validate
+void addImportCommand(CLI::App& app, Action& action); ///< import
 
 } // namespace berg::cli

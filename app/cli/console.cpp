@@ -1,10 +1,14 @@
 #include "app/cli/console.h"
 
+#include "core/io/number_text.h"
+
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <pthread.h>
+#include <sstream>
 #include <thread>
 #include <unistd.h>
 
@@ -81,6 +85,8 @@ ProgressBar::~ProgressBar()
 void ProgressBar::update(double fraction)
 {
     const double time_s = now_s();
+    if (m_first < 0)
+        m_first = fraction;
     if (!m_active || time_s - m_lastDrawn_s < 0.1)
         return;
     m_lastDrawn_s = time_s;
@@ -89,8 +95,8 @@ void ProgressBar::update(double fraction)
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                             std::string(static_cast<std::size_t>(kWidth - filled), '.');
     const double elapsed_s = time_s - m_start_s;
-    const std::string left =
-        fraction > 0.01 ? clock(elapsed_s * (1 - fraction) / fraction) : "--:--";
+    const double now = fraction - m_first;
+    const std::string left = now > 0.01 ? clock(elapsed_s * (1 - fraction) / now) : "--:--";
     std::fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  %s left", m_label.c_str(), bar.c_str(),
                  100 * fraction, left.c_str());
     std::fflush(stderr);
@@ -98,20 +104,35 @@ void ProgressBar::update(double fraction)
 
 std::string fixed(double value, int decimals)
 {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
+    return fixedText(value, decimals);
 }
 
 std::string grouped(double value)
 {
-    std::string digits = fixed(value, 0);
-    const std::size_t first = digits.starts_with('-') ? 1 : 0;
-    for (std::size_t i = digits.size(); i > first + 3;) {
-        i -= 3;
-        digits.insert(i, 1, ' ');
-    }
-    return digits;
+    return groupedText(value, 0, " ");
+}
+
+std::string column(const std::string& text, std::size_t width)
+{
+    return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, separator);)
+        parts.push_back(part);
+    return parts;
+}
+
+double numberOf(const std::string& option, const std::string& text)
+{
+    double value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+        throw UsageError{option + ": " + text + " is not a number"};
+    return value;
 }
 
 } // namespace berg::cli

@@ -61,6 +61,7 @@ private:
     std::string m_label;
     bool m_active;
     double m_start_s;
+    double m_first = -1; ///< fraction there was from the start: work done earlier
     double m_lastDrawn_s = -1;
 };
 
@@ -68,5 +69,11 @@ private:
 [[nodiscard]] std::string grouped(double value);
 /** `decimals` after the point. */
 [[nodiscard]] std::string fixed(double value, int decimals);
+/** Filled up with blanks in front to `width`: an entry of a table. */
+[[nodiscard]] std::string column(const std::string& text, std::size_t width);
+/** "a,b" at ',' -> a, b; empty parts are kept, but for one at the end. */
+[[nodiscard]] std::vector<std::string> split(const std::string& text, char separator);
+/** A whole text as a finite number; `UsageError` naming the option otherwise. */
+[[nodiscard]] double numberOf(const std::string& option, const std::string& text);
 
 } // namespace berg::cli

@@ -21,11 +21,6 @@ struct CurveArguments
     bool json = false;
 };
 
-std::string column(const std::string& text, std::size_t width)
-{
-    return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
-}
-
 std::string curveTable(const CurveReport& report)
 {
     std::string text = "tau from    tau to  distance m   reward m2  proven  order\n";

@@ -6,6 +6,7 @@
 #include "core/io/result_json.h"
 #include "core/io/run_json.h"
 #include "core/io/scenario_json.h"
+#include "core/io/study_json.h"
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
@@ -69,6 +70,10 @@ std::vector<Issue> findings(const std::string& file)
             const ProblemFile problem = problemFromJson(text, file);
             return {};
         }
+        if (format == "bergwatch-study") {
+            const Study study = studyFromJson(text, file);
+            return {};
+        }
         if (format == "bergwatch-run")
             return validate(runFromJson(text, file).scenario);
         return validate(scenarioFromJson(text, file));
@@ -121,7 +126,7 @@ void addValidate(CLI::App& app, Action& action)
     CLI::App* command = app.add_subcommand("validate", "Check files and name every fault in them");
     const auto files = std::make_shared<std::vector<std::string>>();
     const auto json = std::make_shared<bool>(false);
-    command->add_option("FILE", *files, "Scenarios, problems and runs")->required();
+    command->add_option("FILE", *files, "Scenarios, problems, runs and studies")->required();
     command->add_flag("--json", *json, "Print one JSON document");
     command->callback([files, json, &action] {
         action = [files, json](const std::stop_token& stop) {

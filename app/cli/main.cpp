@@ -1,13 +1,27 @@
 #include "app/cli/commands.h"
+#include "app/cli/sweep_flight.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 
 namespace {
 
 using namespace berg;
 using namespace berg::cli;
+
+/** Of the processes of an MPI program only the first one says what is wrong. */
+bool isSilent()
+{
+    return mpiRank().value_or(0) > 0;
+}
+
+void complain(const std::string& text)
+{
+    if (!isSilent())
+        std::fprintf(stderr, "%s\n", text.c_str());
+}
 
 int exitCodeOf(const Error& error)
 {
@@ -40,13 +54,17 @@ int run(int argc, char** argv, const std::stop_token& stop)
     addPlanCommands(app, action);
     addCurveCommand(app, action);
     addSimulateCommand(app, action);
-    addStudyCommands(app, action);
+    addSweepCommand(app, action);
+    addStudyCommand(app, action);
+    addBenchmarkCommand(app, action);
     addFileCommands(app, action);
     addImportCommand(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kDone : kWrongUsage;
+        std::ostringstream nowhere;
+        const int code = isSilent() ? app.exit(error, nowhere, nowhere) : app.exit(error);
+        return code == 0 ? kDone : kWrongUsage;
     }
     return action(stop);
 }
@@ -59,16 +77,16 @@ int main(int argc, char** argv)
     try {
         return run(argc, argv, stop);
     } catch (const Interrupted&) {
-        std::fputs("interrupted, nothing written\n", stderr);
+        complain("interrupted, nothing written");
         return kInterrupted;
     } catch (const UsageError& error) {
-        std::fprintf(stderr, "%s\n", error.message.c_str());
+        complain(error.message);
         return kWrongUsage;
     } catch (const Error& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        complain(error.what());
         return exitCodeOf(error);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "internal error: %s\n", error.what());
+        complain(std::string("internal error: ") + error.what());
         return kFailure;
     }
 }

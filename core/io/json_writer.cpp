@@ -11,16 +11,6 @@ namespace berg {
 
 namespace {
 
-/** Longest valid UTF-8 character at the front, 0 when there is none. */
-std::size_t characterSize(std::string_view text)
-{
-    constexpr std::size_t kLongest = 4;
-    for (std::size_t size = 1; size <= kLongest && size <= text.size(); ++size)
-        if (isUtf8(text.substr(0, size)))
-            return size;
-    return 0;
-}
-
 void appendEscaped(std::string& json, char c)
 {
     constexpr std::string_view kHex = "0123456789abcdef";
@@ -137,6 +127,15 @@ std::string jsonText(const char* value)
 std::string jsonText(const Point& value)
 {
     return jsonArray({jsonText(value.x()), jsonText(value.y())});
+}
+
+std::size_t characterSize(std::string_view text)
+{
+    constexpr std::size_t kLongest = 4;
+    for (std::size_t size = 1; size <= kLongest && size <= text.size(); ++size)
+        if (isUtf8(text.substr(0, size)))
+            return size;
+    return 0;
 }
 
 std::string jsonArray(const std::vector<std::string>& entries)

@@ -23,6 +23,9 @@ namespace berg {
 /** `[east, north]` */
 [[nodiscard]] std::string jsonText(const Point& value);
 
+/** Bytes of the UTF-8 character at the front, 0 when there is no valid one. */
+[[nodiscard]] std::size_t characterSize(std::string_view text);
+
 /** `[a, b, c]` on one line. */
 [[nodiscard]] std::string jsonArray(const std::vector<std::string>& entries);
 /** Each entry on its own line, one blank further in than `indent`. */

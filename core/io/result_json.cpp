@@ -77,6 +77,46 @@ std::optional<std::string> formulationOf(const BenchmarkSolver& solver)
     return nameOf(kFormulationNames, solver.formulation);
 }
 
+Json settingJson(const StudySetting& setting)
+{
+    return {{"policy", nameOf(kPolicyNames, setting.policy)}, {"tau", orNull(setting.tau)}};
+}
+
+Json percentJson(const MeanInterval& relative)
+{
+    return {{"mean_percent", 100 * relative.mean},
+            {"low_percent", 100 * relative.low},
+            {"high_percent", 100 * relative.high}};
+}
+
+Json settingJson(const SettingSummary& row, const PairedDifference& against)
+{
+    Json json = settingJson(row.setting);
+    json["n"] = row.zeta_m2s.n;
+    json["mean_m2s"] = row.zeta_m2s.mean;
+    json["standard_error_m2s"] = row.zeta_m2s.standardError;
+    json["median_m2s"] = row.zeta_m2s.median;
+    json["quartile1_m2s"] = row.zeta_m2s.quartile1;
+    json["quartile3_m2s"] = row.zeta_m2s.quartile3;
+    json["decile1_m2s"] = row.zeta_m2s.decile1;
+    json["decile9_m2s"] = row.zeta_m2s.decile9;
+    json["stuck_share"] = row.stuckShare;
+    json["mean_visits"] = row.meanVisits;
+    json["difference"] = percentJson(against.relative);
+    json["lower_share"] = against.lowerShare;
+    json["worst_percent"] = 100 * against.worst;
+    return json;
+}
+
+Json bestTauJson(const BestTau& best)
+{
+    return {{"decile1", best.tau.decile1},
+            {"median", best.tau.median},
+            {"decile9", best.tau.decile9},
+            {"mean_m2s", best.zeta_m2s.mean},
+            {"difference", percentJson(best.relative)}};
+}
+
 } // namespace
 
 std::string solveJson(const SolveReport& report)
@@ -100,32 +140,34 @@ std::string solveJson(const SolveReport& report)
     return text(json);
 }
 
-std::string simulateJson(const Metrics& metrics, double elapsed_s)
+std::string simulateJson(const Metrics& metrics, std::optional<double> lowerBound_m2s,
+                         double elapsed_s)
 {
     return text(Json{{"zeta_m2s", metrics.zeta_m2s},
                      {"visits", metrics.visits},
                      {"replans", metrics.replans},
                      {"flown_m", metrics.flown_m},
-                     {"lower_bound_m2s", nullptr},
+                     {"lower_bound_m2s", orNull(lowerBound_m2s)},
                      {"seconds", elapsed_s}});
 }
 
-std::string sweepJson(const SweepResult& result, double elapsed_s)
+std::string sweepJson(const Study& study, const StudySummary& summary,
+                      const std::optional<double>& elapsed_s)
 {
     Json rows = Json::array();
-    for (const SweepRow& row : result.rows)
-        rows.push_back({{"policy", nameOf(kPolicyNames, row.policy)},
-                        {"tau", orNull(row.tau)},
-                        {"n", row.summary.n},
-                        {"mean_m2s", row.summary.mean},
-                        {"standard_error_m2s", row.summary.standardError},
-                        {"median_m2s", row.summary.median},
-                        {"quartile1_m2s", row.summary.quartile1},
-                        {"quartile3_m2s", row.summary.quartile3},
-                        {"decile1_m2s", row.summary.decile1},
-                        {"decile9_m2s", row.summary.decile9},
-                        {"stuck_share", row.stuckShare}});
-    return text(Json{{"rows", rows}, {"seconds", elapsed_s}});
+    for (std::size_t i = 0; i < summary.settings.size(); ++i)
+        rows.push_back(settingJson(summary.settings[i], summary.differences.at(i)));
+    Json json{{"rows", rows}};
+    if (summary.reference < summary.settings.size())
+        json["reference"] = settingJson(summary.settings[summary.reference].setting);
+    if (summary.bestTau)
+        json["best_tau"] = bestTauJson(*summary.bestTau);
+    json["missions"] = missionCount(study.spec);
+    json["flown"] = flownCount(study);
+    json["cases"] = summary.cases.size();
+    if (elapsed_s)
+        json["seconds"] = *elapsed_s;
+    return text(json);
 }
 
 std::string benchmarkJson(const std::vector<BenchmarkRow>& rows)
@@ -172,16 +214,24 @@ std::string findingsJson(const std::vector<FileFindings>& files)
     return text(list);
 }
 
-std::string sweepCsv(const SweepResult& result)
+std::string sweepCsv(const StudySummary& summary)
 {
     std::string csv = "policy,tau,n,mean_m2s,standard_error_m2s,median_m2s,quartile1_m2s,"
-                      "quartile3_m2s,decile1_m2s,decile9_m2s,stuck_share\n";
-    for (const SweepRow& row : result.rows) {
-        const Summary& s = row.summary;
-        csv += nameOf(kPolicyNames, row.policy) + ',' + (row.tau ? numberText(*row.tau) : "") +
+                      "quartile3_m2s,decile1_m2s,decile9_m2s,stuck_share,mean_visits,"
+                      "difference_percent,difference_low_percent,difference_high_percent,"
+                      "lower_share,worst_percent\n";
+    for (std::size_t i = 0; i < summary.settings.size(); ++i) {
+        const SettingSummary& row = summary.settings[i];
+        const Summary& s = row.zeta_m2s;
+        const PairedDifference& difference = summary.differences.at(i);
+        const MeanInterval& relative = difference.relative;
+        const std::optional<double>& tau = row.setting.tau;
+        csv += nameOf(kPolicyNames, row.setting.policy) + ',' + (tau ? numberText(*tau) : "") +
                ',' + std::to_string(s.n);
-        for (const double value : {s.mean, s.standardError, s.median, s.quartile1, s.quartile3,
-                                   s.decile1, s.decile9, row.stuckShare})
+        for (const double value :
+             {s.mean, s.standardError, s.median, s.quartile1, s.quartile3, s.decile1, s.decile9,
+              row.stuckShare, row.meanVisits, 100 * relative.mean, 100 * relative.low,
+              100 * relative.high, difference.lowerShare, 100 * difference.worst})
             csv += ',' + numberText(value);
         csv += '\n';
     }

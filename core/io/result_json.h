@@ -3,7 +3,7 @@
 #include "core/plan/second_opinion.h"
 #include "core/sim/mission.h"
 #include "core/study/benchmark.h"
-#include "core/study/study.h"
+#include "core/study/study_summary.h"
 
 #include <optional>
 #include <string>
@@ -23,8 +23,12 @@ struct SolveReport
 };
 
 [[nodiscard]] std::string solveJson(const SolveReport& report);
-[[nodiscard]] std::string simulateJson(const Metrics& metrics, double elapsed_s);
-[[nodiscard]] std::string sweepJson(const SweepResult& result, double elapsed_s);
+/** `lowerBound_m2s`: what no flight is below, if it was asked for. */
+[[nodiscard]] std::string simulateJson(const Metrics& metrics, std::optional<double> lowerBound_m2s,
+                                       double elapsed_s);
+/** `elapsed_s`: none for a study that was flown before. */
+[[nodiscard]] std::string sweepJson(const Study& study, const StudySummary& summary,
+                                    const std::optional<double>& elapsed_s);
 [[nodiscard]] std::string benchmarkJson(const std::vector<BenchmarkRow>& rows);
 
 /** Findings about one file. */
@@ -36,7 +40,8 @@ struct FileFindings
 [[nodiscard]] std::string findingsJson(const std::vector<FileFindings>& files);
 
 // The same as CSV tables (RFC 4180).
-[[nodiscard]] std::string sweepCsv(const SweepResult& result);
+/** A row for each setting; differences are against the reference, in % of its zeta. */
+[[nodiscard]] std::string sweepCsv(const StudySummary& summary);
 [[nodiscard]] std::string benchmarkCsv(const std::vector<BenchmarkRow>& rows);
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #include "core/study/statistics.h"
 
+#include "core/base/angles.h"
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -8,6 +9,51 @@
 #include <vector>
 
 namespace berg {
+
+namespace {
+
+constexpr double kNormalFactor = 1.9599639845400542; ///< 97.5 % quantile of the normal distribution
+
+/** P(|T| <= tan(angle) sqrt(degrees)) as a finite sum (26.7.3 for odd, 26.7.4 for even degrees). */
+double studentWithin(double angle_rad, int degrees)
+{
+    const double cosine2 = std::cos(angle_rad) * std::cos(angle_rad);
+    const bool odd = degrees % 2 == 1;
+    double term = odd ? std::cos(angle_rad) : 1;
+    double sum = degrees == 1 ? 0 : term;
+    for (int k = odd ? 3 : 2; k < degrees; k += 2) {
+        term *= cosine2 * (k - 1) / k;
+        sum += term;
+    }
+    sum *= std::sin(angle_rad);
+    return odd ? 2 / kPi * (angle_rad + sum) : sum;
+}
+
+double studentByBisection(int degrees)
+{
+    double low_rad = 0;
+    double high_rad = kPi / 2;
+    for (int i = 0; i < 52; ++i) {
+        const double middle_rad = (low_rad + high_rad) / 2;
+        (studentWithin(middle_rad, degrees) < 0.95 ? low_rad : high_rad) = middle_rad;
+    }
+    return std::tan(low_rad) * std::sqrt(degrees);
+}
+
+/** Expansion in 1 / degrees about the normal quantile, 26.7.5. */
+double studentByExpansion(int degrees)
+{
+    const double z = kNormalFactor;
+    const double z2 = z * z;
+    const double n = degrees;
+    const double g1 = (z2 + 1) / 4;
+    const double g2 = ((5 * z2 + 16) * z2 + 3) / 96;
+    const double g3 = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
+    const double g4 = ((((79 * z2 + 776) * z2 + 1482) * z2 - 1920) * z2 - 945) / 92160;
+    return z * (1 + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n);
+}
+
+} // namespace
 
 double quantile(std::span<const double> sorted, double p)
 {
@@ -40,6 +86,19 @@ Summary summarise(std::span<const double> values)
     summary.decile1 = quantile(sorted, 0.1);
     summary.decile9 = quantile(sorted, 0.9);
     return summary;
+}
+
+double studentFactor(int degrees)
+{
+    require(degrees >= 1, "studentFactor: less than one degree of freedom");
+    return degrees <= 100 ? studentByBisection(degrees) : studentByExpansion(degrees);
+}
+
+MeanInterval meanInterval(std::span<const double> values)
+{
+    const Summary s = summarise(values);
+    const double half = s.n < 2 ? 0 : studentFactor(s.n - 1) * s.standardError;
+    return {.mean = s.mean, .low = s.mean - half, .high = s.mean + half};
 }
 
 } // namespace berg

@@ -23,4 +23,19 @@ struct Summary
 /** Quantile of ascending values, `p` in [0, 1]. */
 [[nodiscard]] double quantile(std::span<const double> sorted, double p);
 
+/**
+ * 97.5 % quantile of Student's t, by which a standard error becomes half a 95 % interval, to 1e-9;
+ * `degrees` of freedom >= 1. Abramowitz and Stegun (1964), 26.7.3, 26.7.4 and 26.7.5.
+ */
+[[nodiscard]] double studentFactor(int degrees);
+
+/** A mean with its 95 % confidence interval (Student's t; low = high = mean for n < 2). */
+struct MeanInterval
+{
+    double mean = 0;
+    double low = 0;
+    double high = 0;
+};
+[[nodiscard]] MeanInterval meanInterval(std::span<const double> values);
+
 } // namespace berg

@@ -164,6 +164,11 @@ grep -v '"seconds"' stdout.txt >first.json
 check "simulate again" exits 0 "$cli" simulate "$default" --json --output out
 grep -v '"seconds"' stdout.txt >second.json
 check "simulate twice: the same bytes" cmp -s first.json second.json
+check "no bound unless asked for" json 'd["lower_bound_m2s"] is None'
+check "simulate --bound" exits 0 "$cli" simulate "$default" --duration 200 --bound --json
+check "simulate --bound: below zeta" json '0 < d["lower_bound_m2s"] < d["zeta_m2s"]'
+check "simulate --bound in words" exits 0 "$cli" simulate "$default" --duration 200 --bound
+check "simulate --bound: the words" grep -q 'no flight can do better than [0-9 ]* m2 s' stdout.txt
 for file in trajectory.csv sigma.csv events.csv zeta.csv run.bergrun; do
     check "simulate --output: $file" test -s out/$file
 done
@@ -200,11 +205,107 @@ done
 check "sweep" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 1 --json --output sweep.csv
 check "sweep: rows" json '[(r["policy"], r["tau"]) for r in d["rows"]] == [("visitation",0),("visitation",0.5),("visitation",1),("tour",None)]'
 check "sweep: sizes" json 'all(r["n"] == 6 and r["mean_m2s"] > 0 for r in d["rows"])'
+check "sweep: the reference" json 'd["reference"] == {"policy": "visitation", "tau": 1} and d["rows"][2]["difference"] == {"mean_percent": 0, "low_percent": 0, "high_percent": 0}'
+check "sweep: differences" json 'all(r["difference"]["low_percent"] <= r["difference"]["mean_percent"] <= min(r["worst_percent"], r["difference"]["high_percent"]) and 0 <= r["lower_share"] <= 1 for r in d["rows"])'
+check "sweep: best tau" json '0 <= d["best_tau"]["decile1"] <= d["best_tau"]["median"] <= d["best_tau"]["decile9"] <= 1 and d["best_tau"]["mean_m2s"] <= min(r["mean_m2s"] for r in d["rows"][:3])'
+check "sweep: csv" grep -qx 'policy,tau,n,mean_m2s,standard_error_m2s,median_m2s,quartile1_m2s,quartile3_m2s,decile1_m2s,decile9_m2s,stuck_share,mean_visits,difference_percent,difference_low_percent,difference_high_percent,lower_share,worst_percent' <(head -1 sweep.csv)
 cp sweep.csv one.csv
 check "sweep on four threads" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 4 --output sweep.csv
 check "sweep: threads do not matter" cmp -s one.csv sweep.csv
 check "sweep: several noise seeds" exits 0 "$cli" sweep "$default" --tau 1 --runs 3 --json
 check "sweep: several noise seeds, n" json 'd["rows"][0]["n"] == 3'
+check "sweep: another reference" exits 0 "$cli" sweep --random 3 --tau 0:1:0.1 --policies visitation,tour --reference tour --json
+check "sweep: another reference is used" json 'd["reference"] == {"policy": "tour", "tau": None} and d["rows"][-1]["worst_percent"] == 0'
+check "sweep: 3 * 0.1 is 0.3" exits 0 "$cli" sweep --random 1 --tau 0:1:0.1 --reference visitation:0.3 --json
+check "sweep: 3 * 0.1 is 0.3, in the rows" json 'd["rows"][3]["tau"] == 0.3 and d["reference"]["tau"] == 0.3'
+check "sweep: reference not flown" exits 2 "$cli" sweep --random 1 --tau 0,1 --reference visitation:0.5
+check "sweep: reference without tau" exits 2 "$cli" sweep --random 1 --tau 0,1 --reference visitation
+check "sweep: the first seed" exits 0 "$cli" sweep --random 2 --first-seed 5 --tau 1 --json
+cp stdout.txt later.json
+check "sweep: the first seed, from the start" exits 0 "$cli" sweep --random 6 --tau 1 --json
+check "sweep: the first seed matters" json 'd["rows"][0]["mean_m2s"] != json.load(open("later.json"))["rows"][0]["mean_m2s"]'
+check "sweep: too many missions" exits 3 "$cli" sweep --random 1000000 --tau 0,1
+check "sweep: too many missions: says so" says "at most 1000000"
+
+# --- study files -----------------------------------------------------------------------------
+small=(--random 5 --tau 0:2:1 --policies visitation,tour)
+check "sweep --study" exits 0 "$cli" sweep "${small[@]}" --study whole.bergstudy --output whole.csv
+cp stdout.txt whole.txt
+cp whole.bergstudy first.bergstudy
+check "sweep --study again" exits 0 "$cli" sweep "${small[@]}" --study whole.bergstudy
+check "sweep --study again: the same" cmp -s first.bergstudy whole.bergstudy
+check "a study is a valid file" exits 0 "$cli" validate whole.bergstudy
+for part in 1 2 3; do
+    check "shard $part" exits 0 "$cli" sweep "${small[@]}" --study part$part.bergstudy --shard $part/3 --threads $part
+    check "shard $part: says that it is a part" says "not complete"
+done
+check "study" exits 0 "$cli" study part3.bergstudy part1.bergstudy part2.bergstudy --study merged.bergstudy --output merged.csv
+check "study: prints what one sweep prints" cmp -s whole.txt stdout.txt
+check "study: is the file of one sweep" cmp -s whole.bergstudy merged.bergstudy
+check "study: writes the table of one sweep" cmp -s whole.csv merged.csv
+check "study of a part" exits 0 "$cli" study part2.bergstudy --json
+check "study of a part: its cases" json 'd["cases"] == 2 and d["flown"] == 8 and d["missions"] == 20 and d["rows"][0]["n"] == 2'
+check "study of a part: says so" says "not complete: 8 of 20 missions"
+check "a part is carried on by another shard" exits 0 "$cli" sweep "${small[@]}" --study part2.bergstudy --shard 1/3
+check "a part is carried on by the whole" exits 0 "$cli" sweep "${small[@]}" --study part2.bergstudy
+check "a part is carried on: the same" cmp -s whole.bergstudy part2.bergstudy
+check "another study is refused" exits 3 "$cli" sweep --random 5 --tau 0:3:1 --policies visitation,tour --study part1.bergstudy
+check "another study: says what differs" says "part1.bergstudy: taus: differs"
+check "another study is not merged" exits 0 "$cli" sweep --random 5 --tau 1 --study other.bergstudy
+check "another study is not merged: refused" exits 3 "$cli" study whole.bergstudy other.bergstudy
+check "another study is not merged: names the file" says "other.bergstudy: taus: differs"
+check "merged over another study" exits 3 "$cli" study whole.bergstudy --study other.bergstudy
+check "--force" exits 0 "$cli" sweep "${small[@]}" --study other.bergstudy --force
+check "--force: the new study" cmp -s whole.bergstudy other.bergstudy
+cp "$default" precious.berg
+check "--force spares what is no study" exits 3 "$cli" sweep "${small[@]}" --study precious.berg --force
+check "--force spares what is no study: untouched" cmp -s "$default" precious.berg
+python3 - <<'P'
+import json
+d = json.load(open("whole.bergstudy"))
+d["outcomes"][1][2][0] += 1
+json.dump(d, open("wrong.bergstudy", "w"))
+P
+check "contradicting outcomes" exits 3 "$cli" study whole.bergstudy wrong.bergstudy
+check "contradicting outcomes: says where" says "setting 3 of case 2 has two different outcomes"
+head -c 700 whole.bergstudy >cut.bergstudy
+check "a study cut off" exits 3 "$cli" study cut.bergstudy
+check "a study cut off: says where" says "cut.bergstudy: line"
+check "a study is no scenario" exits 3 "$cli" simulate whole.bergstudy
+check "a scenario is no study" exits 3 "$cli" study "$default"
+check "shard without a file" exits 2 "$cli" sweep "${small[@]}" --shard 1/3
+check "shard with a table" exits 2 "$cli" sweep "${small[@]}" --shard 1/3 --study x.bergstudy --output x.csv
+for shard in 0/3 4/3 1 1/3x a/b; do
+    check "shard $shard" exits 2 "$cli" sweep "${small[@]}" --shard $shard --study x.bergstudy
+done
+check "wrong shards leave no file" test ! -e x.bergstudy
+check "faulty studies leave no file" exits 3 "$cli" sweep "$default" --tau 1 --policies latency --study x.bergstudy --random 1000000 --runs 2
+check "faulty studies leave no file: none" test ! -e x.bergstudy
+check "study file that cannot be" exits 1 "$cli" sweep "${small[@]}" --study problem.json/x.bergstudy
+
+# --- reports ---------------------------------------------------------------------------------
+# report_is FILE EXPRESSION: `page` is the report as XML, `text` its text.
+report_is() {
+    python3 -c 'import sys, xml.etree.ElementTree as tree; page = tree.parse(sys.argv[1]).getroot()
+text = " ".join(page.itertext()); sys.exit(0 if eval(sys.argv[2]) else 1)' "$1" "$2"
+}
+check "report" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --report report.html
+check "report: charts" report_is report.html 'len(list(page.iter("{http://www.w3.org/2000/svg}svg"))) == 3'
+check "report: what was flown" report_is report.html '"6 random fields, seeds 1 to 6" in text and "24 of 24" in text'
+check "report: version" report_is report.html "\"Bergwatch $("$cli" --version)\" in text"
+check "report: names neither machine nor user" report_is report.html 'not any(len(n) > 3 and n in text for n in (__import__("socket").gethostname(), __import__("os").environ.get("USER", "")))'
+check "report is read again" exits 0 "$cli" study report.html --output again.csv --report again.html
+check "report: the same numbers" cmp -s one.csv again.csv
+made() { grep -v -e 'T[0-9:]*Z' -e 'Last run took' -e '<dd>[0-9.]* s</dd>' "$1" >"$1.numbers"; }
+made report.html && made again.html
+check "report: the same page" cmp -s report.html.numbers again.html.numbers
+check "report is not flown into" exits 3 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --study again.html
+check "report is as before" cmp -s report.html.numbers again.html.numbers
+check "report of one scenario" exits 0 "$cli" sweep "$default" --tau 0:1:0.5 --report one.html
+check "report of one scenario: a curve" report_is one.html 'len(list(page.iter("{http://www.w3.org/2000/svg}svg"))) == 1 and "Grand Banks" in text'
+check "no report of a shard" exits 2 "$cli" sweep --random 6 --tau 1 --shard 1/2 --study part.study --report part.html
+check "no report of nothing" exits 3 "$cli" study one.csv --report no.html
+check "no report of nothing is left" test ! -e no.html
 
 # --- export ----------------------------------------------------------------------------------
 for format in plan wpl geojson csv; do
@@ -307,6 +408,11 @@ check "Ctrl-C gives 130" exits 130 interrupt "$cli" sweep --random 5000 --tau 0:
 check "Ctrl-C leaves no file" test ! -e interrupted.csv
 check "Ctrl-C leaves no temporary file" test -z "$(find . -name '*interrupted*')"
 
+long=(sweep --random 400 --tau 0:3:0.1)
+check "Ctrl-C of a study gives 130" exits 130 interrupt "$cli" "${long[@]}" --study long.bergstudy --output long.csv
+check "Ctrl-C of a study keeps what is done" exits 0 "$cli" study long.bergstudy --json
+check "Ctrl-C of a study: a part" json '0 < d["flown"] < d["missions"] == 12400'
+check "Ctrl-C of a study writes no table" test ! -e long.csv
 check "Ctrl-C of a benchmark gives 130" exits 130 interrupt "$cli" benchmark --sizes 8,100 --repeat 200 --backends exact,heuristic --seconds 1000 --output part.csv
 check "Ctrl-C of a benchmark keeps what is done" test "$(wc -l <part.csv)" -ge 2
 

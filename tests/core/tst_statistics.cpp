@@ -119,6 +119,73 @@ private slots:
         // Square of Student's t with 49 degrees of freedom: mean 49/47, variance about 2.3.
         COMPARE_NEAR(ratio2 / kSamples, 49.0 / 47, 5 * std::sqrt(2.3 / kSamples));
     }
+
+    /** To 12 digits by the regularized incomplete beta function with 30 digits. */
+    void studentFactors_data()
+    {
+        QTest::addColumn<int>("degrees");
+        QTest::addColumn<double>("expected");
+        QTest::newRow("1") << 1 << 12.7062047361747;
+        QTest::newRow("2") << 2 << 4.30265272974946;
+        QTest::newRow("3") << 3 << 3.18244630528371;
+        QTest::newRow("5") << 5 << 2.57058183563632;
+        QTest::newRow("10") << 10 << 2.22813885198627;
+        QTest::newRow("30") << 30 << 2.04227245630124;
+        QTest::newRow("99") << 99 << 1.98421695158642;
+        QTest::newRow("100") << 100 << 1.98397151852355;
+        QTest::newRow("101, by expansion") << 101 << 1.98373100295561;
+        QTest::newRow("199") << 199 << 1.97195654425175;
+        QTest::newRow("1000") << 1000 << 1.96233908082641;
+        QTest::newRow("40000") << 40000 << 1.96002329308491;
+    }
+
+    void studentFactors()
+    {
+        QFETCH(int, degrees);
+        QFETCH(double, expected);
+        COMPARE_NEAR(studentFactor(degrees), expected, 1e-9);
+    }
+
+    void noDegreesOfFreedom()
+    {
+        QVERIFY_EXCEPTION_THROWN((void)studentFactor(0), std::logic_error);
+    }
+
+    /** Mean 5, standard error 0.7559 (see above), 7 degrees of freedom: t = 2.3646243. */
+    void intervalByHand()
+    {
+        const MeanInterval interval = meanInterval(Values{9, 4, 2, 7, 4, 5, 4, 5});
+        COMPARE_NEAR(interval.mean, 5, 1e-15);
+        COMPARE_NEAR(interval.high - 5, 2.364624251592785 * 0.75592894601845445, 1e-9);
+        COMPARE_NEAR(interval.low, 10 - interval.high, 1e-14);
+    }
+
+    void intervalOfOneAndOfNone()
+    {
+        const MeanInterval one = meanInterval(Values{-2});
+        QCOMPARE(one.mean, -2.0);
+        QCOMPARE(one.low, -2.0);
+        QCOMPARE(one.high, -2.0);
+        const MeanInterval none = meanInterval({});
+        QCOMPARE(none.low, 0.0);
+        QCOMPARE(none.high, 0.0);
+    }
+
+    /** 19 of 20 intervals of normal samples hold the true mean, also for few values. */
+    void intervalCoversTheTruth()
+    {
+        Random random(3);
+        constexpr int kSamples = 4000;
+        int covered = 0;
+        for (int k = 0; k < kSamples; ++k) {
+            Values values;
+            for (int i = 0; i < 4; ++i)
+                values.push_back(10 + 3 * random.normal());
+            const MeanInterval interval = meanInterval(values);
+            covered += interval.low <= 10 && 10 <= interval.high ? 1 : 0;
+        }
+        COMPARE_NEAR(covered / double(kSamples), 0.95, 4 * std::sqrt(0.95 * 0.05 / kSamples));
+    }
 };
 
 QTEST_APPLESS_MAIN(TestStatistics)

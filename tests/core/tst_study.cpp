@@ -1,49 +1,46 @@
-#include "core/scenario/presets.h"
 #include "core/study/study.h"
 #include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/flown_study.h"
 #include "tests/support/scenario_builder.h"
 
 #include <algorithm>
 #include <set>
 
 using namespace berg;
-using test::addIceberg;
-using test::emptySea;
+using namespace berg::test;
 
 namespace {
 
-/** Six icebergs for 300 s: short, but with several visits. */
-Scenario smallField(std::int64_t seed)
+/** Three scenarios, two of them drawn, twice each; four settings: 24 missions. */
+StudySpec smallSpec()
 {
-    Scenario scenario = randomScenario(seed, {.icebergs = 6, .size_m = {3000, 2500}});
-    scenario.duration_s = 300;
-    return scenario;
-}
-
-SweepSpec smallSweep()
-{
-    return {.scenarios = {smallField(1), smallField(2), smallField(3)},
+    return {.name = "small",
+            .scenarios = {smallField(1)},
+            .random = 2,
+            .firstSeed = 7,
+            .field = {.icebergs = 4, .size_m = {2500, 2000}},
             .taus = {0.5, 2},
             .policies = {PolicyKind::Nearest, PolicyKind::Visitation, PolicyKind::Path},
             .runs = 2};
 }
 
-/** One mission as anybody would fly it. */
-Metrics flown(Scenario scenario, std::int64_t seed, PolicyKind policy, double tau)
+bool isStuck(const Scenario& scenario, PolicyKind policy)
 {
-    scenario.seed = seed;
-    scenario.planner.policy = policy;
-    scenario.planner.tau = tau;
-    Mission mission(scenario);
-    mission.advance(scenario.duration_s);
-    return mission.metrics();
+    return flown({.scenarios = {scenario}, .taus = {1}, .policies = {policy}})
+        .outcomes.at(0)
+        ->stuck;
 }
 
-SweepRow onlyRow(const Scenario& scenario, PolicyKind policy)
+/** Stops a flight when so many missions are done. */
+StudyOptions stoppingAfter(std::size_t missions, std::stop_source& source, int threads = 1)
 {
-    const SweepResult result =
-        sweep({.scenarios = {scenario}, .taus = {1}, .policies = {policy}}, {});
-    return result.rows.at(0);
+    return {.threads = threads,
+            .stop = source.get_token(),
+            .onProgress = [missions, &source](const Study&, std::size_t done, std::size_t) {
+                if (done >= missions)
+                    source.request_stop();
+            }};
 }
 
 } // namespace
@@ -53,143 +50,316 @@ class TestStudy : public QObject
     Q_OBJECT
 
 private slots:
-    void rowsInOrder()
+    void settingsInOrder()
     {
-        const SweepResult result = sweep(smallSweep(), {.threads = 2});
-        QVERIFY(result.complete);
-        QCOMPARE(result.rows.size(), std::size_t{4});
         // Visitation by tau as given, then the others as given.
-        QCOMPARE(result.rows[0].policy, PolicyKind::Visitation);
-        QVERIFY(result.rows[0].tau == 0.5);
-        QCOMPARE(result.rows[1].policy, PolicyKind::Visitation);
-        QVERIFY(result.rows[1].tau == 2.0);
-        QCOMPARE(result.rows[2].policy, PolicyKind::Nearest);
-        QVERIFY(!result.rows[2].tau);
-        QCOMPARE(result.rows[3].policy, PolicyKind::Path);
-        for (const SweepRow& row : result.rows) {
-            QCOMPARE(row.zeta_m2s.size(), std::size_t{6});
-            QCOMPARE(row.visits.size(), std::size_t{6});
-            QCOMPARE(row.summary.n, 6);
-            COMPARE_NEAR(row.summary.mean, summarise(row.zeta_m2s).mean, 0);
-            COMPARE_NEAR(row.summary.standardError, summarise(row.zeta_m2s).standardError, 0);
-        }
-    }
-
-    void sameForAnyNumberOfThreads()
-    {
-        const SweepResult one = sweep(smallSweep(), {.threads = 1});
-        const SweepResult four = sweep(smallSweep(), {.threads = 4});
-        QCOMPARE(one.rows.size(), four.rows.size());
-        for (std::size_t i = 0; i < one.rows.size(); ++i) { // bit for bit
-            QVERIFY(one.rows[i].zeta_m2s == four.rows[i].zeta_m2s);
-            QVERIFY(one.rows[i].visits == four.rows[i].visits);
-            QCOMPARE(one.rows[i].summary.mean, four.rows[i].summary.mean);
-            QCOMPARE(one.rows[i].stuckShare, four.rows[i].stuckShare);
-        }
-    }
-
-    /** Case by case in every row: the same icebergs and noise, scenario-major, then run. */
-    void casesArePaired()
-    {
-        const SweepSpec spec = smallSweep();
-        const SweepResult result = sweep(spec, {});
-        std::set<double> different;
-        for (const SweepRow& row : result.rows)
-            for (std::size_t c = 0; c < 6; ++c) {
-                const Scenario& scenario = spec.scenarios[c / 2];
-                const std::int64_t seed = seedOfRun(scenario.seed, static_cast<int>(c % 2));
-                const Metrics expected = flown(scenario, seed, row.policy, row.tau.value_or(1));
-                QCOMPARE(row.zeta_m2s[c], expected.zeta_m2s);
-                QCOMPARE(row.visits[c], static_cast<double>(expected.visits));
-                different.insert(row.zeta_m2s[c]);
-            }
-        // Settings, scenarios and noise all matter, so hardly any two are equal.
-        QVERIFY(different.size() >= 20);
-    }
-
-    void withoutNoiseRunsAreEqual()
-    {
-        SweepSpec spec = smallSweep();
-        spec.policies = {PolicyKind::Nearest};
-        spec.runs = 3;
-        for (Scenario& scenario : spec.scenarios)
-            scenario.noise = false;
-        const SweepResult result = sweep(spec, {});
-        const std::vector<double>& zeta_m2s = result.rows.at(0).zeta_m2s;
-        QCOMPARE(zeta_m2s.size(), std::size_t{9});
-        for (std::size_t c = 0; c < 9; ++c)
-            QCOMPARE(zeta_m2s[c], zeta_m2s[c - c % 3]);
-    }
-
-    void tauOfTheScenarioIsNotUsed()
-    {
-        SweepSpec spec = smallSweep();
-        spec.policies = {PolicyKind::Visitation};
-        const SweepResult before = sweep(spec, {});
-        for (Scenario& scenario : spec.scenarios)
-            scenario.planner.tau = 77;
-        const SweepResult after = sweep(spec, {});
-        QVERIFY(before.rows.at(1).zeta_m2s == after.rows.at(1).zeta_m2s);
+        const std::vector<StudySetting> expected{{PolicyKind::Visitation, 0.5},
+                                                 {PolicyKind::Visitation, 2},
+                                                 {PolicyKind::Nearest, std::nullopt},
+                                                 {PolicyKind::Path, std::nullopt}};
+        QVERIFY(settingsOf(smallSpec()) == expected);
     }
 
     void missionsAreCounted()
     {
-        SweepSpec spec = smallSweep();
-        QCOMPARE(missionCount(spec), std::size_t{24}); // (2 taus + 2 policies) x 3 x 2
+        StudySpec spec = smallSpec();
+        QCOMPARE(caseCount(spec), std::size_t{6});
+        QCOMPARE(missionCount(spec), std::size_t{24});
         spec.policies = {PolicyKind::Nearest};
         QCOMPARE(missionCount(spec), std::size_t{6});
         spec.policies = {PolicyKind::Visitation};
         spec.runs = 5;
         QCOMPARE(missionCount(spec), std::size_t{30});
         spec.scenarios.clear();
+        spec.random = 0;
         QCOMPARE(missionCount(spec), std::size_t{0});
         QCOMPARE(missionCount({}), std::size_t{0});
+    }
+
+    /** Scenario-major, then run; each outcome is that of the mission anybody would fly. */
+    void casesArePaired()
+    {
+        const StudySpec spec = smallSpec();
+        const Study study = flown(spec);
+        const std::vector<StudySetting> settings = settingsOf(spec);
+        std::set<double> different;
+        for (std::size_t c = 0; c < caseCount(spec); ++c)
+            for (std::size_t s = 0; s < settings.size(); ++s) {
+                Scenario scenario =
+                    c / 2 == 0 ? spec.scenarios[0] : randomScenario(c / 2 == 1 ? 7 : 8, spec.field);
+                scenario.seed = seedOfRun(scenario.seed, static_cast<int>(c % 2));
+                scenario.planner.policy = settings[s].policy;
+                scenario.planner.tau = settings[s].tau.value_or(scenario.planner.tau);
+                QVERIFY(scenarioOf(spec, c, settings[s]) == scenario);
+                Mission mission(scenario);
+                mission.advance(scenario.duration_s);
+                const auto& outcome = study.outcomes.at(c * settings.size() + s);
+                QVERIFY(outcome);
+                QVERIFY(outcome->metrics == mission.metrics());
+                different.insert(outcome->metrics.zeta_m2s);
+            }
+        // Settings, scenarios and noise all matter, so hardly any two are equal.
+        QVERIFY(different.size() >= 20);
+    }
+
+    void sameForAnyNumberOfThreads()
+    {
+        const Study one = flown(smallSpec(), {.threads = 1});
+        QVERIFY(one == flown(smallSpec(), {.threads = 2}));
+        QVERIFY(one == flown(smallSpec(), {.threads = 7}));
+    }
+
+    /** One case only: its settings are spread over the threads. */
+    void oneCaseOnManyThreads()
+    {
+        StudySpec spec = smallSpec();
+        spec.random = 0;
+        spec.runs = 1;
+        QVERIFY(flown(spec, {.threads = 1}) == flown(spec, {.threads = 3}));
+    }
+
+    void withoutNoiseRunsAreEqual()
+    {
+        Scenario scenario = smallField(1);
+        scenario.noise = false;
+        const Study study =
+            flown({.scenarios = {scenario}, .policies = {PolicyKind::Nearest}, .runs = 3});
+        QCOMPARE(study.outcomes.size(), std::size_t{3});
+        QVERIFY(study.outcomes[0] == study.outcomes[1]);
+        QVERIFY(study.outcomes[0] == study.outcomes[2]);
+    }
+
+    void tauOfTheScenarioIsNotUsed()
+    {
+        StudySpec spec = smallSpec();
+        spec.policies = {PolicyKind::Visitation};
+        const Study before = flown(spec);
+        for (Scenario& scenario : spec.scenarios)
+            scenario.planner.tau = 77;
+        QVERIFY(before.outcomes == flown(spec).outcomes);
     }
 
     void progressCountsMissions()
     {
         std::vector<std::size_t> progress;
-        const SweepSpec spec = smallSweep();
-        const auto onProgress = [&](std::size_t done) { progress.push_back(done); };
-        (void)sweep(spec, {.threads = 3, .onProgress = onProgress});
-        QCOMPARE(progress.size(), missionCount(spec));
-        QVERIFY(std::is_sorted(progress.begin(), progress.end()));
-        QCOMPARE(progress.back(), missionCount(spec));
+        const auto onProgress = [&](const Study& study, std::size_t done, std::size_t count) {
+            QCOMPARE(count, std::size_t{24});
+            QCOMPARE(flownCount(study), done);
+            progress.push_back(done);
+        };
+        flown(smallSpec(), {.threads = 3, .onProgress = onProgress});
+        QCOMPARE(progress.size(), std::size_t{25}); // the start too
+        for (std::size_t i = 0; i < progress.size(); ++i)
+            QCOMPARE(progress[i], i);
     }
 
-    void stoppedSweepHasNoRows()
+    void stoppedAndCarriedOn_data()
+    {
+        QTest::addColumn<int>("threads");
+        QTest::newRow("one thread") << 1;
+        QTest::newRow("three threads") << 3;
+    }
+    void stoppedAndCarriedOn()
+    {
+        QFETCH(const int, threads);
+        const Study whole = flown(smallSpec());
+        Study study{.spec = smallSpec()};
+        for (std::size_t last = 0; flownCount(study) < 24; last = flownCount(study)) {
+            std::stop_source source;
+            const bool complete = fly(study, stoppingAfter(last + 5, source, threads));
+            QCOMPARE(complete, flownCount(study) == 24);
+            QVERIFY(flownCount(study) > last);
+        }
+        QVERIFY(study == whole);
+        QVERIFY(fly(study)); // nothing left
+        QVERIFY(study == whole);
+    }
+
+    void stoppedBeforeTheStart()
     {
         std::stop_source source;
-        const auto onProgress = [&](std::size_t done) {
-            if (done == 2)
-                source.request_stop();
+        source.request_stop();
+        Study study{.spec = smallSpec()};
+        QVERIFY(!fly(study, {.stop = source.get_token()}));
+        QCOMPARE(flownCount(study), std::size_t{0});
+    }
+
+    /** What has been flown is kept when the caller's own work fails. */
+    void keptWhenSomethingThrows()
+    {
+        const auto onProgress = [](const Study&, std::size_t done, std::size_t) {
+            if (done == 9)
+                throw Error(ErrorCode::FileUnwritable, "disk", "full");
         };
-        const SweepResult result = sweep(
-            smallSweep(), {.threads = 2, .stop = source.get_token(), .onProgress = onProgress});
-        QVERIFY(!result.complete);
-        QVERIFY(result.rows.empty());
+        Study study{.spec = smallSpec()};
+        QCOMPARE(codeOf([&] { fly(study, {.threads = 1, .onProgress = onProgress}); }),
+                 std::string("FileUnwritable"));
+        QCOMPARE(flownCount(study), std::size_t{9});
+        QVERIFY(fly(study));
+        QVERIFY(study == flown(smallSpec()));
     }
 
-    void badScenarioIsReported()
+    void shardsAreTheWhole_data()
     {
-        SweepSpec spec = smallSweep();
-        spec.scenarios[1].wind_mps = {30, 0}; // faster than the UAV
-        QVERIFY_EXCEPTION_THROWN((void)sweep(spec, {}), Error);
+        QTest::addColumn<QList<int>>("order");
+        QTest::newRow("in order") << QList<int>{1, 2, 3};
+        QTest::newRow("turned round") << QList<int>{3, 2, 1};
+        QTest::newRow("one twice") << QList<int>{2, 3, 1, 2};
+    }
+    void shardsAreTheWhole()
+    {
+        QFETCH(const QList<int>, order);
+        std::vector<Study> parts;
+        for (const int index : order) {
+            parts.push_back({.spec = smallSpec()});
+            QVERIFY(fly(parts.back(), {.shard = {.index = index, .count = 3}}));
+            QCOMPARE(flownCount(parts.back()), std::size_t{8});
+            // Cases c with c mod 3 = index - 1, whole.
+            QVERIFY(parts.back().outcomes.at(4 * static_cast<std::size_t>(index - 1)));
+        }
+        QVERIFY(merge(parts) == flown(smallSpec()));
     }
 
-    /** Options reach the missions; recording does not change a result. */
-    void optionsReachTheMissions()
+    /** More shards than cases: some have nothing to do. */
+    void emptyShard()
     {
-        SweepSpec spec = smallSweep();
-        const SweepResult plain = sweep(spec, {});
-        spec.options.record = true;
-        spec.options.warmStart = false;
-        const SweepResult other = sweep(spec, {});
-        // Exact at this size: without warm start the same plans.
-        QVERIFY(plain.rows.at(0).zeta_m2s == other.rows.at(0).zeta_m2s);
-        spec.options.workLimit = 0; // no plan from the solver: the nearest one is flown to
-        const SweepResult limited = sweep(spec, {});
-        QVERIFY(plain.rows.at(0).zeta_m2s != limited.rows.at(0).zeta_m2s);
+        Study study{.spec = smallSpec()};
+        QVERIFY(fly(study, {.shard = {.index = 9, .count = 9}}));
+        QCOMPARE(flownCount(study), std::size_t{0});
+        QVERIFY(merge({study, flown(smallSpec())}) == flown(smallSpec()));
+    }
+
+    void shardThatIsNone_data()
+    {
+        QTest::addColumn<int>("index");
+        QTest::addColumn<int>("count");
+        QTest::newRow("0 of 3") << 0 << 3;
+        QTest::newRow("4 of 3") << 4 << 3;
+        QTest::newRow("1 of 0") << 1 << 0;
+    }
+    void shardThatIsNone()
+    {
+        QFETCH(const int, index);
+        QFETCH(const int, count);
+        Study study{.spec = smallSpec()};
+        QCOMPARE(codeOf([&] {
+                     fly(study, {.shard = {index, count}});
+                 }),
+                 std::string("InvalidInput"));
+    }
+
+    void mergeRefusesOtherStudies()
+    {
+        Study other{.spec = smallSpec()};
+        other.spec.taus.push_back(3);
+        const auto error = errorOf([&] { (void)merge({{.spec = smallSpec()}, other}); });
+        QVERIFY(error);
+        QCOMPARE(error->code(), ErrorCode::InvalidInput);
+        QCOMPARE(error->issues().at(0).field, std::string("taus"));
+    }
+
+    void mergeRefusesContradictions()
+    {
+        const Study study = flown(smallSpec());
+        Study other = study;
+        other.outcomes[5]->metrics.zeta_m2s += 1;
+        const auto error = errorOf([&] { (void)merge({study, other}); });
+        QVERIFY(error);
+        QCOMPARE(error->code(), ErrorCode::InvalidInput);
+        QVERIFY(std::string(error->what()).find("setting 2 of case 2") != std::string::npos);
+    }
+
+    void differingMembers()
+    {
+        const StudySpec spec = smallSpec();
+        QCOMPARE(differingMember(spec, spec), std::string());
+        const auto changed = [&](const auto& change) {
+            StudySpec other = spec;
+            change(other);
+            return differingMember(spec, other);
+        };
+        QCOMPARE(changed([](StudySpec& s) { s.name = "x"; }), std::string("name"));
+        QCOMPARE(changed([](StudySpec& s) { s.taus[0] = 0; }), std::string("taus"));
+        QCOMPARE(changed([](StudySpec& s) { s.policies.pop_back(); }), std::string("policies"));
+        QCOMPARE(changed([](StudySpec& s) { s.runs = 1; }), std::string("runs"));
+        QCOMPARE(changed([](StudySpec& s) { s.random = 1; }), std::string("random"));
+        QCOMPARE(changed([](StudySpec& s) { s.firstSeed = 1; }), std::string("first_seed"));
+        QCOMPARE(changed([](StudySpec& s) { s.field.icebergs = 1; }), std::string("field"));
+        QCOMPARE(changed([](StudySpec& s) { s.scenarios[0].seed = 9; }), std::string("scenarios"));
+    }
+
+    /** The last of many scenarios is faulty: nothing is flown before that is found. */
+    void badScenarioIsReportedFirst()
+    {
+        Study study{.spec = smallSpec()};
+        study.spec.scenarios.push_back(smallField(2));
+        study.spec.scenarios.back().wind_mps = {30, 0}; // faster than the UAV
+        QCOMPARE(codeOf([&] { fly(study); }), std::string("InvalidInput"));
+        QCOMPARE(flownCount(study), std::size_t{0});
+    }
+
+    void unsupportedPolicyIsReportedFirst()
+    {
+        Study study{.spec = smallSpec()};
+        study.spec.scenarios[0].planner.backend = Backend::Cbc;
+        study.spec.policies.push_back(PolicyKind::Latency); // not in any of its MILPs
+        QCOMPARE(codeOf([&] { fly(study); }), std::string("Unsupported"));
+        QCOMPARE(flownCount(study), std::size_t{0});
+    }
+
+    void faultsOfTheNumbers_data()
+    {
+        QTest::addColumn<QString>("field");
+        const auto row = [](const char* field) { QTest::newRow(field) << field; };
+        row("random");
+        row("runs");
+        row("first_seed");
+        row("field.icebergs");
+        row("field.size_m[1]");
+        row("field.speed_max_mps");
+        row("field.sigma_max_m2");
+        row("field.q_m2ps");
+        row("taus[1]");
+        row("policies");
+        row("scenarios");
+        row("");
+    }
+    void faultsOfTheNumbers()
+    {
+        QFETCH(const QString, field);
+        const std::map<QString, std::function<void(StudySpec&)>> changes{
+            {"random", [](StudySpec& s) { s.random = -1; }},
+            {"runs", [](StudySpec& s) { s.runs = 0; }},
+            {"first_seed", [](StudySpec& s) { s.firstSeed = std::int64_t{1} << 53; }},
+            {"field.icebergs", [](StudySpec& s) { s.field.icebergs = 1001; }},
+            {"field.size_m[1]", [](StudySpec& s) { s.field.size_m.y() = -1; }},
+            {"field.speed_max_mps", [](StudySpec& s) { s.field.speedMax_mps = 6; }},
+            {"field.sigma_max_m2", [](StudySpec& s) { s.field.sigmaMax_m2 = 0.5; }},
+            {"field.q_m2ps", [](StudySpec& s) { s.field.q_m2ps = -0.1; }},
+            {"taus[1]", [](StudySpec& s) { s.taus[1] = 101; }},
+            {"policies", [](StudySpec& s) { s.policies.clear(); }},
+            {"scenarios",
+             [](StudySpec& s) {
+                 s.scenarios.clear();
+                 s.random = 0;
+             }},
+            {"", [](StudySpec& s) { s.runs = 1'000'000; }}}; // too many missions
+        QVERIFY(validate(smallSpec()).empty());
+        Study study{.spec = smallSpec()};
+        changes.at(field)(study.spec);
+        const std::vector<Issue> issues = validate(study.spec);
+        QCOMPARE(issues.size(), std::size_t{1});
+        QCOMPARE(QString::fromStdString(issues[0].field), field);
+        QCOMPARE(codeOf([&] { fly(study); }), std::string("InvalidInput"));
+    }
+
+    void outcomesThatDoNotFit()
+    {
+        Study study{.spec = smallSpec()};
+        study.outcomes.resize(23);
+        const auto error = errorOf([&] { fly(study); });
+        QVERIFY(error);
+        QCOMPARE(error->issues().at(0).field, std::string("outcomes"));
     }
 
     void seedsOfRuns()
@@ -215,9 +385,9 @@ private slots:
         addIceberg(scenario, 1500, 0);
         addIceberg(scenario, 2600, 0);
         addIceberg(scenario, 2000, 9000);
-        QCOMPARE(onlyRow(scenario, PolicyKind::Nearest).stuckShare, 1.0);
+        QCOMPARE(isStuck(scenario, PolicyKind::Nearest), true);
         scenario.icebergs[2].position_m = {2000, 1000};
-        QCOMPARE(onlyRow(scenario, PolicyKind::Path).stuckShare, 0.0);
+        QCOMPARE(isStuck(scenario, PolicyKind::Path), false);
     }
 
     /** Circling while both are in view is no third iceberg. */
@@ -233,7 +403,7 @@ private slots:
             if (plan.time_s >= 500)
                 targets.insert(plan.target);
         QVERIFY((targets == std::set<int>{-1, 0, 1})); // the case asked for
-        QCOMPARE(onlyRow(scenario, PolicyKind::Visitation).stuckShare, 1.0);
+        QCOMPARE(isStuck(scenario, PolicyKind::Visitation), true);
     }
 };
 

@@ -1,9 +1,6 @@
-#include "core/scenario/presets.h"
-#include "core/study/study.h"
+#include "core/study/study_summary.h"
 
 #include <QTest>
-
-#include <algorithm>
 
 using namespace berg;
 
@@ -15,18 +12,14 @@ class TestCoverageGain : public QObject
 private slots:
     void beatsThePaper()
     {
-        SweepSpec spec{.taus = {1}, .policies = {PolicyKind::Visitation, PolicyKind::Coverage}};
-        for (int seed = 301; seed <= 330; ++seed)
-            spec.scenarios.push_back(randomScenario(seed));
-        const SweepResult result = sweep(spec, {});
-        double sum = 0;
-        double worst = -1;
-        for (std::size_t i = 0; i < spec.scenarios.size(); ++i) {
-            const double change = result.rows[1].zeta_m2s[i] / result.rows[0].zeta_m2s[i] - 1;
-            sum += change;
-            worst = std::max(worst, change);
-        }
-        const double mean = sum / static_cast<double>(spec.scenarios.size());
+        Study study{.spec = {.random = 30,
+                             .firstSeed = 301,
+                             .taus = {1},
+                             .policies = {PolicyKind::Visitation, PolicyKind::Coverage}}};
+        QVERIFY(fly(study));
+        const PairedDifference gain = summarise(study, 0).differences.at(1);
+        const double mean = gain.relative.mean;
+        const double worst = gain.worst;
         qInfo("mean %.2f %%, worst %.2f %%", 100 * mean, 100 * worst);
         QVERIFY(mean < -0.12);
         QVERIFY(worst < 0);
@@ -34,12 +27,13 @@ private slots:
 
     void threadsDoNotMatter()
     {
-        SweepSpec spec{.policies = {PolicyKind::Coverage}, .options = {.workLimit = 20'000}};
-        for (int seed = 1; seed <= 6; ++seed)
-            spec.scenarios.push_back(randomScenario(seed));
-        const SweepResult one = sweep(spec, {.threads = 1});
-        const SweepResult four = sweep(spec, {.threads = 4});
-        QVERIFY(one.rows[0].zeta_m2s == four.rows[0].zeta_m2s);
+        const StudySpec spec{
+            .random = 3, .field = {.icebergs = 6}, .policies = {PolicyKind::Coverage}};
+        Study one{.spec = spec};
+        Study four{.spec = spec};
+        QVERIFY(fly(one, {.threads = 1}));
+        QVERIFY(fly(four, {.threads = 4}));
+        QVERIFY(one == four);
     }
 };
 

@@ -1,6 +1,5 @@
 #include "core/plan/names.h"
-#include "core/scenario/presets.h"
-#include "core/study/study.h"
+#include "core/study/study_summary.h"
 
 #include <QtTest>
 
@@ -32,9 +31,9 @@ constexpr Reference kReference[] = {
     {PolicyKind::Path, 0, 83.8e3, -1},           {PolicyKind::Tour, 0, 82.2e3, -1},
 };
 
-SweepSpec paperSpec(double dt_s)
+StudySpec paperSpec(double dt_s)
 {
-    SweepSpec spec;
+    StudySpec spec;
     for (int seed = 1; seed <= kScenarios; ++seed) {
         spec.scenarios.push_back(randomScenario(seed));
         spec.scenarios.back().dt_s = dt_s;
@@ -42,10 +41,17 @@ SweepSpec paperSpec(double dt_s)
     return spec;
 }
 
-const SweepRow* rowOf(const SweepResult& result, const Reference& reference)
+StudySummary flown(const StudySpec& spec)
 {
-    for (const SweepRow& row : result.rows)
-        if (row.policy == reference.policy && row.tau.value_or(0) == reference.tau)
+    Study study{.spec = spec};
+    fly(study);
+    return summarise(study, 0);
+}
+
+const SettingSummary* rowOf(const StudySummary& summary, const Reference& reference)
+{
+    for (const SettingSummary& row : summary.settings)
+        if (row.setting.policy == reference.policy && row.setting.tau.value_or(0) == reference.tau)
             return &row;
     return nullptr;
 }
@@ -59,12 +65,12 @@ class TestPaperCases : public QObject
 private slots:
     void initTestCase()
     {
-        SweepSpec spec = paperSpec(0.1);
+        StudySpec spec = paperSpec(0.1);
         spec.taus = {0, 0.5, 1, 1.5, 3, 5};
         spec.policies = {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour,
                          PolicyKind::Latency};
-        m_result = sweep(spec, {});
-        QVERIFY(m_result.complete);
+        m_summary = flown(spec);
+        QCOMPARE(m_summary.cases.size(), std::size_t{kScenarios});
     }
 
     void meanZeta_data()
@@ -79,13 +85,13 @@ private slots:
     {
         QFETCH(int, index);
         const Reference& reference = kReference[index];
-        const SweepRow* row = rowOf(m_result, reference);
+        const SettingSummary* row = rowOf(m_summary, reference);
         QVERIFY(row != nullptr);
-        QCOMPARE(row->summary.n, kScenarios);
-        const double allowed_m2s = 3 * std::sqrt(2.0) * row->summary.standardError;
-        QVERIFY2(std::abs(row->summary.mean - reference.mean_m2s) <= allowed_m2s,
+        QCOMPARE(row->zeta_m2s.n, kScenarios);
+        const double allowed_m2s = 3 * std::sqrt(2.0) * row->zeta_m2s.standardError;
+        QVERIFY2(std::abs(row->zeta_m2s.mean - reference.mean_m2s) <= allowed_m2s,
                  qPrintable(QString("%1 against %2, allowed %3")
-                                .arg(row->summary.mean)
+                                .arg(row->zeta_m2s.mean)
                                 .arg(reference.mean_m2s)
                                 .arg(allowed_m2s)));
     }
@@ -96,7 +102,7 @@ private slots:
         for (const Reference& reference : kReference) {
             if (reference.stuckShare < 0)
                 continue;
-            const double share = rowOf(m_result, reference)->stuckShare;
+            const double share = rowOf(m_summary, reference)->stuckShare;
             // Three binomial standard deviations of the difference, and one case for shares of 0.
             const double p = reference.stuckShare;
             const double allowed = 3 * std::sqrt(2 * p * (1 - p) / kScenarios) + 1.0 / kScenarios;
@@ -109,7 +115,7 @@ private slots:
     void tauOneIsGood()
     {
         const auto mean = [&](double tau) {
-            return rowOf(m_result, {PolicyKind::Visitation, tau, 0, 0})->summary.mean;
+            return rowOf(m_summary, {PolicyKind::Visitation, tau, 0, 0})->zeta_m2s.mean;
         };
         for (const double tau : {0.0, 0.5, 1.5, 3.0, 5.0})
             QVERIFY(mean(1) < mean(tau));
@@ -121,8 +127,8 @@ private slots:
      */
     void latencyIsBetterThanTauOne()
     {
-        const double tauOne = rowOf(m_result, {PolicyKind::Visitation, 1, 0, 0})->summary.mean;
-        const double latency = rowOf(m_result, {PolicyKind::Latency, 0, 0, 0})->summary.mean;
+        const double tauOne = rowOf(m_summary, {PolicyKind::Visitation, 1, 0, 0})->zeta_m2s.mean;
+        const double latency = rowOf(m_summary, {PolicyKind::Latency, 0, 0, 0})->zeta_m2s.mean;
         const double difference = latency / tauOne - 1;
         QVERIFY2(std::abs(difference + 0.054) < 0.015, qPrintable(QString::number(difference)));
     }
@@ -130,17 +136,17 @@ private slots:
     /** Halving the time step moves the mean by under 0.6 %, single cases may flip a decision. */
     void timeStepHardlyMatters()
     {
-        SweepSpec spec = paperSpec(0.05);
+        StudySpec spec = paperSpec(0.05);
         spec.taus = {1};
         spec.policies = {PolicyKind::Visitation};
-        const SweepResult fine = sweep(spec, {});
-        const double coarse = rowOf(m_result, {PolicyKind::Visitation, 1, 0, 0})->summary.mean;
-        const double difference = fine.rows.at(0).summary.mean / coarse - 1;
+        const StudySummary fine = flown(spec);
+        const double coarse = rowOf(m_summary, {PolicyKind::Visitation, 1, 0, 0})->zeta_m2s.mean;
+        const double difference = fine.settings.at(0).zeta_m2s.mean / coarse - 1;
         QVERIFY2(std::abs(difference) < 0.006, qPrintable(QString::number(difference)));
     }
 
 private:
-    SweepResult m_result;
+    StudySummary m_summary;
 };
 
 QTEST_APPLESS_MAIN(TestPaperCases)

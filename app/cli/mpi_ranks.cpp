@@ -1,0 +1,243 @@
+#include "app/cli/console.h"
+#include "app/cli/mpi_session.h"
+#include "app/cli/shard_flight.h"
+#include "app/cli/sweep_flight.h"
+#include "core/base/random.h"
+#include "core/io/study_json.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+namespace berg::cli {
+
+namespace {
+
+/** Between two looks at messages and at what has been flown; the flying has threads of its own. */
+void pause()
+{
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+std::vector<char> bytesOf(const std::vector<SentOutcome>& outcomes)
+{
+    std::vector<char> bytes(outcomes.size() * sizeof(SentOutcome));
+    std::memcpy(bytes.data(), outcomes.data(), bytes.size());
+    return bytes;
+}
+
+std::vector<SentOutcome> outcomesOf(const std::vector<char>& bytes)
+{
+    std::vector<SentOutcome> outcomes(bytes.size() / sizeof(SentOutcome));
+    std::memcpy(outcomes.data(), bytes.data(), bytes.size());
+    return outcomes;
+}
+
+/** Code of an `Error` and its text; the code of a bug is that of no error. */
+constexpr char kBug = -1;
+
+std::vector<char> bytesOf(const std::exception_ptr& failure)
+{
+    std::vector<char> bytes{kBug};
+    std::string text = "unknown failure";
+    try {
+        std::rethrow_exception(failure);
+    } catch (const Error& error) {
+        bytes.front() = static_cast<char>(error.code());
+        text = error.what();
+    } catch (const std::exception& error) {
+        text = error.what();
+    }
+    bytes.insert(bytes.end(), text.begin(), text.end());
+    return bytes;
+}
+
+std::exception_ptr failureOf(const MpiSession::Message& message)
+{
+    const std::string subject = "rank " + std::to_string(message.from);
+    const std::string text(message.bytes.begin() + 1, message.bytes.end());
+    if (message.bytes.front() == kBug)
+        return std::make_exception_ptr(std::runtime_error(subject + ": " + text));
+    return std::make_exception_ptr(
+        Error(static_cast<ErrorCode>(message.bytes.front()), subject, text));
+}
+
+/** What every rank but the first does. */
+void follow(const MpiSession& session, Study study, const StudyOptions& options)
+{
+    ShardFlight flight(std::move(study), options);
+    bool told = false;
+    for (;; pause()) {
+        while (const auto message = session.receive()) {
+            if (message->tag == Tag::End)
+                return;
+            flight.stop();
+        }
+        if (told)
+            continue;
+        const bool last = flight.hasEnded();
+        if (const std::vector<SentOutcome> news = flight.take(); !news.empty())
+            session.send(0, Tag::Outcomes, bytesOf(news));
+        if (last && flight.failure())
+            session.send(0, Tag::Failure, bytesOf(flight.failure()));
+        if (last)
+            session.send(0, Tag::Final);
+        told = last;
+    }
+}
+
+/** A rank that is not able to tell the first one what is wrong ends them all. */
+void followOrAbort(const MpiSession& session, const StudyOptions& options)
+{
+    try {
+        const std::string text = session.shared({});
+        if (!text.empty())
+            follow(session, studyFromJson(text, "study"), options);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "rank %d: %s\n", session.rank(), error.what());
+        session.abort(kFailure);
+    }
+}
+
+/** What the first rank does while the missions are flown. */
+class Leader
+{
+public:
+    Leader(const MpiSession& session, const SweepLead& lead, Study& study, const Shard& shard)
+        : m_session(session), m_lead(lead), m_study(study), m_waitingFor(session.size() - 1)
+    {
+        m_study.outcomes.resize(missionCount(m_study.spec));
+        const std::size_t settings = settingsOf(m_study.spec).size();
+        const auto parts = static_cast<std::size_t>(shard.count);
+        for (std::size_t i = 0; i < m_study.outcomes.size(); ++i)
+            if (i / settings % parts == static_cast<std::size_t>(shard.index - 1)) {
+                ++m_count;
+                m_done += m_study.outcomes[i] ? 1U : 0U;
+            }
+    }
+
+    /** Whether all missions of the shard are flown; throws the first failure of any rank. */
+    bool run(const StudyOptions& options)
+    {
+        ShardFlight flight(m_study, options);
+        for (bool ended = false; m_waitingFor > 0 || !ended; pause()) {
+            receive();
+            ended = flight.hasEnded();
+            for (const SentOutcome& outcome : flight.take())
+                add(outcome);
+            if (ended && flight.failure())
+                fail(flight.failure());
+            showProgress();
+            if (options.stop.stop_requested() || m_failure)
+                stopAll(flight);
+        }
+        if (m_failure)
+            std::rethrow_exception(m_failure);
+        return m_done == m_count;
+    }
+
+private:
+    void receive()
+    {
+        while (const auto message = m_session.receive()) {
+            if (message->tag == Tag::Outcomes)
+                for (const SentOutcome& outcome : outcomesOf(message->bytes))
+                    add(outcome);
+            else if (message->tag == Tag::Failure)
+                fail(failureOf(*message));
+            else
+                --m_waitingFor;
+        }
+    }
+
+    void add(const SentOutcome& outcome)
+    {
+        m_study.outcomes.at(outcome.place) = unpacked(outcome);
+        ++m_done;
+    }
+
+    void fail(const std::exception_ptr& failure)
+    {
+        if (!m_failure)
+            m_failure = failure;
+    }
+
+    void showProgress()
+    {
+        if (m_failure)
+            return;
+        try {
+            m_lead.progress(m_study, m_done, m_count);
+        } catch (...) {
+            fail(std::current_exception());
+        }
+    }
+
+    void stopAll(ShardFlight& flight)
+    {
+        if (std::exchange(m_stopped, true))
+            return;
+        flight.stop();
+        m_session.tellOthers(Tag::Stop);
+    }
+
+    const MpiSession& m_session;
+    const SweepLead& m_lead;
+    Study& m_study;
+    std::size_t m_done = 0;
+    std::size_t m_count = 0;
+    int m_waitingFor;
+    bool m_stopped = false;
+    std::exception_ptr m_failure;
+};
+
+/** The first rank: `prepare` in it alone, so that files are read and errors told once. */
+Study prepareForAll(const MpiSession& session, const SweepLead& lead, bool sameOptions)
+{
+    try {
+        if (!sameOptions)
+            throw UsageError{"sweep: the processes of MPI were given different options"};
+        Study study = lead.prepare();
+        static_cast<void>(session.shared(studyToJson(study)));
+        return study;
+    } catch (...) {
+        static_cast<void>(session.shared({}));
+        throw;
+    }
+}
+
+int leadAll(const MpiSession& session, const SweepLead& lead, Study study,
+            const StudyOptions& options, const Shard& shard)
+{
+    bool complete = false;
+    try {
+        complete = Leader(session, lead, study, shard).run(options);
+    } catch (...) {
+        session.tellOthers(Tag::End);
+        lead.keep(study);
+        throw;
+    }
+    session.tellOthers(Tag::End);
+    lead.keep(study);
+    return lead.finish(study, complete);
+}
+
+} // namespace
+
+int flyOnRanks(const SweepLead& lead, const StudyOptions& options, const std::string& commandLine)
+{
+    const MpiSession session;
+    StudyOptions own = options;
+    if (const int cores = session.coresEach(); own.threads == 0)
+        own.threads = cores;
+    own.shard = {.index = options.shard.index + options.shard.count * session.rank(),
+                 .count = options.shard.count * session.size()};
+    const bool same = session.isSameInAll(stableHash(commandLine));
+    if (session.rank() == 0)
+        return leadAll(session, lead, prepareForAll(session, lead, same), own, options.shard);
+    followOrAbort(session, own);
+    return kDone; // the first one says how it went
+}
+
+} // namespace berg::cli

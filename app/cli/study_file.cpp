@@ -1,0 +1,68 @@
+#include "app/cli/study_file.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/study_json.h"
+
+#include <algorithm>
+#include <sys/stat.h>
+
+namespace berg::cli {
+
+namespace {
+
+std::optional<FileStamp> stampOf(const std::string& path)
+{
+    struct stat found = {};
+    if (::stat(path.c_str(), &found) != 0)
+        return std::nullopt;
+    constexpr std::int64_t kPerSecond = 1'000'000'000;
+    return FileStamp{.node = static_cast<std::int64_t>(found.st_ino),
+                     .bytes = found.st_size,
+                     .changed_ns = found.st_mtim.tv_sec * kPerSecond + found.st_mtim.tv_nsec};
+}
+
+} // namespace
+
+StudyFile::StudyFile(std::string path, bool force) : m_path(std::move(path)), m_force(force) {}
+
+Study StudyFile::open(StudySpec spec)
+{
+    if (!isKept())
+        return {.spec = std::move(spec)};
+    m_stamp = stampOf(m_path);
+    if (!m_stamp)
+        return {.spec = std::move(spec)};
+    // Not `loadStudy`: a report, which that reads as well, would be replaced by a study file.
+    Study found = studyFromJson(readFile(m_path), m_path);
+    const std::string member = differingMember(found.spec, spec);
+    if (member.empty())
+        return found;
+    if (!m_force)
+        throw Error(ErrorCode::InvalidInput, m_path,
+                    {{Severity::Error, member,
+                      "differs: this is the file of another study (--force replaces it)"}});
+    return {.spec = std::move(spec)};
+}
+
+void StudyFile::save(const Study& study)
+{
+    if (!isKept())
+        return;
+    if (stampOf(m_path) != m_stamp)
+        throw Error(ErrorCode::FileUnwritable, m_path,
+                    "was changed by another program: each shard needs a file of its own");
+    const Stopwatch watch;
+    saveStudy(study, m_path);
+    m_stamp = stampOf(m_path);
+    constexpr double kInterval_s = 5;
+    constexpr double kTimesTheCost = 30;
+    m_next_s = m_running.elapsed_s() + std::max(kInterval_s, kTimesTheCost * watch.elapsed_s());
+}
+
+void StudyFile::saveSometimes(const Study& study)
+{
+    if (isKept() && m_running.elapsed_s() >= m_next_s)
+        save(study);
+}
+
+} // namespace berg::cli

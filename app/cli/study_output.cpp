@@ -1,0 +1,143 @@
+#include "app/cli/study_output.h"
+
+#include "app/cli/console.h"
+#include "core/io/atomic_file.h"
+#include "core/io/machine_text.h"
+#include "core/io/result_json.h"
+#include "core/io/study_report.h"
+#include "core/io/utc_time.h"
+#include "core/plan/names.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace berg::cli {
+
+namespace {
+
+std::string settingText(const StudySetting& setting)
+{
+    const std::string policy = nameOf(kPolicyNames, setting.policy);
+    return setting.tau ? policy + " at tau " + fixed(*setting.tau, 2) : policy;
+}
+
+/** "-15.8 %", with the sign of a difference; what is less than is shown has none. */
+std::string percent(double share)
+{
+    const double value = std::round(1000 * share) / 10;
+    return (value > 0 ? "+" : "") + fixed(value == 0 ? 0 : value, 1) + " %";
+}
+
+std::string intervalText(const MeanInterval& relative)
+{
+    return percent(relative.low) + " .. " + percent(relative.high);
+}
+
+std::string rowText(const SettingSummary& row, const PairedDifference& difference)
+{
+    const Summary& s = row.zeta_m2s;
+    std::string text = nameOf(kPolicyNames, row.setting.policy);
+    text.resize(12, ' ');
+    return text + column(row.setting.tau ? fixed(*row.setting.tau, 2) : "-", 7) +
+           column(std::to_string(s.n), 7) + column(grouped(s.mean), 10) +
+           column(grouped(s.standardError), 8) + column(grouped(s.median), 10) +
+           column(grouped(s.quartile1), 10) + column(grouped(s.quartile3), 10) +
+           column(fixed(100 * row.stuckShare, 1) + " %", 9) +
+           column(percent(difference.relative.mean), 10) +
+           column(intervalText(difference.relative), 22) +
+           column(fixed(100 * difference.lowerShare, 1) + " %", 9) +
+           column(percent(difference.worst), 10) + '\n';
+}
+
+std::string bestTauText(const BestTau& best)
+{
+    return "best tau of each case in hindsight: " + fixed(best.tau.decile1, 2) + " / " +
+           fixed(best.tau.median, 2) + " / " + fixed(best.tau.decile9, 2) +
+           " (10 / 50 / 90 %), mean zeta " + grouped(best.zeta_m2s.mean) + ", difference " +
+           percent(best.relative.mean) + " (" + intervalText(best.relative) + ")\n";
+}
+
+std::string tableText(const StudySummary& summary)
+{
+    std::string text = "policy          tau      n      mean      +-    median      25 %      75 %"
+                       "    stuck  difference     95 % interval    lower     worst\n";
+    for (std::size_t i = 0; i < summary.settings.size(); ++i)
+        text += rowText(summary.settings[i], summary.differences.at(i));
+    text += "zeta in m2 s; stuck: two icebergs at most in the last half of the run\n";
+    if (summary.reference < summary.settings.size())
+        text += "difference: case by case to " +
+                settingText(summary.settings[summary.reference].setting) +
+                "; lower: share of cases below it; worst: the largest difference of a case\n";
+    if (summary.bestTau)
+        text += bestTauText(*summary.bestTau);
+    return text;
+}
+
+ReportOrigin originNow(const std::optional<double>& elapsed_s)
+{
+    const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    return {.program = std::string("Bergwatch ") + BERG_VERSION,
+            .machine = machineText(),
+            .madeUtc = utcText(now, 0),
+            .elapsed_s = elapsed_s};
+}
+
+void sayWhenIncomplete(const Study& study)
+{
+    const std::size_t flown = flownCount(study);
+    if (const std::size_t count = missionCount(study.spec); flown < count)
+        std::fprintf(stderr,
+                     "not complete: %s of %s missions are flown; counted are the cases with all "
+                     "their settings\n",
+                     grouped(static_cast<double>(flown)).c_str(),
+                     grouped(static_cast<double>(count)).c_str());
+}
+
+} // namespace
+
+void addStudyOutput(CLI::App& command, StudyOutput& output)
+{
+    command.add_option("--reference", output.reference,
+                       "POLICY[:TAU] that differences are measured from; by default tau = 1");
+    command.add_option("--output", output.tableFile, "CSV file for the table");
+    command.add_option("--report", output.reportFile,
+                       "Web page with charts, tables and the whole study");
+    command.add_flag("--json", output.json, "Print one JSON document");
+}
+
+std::size_t referenceOf(const StudySpec& spec, const StudyOutput& output)
+{
+    constexpr double kSameTau = 1e-9; // what is typed against first + k * step
+    if (output.reference.empty())
+        return usualReference(spec);
+    const std::vector<std::string> parts = split(output.reference, ':');
+    const auto policy = valueOf(kPolicyNames, parts.front());
+    if (!policy || parts.size() > 2)
+        throw UsageError{"--reference: " + output.reference + " is not POLICY[:TAU] with one of " +
+                         allowedNames(kPolicyNames)};
+    const bool hasTau = parts.size() == 2;
+    const double tau = hasTau ? numberOf("--reference", parts[1]) : 0;
+    const std::vector<StudySetting> settings = settingsOf(spec);
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        if (settings[i].policy == *policy && settings[i].tau.has_value() == hasTau &&
+            std::abs(settings[i].tau.value_or(tau) - tau) < kSameTau)
+            return i;
+    throw UsageError{"--reference: " + output.reference + " is not flown in this study"};
+}
+
+void writeResults(const Study& study, const StudyOutput& output,
+                  const std::optional<double>& elapsed_s)
+{
+    const StudySummary summary = summarise(study, referenceOf(study.spec, output));
+    sayWhenIncomplete(study);
+    if (!output.tableFile.empty())
+        writeFileAtomically(output.tableFile, sweepCsv(summary));
+    if (!output.reportFile.empty())
+        writeFileAtomically(output.reportFile,
+                            studyReportHtml(study, summary, originNow(elapsed_s)));
+    print(output.json ? sweepJson(study, summary, elapsed_s) : tableText(summary));
+}
+
+} // namespace berg::cli

@@ -1,0 +1,203 @@
+#include "app/cli/commands.h"
+#include "app/cli/study_file.h"
+#include "app/cli/study_output.h"
+#include "app/cli/sweep_flight.h"
+#include "core/io/scenario_json.h"
+#include "core/plan/names.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace berg::cli {
+
+namespace {
+
+/** "0:5:0.5" or "0,0.5,1" or both mixed; the end of a range is included. */
+std::vector<double> tausOf(const std::string& text)
+{
+    constexpr std::size_t kMost = 100000;
+    constexpr double kPerUnit = 1e9; // 3 * 0.1 is meant to be 0.3
+    std::vector<double> taus;
+    for (const std::string& part : split(text, ',')) {
+        const std::vector<std::string> range = split(part, ':');
+        const double first = numberOf("--tau", range.empty() ? part : range[0]);
+        const double last = range.size() > 1 ? numberOf("--tau", range[1]) : first;
+        const double step = range.size() > 2 ? numberOf("--tau", range[2]) : 1;
+        if (range.size() == 2 || range.size() > 3 || !(step > 0) || first < 0 || last < first ||
+            last > 100 || (last - first) / step > static_cast<double>(kMost))
+            throw UsageError{"--tau: " + part + " is not A:B:STEP with 0 <= A <= B <= 100"};
+        const auto count = static_cast<int>(std::floor((last - first) / step + 1e-9));
+        for (int k = 0; k <= count; ++k)
+            taus.push_back(std::round((first + k * step) * kPerUnit) / kPerUnit);
+    }
+    return taus;
+}
+
+struct SweepArguments
+{
+    std::vector<std::string> files;
+    int random = 0;
+    std::int64_t firstSeed = 1;
+    std::string taus;
+    std::string policies = "visitation";
+    int runs = 1;
+    int threads = 0;
+    std::string shard;
+    std::string studyFile;
+    bool force = false;
+    StudyOutput output;
+};
+
+std::vector<PolicyKind> policiesOf(const std::string& names)
+{
+    std::vector<PolicyKind> policies;
+    for (const std::string& name : split(names, ',')) {
+        const auto policy = valueOf(kPolicyNames, name);
+        if (!policy)
+            throw UsageError{"--policies: " + name + " is none of " + allowedNames(kPolicyNames)};
+        policies.push_back(*policy);
+    }
+    return policies;
+}
+
+StudySpec specOf(const SweepArguments& arguments)
+{
+    StudySpec spec{.random = arguments.random,
+                   .firstSeed = arguments.firstSeed,
+                   .taus = tausOf(arguments.taus),
+                   .policies = policiesOf(arguments.policies),
+                   .runs = arguments.runs};
+    if (arguments.files.empty() && arguments.random == 0)
+        throw UsageError{"sweep: name scenarios, or give --random N"};
+    for (const std::string& file : arguments.files)
+        spec.scenarios.push_back(loadScenario(file));
+    return spec;
+}
+
+Shard shardOf(const std::string& text)
+{
+    if (text.empty())
+        return {};
+    Shard shard{.index = 0};
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%9d/%9d%c", &shard.index, &shard.count, &rest) != 2 ||
+        shard.index < 1 || shard.index > shard.count)
+        throw UsageError{"--shard: " + text + " is not I/N with 1 <= I <= N"};
+    return shard;
+}
+
+void checkTogether(const SweepArguments& arguments)
+{
+    const bool isPart = shardOf(arguments.shard).count > 1;
+    if (isPart && arguments.studyFile.empty())
+        throw UsageError{"--shard: the part needs a file to be kept in: --study FILE"};
+    if (isPart && arguments.output.writesFiles())
+        throw UsageError{"--shard: the files of all shards are written by 'study'"};
+    if (arguments.force && arguments.studyFile.empty())
+        throw UsageError{"--force: is for --study FILE"};
+}
+
+/** One `sweep` of the command line. */
+class SweepRun
+{
+public:
+    explicit SweepRun(const SweepArguments& arguments)
+        : m_arguments(arguments), m_file(arguments.studyFile, arguments.force)
+    {
+    }
+
+    int run(const std::stop_token& stop, const std::string& commandLine)
+    {
+        const StudyOptions options{
+            .threads = m_arguments.threads, .shard = shardOf(m_arguments.shard), .stop = stop};
+        const SweepLead lead{
+            .prepare = [this] { return prepare(); },
+            .progress = [this](const Study& study, std::size_t done,
+                               std::size_t count) { progress(study, done, count); },
+            .keep = [this](const Study& study) { keep(study); },
+            .finish = [this](const Study& study,
+                             bool complete) { return finish(study, complete); }};
+        return mpiRank() ? flyOnRanks(lead, options, commandLine) : flyAlone(lead, options);
+    }
+
+private:
+    Study prepare()
+    {
+        checkTogether(m_arguments);
+        Study study = m_file.open(specOf(m_arguments));
+        if (std::vector<Issue> issues = validate(study.spec); !issues.empty())
+            throw Error(ErrorCode::InvalidInput, "sweep", std::move(issues));
+        static_cast<void>(referenceOf(study.spec, m_arguments.output));
+        return study;
+    }
+
+    void progress(const Study& study, std::size_t done, std::size_t count)
+    {
+        if (!m_bar)
+            m_bar.emplace("flying " + grouped(static_cast<double>(count)) + " missions",
+                          !m_arguments.output.json);
+        m_bar->update(count > 0 ? static_cast<double>(done) / static_cast<double>(count) : 1);
+        m_file.saveSometimes(study);
+    }
+
+    void keep(const Study& study)
+    {
+        m_bar.reset();
+        if (flownCount(study) > 0)
+            m_file.save(study);
+    }
+
+    int finish(const Study& study, bool complete)
+    {
+        if (complete) {
+            writeResults(study, m_arguments.output, m_watch.elapsed_s());
+            return kDone;
+        }
+        if (!m_file.isKept())
+            throw Interrupted{};
+        std::fprintf(
+            stderr, "interrupted: %s of %s missions are kept in %s; the same command carries on\n",
+            grouped(static_cast<double>(flownCount(study))).c_str(),
+            grouped(static_cast<double>(missionCount(study.spec))).c_str(), m_file.path().c_str());
+        return kInterrupted;
+    }
+
+    const SweepArguments& m_arguments;
+    StudyFile m_file;
+    Stopwatch m_watch;
+    std::optional<ProgressBar> m_bar;
+};
+
+} // namespace
+
+void addSweepCommand(CLI::App& app, Action& action)
+{
+    CLI::App* command = app.add_subcommand("sweep", "Measure zeta against tau and policy");
+    const auto arguments = std::make_shared<SweepArguments>();
+    SweepArguments& a = *arguments;
+    command->add_option("SCENARIO", a.files, "Scenarios to fly");
+    command->add_option("--random", a.random, "Also fly N random scenarios")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--first-seed", a.firstSeed, "Seed of the first random scenario (1)")
+        ->check(CLI::Range(std::int64_t{0}, (std::int64_t{1} << 53) - 1000000));
+    command->add_option("--tau", a.taus, "A:B:STEP, or values with commas")->required();
+    command->add_option("--policies", a.policies, "With commas: " + allowedNames(kPolicyNames));
+    command->add_option("--runs", a.runs, "Noise seeds for each scenario")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--threads", a.threads, "0: one per core; never changes the result")
+        ->check(CLI::Range(0, 1024));
+    command->add_option("--study", a.studyFile,
+                        "Keep what is flown in this file, and carry on from it");
+    command->add_option("--shard", a.shard, "I/N: fly part I of N only, for 'study' to merge");
+    command->add_flag("--force", a.force, "Replace a --study file of another study");
+    addStudyOutput(*command, a.output);
+    command->callback([arguments, command, &action] {
+        action = [arguments, options = command->config_to_str(true)](const std::stop_token& stop) {
+            return SweepRun(*arguments).run(stop, options);
+        };
+    });
+}
+
+} // namespace berg::cli

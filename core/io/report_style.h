@@ -1,0 +1,97 @@
+#pragma once
+
+#include <string_view>
+
+namespace berg {
+
+/** Style sheet of reports and their drawings: light, dark as the reader's system, light on paper.
+ */
+inline constexpr std::string_view kReportStyle = R"css(
+:root { color-scheme: light dark;
+  --text: #16222b; --muted: #4c5e6a; --page: #ffffff; --panel: #f3f7f9; --rule: #cbd8e0;
+  --grid: #e3eaee; --axis: #84949e; --plan: #1769aa; --warn: #b3263a;
+  --path: #d55e00; --tour: #b05c8e; --nearest: #5c6b75; --uncertainty: #2a86bf;
+  --latency: #008a64; --coverage: #a87400; }
+@media screen and (prefers-color-scheme: dark) { :root {
+  --text: #e8eff3; --muted: #9cb0bc; --page: #111e28; --panel: #182a36; --rule: #2c4150;
+  --grid: #223441; --axis: #6b7f8c; --plan: #5fb3f2; --warn: #ff7a8a;
+  --path: #ff8a4c; --tour: #cc79a7; --nearest: #9cb0bc; --uncertainty: #56b4e9;
+  --latency: #2fc495; --coverage: #e69f00; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 1.5rem 1.25rem 3rem; max-width: 56rem; color: var(--text);
+  background: var(--page); font: 15px/1.5 system-ui, "Segoe UI", "Noto Sans", sans-serif;
+  overflow-wrap: anywhere; }
+h1 { font-size: 1.6rem; line-height: 1.25; margin: 0 0 .25rem; }
+h2 { font-size: 1.15rem; margin: 2rem 0 .5rem; padding-top: .75rem;
+  border-top: 1px solid var(--rule); }
+p { margin: .4rem 0; max-width: 46rem; }
+.lead, figcaption, caption, .muted { color: var(--muted); }
+.incomplete { border-left: 4px solid var(--warn); background: var(--panel); padding: .5rem .8rem; }
+ul.findings { padding-left: 1.2rem; }
+code { font: 13px/1.5 ui-monospace, "DejaVu Sans Mono", monospace; background: var(--panel);
+  padding: .1rem .3rem; }
+pre { background: var(--panel); padding: .6rem .8rem; margin: .5rem 0; white-space: pre-wrap; }
+pre code { padding: 0; }
+dl { display: grid; grid-template-columns: 8rem minmax(0, 1fr); gap: .3rem 1.2rem; }
+dt { grid-column: 1; color: var(--muted); }
+dd { grid-column: 2; margin: 0; }
+figure { margin: .8rem 0 1.4rem; overflow-x: auto; }
+figcaption { font-size: .9rem; max-width: 46rem; }
+.wide { overflow-x: auto; margin: .8rem 0 1.4rem; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .87rem;
+  width: 100%; overflow-wrap: normal; }
+caption { text-align: left; padding-bottom: .3rem; }
+th, td { padding: .15rem .5rem; text-align: right; white-space: nowrap; }
+th:first-child { text-align: left; padding-left: 0; }
+thead th { font-weight: 600; vertical-align: bottom; white-space: normal;
+  border-bottom: 1px solid var(--axis); }
+tbody th { font-weight: 400; }
+tbody tr { border-bottom: 1px solid var(--grid); }
+tr.marked th, tr.marked td { font-weight: 700; }
+svg { display: block; width: 100%; height: auto; }
+svg text { font: 12px system-ui, "Segoe UI", "Noto Sans", sans-serif; fill: var(--text); }
+svg text.muted { fill: var(--muted); }
+svg text.number { font-variant-numeric: tabular-nums; }
+svg text.strong { font-weight: 700; }
+svg line, svg polyline { fill: none; stroke: var(--axis); stroke-width: 1; }
+svg .grid { stroke: var(--grid); }
+svg .most, svg .half { fill: var(--plan); fill-opacity: .13; stroke: none; }
+svg .half { fill-opacity: .2; }
+svg .mean { stroke: var(--plan); stroke-width: 2.5; stroke-linejoin: round; }
+svg .median { stroke: var(--text); stroke-dasharray: 2 3; stroke-width: 1.5; }
+svg .policy { stroke-width: 2; }
+svg .whisker { stroke: var(--text); stroke-width: 1.2; }
+svg .dot, svg .bar { fill: var(--plan); }
+svg .hollow { fill: var(--page); stroke: var(--text); stroke-width: 1.5; }
+svg line.p-visitation { stroke: var(--plan); }
+svg line.p-path { stroke: var(--path); }
+svg line.p-tour { stroke: var(--tour); }
+svg line.p-nearest { stroke: var(--nearest); }
+svg line.p-uncertainty { stroke: var(--uncertainty); }
+svg line.p-latency { stroke: var(--latency); }
+svg line.p-coverage { stroke: var(--coverage); }
+svg .policy.p-path { stroke-dasharray: 9 4; }
+svg .policy.p-tour { stroke-dasharray: 9 3 2 3; }
+svg .policy.p-nearest { stroke-dasharray: 2 3; }
+svg .policy.p-uncertainty { stroke-dasharray: 5 5; }
+svg .policy.p-latency { stroke-dasharray: 14 3; }
+svg circle.p-path { fill: var(--path); }
+svg circle.p-tour { fill: var(--tour); }
+svg circle.p-nearest { fill: var(--nearest); }
+svg circle.p-uncertainty { fill: var(--uncertainty); }
+svg circle.p-latency { fill: var(--latency); }
+svg circle.p-coverage { fill: var(--coverage); }
+@media screen { svg { min-width: 34rem; } }
+@page { size: A4; margin: 15mm 14mm; }
+@media print {
+  body { padding: 0; max-width: none; font-size: 10pt; print-color-adjust: exact;
+    -webkit-print-color-adjust: exact; }
+  table { font-size: 7.5pt; }
+  th, td { padding: .1rem .3rem; }
+  .wide, figure { overflow: visible; }
+  h2 { break-after: avoid; }
+  figure, tr, dd, .incomplete, pre { break-inside: avoid; }
+}
+)css";
+
+} // namespace berg

@@ -1,0 +1,103 @@
+#include "core/scenario/checks.h"
+#include "core/scenario/validate.h"
+#include "core/study/study.h"
+
+namespace berg {
+
+namespace {
+
+constexpr int kMostRandom = 1'000'000;
+constexpr int kMostRuns = 1'000'000;
+constexpr double kLargestSeed = 9007199254740992.0; // 2^53
+constexpr double kLargestTau = 100;
+
+/** Gathers what is wrong with a spec. */
+class SpecFaults
+{
+public:
+    bool check(std::string field, double value, const Limits& limits)
+    {
+        std::string fault = limitsFault(value, limits);
+        if (fault.empty())
+            return true;
+        add(std::move(field), std::move(fault));
+        return false;
+    }
+    void add(std::string field, std::string message)
+    {
+        m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
+    }
+    [[nodiscard]] std::vector<Issue> take() { return std::move(m_issues); }
+
+private:
+    std::vector<Issue> m_issues;
+};
+
+void checkField(const FieldSpec& field, SpecFaults& faults)
+{
+    const Limits length_m{.low = 0, .high = kLargestLength_m};
+    const Limits sigma_m2{.low = 0, .high = kLargestSigma_m2};
+    faults.check("field.icebergs", field.icebergs,
+                 {.low = 0, .high = static_cast<double>(kMostIcebergs)});
+    faults.check("field.size_m[0]", field.size_m.x(), length_m);
+    faults.check("field.size_m[1]", field.size_m.y(), length_m);
+    faults.check("field.speed_max_mps", field.speedMax_mps,
+                 {.low = 0, .high = kLargestVelocity_mps});
+    faults.check("field.sigma_min_m2", field.sigmaMin_m2, sigma_m2);
+    if (faults.check("field.sigma_max_m2", field.sigmaMax_m2, sigma_m2) &&
+        field.sigmaMax_m2 < field.sigmaMin_m2)
+        faults.add("field.sigma_max_m2", "must not be below sigma_min_m2");
+    faults.check("field.q_m2ps", field.q_m2ps, {.low = 0, .high = kLargestGrowth_m2ps});
+}
+
+/** In floating point: a product of hostile numbers must not wrap round. */
+double countEstimate(const StudySpec& spec)
+{
+    return (static_cast<double>(spec.scenarios.size()) + spec.random) * spec.runs *
+           static_cast<double>(spec.taus.size() + spec.policies.size());
+}
+
+} // namespace
+
+std::vector<Issue> validate(const StudySpec& spec)
+{
+    SpecFaults faults;
+    const bool random = faults.check("random", spec.random, {.low = 0, .high = kMostRandom});
+    const bool runs = faults.check("runs", spec.runs, {.low = 1, .high = kMostRuns});
+    faults.check("first_seed", static_cast<double>(spec.firstSeed),
+                 {.low = 0, .high = kLargestSeed - kMostRandom});
+    checkField(spec.field, faults);
+    for (std::size_t i = 0; i < spec.taus.size(); ++i)
+        faults.check(entryPath("taus", i), spec.taus[i], {.low = 0, .high = kLargestTau});
+    if (spec.scenarios.empty() && spec.random == 0)
+        faults.add("scenarios", "must not be empty when random is 0");
+    if (settingsOf(spec).empty())
+        faults.add("policies", "must give a way to fly; visitation needs taus");
+    const bool exact = countEstimate(spec) < 1e15; // whole numbers of this size are exact
+    if (random && runs && (!exact || missionCount(spec) > kMostMissions))
+        faults.add("", "would be " + (exact ? std::to_string(missionCount(spec)) : "far too many") +
+                           " missions; at most " + std::to_string(kMostMissions) +
+                           " fit into one study");
+    return faults.take();
+}
+
+std::string differingMember(const StudySpec& a, const StudySpec& b)
+{
+    if (a.name != b.name)
+        return "name";
+    if (a.taus != b.taus)
+        return "taus";
+    if (a.policies != b.policies)
+        return "policies";
+    if (a.runs != b.runs)
+        return "runs";
+    if (a.random != b.random)
+        return "random";
+    if (a.firstSeed != b.firstSeed)
+        return "first_seed";
+    if (!(a.field == b.field))
+        return "field";
+    return a.scenarios == b.scenarios ? "" : "scenarios";
+}
+
+} // namespace berg
