@@ -8,6 +8,7 @@
 #include <QFontMetricsF>
 #include <QtTest>
 
+#include <cmath>
 #include <set>
 
 using namespace berg;
@@ -44,6 +45,30 @@ bool hasColourNear(const QImage& image, const QPointF& at, int reach_px, const Q
                 return true;
         }
     return false;
+}
+
+/** Of legs that are straight. */
+std::vector<QLineF> linesOf(const std::vector<QPolygonF>& legs)
+{
+    std::vector<QLineF> lines;
+    for (const QPolygonF& leg : legs)
+        lines.push_back(leg.isEmpty() ? QLineF() : QLineF(leg.front(), leg.back()));
+    return lines;
+}
+
+/** From the UAV a quarter circle and a line, then another line. */
+std::vector<MapWay> twoWays(const Point& from_m)
+{
+    MapWay first{.path_m = {from_m}, .aim_m = from_m + Point(1500, 2500)};
+    for (int i = 1; i <= 10; ++i) {
+        const double angle_rad = i * M_PI / 20;
+        first.path_m.emplace_back(from_m +
+                                  1000 * Point(std::sin(angle_rad), 1 - std::cos(angle_rad)));
+    }
+    first.path_m.emplace_back(from_m + Point(1000, 2000));
+    MapWay second{.path_m = {first.path_m.back(), from_m + Point(3000, 2000)},
+                  .aim_m = from_m + Point(3400, 2000)};
+    return {std::move(first), std::move(second)};
 }
 
 } // namespace
@@ -238,7 +263,7 @@ private slots:
         picture.formerFrom_m = Point(500, 600);
         const MapLayout layout = layoutOf(picture, size);
         QVERIFY(layout.legend.height() > legend.height());
-        const std::vector<QLineF> legs = formerLegs(picture, layout);
+        const std::vector<QLineF> legs = linesOf(formerLegs(picture, layout));
         QCOMPARE(legs.size(), std::size_t{2});
         COMPARE_NEAR(QLineF(legs[0].p1(), layout.view.toPixel({500, 600})).length(), 0, 1e-6);
         COMPARE_NEAR(QLineF(legs[1].p2(), layout.icebergs[1].centre_px).length(),
@@ -253,7 +278,82 @@ private slots:
         QVERIFY2(drawn > probes / 4 && drawn < 0.95 * probes, QByteArray::number(drawn)); // dashes
         picture.formerFrom_m.reset();
         const QPointF uav = layout.view.toPixel(picture.uav->position_m);
-        COMPARE_NEAR(QLineF(formerLegs(picture, layout)[0].p1(), uav).length(), 0, 1e-6);
+        COMPARE_NEAR(QLineF(formerLegs(picture, layout)[0].front(), uav).length(), 0, 1e-6);
+    }
+
+    /** Turns and lines in place of lines from symbol to symbol; the aims are marked. */
+    void waysAreDrawnAsTheyAreFlown()
+    {
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = kLocale};
+        const QSize size(1280, 800);
+        MapPicture picture = test::randomPicture(4);
+        picture.track.clear();
+        picture.plan = {0, 2};
+        QVERIFY(planLegs(picture, layoutOf(picture, size))[0].size() == 2);
+        const double legend_px = layoutOf(picture, size).legend.height();
+        picture.planWays = twoWays(picture.uav->position_m);
+        const MapLayout layout = layoutOf(picture, size);
+        QVERIFY(layout.legend.height() > legend_px); // a row for the aims
+        const std::vector<QPolygonF> legs = planLegs(picture, layout);
+        QCOMPARE(legs.size(), std::size_t{2});
+        QCOMPARE(legs[0].size(), qsizetype{12});
+        QCOMPARE(legs[0].back(), legs[1].front());
+        const QImage image = mapImage(picture, style, size, 1);
+        const auto isDrawn = [&](const Point& at_m) {
+            return hasColourNear(image, layout.view.toPixel(at_m), 4, theme.plan);
+        };
+        for (const MapWay& way : picture.planWays)
+            QVERIFY(isDrawn(way.aim_m));
+        const Point from_m = picture.uav->position_m;
+        QVERIFY(isDrawn(from_m + Point(1000, 1700)));
+        QVERIFY(isDrawn(from_m + Point(2000, 2000)));
+        QVERIFY(isDrawn(from_m + 1000 * Point(std::sin(1.2), 1 - std::cos(1.2))));
+
+        picture.formerPlan = {2, 0};
+        picture.formerWays = twoWays(picture.uav->position_m - Point(300, 0));
+        QCOMPARE(formerLegs(picture, layout)[0].size(), qsizetype{12});
+    }
+
+    /** What the UAV sees is all on a fitted map, wherever it stands and turns. */
+    void fitShowsTheFieldOfView_data()
+    {
+        QTest::addColumn<Point>("at_m");
+        QTest::addColumn<double>("psi_rad");
+        QTest::newRow("below") << Point(1500, -3000) << M_PI / 4;
+        QTest::newRow("left") << Point(-4000, 500) << 0.3;
+        QTest::newRow("corner") << Point(6000, 6000) << M_PI / 4;
+        QTest::newRow("among them") << Point(1000, 1000) << 1.0;
+    }
+    void fitShowsTheFieldOfView()
+    {
+        QFETCH(Point, at_m);
+        QFETCH(double, psi_rad);
+        MapPicture picture = test::randomPicture(4);
+        picture.track.clear();
+        picture.uav->position_m = at_m;
+        picture.uav->psi_rad = psi_rad;
+        picture.uav->sensor.fov_m = {1500, 1500};
+        for (const QSize& size : {QSize(960, 445), QSize(1280, 800)}) {
+            const MapLayout layout = layoutOf(picture, size);
+            QVERIFY(layout.rect.contains(fieldOutline(*picture.uav, layout.view).boundingRect()));
+        }
+    }
+
+    /** On a low map, as in the window of 1280 x 800, the legend leaves room for the ice. */
+    void legendOfALowMapIsCompact()
+    {
+        MapPicture picture = test::randomPicture(12);
+        picture.plan = {0, 1, 2};
+        picture.planWays = twoWays(picture.uav->position_m);
+        const MapLayout high = layoutOf(picture, {960, 800});
+        const MapLayout low = layoutOf(picture, {960, 445});
+        QVERIFY(!high.isLegendCompact && low.isLegendCompact);
+        QVERIFY(!low.legend.isNull());
+        const auto area = [](const QRectF& rect) { return rect.width() * rect.height(); };
+        QVERIFY2(area(low.legend) < 0.7 * area(high.legend),
+                 QByteArray::number(area(low.legend) / area(high.legend)));
+        QVERIFY(low.legend.width() < 1.2 * high.legend.width());
     }
 
     /** The water passed is tinted once, below everything; the rest of the sea is not. */
@@ -327,7 +427,7 @@ private slots:
     {
         const MapPicture picture = test::randomPicture(5);
         const MapLayout layout = layoutOf(picture, {1280, 800});
-        const std::vector<QLineF> legs = planLegs(picture, layout);
+        const std::vector<QLineF> legs = linesOf(planLegs(picture, layout));
         QCOMPARE(legs.size(), picture.plan.size());
         const QPointF uav = layout.view.toPixel(picture.uav->position_m);
         COMPARE_NEAR(QLineF(legs[0].p1(), uav).length(), 0, 1e-6);

@@ -1,6 +1,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/scenario_builder.h"
 #include "widgets/map/mission_picture.h"
+#include "widgets/map/scenario_picture.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/plan_rows.h"
 
@@ -21,6 +22,14 @@ Scenario rowOfIcebergs()
     scenario.planner.tau = 50;
     for (int i = 0; i < 4; ++i)
         test::addIceberg(scenario, 3000.0 * (i + 1), 0, 5 + 3.0 * i);
+    return scenario;
+}
+
+/** The same, planned with aim points. */
+Scenario aimed()
+{
+    Scenario scenario = rowOfIcebergs();
+    scenario.planner.policy = PolicyKind::Coverage;
     return scenario;
 }
 
@@ -101,16 +110,87 @@ private slots:
         QCOMPARE(desk.former(), kUncertainFirst);
     }
 
-    /** Straight legs would foretell too much. */
-    void planWithAimPointsHasNoOutlook()
+    /** Times and zeta of a plan with aim points are those that it was made for. */
+    void planWithAimPoints()
     {
         Desk desk;
-        Scenario scenario = rowOfIcebergs();
-        scenario.planner.policy = PolicyKind::Coverage;
+        desk.open(aimed());
+        const PlanEvent plan = *desk.record().now.plan;
+        const std::vector<PlanRow> rows = planRows(desk.record().now, desk.record().scenario);
+        QCOMPARE(rows.size(), plan.order.size());
+        double way_m = 0;
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            QVERIFY(rows[k].isSeen);
+            COMPARE_NEAR(rows[k].arrival_s, plan.outlook->sightings_s[k], 1e-9);
+            QVERIFY(rows[k].arrivalSigma_m2 > rows[k].sigma_m2);
+            way_m += rows[k].leg_m;
+            COMPARE_NEAR(way_m, 22 * rows[k].arrival_s, 1); // turns are cut into chords
+        }
+        const PlanOutlook outlook = planOutlook(desk.record()).value();
+        QVERIFY(outlook.isAimed && !outlook.change && !outlook.until_s);
+        COMPARE_NEAR(outlook.zeta_m2s, plan.outlook->zeta_m2s, 1e-9);
+
+        desk.flyTo(60); // the same, nearer by what is flown
+        COMPARE_NEAR(planOutlook(desk.record())->zeta_m2s, outlook.zeta_m2s, 1e-9);
+        const std::vector<PlanRow> later = planRows(desk.record().now, desk.record().scenario);
+        COMPARE_NEAR(later[0].arrival_s, rows[0].arrival_s - 60, 1e-9);
+        COMPARE_NEAR(later[0].leg_m, rows[0].leg_m - 60 * 22, 3);
+    }
+
+    /** The judgement of a long run ends before it does. */
+    void aimedPlansOfLongRunsLookAsFarAsTheyAreMade()
+    {
+        Scenario scenario = aimed();
+        scenario.duration_s = 5000;
+        Desk desk;
         desk.open(scenario);
-        QVERIFY(!desk.record().now.plan->legs.empty());
-        QVERIFY(!planOutlook(desk.record()));
-        QVERIFY(!planRows(desk.record().now, scenario).empty());
+        QCOMPARE(planOutlook(desk.record())->until_s, std::optional(800.0));
+    }
+
+    /** The legs on the map, as they are flown, and of the plan before. */
+    void waysOnTheMap()
+    {
+        Desk desk;
+        QVERIFY(desk.picture().planWays.empty());
+        desk.open(aimed());
+        const MapPicture picture = desk.picture();
+        QVERIFY(!picture.planWays.empty());
+        QVERIFY(picture.planWays.front().path_m.front() == Point(0, 0));
+        for (std::size_t k = 1; k < picture.planWays.size(); ++k)
+            COMPARE_NEAR(
+                (picture.planWays[k].path_m.front() - picture.planWays[k - 1].path_m.back()).norm(),
+                0, 1e-6);
+        QVERIFY(!withScenario(picture, desk.record().scenario).planWays.empty());
+        Scenario moved = desk.record().scenario;
+        moved.icebergs[1].position_m.x() += 100; // they are of another place
+        QVERIFY(withScenario(picture, moved).planWays.empty());
+        QCOMPARE(withScenario(picture, moved).plan, picture.plan);
+
+        desk.workspace.setPolicy(PolicyKind::Uncertainty);
+        desk.wait();
+        QCOMPARE(desk.picture().plan, kUncertainFirst);
+        QVERIFY(desk.picture().planWays.empty());
+        QCOMPARE(desk.picture().formerWays.size(), picture.planWays.size());
+        QVERIFY(!planOutlook(desk.record())->change); // nothing to be compared with
+    }
+
+    void waysInFlight()
+    {
+        Desk desk;
+        desk.open(aimed());
+        const std::size_t count = desk.picture().planWays.size();
+        desk.flyTo(60);
+        MapPicture picture = desk.picture();
+        QCOMPARE(picture.planWays.size(), count);
+        QVERIFY(picture.planWays.front().path_m.front() == picture.uav->position_m);
+        const Point turn_m = picture.uav->position_m;
+        const std::size_t plans = desk.record().now.planCount;
+        desk.workspace.setPolicy(PolicyKind::Uncertainty);
+        QTRY_VERIFY(desk.record().now.planCount > plans);
+        picture = desk.picture();
+        QVERIFY(picture.planWays.empty());
+        QVERIFY(!picture.formerWays.empty()); // from where it was left
+        COMPARE_NEAR((picture.formerWays.front().path_m.front() - turn_m).norm(), 0, 3);
     }
 
     void figuresBeforeTakeOff()

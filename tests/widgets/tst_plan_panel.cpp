@@ -177,7 +177,8 @@ private slots:
         f.panel.showPlan(rowsOf({"a", "b", "c"})); // 1 km each, the last in 3 min
         QCOMPARE(summary.text(), u"3.00 km, flown in 03:00"_s);
         f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423});
-        QCOMPARE(summary.text().section(u'\n', 1), u"Predicted ζ at the end: 84\u202f420 m² s"_s);
+        QCOMPARE(summary.text().section(u'\n', 1),
+                 u"ζ at the end by this plan alone: 84\u202f420 m² s"_s);
         f.panel.showPlan({});
         f.panel.showOutlook(std::nullopt);
         QVERIFY(summary.text().isEmpty());
@@ -203,6 +204,38 @@ private slots:
         f.panel.showOutlook(outlook);
         QCOMPARE(summary.text().section(u'\n', 2),
                  u"Against the plan before: −850 m, ζ +40 m² s"_s);
+    }
+
+    void outlookOfAPartSaysUntilWhen()
+    {
+        Fixture f;
+        f.panel.showPlan(rowsOf({"a"}));
+        f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423, .until_s = 800, .isAimed = true});
+        const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
+        QCOMPARE(summary.text().section(u'\n', 1),
+                 u"ζ at 13:20 by this plan alone: 84\u202f420 m² s"_s);
+        QVERIFY(!summary.toolTip().contains(u"straight"_s));
+    }
+
+    /** A plan with aim points may end before all are seen: no cell is empty or invented. */
+    void icebergsThatThePlanDoesNotSee()
+    {
+        Fixture f;
+        std::vector<PlanRow> rows = rowsOf({"a", "b"});
+        const QString arrival = PlanModel::arrivalText(rows[0].arrival_s);
+        rows[1].isSeen = false;
+        rows[1].arrival_s = rows[1].leg_m = 0;
+        f.panel.showPlan(rows);
+        const auto text = [&](int column) { return f.model.index(1, column).data().toString(); };
+        QCOMPARE(text(PlanModel::Arrival), u"later"_s);
+        for (int column = 0; column < PlanModel::ColumnCount; ++column)
+            QVERIFY(!text(column).isEmpty());
+        QVERIFY(f.model.index(1, PlanModel::Arrival)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(u"before this iceberg"_s));
+        const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
+        QVERIFY2(summary.text().contains(arrival), qPrintable(summary.text()));
     }
 
     void longSummaryIsInTheToolTip()

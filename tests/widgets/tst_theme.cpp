@@ -76,6 +76,19 @@ class TestTheme : public QObject
     Q_OBJECT
 
 private slots:
+    /** Lines of the graticule are faint, but seen on sea and land alike. */
+    void graticuleIsSeen()
+    {
+        for (const Theme& theme : {Theme::light(), Theme::dark()})
+            for (const QColor& ground : {theme.sea, theme.land}) {
+                QColor line = theme.graticule;
+                line.setAlpha(255);
+                line = mixed(ground, line, theme.graticule.alphaF());
+                const double contrast = contrastRatio(line, ground);
+                QVERIFY2(contrast > 1.12 && contrast < 2, QByteArray::number(contrast));
+            }
+    }
+
     void contrastOfKnownColours()
     {
         // Definition of WCAG 2.1: 21 for black on white, 1 for equal colours.

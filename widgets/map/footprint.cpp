@@ -35,15 +35,23 @@ double footprintTurn_rad(const SensorSpec& sensor, double psi_rad)
     return 0;
 }
 
-QPolygonF fieldOutline(const MapUav& uav, const MapViewTransform& view)
+std::vector<Point> fieldCorners(const MapUav& uav)
 {
     constexpr int kDiskCorners = 72;
     const double turn_rad = footprintTurn_rad(uav.sensor, uav.psi_rad);
     const Point along(std::cos(turn_rad), std::sin(turn_rad));
     const Point across(-along.y(), along.x());
+    std::vector<Point> corners_m = footprintCorners(uav.sensor, kDiskCorners);
+    for (Point& corner_m : corners_m)
+        corner_m = Point(uav.position_m + along * corner_m.x() + across * corner_m.y());
+    return corners_m;
+}
+
+QPolygonF fieldOutline(const MapUav& uav, const MapViewTransform& view)
+{
     QPolygonF outline;
-    for (const Point& corner_m : footprintCorners(uav.sensor, kDiskCorners))
-        outline << view.toPixel(uav.position_m + along * corner_m.x() + across * corner_m.y());
+    for (const Point& corner_m : fieldCorners(uav))
+        outline << view.toPixel(corner_m);
     outline << outline.front();
     return outline;
 }

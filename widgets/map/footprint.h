@@ -16,6 +16,9 @@ namespace berg {
 /** By how much those corners are turned when the UAV's psi is `psi_rad`. */
 [[nodiscard]] double footprintTurn_rad(const SensorSpec& sensor, double psi_rad);
 
+/** Corners of the field of view round that UAV. */
+[[nodiscard]] std::vector<Point> fieldCorners(const MapUav& uav);
+
 /** Outline of the field of view on the screen. */
 [[nodiscard]] QPolygonF fieldOutline(const MapUav& uav, const MapViewTransform& view);
 

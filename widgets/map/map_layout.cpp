@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 using namespace Qt::StringLiterals;
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kMargin_px = 12;       // of overlays from the edge and from each other
 constexpr double kSymbolMargin_px = 44; // of the outermost symbols from the edge
+constexpr double kFieldMargin_px = 6;   // of the field of view
 constexpr double kRingAtFull_px = 12;   // ring of the largest sigma beyond its symbol
 constexpr double kLongestArrow_px = 44;
 constexpr double kLabelHeight_px = 19;
@@ -27,13 +29,26 @@ constexpr std::size_t kTrackProbes = 240;
 constexpr double kWidestShare = 0.45;
 constexpr double kTallestShare = 0.62;
 constexpr double kLargestShare = 0.16; // of the area
+constexpr double kLowMap_px = 600;     // whose legend is compact
 
 // Times a drift arrow may stand for.
 constexpr std::array<double, 11> kDriftTimes_s = {60,   120,  300,   600,   1200, 1800,
                                                   3600, 7200, 21600, 43200, 86400};
 
-/** Everything to be shown, the tips of the drift arrows included. */
-std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s)
+/** Corners of the field of view that may lie nearer to the edge than symbols, by `slack_m`. */
+void addField(std::vector<Point>& points_m, const MapUav& uav, double slack_m)
+{
+    const auto nearer = [slack_m](double d_m) {
+        return std::copysign(std::max(0.0, std::abs(d_m) - slack_m), d_m);
+    };
+    for (const Point& corner_m : fieldCorners(uav)) {
+        const Point d_m = corner_m - uav.position_m;
+        points_m.emplace_back(uav.position_m + Point(nearer(d_m.x()), nearer(d_m.y())));
+    }
+}
+
+/** Everything to be shown, the tips of the drift arrows included; `scale_pxpm` is about right. */
+std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, double scale_pxpm)
 {
     std::vector<Point> points_m = picture.area_m;
     for (const MapIceberg& iceberg : picture.icebergs) {
@@ -45,8 +60,14 @@ std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s)
             points_m.push_back(point.position_m);
     if (picture.asset)
         points_m.push_back(picture.asset->position_m);
-    if (picture.uav)
+    for (const MapWay& way : picture.planWays) {
+        points_m.insert(points_m.end(), way.path_m.begin(), way.path_m.end());
+        points_m.push_back(way.aim_m);
+    }
+    if (picture.uav) {
         points_m.push_back(picture.uav->position_m);
+        addField(points_m, *picture.uav, (kSymbolMargin_px - kFieldMargin_px) / scale_pxpm);
+    }
     return points_m;
 }
 
@@ -65,7 +86,8 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
     const QSizeF title = titleSize(picture, style, 0.6 * layout.rect.width());
     if (!title.isEmpty() && title.width() >= 120 && title.height() <= 0.4 * layout.rect.height())
         layout.title = QRectF(inner.topLeft(), title);
-    const QSizeF legend = legendSize(picture, style, layout.symbols);
+    layout.isLegendCompact = layout.rect.height() < kLowMap_px;
+    const QSizeF legend = legendSize(picture, style, layout.symbols, layout.isLegendCompact);
     const bool roomBelowTitle =
         layout.title.bottom() + kMargin_px <= inner.bottom() - legend.height();
     if (fits(legend, layout.rect) && roomBelowTitle)
@@ -147,7 +169,8 @@ double viewScore(const MapLayout& layout, const MapPicture& picture)
  */
 MapViewTransform bestView(MapLayout layout, const MapPicture& picture, const QRectF& inner)
 {
-    const WorldBounds bounds = boundsOf(contentPoints(picture, layout.symbols.driftTime_s));
+    const WorldBounds bounds =
+        boundsOf(contentPoints(picture, layout.symbols.driftTime_s, layout.view.scale_pxpm()));
     const std::array<double, 3> lefts = {0, layout.title.width(), layout.legend.width()};
     const std::array<double, 2> rights = {0, layout.north.width()};
     const std::array<double, 2> tops = {0, layout.title.height()};
@@ -181,7 +204,8 @@ MapViewTransform fittedView(MapLayout layout, const MapPicture& picture, const M
     const double margin_px =
         std::min({kSymbolMargin_px, 0.15 * layout.rect.width(), 0.15 * layout.rect.height()});
     const QRectF inner = layout.rect.adjusted(margin_px, margin_px, -margin_px, -margin_px);
-    layout.view = MapViewTransform::fitted(boundsOf(contentPoints(picture, 0)), inner);
+    layout.view = MapViewTransform::fitted(
+        boundsOf(contentPoints(picture, 0, std::numeric_limits<double>::infinity())), inner);
     for (int round = 0; round < kRounds; ++round) {
         layout.symbols = symbolScale(picture, layout.view);
         placeOverlays(layout, picture, style);
@@ -197,7 +221,9 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
     around.area = layout.rect.adjusted(3, 3, -3, -3);
     around.solids = layout.overlays();
     around.disks = layout.icebergs;
-    around.lines = planLegs(picture, layout);
+    for (const QPolygonF& leg : planLegs(picture, layout))
+        for (qsizetype i = 1; i < leg.size(); ++i)
+            around.lines.emplace_back(leg[i - 1], leg[i]);
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
         const QLineF arrow = driftArrow(picture, layout, i);
         if (!arrow.isNull())
@@ -262,22 +288,33 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
     return labels;
 }
 
-/** Legs from symbol to symbol, cut at them; a null line where there is no room between. */
-std::vector<QLineF> legsThrough(const std::vector<int>& icebergs, const QPointF& from_px,
-                                const MapLayout& layout)
+/** Legs from symbol to symbol, cut at them; none where there is no room between. */
+std::vector<QPolygonF> legsThrough(const std::vector<int>& icebergs, const QPointF& from_px,
+                                   const MapLayout& layout)
 {
-    std::vector<QLineF> legs;
+    std::vector<QPolygonF> legs;
     LabelDisk from{.centre_px = from_px, .radius_px = 0};
     for (const int iceberg : icebergs) {
         const LabelDisk to = layout.icebergs[static_cast<std::size_t>(iceberg)];
         const QLineF centres(from.centre_px, to.centre_px);
         const double length_px = centres.length();
         if (length_px > from.radius_px + to.radius_px + 1)
-            legs.emplace_back(centres.pointAt(from.radius_px / length_px),
-                              centres.pointAt(1 - to.radius_px / length_px));
+            legs.push_back({centres.pointAt(from.radius_px / length_px),
+                            centres.pointAt(1 - to.radius_px / length_px)});
         else
-            legs.emplace_back(to.centre_px, to.centre_px);
+            legs.emplace_back();
         from = to;
+    }
+    return legs;
+}
+
+std::vector<QPolygonF> legsAlong(const std::vector<MapWay>& ways, const MapViewTransform& view)
+{
+    std::vector<QPolygonF> legs;
+    for (const MapWay& way : ways) {
+        QPolygonF& leg = legs.emplace_back();
+        for (const Point& point_m : way.path_m)
+            leg << view.toPixel(point_m);
     }
     return legs;
 }
@@ -342,17 +379,21 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
     return layout;
 }
 
-std::vector<QLineF> planLegs(const MapPicture& picture, const MapLayout& layout)
+std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layout)
 {
     if (!picture.uav)
         return {};
+    if (!picture.planWays.empty())
+        return legsAlong(picture.planWays, layout.view);
     return legsThrough(picture.plan, layout.view.toPixel(picture.uav->position_m), layout);
 }
 
-std::vector<QLineF> formerLegs(const MapPicture& picture, const MapLayout& layout)
+std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& layout)
 {
     if (!picture.uav)
         return {};
+    if (!picture.formerWays.empty())
+        return legsAlong(picture.formerWays, layout.view);
     const Point from_m = picture.formerFrom_m.value_or(picture.uav->position_m);
     return legsThrough(picture.formerPlan, layout.view.toPixel(from_m), layout);
 }

@@ -4,6 +4,7 @@
 #include "widgets/map/map_overlays.h"
 
 #include <QHash>
+#include <QPolygonF>
 
 #include <optional>
 
@@ -17,6 +18,7 @@ struct MapLayout
     SymbolScale symbols;
     QRectF title; ///< overlays; a null rectangle is not shown
     QRectF legend;
+    bool isLegendCompact = false;
     QRectF scaleBar;
     QRectF north;
     QRectF inset;                    ///< kept free, not painted
@@ -65,11 +67,14 @@ struct MapContinuity
                                    const std::optional<MapViewTransform>& view = {},
                                    const MapContinuity& continuity = {});
 
-/** The legs of the plan on the screen, from the UAV on, cut at the symbols. */
-[[nodiscard]] std::vector<QLineF> planLegs(const MapPicture& picture, const MapLayout& layout);
+/**
+ * The legs of the plan on the screen, from the UAV on: lines cut at the symbols, or the ways of a
+ * plan with aim points; empty where there is no room.
+ */
+[[nodiscard]] std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layout);
 
-/** The legs of what the plan took the place of, from where the UAV was then. */
-[[nodiscard]] std::vector<QLineF> formerLegs(const MapPicture& picture, const MapLayout& layout);
+/** The same of what the plan took the place of, from where the UAV was then. */
+[[nodiscard]] std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& layout);
 
 /** Longest of the usual times whose way at this speed is an arrow of good length; 0: none. */
 [[nodiscard]] double driftTimeFor_s(double speed_mps, double scale_pxpm);

@@ -36,10 +36,11 @@ struct SymbolScale
 void paintTitle(QPainter& painter, const QRectF& rect, const MapPicture& picture,
                 const MapStyle& style);
 
+/** `compact`: for low maps, with the samples of sigma on its bar and two signs in a row. */
 [[nodiscard]] QSizeF legendSize(const MapPicture& picture, const MapStyle& style,
-                                const SymbolScale& scale);
+                                const SymbolScale& scale, bool compact);
 void paintLegend(QPainter& painter, const QRectF& rect, const MapPicture& picture,
-                 const MapStyle& style, const SymbolScale& scale);
+                 const MapStyle& style, const SymbolScale& scale, bool compact);
 
 /** Two bars, metric and nautical miles, each of a round length near 120 px. */
 [[nodiscard]] QSizeF scaleBarSize(const MapViewTransform& view, const MapStyle& style);

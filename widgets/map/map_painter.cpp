@@ -145,10 +145,23 @@ void paintLabel(const MapPaint& p, std::size_t i)
               label.rect.topLeft(), draw);
 }
 
+/** Outer ring dashed, inner ring in full. */
+void paintRings(const MapPaint& p, const MapAsset& asset)
+{
+    const QPointF at = p.layout.view.toPixel(asset.position_m);
+    const double scale_pxpm = p.layout.view.scale_pxpm();
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(QPen(p.theme.mutedText, 1, Qt::DashLine));
+    p.painter.drawEllipse(at, asset.range_m * scale_pxpm, asset.range_m * scale_pxpm);
+    p.painter.setPen(QPen(p.theme.uav, 1.4));
+    p.painter.drawEllipse(at, asset.alarm_m * scale_pxpm, asset.alarm_m * scale_pxpm);
+}
+
 void paintAsset(const MapPaint& p)
 {
     if (!p.picture.asset)
         return;
+    paintRings(p, *p.picture.asset);
     const QPointF at = p.layout.view.toPixel(p.picture.asset->position_m);
     drawAsset(p.painter, at, p.theme);
     p.painter.setFont(labelFont(p.theme));
@@ -166,7 +179,8 @@ QString legendKey(const MapPaint& p)
     const bool later = any([](const MapIceberg& iceberg) { return iceberg.appears_s > 0; });
     const int rows = int(inView) + 2 * int(later) + 4 * int(!p.picture.plan.empty()) +
                      8 * int(p.picture.track.size() > 1) + 16 * int(p.picture.uav.has_value()) +
-                     32 * int(p.picture.showsSwept()) + 64 * int(!p.picture.formerPlan.empty());
+                     32 * int(p.picture.showsSwept()) + 64 * int(!p.picture.formerPlan.empty()) +
+                     128 * int(!p.picture.planWays.empty()) + 256 * int(p.layout.isLegendCompact);
     return u"legend %1 %2 %3 %4 %5 "_s.arg(p.layout.symbols.ring_pxpm)
                .arg(p.layout.symbols.driftTime_s)
                .arg(p.picture.sigmaFull_m2)
@@ -184,7 +198,7 @@ void paintOverlays(const MapPaint& p, double north_rad)
                       [&](QPainter& painter) { draw(painter, bounds); });
     };
     panel(p.layout.legend, legendKey(p), [&](QPainter& painter, const QRectF& rect) {
-        paintLegend(painter, rect, p.picture, p.style, p.layout.symbols);
+        paintLegend(painter, rect, p.picture, p.style, p.layout.symbols, p.layout.isLegendCompact);
     });
     panel(p.layout.scaleBar,
           u"scale %1 %2"_s.arg(p.layout.view.scale_pxpm()).arg(p.style.locale.name()),

@@ -52,6 +52,9 @@ struct MapAsset
 {
     QString name;
     Point position_m = Point::Zero();
+    Point velocity_mps = Point::Zero();
+    double range_m = 0; ///< outer ring: so far it makes icebergs more urgent
+    double alarm_m = 0; ///< inner ring
 };
 
 /** A number shown large in the title overlay, e.g. {"Zeta", "84 420", "m² s"}. */
@@ -60,6 +63,13 @@ struct MapReadout
     QString caption;
     QString value;
     QString unit;
+};
+
+/** One leg of a plan with aim points. */
+struct MapWay
+{
+    std::vector<Point> path_m; ///< as it is flown
+    Point aim_m = Point::Zero();
 };
 
 /** Everything one picture of the map shows, as plain values. */
@@ -74,7 +84,9 @@ struct MapPicture
     std::vector<int> plan;             ///< indices of `icebergs` in the order to be visited
     std::vector<int> formerPlan;       ///< what `plan` took the place of; empty: nothing to tell
     std::optional<Point> formerFrom_m; ///< where the UAV was then; none: where it is
-    std::vector<MapPose> swept; ///< by time; round and between them the UAV has seen the water
+    std::vector<MapWay> planWays;   ///< how `plan` is flown; empty: straight from symbol to symbol
+    std::vector<MapWay> formerWays; ///< how `formerPlan` would have been
+    std::vector<MapPose> swept;     ///< by time; round and between them the UAV has seen the water
     std::vector<MapTrackPoint> track;
     std::vector<MapTrackPoint> comparisonTrack; ///< of another run in the same world
     QString comparisonName;                     ///< what that run is, for the legend

@@ -199,6 +199,17 @@ QPen formerPlanPen(const Theme& theme)
     return pen;
 }
 
+void drawAim(QPainter& painter, const QPointF& centre, const Theme& theme)
+{
+    constexpr double kArm_px = 3.5;
+    const PainterState saved(painter);
+    for (const QPen& pen : {QPen(theme.sea, 3.4), QPen(theme.plan, 1.6)}) {
+        painter.setPen(pen);
+        painter.drawLine(centre + QPointF(-kArm_px, -kArm_px), centre + QPointF(kArm_px, kArm_px));
+        painter.drawLine(centre + QPointF(-kArm_px, kArm_px), centre + QPointF(kArm_px, -kArm_px));
+    }
+}
+
 void drawOrderDisk(QPainter& painter, const QPointF& centre, double radius_px, int number,
                    const Theme& theme)
 {

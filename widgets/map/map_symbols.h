@@ -42,6 +42,9 @@ void drawArrow(QPainter& painter, const QLineF& line, const QPen& pen, double he
 /** Arrow head in the middle of a line, to show which way it is flown. */
 void drawDirectionMark(QPainter& painter, const QLineF& line, const QColor& colour, double size_px);
 
+/** A point that a leg aims at: a small cross. */
+void drawAim(QPainter& painter, const QPointF& centre, const Theme& theme);
+
 /** The line of what the plan took the place of: thin and dashed. */
 [[nodiscard]] QPen formerPlanPen(const Theme& theme);
 

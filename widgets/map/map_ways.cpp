@@ -16,6 +16,27 @@ constexpr double kComparison_px = 1.2;      // thinner than the track
 constexpr double kComparisonMarks_px = 150; // between its arrow heads
 constexpr double kComparisonMark_px = 9;
 
+/** Where an arrow head has room. */
+QLineF longestPiece(const QPolygonF& leg)
+{
+    QLineF longest;
+    for (qsizetype i = 1; i < leg.size(); ++i)
+        if (const QLineF piece(leg[i - 1], leg[i]); piece.length() > longest.length())
+            longest = piece;
+    return longest;
+}
+
+/** Legs end when their iceberg comes into view; their lines point on at these. */
+void paintAims(const MapPaint& p)
+{
+    for (const MapWay& way : p.picture.planWays) {
+        const QPointF aim = p.layout.view.toPixel(way.aim_m);
+        p.painter.setPen(QPen(p.theme.plan, 1, Qt::DotLine, Qt::FlatCap));
+        p.painter.drawLine(p.layout.view.toPixel(way.path_m.back()), aim);
+        drawAim(p.painter, aim, p.theme);
+    }
+}
+
 } // namespace
 
 void paintSwept(const MapPaint& p)
@@ -116,24 +137,28 @@ void paintFieldOfView(const MapPaint& p)
 void paintFormerPlan(const MapPaint& p)
 {
     p.painter.setPen(formerPlanPen(p.theme));
-    for (const QLineF& leg : formerLegs(p.picture, p.layout))
-        p.painter.drawLine(leg);
+    p.painter.setBrush(Qt::NoBrush);
+    for (const QPolygonF& leg : formerLegs(p.picture, p.layout))
+        p.painter.drawPolyline(leg);
 }
 
 void paintPlan(const MapPaint& p)
 {
-    const std::vector<QLineF> legs = planLegs(p.picture, p.layout);
+    paintAims(p);
+    const std::vector<QPolygonF> legs = planLegs(p.picture, p.layout);
+    p.painter.setBrush(Qt::NoBrush);
     for (std::size_t k = legs.size(); k-- > 0;) {
         const bool isNext = k == 0;
         const double width_px = isNext ? 3.2 : 1.6;
-        if (legs[k].isNull())
+        if (legs[k].size() < 2)
             continue;
         // A rim of sea sets the line off from the track below.
-        p.painter.setPen(QPen(p.theme.sea, width_px + 2.4, Qt::SolidLine, Qt::FlatCap));
-        p.painter.drawLine(legs[k]);
-        p.painter.setPen(QPen(p.theme.plan, width_px, Qt::SolidLine, Qt::FlatCap));
-        p.painter.drawLine(legs[k]);
-        drawDirectionMark(p.painter, legs[k], p.theme.plan, isNext ? 13 : 10);
+        p.painter.setPen(
+            QPen(p.theme.sea, width_px + 2.4, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+        p.painter.drawPolyline(legs[k]);
+        p.painter.setPen(QPen(p.theme.plan, width_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+        p.painter.drawPolyline(legs[k]);
+        drawDirectionMark(p.painter, longestPiece(legs[k]), p.theme.plan, isNext ? 13 : 10);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/map/mission_picture.h"
 
+#include "widgets/map/scenario_picture.h"
 #include "widgets/model/domain_text.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -110,6 +111,17 @@ std::vector<int> placesOf(const std::vector<int>& order, const std::vector<int>&
     return places;
 }
 
+std::vector<MapWay> mapWays(const std::vector<AimedWay>& ways)
+{
+    std::vector<MapWay> drawn;
+    for (const AimedWay& way : ways) {
+        MapWay& next = drawn.emplace_back(MapWay{.path_m = {}, .aim_m = way.aim_m});
+        for (const WayPoint& point : way.points)
+            next.path_m.push_back(point.position_m);
+    }
+    return drawn;
+}
+
 } // namespace
 
 double sigmaScaleEnd_m2(const FlightRecord& record)
@@ -157,16 +169,16 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
     picture.icebergs = icebergsOf(record, shown);
     if (record.shown().plan)
         picture.plan = placesOf(record.shown().plan->order, shown);
+    picture.planWays = mapWays(waysAhead(record.shown(), scenario));
     if (const std::optional<ShownChange> change = record.changeShown()) {
         picture.formerPlan = placesOf(change->change.before, shown);
         picture.formerFrom_m = change->from_m;
+        picture.formerWays = mapWays(change->ways);
     }
     picture.track = trackOf(record);
     picture.swept = posesOf(record);
     picture.area_m = scenario.area_m;
-    if (scenario.asset)
-        picture.asset = MapAsset{.name = QString::fromStdString(scenario.asset->name),
-                                 .position_m = scenario.asset->position_m};
+    picture.asset = assetOf(record.shown().asset, record.shown().time_s);
     picture.sigmaFull_m2 = sigmaScaleEnd_m2(record);
     picture.emptyTitle = MissionPicture::tr("No icebergs yet");
     picture.emptyHint =

@@ -26,6 +26,16 @@ struct PlacingTools
 
 } // namespace
 
+bool PlacingTool::key(const QKeyEvent& event)
+{
+    if (!isEnter(event))
+        return false;
+    const MapPointer middle = middleOf(context().scene);
+    press(middle);
+    release(middle);
+    return true;
+}
+
 void IcebergTool::press(const MapPointer& pointer)
 {
     MapScene& scene = context().scene;
@@ -95,16 +105,6 @@ void IcebergTool::release(const MapPointer& pointer)
     end();
 }
 
-bool IcebergTool::key(const QKeyEvent& event)
-{
-    if (!isEnter(event))
-        return false;
-    const MapPointer middle = middleOf(context().scene);
-    press(middle);
-    release(middle);
-    return true;
-}
-
 void IcebergTool::cancel()
 {
     if (m_gesture)
@@ -151,7 +151,7 @@ QString IcebergTool::status() const
         "Click adds an iceberg, drag on to set its drift. Esc leaves the tool.");
 }
 
-IcebergTool::IcebergTool(const MapToolContext& context) : MapTool(context) {}
+IcebergTool::IcebergTool(const MapToolContext& context) : PlacingTool(context) {}
 
 IcebergTool::~IcebergTool() = default;
 
@@ -208,16 +208,6 @@ void UavTool::release(const MapPointer& pointer)
     end(!pointer.isInside);
     if (pointer.isInside)
         context().selection.set({m_uav.id});
-}
-
-bool UavTool::key(const QKeyEvent& event)
-{
-    if (!isEnter(event))
-        return false;
-    const MapPointer middle = middleOf(context().scene);
-    press(middle);
-    release(middle);
-    return true;
 }
 
 void UavTool::documentChanged()
@@ -299,16 +289,6 @@ void AssetTool::release(const MapPointer& pointer)
     end(!pointer.isInside);
     if (context().document.scenario().asset)
         context().selection.set({kAssetKey});
-}
-
-bool AssetTool::key(const QKeyEvent& event)
-{
-    if (!isEnter(event))
-        return false;
-    const MapPointer middle = middleOf(context().scene);
-    press(middle);
-    release(middle);
-    return true;
 }
 
 void AssetTool::documentChanged()

@@ -6,12 +6,20 @@ namespace berg {
 
 class DriftArrow;
 
+/** What places something where one clicks; Enter places it in the middle of the map. */
+class PlacingTool : public MapTool
+{
+public:
+    using MapTool::MapTool;
+    bool key(const QKeyEvent& event) override;
+};
+
 /**
  * A click adds an iceberg and selects it; dragging from it on sets its drift over ground by the
  * arrow of the map, whose tip follows the cursor. Dragging from an iceberg that is there sets the
- * drift of that one. Enter adds one in the middle of the map.
+ * drift of that one.
  */
-class IcebergTool final : public MapTool
+class IcebergTool final : public PlacingTool
 {
 public:
     explicit IcebergTool(const MapToolContext& context);
@@ -20,7 +28,6 @@ public:
     void press(const MapPointer& pointer) override;
     void move(const MapPointer& pointer) override;
     void release(const MapPointer& pointer) override;
-    bool key(const QKeyEvent& event) override;
     [[nodiscard]] bool isBusy() const override { return m_isPressed; }
     void cancel() override;
     void documentChanged() override;
@@ -44,17 +51,16 @@ private:
 
 /**
  * A click places the UAV, dragging on turns it towards the cursor. Dragging from the UAV itself
- * turns it where it is. Enter places it in the middle of the map.
+ * turns it where it is.
  */
-class UavTool final : public MapTool
+class UavTool final : public PlacingTool
 {
 public:
-    using MapTool::MapTool;
+    using PlacingTool::PlacingTool;
 
     void press(const MapPointer& pointer) override;
     void move(const MapPointer& pointer) override;
     void release(const MapPointer& pointer) override;
-    bool key(const QKeyEvent& event) override;
     [[nodiscard]] bool isBusy() const override { return m_gesture != nullptr; }
     void cancel() override { end(true); }
     void documentChanged() override;
@@ -75,17 +81,16 @@ private:
 
 /**
  * A click places what is to be protected, or moves it here; it follows the cursor until the button
- * is let go. Enter places it in the middle of the map.
+ * is let go.
  */
-class AssetTool final : public MapTool
+class AssetTool final : public PlacingTool
 {
 public:
-    using MapTool::MapTool;
+    using PlacingTool::PlacingTool;
 
     void press(const MapPointer& pointer) override;
     void move(const MapPointer& pointer) override;
     void release(const MapPointer& pointer) override;
-    bool key(const QKeyEvent& event) override;
     [[nodiscard]] bool isBusy() const override { return m_gesture != nullptr; }
     void cancel() override { end(true); }
     void documentChanged() override;

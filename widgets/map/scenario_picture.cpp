@@ -1,6 +1,7 @@
 #include "widgets/map/scenario_picture.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/priority.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -51,6 +52,25 @@ void markInView(MapPicture& picture)
     }
 }
 
+/** UAV and icebergs are where the picture has them, as far as it has any. */
+bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
+{
+    if (picture.planWays.empty() && picture.formerWays.empty())
+        return true;
+    if (!picture.uav || scenario.uavs.empty() ||
+        picture.uav->position_m != scenario.uavs.front().position_m ||
+        picture.uav->psi_rad != psiFromHeading(scenario.uavs.front().heading_deg))
+        return false;
+    std::unordered_map<std::string, Point> places_m;
+    for (const Iceberg& iceberg : scenario.icebergs)
+        places_m.emplace(iceberg.id, iceberg.position_m);
+    return std::all_of(picture.icebergs.begin(), picture.icebergs.end(),
+                       [&](const MapIceberg& iceberg) {
+                           const auto place = places_m.find(keyOf(iceberg));
+                           return place != places_m.end() && place->second == iceberg.position_m;
+                       });
+}
+
 } // namespace
 
 std::string keyOf(const MapIceberg& iceberg)
@@ -58,8 +78,23 @@ std::string keyOf(const MapIceberg& iceberg)
     return iceberg.key.empty() ? iceberg.id.toStdString() : iceberg.key;
 }
 
+std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s)
+{
+    if (!asset)
+        return std::nullopt;
+    return MapAsset{.name = QString::fromStdString(asset->name),
+                    .position_m = asset->position_m + asset->velocity_mps * time_s,
+                    .velocity_mps = asset->velocity_mps,
+                    .range_m = asset->range_m,
+                    .alarm_m = alarmRadius_m(*asset)};
+}
+
 MapPicture withScenario(MapPicture picture, const Scenario& scenario)
 {
+    if (!isAsPlanned(picture, scenario)) { // ways are places, an order holds until the next plan
+        picture.planWays.clear();
+        picture.formerWays.clear();
+    }
     const std::vector<std::string> planned = keysOf(picture.plan, picture);
     const std::vector<std::string> former = keysOf(picture.formerPlan, picture);
 
@@ -84,10 +119,7 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
 
     picture.origin = scenario.origin;
     picture.area_m = scenario.area_m;
-    picture.asset.reset();
-    if (scenario.asset)
-        picture.asset = MapAsset{.name = QString::fromStdString(scenario.asset->name),
-                                 .position_m = scenario.asset->position_m};
+    picture.asset = assetOf(scenario.asset, 0);
     for (const MapIceberg& iceberg : picture.icebergs)
         picture.sigmaFull_m2 = std::max(picture.sigmaFull_m2, roundSigmaScale(iceberg.sigma_m2));
     return picture;

@@ -8,6 +8,9 @@ namespace berg {
 /** Id of the iceberg in the scenario. */
 [[nodiscard]] std::string keyOf(const MapIceberg& iceberg);
 
+/** Where the asset is `time_s` after the start, with its rings. */
+[[nodiscard]] std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s);
+
 /**
  * The picture with everything that can be edited taken from the scenario at t = 0: icebergs (those
  * still to come too), UAV, area, asset. The plan keeps the order of the icebergs that are still

@@ -3,10 +3,7 @@
 #include "core/scenario/validate.h"
 #include "core/sim/simulation.h"
 #include "widgets/model/compared_run.h"
-
-#ifdef Q_OS_LINUX
-#include <sys/resource.h>
-#endif
+#include "widgets/model/low_priority.h"
 
 #include <utility>
 
@@ -23,15 +20,6 @@ bool same(const VisitationProblem& a, const VisitationProblem& b)
            a.problem.sigma_m2 == b.problem.sigma_m2 &&
            a.problem.distance_m.rows() == b.problem.distance_m.rows() &&
            a.problem.distance_m == b.problem.distance_m;
-}
-
-/** Of the calling thread: QThread's priorities mean nothing under Linux's usual scheduler. */
-void lowerPriority()
-{
-#ifdef Q_OS_LINUX
-    constexpr int kNice = 10;
-    setpriority(PRIO_PROCESS, 0, kNice); // 0: this thread alone; harmless when refused
-#endif
 }
 
 } // namespace

@@ -39,6 +39,34 @@ const PlanEvent* lastChange(const FlightRecord& record)
     return nullptr;
 }
 
+/** The part of ways that comes after that time. */
+std::vector<AimedWay> after(std::vector<AimedWay> ways, double time_s)
+{
+    std::erase_if(ways,
+                  [time_s](const AimedWay& way) { return way.points.back().time_s <= time_s; });
+    if (ways.empty())
+        return ways;
+    std::vector<WayPoint>& points = ways.front().points;
+    const auto later = std::find_if(points.begin(), points.end(), [time_s](const WayPoint& point) {
+        return point.time_s > time_s;
+    });
+    if (later == points.begin())
+        return ways;
+    WayPoint& from = *std::prev(later);
+    const double share = (time_s - from.time_s) / (later->time_s - from.time_s);
+    from = {.position_m = from.position_m + share * (later->position_m - from.position_m),
+            .time_s = time_s};
+    points.erase(points.begin(), std::prev(later));
+    return ways;
+}
+
+/** How a plan would have gone on from that time. */
+std::vector<AimedWay> waysAfter(const FlightRecord& record, const PlanEvent& plan, double time_s)
+{
+    const DubinsState uav{.position_m = placeAt(record, plan.time_s)};
+    return after(waysOf(plan, uav, plan.time_s, record.scenario), time_s);
+}
+
 } // namespace
 
 void FlightRecord::begin(const Scenario& flown)
@@ -68,19 +96,23 @@ void FlightRecord::noteStartPlan()
     if (now.phase != RunPhase::Ready || !now.plan)
         return;
     const std::vector<int>& order = now.plan->order;
-    StartPlan next{.scenario = scenario, .order = order};
-    if (startPlan)
-        next.change = startPlan->order == order
-                          ? startPlan->change
-                          : planChange(forecastStart(now, scenario), startPlan->order, order,
-                                       scenario.duration_s);
+    StartPlan next{.scenario = scenario, .plan = *now.plan};
+    if (startPlan && startPlan->plan.order == order) {
+        next.change = startPlan->change;
+        next.former = startPlan->former;
+    } else if (startPlan) {
+        next.change = planChange(forecastStart(now, scenario), startPlan->plan.order, order,
+                                 scenario.duration_s);
+        next.former = startPlan->plan;
+    }
     startPlan = std::move(next);
 }
 
 std::optional<ShownChange> FlightRecord::changeShown() const
 {
     if (!inFlight() && startPlan && startPlan->change && now.plan)
-        return ShownChange{.change = *startPlan->change};
+        return ShownChange{.change = *startPlan->change,
+                           .ways = waysAfter(*this, startPlan->former, 0)};
     const PlanEvent* plan = lastChange(*this);
     if (plan == nullptr)
         return std::nullopt;
@@ -91,8 +123,11 @@ std::optional<ShownChange> FlightRecord::changeShown() const
     });
     if (!isLeft)
         return std::nullopt;
-    return ShownChange{
+    ShownChange shownChange{
         .change = *plan->change, .time_s = plan->time_s, .from_m = placeAt(*this, plan->time_s)};
+    if (plan != history.plans.data())
+        shownChange.ways = waysAfter(*this, *std::prev(plan), plan->time_s);
+    return shownChange;
 }
 
 bool FlightRecord::inFlight() const

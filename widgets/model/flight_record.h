@@ -8,8 +8,10 @@ namespace berg {
 struct StartPlan
 {
     Scenario scenario;
-    std::vector<int> order;
-    std::optional<PlanChange> change; ///< the last of the order, since only the planner is changed
+    PlanEvent plan;
+    /** The last of the order, since only the planner is changed, and what it took the place of. */
+    std::optional<PlanChange> change;
+    PlanEvent former;
 };
 
 /** What the plan shown took the place of. */
@@ -18,6 +20,7 @@ struct ShownChange
     PlanChange change;
     double time_s = 0;           ///< when
     std::optional<Point> from_m; ///< where the UAV was then; none: where it is
+    std::vector<AimedWay> ways;  ///< how the plan before would have gone on; empty: straight
 };
 
 /**

@@ -18,8 +18,11 @@ void join(std::vector<Entry>& known, std::size_t first, std::vector<Entry> news)
 
 MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
 {
-    MissionSnapshot snapshot{
-        .time_s = simulation.time_s(), .world = simulation.state(), .icebergs = mission.icebergs()};
+    MissionSnapshot snapshot{.time_s = simulation.time_s(),
+                             .world = simulation.state(),
+                             .icebergs = mission.icebergs(),
+                             .motion = simulation.motion(),
+                             .asset = simulation.asset()};
     // At an earlier instant some have not been added yet.
     snapshot.icebergs.resize(static_cast<std::size_t>(simulation.icebergCount()));
     for (int i = 0; i < simulation.icebergCount(); ++i) {
@@ -55,6 +58,35 @@ ForecastStart forecastStart(const MissionSnapshot& snapshot, const Scenario& sce
             .time_s = snapshot.time_s,
             .airspeed_mps = scenario.uavs.front().spec.airspeed_mps,
             .wind_mps = scenario.wind_mps};
+}
+
+std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav, double time_s,
+                             const Scenario& scenario)
+{
+    if (plan.legs.empty() || scenario.uavs.empty())
+        return {};
+    const UavSpec& spec = scenario.uavs.front().spec;
+    std::vector<AimedWay> ways = aimedWays(plan.legs, uav, time_s,
+                                           {.airspeed_mps = spec.airspeed_mps,
+                                            .limit_radps = maxTurnRate_radps(spec),
+                                            .wind_mps = scenario.wind_mps});
+    if (plan.outlook && !plan.outlook->sightings_s.empty())
+        std::erase_if(ways, [last_s = plan.outlook->sightings_s.back()](const AimedWay& way) {
+            return way.points.front().time_s >= last_s;
+        });
+    else // not judged yet
+        ways.resize(std::min(ways.size(), plan.order.size()));
+    return ways;
+}
+
+std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot, const Scenario& scenario)
+{
+    if (!snapshot.plan)
+        return {};
+    PlanEvent plan = *snapshot.plan;
+    if (snapshot.world.aim && !plan.legs.empty())
+        plan.legs.front() = *snapshot.world.aim; // what is left of its turn
+    return waysOf(plan, snapshot.world.uav, snapshot.time_s, scenario);
 }
 
 MissionSnapshot snapshotOf(const Mission& mission)

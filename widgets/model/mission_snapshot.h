@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/coverage/aimed_way.h"
 #include "core/sim/mission.h"
 
 namespace berg {
@@ -50,6 +51,8 @@ struct MissionSnapshot
     std::shared_ptr<const PlanRequest> request; ///< what `plan` answers; null without a plan
     std::size_t planCount = 0;                  ///< made until then, `plan` the last of them
     PlannerSettings planner;                    ///< in force, interventions applied
+    Motion motion;                              ///< of the UAV, in the wind in force
+    std::optional<Asset> asset;                 ///< in force; its position is that at time 0
     Metrics metrics;
     HistoryNews news;
     std::optional<Error> error;
@@ -58,6 +61,16 @@ struct MissionSnapshot
 /** The instant of the snapshot as one to forecast from; the snapshot must outlive it. */
 [[nodiscard]] ForecastStart forecastStart(const MissionSnapshot& snapshot,
                                           const Scenario& scenario);
+
+/**
+ * How a plan with aim points is flown by a UAV that is there at that time, until all of its order
+ * are seen; none of other plans.
+ */
+[[nodiscard]] std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav,
+                                           double time_s, const Scenario& scenario);
+/** The same of the plan in force, from the instant of the snapshot on. */
+[[nodiscard]] std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot,
+                                              const Scenario& scenario);
 
 /** The mission as it is now, without generation, phase and news. */
 [[nodiscard]] MissionSnapshot snapshotOf(const Mission& mission);

@@ -1,5 +1,6 @@
 #include "widgets/panels/plan_model.h"
 
+#include "widgets/panels/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <algorithm>
@@ -92,6 +93,10 @@ int PlanModel::columnCount(const QModelIndex& parent) const
 QString PlanModel::text(int row, Column column) const
 {
     const PlanRow& planned = m_rows[static_cast<std::size_t>(row)];
+    if (!planned.isSeen && column == Arrival)
+        return tr("later");
+    if (!planned.isSeen && (column == Leg || column == ArrivalSigma))
+        return noFigure();
     switch (column) {
     case Number:
         return fixedText(row + 1, 0, m_locale);
@@ -116,6 +121,8 @@ QString PlanModel::toolTip(int row, Column column) const
     const PlanRow& planned = m_rows[static_cast<std::size_t>(row)];
     if (column == Name)
         return tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
+    if (!planned.isSeen && column != Sigma)
+        return tr("The plan ends before this iceberg is seen.");
     if (column != Sigma && column != ArrivalSigma)
         return {};
     return tr("σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the "

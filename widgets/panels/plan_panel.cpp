@@ -32,6 +32,15 @@ QString signedText(double value, const QString& size)
     return (value < 0 ? u"−"_s : u"+"_s) + size;
 }
 
+/** From now; 0 without rows. */
+double lastArrival_s(const std::vector<PlanRow>& rows)
+{
+    double last_s = 0;
+    for (const PlanRow& row : rows)
+        last_s = std::max(last_s, row.arrival_s); // 0 of those that are not seen
+    return last_s;
+}
+
 } // namespace
 
 PlanPanel::PlanPanel(QWidget* parent)
@@ -168,20 +177,21 @@ void PlanPanel::updateSummary()
 /** How long the plan is, when it is flown, what comes of it, and that against the one before. */
 QStringList PlanPanel::summaryLines() const
 {
-    const std::vector<PlanRow>& rows = m_model->rows();
     QStringList lines;
-    if (!rows.empty()) {
+    if (!m_model->rows().empty()) {
         double length_m = 0;
-        for (const PlanRow& row : rows)
+        for (const PlanRow& row : m_model->rows())
             length_m += row.leg_m;
         lines << tr("%1, flown %2")
                      .arg(distanceText(length_m, locale()),
-                          PlanModel::arrivalText(rows.back().arrival_s));
+                          PlanModel::arrivalText(lastArrival_s(m_model->rows())));
     }
     if (!m_outlook)
         return lines;
-    lines << tr("Predicted ζ at the end: %1 m² s")
-                 .arg(significantText(m_outlook->zeta_m2s, 4, locale()));
+    const QString zeta = significantText(m_outlook->zeta_m2s, 4, locale());
+    lines << (m_outlook->until_s ? tr("ζ at %1 by this plan alone: %2 m² s")
+                                       .arg(clockText(*m_outlook->until_s), zeta)
+                                 : tr("ζ at the end by this plan alone: %1 m² s").arg(zeta));
     if (const std::optional<PlanChange>& change = m_outlook->change)
         lines << tr("Against the plan before: %1, ζ %2 m² s")
                      .arg(signedText(change->distance_m,
@@ -200,8 +210,11 @@ QString PlanPanel::summaryToolTip() const
     if (m_outlook->change)
         lines << tr("Order before the change at %1: %2")
                      .arg(clockText(m_outlook->changed_s), m_outlook->before.join(u", "_s));
-    lines << tr("Predicted for straight legs to where the icebergs are now,\n"
-                "with nothing seen on the way and nothing planned again.");
+    lines << (m_outlook->isAimed
+                  ? tr("Predicted for the way on the map, with every iceberg that comes into view\n"
+                       "on it, and nothing planned again.")
+                  : tr("Predicted for straight legs to where the icebergs are now,\n"
+                       "with nothing seen on the way and nothing planned again."));
     return lines.join(u'\n');
 }
 
@@ -235,7 +248,7 @@ void PlanPanel::showPlan(std::vector<PlanRow> rows)
             largest_m2 = std::max(largest_m2, row.sigma_m2);
         m_delegate->setSigmaFull(largest_m2);
     }
-    const bool hasHours = !rows.empty() && rows.back().arrival_s >= kHour_s - 0.5;
+    const bool hasHours = lastArrival_s(rows) >= kHour_s - 0.5;
     if (hasHours != m_hasHours) {
         m_hasHours = hasHours;
         setColumnWidths();

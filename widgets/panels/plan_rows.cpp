@@ -1,6 +1,7 @@
 #include "widgets/panels/plan_rows.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace berg {
 namespace {
@@ -16,23 +17,67 @@ PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
                         std::max(0.0, scenario.duration_s - now.time_s));
 }
 
+/** What the row says of the iceberg as it is now. */
+PlanRow rowOf(const MissionSnapshot& now, int iceberg)
+{
+    const auto index = static_cast<std::size_t>(iceberg);
+    return {.id = now.icebergs[index].id,
+            .name = nameOf(now.icebergs[index]),
+            .sigma_m2 = now.world.tracks[index].sigma_m2};
+}
+
+std::vector<PlanRow> straightRows(const MissionSnapshot& now, const Scenario& scenario)
+{
+    std::vector<PlanRow> rows;
+    for (const ForecastVisit& visit : forecastOf(now, scenario).visits) {
+        PlanRow& row = rows.emplace_back(rowOf(now, visit.iceberg));
+        row.leg_m = visit.leg_m;
+        row.arrival_s = visit.arrival_s;
+        row.arrivalSigma_m2 = visit.arrivalSigma_m2;
+    }
+    return rows;
+}
+
+std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const Scenario& scenario)
+{
+    const std::vector<AimedWay> ways = waysAhead(now, scenario);
+    const std::vector<double>& sightings_s = now.plan->outlook->sightings_s;
+    std::vector<PlanRow> rows;
+    double before_m = 0;
+    for (std::size_t k = 0; k < now.plan->order.size(); ++k) {
+        const int iceberg = now.plan->order[k];
+        PlanRow& row = rows.emplace_back(rowOf(now, iceberg));
+        row.isSeen = k < sightings_s.size();
+        if (!row.isSeen)
+            continue;
+        const double way_m = lengthUntil_m(ways, sightings_s[k]);
+        const Track& track = now.world.tracks[static_cast<std::size_t>(iceberg)];
+        row.leg_m = way_m - std::exchange(before_m, way_m);
+        row.arrival_s = std::max(0.0, sightings_s[k] - now.time_s);
+        row.arrivalSigma_m2 = track.sigma_m2 + track.q_m2ps * row.arrival_s;
+    }
+    return rows;
+}
+
+PlanOutlook aimedOutlook(const MissionSnapshot& shown, const Scenario& scenario)
+{
+    constexpr double kRounding_s = 1e-6; // times are whole steps
+    const AimedOutlook& aimed = *shown.plan->outlook;
+    PlanOutlook outlook{.zeta_m2s = shown.plan->zeta_m2s + aimed.zeta_m2s, .isAimed = true};
+    if (aimed.until_s < scenario.duration_s - kRounding_s)
+        outlook.until_s = aimed.until_s;
+    else if (shown.time_s > aimed.until_s - kRounding_s)
+        outlook.zeta_m2s = shown.metrics.zeta_m2s; // flown
+    return outlook;
+}
+
 } // namespace
 
 std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenario)
 {
-    std::vector<PlanRow> rows;
     if (!now.plan || scenario.uavs.empty())
-        return rows;
-    for (const ForecastVisit& visit : forecastOf(now, scenario).visits) {
-        const auto index = static_cast<std::size_t>(visit.iceberg);
-        rows.push_back({.id = now.icebergs[index].id,
-                        .name = nameOf(now.icebergs[index]),
-                        .leg_m = visit.leg_m,
-                        .arrival_s = visit.arrival_s,
-                        .sigma_m2 = now.world.tracks[index].sigma_m2,
-                        .arrivalSigma_m2 = visit.arrivalSigma_m2});
-    }
-    return rows;
+        return {};
+    return now.plan->outlook ? aimedRows(now, scenario) : straightRows(now, scenario);
 }
 
 std::optional<PlanOutlook> planOutlook(const FlightRecord& record)
@@ -40,11 +85,14 @@ std::optional<PlanOutlook> planOutlook(const FlightRecord& record)
     const MissionSnapshot& shown = record.shown();
     if (!shown.plan || record.scenario.uavs.empty())
         return std::nullopt;
+    if (shown.plan->outlook)
+        return aimedOutlook(shown, record.scenario);
     if (!shown.plan->legs.empty())
-        return std::nullopt; // passes icebergs at an offset: straight legs foretell too much
+        return std::nullopt; // straight legs would foretell too much
     PlanOutlook outlook{.zeta_m2s =
                             shown.metrics.zeta_m2s + forecastOf(shown, record.scenario).zeta_m2s};
-    if (const std::optional<ShownChange> change = record.changeShown()) {
+    const std::optional<ShownChange> change = record.changeShown();
+    if (change && change->ways.empty()) { // else straight legs are no measure of the plan before
         outlook.change = change->change;
         outlook.changed_s = change->time_s;
         for (const int iceberg : change->change.before)

@@ -18,22 +18,29 @@ struct PlanRow
     double arrival_s = 0;       ///< from now
     double sigma_m2 = 0;        ///< now
     double arrivalSigma_m2 = 0; ///< when the UAV is there, unless it is seen on the way
+    bool isSeen = true;         ///< false: the plan ends before, legs and arrivals are not known
     bool operator==(const PlanRow&) const = default;
 };
 
-/** The present plan as it is forecast from this instant (`forecastPlan`). Empty without a plan. */
+/**
+ * The present plan as it is forecast from this instant (`forecastPlan`); of a plan with aim points
+ * the sightings that it predicts, and the ways to them. Empty without a plan.
+ */
 [[nodiscard]] std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenario);
 
 /** What is told of the plan as a whole. */
 struct PlanOutlook
 {
-    double zeta_m2s = 0; ///< at the end of the mission: what it is and `forecastPlan` adds to it
+    double zeta_m2s =
+        0; ///< at the end of the mission: what it is and what is predicted to be added
+    std::optional<double> until_s;    ///< the zeta is that of this time, before the end
+    bool isAimed = false;             ///< predicted for legs with aim points
     std::optional<PlanChange> change; ///< what the plan shown changed
     double changed_s = 0;             ///< when
     QStringList before;               ///< icebergs left in the order before
 };
 
-/** Of the instant shown; none without a plan, or with one that has aim points. */
+/** Of the instant shown; none without a plan, or with one that has aim points and is being made. */
 [[nodiscard]] std::optional<PlanOutlook> planOutlook(const FlightRecord& record);
 
 } // namespace berg

@@ -3,6 +3,7 @@
 #include "widgets/panels/number_field.h"
 #include "widgets/panels/panel_labels.h"
 #include "widgets/panels/plan_readout_view.h"
+#include "widgets/panels/policy_combo.h"
 #include "widgets/panels/tau_strip.h"
 #include "widgets/panels/wheel_guard.h"
 
@@ -28,7 +29,8 @@ constexpr double kLargestTau = 100;
 constexpr double kFieldStep = 0.05;
 constexpr int kTauRest_ms = 500;
 constexpr int kMargin_px = 10;
-constexpr int kGroupGap_px = 10;
+constexpr int kGroupGap_px = 6;
+constexpr int kForecastGap_px = 2;
 
 /** A slider that jumps to where it is pressed, as one expects of a trade-off. */
 class JumpSlider final : public QSlider
@@ -62,10 +64,9 @@ int sliderPosition(double tau)
     return static_cast<int>(std::lround(std::clamp(tau / kSliderStep, 0.0, double{kSliderEnd})));
 }
 
-QComboBox* addCombo(QGridLayout& grid, int row, int column, int columns, const QString& name,
-                    const QString& label)
+void addCombo(QComboBox* combo, QGridLayout& grid, int row, int column, int columns,
+              const QString& name, const QString& label)
 {
-    auto* combo = new QComboBox;
     combo->setObjectName(name);
     combo->setAccessibleName(label);
     // Long words must not widen the panel; the list itself is as wide as they are.
@@ -77,7 +78,6 @@ QComboBox* addCombo(QGridLayout& grid, int row, int column, int columns, const Q
     caption->setBuddy(combo);
     grid.addWidget(caption, row, column, 1, columns);
     grid.addWidget(combo, row + 1, column, 1, columns);
-    return combo;
 }
 
 /** Adds a choice; with a reason it can be shown but not chosen. */
@@ -189,18 +189,19 @@ void TradeoffPanel::addChoices()
     grid->setVerticalSpacing(1);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
-    grid->setRowMinimumHeight(2, 2);
-    m_policy = addCombo(*grid, 0, 0, 2, u"policyCombo"_s, tr("Policy"));
-    m_backend = addCombo(*grid, 3, 0, 1, u"solverCombo"_s, tr("Solver"));
-    m_route = addCombo(*grid, 3, 1, 1, u"routeCombo"_s, tr("Route"));
+    m_policy = new PolicyCombo;
+    addCombo(m_policy, *grid, 0, 0, 2, u"policyCombo"_s, tr("Policy"));
+    m_forecast = new CaptionLabel;
+    m_forecast->setObjectName(u"policyForecast"_s);
+    m_forecast->setToolTip(PolicyCombo::explanation());
+    grid->addWidget(m_forecast, 2, 0, 1, 2);
+    grid->setRowMinimumHeight(3, kForecastGap_px);
+    m_backend = new QComboBox;
+    addCombo(m_backend, *grid, 4, 0, 1, u"solverCombo"_s, tr("Solver"));
+    m_route = new QComboBox;
+    addCombo(m_route, *grid, 4, 1, 1, u"routeCombo"_s, tr("Route"));
     qobject_cast<QVBoxLayout*>(layout())->addLayout(grid);
 
-    for (const PolicyKind policy :
-         {PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage, PolicyKind::Path,
-          PolicyKind::Tour, PolicyKind::Nearest, PolicyKind::Uncertainty}) {
-        offer(*m_policy, static_cast<int>(policy), policyName(policy), {});
-        m_policy->setItemData(m_policy->count() - 1, policySentence(policy), Qt::ToolTipRole);
-    }
     for (const Backend backend : {Backend::Auto, Backend::Exact, Backend::Cbc, Backend::Heuristic})
         offer(*m_backend, static_cast<int>(backend), backendName(backend),
               hasBackend(backend) ? QString()
@@ -303,6 +304,7 @@ void TradeoffPanel::showTau()
 void TradeoffPanel::setTheme(const Theme& theme)
 {
     setCaptionTheme(*this, theme);
+    m_policy->setTheme(theme);
     m_strip->setTheme(theme);
     m_result->setTheme(theme);
 }
@@ -323,7 +325,7 @@ void TradeoffPanel::showSettings(const PlannerSettings& settings)
 
 void TradeoffPanel::showChoices()
 {
-    select(*m_policy, m_settings.policy);
+    m_policy->showPolicy(m_settings.policy);
     select(*m_backend, m_settings.backend);
     select(*m_route, m_settings.route);
     updateEnabled();
@@ -334,6 +336,7 @@ void TradeoffPanel::setInFlight(bool inFlight)
     if (inFlight == m_inFlight)
         return;
     m_inFlight = inFlight;
+    m_policy->setInFlight(inFlight);
     updateEnabled();
 }
 
@@ -356,11 +359,23 @@ void TradeoffPanel::updateEnabled()
            "keys change τ by 0.01, Page keys by 0.25."));
     set(*m_tau, tauWhyNot, tr("Trade-off τ from 0 to 100."));
     m_strip->setEnabled(usesTau); // its tool tips are its own
-    m_policy->setToolTip(policySentence(policy));
+    updateForecast();
     set(*m_backend, m_inFlight ? locked : (usesSolver ? QString() : noUse),
         tr("What makes the plan. Automatic proves small problems and searches in large ones."));
     set(*m_route, m_inFlight ? locked : (usesTau ? QString() : noUse),
         tr("One way ends at the last iceberg; a round trip counts the way back as well."));
+}
+
+void TradeoffPanel::updateForecast()
+{
+    m_policy->setToolTip(m_policy->currentData(Qt::ToolTipRole).toString());
+    m_forecast->setText(m_policy->summary());
+}
+
+void TradeoffPanel::showForecasts(const PolicyForecastList& forecasts)
+{
+    m_policy->showForecasts(forecasts);
+    updateForecast();
 }
 
 void TradeoffPanel::showPlan(const PlanReadout& readout)

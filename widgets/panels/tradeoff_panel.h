@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/model/policy_forecasts.h"
 #include "widgets/panels/planner_text.h"
 #include "widgets/theme/theme.h"
 
@@ -11,8 +12,10 @@ class QSlider;
 
 namespace berg {
 
+class CaptionLabel;
 class NumberField;
 class PlanReadoutView;
+class PolicyCombo;
 class TauStrip;
 struct TauCurve;
 
@@ -36,6 +39,8 @@ public:
     /** In flight only tau and policy can be changed. */
     void setInFlight(bool inFlight);
     void showPlan(const PlanReadout& readout);
+    /** What each policy is predicted to come to, beside its name and below the one chosen. */
+    void showForecasts(const PolicyForecastList& forecasts);
     /** The plans along the trade-off, below the slider. */
     void showCurve(const TauCurve& curve);
     /** To the neighbouring plan: +1 towards shorter ways, -1 towards most uncertain first. */
@@ -68,11 +73,13 @@ private:
     void showTau();
     void showChoices();
     void updateEnabled();
+    void updateForecast();
 
     NumberField* m_tau;
     QSlider* m_slider;
     TauStrip* m_strip;
-    QComboBox* m_policy;
+    PolicyCombo* m_policy;
+    CaptionLabel* m_forecast;
     QComboBox* m_backend;
     QComboBox* m_route;
     PlanReadoutView* m_result;

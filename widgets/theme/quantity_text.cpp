@@ -53,6 +53,15 @@ QString significantText(double value, int digits, const QLocale& locale)
     return fixedText(rounded, decimals, locale);
 }
 
+QString changeText(double share, const QLocale& locale)
+{
+    const double percent = 100 * share;
+    const int decimals = std::abs(percent) < 99.95 ? 1 : 0;
+    const double rounded = std::abs(percent) < 0.05 ? 0 : percent;
+    const QString sign = rounded == 0 ? QString() : rounded < 0 ? u"−"_s : u"+"_s;
+    return sign + QuantityText::tr("%1 %").arg(fixedText(std::abs(rounded), decimals, locale));
+}
+
 QString clockText(double time_s)
 {
     const auto total = std::max(0LL, std::llround(time_s));

@@ -36,6 +36,9 @@ struct ShownUnit
 /** `digits` significant digits without an exponent: 84 423 with four is "84 420". */
 [[nodiscard]] QString significantText(double value, int digits, const QLocale& locale);
 
+/** "+8.0 %", "−0.4 %", "0.0 %" for 0.08, -0.004 and 0: a change as a share of what it was. */
+[[nodiscard]] QString changeText(double share, const QLocale& locale);
+
 /** mm:ss, from one hour on h:mm:ss; rounded to whole seconds, negative times as zero. */
 [[nodiscard]] QString clockText(double time_s);
 

@@ -57,7 +57,7 @@ Theme Theme::dark()
     theme.sea = QColor(0x0e1a23);
     theme.land = QColor(0x27313a);
     theme.coast = QColor(0x71828e);
-    theme.graticule = QColor(0x203442);
+    theme.graticule = QColor(0x96, 0xbe, 0xd7, 36); // seen on sea and land alike
     theme.graticuleText = QColor(0x8aa0ae);
     theme.ice = QColor(0xf2f7fa);
     theme.ink = QColor(0xc3d0d8);

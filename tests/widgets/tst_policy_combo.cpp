@@ -1,0 +1,187 @@
+#include "tests/support/panel_test.h"
+#include "widgets/panels/policy_combo.h"
+#include "widgets/panels/tradeoff_panel.h"
+
+#include <QAbstractItemView>
+#include <QLabel>
+#include <QScreen>
+#include <QSignalSpy>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr std::array kPolicies{PolicyKind::Visitation, PolicyKind::Path,    PolicyKind::Tour,
+                               PolicyKind::Nearest,    PolicyKind::Latency, PolicyKind::Coverage,
+                               PolicyKind::Uncertainty};
+
+PolicyForecast known(double zeta_m2s)
+{
+    return {.state = ForecastState::Known, .share = 1, .metrics = {.zeta_m2s = zeta_m2s}};
+}
+
+/** All the same but two. */
+PolicyForecastList forecasts()
+{
+    PolicyForecastList list;
+    for (const PolicyKind policy : kPolicies)
+        list[policy] = known(90000);
+    list[PolicyKind::Visitation] = known(71234);
+    list[PolicyKind::Coverage] = known(61234);
+    return list;
+}
+
+struct Fixture
+{
+    TradeoffPanel panel;
+    PolicyCombo& combo = *panel.findChild<PolicyCombo*>(u"policyCombo"_s);
+    QLabel& line = test::child<QLabel>(panel, u"policyForecast"_s);
+
+    Fixture()
+    {
+        panel.setLocale(QLocale::c());
+        panel.resize(test::kDock_px, 360);
+        panel.show();
+    }
+    [[nodiscard]] QVariant offer(PolicyKind policy, int role) const
+    {
+        return combo.itemData(combo.findData(static_cast<int>(policy)), role);
+    }
+    [[nodiscard]] QString figure(PolicyKind policy) const
+    {
+        return offer(policy, PolicyDelegate::FigureRole).toString();
+    }
+    [[nodiscard]] QString remark(PolicyKind policy) const
+    {
+        return offer(policy, PolicyDelegate::RemarkRole).toString();
+    }
+    [[nodiscard]] bool isLowest(PolicyKind policy) const
+    {
+        return offer(policy, PolicyDelegate::LowestRole).toBool();
+    }
+};
+
+} // namespace
+
+/** The predicted zeta of each policy, where policies are chosen. */
+class TestPolicyCombo : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void offersSayWhatTheyComeTo()
+    {
+        Fixture f;
+        f.panel.showForecasts(forecasts());
+        QCOMPARE(f.figure(PolicyKind::Visitation), u"ζ 71\u202f230 m² s"_s);
+        QCOMPARE(f.remark(PolicyKind::Visitation), u"chosen"_s);
+        QCOMPARE(f.figure(PolicyKind::Coverage), u"ζ 61\u202f230 m² s"_s);
+        QCOMPARE(f.remark(PolicyKind::Coverage), u"−14.0 %"_s);
+        QCOMPARE(f.remark(PolicyKind::Nearest), u"+26.3 %"_s);
+        for (const PolicyKind policy : kPolicies)
+            QCOMPARE(f.isLowest(policy), policy == PolicyKind::Coverage);
+        QCOMPARE(f.line.text(), u"Predicted ζ 71\u202f230 m² s, lowest −14.0 %"_s);
+        QVERIFY(f.offer(PolicyKind::Coverage, Qt::AccessibleTextRole)
+                    .toString()
+                    .contains(u"61\u202f230"_s));
+        QVERIFY(f.offer(PolicyKind::Tour, Qt::ToolTipRole).toString().contains(u"noise"_s));
+    }
+
+    void setAgainstTheOneChosen()
+    {
+        Fixture f;
+        f.panel.showForecasts(forecasts());
+        f.panel.showSettings({.policy = PolicyKind::Coverage});
+        QCOMPARE(f.remark(PolicyKind::Coverage), u"chosen"_s);
+        QCOMPARE(f.remark(PolicyKind::Visitation), u"+16.3 %"_s);
+        QCOMPARE(f.line.text(), u"Predicted ζ 61\u202f230 m² s, the lowest"_s);
+        QSignalSpy edited(&f.panel, &TradeoffPanel::policyEdited);
+        QTest::keyClick(&f.combo, Qt::Key_Up);
+        QCOMPARE(edited.count(), 1);
+        QCOMPARE(edited.front().front().value<PolicyKind>(), PolicyKind::Latency);
+        QCOMPARE(f.line.text(), u"Predicted ζ 90\u202f000 m² s, lowest −32.0 %"_s);
+    }
+
+    /** Which is lowest is not told before all are known. */
+    void whileForecastsAreMade()
+    {
+        Fixture f;
+        QVERIFY(f.line.text().isEmpty());
+        PolicyForecastList list = forecasts();
+        list[PolicyKind::Coverage] = {.state = ForecastState::Computing, .share = 0.434};
+        list[PolicyKind::Latency] = {};
+        f.panel.showForecasts(list);
+        QCOMPARE(f.figure(PolicyKind::Coverage), u"43 %…"_s);
+        QCOMPARE(f.figure(PolicyKind::Latency), u"…"_s);
+        QVERIFY(f.remark(PolicyKind::Latency).isEmpty());
+        for (const PolicyKind policy : kPolicies)
+            QVERIFY(!f.isLowest(policy));
+        QCOMPARE(f.line.text(), u"Predicted ζ 71\u202f230 m² s"_s);
+        f.panel.showSettings({.policy = PolicyKind::Latency});
+        QCOMPARE(f.line.text(), u"Predicting ζ…"_s);
+    }
+
+    void limitsAndReasonsAreTold()
+    {
+        Fixture f;
+        PolicyForecastList list = forecasts();
+        list[PolicyKind::Coverage] = {.state = ForecastState::TooLong};
+        list[PolicyKind::Latency] = {.state = ForecastState::Impossible,
+                                     .whyNot = u"no such solver"_s};
+        f.panel.showForecasts(list);
+        QCOMPARE(f.remark(PolicyKind::Coverage), u"takes too long"_s);
+        QVERIFY(f.offer(PolicyKind::Coverage, Qt::ToolTipRole).toString().contains(u"1 min"_s));
+        QVERIFY(
+            f.offer(PolicyKind::Latency, Qt::ToolTipRole).toString().contains(u"no such solver"_s));
+        QVERIFY(f.isLowest(PolicyKind::Visitation)); // of those that are known
+        f.panel.showSettings({.policy = PolicyKind::Coverage});
+        QVERIFY(f.line.text().contains(u"takes too long"_s));
+        QVERIFY(f.remark(PolicyKind::Visitation).isEmpty()); // nothing to be set against
+    }
+
+    /** In flight they are those of before take-off, and look it. */
+    void inFlight()
+    {
+        Fixture f;
+        f.panel.showForecasts(forecasts());
+        QVERIFY(f.offer(PolicyKind::Tour, PolicyDelegate::PresentRole).toBool());
+        f.panel.setInFlight(true);
+        QVERIFY(!f.offer(PolicyKind::Tour, PolicyDelegate::PresentRole).toBool());
+        QCOMPARE(f.line.text(), u"Predicted before take-off: ζ 71\u202f230 m² s"_s);
+        f.panel.setInFlight(false);
+        QVERIFY(f.offer(PolicyKind::Tour, PolicyDelegate::PresentRole).toBool());
+    }
+
+    /** The list is wider than the dock, so that sentences are read, and on the screen. */
+    void listHasRoomForItsTexts()
+    {
+        Fixture f;
+        f.panel.showForecasts(forecasts());
+        f.panel.move(f.panel.screen()->availableGeometry().right() - test::kDock_px, 10);
+        f.combo.showPopup();
+        const QWidget& popup = *f.combo.view()->window();
+        QTRY_VERIFY(popup.isVisible());
+        const QFontMetrics small(Theme::light().small());
+        for (const PolicyKind policy : kPolicies)
+            QVERIFY(
+                f.combo.view()->width() >
+                small.horizontalAdvance(f.offer(policy, PolicyDelegate::SentenceRole).toString()) +
+                    small.horizontalAdvance(f.remark(policy)));
+        QVERIFY(f.panel.screen()->geometry().contains(popup.geometry()));
+        f.combo.hidePopup();
+    }
+
+    void longTextsFitTheDock()
+    {
+        const test::LongerTexts longer;
+        Fixture f;
+        f.panel.showForecasts(forecasts());
+        QVERIFY(f.panel.minimumSizeHint().width() <= test::kDock_px);
+    }
+};
+
+QTEST_MAIN(TestPolicyCombo)
+#include "tst_policy_combo.moc"

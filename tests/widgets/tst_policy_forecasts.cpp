@@ -1,0 +1,190 @@
+#include "core/base/solving_guard.h"
+#include "core/scenario/presets.h"
+#include "core/sim/policy_forecast.h"
+#include "tests/support/panel_test.h"
+#include "widgets/model/policy_forecasts.h"
+
+#include <QSignalSpy>
+
+using namespace berg;
+
+namespace {
+
+constexpr int kPatience_ms = 60'000; // against a slow machine; nothing is measured
+
+/** Few icebergs and a short flight: every policy in a moment. */
+Scenario shortFlight(int seed)
+{
+    Scenario scenario = randomScenario(seed, {.icebergs = 4});
+    scenario.duration_s = 200;
+    return scenario;
+}
+
+/** A day over hundreds of icebergs: hours of planning. */
+Scenario hugeField()
+{
+    Scenario scenario = randomScenario(1, {.icebergs = 300, .size_m = {60000, 60000}});
+    scenario.duration_s = 86400;
+    return scenario;
+}
+
+bool completes(const PolicyForecasts& runner)
+{
+    return QTest::qWaitFor([&] { return runner.isComplete(); }, kPatience_ms);
+}
+
+ForecastState stateOf(const PolicyForecasts& runner, PolicyKind policy)
+{
+    return runner.forecasts().at(policy).state;
+}
+
+} // namespace
+
+class TestPolicyForecasts : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void forecastsEveryPolicy()
+    {
+        const Scenario scenario = shortFlight(2);
+        PolicyForecastList expected;
+        for (const PolicyKind policy :
+             {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour, PolicyKind::Nearest,
+              PolicyKind::Uncertainty, PolicyKind::Latency, PolicyKind::Coverage})
+            expected[policy] = {.state = ForecastState::Known,
+                                .share = 1,
+                                .metrics = forecastOf(scenario, policy).value()};
+        const ForbidSolving onThisThread; // a flight here would throw
+        PolicyForecasts runner;
+        QVERIFY(runner.isComplete() && runner.forecasts().empty());
+        std::vector<PolicyKind> known;
+        connect(&runner, &PolicyForecasts::updated, this, [&] {
+            for (const auto& [policy, forecast] : runner.forecasts())
+                if (forecast.state == ForecastState::Known &&
+                    std::find(known.begin(), known.end(), policy) == known.end())
+                    known.push_back(policy);
+        });
+        runner.setScenario(scenario);
+        QVERIFY(!runner.isComplete());
+        QVERIFY(completes(runner));
+        QVERIFY(runner.forecasts() == expected);
+        QCOMPARE(known.size(), expected.size()); // told one by one, the dear one last
+        QVERIFY(known.front() == PolicyKind::Nearest);
+        QVERIFY(known.back() == PolicyKind::Coverage);
+    }
+
+    /** Only what depends on the change is forecast again; the rest stays to be seen. */
+    void changesKeepWhatStillHolds()
+    {
+        Scenario scenario = shortFlight(3);
+        PolicyForecasts runner;
+        runner.setScenario(scenario);
+        QVERIFY(completes(runner));
+        const PolicyForecastList before = runner.forecasts();
+        scenario.planner.tau = 0;
+        runner.setScenario(scenario);
+        for (const auto& [policy, forecast] : runner.forecasts()) {
+            if (policy == PolicyKind::Visitation)
+                QVERIFY(forecast.state == ForecastState::Waiting);
+            else
+                QVERIFY(forecast == before.at(policy));
+        }
+        QVERIFY(completes(runner));
+        QVERIFY(runner.forecasts().at(PolicyKind::Visitation).metrics ==
+                forecastOf(scenario, PolicyKind::Visitation));
+
+        QSignalSpy updated(&runner, &PolicyForecasts::updated);
+        scenario.name = "another";
+        scenario.planner.policy = PolicyKind::Coverage; // one is chosen, not changed
+        runner.setScenario(scenario);
+        QVERIFY(runner.isComplete());
+        QCOMPARE(updated.count(), 0);
+
+        scenario.icebergs[0].position_m.x() += 100;
+        runner.setScenario(scenario);
+        for (const auto& [policy, forecast] : runner.forecasts())
+            QVERIFY(forecast.state == ForecastState::Waiting);
+    }
+
+    void newestScenarioWins()
+    {
+        Scenario scenario = shortFlight(4);
+        PolicyForecasts runner;
+        for (int i = 0; i < 30; ++i) {
+            scenario.icebergs[0].position_m.x() += 10;
+            runner.setScenario(scenario);
+            QTest::qWait(i % 10 == 0 ? 320 : 0); // some are under way by then
+        }
+        QVERIFY(completes(runner));
+        for (const PolicyKind policy : {PolicyKind::Nearest, PolicyKind::Coverage})
+            QVERIFY(runner.forecasts().at(policy).metrics == forecastOf(scenario, policy));
+    }
+
+    /** What takes too long is given up, and the next one tried. */
+    void thereIsALimit()
+    {
+        PolicyForecasts runner(nullptr, 50);
+        runner.setScenario(hugeField());
+        QVERIFY(completes(runner));
+        for (const PolicyKind policy :
+             {PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage})
+            QVERIFY(stateOf(runner, policy) == ForecastState::TooLong);
+        const Scenario easy = shortFlight(5); // and goes on with what can be done
+        runner.setScenario(easy);
+        QVERIFY(completes(runner));
+        QVERIFY(runner.forecasts().at(PolicyKind::Nearest).metrics ==
+                forecastOf(easy, PolicyKind::Nearest));
+    }
+
+    void brokenScenariosHaveNone()
+    {
+        Scenario scenario = shortFlight(6);
+        PolicyForecasts runner;
+        scenario.icebergs[0].q_m2ps = -1;
+        runner.setScenario(scenario);
+        QVERIFY(completes(runner));
+        for (const auto& [policy, forecast] : runner.forecasts())
+            QVERIFY(forecast.state == ForecastState::Impossible);
+        runner.setScenario(shortFlight(6)); // mended
+        QVERIFY(completes(runner));
+        QVERIFY(stateOf(runner, PolicyKind::Nearest) == ForecastState::Known);
+    }
+
+    void policiesThatCannotBeFlownSayWhy()
+    {
+        Scenario scenario = shortFlight(7);
+        scenario.planner.backend = Backend::Cbc;
+        PolicyForecasts runner;
+        runner.setScenario(scenario);
+        QVERIFY(completes(runner));
+        const PolicyForecast& latency = runner.forecasts().at(PolicyKind::Latency);
+        QVERIFY(latency.state == ForecastState::Impossible);
+        QVERIFY(!latency.whyNot.isEmpty());
+        QVERIFY(stateOf(runner, PolicyKind::Nearest) == ForecastState::Known);
+        scenario.planner.backend = Backend::Auto;
+        runner.setScenario(scenario);
+        QVERIFY(completes(runner));
+        QVERIFY(stateOf(runner, PolicyKind::Latency) == ForecastState::Known);
+    }
+
+    /** Closing does not wait for the end of a day's flight. */
+    void closesDuringAForecast()
+    {
+        PolicyForecasts runner;
+        runner.setScenario(hugeField());
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                const PolicyForecastList& list = runner.forecasts();
+                return std::any_of(list.begin(), list.end(), [](const auto& entry) {
+                    return entry.second.state == ForecastState::Computing && entry.second.share > 0;
+                });
+            },
+            kPatience_ms));
+    }
+};
+
+QTEST_MAIN(TestPolicyForecasts)
+#include "tst_policy_forecasts.moc"

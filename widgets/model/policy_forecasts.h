@@ -1,0 +1,99 @@
+#pragma once
+
+#include "core/sim/mission.h"
+#include "widgets/model/mailbox.h"
+
+#include <QObject>
+#include <QString>
+#include <QThread>
+#include <QTimer>
+
+#include <map>
+#include <optional>
+
+namespace berg {
+
+enum class ForecastState
+{
+    Waiting,
+    Computing,
+    Known,
+    TooLong,   ///< given up: it would take longer than the limit
+    Impossible ///< the scenario cannot be flown with the policy: `whyNot`
+};
+
+/** What is known of a flight with one policy before it is flown (`forecastOf`). */
+struct PolicyForecast
+{
+    ForecastState state = ForecastState::Waiting;
+    double share = 0; ///< flown in advance so far
+    Metrics metrics;  ///< when known
+    QString whyNot;
+    bool operator==(const PolicyForecast&) const = default;
+};
+
+using PolicyForecastList = std::map<PolicyKind, PolicyForecast>;
+
+/**
+ * Forecasts what the scenario comes to with each policy, on a thread of its own at low priority, a
+ * moment after the last change, one policy after the other, those that are soon done first. A
+ * change of settings does away with the forecasts that depend on them only. GUI thread.
+ */
+class PolicyForecasts : public QObject
+{
+    Q_OBJECT
+
+public:
+    /** Longest time for a policy: fields of hundreds of icebergs take hours to fly. */
+    static constexpr int kLimit_ms = 60'000;
+
+    explicit PolicyForecasts(QObject* parent = nullptr, int limit_ms = kLimit_ms);
+    /** Stops a forecast under way and waits for the thread: well under a second. */
+    ~PolicyForecasts() override;
+
+    void setScenario(const Scenario& scenario);
+
+    /** Of every policy, for the present scenario; empty before the first one. */
+    [[nodiscard]] const PolicyForecastList& forecasts() const { return m_forecasts; }
+    /** None waits or is under way. */
+    [[nodiscard]] bool isComplete() const;
+
+signals:
+    void updated();
+
+private:
+    struct Request
+    {
+        std::uint64_t generation = 0;
+        Scenario scenario;
+        PolicyKind policy = PolicyKind::Visitation;
+        std::stop_token stop;
+    };
+    struct Result
+    {
+        std::uint64_t generation = 0;
+        PolicyForecast forecast;
+    };
+
+    void start();
+    void startNext();
+    void stopPresent();
+    void giveUp();
+    void takeResult();
+    // On the thread of the runner:
+    void compute(const Request& request);
+    void publish(const Request& request, PolicyForecast forecast);
+
+    std::optional<Scenario> m_scenario;
+    PolicyForecastList m_forecasts;
+    std::optional<PolicyKind> m_present; ///< under way
+    std::uint64_t m_generation = 0;
+    std::stop_source m_stop; ///< of the forecast under way
+    QTimer m_pause;          ///< runs out when changes have come to rest
+    QTimer m_limit;
+    Mailbox<Result> m_results;
+    QThread m_thread;
+    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+};
+
+} // namespace berg

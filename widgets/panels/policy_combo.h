@@ -1,0 +1,80 @@
+#pragma once
+
+#include "widgets/model/policy_forecasts.h"
+#include "widgets/theme/theme.h"
+
+#include <QComboBox>
+#include <QStyledItemDelegate>
+
+namespace berg {
+
+/** Draws an offer of `PolicyCombo` in its list: name, sentence and what it is predicted to give. */
+class PolicyDelegate : public QStyledItemDelegate
+{
+    Q_OBJECT
+
+public:
+    enum Role
+    {
+        SentenceRole = Qt::UserRole + 1,
+        FigureRole,  ///< right of the name
+        RemarkRole,  ///< below the figure
+        LowestRole,  ///< bool: the best of those known
+        PresentRole, ///< bool: the figure is of the flight to come
+    };
+
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void setTheme(const Theme& theme) { m_theme = theme; }
+    void paint(QPainter* painter, const QStyleOptionViewItem& given,
+               const QModelIndex& index) const override;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
+                                 const QModelIndex& index) const override;
+    /** Of the list, so that no text of these offers is cut. */
+    [[nodiscard]] int widthFor(const QAbstractItemModel& offers) const;
+
+private:
+    void paintLowest(QPainter& painter, const QRect& row, int from_px) const;
+
+    Theme m_theme = Theme::light();
+};
+
+/**
+ * The choice of the policy: each is offered with what it does and the zeta that it is predicted to
+ * come to, set against the one that is chosen. A line of that is `summary`. Shows what it is given.
+ */
+class PolicyCombo : public QComboBox
+{
+    Q_OBJECT
+
+public:
+    explicit PolicyCombo(QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    void showPolicy(PolicyKind policy);
+    void showForecasts(const PolicyForecastList& forecasts);
+    /** In flight the forecasts are of the time before take-off. */
+    void setInFlight(bool inFlight);
+
+    /** Of the policy shown, e.g. "Predicted ζ 71 230 m² s, lowest −14.1 %". */
+    [[nodiscard]] QString summary() const;
+    /** What the forecasts are. */
+    [[nodiscard]] static QString explanation();
+
+    void showPopup() override;
+
+private:
+    [[nodiscard]] PolicyKind shownPolicy() const;
+    [[nodiscard]] std::optional<double> zetaOf(PolicyKind policy) const;
+    [[nodiscard]] std::optional<PolicyKind> lowest() const;
+    [[nodiscard]] QString figureOf(PolicyKind policy) const;
+    [[nodiscard]] QString remarkOf(PolicyKind policy) const;
+    [[nodiscard]] QString toolTipOf(PolicyKind policy) const;
+    void updateOffers();
+
+    PolicyDelegate* m_delegate;
+    PolicyForecastList m_forecasts;
+    bool m_inFlight = false;
+};
+
+} // namespace berg
