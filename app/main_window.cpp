@@ -23,6 +23,7 @@
 #include "widgets/panels/playback_bar.h"
 #include "widgets/panels/run_time_line.h"
 #include "widgets/panels/solve_time_panel.h"
+#include "widgets/panels/study_panel.h"
 #include "widgets/panels/tradeoff_panel.h"
 #include "widgets/theme/palette.h"
 #include "widgets/theme/quantity_text.h"
@@ -71,9 +72,11 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     setInFlight(m_workspace.inFlight());
     showTitle();
     m_comparison->setScenario(m_workspace.document().scenario());
+    m_study->setScenario(m_workspace.document().scenario());
     m_comparisonChart->setComparison(m_workspace.runs().comparison());
     showPlanner();
     showCurve();
+    m_tradeoff->showForecasts(m_workspace.forecasts().forecasts());
     showFlight();
     showCharts();
 }
@@ -169,6 +172,7 @@ void MainWindow::applyTheme(const Theme& theme)
     m_comparisonChart->setTheme(theme);
     m_pareto->setTheme(theme);
     m_solveTime->setTheme(theme);
+    m_study->setTheme(theme);
     m_events->setTheme(theme);
     m_checks->setTheme(theme);
     m_icebergs->setTheme(theme);
@@ -184,7 +188,7 @@ void MainWindow::applyTheme(const Theme& theme)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!m_endAgreed && !maySettleChanges()) {
+    if (!m_endAgreed && (!maySettleChanges() || !maySettleStudy())) {
         event->ignore();
         return;
     }

@@ -42,6 +42,7 @@ class PlanPanel;
 class PlaybackBar;
 class SolveTimePanel;
 class StartPage;
+class StudyPanel;
 class Tour;
 class TradeoffPanel;
 
@@ -74,7 +75,8 @@ public:
     [[nodiscard]] static bool wantsStartPage(const QSettings& settings);
     /** Unsaved work of programs that ended unexpectedly; false, and no question: there is none. */
     bool offerRecoveries();
-    /** The user logs out; false: not now. Without a question what is unsaved is left to recovery. */
+    /** The user logs out; false: not now. Without a question what is unsaved is left to recovery.
+     */
     [[nodiscard]] bool mayEndSession(bool mayAsk);
     void setAppearance(Appearance appearance);
     /** Applies a theme now; `setAppearance` decides it in daily use. */
@@ -101,6 +103,8 @@ private:
     static constexpr const char* kKeepOldKey = "files/keepOld"; ///< on unless told otherwise
     static constexpr const char* kRecentFilesKey = "files/recent";
     static constexpr const char* kShowAtStartKey = "start/show"; ///< on unless told otherwise
+    static constexpr const char* kStudyWorthKey =
+        "study/worthSaving_s"; ///< asked about from then on
     static constexpr const char* kTourSeenKey = "start/tourSeen";
 
     static constexpr int kLayoutVersion = 3; ///< of the docks' saved places
@@ -211,6 +215,28 @@ private:
     void restore(FoundRecovery found);
     void lookAtFile();
 
+    // main_window_study.cpp
+    [[nodiscard]] static bool isStudyFile(const QString& path);
+    void connectStudy();
+    [[nodiscard]] QString studyPath(const QString& extension, const QString& filter);
+    void saveStudyPicture();
+    bool saveStudy();
+    [[nodiscard]] bool maySettleStudy();
+    void openStudyDock(const QString& name, const QSize& best_px);
+    void showStudy();
+    [[nodiscard]] bool flyOnMap(const Scenario& scenario, const QString& text);
+    void compareFlights(const Scenario& scenario, const PlannerSettings& best,
+                        const PlannerSettings& tsp);
+    void finishComparison();
+
+    /** Two flights to be set beside each other when both have ended. */
+    struct ComparedPair
+    {
+        Scenario world;
+        PlannerSettings reference;
+        PlannerSettings other;
+    };
+
     Workspace& m_workspace;
     Interaction& m_interaction;
     QSettings& m_settings;
@@ -228,6 +254,7 @@ private:
     ComparisonChart* m_comparisonChart = nullptr;
     ParetoChart* m_pareto = nullptr;
     SolveTimePanel* m_solveTime = nullptr;
+    StudyPanel* m_study = nullptr;
     FlightBanner* m_banner = nullptr;
     OverviewInset* m_overview = nullptr;
     GotoBar* m_goto = nullptr;
@@ -254,6 +281,8 @@ private:
     StartPage* m_startPage = nullptr; ///< while it is shown
     Tour* m_tour = nullptr;           ///< while it goes on
 
+    std::optional<ComparedPair> m_compared; ///< awaited
+    bool m_closesWhenSaved = false;         ///< as soon as the study is in its file
     bool m_endAgreed = false;  ///< with leaving when the user logs out, and nothing changed since
     bool m_asksReload = false; ///< the question is on screen
     QDateTime m_reloadRefused; ///< of this change of the file

@@ -23,12 +23,6 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 
-namespace {
-
-constexpr QSize kStudyFrame_px(24, 48); ///< title and edges of the window of a study
-
-} // namespace
-
 template <class Slot>
 QAction* MainWindow::addAction(QMenu& menu, const ActionSpec& spec, const Slot& slot)
 {
@@ -203,16 +197,10 @@ void MainWindow::buildViewMenu()
     m_sweptAction->setChecked(m_settings.value("view/swept", true).toBool());
     addAction(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7, std::nullopt},
               [this] { openChecks(); });
-    addAction(menu, {"solveTimeAction", tr("&Solve time study"), {}, std::nullopt}, [this] {
-        auto* dock = findChild<QDockWidget*>(u"solveTimeDock"_s);
-        if (!dock->isVisible()) { // a study wants more room than the docks have
-            dock->setFloating(true);
-            dock->resize(m_solveTime->sizeHint() + kStudyFrame_px);
-            dock->move(geometry().center() - dock->rect().center());
-        }
-        dock->show();
-        dock->raise();
-    });
+    addAction(menu, {"studyAction", tr("S&tudy of τ and policies"), {}, std::nullopt},
+              [this] { showStudy(); });
+    addAction(menu, {"solveTimeAction", tr("&Solve time study"), {}, std::nullopt},
+              [this] { openStudyDock(u"solveTimeDock"_s, m_solveTime->sizeHint()); });
     menu.addSeparator();
     QMenu& panels = *menu.addMenu(tr("&Panels"));
     for (QDockWidget* dock : m_docks)

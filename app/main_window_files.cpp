@@ -1,3 +1,4 @@
+#include "app/file_names.h"
 #include "app/main_window.h"
 #include "core/io/atomic_file.h"
 #include "core/io/scenario_json.h"
@@ -14,7 +15,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMenu>
-#include <QRegularExpression>
 #include <QStatusBar>
 
 using namespace Qt::StringLiterals;
@@ -31,25 +31,12 @@ QString scenarioFilter()
     return MainWindow::tr("Scenarios (*.berg);;All files (*)");
 }
 
-/** A name for a file from the name of a scenario, which may hold anything. */
-QString fileNameOf(const QString& name)
-{
-    static const QRegularExpression kForbidden(u"[/\\\\:*?\"<>|\\x00-\\x1f]+"_s);
-    const QString clean = QString(name).replace(kForbidden, u"-"_s).simplified();
-    return clean.isEmpty() || clean.startsWith(u'.') ? MainWindow::tr("Untitled") + clean : clean;
-}
-
 /** "Bergwatch, process 4711 on fram": whoever has a file open. */
 QString holderText(const LockHolder& holder)
 {
     return holder.pid == 0
                ? MainWindow::tr("Another Bergwatch")
                : MainWindow::tr("Bergwatch, process %1 on %2").arg(holder.pid).arg(holder.host);
-}
-
-QString withExtension(const QString& path, const QString& extension)
-{
-    return QFileInfo(path).suffix().isEmpty() ? path + u'.' + extension : path;
 }
 
 } // namespace
@@ -92,7 +79,8 @@ void MainWindow::newScenario()
 void MainWindow::openScenario()
 {
     const QString path =
-        m_interaction.openPath(this, tr("Scenarios and runs (*.berg *.bergrun);;All files (*)"));
+        m_interaction.openPath(this, tr("Scenarios, runs and studies (*.berg *.bergrun "
+                                        "*.bergstudy);;All files (*)"));
     if (!path.isEmpty())
         openFile(path);
 }
@@ -121,6 +109,10 @@ bool MainWindow::openUnlessInUse(const QString& path)
 
 bool MainWindow::openFile(const QString& path)
 {
+    if (isStudyFile(path)) {
+        m_workspace.studyFiles().open(path);
+        return true;
+    }
     if (!maySettleChanges())
         return false;
     try {

@@ -14,6 +14,7 @@
 #include "widgets/panels/plan_panel.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/panels/solve_time_panel.h"
+#include "widgets/panels/study_panel.h"
 #include "widgets/panels/tradeoff_panel.h"
 
 #include <QDockWidget>
@@ -48,6 +49,7 @@ void MainWindow::buildPanels()
     m_pareto = new ParetoChart(m_theme);
     m_pareto->setTitleShown(false);
     m_solveTime = new SolveTimePanel(m_workspace.benchmark());
+    m_study = new StudyPanel(m_workspace.study());
     m_banner = new FlightBanner(m_map);
     m_overview = new OverviewInset(m_map);
     m_overview->hide();
@@ -139,12 +141,20 @@ void MainWindow::buildDocks()
     tabifyDockWidget(zeta, comparisonChart);
     tabifyDockWidget(comparisonChart, checks);
     zeta->raise();
-    auto* study = new QScrollArea; // so that it does not ask for the room it is best in
-    study->setWidgetResizable(true);
-    study->setFrameShape(QFrame::NoFrame);
-    study->setWidget(m_solveTime);
+    const auto scrolling = [](QWidget* content) { // does not ask for the room it is best in
+        auto* scroll = new QScrollArea;
+        scroll->setWidgetResizable(true);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setWidget(content);
+        return scroll;
+    };
     QDockWidget* solveTime =
-        dock("solveTimeDock", tr("Solve time"), study, Qt::BottomDockWidgetArea);
+        dock("solveTimeDock", tr("Solve time"), scrolling(m_solveTime), Qt::BottomDockWidgetArea);
+    QDockWidget* study =
+        dock("studyDock", tr("Study"), scrolling(m_study), Qt::BottomDockWidgetArea);
+    // Studies, not part of watching a flight; hidden before their tabs ask for room.
+    solveTime->hide();
+    study->hide();
     QDockWidget* comparison =
         dock("comparisonDock", tr("Comparison"), m_comparison, Qt::BottomDockWidgetArea);
     QDockWidget* icebergs =
@@ -153,7 +163,7 @@ void MainWindow::buildDocks()
     tabifyDockWidget(icebergs, events);
     tabifyDockWidget(events, comparison);
     tabifyDockWidget(comparison, solveTime);
-    solveTime->hide(); // a study, not part of watching a flight
+    tabifyDockWidget(solveTime, study);
     sigma->raise();
     resizeDocks({tradeoff}, {310}, Qt::Horizontal);
     resizeDocks({zeta}, {230}, Qt::Vertical);
@@ -178,6 +188,7 @@ void MainWindow::connectPanels()
             });
     connect(&document, &ScenarioDocument::scenarioChanged, this, [this] {
         m_comparison->setScenario(m_workspace.document().scenario());
+        m_study->setScenario(m_workspace.document().scenario());
         showPlanner();
         showFlight();
         showTitle();
@@ -192,12 +203,15 @@ void MainWindow::connectPanels()
     buildPlaces();
     connectSafety();
     connectChecks();
+    connectStudy();
     connect(m_tradeoff, &TradeoffPanel::tauEdited, &m_workspace, &Workspace::setTau);
     connect(m_tradeoff, &TradeoffPanel::tauEditFinished, &document, &ScenarioDocument::endGesture);
     connect(m_tradeoff, &TradeoffPanel::policyEdited, &m_workspace, &Workspace::setPolicy);
     connect(m_tradeoff, &TradeoffPanel::backendEdited, &m_workspace, &Workspace::setBackend);
     connect(m_tradeoff, &TradeoffPanel::routeEdited, &m_workspace, &Workspace::setRoute);
 
+    connect(&m_workspace.forecasts(), &PolicyForecasts::updated, this,
+            [this] { m_tradeoff->showForecasts(m_workspace.forecasts().forecasts()); });
     connect(m_pareto, &ParetoChart::tauChosen, m_tradeoff, &TradeoffPanel::chooseTau);
     connect(&m_workspace.curve(), &CurveRunner::updated, this, &MainWindow::showCurve);
     connect(m_solveTime, &SolveTimePanel::saveRequested, this, &MainWindow::saveTable);

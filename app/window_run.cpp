@@ -62,7 +62,19 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
         }
         QApplication::exit(code);
     };
-    const auto onFlight = [&workspace, &window, done, at_s = options.at_s,
+    const auto whenPredicted = [&window, &forecasts = workspace.forecasts(), done] {
+        constexpr int kLongestWait_ms = 5000;
+        if (forecasts.isComplete()) {
+            done();
+            return;
+        }
+        QTimer::singleShot(kLongestWait_ms, &window, done);
+        QObject::connect(&forecasts, &PolicyForecasts::updated, &window, [&forecasts, done] {
+            if (forecasts.isComplete())
+                done();
+        });
+    };
+    const auto onFlight = [&workspace, &window, whenPredicted, at_s = options.at_s,
                            asked = false]() mutable {
         const MissionSnapshot& now = workspace.record().now;
         if (now.phase == RunPhase::Planning)
@@ -73,7 +85,7 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
             return;
         }
         // Charts are drawn a moment after the picture; wait for them.
-        QTimer::singleShot(300, &window, done);
+        QTimer::singleShot(300, &window, whenPredicted);
     };
     QObject::connect(&workspace, &Workspace::flightChanged, &window, onFlight);
 }

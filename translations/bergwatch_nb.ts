@@ -108,10 +108,6 @@
 <context>
     <name>ComparisonText</name>
     <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
         <source>Zeta ζ, m² s</source>
         <translation>Zeta ζ, m² s</translation>
     </message>
@@ -416,6 +412,22 @@
     <message>
         <source>sighting overdue</source>
         <translation>observasjon uteblitt</translation>
+    </message>
+    <message>
+        <source>The planner failed: the last plan is flown on</source>
+        <translation>Planleggeren sviktet: forrige plan flys videre</translation>
+    </message>
+    <message>
+        <source>%1 is on its way into the inner ring</source>
+        <translation>%1 er på vei inn i den indre ringen</translation>
+    </message>
+    <message>
+        <source>Wind changed</source>
+        <translation>Vinden endret</translation>
+    </message>
+    <message>
+        <source>What is to be protected has changed</source>
+        <translation>Det som skal beskyttes, er endret</translation>
     </message>
 </context>
 <context>
@@ -1542,6 +1554,50 @@
         <source>%1 towards %2°</source>
         <translation>%1 mot %2°</translation>
     </message>
+    <message>
+        <source>Inner ring</source>
+        <translation>Indre ring</translation>
+    </message>
+    <message>
+        <source>An iceberg on its way into it within an hour is an alarm; at 0 it is half the range.</source>
+        <translation>Et isfjell på vei inn i den innen en time utløser alarm; ved 0 er den halve rekkevidden.</translation>
+    </message>
+    <message>
+        <source>Change inner ring of the asset</source>
+        <translation>Endre indre ring for objektet</translation>
+    </message>
+    <message>
+        <source>half the range</source>
+        <translation>halve rekkevidden</translation>
+    </message>
+    <message>
+        <source>Planning time</source>
+        <translation>Planleggingstid</translation>
+    </message>
+    <message>
+        <source>How long a plan takes in flight; until it is there the UAV flies the last one on.</source>
+        <translation>Hvor lang tid en plan tar i luften; til den foreligger, flyr dronen den forrige videre.</translation>
+    </message>
+    <message>
+        <source>Change planning time</source>
+        <translation>Endre planleggingstid</translation>
+    </message>
+    <message>
+        <source>Autopilot rate</source>
+        <translation>Autopilotens takt</translation>
+    </message>
+    <message>
+        <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
+        <translation>Tid mellom to kommandoer fra autopiloten; ved 0 kommer én i hvert tidssteg.</translation>
+    </message>
+    <message>
+        <source>Change autopilot rate</source>
+        <translation>Endre autopilotens takt</translation>
+    </message>
+    <message>
+        <source>each time step</source>
+        <translation>hvert tidssteg</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -1560,10 +1616,6 @@
     <message>
         <source>The UAV will make little way against this wind.</source>
         <translation>UAV-en kommer knapt fremover mot denne vinden.</translation>
-    </message>
-    <message>
-        <source>The asset is kept, but not used by this version.</source>
-        <translation>Objektet som skal vernes beholdes, men brukes ikke av denne versjonen.</translation>
     </message>
     <message>
         <source>This version cannot fly the policy chosen.</source>
@@ -1828,6 +1880,34 @@
     <message>
         <source>Seen so far</source>
         <translation>Sett hittil</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>I sikte</translation>
+    </message>
+    <message>
+        <source>To come</source>
+        <translation>Kommer</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Rute</translation>
+    </message>
+    <message>
+        <source>Point aimed at</source>
+        <translation>Punkt det siktes mot</translation>
+    </message>
+    <message>
+        <source>Aim point</source>
+        <translation>Siktepunkt</translation>
+    </message>
+    <message>
+        <source>Former plan</source>
+        <translation>Forrige plan</translation>
+    </message>
+    <message>
+        <source>Flown</source>
+        <translation>Fløyet</translation>
     </message>
 </context>
 <context>
@@ -2574,6 +2654,10 @@
         <source>%1 nmi</source>
         <translation>%1 nmi</translation>
     </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -2874,6 +2958,49 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>B − A</source>
         <translation>B − A</translation>
+    </message>
+</context>
+<context>
+    <name>berg::DifferenceChart</name>
+    <message>
+        <source>Differences to the reference</source>
+        <translation>Forskjeller fra referansen</translation>
+    </message>
+    <message>
+        <source>Here each setting is compared with a reference, case by case.</source>
+        <translation>Her sammenlignes hver innstilling med en referanse, tilfelle for tilfelle.</translation>
+    </message>
+    <message>
+        <source>Less ζ is better: to the left</source>
+        <translation>Mindre ζ er bedre: mot venstre</translation>
+    </message>
+    <message>
+        <source>Mean of the cases with its 95 % confidence interval</source>
+        <translation>Middel av tilfellene med 95 % konfidensintervall</translation>
+    </message>
+    <message>
+        <source>Difference of ζ to %1, %</source>
+        <translation>Forskjell i ζ fra %1, %</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>referansen</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>95 %: %1 to %2</source>
+        <translation>95 %: %1 til %2</translation>
+    </message>
+    <message>
+        <source>less in %1 of %2 cases</source>
+        <translation>mindre i %1 av %2 tilfeller</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>verst %1</translation>
     </message>
 </context>
 <context>
@@ -3904,10 +4031,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>N&amp;yeste bilde</translation>
     </message>
     <message>
-        <source>Scenarios and runs (*.berg *.bergrun);;All files (*)</source>
-        <translation>Scenarioer og flyginger (*.berg *.bergrun);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>The plan is still being made.</source>
         <translation>Planen lages fortsatt.</translation>
     </message>
@@ -4251,6 +4374,46 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Generate iceberg</source>
         <translation>Generer isfjell</translation>
     </message>
+    <message>
+        <source>S&amp;tudy of τ and policies</source>
+        <translation>Stu&amp;die av τ og strategier</translation>
+    </message>
+    <message>
+        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
+        <translation>Scenarioer, flyginger og studier (*.berg *.bergrun *.bergstudy);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Studies (*.bergstudy);;All files (*)</source>
+        <translation>Studier (*.bergstudy);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Fly as in the study</source>
+        <translation>Fly som i studien</translation>
+    </message>
+    <message>
+        <source>Flown as in the study, which is under View, Study.</source>
+        <translation>Fløyet som i studien, som ligger under Vis, Studie.</translation>
+    </message>
+    <message>
+        <source>Studies and their reports (*.bergstudy *.json *.html);;All files (*)</source>
+        <translation>Studier og rapporter om dem (*.bergstudy *.json *.html);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Reports (*.html);;All files (*)</source>
+        <translation>Rapporter (*.html);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Fly Figure 5 of the paper</source>
+        <translation>Fly figur 5 i artikkelen</translation>
+    </message>
+    <message>
+        <source>Study: %1</source>
+        <translation>Studie: %1</translation>
+    </message>
 </context>
 <context>
     <name>berg::MapView</name>
@@ -4532,6 +4695,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Uncertainty of the position when the UAV is there, m²</source>
         <translation>Posisjonens usikkerhet når UAV-en er der, m²</translation>
     </message>
+    <message>
+        <source>later</source>
+        <translation>senere</translation>
+    </message>
+    <message>
+        <source>The plan ends before this iceberg is seen.</source>
+        <translation>Planen slutter før dette isfjellet blir sett.</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanPanel</name>
@@ -4548,10 +4719,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>%1, fløyet %2</translation>
     </message>
     <message>
-        <source>Predicted ζ at the end: %1 m² s</source>
-        <translation>Ventet ζ ved slutten: %1 m² s</translation>
-    </message>
-    <message>
         <source>Against the plan before: %1, ζ %2 m² s</source>
         <translation>Mot planen før: %1, ζ %2 m² s</translation>
     </message>
@@ -4564,6 +4731,20 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 with nothing seen on the way and nothing planned again.</source>
         <translation>Beregnet for rette etapper til der isfjellene er nå,
 uten noe sett underveis og uten ny planlegging.</translation>
+    </message>
+    <message>
+        <source>ζ at %1 by this plan alone: %2 m² s</source>
+        <translation>ζ ved %1 med denne planen alene: %2 m² s</translation>
+    </message>
+    <message>
+        <source>ζ at the end by this plan alone: %1 m² s</source>
+        <translation>ζ ved slutten, denne planen alene: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Predicted for the way on the map, with every iceberg that comes into view
+on it, and nothing planned again.</source>
+        <translation>Forutsagt for veien på kartet, med hvert isfjell som kommer i sikte
+på den, og uten at noe planlegges på nytt.</translation>
     </message>
 </context>
 <context>
@@ -4698,6 +4879,72 @@ uten noe sett underveis og uten ny planlegging.</translation>
     <message>
         <source>Fastest</source>
         <translation>Raskest</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PolicyCombo</name>
+    <message>
+        <source>%1 m² s</source>
+        <translation>%1 m² s</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Lavest</translation>
+    </message>
+    <message>
+        <source>%1 %…</source>
+        <translation>%1 %…</translation>
+    </message>
+    <message>
+        <source>takes too long</source>
+        <translation>tar for lang tid</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>valgt</translation>
+    </message>
+    <message>
+        <source>Not predicted: flying it in advance takes more than %1.</source>
+        <translation>Ikke forutsagt: å fly det på forhånd tar mer enn %1.</translation>
+    </message>
+    <message>
+        <source>ζ is predicted before take-off by flying the mission in advance with the policy, planned
+again at each sighting as in flight, with icebergs that drift exactly as entered. The real
+flight differs by the noise of the drift.</source>
+        <translation>ζ forutsies før avgang ved at oppdraget flys på forhånd med strategien, planlagt på nytt
+ved hver observasjon som under flyging, med isfjell som driver nøyaktig som oppgitt. Den
+virkelige flygingen avviker med støyen i driften.</translation>
+    </message>
+    <message>
+        <source>ζ not predicted: takes too long</source>
+        <translation>ζ ikke forutsagt: tar for lang tid</translation>
+    </message>
+    <message>
+        <source>Predicting ζ…</source>
+        <translation>Forutsier ζ…</translation>
+    </message>
+    <message>
+        <source>Predicted before take-off: ζ %1</source>
+        <translation>Forutsagt før avgang: ζ %1</translation>
+    </message>
+    <message>
+        <source>Predicted ζ %1</source>
+        <translation>Forutsagt ζ %1</translation>
+    </message>
+    <message>
+        <source>Predicted ζ %1, the lowest</source>
+        <translation>Forutsagt ζ %1, den laveste</translation>
+    </message>
+    <message>
+        <source>Predicted ζ %1, lowest %2</source>
+        <translation>Forutsagt ζ %1, laveste %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::PolicyForecasts</name>
+    <message>
+        <source>There is not enough memory to fly it in advance.</source>
+        <translation>Det er ikke nok minne til å fly det på forhånd.</translation>
     </message>
 </context>
 <context>
@@ -5005,6 +5252,568 @@ uten noe sett underveis og uten ny planlegging.</translation>
     <message>
         <source>Import sightings...</source>
         <translation>Importer observasjoner …</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyCasesModel</name>
+    <message>
+        <source>reference</source>
+        <translation>referanse</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>fast</translation>
+    </message>
+    <message>
+        <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
+        <translation>%1 besøk, %2 planer, %3 fløyet. Enter eller dobbeltklikk åpner denne flygingen.</translation>
+    </message>
+    <message>
+        <source>Name of the scenario, or the seed it was drawn from.</source>
+        <translation>Navnet på scenarioet, eller frøet det ble trukket fra.</translation>
+    </message>
+    <message>
+        <source>Noise seed</source>
+        <translation>Støyfrø</translation>
+    </message>
+    <message>
+        <source>What the true drift was drawn from: the same for every setting.</source>
+        <translation>Det den sanne driften ble trukket fra: det samme for hver innstilling.</translation>
+    </message>
+    <message>
+        <source>ζ, m² s</source>
+        <translation>ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty of this flight: less is better.</source>
+        <translation>Akkumulert usikkerhet for denne flygingen: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>To reference</source>
+        <translation>Mot referanse</translation>
+    </message>
+    <message>
+        <source>Compared with the flight of this case with the reference.</source>
+        <translation>Sammenlignet med flygingen av dette tilfellet med referansen.</translation>
+    </message>
+    <message>
+        <source>Best τ</source>
+        <translation>Beste τ</translation>
+    </message>
+    <message>
+        <source>The τ with the lowest ζ in this case, in hindsight.</source>
+        <translation>τ med lavest ζ i dette tilfellet, i ettertid.</translation>
+    </message>
+    <message>
+        <source>Best of all</source>
+        <translation>Best av alle</translation>
+    </message>
+    <message>
+        <source>The setting with the lowest ζ in this case.</source>
+        <translation>Innstillingen med lavest ζ i dette tilfellet.</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Fast</translation>
+    </message>
+    <message>
+        <source>Flies to two icebergs at most in the second half.</source>
+        <translation>Flyr til høyst to isfjell i andre halvdel.</translation>
+    </message>
+    <message>
+        <source>Random %1</source>
+        <comment>scenario drawn from a seed</comment>
+        <translation>Tilfeldig %1</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Tilfelle</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyChart</name>
+    <message>
+        <source>Accumulated uncertainty ζ against the trade-off τ</source>
+        <translation>Akkumulert usikkerhet ζ mot avveiningen τ</translation>
+    </message>
+    <message>
+        <source>Choose what to fly and press Start, or take a figure of the paper.</source>
+        <translation>Velg hva som skal flys, og trykk Start, eller ta en figur fra artikkelen.</translation>
+    </message>
+    <message>
+        <source>Mean ζ, m² s</source>
+        <translation>Middel av ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, m² s</source>
+        <translation>Zeta ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Avveining τ</translation>
+    </message>
+    <message>
+        <source>Lowest: %1.</source>
+        <translation>Lavest: %1.</translation>
+    </message>
+    <message>
+        <source>Lowest: %1; of the values of τ: %2.</source>
+        <translation>Lavest: %1; blant verdiene av τ: %2.</translation>
+    </message>
+    <message>
+        <source>Band: quartiles. Dashed: median. Ring: reference.</source>
+        <translation>Bånd: kvartiler. Stiplet: median. Ring: referanse.</translation>
+    </message>
+    <message>
+        <source>Ring: reference.</source>
+        <translation>Ring: referanse.</translation>
+    </message>
+    <message>
+        <source>%1 (TSP)</source>
+        <comment>travelling salesman problem</comment>
+        <translation>%1 (TSP)</translation>
+    </message>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Beste τ i hvert tilfelle</translation>
+    </message>
+    <message>
+        <source>TSP</source>
+        <translation>TSP</translation>
+    </message>
+    <message>
+        <source>ζ %1 m² s</source>
+        <translation>ζ %1 m² s</translation>
+    </message>
+    <message>
+        <source>mean %1, median %2</source>
+        <translation>middel %1, median %2</translation>
+    </message>
+    <message>
+        <source>quartiles %1 to %2</source>
+        <translation>kvartiler %1 til %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>stuck in %1 of %2 cases</source>
+        <translation>står fast i %1 av %2 tilfeller</translation>
+    </message>
+    <message>
+        <source>stuck: flies to two icebergs at most in the second half</source>
+        <translation>står fast: flyr til høyst to isfjell i andre halvdel</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyFiles</name>
+    <message>
+        <source>There is not enough memory for a study of this size.</source>
+        <translation>Det er ikke nok minne til en så stor studie.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyPanel</name>
+    <message>
+        <source>As in the paper</source>
+        <translation>Som i artikkelen</translation>
+    </message>
+    <message>
+        <source>Figure 3</source>
+        <translation>Figur 3</translation>
+    </message>
+    <message>
+        <source>Solution times by number of icebergs: opens the solve time study with the sizes of the paper.</source>
+        <translation>Løsningstider etter antall isfjell: åpner studien av løsningstid med størrelsene i artikkelen.</translation>
+    </message>
+    <message>
+        <source>Figure 4</source>
+        <translation>Figur 4</translation>
+    </message>
+    <message>
+        <source>ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path (TSP).</source>
+        <translation>ζ for dette scenarioet for τ = 0, 0,1 … 4, og for korteste vei (TSP).</translation>
+    </message>
+    <message>
+        <source>Figure 5</source>
+        <translation>Figur 5</translation>
+    </message>
+    <message>
+        <source>Two flights of this scenario over the map: with the τ of lowest ζ, and along the shortest path (TSP).</source>
+        <translation>To flyginger av dette scenarioet over kartet: med τ som gir lavest ζ, og langs korteste vei (TSP).</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyPicture</name>
+    <message>
+        <source>1 case</source>
+        <translation>1 tilfelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cases</source>
+        <translation>
+            <numerusform>%n tilfelle</numerusform>
+            <numerusform>%n tilfeller</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>name of a study, how many cases</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyResults</name>
+    <message>
+        <source>Compared with</source>
+        <translation>Sammenlignet med</translation>
+    </message>
+    <message>
+        <source>Reference that the other settings are compared with</source>
+        <translation>Referanse som de andre innstillingene sammenlignes med</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Åpne …</translation>
+    </message>
+    <message>
+        <source>Opens a study: to look at it, or to carry it on.</source>
+        <translation>Åpner en studie: for å se på den, eller fortsette den.</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Lagre …</translation>
+    </message>
+    <message>
+        <source>Saves the study with all that was flown, also while it is being flown.</source>
+        <translation>Lagrer studien med alt som er fløyet, også mens den flys.</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport …</translation>
+    </message>
+    <message>
+        <source>Writes a page with pictures, scenarios, seeds, version and machine.</source>
+        <translation>Skriver en side med bilder, scenarioer, frø, versjon og maskin.</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabell …</translation>
+    </message>
+    <message>
+        <source>Saves the numbers of all settings as CSV.</source>
+        <translation>Lagrer tallene for alle innstillinger som CSV.</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Bilde …</translation>
+    </message>
+    <message>
+        <source>Saves the picture in front (PNG, SVG, PDF).</source>
+        <translation>Lagrer bildet som er framme (PNG, SVG, PDF).</translation>
+    </message>
+    <message>
+        <source>ζ against τ</source>
+        <translation>ζ mot τ</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Forskjeller</translation>
+    </message>
+    <message>
+        <source>Settings of the study</source>
+        <translation>Innstillinger i studien</translation>
+    </message>
+    <message>
+        <source>Cases of the setting chosen</source>
+        <translation>Tilfeller av valgt innstilling</translation>
+    </message>
+    <message>
+        <source>Open this run</source>
+        <translation>Åpne denne flygingen</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Innstillinger</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Tilfeller</translation>
+    </message>
+    <message>
+        <source>Cases of %1</source>
+        <translation>Tilfeller av %1</translation>
+    </message>
+    <message>
+        <source>Flies this case again, the same in every number, and shows it on the map and the time line.</source>
+        <translation>Flyr dette tilfellet igjen, likt i hvert tall, og viser det på kartet og tidslinjen.</translation>
+    </message>
+    <message>
+        <source>Choose a point of the picture or a setting, then a case.</source>
+        <translation>Velg et punkt i bildet eller en innstilling, deretter et tilfelle.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyRunBar</name>
+    <message>
+        <source>under a second</source>
+        <translation>under et sekund</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>omtrent %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min</source>
+        <translation>omtrent %1 min</translation>
+    </message>
+    <message>
+        <source>about %1 h</source>
+        <translation>omtrent %1 t</translation>
+    </message>
+    <message>
+        <source>Carry on</source>
+        <translation>Fortsett</translation>
+    </message>
+    <message>
+        <source>Flies what is missing of the study shown.</source>
+        <translation>Flyr det som mangler av studien som vises.</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Framdrift i studien</translation>
+    </message>
+    <message>
+        <source>%1 missions, %2</source>
+        <translation>%1 oppdrag, %2</translation>
+    </message>
+    <message>
+        <source>%1 missions flown.</source>
+        <translation>%1 oppdrag fløyet.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 missions flown.</source>
+        <translation>%1 av %2 oppdrag fløyet.</translation>
+    </message>
+    <message>
+        <source>About %1 left.</source>
+        <translation>Omtrent %1 igjen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>What has been flown is kept.</source>
+        <translation>Det som er fløyet, beholdes.</translation>
+    </message>
+    <message>
+        <source>Start study</source>
+        <translation>Start studien</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyRunner</name>
+    <message>
+        <source>There is not enough memory for a study of this size.</source>
+        <translation>Det er ikke nok minne til en så stor studie.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudySettingsModel</name>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Beste τ i hvert tilfelle</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <comment>from, to</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>referanse</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
+        <translation>τ med lavest ζ i hvert tilfelle, valgt i ettertid: median %1, kvartiler %2 og %3.</translation>
+    </message>
+    <message>
+        <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
+        <translation>Mindre enn referansen i %1 av %2 tilfeller, verst %3. I middel %4 besøk.</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Innstilling</translation>
+    </message>
+    <message>
+        <source>How the next iceberg is chosen.</source>
+        <translation>Hvordan neste isfjell velges.</translation>
+    </message>
+    <message>
+        <source>Mean ζ</source>
+        <translation>Middel ζ</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
+        <translation>Akkumulert usikkerhet i m² s, middel av alle tilfeller: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>Median ζ</source>
+        <translation>Median ζ</translation>
+    </message>
+    <message>
+        <source>Half of the cases have less.</source>
+        <translation>Halvparten av tilfellene har mindre.</translation>
+    </message>
+    <message>
+        <source>Quartiles</source>
+        <translation>Kvartiler</translation>
+    </message>
+    <message>
+        <source>A quarter of the cases has less than the first, a quarter more than the second.</source>
+        <translation>En firedel av tilfellene har mindre enn den første, en firedel mer enn den andre.</translation>
+    </message>
+    <message>
+        <source>To reference</source>
+        <translation>Mot referanse</translation>
+    </message>
+    <message>
+        <source>Mean of the differences, case by case, in per cent of the reference.</source>
+        <translation>Middel av forskjellene, tilfelle for tilfelle, i prosent av referansen.</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95 %-intervall</translation>
+    </message>
+    <message>
+        <source>Of the mean difference: confidence interval by Student&apos;s t.</source>
+        <translation>For den midlere forskjellen: konfidensintervall etter Students t.</translation>
+    </message>
+    <message>
+        <source>Best in</source>
+        <translation>Best i</translation>
+    </message>
+    <message>
+        <source>Cases in which no other setting has less ζ.</source>
+        <translation>Tilfeller der ingen annen innstilling har mindre ζ.</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Fast</translation>
+    </message>
+    <message>
+        <source>Cases that fly to two icebergs at most in the second half.</source>
+        <translation>Tilfeller som flyr til høyst to isfjell i andre halvdel.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudySetup</name>
+    <message>
+        <source>This scenario</source>
+        <translation>Dette scenarioet</translation>
+    </message>
+    <message>
+        <source>Random scenarios</source>
+        <translation>Tilfeldige scenarioer</translation>
+    </message>
+    <message>
+        <source>Fields of icebergs as in Table 3 of the paper, one for each seed.</source>
+        <translation>Isfjellfelt som i tabell 3 i artikkelen, ett for hvert frø.</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Hvor mange</translation>
+    </message>
+    <message>
+        <source>Number of random scenarios.</source>
+        <translation>Antall tilfeldige scenarioer.</translation>
+    </message>
+    <message>
+        <source>First seed</source>
+        <translation>Første frø</translation>
+    </message>
+    <message>
+        <source>The others have the seeds that follow.</source>
+        <translation>De andre har frøene som følger.</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>Number of icebergs in each random scenario.</source>
+        <translation>Antall isfjell i hvert tilfeldige scenario.</translation>
+    </message>
+    <message>
+        <source>Runs each</source>
+        <translation>Flyginger av hvert</translation>
+    </message>
+    <message>
+        <source>Flights of each scenario with other noise: the true drift is drawn anew, the same for every setting.</source>
+        <translation>Flyginger av hvert scenario med annen støy: den sanne driften trekkes på nytt, den samme for hver innstilling.</translation>
+    </message>
+    <message>
+        <source>τ from</source>
+        <translation>τ fra</translation>
+    </message>
+    <message>
+        <source>Smallest trade-off τ.</source>
+        <translation>Minste avveining τ.</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <comment>largest tau</comment>
+        <translation>til</translation>
+    </message>
+    <message>
+        <source>Largest trade-off τ.</source>
+        <translation>Største avveining τ.</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <comment>of tau</comment>
+        <translation>steg</translation>
+    </message>
+    <message>
+        <source>Between two values of τ.</source>
+        <translation>Mellom to verdier av τ.</translation>
+    </message>
+    <message>
+        <source>1 random scenario</source>
+        <translation>1 tilfeldig scenario</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n random scenarios</source>
+        <translation>
+            <numerusform>%n tilfeldig scenario</numerusform>
+            <numerusform>%n tilfeldige scenarioer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This scenario has no icebergs.</source>
+        <translation>Dette scenarioet har ingen isfjell.</translation>
+    </message>
+    <message>
+        <source>The largest τ is below the smallest.</source>
+        <translation>Største τ er under minste.</translation>
+    </message>
+    <message>
+        <source>These are too many values of τ. Take a larger step.</source>
+        <translation>Dette er for mange verdier av τ. Ta et større steg.</translation>
+    </message>
+    <message>
+        <source>Choose at least one policy.</source>
+        <translation>Velg minst én strategi.</translation>
+    </message>
+    <message>
+        <source>A study has at most %1 missions.</source>
+        <translation>En studie har høyst %1 oppdrag.</translation>
     </message>
 </context>
 <context>

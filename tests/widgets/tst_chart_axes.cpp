@@ -1,6 +1,6 @@
+#include "core/base/nice_ticks.h"
 #include "tests/support/approx.h"
 #include "widgets/charts/chart_labels.h"
-#include "widgets/charts/nice_ticks.h"
 
 #include <QtTest>
 

@@ -129,18 +129,15 @@ private slots:
 
     void everyAdviceHasItsWords()
     {
-        for (const std::string_view message : {advised::kUnknownMembers,  advised::kAreaUnused,
-                                               advised::kAssetUnused,     advised::kFirstUavOnly,
-                                               advised::kEnduranceUnused, advised::kEnduranceShort,
-                                               advised::kNoRoundTrip,     advised::kUavOutside,
-                                               advised::kWideTurn,        advised::kReachInsideTurn,
-                                               advised::kOutsideArea,     advised::kLeavesArea,
-                                               advised::kSamePlace,       advised::kOutOfReach,
-                                               advised::kTooShort,        advised::kFast,
-                                               advised::kTrackShort,      advised::kTrackFar,
-                                               advised::kAssetInIce,      advised::kNoSigma,
-                                               advised::kBeyondProof,     advised::kSolverUnable,
-                                               advised::kLongProof}) {
+        for (const std::string_view message :
+             {advised::kUnknownMembers,  advised::kAreaUnused,     advised::kFirstUavOnly,
+              advised::kEnduranceUnused, advised::kEnduranceShort, advised::kNoRoundTrip,
+              advised::kUavOutside,      advised::kWideTurn,       advised::kReachInsideTurn,
+              advised::kOutsideArea,     advised::kLeavesArea,     advised::kSamePlace,
+              advised::kOutOfReach,      advised::kTooShort,       advised::kFast,
+              advised::kTrackShort,      advised::kTrackFar,       advised::kAssetInIce,
+              advised::kNoSigma,         advised::kBeyondProof,    advised::kSolverUnable,
+              advised::kLongProof}) {
             const Issue issue{Severity::Hint, "field", std::string(message)};
             QVERIFY2(!issueText(issue).startsWith(u"field: "), issue.message.c_str());
         }

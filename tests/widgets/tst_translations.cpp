@@ -77,6 +77,14 @@ const std::set<QString> kSame = {u"%1 m"_s,
                                  u"m² s"_s,
                                  u"m²"_s,
                                  u"%1 %"_s,
+                                 u"%1 (TSP)"_s,
+                                 u"TSP"_s,
+                                 u"ζ %1 m² s"_s,
+                                 u"%1 m² s"_s,
+                                 u"%1 %…"_s,
+                                 u"%1: %2"_s,
+                                 u"%1 – %2"_s,
+                                 u"Median ζ"_s,
                                  u"τ %1"_s};
 
 /** The text of a `translation` element, or of each `numerusform` in it. */

@@ -29,34 +29,45 @@ void showUnseen(TimeChart& chart, const TimeChartContent& content, const QSize& 
     chart.show();
 }
 
-void paintChart(TimeChart& chart, QPaintDevice& device, const QRectF& target)
+void paintPage(const PicturePage& page, QPaintDevice& device)
 {
     QPainter painter(&device);
     painter.setRenderHint(QPainter::Antialiasing); // `render` takes the painter's hints
-    chart.render(&painter, target, QRect(QPoint(0, 0), chart.size()));
+    page.paint(painter);
 }
 
-void paintSvg(TimeChart& chart, QBuffer& buffer)
+void paintSvg(const PicturePage& page, QBuffer& buffer)
 {
     QSvgGenerator svg;
     svg.setOutputDevice(&buffer);
     svg.setResolution(kLayout_dpi);
-    svg.setSize(chart.size());
-    svg.setViewBox(chart.rect());
-    svg.setTitle(chart.content().title);
-    svg.setDescription(chart.content().summary);
-    paintChart(chart, svg, chart.rect());
+    svg.setSize(page.size_px);
+    svg.setViewBox(QRect(QPoint(0, 0), page.size_px));
+    svg.setTitle(page.title);
+    svg.setDescription(page.description);
+    paintPage(page, svg);
 }
 
-void paintPdf(TimeChart& chart, QBuffer& buffer)
+void paintPdf(const PicturePage& page, QBuffer& buffer)
 {
     constexpr double kPoints = 72.0 / kLayout_dpi;
     QPdfWriter pdf(&buffer);
     pdf.setResolution(kLayout_dpi);
-    pdf.setPageSize(QPageSize(QSizeF(chart.size()) * kPoints, QPageSize::Point));
+    pdf.setPageSize(QPageSize(QSizeF(page.size_px) * kPoints, QPageSize::Point));
     pdf.setPageMargins({});
-    pdf.setTitle(chart.content().title);
-    paintChart(chart, pdf, chart.rect());
+    pdf.setTitle(page.title);
+    paintPage(page, pdf);
+}
+
+/** All of the chart, over `target`. */
+void paintChart(TimeChart& chart, QPainter& painter, const QRectF& target)
+{
+    chart.render(&painter, target, QRect(QPoint(0, 0), chart.size()));
+}
+
+QString endingOf(const QString& path)
+{
+    return QFileInfo(path).suffix().toLower();
 }
 
 } // namespace
@@ -69,34 +80,46 @@ QImage chartImage(const TimeChartContent& content, const Theme& theme, const QSi
     QImage image(size_px, QImage::Format_RGB32);
     image.setDevicePixelRatio(scale);
     image.fill(theme.chart);
-    paintChart(chart, image, QRectF(QPointF(0, 0), QSizeF(size_px) / scale));
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing); // `render` takes the painter's hints
+    paintChart(chart, painter, QRectF(QPointF(0, 0), QSizeF(size_px) / scale));
     return image;
 }
 
 void writeChartPicture(const TimeChartContent& content, const Theme& theme, const ChartPage& page,
                        const QString& path)
 {
-    const QString ending = QFileInfo(path).suffix().toLower();
+    TimeChart chart(theme);
+    chart.setGradients(endingOf(path) == u"png"_s); // neither SVG nor PDF of Qt has such pens
+    showUnseen(chart, content, page.size_px);
+    if (page.window)
+        chart.setWindow(*page.window);
+    writePicture(
+        {.size_px = page.size_px,
+         .title = content.title,
+         .description = content.summary,
+         .paint = [&chart](QPainter& painter) { paintChart(chart, painter, chart.rect()); }},
+        path);
+}
+
+void writePicture(const PicturePage& page, const QString& path)
+{
+    const QString ending = endingOf(path);
     if (std::none_of(kChartPictureEndings.begin(), kChartPictureEndings.end(),
                      [&](const char* known) { return ending == QLatin1String(known); }))
         throw Error(ErrorCode::Unsupported, path.toStdString(),
                     "charts are written as .png, .svg or .pdf");
-    TimeChart chart(theme);
-    chart.setGradients(ending == u"png"_s); // neither SVG nor PDF of Qt has pens with a gradient
-    showUnseen(chart, content, page.size_px);
-    if (page.window)
-        chart.setWindow(*page.window);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (ending == u"svg"_s) {
-        paintSvg(chart, buffer);
+        paintSvg(page, buffer);
     } else if (ending == u"pdf"_s) {
-        paintPdf(chart, buffer);
+        paintPdf(page, buffer);
     } else {
         QImage image(page.size_px * kPictureScale, QImage::Format_RGB32);
         image.setDevicePixelRatio(kPictureScale);
-        paintChart(chart, image, chart.rect());
+        paintPage(page, image);
         image.save(&buffer, "PNG");
     }
     writeFileAtomically(QFile::encodeName(path).toStdString(),

@@ -5,6 +5,7 @@
 #include <QImage>
 
 #include <array>
+#include <functional>
 
 namespace berg {
 
@@ -28,5 +29,17 @@ struct ChartPage
  */
 void writeChartPicture(const TimeChartContent& content, const Theme& theme, const ChartPage& page,
                        const QString& path);
+
+/** A picture on a page of its own. */
+struct PicturePage
+{
+    QSize size_px; ///< of the layout, at 96 to the inch; PNG has twice as many
+    QString title;
+    QString description;
+    std::function<void(QPainter&)> paint; ///< within `size_px`
+};
+
+/** As `writeChartPicture` for whatever can be painted. Throws likewise. */
+void writePicture(const PicturePage& page, const QString& path);
 
 } // namespace berg

@@ -1,8 +1,8 @@
 #include "widgets/charts/comparison_chart.h"
 
+#include "core/base/nice_ticks.h"
 #include "widgets/charts/chart_labels.h"
 #include "widgets/charts/decimate.h"
-#include "widgets/charts/nice_ticks.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,5 @@
 #include "widgets/charts/pareto_chart.h"
 
-#include "widgets/charts/nice_ticks.h"
 #include "widgets/model/curve_choice.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -88,30 +87,12 @@ void ParetoChart::refresh()
     update();
 }
 
-ParetoChart::Axis ParetoChart::axisOver(double least, double largest, int most)
+std::vector<ChartTick> ParetoChart::ticks(const NiceRange& axis, double from_px, double to_px) const
 {
-    // A single plan has no extent: a tenth of it, so that it is in the middle.
-    const double extent =
-        largest > least ? largest - least : std::max(0.1 * std::abs(largest), 1e-3);
-    const double low = largest > least ? least : least - extent / 2;
-    const double high = largest > least ? largest : largest + extent / 2;
-    // Round ends may need one step more than the extent: try until they fit.
-    for (int wanted = most;; --wanted) {
-        const double step = niceTicks(extent, std::max(1, wanted)).step;
-        const double first = std::floor(low / step + 1e-9) * step;
-        const int count = std::max(1, static_cast<int>(std::ceil((high - first) / step - 1e-9)));
-        if (count <= most + 1 || wanted <= 1)
-            return {.first = first, .step = step, .count = count};
-    }
-}
-
-std::vector<ChartTick> ParetoChart::ticks(const Axis& axis, double from_px, double to_px) const
-{
-    const int decimals = NiceTicks{.step = axis.step}.decimals();
     std::vector<ChartTick> out;
     for (int k = 0; k <= axis.count; ++k)
         out.push_back({.at_px = from_px + (to_px - from_px) * k / axis.count,
-                       .text = fixedText(axis.first + k * axis.step, decimals, locale())});
+                       .text = fixedText(axis.at(k), axis.decimals(), locale())});
     return out;
 }
 
@@ -131,10 +112,10 @@ void ParetoChart::layOut()
     }
     m_frame.timeTitle = tr("Distance, %1").arg(longDistanceUnit().name);
     // Along the curve both go down.
-    m_reward = axisOver(plans.back().reward_m2, plans.front().reward_m2,
-                        std::max(1, static_cast<int>(height_px / kTickSpacing_px)));
-    m_distance = axisOver(shownDistance(plans.back()), shownDistance(plans.front()),
-                          std::max(1, static_cast<int>((width() - 80) / kDistanceSpacing_px)));
+    m_reward = niceRange(plans.back().reward_m2, plans.front().reward_m2,
+                         std::max(1, static_cast<int>(height_px / kTickSpacing_px)));
+    m_distance = niceRange(shownDistance(plans.back()), shownDistance(plans.front()),
+                           std::max(1, static_cast<int>((width() - 80) / kDistanceSpacing_px)));
     m_frame.left = ticks(m_reward, top_px + height_px, top_px);
     double widest_px = 0;
     for (const ChartTick& tick : m_frame.left)

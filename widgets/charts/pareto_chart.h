@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/nice_ticks.h"
 #include "core/plan/tau_curve.h"
 #include "widgets/charts/chart_frame.h"
 
@@ -47,16 +48,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    /** Round numbers round a range that need not hold 0. */
-    struct Axis
-    {
-        double first = 0;
-        double step = 1;
-        int count = 1;
-        [[nodiscard]] double share(double value) const { return (value - first) / (step * count); }
-    };
-    [[nodiscard]] static Axis axisOver(double least, double largest, int most);
-    [[nodiscard]] std::vector<ChartTick> ticks(const Axis& axis, double from_px,
+    [[nodiscard]] std::vector<ChartTick> ticks(const NiceRange& axis, double from_px,
                                                double to_px) const;
     [[nodiscard]] QPointF place(const CurveInterval& interval) const;
     [[nodiscard]] int planNear(const QPointF& at) const;
@@ -76,8 +68,8 @@ private:
     bool m_titleShown = true;
     int m_present = -1;
     int m_hovered = -1;
-    Axis m_distance; ///< km or nmi
-    Axis m_reward;   ///< m^2
+    NiceRange m_distance; ///< km or nmi
+    NiceRange m_reward;   ///< m^2
     ChartFrame m_frame;
 };
 

@@ -1,6 +1,6 @@
 #include "widgets/charts/solve_time_chart.h"
 
-#include "widgets/charts/nice_ticks.h"
+#include "core/base/nice_ticks.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>

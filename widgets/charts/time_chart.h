@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/nice_ticks.h"
 #include "widgets/charts/chart_content.h"
 #include "widgets/charts/chart_frame.h"
-#include "widgets/charts/nice_ticks.h"
 #include "widgets/charts/time_window.h"
 #include "widgets/theme/theme.h"
 

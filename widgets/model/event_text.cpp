@@ -28,7 +28,15 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
             .arg(iceberg);
     case EventKind::Appeared:
         return EventText::tr("%1 appeared").arg(iceberg);
+    case EventKind::PlannerFailed:
+        return EventText::tr("The planner failed: the last plan is flown on");
+    case EventKind::Alarm:
+        return EventText::tr("%1 is on its way into the inner ring").arg(iceberg);
     case EventKind::Intervention:
+        if (event.detail == kWindChanged)
+            return EventText::tr("Wind changed");
+        if (event.detail == kAssetChanged)
+            return EventText::tr("What is to be protected has changed");
         return EventText::tr("Trade-off or policy changed");
     }
     return {};

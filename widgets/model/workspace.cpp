@@ -48,6 +48,7 @@ void Workspace::planAgain()
     m_runner.setScenario(m_document.scenario(), recordingOf(m_document.scenario()));
     m_curvePlan.reset();
     m_curve.setScenario(m_document.scenario());
+    m_forecasts.setScenario(m_document.scenario());
     if (wasInFlight) { // another scenario was opened over the flight
         m_record.begin(m_document.scenario());
         emit inFlightChanged(false);
@@ -151,6 +152,25 @@ void Workspace::openRun(std::shared_ptr<const RunFile> run)
 {
     m_document.reset(run->scenario);
     m_runner.setRun(std::move(run));
+}
+
+bool Workspace::isVariant(const Scenario& scenario) const
+{
+    Scenario present = m_document.scenario();
+    present.seed = scenario.seed;
+    present.planner = scenario.planner;
+    return present == scenario;
+}
+
+void Workspace::flyScenario(const Scenario& scenario, const QString& text)
+{
+    if (inFlight())
+        reset();
+    if (isVariant(scenario))
+        m_document.edit(text, [&scenario](Scenario& present) { present = scenario; });
+    else
+        m_document.reset(scenario);
+    fly(0);
 }
 
 void Workspace::fly(double rate)

@@ -7,9 +7,11 @@
 #include "widgets/model/flight_record.h"
 #include "widgets/model/import_runner.h"
 #include "widgets/model/mission_runner.h"
+#include "widgets/model/policy_forecasts.h"
 #include "widgets/model/run_list.h"
 #include "widgets/model/scenario_document.h"
 #include "widgets/model/selection.h"
+#include "widgets/model/study_files.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -38,9 +40,13 @@ public:
     [[nodiscard]] MissionRunner& runner() { return m_runner; }
     /** Of the plan in force, before take-off and in flight. */
     [[nodiscard]] CurveRunner& curve() { return m_curve; }
+    /** Of the flight from the start, made before take-off. */
+    [[nodiscard]] PolicyForecasts& forecasts() { return m_forecasts; }
     /** What was flown, at its end or when it was given up. */
     [[nodiscard]] RunList& runs() { return m_runs; }
     [[nodiscard]] BenchmarkRunner& benchmark() { return m_benchmark; }
+    [[nodiscard]] StudyRunner& study() { return m_study; }
+    [[nodiscard]] StudyFiles& studyFiles() { return m_studyFiles; }
     [[nodiscard]] ImportRunner& imports() { return m_imports; }
     [[nodiscard]] const FlightRecord& record() const { return m_record; }
     [[nodiscard]] bool inFlight() const { return m_record.inFlight(); }
@@ -57,6 +63,13 @@ public:
 
     /** Opens a scenario, or a run by its ending. Throws `Error`; then all stays as it was. */
     void openFile(const QString& path);
+    /**
+     * Flies this scenario to its end as fast as it goes. Where it differs from the document in seed
+     * and planner only, that is an edit under `text`; else it takes the document's place.
+     */
+    void flyScenario(const Scenario& scenario, const QString& text);
+    /** Whether `flyScenario` would only edit the document. */
+    [[nodiscard]] bool isVariant(const Scenario& scenario) const;
     /** Opens a recorded run: its scenario, flown again as far as it went. */
     void openRun(std::shared_ptr<const RunFile> run);
     /** Takes off, or carries on. `rate` simulated seconds a second, 0: as fast as possible. */
@@ -116,7 +129,10 @@ private:
     /** In flight, the plan the curve is of: rewrites of the history, number of the plan. */
     std::optional<std::pair<std::uint64_t, std::size_t>> m_curvePlan;
     CurveRunner m_curve;
+    PolicyForecasts m_forecasts;
     BenchmarkRunner m_benchmark;
+    StudyRunner m_study;
+    StudyFiles m_studyFiles;
     ImportRunner m_imports;
     RunList m_runs;
     MissionRunner m_runner; ///< last: its thread ends before the rest

@@ -74,6 +74,17 @@ std::vector<InspectorRow> assetRows()
         {}, [](auto& asset) -> auto& { return asset.range_m; }, kExtent_m);
     range.step = 500;
     rows.emplace_back(asDistance(range));
+    NumberRow alarm = assetRow({.key = u"assetAlarm"_s,
+                                .label = InspectorRows::tr("Inner ring"),
+                                .toolTip = InspectorRows::tr(
+                                    "An iceberg on its way into it within an hour is an alarm; at "
+                                    "0 it is half the range."),
+                                .undoText = InspectorRows::tr("Change inner ring of the asset")},
+                               {}, [](auto& asset) -> auto& { return asset.alarm_m; },
+                               {.low = 0, .high = kExtent_m.high});
+    alarm.step = 500;
+    alarm.lowestText = InspectorRows::tr("half the range");
+    rows.emplace_back(asDistance(alarm));
     rows.emplace_back(
         assetRow({.key = u"assetGain"_s,
                   .label = InspectorRows::tr("Gain"),

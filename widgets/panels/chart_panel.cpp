@@ -251,9 +251,12 @@ void ChartPanel::exportChart(const QString& path) const
 
 QString ChartPanel::exportFilters()
 {
-    const QStringList filters = {tr("PNG picture (*.png)"), tr("SVG drawing (*.svg)"),
-                                 tr("PDF page (*.pdf)"), tr("Table of numbers (*.csv)")};
-    return filters.join(u";;"_s);
+    return (pictureFilters() << tr("Table of numbers (*.csv)")).join(u";;"_s);
+}
+
+QStringList ChartPanel::pictureFilters()
+{
+    return {tr("PNG picture (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF page (*.pdf)")};
 }
 
 QString ChartPanel::exportName() const

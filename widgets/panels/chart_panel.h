@@ -46,6 +46,8 @@ public:
     void exportChart(const QString& path) const;
     /** For a file dialog: the formats, and a name to start with. */
     [[nodiscard]] static QString exportFilters();
+    /** Those of pictures alone. */
+    [[nodiscard]] static QStringList pictureFilters();
     [[nodiscard]] QString exportName() const;
 
 signals:

@@ -120,11 +120,7 @@ QString percentText(double value, double reference, const QLocale& locale)
 {
     if (reference == 0)
         return noFigure();
-    const double percent = 100 * (value / reference - 1);
-    const int decimals = std::abs(percent) < 99.95 ? 1 : 0;
-    const double rounded = std::abs(percent) < 0.05 ? 0 : percent;
-    return signedText(
-        rounded, ComparisonText::tr("%1 %").arg(fixedText(std::abs(rounded), decimals, locale)));
+    return changeText(value / reference - 1, locale);
 }
 
 std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const ComparedRun* other,

@@ -44,8 +44,6 @@ constexpr AdviceText kAdviceTexts[] = {
                                     "are kept, but not used.")},
     {advised::kAreaUnused,
      QT_TRANSLATE_NOOP("IssueText", "The area serves these checks; this version flies beyond it.")},
-    {advised::kAssetUnused,
-     QT_TRANSLATE_NOOP("IssueText", "The asset is kept, but not used by this version.")},
     {advised::kFirstUavOnly,
      QT_TRANSLATE_NOOP("IssueText", "This version flies the first UAV only; the others are kept.")},
     {advised::kEnduranceUnused,

@@ -43,7 +43,21 @@ std::vector<InspectorRow> plannerRows()
             },
         .range = always({.low = 0, .high = kExtent_m.high}),
         .lowestText = InspectorRows::tr("in view")};
-    return {reach,
+    NumberRow latency{
+        .words = {.key = u"scenarioLatency"_s,
+                  .label = InspectorRows::tr("Planning time"),
+                  .toolTip = InspectorRows::tr("How long a plan takes in flight; until it is there "
+                                               "the UAV flies the last one on."),
+                  .undoText = InspectorRows::tr("Change planning time")},
+        .unit = u" s"_s,
+        .decimals = {.least = 0, .most = 1},
+        .step = 1,
+        .read = [](const Scenario& scenario,
+                   const std::string&) { return scenario.planningTime_s; },
+        .write = [](Scenario& scenario, const std::string&,
+                    double value) { scenario.planningTime_s = value; },
+        .range = always({.low = 0, .high = 3600})};
+    return {reach, latency,
             choiceRow(
                 {.key = u"scenarioFovShape"_s,
                  .label = InspectorRows::tr("Field of view"),

@@ -28,7 +28,7 @@ constexpr double kNear_px = 5;
 
 bool isMarked(EventKind kind)
 {
-    return kind == EventKind::Reached || kind == EventKind::Appeared ||
+    return kind == EventKind::Reached || kind == EventKind::Appeared || kind == EventKind::Alarm ||
            kind == EventKind::Intervention;
 }
 

@@ -206,6 +206,18 @@ BenchmarkSpec SolveTimePanel::spec() const
     return spec;
 }
 
+void SolveTimePanel::showSpec(const BenchmarkSpec& spec)
+{
+    if (m_runner.isRunning())
+        return;
+    m_largest->showValue(*std::max_element(spec.sizes.begin(), spec.sizes.end()));
+    m_repeat->showValue(spec.repeat);
+    m_budget->showValue(spec.budget_s);
+    for (const auto& [solver, box] : m_solvers)
+        box->setChecked(std::find(spec.solvers.begin(), spec.solvers.end(), solver) !=
+                        spec.solvers.end());
+}
+
 void SolveTimePanel::startOrCancel()
 {
     m_cancelled = m_runner.isRunning();

@@ -31,6 +31,8 @@ public:
 
     void setTheme(const Theme& theme);
 
+    /** Fills in the fields; nothing while something is measured. */
+    void showSpec(const BenchmarkSpec& spec);
     /** What Start would measure. */
     [[nodiscard]] BenchmarkSpec spec() const;
 

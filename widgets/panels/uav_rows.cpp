@@ -126,6 +126,16 @@ std::vector<InspectorRow> uavRows()
     endurance.step = 60;
     endurance.lowestText = InspectorRows::tr("unlimited");
     rows.emplace_back(endurance);
+    NumberRow autopilot =
+        uavRow({.key = u"uavAutopilot"_s,
+                .label = InspectorRows::tr("Autopilot rate"),
+                .toolTip = InspectorRows::tr("Time between two commands of the autopilot; at 0 it "
+                                             "commands at each time step."),
+                .undoText = InspectorRows::tr("Change autopilot rate")},
+               u" s"_s, &UavSpec::autopilot_s, {.low = 0, .high = 60});
+    autopilot.decimals = {.least = 0, .most = 2};
+    autopilot.lowestText = InspectorRows::tr("each time step");
+    rows.emplace_back(autopilot);
     return rows;
 }
 

@@ -1,0 +1,239 @@
+#include "tests/support/panel_test.h"
+#include "tests/support/study_builder.h"
+#include "widgets/charts/difference_chart.h"
+#include "widgets/charts/study_chart.h"
+
+#include <QSignalSpy>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr PolicyKind kOthers[] = {PolicyKind::Path,    PolicyKind::Tour,
+                                  PolicyKind::Nearest, PolicyKind::Uncertainty,
+                                  PolicyKind::Latency, PolicyKind::Coverage};
+
+/** Every policy and 41 values of tau, three cases. */
+StudyPointer everything()
+{
+    StudySpec spec{.name = "Everything", .policies = {PolicyKind::Visitation}};
+    spec.policies.insert(spec.policies.end(), std::begin(kOthers), std::end(kOthers));
+    for (int k = 0; k <= 40; ++k)
+        spec.taus.push_back(k / 10.0);
+    std::vector<std::vector<double>> zeta_m2s(3);
+    for (std::size_t c = 0; c < zeta_m2s.size(); ++c)
+        for (std::size_t s = 0; s < settingsOf(spec).size(); ++s)
+            zeta_m2s[c].push_back(1e5 + 1e3 * static_cast<double>((7 * s + 5 * c) % 11));
+    return test::studyOf(spec, zeta_m2s);
+}
+
+template <class Chart>
+struct Shown
+{
+    Chart chart{Theme::light()};
+    explicit Shown(const StudyPointer& result = test::fourCases(), const QSize& size = {760, 360})
+    {
+        chart.setLocale(QLocale::c());
+        chart.resize(size);
+        chart.show();
+        chart.setResult(result);
+    }
+};
+
+} // namespace
+
+class TestStudyChart : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void contentIsCurveAndPolicies()
+    {
+        const StudyPointer result = test::fourCases();
+        const ZetaContent content = zetaContent(result->summary, QLocale::c());
+        QCOMPARE(content.cases, 4);
+        QCOMPARE(content.curve.size(), std::size_t{3});
+        QCOMPARE(content.curve[0].name, u"τ 0.00"_s);
+        QCOMPARE(content.curve[0].zeta_m2s.mean, 127.5);
+        QCOMPARE(content.curve[1].zeta_m2s.mean, 108.75);
+        QCOMPARE(content.curve[1].zeta_m2s.median, 97.5);
+        QCOMPARE(content.policies.size(), std::size_t{1});
+        QCOMPARE(content.policies[0].of.policy, PolicyKind::Path);
+        QCOMPARE(content.policies[0].zeta_m2s.mean, 117.5);
+        QCOMPARE(content.reference, std::size_t{1});
+        QCOMPARE(content.lowest, std::size_t{1});
+        QCOMPARE(*content.lowestTau, std::size_t{1});
+        QCOMPARE(*content.bestTau_m2s, (80 + 150 + 100 + 90) / 4.0);
+    }
+
+    void tausAreDrawnInOrder()
+    {
+        StudySpec spec = test::quickStudy();
+        spec.taus = {2, 0.5, 1};
+        const StudyPointer result = test::studyOf(spec, {{3, 2, 1, 4}});
+        const ZetaContent content = zetaContent(result->summary, QLocale::c());
+        QCOMPARE(*content.curve.front().of.tau, 0.5);
+        QCOMPARE(content.curve.front().setting, std::size_t{1});
+        QCOMPARE(*content.curve.back().of.tau, 2.0);
+        QVERIFY(!content.bestTau_m2s); // one case: the lowest point says it
+    }
+
+    void nothingFlownTeaches()
+    {
+        const Shown<StudyChart> zeta{nullptr};
+        QVERIFY(zeta.chart.spots().empty());
+        QVERIFY(!zeta.chart.accessibleDescription().isEmpty());
+        const Shown<DifferenceChart> differences{nullptr};
+        QVERIFY(differences.chart.spots().empty());
+        QVERIFY(zetaContent(StudySummary(), QLocale::c()).curve.empty());
+        QVERIFY(differenceRows(StudySummary(), 10, QLocale::c()).empty());
+    }
+
+    void lessIsLowerAndTauGoesRight()
+    {
+        const Shown<StudyChart> f;
+        QVERIFY(f.chart.toView(0, 100).y() > f.chart.toView(0, 120).y());
+        QVERIFY(f.chart.toView(2, 100).x() > f.chart.toView(1, 100).x());
+        QCOMPARE(f.chart.spots().size(), std::size_t{4});
+        QCOMPARE(f.chart.spots()[1].at, f.chart.toView(1, 108.75));
+        QVERIFY(f.chart.spots()[3].at.x() > f.chart.toView(2, 100).x()); // policies beside it
+    }
+
+    void policiesAreNamedBesideTheirLines()
+    {
+        const Shown<StudyChart> f;
+        QStringList names;
+        for (const ChartLabel& label : f.chart.labels())
+            names << label.text;
+        QCOMPARE(names, (QStringList{u"Shortest path (TSP)"_s, u"Best τ of each case"_s}));
+    }
+
+    void readoutSaysWhatIsThere()
+    {
+        const Shown<StudyChart> f;
+        QCOMPARE(
+            f.chart.readout(0),
+            (QStringList{u"τ 0.00"_s, u"mean 127.5, median 110.0"_s, u"quartiles 97.50 to 140.0"_s,
+                         u"+16.2 % to τ 1.00"_s, u"stuck in 1 of 4 cases"_s}));
+        QCOMPARE(f.chart.readout(1).size(), 4); // the reference is not compared with itself
+        const Shown<DifferenceChart> d;
+        QCOMPARE(d.chart.readout(1).back(), u"the reference"_s);
+        QVERIFY(d.chart.readout(3).contains(u"less in 1 of 4 cases"_s));
+    }
+
+    void differencesHavePoliciesFirst()
+    {
+        const StudyPointer result = test::fourCases();
+        const std::vector<DifferenceRow> rows = differenceRows(result->summary, 10, QLocale::c());
+        QCOMPARE(rows.size(), std::size_t{4});
+        QCOMPARE(rows[0].of.policy, PolicyKind::Path);
+        QCOMPARE(rows[0].relative.mean, (30.0 / 80 + 30.0 / 160 + 0 - 25.0 / 95) / 4);
+        QVERIFY(rows[0].relative.low < rows[0].relative.mean);
+        QVERIFY(rows[2].isReference);
+        QCOMPARE(rows[2].relative.mean, 0.0);
+    }
+
+    void manyTausAreThinned()
+    {
+        const StudyPointer result = everything();
+        for (const std::size_t most : {8UL, 12UL, 20UL, 47UL}) {
+            const std::vector<DifferenceRow> rows =
+                differenceRows(result->summary, most, QLocale::c());
+            QVERIFY(rows.size() <= std::max<std::size_t>(most, 9));
+            const auto isReference = [](const DifferenceRow& row) { return row.isReference; };
+            QVERIFY(std::any_of(rows.begin(), rows.end(), isReference));
+        }
+        QCOMPARE(differenceRows(result->summary, 60, QLocale::c()).size(), std::size_t{47});
+    }
+
+    void arrowsWalkThroughTheSettings()
+    {
+        Shown<StudyChart> f;
+        QSignalSpy chosen(&f.chart, &StudyPicture::settingChosen);
+        QSignalSpy activated(&f.chart, &StudyPicture::settingActivated);
+        f.chart.setFocus();
+        QTest::keyClick(&f.chart, Qt::Key_Right);
+        QTest::keyClick(&f.chart, Qt::Key_Right);
+        QCOMPARE(*f.chart.chosen(), std::size_t{1});
+        QTest::keyClick(&f.chart, Qt::Key_End);
+        QCOMPARE(*f.chart.chosen(), std::size_t{3});
+        QCOMPARE(chosen.count(), 3);
+        QVERIFY(f.chart.accessibleDescription().startsWith(u"Shortest path"_s));
+        QTest::keyClick(&f.chart, Qt::Key_Return);
+        QCOMPARE(activated.front().front().value<std::size_t>(), std::size_t{3});
+        QTest::keyClick(&f.chart, Qt::Key_Home);
+        QCOMPARE(*f.chart.chosen(), std::size_t{0});
+    }
+
+    void clickChoosesThePointNearby()
+    {
+        Shown<DifferenceChart> f;
+        QSignalSpy activated(&f.chart, &StudyPicture::settingActivated);
+        const SettingSpot spot = f.chart.spots().front();
+        QTest::mouseClick(&f.chart, Qt::LeftButton, {}, spot.at.toPoint() + QPoint(4, 3));
+        QCOMPARE(activated.front().front().value<std::size_t>(), spot.setting);
+        QTest::mouseClick(&f.chart, Qt::LeftButton, {}, {2, 2});
+        QCOMPARE(activated.count(), 1);
+    }
+
+    void fewerSettingsForgetTheChoice()
+    {
+        Shown<StudyChart> f;
+        f.chart.setChosen(3);
+        f.chart.setResult(nullptr);
+        QVERIFY(!f.chart.chosen());
+    }
+
+    void nothingOverlaps_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("small") << QSize(420, 200);
+        QTest::newRow("as in the dock") << QSize(830, 330);
+        QTest::newRow("large") << QSize(1500, 700);
+    }
+
+    void nothingOverlaps()
+    {
+        QFETCH(QSize, size);
+        const Shown<StudyChart> f(everything(), size);
+        const std::vector<ChartLabel>& labels = f.chart.labels();
+        QVERIFY(labels.size() >= 6);
+        for (std::size_t a = 0; a < labels.size(); ++a) {
+            QVERIFY(QRectF(f.chart.rect()).adjusted(0, -1, 0, 1).contains(labels[a].rect));
+            for (std::size_t b = a + 1; b < labels.size(); ++b)
+                QVERIFY(labels[a].rect.intersected(labels[b].rect).height() < 0.1);
+        }
+        for (const SettingSpot& spot : f.chart.spots())
+            QVERIFY(f.chart.rect().contains(spot.at.toPoint()));
+    }
+
+    void coloursAreSeen()
+    {
+        constexpr double kLineContrast = 3.0; // WCAG 2.1, 1.4.11
+        for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+            std::vector<QColor> colours{policyColour(PolicyKind::Visitation, theme)};
+            for (const PolicyKind policy : kOthers)
+                colours.push_back(policyColour(policy, theme));
+            for (std::size_t a = 0; a < colours.size(); ++a) {
+                QVERIFY2(contrastRatio(colours[a], theme.chart) >= kLineContrast,
+                         qPrintable(colours[a].name()));
+                for (std::size_t b = a + 1; b < colours.size(); ++b)
+                    QVERIFY(colours[a] != colours[b]);
+            }
+        }
+    }
+
+    void themeReachesThePicture()
+    {
+        Shown<StudyChart> f;
+        const Theme dark = Theme::dark();
+        f.chart.setTheme(dark);
+        QCOMPARE(f.chart.grab().toImage().pixelColor(0, 0).rgb(), dark.chart.rgb());
+    }
+};
+
+QTEST_MAIN(TestStudyChart)
+#include "tst_study_chart.moc"

@@ -1,0 +1,193 @@
+#include "widgets/charts/study_content.h"
+
+#include "widgets/model/compared_run.h"
+
+#include <QPainter>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace berg {
+namespace {
+
+constexpr double kGap_px = 1.2; ///< of the chart's colour round a mark
+
+struct PolicyColour
+{
+    PolicyKind policy;
+    QRgb light;
+    QRgb dark;
+};
+constexpr std::array kColours{
+    PolicyColour{PolicyKind::Path, 0xff9c4f83, 0xffe0a0c4},        // reddish purple
+    PolicyColour{PolicyKind::Tour, 0xffa86f00, 0xffe69f00},        // orange
+    PolicyColour{PolicyKind::Nearest, 0xff2b88bb, 0xff56b4e9},     // sky blue
+    PolicyColour{PolicyKind::Uncertainty, 0xff7f7600, 0xfff0e442}, // yellow
+    PolicyColour{PolicyKind::Latency, 0xffd55e00, 0xffff8a45},     // vermillion
+    PolicyColour{PolicyKind::Coverage, 0xff00805d, 0xff2cc29a},    // bluish green
+};
+
+/** A regular polygon, its first corner `turn_rad` from straight up; `inner` < 1: a star. */
+QPolygonF corners(const QPointF& at, double radius_px, int count, double turn_rad = 0,
+                  double inner = 1)
+{
+    QPolygonF polygon;
+    const int points = inner < 1 ? 2 * count : count;
+    for (int k = 0; k < points; ++k) {
+        const double angle = turn_rad + 2 * std::numbers::pi * k / points;
+        const double away_px = inner < 1 && k % 2 == 1 ? inner * radius_px : radius_px;
+        polygon << at + away_px * QPointF(std::sin(angle), -std::cos(angle));
+    }
+    return polygon;
+}
+
+ZetaPoint pointOf(const StudySummary& summary, std::size_t setting, const QLocale& locale)
+{
+    const SettingSummary& of = summary.settings[setting];
+    return {.setting = setting,
+            .of = of.setting,
+            .name = settingText(of.setting, locale),
+            .zeta_m2s = of.zeta_m2s};
+}
+
+DifferenceRow rowOf(const StudySummary& summary, std::size_t setting, const QLocale& locale)
+{
+    const PairedDifference& of = summary.differences[setting];
+    return {.setting = setting,
+            .of = of.setting,
+            .name = settingText(of.setting, locale),
+            .relative = of.relative,
+            .isReference = setting == summary.reference};
+}
+
+/** Evenly spread ones of `all`, at most `most`, those that are `kept` always. */
+template <class Kept>
+std::vector<DifferenceRow> thinned(const std::vector<DifferenceRow>& all, std::size_t most,
+                                   const Kept& kept)
+{
+    const auto always = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), kept));
+    std::size_t step = 1;
+    while ((all.size() + step - 1) / step + always > std::max(most, always + 1) &&
+           step < all.size())
+        ++step;
+    std::vector<DifferenceRow> out;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (k % step == 0 || kept(all[k]))
+            out.push_back(all[k]);
+    return out;
+}
+
+} // namespace
+
+QString settingText(const StudySetting& setting, const QLocale& locale)
+{
+    return shortPolicyText({.policy = setting.policy, .tau = setting.tau.value_or(0)}, locale);
+}
+
+QColor policyColour(PolicyKind policy, const Theme& theme)
+{
+    for (const PolicyColour& colour : kColours)
+        if (colour.policy == policy)
+            return QColor::fromRgb(theme.isDark ? colour.dark : colour.light);
+    return theme.plan;
+}
+
+void paintPolicyMark(QPainter& painter, const QPointF& at, double radius_px, PolicyKind policy,
+                     const Theme& theme)
+{
+    painter.setPen(QPen(theme.chart, kGap_px));
+    painter.setBrush(policyColour(policy, theme));
+    switch (policy) {
+    case PolicyKind::Visitation:
+        painter.drawEllipse(at, radius_px, radius_px);
+        return;
+    case PolicyKind::Path:
+        painter.drawPolygon(corners(at, 1.25 * radius_px, 4));
+        return;
+    case PolicyKind::Tour:
+        painter.drawPolygon(corners(at, 1.25 * radius_px, 4, std::numbers::pi / 4));
+        return;
+    case PolicyKind::Nearest:
+        painter.drawPolygon(corners(at, 1.3 * radius_px, 3));
+        return;
+    case PolicyKind::Uncertainty:
+        painter.drawPolygon(corners(at, 1.3 * radius_px, 3, std::numbers::pi));
+        return;
+    case PolicyKind::Latency:
+        painter.drawPolygon(corners(at, 1.15 * radius_px, 6));
+        return;
+    case PolicyKind::Coverage:
+        painter.drawPolygon(corners(at, 1.5 * radius_px, 5, 0, 0.5));
+        return;
+    }
+}
+
+QPixmap policyMark(PolicyKind policy, const Theme& theme, int size_px)
+{
+    constexpr int kScale = 2; // device pixels
+    QPixmap pixmap(kScale * size_px, kScale * size_px);
+    pixmap.setDevicePixelRatio(kScale);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintPolicyMark(painter, {size_px / 2.0, size_px / 2.0}, size_px / 3.0, policy, theme);
+    return pixmap;
+}
+
+ZetaContent zetaContent(const StudySummary& summary, const QLocale& locale)
+{
+    ZetaContent content{.reference = summary.reference,
+                        .cases = static_cast<int>(summary.cases.size())};
+    if (content.cases == 0)
+        return content;
+    for (std::size_t s = 0; s < summary.settings.size(); ++s) {
+        const SettingSummary& of = summary.settings[s];
+        (of.setting.tau ? content.curve : content.policies).push_back(pointOf(summary, s, locale));
+        const auto isLowerThan = [&](std::size_t other) {
+            return of.zeta_m2s.mean < summary.settings[other].zeta_m2s.mean;
+        };
+        if (isLowerThan(content.lowest))
+            content.lowest = s;
+        if (of.setting.tau && (!content.lowestTau || isLowerThan(*content.lowestTau)))
+            content.lowestTau = s;
+    }
+    std::stable_sort(content.curve.begin(), content.curve.end(),
+                     [](const ZetaPoint& a, const ZetaPoint& b) { return *a.of.tau < *b.of.tau; });
+    std::stable_sort(
+        content.policies.begin(), content.policies.end(),
+        [](const ZetaPoint& a, const ZetaPoint& b) { return a.zeta_m2s.mean < b.zeta_m2s.mean; });
+    if (summary.bestTau && content.cases > 1) // of one case it is the lowest point of the curve
+        content.bestTau_m2s = summary.bestTau->zeta_m2s.mean;
+    return content;
+}
+
+std::vector<DifferenceRow> differenceRows(const StudySummary& summary, std::size_t most,
+                                          const QLocale& locale)
+{
+    std::vector<DifferenceRow> rows;
+    std::vector<DifferenceRow> taus;
+    if (summary.cases.empty())
+        return rows;
+    for (std::size_t s = 0; s < summary.differences.size(); ++s)
+        (summary.differences[s].setting.tau ? taus : rows).push_back(rowOf(summary, s, locale));
+    const auto isLower = [](const DifferenceRow& a, const DifferenceRow& b) {
+        return a.relative.mean < b.relative.mean;
+    };
+    std::stable_sort(rows.begin(), rows.end(), isLower);
+    std::stable_sort(taus.begin(), taus.end(), [](const DifferenceRow& a, const DifferenceRow& b) {
+        return *a.of.tau < *b.of.tau;
+    });
+    if (taus.empty())
+        return rows;
+    const std::size_t lowest = std::min_element(taus.begin(), taus.end(), isLower)->setting;
+    const std::vector<DifferenceRow> shown =
+        thinned(taus, most > rows.size() ? most - rows.size() : 0,
+                [lowest](const auto& row) { return row.isReference || row.setting == lowest; });
+    rows.insert(rows.end(), shown.begin(), shown.end());
+    return rows;
+}
+
+} // namespace berg

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/study/study_summary.h"
+#include "widgets/theme/theme.h"
+
+#include <QLocale>
+#include <QPixmap>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace berg {
+
+/** "τ 1.00", "Least waiting": what tells the settings of a study apart. */
+[[nodiscard]] QString settingText(const StudySetting& setting, const QLocale& locale);
+
+/** Okabe-Ito, darkened or lightened to at least 3 : 1 on the chart; visitation as its plan. */
+[[nodiscard]] QColor policyColour(PolicyKind policy, const Theme& theme);
+
+/** Paints the mark of a policy, a shape of its own, filled in its colour. */
+void paintPolicyMark(QPainter& painter, const QPointF& at, double radius_px, PolicyKind policy,
+                     const Theme& theme);
+
+/** The mark of a policy on nothing, for lists; sharp on screens of high density. */
+[[nodiscard]] QPixmap policyMark(PolicyKind policy, const Theme& theme, int size_px);
+
+/** One setting as a picture shows it. */
+struct ZetaPoint
+{
+    std::size_t setting = 0; ///< index, as `settingsOf`
+    StudySetting of;
+    QString name;
+    Summary zeta_m2s;
+};
+
+/** zeta against tau and policy, as plain values. */
+struct ZetaContent
+{
+    std::vector<ZetaPoint> curve;         ///< ascending tau
+    std::vector<ZetaPoint> policies;      ///< ascending mean
+    std::size_t reference = 0;            ///< setting
+    std::size_t lowest = 0;               ///< setting of the least mean
+    std::optional<std::size_t> lowestTau; ///< of those with a tau
+    std::optional<double> bestTau_m2s;    ///< mean with the best tau of each case, in hindsight
+    int cases = 0;                        ///< 0: nothing to show; 1: no spread
+};
+[[nodiscard]] ZetaContent zetaContent(const StudySummary& summary, const QLocale& locale);
+
+/** A setting against the reference, shares of its zeta. */
+struct DifferenceRow
+{
+    std::size_t setting = 0;
+    StudySetting of;
+    QString name;
+    MeanInterval relative;
+    bool isReference = false;
+};
+
+/**
+ * Paired differences, policies by their mean, then values of tau: at most `most` rows, tau thinned
+ * evenly, with the reference and the lowest.
+ */
+[[nodiscard]] std::vector<DifferenceRow> differenceRows(const StudySummary& summary,
+                                                        std::size_t most, const QLocale& locale);
+
+} // namespace berg

@@ -1,0 +1,107 @@
+#include "widgets/model/study_files.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/machine_text.h"
+#include "core/io/result_json.h"
+#include "core/io/study_json.h"
+#include "core/io/study_report.h"
+#include "widgets/model/error_text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFile>
+
+#include <new>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+Study studyIn(const std::string& path)
+{
+    const std::string text = readFile(path);
+    return studyFromJson(isReport(text) ? studyOfReport(text, path) : text, path);
+}
+
+std::string versionText()
+{
+    return u"Bergwatch %1"_s.arg(QCoreApplication::applicationVersion()).trimmed().toStdString();
+}
+
+} // namespace
+
+StudyFiles::StudyFiles(QObject* parent) : QObject(parent), m_onThread(new QObject)
+{
+    qRegisterMetaType<std::shared_ptr<const berg::Study>>();
+    m_thread.setObjectName(u"study files"_s);
+    m_onThread->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
+    m_thread.start();
+}
+
+StudyFiles::~StudyFiles()
+{
+    QMetaObject::invokeMethod(
+        m_onThread, [this] { m_thread.quit(); }, Qt::QueuedConnection); // after what was posted
+    m_thread.wait();
+}
+
+void StudyFiles::post(const std::function<void()>& job)
+{
+    QMetaObject::invokeMethod(
+        m_onThread,
+        [this, job] {
+            try {
+                job();
+            } catch (const Error& error) {
+                emit failed(errorReport(error));
+            } catch (const std::bad_alloc&) {
+                emit failed(tr("There is not enough memory for a study of this size."));
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+void StudyFiles::write(const QString& path, const std::function<std::string()>& content)
+{
+    post([this, path, content] {
+        writeFileAtomically(QFile::encodeName(path).toStdString(), content());
+        emit written(path);
+    });
+}
+
+void StudyFiles::open(const QString& path)
+{
+    post([this, path] {
+        emit opened(std::make_shared<const Study>(studyIn(QFile::encodeName(path).toStdString())));
+    });
+}
+
+void StudyFiles::save(const StudyPointer& result, const QString& path)
+{
+    post([this, result, path] {
+        saveStudy(result->study, QFile::encodeName(path).toStdString());
+        emit saved(path);
+    });
+}
+
+void StudyFiles::writeReport(const StudyPointer& result, std::optional<double> elapsed_s,
+                             const QString& path)
+{
+    const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    write(path, [result, elapsed_s, now] {
+        return studyReportHtml(result->study, result->summary,
+                               {.program = versionText(),
+                                .machine = machineText(),
+                                .madeUtc = now,
+                                .elapsed_s = elapsed_s});
+    });
+}
+
+void StudyFiles::writeTable(const StudyPointer& result, const QString& path)
+{
+    write(path, [result] { return sweepCsv(result->summary); });
+}
+
+} // namespace berg

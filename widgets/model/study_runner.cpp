@@ -1,0 +1,236 @@
+#include "widgets/model/study_runner.h"
+
+#include "widgets/model/error_text.h"
+#include "widgets/model/low_priority.h"
+#include "widgets/model/study_estimate.h"
+
+#include <algorithm>
+#include <new>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr qint64 kBetweenReports_ms = 250;
+constexpr qint64 kReportShare = 20; ///< a report takes at most this part of the time between two
+constexpr double kLeastLearned_s = 0.5;
+
+/** Fills in which setting is the lowest in each complete case; the first of a tie. */
+void findBest(StudyResult& result)
+{
+    const std::size_t settings = result.summary.settings.size();
+    result.bestIn.assign(settings, 0);
+    for (const std::size_t k : result.summary.cases) {
+        const auto zeta_m2s = [&](std::size_t setting) {
+            return result.study.outcomes[k * settings + setting]->metrics.zeta_m2s;
+        };
+        std::size_t best = 0;
+        for (std::size_t s = 1; s < settings; ++s)
+            if (zeta_m2s(s) < zeta_m2s(best))
+                best = s;
+        ++result.bestIn[best];
+        result.bestByCase.push_back(best);
+    }
+}
+
+/** Flies it as far as it goes; what stopped it when that is an error. */
+QString failureOf(Study& study, const StudyOptions& options)
+{
+    try {
+        fly(study, options);
+    } catch (const Error& error) {
+        return errorReport(error);
+    }
+    return {};
+}
+
+} // namespace
+
+StudyResult resultOf(Study study, std::size_t reference)
+{
+    StudyResult result{.study = std::move(study)};
+    result.summary = summarise(result.study, reference);
+    findBest(result);
+    return result;
+}
+
+StudyRunner::StudyRunner(QObject* parent) : QObject(parent), m_onThread(new QObject)
+{
+    m_thread.setObjectName(u"study"_s);
+    m_onThread->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
+    m_thread.start();
+    // Those it spreads the flights over have its priority.
+    QMetaObject::invokeMethod(
+        m_onThread, [] { lowerPriority(); }, Qt::QueuedConnection);
+}
+
+StudyRunner::~StudyRunner()
+{
+    m_stop.request_stop();
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void StudyRunner::start(const StudySpec& spec)
+{
+    m_elapsed_s = 0;
+    m_unsaved_s = 0;
+    begin({.spec = spec, .outcomes = {}}, usualReference(spec), true);
+}
+
+void StudyRunner::carryOn()
+{
+    if (m_result && !m_running)
+        begin(m_result->study, m_result->summary.reference, true);
+}
+
+void StudyRunner::show(Study study)
+{
+    const std::size_t reference = usualReference(study.spec);
+    m_elapsed_s.reset();
+    m_unsaved_s = 0;
+    begin(std::move(study), reference, false);
+}
+
+void StudyRunner::begin(Study study, std::size_t reference, bool flies)
+{
+    m_stop.request_stop();
+    m_stop = std::stop_source();
+    ++m_generation;
+    m_running = flies;
+    m_reference = reference;
+    m_count = missionCount(study.spec);
+    m_flown = m_flownAtStart = flownCount(study);
+    m_sinceStart.start();
+    QMetaObject::invokeMethod(
+        m_onThread,
+        [this, request = Request{.generation = m_generation,
+                                 .study = std::move(study),
+                                 .reference = reference,
+                                 .flies = flies,
+                                 .stop = m_stop.get_token()}]() mutable {
+            work(std::move(request));
+        },
+        Qt::QueuedConnection);
+    emit progress();
+}
+
+void StudyRunner::cancel()
+{
+    m_stop.request_stop();
+}
+
+void StudyRunner::setReference(std::size_t setting)
+{
+    if (!m_result || setting == m_reference || setting >= m_result->summary.settings.size())
+        return;
+    if (m_running)
+        m_reference = setting; // the next report is made with it
+    else
+        begin(m_result->study, setting, false);
+}
+
+std::optional<double> StudyRunner::timeLeft_s() const
+{
+    if (!m_running || m_flown <= m_flownAtStart)
+        return std::nullopt;
+    return sinceStart_s() * static_cast<double>(m_count - m_flown) /
+           static_cast<double>(m_flown - m_flownAtStart);
+}
+
+double StudyRunner::estimated_s(const StudySpec& spec) const
+{
+    return m_pace * estimatedTime_s(spec);
+}
+
+double StudyRunner::sinceStart_s() const
+{
+    return static_cast<double>(m_sinceStart.elapsed()) / 1000;
+}
+
+double StudyRunner::unsaved_s() const
+{
+    return m_unsaved_s + (m_running ? sinceStart_s() : 0);
+}
+
+void StudyRunner::noteSaved()
+{
+    m_unsaved_s = m_running ? -sinceStart_s() : 0;
+}
+
+/** From what was flown just now. */
+void StudyRunner::learn(double elapsed_s)
+{
+    if (!m_result || m_flown <= m_flownAtStart || elapsed_s < kLeastLearned_s)
+        return;
+    const double share =
+        static_cast<double>(m_flown - m_flownAtStart) / static_cast<double>(m_count);
+    if (const double estimate_s = share * estimatedTime_s(m_result->study.spec); estimate_s > 0)
+        m_pace = elapsed_s / estimate_s;
+}
+
+void StudyRunner::work(Request request)
+{
+    Outcome outcome{.generation = request.generation};
+    const auto fill = [&](const Study& study, std::size_t reference) {
+        outcome.result = std::make_shared<const StudyResult>(resultOf(study, reference));
+        outcome.flown = flownCount(study);
+    };
+    QElapsedTimer sinceReport;
+    sinceReport.start();
+    qint64 pause_ms = 0; // the first case is told at once
+    const auto report = [&](const Study& study, std::size_t, std::size_t) {
+        if (sinceReport.elapsed() < pause_ms)
+            return;
+        sinceReport.restart();
+        fill(study, m_reference);
+        publish(outcome);
+        pause_ms = std::max(kBetweenReports_ms, kReportShare * sinceReport.elapsed());
+        sinceReport.restart();
+    };
+    try {
+        if (request.flies)
+            outcome.failure =
+                failureOf(request.study, {.stop = request.stop, .onProgress = report});
+        fill(request.study, request.flies ? m_reference.load() : request.reference);
+    } catch (const std::bad_alloc&) {
+        outcome.failure = tr("There is not enough memory for a study of this size.");
+    }
+    outcome.ended = true;
+    publish(std::move(outcome));
+}
+
+void StudyRunner::publish(Outcome outcome)
+{
+    if (m_outcomes.put(std::move(outcome)))
+        QMetaObject::invokeMethod(this, &StudyRunner::take, Qt::QueuedConnection);
+}
+
+void StudyRunner::take()
+{
+    std::optional<Outcome> outcome = m_outcomes.take();
+    if (!outcome || outcome->generation != m_generation)
+        return;
+    if (outcome->result) {
+        m_result = std::move(outcome->result);
+        m_flown = outcome->flown;
+    }
+    if (outcome->ended && m_running) {
+        const double elapsed_s = sinceStart_s();
+        m_unsaved_s += elapsed_s;
+        if (m_elapsed_s)
+            *m_elapsed_s += elapsed_s;
+        learn(elapsed_s);
+    }
+    const bool wasRunning = m_running;
+    if (outcome->ended)
+        m_running = false;
+    emit progress();
+    emit updated();
+    if (outcome->ended && (wasRunning || !outcome->failure.isEmpty()))
+        emit finished(outcome->failure);
+}
+
+} // namespace berg

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "widgets/model/study_runner.h"
+#include "widgets/theme/theme.h"
+
+#include <QWidget>
+
+class QBoxLayout;
+
+namespace berg {
+
+class StudyResults;
+class StudyRunBar;
+class StudySetup;
+
+/**
+ * zeta against tau and policy over many flights: what to fly, the figures of the paper at one
+ * click, start, cancel and carry on, results that grow meanwhile, and the way from a point to its
+ * flights. Shows and steers a runner that it borrows.
+ */
+class StudyPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StudyPanel(StudyRunner& runner, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    /** What the window works on. */
+    void setScenario(const Scenario& scenario);
+    /** What became of a file, where one looks for it. */
+    void showNote(const QString& text);
+    [[nodiscard]] const StudyResults& results() const { return *m_results; }
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+signals:
+    /** The solution times of Figure 3 are wanted. */
+    void solveTimesRequested();
+    /** Figure 5: both flights of this scenario, one beside the other. */
+    void comparisonRequested(const berg::Scenario& scenario, const berg::PlannerSettings& best,
+                             const berg::PlannerSettings& tsp);
+    /** The user wants to see this flight: its scenario exactly as the study flew it. */
+    void openRunRequested(const berg::Scenario& scenario);
+    void openRequested();
+    void saveRequested();
+    void reportRequested();
+    void tableRequested();
+    void pictureRequested();
+
+private:
+    [[nodiscard]] QWidget* makeSetup();
+    void addFigures(QBoxLayout& column);
+    void showSpec();
+    void start();
+    void startFigure4();
+    void startFigure5();
+    void compareIfWanted(const QString& failure);
+
+    StudyRunner& m_runner;
+    StudySetup* m_setup;
+    StudyRunBar* m_run;
+    StudyResults* m_results;
+    bool m_comparesThen = false; ///< Figure 5 waits for Figure 4
+};
+
+} // namespace berg

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "widgets/model/study_runner.h"
+#include "widgets/theme/theme.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QBoxLayout;
+class QComboBox;
+class QPushButton;
+class QTableView;
+class QTabWidget;
+class QToolButton;
+
+namespace berg {
+
+class DifferenceChart;
+class StudyCasesModel;
+class StudyChart;
+class StudyPicture;
+class StudySettingsModel;
+class StudyTableModel;
+
+/**
+ * What a study has come to: zeta against tau, differences, a table of the settings, and the cases
+ * of the one chosen, each of which can be opened. Shows and steers a runner that it borrows.
+ */
+class StudyResults : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StudyResults(StudyRunner& runner, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    /**
+     * Writes the picture in front as the end of `path` names (.png, .svg, .pdf). Throws `Error`:
+     * Unsupported for another end, FileUnwritable.
+     */
+    void writePicture(const QString& path) const;
+    /** Name for a file of the picture in front. */
+    [[nodiscard]] QString pictureName() const;
+
+    /** The mission chosen: that of the case in front, or of the only case there is. */
+    [[nodiscard]] std::optional<Scenario> chosenMission() const;
+
+signals:
+    /** The user wants to see this flight: its scenario exactly as the study flew it. */
+    void openRunRequested(const berg::Scenario& scenario);
+    void openRequested();
+    void saveRequested();
+    void reportRequested();
+    void tableRequested();
+    void pictureRequested();
+
+private:
+    void addHeader(QBoxLayout& column);
+    QToolButton* addButton(QBoxLayout& row, const char* name, const QString& text,
+                           const QString& toolTip);
+    [[nodiscard]] QWidget* makePictures();
+    [[nodiscard]] QWidget* makeTables();
+    [[nodiscard]] QTableView* makeTable(const char* name, const QString& title,
+                                        StudyTableModel& model);
+    void connectPicture(StudyPicture& picture);
+    void showResult();
+    void showReferences();
+    void showCases();
+    void updateEnabled();
+    void choose(std::optional<std::size_t> setting);
+    void drillDown(std::size_t setting);
+    void openRun();
+    [[nodiscard]] StudyPicture* front() const;
+
+    StudyRunner& m_runner;
+    std::optional<std::size_t> m_setting; ///< chosen
+    QComboBox* m_reference;
+    QToolButton* m_openStudy;
+    std::array<QToolButton*, 4> m_exports{};
+    QTabWidget* m_pictures;
+    StudyChart* m_chart;
+    DifferenceChart* m_differences;
+    QTabWidget* m_tables;
+    StudySettingsModel* m_settingsModel;
+    StudyCasesModel* m_casesModel;
+    QTableView* m_settingsTable;
+    QTableView* m_casesTable;
+    QPushButton* m_open;
+};
+
+} // namespace berg
