@@ -2,6 +2,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/solver_contestants.h"
 
+#include <algorithm>
 #include <thread>
 
 using namespace berg;
@@ -64,6 +65,20 @@ std::vector<std::pair<const char*, TvpProblem>> oddProblems()
     return odd;
 }
 
+/** sum sigma_i t_i, t_i the distance flown until iceberg i. */
+double waiting(const TvpProblem& problem, const VisitOrder& order)
+{
+    double sum = 0;
+    double flown_m = 0;
+    int at = 0;
+    for (const int next : order) {
+        flown_m += problem.distance_m(at, next);
+        sum += problem.sigma_m2[static_cast<std::size_t>(next)] * flown_m;
+        at = next;
+    }
+    return sum;
+}
+
 } // namespace
 
 /** What every back end owes its callers, without limits. A new one gets a row in `kAll`. */
@@ -117,6 +132,30 @@ private slots:
             QCOMPARE(faultOf(contestant(), problem, outcome, optimum), QString());
             QVERIFY(outcome.status == SolveStatus::Optimal || !contestant().proves);
             QVERIFY(outcome.reason == StopReason::Finished);
+        }
+    }
+
+    /** By the other criterion, against every order; only CBC does without, and says so. */
+    void findsTheOptimumByLatency_data() { solvers_data(); }
+    void findsTheOptimumByLatency()
+    {
+        for (int icebergs = 1; icebergs <= 7; ++icebergs) {
+            TvpProblem problem = test::randomProblem(static_cast<std::uint64_t>(80 + icebergs),
+                                                     icebergs, 0, Route::Open, icebergs % 2 == 0);
+            problem.criterion = Criterion::Latency;
+            problem.mu = 1;
+            QCOMPARE(solver()->whyNot(problem).empty(), contestant().backend != Backend::Cbc);
+            if (contestant().backend == Backend::Cbc)
+                continue;
+            VisitOrder order = ascending(icebergs);
+            double least = waiting(problem, order);
+            while (std::next_permutation(order.begin(), order.end()))
+                least = std::min(least, waiting(problem, order));
+            const SolveOutcome outcome = solver()->solve(problem, {});
+            QVERIFY(outcome.status == SolveStatus::Optimal);
+            COMPARE_NEAR(outcome.objective, least, 1e-9 * (1 + least));
+            QVERIFY(outcome.bound == outcome.objective);
+            COMPARE_NEAR(waiting(problem, outcome.order), least, 1e-9 * (1 + least));
         }
     }
 
