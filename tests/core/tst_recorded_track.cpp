@@ -1,5 +1,6 @@
 #include "core/io/run_json.h"
 #include "core/io/scenario_json.h"
+#include "core/io/visits.h"
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"
@@ -37,6 +38,20 @@ class TestRecordedTrack : public QObject
     Q_OBJECT
 
 private slots:
+    /** What is exported of the flight is where it was met on its track. */
+    void flownVisitsLieOnTheTrack()
+    {
+        Mission mission(seaWithTrack());
+        mission.advance(500);
+        int met = 0;
+        for (const Visit& visit : flownVisits(mission))
+            if (visit.iceberg == 1) {
+                QVERIFY(visit.position_m == kTrack.at(visit.time_s));
+                ++met;
+            }
+        QVERIFY(met > 0);
+    }
+
     void positionAtATime_data()
     {
         QTest::addColumn<double>("time_s");
