@@ -12,8 +12,8 @@ namespace berg {
 namespace {
 
 /** Work of the first plan, and of each one after it: about 200 ms and 5 ms. */
-constexpr std::int64_t kFirstWork = 10'000'000;
-constexpr std::int64_t kNextWork = 250'000;
+constexpr std::int64_t kFirstWork = 8'000'000;
+constexpr std::int64_t kNextWork = 200'000;
 /** Of the first work, for each plan to start from; the best of them gets the rest. */
 constexpr double kShareOfStart = 0.15;
 /** For each order to start from, in the solver's units. */
@@ -47,7 +47,7 @@ CoveragePlan straightPlan(const VisitOrder& order, int rounds)
     return plan;
 }
 
-/** Greedy, the paper's order, and the shortest tour round and round, either way. */
+/** Greedy, the paper's order, that of least waiting, and the shortest tour, either way round. */
 std::vector<CoveragePlan> firstPlans(const PlanRequest& request, const SolveOptions& limits)
 {
     constexpr double kTau = 1;
@@ -57,13 +57,20 @@ std::vector<CoveragePlan> firstPlans(const PlanRequest& request, const SolveOpti
     problem.route = Route::Open;
     problem.mu = tuningWeight(problem, kTau).mu;
     const VisitOrder order = solver->solve(problem, limits).order;
-    std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
     problem.mu = 1;
+    VisitOrder soonest;
+    if (*std::max_element(problem.sigma_m2.begin(), problem.sigma_m2.end()) > 0) {
+        problem.criterion = Criterion::Latency;
+        soonest = solver->solve(problem, limits).order;
+        problem.criterion = Criterion::Visitation;
+    }
+    std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
     problem.route = Route::Closed;
     VisitOrder tour = solver->solve(problem, limits).order;
     const CoveragePlan there = straightPlan(tour, kRounds);
     std::reverse(tour.begin(), tour.end());
-    return {{}, straightPlan(order, 1), there, straightPlan(tour, kRounds)};
+    return {
+        {}, straightPlan(order, 1), straightPlan(soonest, 1), there, straightPlan(tour, kRounds)};
 }
 
 /** Of a plan and its prediction; the solve that found it is the caller's to tell of. */
