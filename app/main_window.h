@@ -125,6 +125,7 @@ private:
     void showPlan();
     void showCharts();
     void showChart(ChartPanel& chart);
+    void showChartsSoon();
     void showNextChart();
     void showTables();
     void showEvents();

@@ -114,6 +114,12 @@ void MainWindow::showFlight()
     m_playAction->setText(playing ? tr("Pause") : tr("Fly"));
     if (record.inFlight())
         showPlanner();
+    showChartsSoon();
+}
+
+/** One after the other, and the tables after them. */
+void MainWindow::showChartsSoon()
+{
     m_chartsDue = m_charts.size();
     if (!m_chartTimer.isActive())
         m_chartTimer.start();

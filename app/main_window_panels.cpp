@@ -106,9 +106,8 @@ void MainWindow::buildDocks()
         widget->setWidget(content);
         addDockWidget(area, widget);
         connect(widget, &QDockWidget::visibilityChanged, this, [this](bool visible) {
-            m_chartsDue = m_charts.size();
-            if (visible && !m_chartTimer.isActive())
-                m_chartTimer.start();
+            if (visible)
+                showChartsSoon();
         });
         connect(widget->toggleViewAction(), &QAction::triggered, widget, [widget](bool shown) {
             if (shown)
@@ -214,6 +213,7 @@ void MainWindow::connectPanels()
             [this] { m_tradeoff->showForecasts(m_workspace.forecasts().forecasts()); });
     connect(m_pareto, &ParetoChart::tauChosen, m_tradeoff, &TradeoffPanel::chooseTau);
     connect(&m_workspace.curve(), &CurveRunner::updated, this, &MainWindow::showCurve);
+    connect(&m_workspace.bound(), &BoundRunner::updated, this, &MainWindow::showChartsSoon);
     connect(m_solveTime, &SolveTimePanel::saveRequested, this, &MainWindow::saveTable);
 
     connect(m_playback, &PlaybackBar::playRequested, this, &MainWindow::togglePlay);

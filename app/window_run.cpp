@@ -62,17 +62,23 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
         }
         QApplication::exit(code);
     };
-    const auto whenPredicted = [&window, &forecasts = workspace.forecasts(), done] {
-        constexpr int kLongestWait_ms = 5000;
-        if (forecasts.isComplete()) {
+    const auto whenPredicted = [&window, &workspace, done] {
+        constexpr int kLongestWait_ms = 30000;
+        constexpr int kUntilDrawn_ms = 300;
+        const auto isPredicted = [&workspace] {
+            return workspace.forecasts().isComplete() && workspace.bound().isComplete();
+        };
+        if (isPredicted()) {
             done();
             return;
         }
         QTimer::singleShot(kLongestWait_ms, &window, done);
-        QObject::connect(&forecasts, &PolicyForecasts::updated, &window, [&forecasts, done] {
-            if (forecasts.isComplete())
-                done();
-        });
+        const auto look = [&window, isPredicted, done] {
+            if (isPredicted())
+                QTimer::singleShot(kUntilDrawn_ms, &window, done);
+        };
+        QObject::connect(&workspace.forecasts(), &PolicyForecasts::updated, &window, look);
+        QObject::connect(&workspace.bound(), &BoundRunner::updated, &window, look);
     };
     const auto onFlight = [&workspace, &window, whenPredicted, at_s = options.at_s,
                            asked = false]() mutable {

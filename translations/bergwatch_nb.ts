@@ -2131,6 +2131,10 @@
         <source>Distance through the air, %1</source>
         <translation>Avstand gjennom luften, %1</translation>
     </message>
+    <message>
+        <source>No flight can do better than</source>
+        <translation>Ingen flyging kan komme under</translation>
+    </message>
 </context>
 <context>
     <name>MissionPicture</name>
@@ -4745,6 +4749,20 @@ uten noe sett underveis og uten ny planlegging.</translation>
 on it, and nothing planned again.</source>
         <translation>Forutsagt for veien på kartet, med hvert isfjell som kommer i sikte
 på den, og uten at noe planlegges på nytt.</translation>
+    </message>
+    <message>
+        <source>No flight can do better than %1 m² s</source>
+        <translation>Ingen flyging kan komme under %1 m² s</translation>
+    </message>
+    <message>
+        <source>No flight can do better than %1 m² s (%2 %…)</source>
+        <translation>Ingen flyging kan komme under %1 m² s (%2 %…)</translation>
+    </message>
+    <message>
+        <source>That limit is proven for this scenario and the noise that it draws,
+whatever the policy and however tightly the UAV turns.</source>
+        <translation>Grensen er bevist for dette scenariet og støyen det trekker,
+uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
 </context>
 <context>

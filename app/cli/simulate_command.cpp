@@ -104,6 +104,9 @@ double lowerBound_m2s(const Mission& mission, bool quiet, const std::stop_token&
                             [](const Intervention& change) { return change.seen.has_value(); }))
         throw UsageError{"simulate: --bound is for what the UAV sees by itself; in this run an "
                          "iceberg was reported seen"};
+    if (std::ranges::any_of(mission.interventions(),
+                            [](const Intervention& change) { return change.wind_mps.has_value(); }))
+        throw UsageError{"simulate: --bound is for the scenario's wind; in this run it changed"};
     ProgressBar bar("bounding", !quiet);
     const ZetaBound bound = zetaLowerBound(
         mission.scenario(), {.stop = stop, .onProgress = [&](const BoundProgress& progress) {

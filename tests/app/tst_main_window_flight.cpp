@@ -6,9 +6,11 @@
 #include "widgets/charts/time_chart.h"
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLabel>
 #include <QProcess>
 #include <QSlider>
 #include <QTableView>
@@ -250,6 +252,34 @@ private slots:
         QVERIFY(w.untilReady());
         const auto isNew = [&] { return firstEvent(w).endsWith(u"Storberget"_s); };
         QVERIFY(QTest::qWaitFor(isNew, 500));
+    }
+
+    /** Found while nothing happens, drawn with the flight, gone when somebody else helps. */
+    void boundOfZetaIsShown()
+    {
+        Scenario scenario = randomScenario(4, {.icebergs = 4});
+        scenario.duration_s = 200;
+        WindowFixture w(scenario);
+        QVERIFY(w.until([&] { return w.workspace.bound().isComplete(); }));
+        const auto& summary = test::child<QLabel>(w.window(), u"planSummary"_s);
+        QVERIFY(
+            w.until([&] { return summary.toolTip().contains(u"No flight can do better than"_s); }));
+        w.trigger(u"stepAction"_s);
+        QVERIFY(w.until(RunPhase::Paused));
+        const auto& chart = test::child<TimeChart>(
+            test::child<QDockWidget>(w.window(), u"zetaDock"_s), u"timeChart"_s);
+        const auto isDrawn = [&] {
+            const std::vector<TimeLine>& lines = chart.content().lines;
+            return !lines.empty() && lines.back().key == u"zeta_bound_m2s"_s;
+        };
+        QVERIFY(w.until(isDrawn));
+        const double end_m2s = chart.drawnPoints().back().back().y();
+        QVERIFY(end_m2s <= w.record().now.metrics.zeta_m2s);
+        w.workspace.reportSeen({scenario.icebergs[0].id});
+        QVERIFY(w.until([&] { return !isDrawn() && !chart.content().lines.empty(); }));
+        QVERIFY(w.until(
+            [&] { return !summary.toolTip().contains(u"No flight can do better than"_s); }));
+        QVERIFY(w.record().bound.whole != nullptr); // for the next flight
     }
 
     void closesDuringALongSolve_data()

@@ -179,7 +179,8 @@ private slots:
         Desk desk;
         desk.open(aimed());
         const std::size_t count = desk.picture().planWays.size();
-        desk.flyTo(60);
+        desk.flyTo(20);
+        QCOMPARE(desk.record().now.planCount, std::size_t{1}); // on its first leg
         MapPicture picture = desk.picture();
         QCOMPARE(picture.planWays.size(), count);
         QVERIFY(picture.planWays.front().path_m.front() == picture.uav->position_m);

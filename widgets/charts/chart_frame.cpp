@@ -112,8 +112,9 @@ void paintCursor(QPainter& painter, const ChartFrame& frame, const Theme& theme)
 void paintLabels(QPainter& painter, const ChartFrame& frame, const Theme& theme)
 {
     for (const ChartLabel& label : frame.labels) {
-        QFont font = label.inMargin ? theme.small() : theme.strong();
-        font.setBold(!label.inMargin || label.strong);
+        const bool isSmall = label.inMargin || label.quiet;
+        QFont font = isSmall ? theme.small() : theme.strong();
+        font.setBold(!isSmall || label.strong);
         painter.setFont(font);
         if (label.inMargin) {
             painter.setPen(QPen(label.colour, 1));

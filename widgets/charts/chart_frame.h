@@ -25,7 +25,8 @@ struct ChartLabel
     QColor colour;
     bool inMargin = false; ///< right of the plot, joined to its line by a leader
     bool strong = false;
-    QString key{}; ///< of its line
+    bool quiet = false; ///< of a line in the background: small
+    QString key{};      ///< of its line
 };
 
 /** A dashed line across the plot. */

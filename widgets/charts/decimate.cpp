@@ -105,4 +105,17 @@ QList<QPointF> simplified(const QList<QPointF>& points, double tolerance)
     return out;
 }
 
+std::optional<QPointF> pointAt(const QList<QPointF>& points, double x)
+{
+    const auto next = std::lower_bound(points.begin(), points.end(), x,
+                                       [](const QPointF& p, double time) { return p.x() < time; });
+    if (next == points.end() || (next == points.begin() && next->x() > x))
+        return std::nullopt;
+    if (next == points.begin() || next->x() == x)
+        return QPointF(x, next->y());
+    const QPointF before = *(next - 1);
+    const double part = (x - before.x()) / (next->x() - before.x());
+    return QPointF(x, before.y() + part * (next->y() - before.y()));
+}
+
 } // namespace berg

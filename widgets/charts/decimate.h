@@ -3,6 +3,7 @@
 #include <QList>
 #include <QPointF>
 
+#include <optional>
 #include <span>
 
 namespace berg {
@@ -44,5 +45,8 @@ struct Extremes
  * that long ramps become one segment. First and last point are kept. Cost: linear.
  */
 [[nodiscard]] QList<QPointF> simplified(const QList<QPointF>& points, double tolerance);
+
+/** The polyline at an abscissa it reaches; `points` ascending in x. */
+[[nodiscard]] std::optional<QPointF> pointAt(const QList<QPointF>& points, double x);
 
 } // namespace berg

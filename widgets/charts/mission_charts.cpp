@@ -71,6 +71,22 @@ TimeLine sumOfSigma()
             .key = u"sigma_sum_m2"_s};
 }
 
+std::optional<TimeLine> boundOfZeta(const FlightRecord& record)
+{
+    const KnownBound bound = record.boundOfFlight();
+    if (!bound.whole || bound.zeta_m2s <= 0)
+        return std::nullopt;
+    TimeLine line{.label = MissionCharts::tr("No flight can do better than"),
+                  .points = {},
+                  .role = LineRole::Bound,
+                  .onRightAxis = true,
+                  .unit = zetaUnit(),
+                  .key = u"zeta_bound_m2s"_s};
+    for (const BoundPoint& point : bound.whole->curve)
+        line.points.emplace_back(point.time_s, point.zeta_m2s);
+    return line;
+}
+
 QString atTime(const FlightRecord& record)
 {
     return clockText(record.now.time_s);
@@ -92,6 +108,8 @@ void fillZeta(TimeChartContent& content, const FlightRecord& record, const QLoca
                              .unit = zetaUnit(),
                              .key = u"zeta_m2s"_s});
     content.lines.push_back(sumOfSigma());
+    if (std::optional<TimeLine> bound = boundOfZeta(record))
+        content.lines.push_back(*std::move(bound));
     const Sample& last = record.history.samples.back();
     content.summary = MissionCharts::tr("At %1 zeta is %2 m² s and the sum of σ %3 m².")
                           .arg(atTime(record), significantText(last.zeta_m2s, 4, locale),
@@ -296,6 +314,8 @@ std::optional<double> chartValue(ChartKind kind, const FlightRecord& record, std
     const bool isFirst = line == 0;
     switch (kind) {
     case ChartKind::Zeta:
+        if (line > 1) // the bound has points of its own
+            return std::nullopt;
         return isFirst ? sample.zeta_m2s : sample.sigmaSum_m2;
     case ChartKind::MeanSigma:
         return isFirst ? meanSigma_m2(sample) : sample.sigmaSum_m2;

@@ -30,7 +30,8 @@ inline constexpr std::array kChartKinds = {ChartKind::Zeta,     ChartKind::MeanS
 
 /**
  * Everything but the points, which `chartValue` has: titles, lines with their names and columns,
- * limits, visits as marks. No lines when nothing has been flown.
+ * limits, visits as marks. No lines when nothing has been flown. The bound of zeta, the last line
+ * of its chart when it is known, comes with its points, over the whole run.
  */
 [[nodiscard]] TimeChartContent emptyChart(ChartKind kind, const FlightRecord& record,
                                           const QLocale& locale);

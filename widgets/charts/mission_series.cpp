@@ -39,9 +39,12 @@ void MissionSeries::update(const FlightRecord& record, std::size_t lines)
 void MissionSeries::fill(TimeChartContent& content, const DecimationWindow& window) const
 {
     content.isThinned = true;
-    for (std::size_t i = 0; i < std::min(content.lines.size(), m_lines.size()); ++i)
-        if (!content.lines[i].hidden)
-            content.lines[i].points = m_lines[i].thinned(window);
+    for (std::size_t i = 0; i < std::min(content.lines.size(), m_lines.size()); ++i) {
+        TimeLine& line = content.lines[i];
+        if (!line.hidden)
+            line.points =
+                line.points.empty() ? m_lines[i].thinned(window) : decimate(line.points, window);
+    }
 }
 
 std::string MissionSeries::csv(const TimeChartContent& content) const
@@ -57,6 +60,8 @@ std::string MissionSeries::csv(const TimeChartContent& content) const
         text += numberText(time_s);
         for (std::size_t i = 0; i < content.lines.size(); ++i) {
             text += ',';
+            if (const auto own = pointAt(content.lines[i].points, time_s))
+                text += numberText(own->y());
             const std::vector<QPointF>& points = m_lines[i].points();
             if (next[i] < points.size() && points[next[i]].x() == time_s)
                 text += numberText(points[next[i]++].y());

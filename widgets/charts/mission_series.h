@@ -24,7 +24,7 @@ public:
     /** For `lines` lines, those of `emptyChart`. Cost: linear in the samples that are new. */
     void update(const FlightRecord& record, std::size_t lines);
 
-    /** `content` of `emptyChart` with the points of that stretch of time, thinned. */
+    /** `content` of `emptyChart` with all points of that stretch of time, thinned. */
     void fill(TimeChartContent& content, const DecimationWindow& window) const;
 
     /**

@@ -30,6 +30,8 @@ double penWidth(LineRole role)
     case LineRole::Signed:
     case LineRole::Sigma:
         return 1.5;
+    case LineRole::Bound:
+        return 1.2;
     }
     return 1;
 }
@@ -163,6 +165,8 @@ QColor TimeChart::lineColour(const TimeLine& line) const
     case LineRole::Sigma:
         return m_theme.sigma.colour(line.points.empty() ? 0 : line.points.back().y(),
                                     m_content.sigmaFull_m2);
+    case LineRole::Bound:
+        return m_theme.mutedText;
     }
     return {};
 }

@@ -1,4 +1,5 @@
 #include "widgets/charts/chart_labels.h"
+#include "widgets/charts/decimate.h"
 #include "widgets/charts/time_chart.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -22,20 +23,6 @@ constexpr double kFlagSpacing_px = 19;
 constexpr double kFlagGap_px = 10;      // between the line of the instant and the flags
 constexpr double kFarthestFlag_px = 48; // from the value
 constexpr std::size_t kMostFlags = 8;
-
-/** The polyline at an abscissa it reaches. */
-std::optional<QPointF> pointAt(const QList<QPointF>& points, double x)
-{
-    const auto next = std::lower_bound(points.begin(), points.end(), x,
-                                       [](const QPointF& p, double time) { return p.x() < time; });
-    if (next == points.end() || (next == points.begin() && next->x() > x))
-        return std::nullopt;
-    if (next == points.begin() || next->x() == x)
-        return QPointF(x, next->y());
-    const QPointF before = *(next - 1);
-    const double part = (x - before.x()) / (next->x() - before.x());
-    return QPointF(x, before.y() + part * (next->y() - before.y()));
-}
 
 /** Where the polyline ends within a view that ends at `to`. */
 std::optional<QPointF> endOf(const QList<QPointF>& points, const TimeWindow& view)
@@ -125,7 +112,6 @@ void TimeChart::placeInnerLabels()
             polygon << toView(m_content.lines[i], p);
         polygons.push_back(polygon);
     }
-    const QFontMetricsF metrics(m_theme.strong());
     std::vector<QRectF> taken;
     for (const ChartReference& reference : m_frame.references) {
         const double width_px = QFontMetricsF(m_theme.small()).horizontalAdvance(reference.text);
@@ -138,6 +124,8 @@ void TimeChart::placeInnerLabels()
             taken.push_back(flag.rect);
     for (std::size_t i = 0; i < polygons.size(); ++i) {
         const TimeLine& line = m_content.lines[i];
+        const bool isQuiet = line.role == LineRole::Bound;
+        const QFontMetricsF metrics(isQuiet ? m_theme.small() : m_theme.strong());
         const QSizeF size(metrics.horizontalAdvance(line.label) + 2, metrics.height());
         const auto rect = labelBesideLine(polygons[i], polygons, taken, size,
                                           m_frame.plot.adjusted(4, 0, -4, -kChartMark_px - 2));
@@ -148,6 +136,7 @@ void TimeChart::placeInnerLabels()
                                   .rect = *rect,
                                   .end = polygons[i].back(),
                                   .colour = lineColour(line),
+                                  .quiet = isQuiet,
                                   .key = line.key});
     }
 }

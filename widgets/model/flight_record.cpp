@@ -72,7 +72,7 @@ std::vector<AimedWay> waysAfter(const FlightRecord& record, const PlanEvent& pla
 void FlightRecord::begin(const Scenario& flown)
 {
     const std::uint64_t rewrites = history.rewrites;
-    *this = FlightRecord{.scenario = flown};
+    *this = FlightRecord{.scenario = flown, .bound = std::move(bound)};
     history.rewrites = rewrites + 1;
 }
 
@@ -128,6 +128,16 @@ std::optional<ShownChange> FlightRecord::changeShown() const
     if (plan != history.plans.data())
         shownChange.ways = waysAfter(*this, *std::prev(plan), plan->time_s);
     return shownChange;
+}
+
+KnownBound FlightRecord::boundOfFlight() const
+{
+    const bool isBroken =
+        std::any_of(history.events.begin(), history.events.end(), [](const MissionEvent& event) {
+            return (event.kind == EventKind::Sighted && event.detail == kReported) ||
+                   (event.kind == EventKind::Intervention && event.detail == kWindChanged);
+        });
+    return isBroken ? KnownBound() : bound;
 }
 
 bool FlightRecord::inFlight() const

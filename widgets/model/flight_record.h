@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/bound/zeta_bound.h"
 #include "widgets/model/mission_snapshot.h"
+
+#include <memory>
 
 namespace berg {
 
@@ -23,6 +26,14 @@ struct ShownChange
     std::vector<AimedWay> ways;  ///< how the plan before would have gone on; empty: straight
 };
 
+/** What is known of the number that zeta of no flight of a scenario is below. */
+struct KnownBound
+{
+    double zeta_m2s = 0;                    ///< at the end of the run, the best so far; 0: nothing
+    double share = 0;                       ///< of the work that is done
+    std::shared_ptr<const ZetaBound> whole; ///< when it is finished; else null
+};
+
 /**
  * What map, charts and panels show of one mission: its scenario, how it stands, what it was like
  * at the instant the user looks at, and the history so far. Made from a finished mission, or grown
@@ -35,6 +46,7 @@ struct FlightRecord
     std::optional<MissionSnapshot> instant; ///< looked back at; none: the newest is shown
     MissionHistory history;
     std::optional<StartPlan> startPlan;
+    KnownBound bound; ///< of the scenario as it takes off
 
     /** What is to be drawn. */
     [[nodiscard]] const MissionSnapshot& shown() const { return instant ? *instant : now; }
@@ -46,6 +58,8 @@ struct FlightRecord
 
     /** Under way, paused or at its end: the scenario is not to be edited. */
     [[nodiscard]] bool inFlight() const;
+    /** Of this flight: nothing when an iceberg was reported seen, or the wind changed in flight. */
+    [[nodiscard]] KnownBound boundOfFlight() const;
     /** At the time shown. */
     [[nodiscard]] Point estimate_m(std::size_t iceberg) const;
     /**

@@ -70,9 +70,10 @@ std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav, doub
                                            {.airspeed_mps = spec.airspeed_mps,
                                             .limit_radps = maxTurnRate_radps(spec),
                                             .wind_mps = scenario.wind_mps});
+    constexpr double kSlack_s = 1; // a leg that starts with the last sighting sees nothing new
     if (plan.outlook && !plan.outlook->sightings_s.empty())
         std::erase_if(ways, [last_s = plan.outlook->sightings_s.back()](const AimedWay& way) {
-            return way.points.front().time_s >= last_s;
+            return way.points.front().time_s > last_s - kSlack_s;
         });
     else // not judged yet
         ways.resize(std::min(ways.size(), plan.order.size()));

@@ -23,6 +23,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
     connect(&m_runner, &MissionRunner::updated, this, &Workspace::takeSnapshot);
     connect(&m_runner, &MissionRunner::commandRefused, this, &Workspace::refused);
     connect(&m_runner, &MissionRunner::instantUpdated, this, &Workspace::takeInstant);
+    connect(&m_bound, &BoundRunner::updated, this, [this] { m_record.bound = m_bound.known(); });
     m_playBack.setInterval(kFrame_ms);
     connect(&m_playBack, &QTimer::timeout, this, &Workspace::playBack);
     m_tauPause.setSingleShot(true);
@@ -49,6 +50,7 @@ void Workspace::planAgain()
     m_curvePlan.reset();
     m_curve.setScenario(m_document.scenario());
     m_forecasts.setScenario(m_document.scenario());
+    m_bound.setScenario(m_document.scenario());
     if (wasInFlight) { // another scenario was opened over the flight
         m_record.begin(m_document.scenario());
         emit inFlightChanged(false);

@@ -2,6 +2,7 @@
 
 #include "widgets/model/autosaver.h"
 #include "widgets/model/benchmark_runner.h"
+#include "widgets/model/bound_runner.h"
 #include "widgets/model/curve_runner.h"
 #include "widgets/model/document_file.h"
 #include "widgets/model/flight_record.h"
@@ -42,6 +43,8 @@ public:
     [[nodiscard]] CurveRunner& curve() { return m_curve; }
     /** Of the flight from the start, made before take-off. */
     [[nodiscard]] PolicyForecasts& forecasts() { return m_forecasts; }
+    /** Of zeta of every flight of the scenario; the record has it too. */
+    [[nodiscard]] BoundRunner& bound() { return m_bound; }
     /** What was flown, at its end or when it was given up. */
     [[nodiscard]] RunList& runs() { return m_runs; }
     [[nodiscard]] BenchmarkRunner& benchmark() { return m_benchmark; }
@@ -130,6 +133,7 @@ private:
     std::optional<std::pair<std::uint64_t, std::size_t>> m_curvePlan;
     CurveRunner m_curve;
     PolicyForecasts m_forecasts;
+    BoundRunner m_bound;
     BenchmarkRunner m_benchmark;
     StudyRunner m_study;
     StudyFiles m_studyFiles;

@@ -128,7 +128,7 @@ bool ChartPanel::looksTheSame(const FlightRecord& record) const
 {
     if (record.now.phase != RunPhase::Flying || m_phase != RunPhase::Flying ||
         !m_series.isContinuedBy(record) || record.instant || m_empty.cursor_s ||
-        record.now.icebergs.size() != m_icebergs)
+        record.now.icebergs.size() != m_icebergs || record.boundOfFlight().whole != m_bound)
         return false;
     const double column_s = m_chart->window().length_s() / m_chart->columns();
     return record.now.time_s - m_empty.duration_s < column_s / 2;
@@ -140,6 +140,7 @@ void ChartPanel::showRecord(const FlightRecord& record)
         return;
     m_phase = record.now.phase;
     m_icebergs = record.now.icebergs.size();
+    m_bound = record.boundOfFlight().whole;
     m_empty = emptyChart(kind(), record, locale());
     m_series.update(record, m_empty.lines.size());
     addMenuEntries();

@@ -77,9 +77,10 @@ private:
     Theme m_theme;
     std::set<QString> m_hidden; ///< keys of lines
     QString m_highlight;
-    RunPhase m_phase = RunPhase::Planning; ///< of the record shown last
-    std::size_t m_icebergs = 0;            ///< in it
-    QStringList m_listed;                  ///< names of the lines in the menu
+    RunPhase m_phase = RunPhase::Planning;    ///< of the record shown last
+    std::size_t m_icebergs = 0;               ///< in it
+    std::shared_ptr<const ZetaBound> m_bound; ///< of it
+    QStringList m_listed;                     ///< names of the lines in the menu
     QComboBox* m_kind;
     QToolButton* m_lines;
     QMenu* m_menu;

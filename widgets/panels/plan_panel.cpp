@@ -192,6 +192,8 @@ QStringList PlanPanel::summaryLines() const
     lines << (m_outlook->until_s ? tr("ζ at %1 by this plan alone: %2 m² s")
                                        .arg(clockText(*m_outlook->until_s), zeta)
                                  : tr("ζ at the end by this plan alone: %1 m² s").arg(zeta));
+    if (m_outlook->bound_m2s)
+        lines << boundText(*m_outlook);
     if (const std::optional<PlanChange>& change = m_outlook->change)
         lines << tr("Against the plan before: %1, ζ %2 m² s")
                      .arg(signedText(change->distance_m,
@@ -199,6 +201,16 @@ QStringList PlanPanel::summaryLines() const
                           signedText(change->zeta_m2s,
                                      significantText(std::abs(change->zeta_m2s), 2, locale())));
     return lines;
+}
+
+/** Those of the work that is under way after the bound so far. */
+QString PlanPanel::boundText(const PlanOutlook& outlook) const
+{
+    const QString bound = significantText(*outlook.bound_m2s, 4, locale());
+    if (outlook.boundShare >= 1)
+        return tr("No flight can do better than %1 m² s").arg(bound);
+    return tr("No flight can do better than %1 m² s (%2 %…)")
+        .arg(bound, fixedText(100 * outlook.boundShare, 0, locale()));
 }
 
 /** The same unabridged, the order before, and what the prediction rests on. */
@@ -215,6 +227,9 @@ QString PlanPanel::summaryToolTip() const
                        "on it, and nothing planned again.")
                   : tr("Predicted for straight legs to where the icebergs are now,\n"
                        "with nothing seen on the way and nothing planned again."));
+    if (m_outlook->bound_m2s)
+        lines << tr("That limit is proven for this scenario and the noise that it draws,\n"
+                    "whatever the policy and however tightly the UAV turns.");
     return lines.join(u'\n');
 }
 

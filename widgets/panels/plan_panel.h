@@ -48,6 +48,7 @@ private:
     void updateSummary();
     [[nodiscard]] QStringList summaryLines() const;
     [[nodiscard]] QString summaryToolTip() const;
+    [[nodiscard]] QString boundText(const PlanOutlook& outlook) const;
     void setHovered(const std::string& id);
     void choose(const QModelIndex& index);
 

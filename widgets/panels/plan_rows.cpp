@@ -71,16 +71,16 @@ PlanOutlook aimedOutlook(const MissionSnapshot& shown, const Scenario& scenario)
     return outlook;
 }
 
-} // namespace
-
-std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenario)
+/** Beside a prediction for a time before the end only when the whole curve is known. */
+void addBound(PlanOutlook& outlook, const KnownBound& bound)
 {
-    if (!now.plan || scenario.uavs.empty())
-        return {};
-    return now.plan->outlook ? aimedRows(now, scenario) : straightRows(now, scenario);
+    if (bound.zeta_m2s <= 0 || (outlook.until_s && !bound.whole))
+        return;
+    outlook.bound_m2s = outlook.until_s ? bound.whole->by_m2s(*outlook.until_s) : bound.zeta_m2s;
+    outlook.boundShare = bound.share;
 }
 
-std::optional<PlanOutlook> planOutlook(const FlightRecord& record)
+std::optional<PlanOutlook> predictedOutlook(const FlightRecord& record)
 {
     const MissionSnapshot& shown = record.shown();
     if (!shown.plan || record.scenario.uavs.empty())
@@ -98,6 +98,23 @@ std::optional<PlanOutlook> planOutlook(const FlightRecord& record)
         for (const int iceberg : change->change.before)
             outlook.before << nameOf(shown.icebergs[static_cast<std::size_t>(iceberg)]);
     }
+    return outlook;
+}
+
+} // namespace
+
+std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenario)
+{
+    if (!now.plan || scenario.uavs.empty())
+        return {};
+    return now.plan->outlook ? aimedRows(now, scenario) : straightRows(now, scenario);
+}
+
+std::optional<PlanOutlook> planOutlook(const FlightRecord& record)
+{
+    std::optional<PlanOutlook> outlook = predictedOutlook(record);
+    if (outlook)
+        addBound(*outlook, record.boundOfFlight());
     return outlook;
 }
 

@@ -38,6 +38,8 @@ struct PlanOutlook
     std::optional<PlanChange> change; ///< what the plan shown changed
     double changed_s = 0;             ///< when
     QStringList before;               ///< icebergs left in the order before
+    std::optional<double> bound_m2s;  ///< zeta of no flight is below, at the same time
+    double boundShare = 1;            ///< of the work for the bound that is done
 };
 
 /** Of the instant shown; none without a plan, or with one that has aim points and is being made. */

@@ -1,0 +1,150 @@
+#include "core/scenario/presets.h"
+#include "tests/support/panel_test.h"
+#include "widgets/model/bound_runner.h"
+
+#include <QSignalSpy>
+
+#include <array>
+#include <functional>
+
+using namespace berg;
+
+namespace {
+
+constexpr int kPatience_ms = 60'000; // against a slow machine; nothing is measured
+constexpr std::int64_t kLittleWork = 50'000'000;
+
+Scenario smallField()
+{
+    Scenario scenario = randomScenario(2, {.icebergs = 5});
+    scenario.duration_s = 300;
+    return scenario;
+}
+
+/** Seconds of work. */
+Scenario largeField()
+{
+    Scenario scenario = randomScenario(1, {.icebergs = 60, .size_m = {30000, 30000}});
+    scenario.duration_s = 7200;
+    return scenario;
+}
+
+bool completes(const BoundRunner& runner)
+{
+    return QTest::qWaitFor([&] { return runner.isComplete(); }, kPatience_ms);
+}
+
+bool isBoundOf(const BoundRunner& runner, const Scenario& scenario)
+{
+    const ZetaBound expected = zetaLowerBound(scenario, {.workLimit = kLittleWork});
+    const KnownBound& known = runner.known();
+    return known.whole && known.zeta_m2s == expected.zeta_m2s &&
+           known.whole->curve == expected.curve && expected.zeta_m2s > 0;
+}
+
+} // namespace
+
+class TestBoundRunner : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void findsWhatTheCoreFinds()
+    {
+        BoundRunner runner(nullptr, kLittleWork);
+        QVERIFY(runner.isComplete() && runner.known().whole == nullptr);
+        runner.setScenario(smallField());
+        QVERIFY(!runner.isComplete());
+        QVERIFY(completes(runner));
+        QVERIFY(isBoundOf(runner, smallField()));
+    }
+
+    void whatDoesNotMatterKeepsIt()
+    {
+        Scenario scenario = smallField();
+        BoundRunner runner(nullptr, kLittleWork);
+        runner.setScenario(scenario);
+        QVERIFY(completes(runner));
+        const auto before = runner.known().whole;
+        const QSignalSpy updated(&runner, &BoundRunner::updated);
+        scenario.name = "another";
+        scenario.notes = "noted";
+        scenario.planner.tau = 0.1;
+        scenario.planner.policy = PolicyKind::Coverage;
+        scenario.planningTime_s = 5;
+        scenario.asset = Asset{.name = "Platform"};
+        scenario.icebergs[0].name = "Big one";
+        scenario.uavs[0].name = "Osprey";
+        runner.setScenario(scenario);
+        QVERIFY(runner.isComplete() && runner.known().whole == before);
+        QCOMPARE(updated.count(), 0);
+    }
+
+    void whatMattersDoesAwayWithIt_data()
+    {
+        QTest::addColumn<int>("change");
+        QTest::newRow("iceberg") << 0;
+        QTest::newRow("wind") << 1;
+        QTest::newRow("seed") << 2;
+        QTest::newRow("airspeed") << 3;
+        QTest::newRow("shape of the view") << 4;
+    }
+
+    void whatMattersDoesAwayWithIt()
+    {
+        QFETCH(int, change);
+        Scenario scenario = smallField();
+        BoundRunner runner(nullptr, kLittleWork);
+        runner.setScenario(scenario);
+        QVERIFY(completes(runner));
+        const std::array<std::function<void()>, 5> changes{
+            [&] { scenario.icebergs[0].position_m.x() += 500; },
+            [&] { scenario.wind_mps = Point(5, 0); }, [&] { scenario.seed += 1; },
+            [&] { scenario.uavs[0].spec.airspeed_mps *= 2; },
+            [&] { scenario.fovShape = FovShape::North; }};
+        changes.at(static_cast<std::size_t>(change))();
+        runner.setScenario(scenario);
+        QVERIFY(!runner.isComplete());
+        QVERIFY(runner.known().whole == nullptr && runner.known().zeta_m2s == 0);
+        QVERIFY(completes(runner));
+        QVERIFY(isBoundOf(runner, scenario));
+    }
+
+    /** Progress is told, and a change ends the search for the scenario before. */
+    void editsCancel()
+    {
+        BoundRunner runner;
+        runner.setScenario(largeField());
+        QVERIFY(QTest::qWaitFor([&] { return runner.known().share > 0; }, kPatience_ms));
+        QVERIFY(!runner.isComplete() && runner.known().whole == nullptr);
+        Scenario next = smallField();
+        next.icebergs.resize(1);
+        runner.setScenario(next);
+        QVERIFY(completes(runner));
+        QCOMPARE(runner.known().whole->zeta_m2s, zetaLowerBound(next).zeta_m2s);
+    }
+
+    void errorsHaveNone()
+    {
+        Scenario scenario = smallField();
+        scenario.duration_s = -1;
+        BoundRunner runner(nullptr, kLittleWork);
+        runner.setScenario(scenario);
+        QVERIFY(completes(runner));
+        QVERIFY(runner.known().whole == nullptr);
+    }
+
+    void endsWhileSearching()
+    {
+        auto runner = std::make_unique<BoundRunner>();
+        runner->setScenario(largeField());
+        QVERIFY(QTest::qWaitFor([&] { return runner->known().share > 0; }, kPatience_ms));
+        runner.reset();
+        QVERIFY(runner == nullptr);
+    }
+};
+
+QTEST_MAIN(TestBoundRunner)
+#include "tst_bound_runner.moc"
