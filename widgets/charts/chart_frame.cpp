@@ -134,6 +134,16 @@ double chartTop(const ChartFrame& frame)
     return frame.title.isEmpty() ? kChartTop_px - kChartTitle_px : kChartTop_px;
 }
 
+void paintChartGrid(QPainter& painter, const ChartFrame& frame, const Theme& theme)
+{
+    painter.setPen(QPen(theme.chartGrid, 1));
+    const QRectF& plot = frame.plot;
+    for (const ChartTick& tick : frame.left)
+        painter.drawLine(QPointF(plot.left(), tick.at_px), QPointF(plot.right(), tick.at_px));
+    for (const ChartTick& tick : frame.times)
+        painter.drawLine(QPointF(tick.at_px, plot.top()), QPointF(tick.at_px, plot.bottom()));
+}
+
 void paintChartFrame(QPainter& painter, const ChartFrame& frame, const Theme& theme)
 {
     painter.save();

@@ -87,6 +87,8 @@ inline constexpr double kChartMark_px = 7;
 /** Top of the plot. */
 [[nodiscard]] double chartTop(const ChartFrame& frame);
 
+/** Paints a line for each tick of the left and of the lower axis. */
+void paintChartGrid(QPainter& painter, const ChartFrame& frame, const Theme& theme);
 /** Paints titles, numbers, marks and labels; the painter is left as it was. */
 void paintChartFrame(QPainter& painter, const ChartFrame& frame, const Theme& theme);
 

@@ -182,7 +182,7 @@ void ParetoChart::paintEvent(QPaintEvent* /*event*/)
     painter.fillRect(rect(), m_theme.chart);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!m_curve.intervals.empty()) {
-        paintGrid(painter);
+        paintChartGrid(painter, m_frame, m_theme);
         paintFront(painter);
     }
     paintChartFrame(painter, m_frame, m_theme);
@@ -191,16 +191,6 @@ void ParetoChart::paintEvent(QPaintEvent* /*event*/)
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
-}
-
-void ParetoChart::paintGrid(QPainter& painter) const
-{
-    painter.setPen(QPen(m_theme.chartGrid, 1));
-    const QRectF& plot = m_frame.plot;
-    for (const ChartTick& tick : m_frame.left)
-        painter.drawLine(QPointF(plot.left(), tick.at_px), QPointF(plot.right(), tick.at_px));
-    for (const ChartTick& tick : m_frame.times)
-        painter.drawLine(QPointF(tick.at_px, plot.top()), QPointF(tick.at_px, plot.bottom()));
 }
 
 void ParetoChart::paintFront(QPainter& painter) const

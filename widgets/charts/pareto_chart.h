@@ -57,7 +57,6 @@ private:
     void fillTitles();
     void setHovered(int plan);
     void choose(std::optional<double> tau);
-    void paintGrid(QPainter& painter) const;
     void paintFront(QPainter& painter) const;
     void paintEnds(QPainter& painter) const;
     void paintPlan(QPainter& painter, const CurveInterval& interval, double radius_px) const;

@@ -229,7 +229,7 @@ QPolygonF StudyChart::curve(double Summary::*value) const
 
 void StudyChart::paintContent(QPainter& painter) const
 {
-    paintGrid(painter);
+    paintChartGrid(painter, m_frame, m_theme);
     if (hasSpread() && m_content.curve.size() > 1) {
         QPolygonF band = curve(&Summary::quartile3);
         const QPolygonF below = curve(&Summary::quartile1);
@@ -241,16 +241,6 @@ void StudyChart::paintContent(QPainter& painter) const
     paintPolicies(painter);
     paintCurve(painter);
     paintReference(painter);
-}
-
-void StudyChart::paintGrid(QPainter& painter) const
-{
-    painter.setPen(QPen(m_theme.chartGrid, 1));
-    const QRectF& plot = m_frame.plot;
-    for (const ChartTick& tick : m_frame.left)
-        painter.drawLine(QPointF(plot.left(), tick.at_px), QPointF(plot.right(), tick.at_px));
-    for (const ChartTick& tick : m_frame.times)
-        painter.drawLine(QPointF(tick.at_px, plot.top()), QPointF(tick.at_px, plot.bottom()));
 }
 
 void StudyChart::paintPolicies(QPainter& painter) const

@@ -35,7 +35,6 @@ private:
     [[nodiscard]] double slot_px(std::size_t policy) const;
     [[nodiscard]] bool hasSpread() const { return m_content.cases > 1; }
     [[nodiscard]] QPolygonF curve(double Summary::*value) const;
-    void paintGrid(QPainter& painter) const;
     void paintPolicies(QPainter& painter) const;
     void paintCurve(QPainter& painter) const;
     void paintReference(QPainter& painter) const;
