@@ -1,5 +1,5 @@
 #include "app/cli/console.h"
-#include "app/cli/mpi_session.h"
+#include "app/cli/mpi_world.h"
 #include "app/cli/shard_flight.h"
 #include "app/cli/sweep_flight.h"
 #include "core/base/random.h"
@@ -53,7 +53,7 @@ std::vector<char> bytesOf(const std::exception_ptr& failure)
     return bytes;
 }
 
-std::exception_ptr failureOf(const MpiSession::Message& message)
+std::exception_ptr failureOf(const MpiWorld::Message& message)
 {
     const std::string subject = "rank " + std::to_string(message.from);
     const std::string text(message.bytes.begin() + 1, message.bytes.end());
@@ -64,12 +64,12 @@ std::exception_ptr failureOf(const MpiSession::Message& message)
 }
 
 /** What every rank but the first does. */
-void follow(const MpiSession& session, Study study, const StudyOptions& options)
+void follow(const MpiWorld& world, Study study, const StudyOptions& options)
 {
     ShardFlight flight(std::move(study), options);
     bool told = false;
     for (;; pause()) {
-        while (const auto message = session.receive()) {
+        while (const auto message = world.receive()) {
             if (message->tag == Tag::End)
                 return;
             flight.stop();
@@ -78,25 +78,25 @@ void follow(const MpiSession& session, Study study, const StudyOptions& options)
             continue;
         const bool last = flight.hasEnded();
         if (const std::vector<SentOutcome> news = flight.take(); !news.empty())
-            session.send(0, Tag::Outcomes, bytesOf(news));
+            world.send(0, Tag::Outcomes, bytesOf(news));
         if (last && flight.failure())
-            session.send(0, Tag::Failure, bytesOf(flight.failure()));
+            world.send(0, Tag::Failure, bytesOf(flight.failure()));
         if (last)
-            session.send(0, Tag::Final);
+            world.send(0, Tag::Final);
         told = last;
     }
 }
 
 /** A rank that is not able to tell the first one what is wrong ends them all. */
-void followOrAbort(const MpiSession& session, const StudyOptions& options)
+void followOrAbort(const MpiWorld& world, const StudyOptions& options)
 {
     try {
-        const std::string text = session.shared({});
+        const std::string text = world.shared({});
         if (!text.empty())
-            follow(session, studyFromJson(text, "study"), options);
+            follow(world, studyFromJson(text, "study"), options);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "rank %d: %s\n", session.rank(), error.what());
-        session.abort(kFailure);
+        std::fprintf(stderr, "rank %d: %s\n", world.rank(), error.what());
+        world.abort(kFailure);
     }
 }
 
@@ -104,8 +104,8 @@ void followOrAbort(const MpiSession& session, const StudyOptions& options)
 class Leader
 {
 public:
-    Leader(const MpiSession& session, const SweepLead& lead, Study& study, const Shard& shard)
-        : m_session(session), m_lead(lead), m_study(study), m_waitingFor(session.size() - 1)
+    Leader(const MpiWorld& world, const SweepLead& lead, Study& study, const Shard& shard)
+        : m_world(world), m_lead(lead), m_study(study), m_waitingFor(world.size() - 1)
     {
         m_study.outcomes.resize(missionCount(m_study.spec));
         const std::size_t settings = settingsOf(m_study.spec).size();
@@ -140,7 +140,7 @@ public:
 private:
     void receive()
     {
-        while (const auto message = m_session.receive()) {
+        while (const auto message = m_world.receive()) {
             if (message->tag == Tag::Outcomes)
                 for (const SentOutcome& outcome : outcomesOf(message->bytes))
                     add(outcome);
@@ -179,10 +179,10 @@ private:
         if (std::exchange(m_stopped, true))
             return;
         flight.stop();
-        m_session.tellOthers(Tag::Stop);
+        m_world.tellOthers(Tag::Stop);
     }
 
-    const MpiSession& m_session;
+    const MpiWorld& m_world;
     const SweepLead& m_lead;
     Study& m_study;
     std::size_t m_done = 0;
@@ -193,32 +193,32 @@ private:
 };
 
 /** The first rank: `prepare` in it alone, so that files are read and errors told once. */
-Study prepareForAll(const MpiSession& session, const SweepLead& lead, bool sameOptions)
+Study prepareForAll(const MpiWorld& world, const SweepLead& lead, bool sameOptions)
 {
     try {
         if (!sameOptions)
             throw UsageError{"sweep: the processes of MPI were given different options"};
         Study study = lead.prepare();
-        static_cast<void>(session.shared(studyToJson(study)));
+        static_cast<void>(world.shared(studyToJson(study)));
         return study;
     } catch (...) {
-        static_cast<void>(session.shared({}));
+        static_cast<void>(world.shared({}));
         throw;
     }
 }
 
-int leadAll(const MpiSession& session, const SweepLead& lead, Study study,
-            const StudyOptions& options, const Shard& shard)
+int leadAll(const MpiWorld& world, const SweepLead& lead, Study study, const StudyOptions& options,
+            const Shard& shard)
 {
     bool complete = false;
     try {
-        complete = Leader(session, lead, study, shard).run(options);
+        complete = Leader(world, lead, study, shard).run(options);
     } catch (...) {
-        session.tellOthers(Tag::End);
+        world.tellOthers(Tag::End);
         lead.keep(study);
         throw;
     }
-    session.tellOthers(Tag::End);
+    world.tellOthers(Tag::End);
     lead.keep(study);
     return lead.finish(study, complete);
 }
@@ -227,16 +227,16 @@ int leadAll(const MpiSession& session, const SweepLead& lead, Study study,
 
 int flyOnRanks(const SweepLead& lead, const StudyOptions& options, const std::string& commandLine)
 {
-    const MpiSession session;
+    const MpiWorld world;
     StudyOptions own = options;
-    if (const int cores = session.coresEach(); own.threads == 0)
+    if (const int cores = world.coresEach(); own.threads == 0)
         own.threads = cores;
-    own.shard = {.index = options.shard.index + options.shard.count * session.rank(),
-                 .count = options.shard.count * session.size()};
-    const bool same = session.isSameInAll(stableHash(commandLine));
-    if (session.rank() == 0)
-        return leadAll(session, lead, prepareForAll(session, lead, same), own, options.shard);
-    followOrAbort(session, own);
+    own.shard = {.index = options.shard.index + options.shard.count * world.rank(),
+                 .count = options.shard.count * world.size()};
+    const bool same = world.isSameInAll(stableHash(commandLine));
+    if (world.rank() == 0)
+        return leadAll(world, lead, prepareForAll(world, lead, same), own, options.shard);
+    followOrAbort(world, own);
     return kDone; // the first one says how it went
 }
 
