@@ -1,6 +1,7 @@
 #include "core/base/geometry.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace berg {
 
@@ -18,6 +19,14 @@ bool onSegment(const Point& a, const Point& b, const Point& p)
            p.y() >= std::min(a.y(), b.y()) && p.y() <= std::max(a.y(), b.y());
 }
 
+/** True when edge a-b and the next edge b-c fold back on each other. */
+bool foldsBack(const Point& a, const Point& b, const Point& c)
+{
+    return orientation(a, b, c) == 0 && (b - a).dot(c - b) <= 0;
+}
+
+} // namespace
+
 bool segmentsMeet(const Point& a, const Point& b, const Point& c, const Point& d)
 {
     const int abc = orientation(a, b, c);
@@ -29,14 +38,6 @@ bool segmentsMeet(const Point& a, const Point& b, const Point& c, const Point& d
     return (abc == 0 && onSegment(a, b, c)) || (abd == 0 && onSegment(a, b, d)) ||
            (cda == 0 && onSegment(c, d, a)) || (cdb == 0 && onSegment(c, d, b));
 }
-
-/** True when edge a-b and the next edge b-c fold back on each other. */
-bool foldsBack(const Point& a, const Point& b, const Point& c)
-{
-    return orientation(a, b, c) == 0 && (b - a).dot(c - b) <= 0;
-}
-
-} // namespace
 
 bool insidePolygon(std::span<const Point> polygon, const Point& p)
 {
@@ -50,6 +51,34 @@ bool insidePolygon(std::span<const Point> polygon, const Point& p)
             inside = !inside;
     }
     return inside;
+}
+
+double distanceToSegment(const Point& a, const Point& b, const Point& p)
+{
+    const Point way = b - a;
+    const double length2 = way.squaredNorm();
+    const double share = length2 > 0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0.0;
+    return (p - (a + share * way)).norm();
+}
+
+double distanceToEdges(std::span<const Point> polygon, const Point& p)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
+        least = std::min(least, distanceToSegment(polygon[j], polygon[i], p));
+    return least;
+}
+
+double distanceToEdges(std::span<const Point> polygon, const Point& a, const Point& b)
+{
+    // Of two segments that do not meet, an end of one is nearest.
+    double least = std::min(distanceToEdges(polygon, a), distanceToEdges(polygon, b));
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        if (segmentsMeet(polygon[j], polygon[i], a, b))
+            return 0;
+        least = std::min(least, distanceToSegment(a, b, polygon[i]));
+    }
+    return least;
 }
 
 bool isSimplePolygon(std::span<const Point> polygon)

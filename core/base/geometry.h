@@ -17,6 +17,19 @@ using Point = Eigen::Vector2d;
 /** Even-odd test; `polygon` holds its corners once, at least three. */
 [[nodiscard]] bool insidePolygon(std::span<const Point> polygon, const Point& p);
 
+/** Whether the segments from `a` to `b` and from `c` to `d` have a point in common. */
+[[nodiscard]] bool segmentsMeet(const Point& a, const Point& b, const Point& c, const Point& d);
+
+/** Distance from `p` to the nearest point of the segment from `a` to `b`. */
+[[nodiscard]] double distanceToSegment(const Point& a, const Point& b, const Point& p);
+
+/** Distance from `p` to the nearest edge of the closed polygon, from either side. */
+[[nodiscard]] double distanceToEdges(std::span<const Point> polygon, const Point& p);
+
+/** Distance between the segment from `a` to `b` and the nearest edge; 0 when they meet. */
+[[nodiscard]] double distanceToEdges(std::span<const Point> polygon, const Point& a,
+                                     const Point& b);
+
 /** True when the closed polygon neither touches nor crosses itself. Cost: corners squared. */
 [[nodiscard]] bool isSimplePolygon(std::span<const Point> polygon);
 

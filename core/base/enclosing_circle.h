@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/base/geometry.h"
+
+#include <span>
+
+namespace berg {
+
+struct Circle
+{
+    Point centre_m = Point::Zero();
+    double radius_m = 0;
+};
+
+/**
+ * The smallest circle round the points, exact but for rounding, whatever their order; needs one
+ * point at least, and of one alone it is that point. Cost: linear as a rule, the cube at worst.
+ * Welzl, Smallest enclosing disks (1991), in its iterative form.
+ */
+[[nodiscard]] Circle enclosingCircle(std::span<const Point> points_m);
+
+} // namespace berg
