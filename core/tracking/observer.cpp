@@ -1,5 +1,8 @@
 #include "core/tracking/observer.h"
 
+#include "core/base/random.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace berg {
@@ -25,6 +28,35 @@ bool FieldOfView::contains(const Point& p_m) const
         return d_m.squaredNorm() <= m_half_m.x() * m_half_m.x();
     return std::abs(m_along.dot(d_m)) <= m_half_m.x() &&
            std::abs(cross(m_along, d_m)) <= m_half_m.y();
+}
+
+void Track::measured(const Point& position_m, double variance_m2, double time_s)
+{
+    const Point predicted_m = estimate_m(time_s);
+    const double innovation_m2 = sigma_m2 + variance_m2;
+    anchor_s = time_s;
+    if (!(innovation_m2 > 0)) { // both are exact: the measurement is the position
+        anchor_m = position_m;
+        return;
+    }
+    const double positionGain = sigma_m2 / innovation_m2;
+    const double velocityGain_1ps = mixed_m2ps / innovation_m2;
+    anchor_m = predicted_m + positionGain * (position_m - predicted_m);
+    velocity_mps += velocityGain_1ps * (position_m - predicted_m);
+    // Written so that no variance can become negative by rounding.
+    sigma_m2 = positionGain * variance_m2;
+    velocity_m2ps2 = std::max(0.0, velocity_m2ps2 - velocityGain_1ps * mixed_m2ps);
+    mixed_m2ps *= variance_m2 / innovation_m2;
+}
+
+LookDraw lookDraw(std::uint64_t seed, std::uint64_t stream, std::int64_t look)
+{
+    // The golden ratio of 2^64 keeps the streams of consecutive looks apart.
+    Random random(seed, stream ^ (static_cast<std::uint64_t>(look + 1) * 0x9e3779b97f4a7c15ULL));
+    const double chance = random.uniform();
+    const double x = random.normal();
+    const double y = random.normal();
+    return {.chance = chance, .noise = {x, y}};
 }
 
 } // namespace berg

@@ -1,0 +1,180 @@
+#include "core/tracking/lost_search.h"
+
+#include "core/base/angles.h"
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Track spacing of the expanding square, of the width of the view. */
+constexpr double kSpacing = 0.9;
+/** A pattern covers so many standard deviations to either side of the datum. */
+constexpr double kCovered_sd = 3;
+/** Legs looked ahead when a search is judged: once round. */
+constexpr std::size_t kLegsAhead = 4;
+
+// Cells: a square grid in standard deviations.
+constexpr int kCellsAcross = 21;
+constexpr double kCellsReach_sd = 3.2;
+
+struct Cells
+{
+    std::vector<Point> offset_sd;
+    std::vector<double> chance; ///< their sum 1
+};
+
+const Cells& cells()
+{
+    static const Cells kCells = [] {
+        Cells all;
+        for (int row = 0; row < kCellsAcross; ++row)
+            for (int column = 0; column < kCellsAcross; ++column) {
+                const Point offset_sd =
+                    kCellsReach_sd *
+                    (2 * Point(column, row) / (kCellsAcross - 1) - Point(Point::Ones()));
+                all.offset_sd.push_back(offset_sd);
+                all.chance.push_back(std::exp(-offset_sd.squaredNorm() / 2));
+            }
+        const double sum = std::accumulate(all.chance.begin(), all.chance.end(), 0.0);
+        for (double& chance : all.chance)
+            chance /= sum;
+        return all;
+    }();
+    return kCells;
+}
+
+Point towards(double heading_rad)
+{
+    return {std::cos(heading_rad), std::sin(heading_rad)};
+}
+
+} // namespace
+
+std::vector<Point> expandingSquare(double spacing_m, double reach_m, double heading_rad)
+{
+    require(spacing_m > 0 && reach_m >= 0, "expandingSquare: needs a spacing and a reach");
+    // The corner after leg 2 k - 1 or 2 k is within k spacings of the datum along either axis.
+    const int rounds = static_cast<int>(std::ceil(reach_m / spacing_m));
+    std::vector<Point> corners_m{Point::Zero()};
+    for (int leg = 0; leg < 4 * rounds + 1 && rounds > 0; ++leg) {
+        const double length_m = spacing_m * (leg / 2 + 1);
+        corners_m.emplace_back(corners_m.back() + length_m * towards(heading_rad - leg * kPi / 2));
+    }
+    return corners_m;
+}
+
+std::vector<Point> sectorSearch(double radius_m, double heading_rad)
+{
+    require(radius_m > 0, "sectorSearch: needs a radius");
+    std::vector<Point> corners_m{Point::Zero()};
+    double leg_rad = heading_rad;
+    for (int triangle = 0; triangle < 3; ++triangle) {
+        // Out, across, and home through the datum: the next triangle starts straight on.
+        const Point out_m = radius_m * towards(leg_rad);
+        const Point across_m = out_m + radius_m * towards(leg_rad - 2 * kPi / 3);
+        corners_m.insert(corners_m.end(), {out_m, across_m, Point(Point::Zero())});
+        leg_rad -= 4 * kPi / 3;
+    }
+    return corners_m;
+}
+
+double afterMiss(double prior, double detection)
+{
+    const double missed = prior * (1 - detection);
+    const double either = missed + (1 - prior);
+    return either > 0 ? missed / either : 0;
+}
+
+LostSearch::LostSearch(const ObserverSpec& observer, const SensorSpec& sensor, double sd_m,
+                       double heading_rad)
+    : m_chances(cells().chance)
+{
+    const double width_m = sensor.shape == FovShape::Disk ? sensor.fov_m.x() : sensor.fov_m.y();
+    m_spread_m = std::max(sd_m, width_m / 4);
+    const double reach_m = kCovered_sd * m_spread_m;
+    switch (observer.search) {
+    case SearchPattern::None:
+        break;
+    case SearchPattern::Square:
+        m_corners_m = expandingSquare(kSpacing * width_m, reach_m, heading_rad);
+        break;
+    case SearchPattern::Sector:
+        m_corners_m = sectorSearch(std::max(reach_m, width_m), heading_rad);
+        break;
+    }
+}
+
+void LostSearch::miss(const FieldOfView& view, const Point& datum_m, double detection)
+{
+    double left = 0;
+    std::vector<double> chances = m_chances;
+    for (std::size_t k = 0; k < chances.size(); ++k) {
+        if (view.contains(datum_m + m_spread_m * cells().offset_sd[k]))
+            chances[k] *= 1 - detection;
+        left += chances[k];
+    }
+    if (!(left > 0)) // seen everywhere in vain: nothing has been learnt about where it is
+        return;
+    for (double& chance : chances)
+        chance /= left;
+    m_chances = std::move(chances);
+}
+
+void LostSearch::grow(double added_m2)
+{
+    m_spread_m = std::sqrt(m_spread_m * m_spread_m + added_m2);
+}
+
+double LostSearch::variance_m2() const
+{
+    double sum = 0;
+    for (std::size_t k = 0; k < m_chances.size(); ++k)
+        sum += m_chances[k] * cells().offset_sd[k].squaredNorm();
+    return m_spread_m * m_spread_m * sum / 2;
+}
+
+double LostSearch::chancePerSecond(const Point& uav_m, double speed_mps, double reach_m,
+                                   double detection) const
+{
+    std::vector<bool> swept(m_chances.size(), false);
+    double best = 0;
+    double flown_m = 0;
+    double found = 0;
+    Point from_m = uav_m;
+    const std::size_t end = std::min(m_corners_m.size(), m_next + kLegsAhead);
+    for (std::size_t leg = m_next; leg < end; ++leg) {
+        const Point& to_m = m_corners_m[leg];
+        flown_m += (to_m - from_m).norm();
+        for (std::size_t k = 0; k < m_chances.size(); ++k) {
+            const Point cell_m = m_spread_m * cells().offset_sd[k];
+            if (swept[k] || distanceToSegment(from_m, to_m, cell_m) > reach_m)
+                continue;
+            swept[k] = true;
+            found += detection * m_chances[k];
+        }
+        if (flown_m > 0)
+            best = std::max(best, found * speed_mps / flown_m);
+        from_m = to_m;
+    }
+    return best;
+}
+
+LostSearch LostSearch::restored(std::vector<Point> corners_m, std::size_t next, double spread_m,
+                                std::vector<double> chances)
+{
+    LostSearch search;
+    search.m_corners_m = std::move(corners_m);
+    search.m_next = next;
+    search.m_spread_m = spread_m;
+    search.m_chances = std::move(chances);
+    return search;
+}
+
+} // namespace berg

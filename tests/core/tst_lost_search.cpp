@@ -1,0 +1,188 @@
+#include "core/base/angles.h"
+#include "core/base/geometry.h"
+#include "core/base/random.h"
+#include "core/tracking/lost_search.h"
+#include "tests/support/approx.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace berg;
+
+namespace {
+
+double distanceToWay(const Point& p, const std::vector<Point>& corners_m)
+{
+    double least_m = (p - corners_m[0]).norm();
+    for (std::size_t i = 1; i < corners_m.size(); ++i)
+        least_m = std::min(least_m, distanceToSegment(corners_m[i - 1], corners_m[i], p));
+    return least_m;
+}
+
+const SensorSpec kSensor{.fov_m = Point(600, 600)};
+
+LostSearch squareSearch(double sd_m)
+{
+    return LostSearch({.search = SearchPattern::Square}, kSensor, sd_m, 0);
+}
+
+FieldOfView viewAt(const Point& centre_m)
+{
+    return {kSensor, centre_m, 0};
+}
+
+} // namespace
+
+class TestLostSearch : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** Legs of S, S, 2S, 2S, 3S, right turns: IAMSAR's picture for a first leg to the north. */
+    void expandingSquareByHand()
+    {
+        const std::vector<Point> corners_m = expandingSquare(100, 100, kPi / 2);
+        const std::vector<Point> expected_m{{0, 0},      {0, 100},     {100, 100},
+                                            {100, -100}, {-100, -100}, {-100, 200}};
+        QCOMPARE(corners_m.size(), expected_m.size());
+        for (std::size_t i = 0; i < corners_m.size(); ++i)
+            COMPARE_NEAR((corners_m[i] - expected_m[i]).norm(), 0, 1e-9);
+    }
+
+    /** Everything in the square to be covered is passed within half a track spacing and a bit. */
+    void expandingSquareCovers()
+    {
+        Random random(2, 0);
+        for (const double reach_m : {90.0, 540.0, 1700.0}) {
+            const double heading_rad = random.uniform(-kPi, kPi);
+            const std::vector<Point> corners_m = expandingSquare(540, reach_m, heading_rad);
+            const Point along(std::cos(heading_rad), std::sin(heading_rad));
+            const Point left(-along.y(), along.x());
+            for (int k = 0; k < 2000; ++k) {
+                const Point p_m = random.uniform(-reach_m, reach_m) * along +
+                                  random.uniform(-reach_m, reach_m) * left;
+                QVERIFY(distanceToWay(p_m, corners_m) <= 540 / std::sqrt(2.0) + 1e-6);
+                // Seen by a camera 600 m across, 0.9 of which is the spacing, except in corners.
+            }
+        }
+        QCOMPARE(expandingSquare(540, 0, 0).size(), 1U);
+    }
+
+    void sectorSearchByHand()
+    {
+        const std::vector<Point> corners_m = sectorSearch(1000, kPi / 2);
+        QCOMPARE(corners_m.size(), 10U);
+        for (std::size_t i = 1; i < corners_m.size(); ++i)
+            COMPARE_NEAR((corners_m[i] - corners_m[i - 1]).norm(), 1000, 1e-9);
+        for (const std::size_t home : {0U, 3U, 6U, 9U})
+            COMPARE_NEAR(corners_m[home].norm(), 0, 1e-9);
+        // Each triangle starts straight on where the last one came home.
+        for (const std::size_t home : {3U, 6U}) {
+            const Point in_m = corners_m[home] - corners_m[home - 1];
+            const Point out_m = corners_m[home + 1] - corners_m[home];
+            COMPARE_NEAR((in_m - out_m).norm(), 0, 1e-9);
+        }
+        // Six directions, 60 degrees apart.
+        for (const std::size_t i : {1U, 2U, 4U, 5U, 7U, 8U})
+            for (const std::size_t j : {1U, 2U, 4U, 5U, 7U, 8U})
+                if (i != j)
+                    QVERIFY((corners_m[i] - corners_m[j]).norm() > 999);
+    }
+
+    void bayesByHand()
+    {
+        COMPARE_NEAR(afterMiss(0.5, 0.8), 0.1 / 0.6, 1e-12);
+        QCOMPARE(afterMiss(1, 0.9), 1.0);
+        QCOMPARE(afterMiss(0, 0.9), 0.0);
+        QCOMPARE(afterMiss(1, 1), 0.0);
+        QCOMPARE(afterMiss(0.3, 0), 0.3);
+    }
+
+    /** The normal distribution cut at 3.2 standard deviations keeps 0.99 of its variance. */
+    void variance()
+    {
+        const LostSearch search = squareSearch(400);
+        COMPARE_NEAR(search.variance_m2() / (400.0 * 400.0), 1.0, 0.03);
+    }
+
+    /** After a look at the middle what is left is farther out: by the formula of Bayes. */
+    void aLookMovesTheChancesOutwards()
+    {
+        // 21 cells over +- 3.2: the view ends midway between two of them.
+        constexpr double kInside_sd = 1.12;
+        LostSearch search = squareSearch(300 / kInside_sd);
+        const double before_m2 = search.variance_m2();
+        search.miss(viewAt({5000, 0}), {0, 0}, 1); // elsewhere
+        COMPARE_NEAR(search.variance_m2() / before_m2, 1, 1e-12);
+        search.miss(viewAt({0, 0}), {0, 0}, 1);
+        double left = 0;
+        for (const double chance : search.chances())
+            left += chance;
+        COMPARE_NEAR(left, 1, 1e-12);
+        // E[r^2 / 2 | outside] = (1 - p m) / (1 - p), m the variance along an axis inside.
+        const double along = std::erf(kInside_sd / std::sqrt(2.0));
+        const double p = along * along;
+        const double density = std::exp(-kInside_sd * kInside_sd / 2) / std::sqrt(2 * kPi);
+        const double inside = 1 - 2 * kInside_sd * density / along;
+        COMPARE_NEAR(search.variance_m2() / before_m2, (1 - p * inside) / (1 - p), 0.05);
+    }
+
+    void missedDetectionsLeaveAChance()
+    {
+        LostSearch sure = squareSearch(200);
+        LostSearch unsure = squareSearch(200);
+        sure.miss(viewAt({0, 0}), {0, 0}, 1);
+        unsure.miss(viewAt({0, 0}), {0, 0}, 0.5);
+        QVERIFY(unsure.variance_m2() < sure.variance_m2());
+        const auto middle = sure.chances().size() / 2;
+        QCOMPARE(sure.chances()[middle], 0.0);
+        QVERIFY(unsure.chances()[middle] > 0);
+    }
+
+    /** All cells seen in vain: nothing can be concluded, and nothing is divided by zero. */
+    void nothingLeft()
+    {
+        LostSearch search = squareSearch(10);
+        const SensorSpec wide{.fov_m = Point(1e5, 1e5)};
+        search.miss(FieldOfView(wide, {0, 0}, 0), {0, 0}, 1);
+        for (const double chance : search.chances())
+            QVERIFY(std::isfinite(chance));
+    }
+
+    /** A leg that sees all there is within its time: chance 1 over that time. */
+    void chancePerSecondByHand()
+    {
+        const LostSearch search = squareSearch(150);
+        // Reach so wide that the first leg of 540 m sweeps every cell at once.
+        COMPARE_NEAR(search.chancePerSecond({0, 0}, 20, 5000, 1), 20.0 / 540, 1e-9);
+        COMPARE_NEAR(search.chancePerSecond({0, 0}, 20, 5000, 0.5), 10.0 / 540, 1e-9);
+        QCOMPARE(search.chancePerSecond({0, 0}, 20, 0, 1) < 20.0 / 540, true);
+    }
+
+    void endsWithThePattern()
+    {
+        LostSearch search = squareSearch(300);
+        std::size_t legs = 0;
+        for (; search.hasCorner(); ++legs)
+            search.nextCorner();
+        QCOMPARE(legs, search.corners_m().size() - 1);
+        QCOMPARE(search.chancePerSecond({0, 0}, 20, 300, 1), 0.0);
+        QVERIFY(!LostSearch({.search = SearchPattern::None}, kSensor, 300, 0).hasCorner());
+    }
+
+    void restored()
+    {
+        LostSearch search = squareSearch(250);
+        search.miss(viewAt({100, 50}), {0, 0}, 0.7);
+        search.nextCorner();
+        search.grow(400);
+        QCOMPARE(LostSearch::restored(search.corners_m(), search.next(), search.spread_m(),
+                                      search.chances()),
+                 search);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLostSearch)
+#include "tst_lost_search.moc"
