@@ -1,0 +1,286 @@
+#include "core/vehicle/geofence.h"
+
+#include "core/base/angles.h"
+#include "core/base/error.h"
+#include "core/vehicle/side_turn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace berg {
+
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+/** The circle over ground is so much wider than it needs to be. */
+constexpr double kSpare = 1.05;
+/** Ways are passed beside a corner where there is so much of the space looked for. */
+constexpr double kSpace = 0.95;
+/** The straight lines of a way pass a corner nearer than the place where they meet: at a bend of
+ * 120 degrees by half. */
+constexpr double kNearer = 0.5;
+
+} // namespace
+
+Geofence::Geofence(std::vector<Point> corners_m, const Motion& motion)
+    : m_fence_m(std::move(corners_m)), m_motion(motion)
+{
+    require(m_fence_m.size() >= 3 && m_fence_m.size() <= kMostFenceCorners,
+            "Geofence: number of corners");
+    if (signedArea(m_fence_m) < 0)
+        std::reverse(m_fence_m.begin(), m_fence_m.end());
+    const double faster = 1 + motion.wind_mps.norm() / motion.airspeed_mps;
+    m_radius_m = kSpare * faster * faster * motion.airspeed_mps / motion.limit_radps;
+    placeCorners();
+    connectCorners();
+}
+
+bool Geofence::contains(const Point& place_m) const
+{
+    return insidePolygon(m_fence_m, place_m);
+}
+
+double Geofence::circle_s() const
+{
+    const double airspeed_mps = m_motion.airspeed_mps;
+    return 2 * kPi * m_radius_m /
+           std::sqrt(airspeed_mps * airspeed_mps - m_motion.wind_mps.squaredNorm());
+}
+
+double Geofence::edgeRoom_m(const Point& place_m) const
+{
+    const double distance_m = distanceToEdges(m_fence_m, place_m);
+    return contains(place_m) ? distance_m : -distance_m;
+}
+
+double Geofence::room_m(const DubinsState& state) const
+{
+    const Point over_mps =
+        m_motion.airspeed_mps * Point(std::cos(state.psi_rad), std::sin(state.psi_rad)) +
+        m_motion.wind_mps;
+    const Point ahead = over_mps.normalized();
+    const Point side_m = m_radius_m * Point(-ahead.y(), ahead.x());
+    return std::max(edgeRoom_m(state.position_m + side_m), edgeRoom_m(state.position_m - side_m)) -
+           m_radius_m;
+}
+
+bool Geofence::isShutOff(const Point& place_m) const
+{
+    constexpr int kCourses = 24;
+    int open = 0;
+    for (int i = 0; i < kCourses; ++i)
+        open += room_m({.position_m = place_m, .psi_rad = 2 * kPi * i / kCourses}) >= 0 ? 1 : 0;
+    return open < kCourses / 2;
+}
+
+double Geofence::circlingRate_radps(const DubinsState& state, double side) const
+{
+    const Point ahead(std::cos(state.psi_rad), std::sin(state.psi_rad));
+    const Point over_mps = m_motion.airspeed_mps * ahead + m_motion.wind_mps;
+    const double ground2_m2ps2 = over_mps.squaredNorm();
+    // Course rate = heading rate x (airspeed x component of the heading along the course) / speed.
+    const double gain = m_motion.airspeed_mps * ahead.dot(over_mps) / ground2_m2ps2;
+    const double course_radps = std::sqrt(ground2_m2ps2) / m_radius_m;
+    return std::clamp(side * course_radps / gain, -m_motion.limit_radps, m_motion.limit_radps);
+}
+
+/** Beside each reflex corner, on the bisector inwards: a radius off it, or half the space. */
+void Geofence::placeCorners()
+{
+    const std::size_t n = m_fence_m.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Point& corner_m = m_fence_m[i];
+        const Point in = (corner_m - m_fence_m[(i + n - 1) % n]).normalized();
+        const Point out = (m_fence_m[(i + 1) % n] - corner_m).normalized();
+        if (cross(in, out) >= 0)
+            continue;
+        const Point inwards = (in - out).normalized();
+        double space_m = m_radius_m;
+        Point place_m = corner_m + space_m * inwards;
+        for (int round = 0; round < 12; ++round) {
+            if (edgeRoom_m(place_m) >= kSpace * space_m)
+                break;
+            space_m /= 2;
+            place_m = corner_m + space_m * inwards;
+        }
+        m_reflex_m.push_back(corner_m);
+        m_space_m.push_back(space_m);
+        m_corners_m.push_back(place_m);
+    }
+}
+
+bool Geofence::isClear(const Point& a, const Point& b) const
+{
+    for (std::size_t i = 0, j = m_fence_m.size() - 1; i < m_fence_m.size(); j = i++)
+        if (segmentsMeet(a, b, m_fence_m[j], m_fence_m[i]))
+            return false;
+    for (std::size_t k = 0; k < m_reflex_m.size(); ++k) {
+        const Point& corner_m = m_reflex_m[k];
+        const double least_m =
+            kNearer * std::min({m_space_m[k], (a - corner_m).norm(), (b - corner_m).norm()});
+        if (distanceToSegment(a, b, corner_m) < least_m)
+            return false;
+    }
+    return true;
+}
+
+double Geofence::air_m(const Point& from_m, const Point& to_m) const
+{
+    return m_motion.airspeed_mps *
+           flightTime_s(to_m - from_m, m_motion.airspeed_mps, m_motion.wind_mps);
+}
+
+/** All shortest ways between the corners, as Floyd and Warshall have it. */
+void Geofence::connectCorners()
+{
+    const auto n = static_cast<Eigen::Index>(m_corners_m.size());
+    const auto at = [this](Eigen::Index i) { return m_corners_m[static_cast<std::size_t>(i)]; };
+    m_way_m = Eigen::MatrixXd::Constant(n, n, kFar);
+    m_next = Eigen::MatrixXi::Constant(n, n, -1);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j)
+            if (i == j || isClear(at(i), at(j))) {
+                m_way_m(i, j) = air_m(at(i), at(j));
+                m_next(i, j) = static_cast<int>(j);
+            }
+    for (Eigen::Index k = 0; k < n; ++k)
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index j = 0; j < n; ++j)
+                if (m_way_m(i, k) + m_way_m(k, j) < m_way_m(i, j)) {
+                    m_way_m(i, j) = m_way_m(i, k) + m_way_m(k, j);
+                    m_next(i, j) = m_next(i, k);
+                }
+}
+
+std::vector<Geofence::Sight> Geofence::sights(const Point& place_m) const
+{
+    std::vector<Sight> seen;
+    for (std::size_t k = 0; k < m_corners_m.size(); ++k)
+        if (isClear(place_m, m_corners_m[k]))
+            seen.push_back({.corner = static_cast<int>(k),
+                            .from_m = air_m(place_m, m_corners_m[k]),
+                            .to_m = air_m(m_corners_m[k], place_m)});
+    return seen;
+}
+
+std::vector<Point> Geofence::cornersBetween(const Point& from_m, const Point& to_m) const
+{
+    if (isClear(from_m, to_m))
+        return {};
+    double best_m = kFar;
+    int first = -1;
+    int last = -1;
+    const std::vector<Sight> arriving = sights(to_m);
+    for (const Sight& a : sights(from_m))
+        for (const Sight& b : arriving) {
+            const double way_m = a.from_m + m_way_m(a.corner, b.corner) + b.to_m;
+            if (way_m < best_m) {
+                best_m = way_m;
+                first = a.corner;
+                last = b.corner;
+            }
+        }
+    if (first < 0)
+        return {};
+    std::vector<Point> corners{m_corners_m[static_cast<std::size_t>(first)]};
+    while (first != last) {
+        first = m_next(first, last);
+        corners.push_back(m_corners_m[static_cast<std::size_t>(first)]);
+    }
+    return corners;
+}
+
+/** The quicker one of the ways with a turn to the left and to the right that leaves room; when
+ * neither does, the one that lacks less, which the guard of the fence can make one of. */
+std::optional<Way> Geofence::legTo(const DubinsState& start, const MovingPlace& place,
+                                   double command_s) const
+{
+    if ((m_motion.wind_mps - place.drift_mps).norm() >= m_motion.airspeed_mps)
+        return std::nullopt;
+    std::optional<Way> best;
+    double bestRoom_m = 0;
+    for (const double side : {1.0, -1.0}) {
+        const SideTurn turn(start, place, m_motion, command_s, side);
+        const std::optional<Way> way = turn.find();
+        if (!way)
+            continue;
+        const double room_m = std::min(0.0, roomIn_m(turn, std::abs(way->turn_rad)));
+        const bool better =
+            room_m != bestRoom_m ? room_m > bestRoom_m : best && way->time_s < best->time_s;
+        if (!best || better) {
+            best = way;
+            bestRoom_m = room_m;
+        }
+    }
+    return best;
+}
+
+/** The least on the turn. */
+double Geofence::roomIn_m(const SideTurn& turn, double turn_rad) const
+{
+    constexpr double kLook_rad = kPi / 12;
+    double least_m = room_m(turn.turned(turn_rad));
+    for (double turned_rad = kLook_rad; turned_rad < turn_rad; turned_rad += kLook_rad)
+        least_m = std::min(least_m, room_m(turn.turned(turned_rad)));
+    return least_m;
+}
+
+std::optional<Way> Geofence::wayTo(const DubinsState& start, const MovingPlace& place,
+                                   double command_s) const
+{
+    const std::vector<Point> corners_m = cornersBetween(start.position_m, place.place_m);
+    Way way{.end = start};
+    for (std::size_t k = 0; k <= corners_m.size(); ++k) {
+        const bool last = k == corners_m.size();
+        MovingPlace next{.place_m = last ? place.place_m : corners_m[k]};
+        if (last) {
+            next.place_m += place.drift_mps * way.time_s;
+            next.drift_mps = place.drift_mps;
+        }
+        const std::optional<Way> leg = legTo(way.end, next, command_s);
+        if (!leg)
+            return std::nullopt;
+        if (k == 0)
+            way.turn_rad = leg->turn_rad;
+        way.time_s += leg->time_s + (last ? 0 : kCornerReserve_s);
+        way.end = leg->end;
+    }
+    return way;
+}
+
+double Geofence::longestWay_s(const DubinsState& start, const Point& place_m,
+                              double command_s) const
+{
+    double time_s = circle_s();
+    DubinsState from = start;
+    for (const Point& corner_m : cornersBetween(start.position_m, place_m)) {
+        time_s += berg::longestWay_s(from, corner_m, m_motion, command_s) + kCornerReserve_s;
+        from.position_m = corner_m;
+    }
+    return time_s + berg::longestWay_s(from, place_m, m_motion, command_s);
+}
+
+Eigen::MatrixXd Geofence::distances_m(std::span<const Point> places_m) const
+{
+    const auto n = static_cast<Eigen::Index>(places_m.size());
+    std::vector<std::vector<Sight>> seen;
+    for (const Point& place_m : places_m)
+        seen.push_back(sights(place_m));
+    Eigen::MatrixXd result_m(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const auto from = static_cast<std::size_t>(i);
+            const auto to = static_cast<std::size_t>(j);
+            double best_m = kFar;
+            if (!isClear(places_m[from], places_m[to]))
+                for (const Sight& a : seen[from])
+                    for (const Sight& b : seen[to])
+                        best_m = std::min(best_m, a.from_m + m_way_m(a.corner, b.corner) + b.to_m);
+            // Where no way is known, straight: the fence is kept in flight.
+            result_m(i, j) = best_m < kFar ? best_m : air_m(places_m[from], places_m[to]);
+        }
+    return result_m;
+}
+
+} // namespace berg

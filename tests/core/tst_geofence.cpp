@@ -1,0 +1,179 @@
+#include "core/base/angles.h"
+#include "core/vehicle/geofence.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace berg;
+
+namespace {
+
+/** Two arms of 3 km by 1 km that meet in the south-west; the corner that points inwards is
+ * (1000, 1000). */
+const std::vector<Point> kAngle_m{{0, 0},       {3000, 0},    {3000, 1000},
+                                  {1000, 1000}, {1000, 3000}, {0, 3000}};
+
+Geofence fenceIn(const Point& wind_mps)
+{
+    return {kAngle_m, Motion{.wind_mps = wind_mps}};
+}
+
+bool same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double tolerance)
+{
+    return (a - b).cwiseAbs().maxCoeff() <= tolerance;
+}
+
+} // namespace
+
+class TestGeofence : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void roomIsThatOfTheBetterCircle()
+    {
+        const Geofence fence = fenceIn(Point::Zero());
+        // Along the southern edge, 100 m inside: only the circle to the left is inside.
+        const DubinsState east{.position_m = {1500, 100}, .psi_rad = 0};
+        const double radius_m = fence.radius_m();
+        QVERIFY(std::abs(fence.room_m(east) - std::min(100.0, 900 - 2 * radius_m)) < 1e-9);
+        // Straight at the edge, both circles stick out.
+        const DubinsState south{.position_m = {1500, 100}, .psi_rad = -kPi / 2};
+        QVERIFY(std::abs(fence.room_m(south) - (100 - radius_m)) < 1e-9);
+        QVERIFY(fence.contains({500, 2500}));
+        QVERIFY(!fence.contains({2500, 2500}));
+    }
+
+    void placesAtTheFenceAreShutOff()
+    {
+        const Geofence fence = fenceIn(Point::Zero());
+        QVERIFY(!fence.isShutOff({500, 500}));
+        QVERIFY(!fence.isShutOff({1500, 100}));
+        QVERIFY(fence.isShutOff({1500, 10}));
+        QVERIFY(fence.isShutOff({1500, -10}));
+        QVERIFY(fence.isShutOff({50, 50})); // in a corner
+    }
+
+    void directionOfTheCornersDoesNotMatter()
+    {
+        const Geofence one = fenceIn({3, 4});
+        const Geofence other({kAngle_m.rbegin(), kAngle_m.rend()}, Motion{.wind_mps = {3, 4}});
+        const std::vector<Point> places_m{{500, 2500}, {2500, 500}, {500, 500}};
+        QVERIFY(same(one.distances_m(places_m), other.distances_m(places_m), 1e-9));
+    }
+
+    /** What the whole guard rests on: the circle over ground can be stayed on, in wind too. */
+    void circleOverGroundIsKept_data()
+    {
+        QTest::addColumn<double>("wind_mps");
+        QTest::newRow("calm") << 0.0;
+        QTest::newRow("5 m/s") << 5.0;
+        QTest::newRow("15 m/s") << 15.0;
+    }
+    void circleOverGroundIsKept()
+    {
+        QFETCH(double, wind_mps);
+        constexpr double kStep_s = 0.01;
+        const Motion motion{.wind_mps = {wind_mps, 0}};
+        const Geofence fence(kAngle_m, motion);
+        for (const double side : {1.0, -1.0}) {
+            DubinsState uav{.psi_rad = 1};
+            const Point ahead =
+                (motion.airspeed_mps * Point(std::cos(1), std::sin(1)) + motion.wind_mps)
+                    .normalized();
+            const Point centre_m = side * fence.radius_m() * Point(-ahead.y(), ahead.x());
+            for (double t_s = 0; t_s < fence.circle_s(); t_s += kStep_s) {
+                const double u_radps = fence.circlingRate_radps(uav, side);
+                QVERIFY(std::abs(u_radps) < motion.limit_radps);
+                uav = berg::step(uav, motion.airspeed_mps, u_radps, kStep_s, motion.wind_mps);
+                // Steps of 10 ms leave the circle by centimetres a turn.
+                QVERIFY(std::abs((uav.position_m - centre_m).norm() - fence.radius_m()) < 1);
+            }
+        }
+    }
+
+    void waysLeadRoundTheCorner()
+    {
+        const Geofence fence = fenceIn(Point::Zero());
+        QVERIFY(fence.cornersBetween({500, 500}, {2500, 500}).empty());
+        const std::vector<Point> corners_m = fence.cornersBetween({2500, 500}, {500, 2500});
+        QCOMPARE(corners_m.size(), std::size_t{1});
+        const Point off_m = corners_m.front() - Point(1000, 1000);
+        // On the bisector inwards, a radius away.
+        QVERIFY(std::abs(off_m.norm() - fence.radius_m()) < 1e-9);
+        QVERIFY(std::abs(off_m.x() - off_m.y()) < 1e-9 && off_m.x() < 0);
+    }
+
+    void distancesAreThoseOfTheWays()
+    {
+        const Geofence fence = fenceIn(Point::Zero());
+        const std::vector<Point> places_m{{2500, 500}, {500, 2500}, {500, 500}};
+        const Point corner_m = fence.cornersBetween(places_m[0], places_m[1]).at(0);
+        const double round_m = (places_m[0] - corner_m).norm() + (corner_m - places_m[1]).norm();
+        Eigen::MatrixXd expected_m(3, 3);
+        expected_m << 0, round_m, 2000, round_m, 0, 2000, 2000, 2000, 0;
+        QVERIFY(same(fence.distances_m(places_m), expected_m, 1e-6));
+    }
+
+    void windMakesOneWayLonger()
+    {
+        const std::vector<Point> places_m{{2500, 500}, {500, 2500}};
+        const Eigen::MatrixXd there_m = fenceIn({-8, 8}).distances_m(places_m);
+        QVERIFY(there_m(0, 1) < there_m(1, 0));
+        QVERIFY(there_m(0, 1) < fenceIn(Point::Zero()).distances_m(places_m)(0, 1));
+    }
+
+    /** Between the corners of a comb the way passes all teeth. */
+    void waysMayHaveManyCorners()
+    {
+        const std::vector<Point> comb_m{{0, 0},      {5000, 0},   {5000, 2000}, {3500, 2000},
+                                        {3500, 600}, {3300, 600}, {3300, 2000}, {1700, 2000},
+                                        {1700, 600}, {1500, 600}, {1500, 2000}, {0, 2000}};
+        const Geofence fence(comb_m, {});
+        const Point from_m(200, 1800);
+        const Point to_m(4800, 1800);
+        const std::vector<Point> corners_m = fence.cornersBetween(from_m, to_m);
+        QVERIFY(corners_m.size() >= 2);
+        Point last_m = from_m;
+        double length_m = 0;
+        for (const Point& corner_m : corners_m) {
+            QVERIFY(fence.contains(corner_m));
+            length_m += (corner_m - last_m).norm();
+            last_m = corner_m;
+        }
+        length_m += (to_m - last_m).norm();
+        QVERIFY(std::abs(fence.distances_m(std::vector<Point>{from_m, to_m})(0, 1) - length_m) <
+                1e-6);
+    }
+
+    void homeIsReachedRoundTheCornerInTheTimeForeseen()
+    {
+        const Geofence fence = fenceIn({-4, 3});
+        const DubinsState start{.position_m = {2500, 500}, .psi_rad = 0};
+        const MovingPlace home{.place_m = {500, 2500}};
+        const std::optional<Way> way = fence.wayTo(start, home, 0.1);
+        QVERIFY(way);
+        QVERIFY((way->end.position_m - home.place_m).norm() < 1);
+        QVERIFY(way->time_s <= fence.longestWay_s(start, home.place_m, 0.1));
+        const double air_m =
+            fence.distances_m(std::vector<Point>{start.position_m, home.place_m})(0, 1);
+        QVERIFY(way->time_s > air_m / 22);
+    }
+
+    void countOfCornersIsLimited()
+    {
+        QVERIFY_EXCEPTION_THROWN(Geofence({{0, 0}, {1, 0}}, {}), std::logic_error);
+        std::vector<Point> many_m;
+        for (std::size_t i = 0; i <= kMostFenceCorners; ++i) {
+            const double angle_rad = 2 * kPi * static_cast<double>(i) / (kMostFenceCorners + 1);
+            many_m.emplace_back(5000 * std::cos(angle_rad), 5000 * std::sin(angle_rad));
+        }
+        QVERIFY_EXCEPTION_THROWN(Geofence(many_m, {}), std::logic_error);
+        many_m.pop_back();
+        QVERIFY(Geofence(many_m, {}).contains({0, 0}));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestGeofence)
+#include "tst_geofence.moc"
