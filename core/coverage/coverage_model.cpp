@@ -24,6 +24,27 @@ double largestQ_m2ps(const FlightPicture& picture)
     return q_m2ps;
 }
 
+/** What a sighting some minutes from now leaves of the variance of the velocity (Kalman). */
+double varianceAfterSighting_m2ps2(const Track& track)
+{
+    constexpr double kSome_s = 300;
+    const double mixed_m2ps = track.mixed_m2ps + kSome_s * track.velocity_m2ps2;
+    const double sigma_m2 = track.sigmaAfter_m2(kSome_s);
+    return sigma_m2 > 0 ? std::max(0.0, track.velocity_m2ps2 - mixed_m2ps * mixed_m2ps / sigma_m2)
+                        : 0;
+}
+
+/** With unknown velocities: one standard deviation of the worst known place, at most an eighth of
+ * the view's extent, so that what is aimed at its edge is seen. */
+double doubt_m(const FlightPicture& picture)
+{
+    double worst_m2 = 0;
+    for (const Track& track : picture.tracks)
+        if (track.velocity_m2ps2 > 0)
+            worst_m2 = std::max(worst_m2, track.sigma_m2);
+    return std::min(std::sqrt(worst_m2), picture.sensor.fov_m.minCoeff() / 8);
+}
+
 /** Axes of the view at one instant. */
 struct ViewAxes
 {
@@ -188,9 +209,8 @@ private:
             return;
         CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(iceberg)];
         const double unseen_s = enter_s - account.paid_s;
-        const double q_m2ps = m_model.m_bergs[static_cast<std::size_t>(iceberg)].q_m2ps;
         if (unseen_s > kShortest_s) {
-            m_state.cost_m2s += unseen_s * (account.sigma_m2 + q_m2ps / 2 * unseen_s);
+            m_state.cost_m2s += m_model.growth(iceberg, account, unseen_s).cost_m2s;
             if (m_sightings)
                 m_sightings->push_back({iceberg, enter_s});
         }
@@ -207,7 +227,7 @@ private:
 };
 
 CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon)
-    : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)))
+    : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)) + doubt_m(picture))
     , m_horizon(horizon)
     , m_uav(poseOf(picture.uav))
     , m_wind_mps(picture.motion.wind_mps)
@@ -225,7 +245,10 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
         m_bergs.push_back({.place_m = likelyPlace_m(m_window, m_uav, estimate_m, track.inView),
                            .velocity_mps = track.velocity_mps - m_wind_mps,
                            .q_m2ps = weight * track.q_m2ps,
-                           .sigma_m2 = weight * track.sigma_m2});
+                           .sigma_m2 = weight * track.sigma_m2,
+                           .mixed_m2ps = weight * track.mixed_m2ps,
+                           .velocity_m2ps2 = weight * track.velocity_m2ps2,
+                           .velocityAfter_m2ps2 = weight * varianceAfterSighting_m2ps2(track)});
         m_fastest_mps = std::max(m_fastest_mps, m_bergs.back().velocity_mps.norm());
     }
     m_all.resize(m_bergs.size());
@@ -282,10 +305,9 @@ double CoverageModel::total_m2s(const CoverageState& state) const
     double cost_m2s = state.cost_m2s;
     for (std::size_t i = 0; i < m_bergs.size(); ++i) {
         const CoverageState::Account& account = state.accounts[i];
-        const double unseen_s = m_horizon.length_s - account.paid_s;
-        const double grown_m2 = m_bergs[i].q_m2ps * unseen_s;
-        cost_m2s += unseen_s * (account.sigma_m2 + grown_m2 / 2) +
-                    m_horizon.rest_s * (account.sigma_m2 + grown_m2);
+        const Growth end =
+            growth(static_cast<int>(i), account, m_horizon.length_s - account.paid_s);
+        cost_m2s += end.cost_m2s + m_horizon.rest_s * end.sigma_m2;
     }
     return cost_m2s;
 }
@@ -295,17 +317,15 @@ double CoverageModel::costSoFar_m2s(const CoverageState& state) const
     double cost_m2s = state.cost_m2s;
     for (std::size_t i = 0; i < m_bergs.size(); ++i) {
         const CoverageState::Account& account = state.accounts[i];
-        const double unseen_s = state.time_s - account.paid_s;
-        cost_m2s += unseen_s * (account.sigma_m2 + m_bergs[i].q_m2ps / 2 * unseen_s);
+        cost_m2s += growth(static_cast<int>(i), account, state.time_s - account.paid_s).cost_m2s;
     }
     return cost_m2s;
 }
 
 double CoverageModel::sigma_m2(const CoverageState& state, int iceberg) const
 {
-    const auto i = static_cast<std::size_t>(iceberg);
-    const CoverageState::Account& account = state.accounts[i];
-    return account.sigma_m2 + m_bergs[i].q_m2ps * (state.time_s - account.paid_s);
+    const CoverageState::Account& account = state.accounts[static_cast<std::size_t>(iceberg)];
+    return growth(iceberg, account, state.time_s - account.paid_s).sigma_m2;
 }
 
 bool CoverageModel::inView(const CoverageState& state, int iceberg) const

@@ -109,8 +109,33 @@ private:
         Point velocity_mps;
         double q_m2ps = 0;
         double sigma_m2 = 0;
+        // Unknown velocities, with measurements: sigma grows by (q + 2 mixed) t + variance t^2
+        // until the iceberg is seen, and by q t + (what a sighting leaves of the variance) t^2
+        // after.
+        double mixed_m2ps = 0;
+        double velocity_m2ps2 = 0;
+        double velocityAfter_m2ps2 = 0;
     };
     class Flight;
+
+    /** sigma after `unseen_s` of an account, and its integral until then. */
+    struct Growth
+    {
+        double sigma_m2 = 0;
+        double cost_m2s = 0;
+    };
+    [[nodiscard]] Growth growth(int iceberg, const CoverageState::Account& account,
+                                double unseen_s) const
+    {
+        const Berg& berg = m_bergs[static_cast<std::size_t>(iceberg)];
+        const bool isSeen = account.paid_s > 0;
+        const double rate_m2ps = isSeen ? berg.q_m2ps : berg.q_m2ps + 2 * berg.mixed_m2ps;
+        const double velocity_m2ps2 = isSeen ? berg.velocityAfter_m2ps2 : berg.velocity_m2ps2;
+        const double grown_m2 = rate_m2ps * unseen_s;
+        const double drifted_m2 = velocity_m2ps2 * unseen_s * unseen_s;
+        return {.sigma_m2 = account.sigma_m2 + grown_m2 + drifted_m2,
+                .cost_m2s = unseen_s * (account.sigma_m2 + grown_m2 / 2 + drifted_m2 / 3)};
+    }
 
     [[nodiscard]] Point place_m(int iceberg, double time_s) const
     {
