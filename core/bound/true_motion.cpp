@@ -1,5 +1,6 @@
 #include "core/bound/true_motion.h"
 
+#include "core/scenario/true_start.h"
 #include "core/tracking/drift.h"
 
 #include <Eigen/Geometry>
@@ -64,8 +65,10 @@ TrueMotion::TrueMotion(const Scenario& scenario, const std::stop_token& stop)
 TrueMotion::Way TrueMotion::wayOf(const Scenario& scenario, const Iceberg& iceberg,
                                   const std::stop_token& stop) const
 {
-    DriftModel drift({.position_m = iceberg.position_m,
-                      .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
+    const TrueStart start = trueStart(iceberg, scenario.observer,
+                                      static_cast<std::uint64_t>(scenario.seed), scenario.noise);
+    DriftModel drift({.position_m = start.position_m,
+                      .velocity_mps = start.velocity_mps + scenario.current_mps,
                       .q_m2ps = iceberg.q_m2ps,
                       .track = iceberg.track.empty()
                                    ? nullptr

@@ -2,6 +2,7 @@
 
 #include "core/bound/group_floor.h"
 #include "core/bound/spread_groups.h"
+#include "core/bound/stays_inside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -195,7 +196,11 @@ double ZetaBound::by_m2s(double time_s) const
 
 ZetaBound zetaLowerBound(const Scenario& scenario, const BoundOptions& options)
 {
-    BoundSearch search(scenario, options);
+    // Those that may leave the area may stop counting: what bounds the rest bounds them all.
+    Scenario staying = scenario;
+    std::erase_if(staying.icebergs,
+                  [&](const Iceberg& iceberg) { return !staysInside(scenario, iceberg); });
+    BoundSearch search(staying, options);
     search.run();
     return search.result();
 }

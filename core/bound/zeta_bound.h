@@ -51,6 +51,8 @@ struct ZetaBound
  * position at t = 0, with any turn radius, heading and endurance, and for the world that the
  * scenario draws: the true tracks, noise of its seed included, are those the simulation flies.
  * Icebergs added during the run only add to zeta; but one reported seen from outside breaks it.
+ * Those that may leave the area are left out. A Kalman filter's sigma is at least that of the
+ * simple model: q x (time since it was measured), or initial + q t; and less is seen.
  *
  * Why. Sigma of an iceberg is q x (time since it was in view), or initial + q t. Fix an instant t
  * and a time w <= t, and let R_i hold every place from which iceberg i is in view at any instant of

@@ -2,6 +2,7 @@
 
 #include "core/io/json_writer.h"
 #include "core/io/result_csv.h"
+#include "core/sim/clusters.h"
 
 namespace berg {
 
@@ -28,8 +29,12 @@ std::string joined(const std::vector<std::string>& parts, char separator)
 std::vector<int> icebergNumbers(const CurveReport& report, const VisitOrder& order)
 {
     std::vector<int> numbers;
-    for (const int node : order)
-        numbers.push_back(report.ids[static_cast<std::size_t>(node - 1)] + 1);
+    for (const int node : order) {
+        const int first = report.ids[static_cast<std::size_t>(node - 1)];
+        const std::span<const int> members = clusterWith(report.clusters, first);
+        for (const int iceberg : members.empty() ? std::span(&first, 1) : members)
+            numbers.push_back(iceberg + 1);
+    }
     return numbers;
 }
 

@@ -14,6 +14,7 @@ struct CurveReport
     const TauCurve& curve;
     const Scenario& scenario;
     const std::vector<int>& ids; ///< index of the iceberg that is node k+1 of the curve's orders
+    std::span<const std::vector<int>> clusters = {}; ///< whose first ones are nodes for them all
 };
 
 /** One JSON document: intervals with tau, figures and orders (1-based numbers, and ids). */
@@ -25,7 +26,7 @@ struct CurveReport
  */
 [[nodiscard]] std::string curveCsv(const CurveReport& report);
 
-/** Icebergs of an order as 1-based numbers of the scenario. */
+/** Icebergs of an order as 1-based numbers of the scenario, those of a cluster side by side. */
 [[nodiscard]] std::vector<int> icebergNumbers(const CurveReport& report, const VisitOrder& order);
 
 } // namespace berg

@@ -80,9 +80,9 @@ private:
             properties["time"] = utcText(*m_start, time_s);
     }
 
-    [[nodiscard]] const Iceberg& iceberg(const Visit& visit) const
+    [[nodiscard]] const Iceberg& iceberg(int index) const
     {
-        return m_icebergs.at(static_cast<std::size_t>(visit.iceberg));
+        return m_icebergs.at(static_cast<std::size_t>(index));
     }
 
     /** Ids in the order of the visits. */
@@ -91,7 +91,8 @@ private:
         Json ids = Json::array();
         for (const Visit& visit : m_visits)
             if (visit.iceberg >= 0)
-                ids.push_back(iceberg(visit).id);
+                for (const int index : icebergsOf(visit))
+                    ids.push_back(iceberg(index).id);
         return ids;
     }
 
@@ -148,8 +149,10 @@ private:
             Json properties;
             properties["kind"] = "visit";
             properties["sequence"] = ++sequence;
-            properties["iceberg"] = iceberg(visit).id;
-            properties["name"] = iceberg(visit).name;
+            properties["iceberg"] = iceberg(visit.iceberg).id;
+            properties["name"] = iceberg(visit.iceberg).name;
+            for (const int member : visit.members)
+                properties["cluster"].push_back(iceberg(member).id);
             addTime(properties, visit.time_s);
             add(point(visit.position_m), std::move(properties));
         }

@@ -10,7 +10,8 @@ namespace berg {
  * order), "plan" or, for a run, "track" (the line flown over), "area". Lines have
  * `coordinateProperties` with `times` (ISO 8601) when the scenario has a start time, else
  * `times_s`, one per position. Positions are longitude, latitude; altitudes are properties.
- * `velocity_mps` is the iceberg's own, `drift_mps` includes the current; both are east, north.
+ * `velocity_mps` is the iceberg's own, `drift_mps` includes the current; both are east, north. A
+ * visit to a cluster has `cluster`, the ids of all that are in view there.
  */
 [[nodiscard]] std::string geoJson(const ExportSource& source);
 

@@ -2,6 +2,7 @@
 
 #include "core/io/export_numbers.h"
 #include "core/io/visits.h"
+#include "core/sim/clusters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +27,12 @@ MavItem changeSpeed(double airspeed_mps)
 
 } // namespace
 
-double acceptanceRadius_m(const Scenario& scenario)
+double acceptanceRadius_m(const Scenario& scenario, double spread_m)
 {
-    const Point& fov_m = scenario.uavs.at(0).fov_m;
-    const double seen_m = (scenario.fovShape == FovShape::Disk ? fov_m.x() : fov_m.minCoeff()) / 2;
-    return std::clamp(std::floor(scenario.reachRadius_m.value_or(seen_m)), 1.0, kLargestByte_m);
+    const double seen_m =
+        surelySeen_m({.fov_m = scenario.uavs.at(0).fov_m, .shape = scenario.fovShape});
+    return std::clamp(std::floor(scenario.reachRadius_m.value_or(seen_m) - spread_m), 1.0,
+                      kLargestByte_m);
 }
 
 double loiterRadius_m(const Scenario& scenario)
@@ -49,12 +51,11 @@ MavMission mavMission(const ExportSource& source)
     const auto place = [&](const Point& position_m) {
         return roundedPlace(frame.toGeographic(position_m));
     };
-    MavMission mission{.home = place(uav.position_m),
+    MavMission mission{.home = place(uav.home_m.value_or(uav.position_m)),
                        .airspeed_mps = uav.spec.airspeed_mps,
                        .items = {changeSpeed(uav.spec.airspeed_mps)}};
     // Param 4, the yaw at a waypoint, is 0 and not "none": a fixed wing ignores it, and Mission
     // Planner reads numbers only.
-    const double acceptance_m = acceptanceRadius_m(source.scenario);
     MavItem loiter{.command = MavCommand::NavLoiterUnlimited,
                    .params = {0, 0, loiterRadius_m(source.scenario), 0},
                    .place = mission.home,
@@ -62,10 +63,11 @@ MavMission mavMission(const ExportSource& source)
     for (const Visit& visit : visitsOf(source)) {
         loiter.place = place(visit.position_m);
         if (visit.iceberg >= 0)
-            mission.items.push_back({.command = MavCommand::NavWaypoint,
-                                     .params = {0, acceptance_m, 0, 0},
-                                     .place = loiter.place,
-                                     .altitude_m = uav.spec.altitude_m});
+            mission.items.push_back(
+                {.command = MavCommand::NavWaypoint,
+                 .params = {0, acceptanceRadius_m(source.scenario, visit.spread_m), 0, 0},
+                 .place = loiter.place,
+                 .altitude_m = uav.spec.altitude_m});
     }
     mission.items.push_back(loiter);
     return mission;

@@ -16,20 +16,23 @@ std::string planCsv(const Scenario& scenario, const PlanAnswer& plan)
     for (const Visit& visit : plannedVisits(scenario, plan)) {
         if (visit.iceberg < 0)
             continue; // the way back of a closed route
-        const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(visit.iceberg)];
         const LatLon place = frame.toGeographic(visit.position_m);
-        const double now_m2 = initialSigma_m2(iceberg);
-        text +=
-            std::to_string(++sequence) + ',' + csvField(iceberg.id) + ',' + csvField(iceberg.name);
-        for (const double value :
-             {(visit.position_m - from_m).norm(), visit.time_s, place.latitude_deg,
-              place.longitude_deg, visit.position_m.x(), visit.position_m.y(), now_m2,
-              now_m2 + iceberg.q_m2ps * visit.time_s}) {
-            text += ',';
-            appendNumber(text, value);
+        ++sequence;
+        for (const int index : icebergsOf(visit)) {
+            const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(index)];
+            const double now_m2 = initialSigma_m2(iceberg);
+            text += std::to_string(sequence) + ',' + csvField(iceberg.id) + ',' +
+                    csvField(iceberg.name);
+            for (const double value :
+                 {(visit.position_m - from_m).norm(), visit.time_s, place.latitude_deg,
+                  place.longitude_deg, visit.position_m.x(), visit.position_m.y(), now_m2,
+                  now_m2 + iceberg.q_m2ps * visit.time_s}) {
+                text += ',';
+                appendNumber(text, value);
+            }
+            text += '\n';
+            from_m = visit.position_m;
         }
-        text += '\n';
-        from_m = visit.position_m;
     }
     return text;
 }

@@ -23,6 +23,17 @@ void add(std::string& text, double value, char separator)
     text += separator;
 }
 
+/** Ids of the icebergs as CSV fields, by index. */
+std::vector<std::string> idFields(const Mission& mission)
+{
+    std::vector<std::string> fields;
+    for (const Iceberg& iceberg : mission.icebergs())
+        fields.push_back(csvField(iceberg.id));
+    return fields;
+}
+
+} // namespace
+
 std::string_view eventName(EventKind kind)
 {
     switch (kind) {
@@ -40,20 +51,25 @@ std::string_view eventName(EventKind kind)
         return "alarm";
     case EventKind::Intervention:
         return "intervention";
+    case EventKind::Left:
+        return "left";
+    case EventKind::Lost:
+        return "lost";
+    case EventKind::Found:
+        return "found";
+    case EventKind::GivenUp:
+        return "given up";
+    case EventKind::HomeBound:
+        return "home bound";
+    case EventKind::Landed:
+        return "landed";
+    case EventKind::TookOff:
+        return "took off";
+    case EventKind::LateHome:
+        return "late home";
     }
     throw std::logic_error("eventName: unknown kind");
 }
-
-/** Ids of the icebergs as CSV fields, by index. */
-std::vector<std::string> idFields(const Mission& mission)
-{
-    std::vector<std::string> fields;
-    for (const Iceberg& iceberg : mission.icebergs())
-        fields.push_back(csvField(iceberg.id));
-    return fields;
-}
-
-} // namespace
 
 std::string numberText(double value)
 {

@@ -6,6 +6,9 @@
 
 namespace berg {
 
+/** Of an event in events.csv and in the JSON of a run. */
+[[nodiscard]] std::string_view eventName(EventKind kind);
+
 // Result tables of a recorded mission: RFC 4180, UTF-8, '.' decimals, numbers that read back
 // exactly, a header row with units.
 

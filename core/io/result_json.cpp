@@ -135,20 +135,43 @@ std::string solveJson(const SolveReport& report)
         {"backend", outcome.backend}};
     if (!report.ids.empty())
         json["icebergs"] = report.ids;
+    if (!report.clusters.empty())
+        json["clusters"] = report.clusters;
+    if (report.thisSortie)
+        json["this_sortie"] = *report.thisSortie;
     if (report.secondOpinion)
         json["verify"] = secondOpinionJson(*report.secondOpinion);
     return text(json);
 }
 
-std::string simulateJson(const Metrics& metrics, std::optional<double> lowerBound_m2s,
+std::vector<std::pair<std::string, int>> worldEvents(const Mission& mission)
+{
+    std::vector<std::pair<std::string, int>> counts;
+    for (const EventKind kind :
+         {EventKind::Lost, EventKind::Found, EventKind::GivenUp, EventKind::Left, EventKind::Alarm,
+          EventKind::Landed, EventKind::TookOff, EventKind::LateHome, EventKind::PlannerFailed}) {
+        const auto count =
+            std::count_if(mission.events().begin(), mission.events().end(),
+                          [kind](const MissionEvent& event) { return event.kind == kind; });
+        if (count > 0)
+            counts.emplace_back(eventName(kind), static_cast<int>(count));
+    }
+    return counts;
+}
+
+std::string simulateJson(const Mission& mission, std::optional<double> lowerBound_m2s,
                          double elapsed_s)
 {
-    return text(Json{{"zeta_m2s", metrics.zeta_m2s},
-                     {"visits", metrics.visits},
-                     {"replans", metrics.replans},
-                     {"flown_m", metrics.flown_m},
-                     {"lower_bound_m2s", orNull(lowerBound_m2s)},
-                     {"seconds", elapsed_s}});
+    const Metrics metrics = mission.metrics();
+    Json json{{"zeta_m2s", metrics.zeta_m2s},
+              {"visits", metrics.visits},
+              {"replans", metrics.replans},
+              {"flown_m", metrics.flown_m},
+              {"lower_bound_m2s", orNull(lowerBound_m2s)},
+              {"seconds", elapsed_s}};
+    for (const auto& [name, count] : worldEvents(mission))
+        json["events"][name] = count;
+    return text(json);
 }
 
 std::string sweepJson(const Study& study, const StudySummary& summary,

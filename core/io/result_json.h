@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace berg {
@@ -20,12 +21,16 @@ struct SolveReport
     std::optional<SecondOpinion> secondOpinion;
     std::vector<int> order;       ///< as printed: 1-based
     std::vector<std::string> ids; ///< iceberg ids in visiting order; empty for a bare problem
+    std::vector<std::vector<std::string>> clusters; ///< ids that are planned as one point each
+    std::optional<int> thisSortie; ///< visits before home must be reached; none: all
 };
 
 [[nodiscard]] std::string solveJson(const SolveReport& report);
 /** `lowerBound_m2s`: what no flight is below, if it was asked for. */
-[[nodiscard]] std::string simulateJson(const Metrics& metrics, std::optional<double> lowerBound_m2s,
+[[nodiscard]] std::string simulateJson(const Mission& mission, std::optional<double> lowerBound_m2s,
                                        double elapsed_s);
+/** How often what happened that not every run has (icebergs lost, sorties, ...), by `eventName`. */
+[[nodiscard]] std::vector<std::pair<std::string, int>> worldEvents(const Mission& mission);
 /** `elapsed_s`: none for a study that was flown before. */
 [[nodiscard]] std::string sweepJson(const Study& study, const StudySummary& summary,
                                     const std::optional<double>& elapsed_s);

@@ -55,6 +55,12 @@ std::string planText(const RecordedPlan& plan)
     object.add("time_s", plan.time_s);
     object.add("target", plan.target);
     object.addText("order", jsonArrayOf(plan.order));
+    if (!plan.clusters.empty()) {
+        std::vector<std::string> clusters;
+        std::transform(plan.clusters.begin(), plan.clusters.end(), std::back_inserter(clusters),
+                       [](const std::vector<int>& members) { return jsonArrayOf(members); });
+        object.addText("clusters", jsonArray(clusters));
+    }
     if (!plan.legs.empty()) {
         std::vector<std::string> legs;
         std::transform(plan.legs.begin(), plan.legs.end(), std::back_inserter(legs), legText);
@@ -198,26 +204,21 @@ void checkAppearing(const RunFile& file, Faults& faults)
     }
 }
 
-/** Icebergs by index, each once at most. */
-std::vector<int> readOrder(ObjectReader& object, const RunContext& context)
+/** Groups of at least two icebergs, no iceberg in two of them. */
+std::vector<std::vector<int>> readClusters(ObjectReader& object, const RunContext& context)
 {
-    std::vector<int> order;
+    std::vector<std::vector<int>> clusters;
+    if (object.find("clusters") == nullptr)
+        return clusters;
     std::vector<bool> seen(context.icebergs, false);
-    const WholeLimits indices{.low = 0, .high = context.indices().high};
-    const Json* list = object.array("order");
+    const Json* list = object.array("clusters");
     for (std::size_t k = 0; list != nullptr && k < list->size(); ++k) {
-        const std::string path = entryPath(object.path("order"), k);
-        const std::optional<std::int64_t> iceberg =
-            wholeOf((*list)[k], path, object.faults(), indices);
-        if (!iceberg)
-            continue;
-        const auto i = static_cast<std::size_t>(*iceberg);
-        if (seen[i])
-            object.faults().add(path, "must not repeat an iceberg");
-        seen[i] = true;
-        order.push_back(asInt(*iceberg));
+        const std::string path = entryPath(object.path("clusters"), k);
+        clusters.push_back(readIcebergs((*list)[k], path, object.faults(), context, seen));
+        if (clusters.back().size() < 2)
+            object.faults().add(path, "must hold two icebergs or more");
     }
-    return order;
+    return clusters;
 }
 
 std::vector<AimedLeg> readLegs(ObjectReader& object, const RunContext& context)
@@ -241,7 +242,10 @@ std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context
         RecordedPlan plan;
         plan.time_s = readTime(object, context.flownUntil_s, i == 0 ? 0 : plans.back().time_s);
         plan.target = asInt(object.whole("target", -1, context.indices()));
-        plan.order = readOrder(object, context);
+        std::vector<bool> seen(context.icebergs, false);
+        if (const Json* order = object.find("order"))
+            plan.order = readIcebergs(*order, object.path("order"), run.faults(), context, seen);
+        plan.clusters = readClusters(object, context);
         plan.legs = readLegs(object, context);
         plans.push_back(std::move(plan));
     }

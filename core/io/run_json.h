@@ -16,7 +16,8 @@ struct RecordedPlan
     double time_s = 0;
     int target = -1;
     std::vector<int> order;
-    std::vector<AimedLeg> legs; ///< of a plan with aim points
+    std::vector<std::vector<int>> clusters; ///< of the order, flown to as one point each
+    std::vector<AimedLeg> legs;             ///< of a plan with aim points
     bool operator==(const RecordedPlan&) const = default;
 };
 

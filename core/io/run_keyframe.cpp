@@ -9,18 +9,31 @@ namespace berg {
 
 namespace {
 
-constexpr std::array<Named<FlightMode>, 4> kModeNames{{
+constexpr std::array<Named<FlightMode>, 7> kModeNames{{
     {FlightMode::Idle, "idle"},
     {FlightMode::Leg, "leg"},
     {FlightMode::RunOut, "run-out"},
     {FlightMode::Circle, "circle"},
+    {FlightMode::Search, "search"},
+    {FlightMode::Home, "home"},
+    {FlightMode::Ground, "ground"},
 }};
+
+/** What the filter's part of a track is in the simple model; left out then. */
+const std::vector<double> kPlainFilter{0, 0, 1, 0, 0};
+constexpr std::size_t kPlainTrack = 8;
+constexpr std::size_t kFilteredTrack = 13;
 
 std::string trackText(const Track& track)
 {
-    return jsonArrayOf(std::vector<double>{track.anchor_m.x(), track.anchor_m.y(), track.anchor_s,
-                                           track.velocity_mps.x(), track.velocity_mps.y(),
-                                           track.sigma_m2, track.q_m2ps, track.inView ? 1.0 : 0.0});
+    std::vector<double> numbers{track.anchor_m.x(),     track.anchor_m.y(),      track.anchor_s,
+                                track.velocity_mps.x(), track.velocity_mps.y(),  track.sigma_m2,
+                                track.q_m2ps,           track.inView ? 1.0 : 0.0};
+    const std::vector<double> filter{track.mixed_m2ps, track.velocity_m2ps2, track.presence,
+                                     static_cast<double>(track.status), track.left ? 1.0 : 0.0};
+    if (filter != kPlainFilter)
+        numbers.insert(numbers.end(), filter.begin(), filter.end());
+    return jsonArrayOf(numbers);
 }
 
 std::string guidanceText(const LosGuidance& guidance)
@@ -47,6 +60,34 @@ std::array<double, Count> readNumbers(const Json& value, const std::string& path
     return numbers;
 }
 
+Track readTrack(const Json& value, const std::string& path, Faults& faults)
+{
+    std::array<double, kFilteredTrack> n{};
+    if (value.is_array() && value.size() == kFilteredTrack) {
+        n = readNumbers<kFilteredTrack>(value, path, faults);
+    } else {
+        const auto plain = readNumbers<kPlainTrack>(value, path, faults);
+        std::copy(plain.begin(), plain.end(), n.begin());
+        std::copy(kPlainFilter.begin(), kPlainFilter.end(), n.begin() + kPlainTrack);
+    }
+    TrackStatus status = TrackStatus::Tracked;
+    if (n[11] == 1 || n[11] == 2)
+        status = n[11] == 1 ? TrackStatus::Lost : TrackStatus::GivenUp;
+    else if (n[11] != 0)
+        faults.add(entryPath(path, 11), "must be 0, 1 or 2");
+    return {.anchor_m = {n[0], n[1]},
+            .anchor_s = n[2],
+            .velocity_mps = {n[3], n[4]},
+            .sigma_m2 = n[5],
+            .q_m2ps = n[6],
+            .inView = n[7] != 0,
+            .mixed_m2ps = n[8],
+            .velocity_m2ps2 = n[9],
+            .presence = n[10],
+            .status = status,
+            .left = n[12] != 0};
+}
+
 std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
 {
     std::vector<Track> tracks;
@@ -59,16 +100,9 @@ std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
         object.faults().add(object.path("tracks"),
                             "must hold one entry for each iceberg there is, not " +
                                 std::to_string(list->size()));
-    for (std::size_t i = 0; i < list->size(); ++i) {
-        const auto n = readNumbers<8>((*list)[i], entryPath(object.path("tracks"), i), //
-                                      object.faults());
-        tracks.push_back({.anchor_m = {n[0], n[1]},
-                          .anchor_s = n[2],
-                          .velocity_mps = {n[3], n[4]},
-                          .sigma_m2 = n[5],
-                          .q_m2ps = n[6],
-                          .inView = n[7] != 0});
-    }
+    for (std::size_t i = 0; i < list->size(); ++i)
+        tracks.push_back(
+            readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults()));
     return tracks;
 }
 
@@ -94,6 +128,58 @@ LosGuidance readGuidance(ObjectReader& object)
     return guidance;
 }
 
+/** Icebergs of a member that may be missing. */
+std::vector<int> readGroup(ObjectReader& object, const char* member, const RunContext& context)
+{
+    std::vector<bool> seen(context.icebergs, false);
+    const Json* list = object.find(member);
+    return list == nullptr
+               ? std::vector<int>()
+               : readIcebergs(*list, object.path(member), object.faults(), context, seen);
+}
+
+std::string searchText(const Search& search)
+{
+    JsonObject object;
+    object.add("iceberg", search.iceberg);
+    object.addText("corners_m", jsonArrayOf(search.way.corners_m()));
+    object.add("next", static_cast<std::int64_t>(search.way.next()));
+    object.add("spread_m", search.way.spread_m());
+    object.addText("chances", jsonArrayOf(search.way.chances()));
+    return object.inLine();
+}
+
+std::vector<double> readList(ObjectReader& object, const char* member)
+{
+    std::vector<double> numbers;
+    if (object.need(member) == nullptr)
+        return numbers;
+    if (const Json* list = object.array(member))
+        for (std::size_t i = 0; i < list->size(); ++i)
+            if (const auto number =
+                    numberOf((*list)[i], entryPath(object.path(member), i), object.faults()))
+                numbers.push_back(*number);
+    return numbers;
+}
+
+Search readSearch(const Json& value, const std::string& path, Faults& faults,
+                  const RunContext& context)
+{
+    ObjectReader object(value, path, faults);
+    Search search{.iceberg = asInt(object.whole("iceberg", 0, context.indices()))};
+    std::vector<Point> corners_m;
+    if (const Json* list = object.array("corners_m"))
+        for (std::size_t i = 0; i < list->size(); ++i)
+            if (const auto corner_m =
+                    pointOf((*list)[i], entryPath(object.path("corners_m"), i), faults))
+                corners_m.push_back(*corner_m);
+    const auto next = object.whole("next", 0, {.low = 0, .high = kLargestCount});
+    const double spread_m = object.number("spread_m", 0);
+    search.way = LostSearch::restored(std::move(corners_m), static_cast<std::size_t>(next),
+                                      spread_m, readList(object, "chances"));
+    return search;
+}
+
 } // namespace
 
 std::string legText(const AimedLeg& leg)
@@ -112,6 +198,29 @@ AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
             .from_m = {n[2], n[3]},
             .abeam_m = {n[4], n[5]},
             .sighting_s = n[6]};
+}
+
+std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults& faults,
+                              const RunContext& context, std::vector<bool>& seen)
+{
+    std::vector<int> icebergs;
+    if (!value.is_array()) {
+        faults.add(path, "must be an array, not " + typeText(value));
+        return icebergs;
+    }
+    const WholeLimits indices{.low = 0, .high = context.indices().high};
+    for (std::size_t k = 0; k < value.size(); ++k) {
+        const std::string entry = entryPath(path, k);
+        const std::optional<std::int64_t> iceberg = wholeOf(value[k], entry, faults, indices);
+        if (!iceberg)
+            continue;
+        const auto i = static_cast<std::size_t>(*iceberg);
+        if (seen[i])
+            faults.add(entry, "must not repeat an iceberg");
+        seen[i] = true;
+        icebergs.push_back(asInt(*iceberg));
+    }
+    return icebergs;
 }
 
 std::string keyframeText(const WorldState& state)
@@ -136,6 +245,18 @@ std::string keyframeText(const WorldState& state)
     object.add("misses", state.misses);
     if (state.aim)
         object.addText("aim", legText(*state.aim));
+    if (state.search)
+        object.addText("search", searchText(*state.search));
+    if (!state.members.empty()) {
+        object.addText("members", jsonArrayOf(state.members));
+        object.add("members_by_s", state.membersBy_s);
+    }
+    if (!state.apart.empty())
+        object.addText("apart", jsonArrayOf(state.apart));
+    object.addUnless("aloft_s", state.aloft_s, 0.0);
+    object.addUnless("ground_s", state.ground_s, 0.0);
+    if (state.via_m)
+        object.add("via_m", *state.via_m);
     object.addText("tracks", jsonLines(tracks, 2));
     return object.inLine();
 }
@@ -162,6 +283,15 @@ WorldState readKeyframe(const Json& value, const std::string& path, Faults& faul
     state.misses = asInt(object.whole("misses", 0, {.low = 0, .high = kLargestCount}));
     if (const Json* aim = object.find("aim"))
         state.aim = readLeg(*aim, object.path("aim"), faults, context);
+    if (const Json* search = object.find("search"))
+        state.search = readSearch(*search, object.path("search"), faults, context);
+    state.members = readGroup(object, "members", context);
+    state.membersBy_s = object.number("members_by_s", 0);
+    state.apart = readGroup(object, "apart", context);
+    state.aloft_s = object.number("aloft_s", 0, kAmount);
+    state.ground_s = object.number("ground_s", 0, kAmount);
+    if (object.find("via_m") != nullptr)
+        state.via_m = object.point("via_m", Point::Zero());
     state.tracks = readTracks(object, context);
     return state;
 }

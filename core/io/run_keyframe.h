@@ -39,6 +39,11 @@ struct RunContext
 [[nodiscard]] AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
                                const RunContext& context);
 
+/** An array of icebergs by index; one that is `seen` already, or given twice, is a fault. */
+[[nodiscard]] std::vector<int> readIcebergs(const Json& value, const std::string& path,
+                                            Faults& faults, const RunContext& context,
+                                            std::vector<bool>& seen);
+
 /**
  * One keyframe on one line, its tracks below it. Numbers that always come together are arrays:
  * `guidance` is [lookahead, integral gain, turn gain, leg start east, north, integral], each of

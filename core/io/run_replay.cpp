@@ -24,6 +24,11 @@ std::vector<WorldState> thinned(const std::vector<Simulation>& keyframes)
     return kept;
 }
 
+std::string entry(const std::string& list, std::size_t i)
+{
+    return list + '[' + std::to_string(i) + ']';
+}
+
 /** A number of a keyframe and its name. */
 using Field = std::pair<std::string, double>;
 
@@ -51,6 +56,9 @@ std::vector<Field> fieldsOf(const WorldState& state)
                               {"run_out_m", state.runOut_m},
                               {"misses", state.misses},
                               {"aim", state.aim ? 1.0 : 0.0},
+                              {"members", static_cast<double>(state.members.size())},
+                              {"members_by_s", state.membersBy_s},
+                              {"apart", static_cast<double>(state.apart.size())},
                               {"tracks", static_cast<double>(state.tracks.size())}};
     if (state.aim)
         fields.insert(fields.end(), {{"aim[0]", state.aim->iceberg},
@@ -60,9 +68,13 @@ std::vector<Field> fieldsOf(const WorldState& state)
                                      {"aim[4]", state.aim->abeam_m.x()},
                                      {"aim[5]", state.aim->abeam_m.y()},
                                      {"aim[6]", state.aim->sighting_s}});
+    for (std::size_t i = 0; i < state.members.size(); ++i)
+        fields.emplace_back(entry("members", i), state.members[i]);
+    for (std::size_t i = 0; i < state.apart.size(); ++i)
+        fields.emplace_back(entry("apart", i), state.apart[i]);
     for (std::size_t i = 0; i < state.tracks.size(); ++i) {
         const Track& track = state.tracks[i];
-        const std::string name = "tracks[" + std::to_string(i) + "]";
+        const std::string name = entry("tracks", i);
         fields.insert(fields.end(), {{name + "[0]", track.anchor_m.x()},
                                      {name + "[1]", track.anchor_m.y()},
                                      {name + "[2]", track.anchor_s},
@@ -78,11 +90,6 @@ std::vector<Field> fieldsOf(const WorldState& state)
 std::string versus(double recorded, double replayed)
 {
     return "recorded " + shortText(recorded) + ", replayed " + shortText(replayed);
-}
-
-std::string entry(const std::string& list, std::size_t i)
-{
-    return list + '[' + std::to_string(i) + ']';
 }
 
 void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
@@ -130,6 +137,9 @@ void comparePlans(const RunFile& recorded, const RunFile& replayed, std::vector<
     else if (a->target != b->target)
         issues.push_back({Severity::Error, path + ".target",
                           "at " + shortText(a->time_s) + " s: " + versus(a->target, b->target)});
+    else if (a->clusters != b->clusters)
+        issues.push_back({Severity::Error, path + ".clusters",
+                          "at " + shortText(a->time_s) + " s: other clusters"});
     else if (a->order == b->order)
         issues.push_back({Severity::Error, path + ".legs",
                           "at " + shortText(a->time_s) + " s: other aim points"});
@@ -163,8 +173,11 @@ RunFile runOf(const Mission& mission)
                 .keyframes = thinned(mission.recorder().keyframes()),
                 .metrics = mission.metrics()};
     for (const PlanEvent& plan : mission.plans())
-        run.plans.push_back(
-            {.time_s = plan.time_s, .target = plan.target, .order = plan.order, .legs = plan.legs});
+        run.plans.push_back({.time_s = plan.time_s,
+                             .target = plan.target,
+                             .order = plan.order,
+                             .clusters = plan.clusters,
+                             .legs = plan.legs});
     return run;
 }
 

@@ -20,6 +20,17 @@ constexpr std::array<Named<FovShape>, 3> kFovShapeNames{{
     {FovShape::Disk, "disk"},
 }};
 
+constexpr std::array<Named<ObserverModel>, 2> kObserverNames{{
+    {ObserverModel::Simple, "simple"},
+    {ObserverModel::Kalman, "kalman"},
+}};
+
+constexpr std::array<Named<SearchPattern>, 3> kSearchNames{{
+    {SearchPattern::None, "none"},
+    {SearchPattern::Square, "square"},
+    {SearchPattern::Sector, "sector"},
+}};
+
 LatLon readOrigin(const Json& value, Scenario& scenario, ObjectReader& parent)
 {
     ObjectReader object(value, parent.path("origin"), parent.faults());
@@ -52,6 +63,9 @@ Uav readUav(const Json& value, const std::string& path, Faults& faults)
     // No member means no limit, which memory writes as 0; a file that says 0 is mistaken.
     uav.spec.endurance_s =
         object.number("endurance_s", 0, Limits{.low = 0, .high = 1e9, .above = true});
+    if (object.find("home_m") != nullptr)
+        uav.home_m = object.point("home_m", uav.position_m);
+    uav.turnaround_s = object.number("turnaround_s", uav.turnaround_s);
     uav.spec.autopilot_s = object.number("autopilot_s", uav.spec.autopilot_s);
     uav.extraJson = object.unknown();
     return uav;
@@ -94,7 +108,20 @@ void readPlanner(const Json& value, Scenario& scenario, ObjectReader& parent)
     scenario.planningTime_s = object.number("latency_s", scenario.planningTime_s);
     scenario.reachRadius_m = object.optionalNumber("reach_radius_m");
     scenario.fovShape = object.choice("fov_shape", scenario.fovShape, kFovShapeNames);
+    scenario.clusters = object.boolean("clusters", scenario.clusters);
     scenario.plannerExtraJson = object.unknown();
+}
+
+void readObserver(const Json& value, Scenario& scenario, ObjectReader& parent)
+{
+    ObjectReader object(value, parent.path("observer"), parent.faults());
+    ObserverSpec& observer = scenario.observer;
+    observer.model = object.choice("model", observer.model, kObserverNames);
+    observer.positionSd_m = object.number("position_sd_m", observer.positionSd_m);
+    observer.interval_s = object.number("interval_s", observer.interval_s);
+    observer.detection = object.number("detection", observer.detection);
+    observer.search = object.choice("search", observer.search, kSearchNames);
+    scenario.observerExtraJson = object.unknown();
 }
 
 std::vector<Point> readArea(ObjectReader& object)
@@ -194,6 +221,9 @@ std::string uavText(const Uav& uav)
     object.addUnless("fov_m", uav.fov_m, standard.fov_m);
     object.addUnless("altitude_m", uav.spec.altitude_m, standard.spec.altitude_m);
     object.addUnless("endurance_s", uav.spec.endurance_s, 0.0);
+    if (uav.home_m)
+        object.add("home_m", *uav.home_m);
+    object.addUnless("turnaround_s", uav.turnaround_s, standard.turnaround_s);
     object.addUnless("autopilot_s", uav.spec.autopilot_s, 0.0);
     object.addExtra(uav.extraJson);
     return object.inLine();
@@ -226,7 +256,23 @@ std::string plannerText(const Scenario& scenario)
         object.add("reach_radius_m", *scenario.reachRadius_m);
     if (scenario.fovShape != FovShape::Body)
         object.add("fov_shape", nameOf(kFovShapeNames, scenario.fovShape));
+    object.addUnless("clusters", scenario.clusters, false);
     object.addExtra(scenario.plannerExtraJson);
+    return object.inLine();
+}
+
+std::string observerText(const Scenario& scenario)
+{
+    const ObserverSpec& observer = scenario.observer;
+    const ObserverSpec standard;
+    JsonObject object;
+    object.add("model", nameOf(kObserverNames, observer.model));
+    object.addUnless("position_sd_m", observer.positionSd_m, standard.positionSd_m);
+    object.addUnless("interval_s", observer.interval_s, standard.interval_s);
+    object.addUnless("detection", observer.detection, standard.detection);
+    if (observer.search != standard.search)
+        object.add("search", nameOf(kSearchNames, observer.search));
+    object.addExtra(scenario.observerExtraJson);
     return object.inLine();
 }
 
@@ -287,6 +333,7 @@ Iceberg readIceberg(const Json& value, const std::string& path, Faults& faults)
     iceberg.name = object.text("name");
     iceberg.position_m = readPosition(object);
     iceberg.velocity_mps = object.point("velocity_mps", iceberg.velocity_mps);
+    iceberg.velocitySd_mps = object.number("velocity_sd_mps", iceberg.velocitySd_mps);
     iceberg.q_m2ps = object.number("q_m2ps", iceberg.q_m2ps);
     iceberg.sigma0_m2 = object.number("sigma0_m2", iceberg.sigma0_m2);
     iceberg.observed_s = object.number("observed_s", iceberg.observed_s);
@@ -316,10 +363,13 @@ Scenario readScenario(ObjectReader& object)
     scenario.wind_mps = object.point("wind_mps", scenario.wind_mps);
     scenario.current_mps = object.point("current_mps", scenario.current_mps);
     scenario.area_m = readArea(object);
+    scenario.geofence = object.boolean("geofence", scenario.geofence);
     scenario.uavs = readList(object, "uavs", kMostUavs, &readUav);
     scenario.icebergs = readList(object, "icebergs", kMostIcebergs, &readIceberg);
     if (const Json* value = object.find("asset"))
         scenario.asset = readAsset(*value, object.path("asset"), object.faults());
+    if (const Json* value = object.find("observer"))
+        readObserver(*value, scenario, object);
     if (const Json* value = object.find("planner"))
         readPlanner(*value, scenario, object);
     scenario.extraJson = object.unknown();
@@ -336,6 +386,7 @@ std::string icebergText(const Iceberg& iceberg)
     object.addUnless("name", iceberg.name, standard.name);
     object.add("position_m", iceberg.position_m);
     object.add("velocity_mps", iceberg.velocity_mps);
+    object.addUnless("velocity_sd_mps", iceberg.velocitySd_mps, standard.velocitySd_mps);
     object.addUnless("q_m2ps", iceberg.q_m2ps, standard.q_m2ps);
     object.add("sigma0_m2", iceberg.sigma0_m2);
     object.addUnless("observed_s", iceberg.observed_s, standard.observed_s);
@@ -365,10 +416,13 @@ std::string scenarioText(const Scenario& scenario, int indent)
     object.addUnless("current_mps", scenario.current_mps, still);
     if (!scenario.area_m.empty())
         object.addText("area_m", jsonArrayOf(scenario.area_m));
+    object.addUnless("geofence", scenario.geofence, false);
     object.addText("uavs", jsonLines(textsOf(scenario.uavs, &uavText), indent + 1));
     object.addText("icebergs", jsonLines(textsOf(scenario.icebergs, &icebergText), indent + 1));
     if (scenario.asset)
         object.addText("asset", assetText(*scenario.asset));
+    if (scenario.observer != ObserverSpec{} || !scenario.observerExtraJson.empty())
+        object.addText("observer", observerText(scenario));
     object.addText("planner", plannerText(scenario));
     object.addExtra(scenario.extraJson);
     return object.inLines(indent);

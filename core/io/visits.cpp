@@ -1,5 +1,10 @@
 #include "core/io/visits.h"
 
+#include "core/base/enclosing_circle.h"
+#include "core/sim/clusters.h"
+
+#include <algorithm>
+#include <span>
 #include <stdexcept>
 
 namespace berg {
@@ -32,6 +37,21 @@ public:
         return m_position_m;
     }
 
+    /** Flies to a place that moves, slower than the UAV makes way; returns where it is then. */
+    template <class PlaceAt>
+    Circle flyTo(const PlaceAt& placeAt)
+    {
+        constexpr int kRounds = 20; // each as much nearer as the place is slower
+        double arrival_s = m_time_s;
+        for (int round = 0; round < kRounds; ++round)
+            arrival_s = m_time_s + flightTime_s(placeAt(arrival_s).centre_m - m_position_m,
+                                                m_airspeed_mps, m_wind_mps);
+        const Circle met = placeAt(arrival_s);
+        m_time_s = arrival_s;
+        m_position_m = met.centre_m;
+        return met;
+    }
+
 private:
     double m_airspeed_mps;
     Point m_wind_mps;
@@ -59,13 +79,58 @@ DriftModel driftOf(const Mission& mission, std::size_t iceberg)
             static_cast<std::uint64_t>(scenario.seed), spec.id, scenario.noise};
 }
 
+template <class PlaceOf>
+Circle circleRound(std::span<const int> members, const PlaceOf& placeOf)
+{
+    std::vector<Point> places_m;
+    for (const int member : members)
+        places_m.push_back(placeOf(member));
+    return enclosingCircle(places_m);
+}
+
+/** The flight goes on to the cluster. */
+Visit visitOf(std::span<const int> members, const Scenario& scenario, Flight& flight)
+{
+    const Circle met = flight.flyTo([&](double time_s) {
+        return circleRound(members, [&](int member) {
+            const Iceberg& iceberg = scenario.icebergs.at(static_cast<std::size_t>(member));
+            return Point(iceberg.position_m +
+                         (iceberg.velocity_mps + scenario.current_mps) * time_s);
+        });
+    });
+    return {.iceberg = members.front(),
+            .time_s = flight.time_s(),
+            .position_m = met.centre_m,
+            .members = {members.begin(), members.end()},
+            .spread_m = met.radius_m};
+}
+
+/** The cluster that was reached at that time; empty: it was a single iceberg. */
+std::span<const int> clusterReached(const Mission& mission, const MissionEvent& reached)
+{
+    const std::vector<PlanEvent>& plans = mission.plans();
+    const auto after = std::ranges::lower_bound(plans, reached.time_s, {}, &PlanEvent::time_s);
+    return after == plans.begin() ? std::span<const int>()
+                                  : clusterWith(std::prev(after)->clusters, reached.iceberg);
+}
+
 } // namespace
 
 std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& plan)
 {
     Flight flight(scenario);
     std::vector<Visit> visits;
-    for (const int index : plan.order) {
+    const bool endures = scenario.uavs.at(0).spec.endurance_s == 0;
+    const auto count = endures ? plan.order.size()
+                               : static_cast<std::size_t>(
+                                     *thisSortie(Simulation(scenario), plan.order, plan.clusters));
+    for (const int index : std::span(plan.order).first(count)) {
+        const std::span<const int> members = clusterWith(plan.clusters, index);
+        if (!members.empty()) {
+            if (index == members.front())
+                visits.push_back(visitOf(members, scenario, flight));
+            continue;
+        }
         const Iceberg& iceberg = scenario.icebergs.at(static_cast<std::size_t>(index));
         const Point drift_mps = iceberg.velocity_mps + scenario.current_mps;
         const Point now_m = iceberg.position_m + drift_mps * flight.time_s();
@@ -75,9 +140,11 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& pla
     // The other policies do not read the route.
     const bool closed = scenario.planner.route == Route::Closed &&
                         scenario.planner.policy == PolicyKind::Visitation;
-    if (closed && !visits.empty()) {
-        const Point start_m = flight.flyTo(scenario.uavs.at(0).position_m, Point::Zero());
-        visits.push_back({.time_s = flight.time_s(), .position_m = start_m});
+    if (!endures || (closed && !visits.empty())) {
+        const Uav& uav = scenario.uavs.at(0);
+        const Point end_m = endures ? uav.position_m : uav.home_m.value_or(uav.position_m);
+        flight.flyTo(end_m, Point::Zero());
+        visits.push_back({.time_s = flight.time_s(), .position_m = end_m});
     }
     return visits;
 }
@@ -92,10 +159,17 @@ std::vector<Visit> flownVisits(const Mission& mission)
     for (const MissionEvent& event : mission.events()) {
         if (event.kind != EventKind::Reached)
             continue;
-        DriftModel& model = drift.at(static_cast<std::size_t>(event.iceberg));
+        const auto truth_m = [&](int iceberg) {
+            return drift.at(static_cast<std::size_t>(iceberg)).position_m(event.time_s);
+        };
+        const std::span<const int> members = clusterReached(mission, event);
+        const Circle circle =
+            circleRound(members.empty() ? std::span(&event.iceberg, 1) : members, truth_m);
         visits.push_back({.iceberg = event.iceberg,
                           .time_s = event.time_s,
-                          .position_m = model.position_m(event.time_s)});
+                          .position_m = circle.centre_m,
+                          .members = {members.begin(), members.end()},
+                          .spread_m = circle.radius_m});
     }
     return visits;
 }
@@ -104,6 +178,11 @@ std::vector<Visit> visitsOf(const ExportSource& source)
 {
     return source.mission ? flownVisits(*source.mission)
                           : plannedVisits(source.scenario, source.plan);
+}
+
+std::vector<int> icebergsOf(const Visit& visit)
+{
+    return visit.members.empty() ? std::vector{visit.iceberg} : visit.members;
 }
 
 const std::vector<Iceberg>& icebergsOf(const ExportSource& source)

@@ -23,6 +23,31 @@ std::vector<int> stillAvailable(const std::vector<int>& order, const PlanRequest
     return rest;
 }
 
+/** Each first one of a cluster with the others behind it. */
+std::vector<int> withMembers(std::span<const int> order, std::span<const std::vector<int>> clusters)
+{
+    std::vector<int> ids;
+    for (const int id : order) {
+        const auto cluster = std::ranges::find_if(
+            clusters, [id](const std::vector<int>& members) { return members.front() == id; });
+        if (cluster == clusters.end())
+            ids.push_back(id);
+        else
+            ids.insert(ids.end(), cluster->begin(), cluster->end());
+    }
+    return ids;
+}
+
+/** The clusters flown to. */
+std::vector<std::vector<int>> clustersIn(std::span<const int> order,
+                                         std::vector<std::vector<int>> clusters)
+{
+    std::erase_if(clusters, [order](const std::vector<int>& members) {
+        return std::ranges::find(order, members.front()) == order.end();
+    });
+    return clusters;
+}
+
 /** With no plan in hand at all: the nearest available iceberg, the smallest node among equals. */
 std::vector<int> nearestAvailable(const PlanRequest& request)
 {
@@ -67,10 +92,16 @@ void Planner::setSettings(const PlannerSettings& settings)
 PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options, bool warmStart)
 {
     requireSolvingAllowed(); // not one of the failures that are flown over
+    SolveOptions telling = options;
+    if (options.onProgress && !request.clusters.empty())
+        telling.onProgress = [&](SolveProgress progress) {
+            progress.order = withMembers(progress.order, request.clusters);
+            options.onProgress(progress);
+        };
     const std::vector<int> lastRest = stillAvailable(m_lastOrder, request);
     PlanAnswer answer;
     try {
-        answer = m_policy->plan(request, warmStart ? lastRest : std::vector<int>{}, options);
+        answer = m_policy->plan(request, warmStart ? lastRest : std::vector<int>{}, telling);
     } catch (const std::exception& failure) {
         // The autopilot always has a next iceberg, whatever becomes of the planner.
         answer = {.failure = failure.what()};
@@ -81,6 +112,8 @@ PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options
         answer.order = lastRest.empty() ? nearestAvailable(request) : lastRest;
         answer.fellBack = !answer.order.empty();
     }
+    answer.clusters = clustersIn(answer.order, request.clusters);
+    answer.order = withMembers(answer.order, request.clusters);
     m_lastOrder = answer.order;
     return answer;
 }

@@ -41,13 +41,19 @@ struct PlanRequest
     std::vector<int> ids;        ///< N-1: id of iceberg node k+1
     std::vector<bool> available; ///< N-1: may be planned, i.e. neither in view nor just reached
     double speed_mps = 0;        ///< airspeed
+    /**
+     * Icebergs that share a node, which is planned as one: two or more ids each, ascending, of
+     * which `ids` holds the first.
+     */
+    std::vector<std::vector<int>> clusters;
     /** For policies that predict the flight itself; the others do without. */
     std::shared_ptr<const FlightPicture> picture;
 };
 
 struct PlanAnswer
 {
-    std::vector<int> order;     ///< ids in visiting order, the first one available; may be empty
+    std::vector<int> order; ///< ids in visiting order, the first one available; may be empty
+    std::vector<std::vector<int>> clusters; ///< of the request; all in `order`, one after another
     SolveOutcome outcome;       ///< of the solve behind it; its nodes are those of `problem`
     TvpProblem problem;         ///< what was solved; empty when no solve was needed
     std::vector<int> solvedIds; ///< id of node k+1 of `problem`

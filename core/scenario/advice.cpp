@@ -1,7 +1,11 @@
 #include "core/scenario/advice.h"
 
+#include "core/base/angles.h"
 #include "core/plan/engine.h"
+#include "core/plan/plans_clusters.h"
 #include "core/scenario/checks.h"
+#include "core/vehicle/geofence.h"
+#include "core/vehicle/way_home.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +23,19 @@ constexpr double kFastDrift_mps = 2;
 constexpr std::size_t kQuickProof = 80;
 constexpr auto kMostProven = static_cast<std::size_t>(kMostProvenByEngine);
 
+Motion motionOf(const Scenario& scenario)
+{
+    const UavSpec& spec = scenario.uavs.front().spec;
+    return {.airspeed_mps = spec.airspeed_mps,
+            .limit_radps = maxTurnRate_radps(spec),
+            .wind_mps = scenario.wind_mps};
+}
+
+DubinsState startOf(const Uav& uav)
+{
+    return {.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)};
+}
+
 /** The findings about one scenario without errors. */
 class Adviser
 {
@@ -35,6 +52,7 @@ public:
         adviseUnused();
         adviseUavs();
         adviseEndurance();
+        adviseGeofence();
         adviseAsset();
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
             adviseIceberg(i);
@@ -82,6 +100,7 @@ private:
     void adviseUnused();
     void adviseUavs();
     void adviseEndurance();
+    void adviseGeofence();
     void adviseAsset();
     void adviseIceberg(std::size_t i);
     void adviseTrack(const Iceberg& iceberg, const std::string& path);
@@ -100,14 +119,18 @@ void Adviser::adviseUnused()
 {
     const auto hasExtra = [](const auto& part) { return !part.extraJson.empty(); };
     if (hasExtra(m_s) || !m_s.plannerExtraJson.empty() || !m_s.originExtraJson.empty() ||
-        (m_s.asset && hasExtra(*m_s.asset)) ||
+        !m_s.observerExtraJson.empty() || (m_s.asset && hasExtra(*m_s.asset)) ||
         std::any_of(m_s.uavs.begin(), m_s.uavs.end(), hasExtra) ||
         std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [](const Iceberg& iceberg) {
             return !iceberg.extraJson.empty() || !iceberg.trackExtraJson.empty();
         }))
         hint({}, advised::kUnknownMembers);
-    if (!m_s.area_m.empty())
-        hint("area_m", advised::kAreaUnused);
+    if (!m_s.area_m.empty() && !m_s.geofence)
+        hint("area_m", advised::kAreaNoFence);
+    if (m_s.observer.model == ObserverModel::Simple)
+        for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
+            if (m_s.icebergs[i].velocitySd_mps > 0)
+                hint(entryPath("icebergs", i) + ".velocity_sd_mps", advised::kVelocitySdUnused);
     if (m_s.uavs.size() > 1)
         hint("uavs[1]", advised::kFirstUavOnly);
 }
@@ -127,25 +150,46 @@ void Adviser::adviseUavs()
 
 void Adviser::adviseEndurance()
 {
-    for (std::size_t i = 0; i < m_s.uavs.size(); ++i) {
-        const double endurance_s = m_s.uavs[i].spec.endurance_s;
-        if (endurance_s > 0)
-            hint(entryPath("uavs", i) + ".endurance_s", endurance_s < m_s.duration_s
-                                                            ? advised::kEnduranceShort
-                                                            : advised::kEnduranceUnused);
-    }
     const double endurance_s = m_uav.spec.endurance_s;
-    if (endurance_s == 0 || m_s.icebergs.empty())
+    if (endurance_s == 0 && m_uav.home_m)
+        hint("uavs[0].home_m", advised::kHomeUnused);
+    if (endurance_s == 0)
         return;
     const Point& start_m = m_uav.position_m;
+    const Point home_m = m_uav.home_m.value_or(start_m);
+    const Motion motion = motionOf(m_s);
+    const std::optional<Way> home = wayTo(startOf(m_uav), {.place_m = home_m}, motion, m_s.dt_s);
+    if (!home || home->time_s + kHomeReserve_s > endurance_s)
+        warn("uavs[0].endurance_s", advised::kNoWayHome);
+    if (m_s.icebergs.empty())
+        return;
     const bool returns =
         std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [&](const Iceberg& iceberg) {
             return timeTo_s(start_m, iceberg.position_m, m_reach_m) +
-                       timeTo_s(iceberg.position_m, start_m, m_reach_m) <=
+                       timeTo_s(iceberg.position_m, home_m, m_reach_m) <=
                    endurance_s;
         });
     if (!returns)
         warn("uavs[0].endurance_s", advised::kNoRoundTrip);
+}
+
+void Adviser::adviseGeofence()
+{
+    if (!m_s.geofence)
+        return;
+    const Geofence fence(m_s.area_m, motionOf(m_s));
+    if (fence.room_m(startOf(m_uav)) < 0)
+        warn("uavs[0].position_m", advised::kStartNearFence);
+    const Point home_m = m_uav.home_m.value_or(m_uav.position_m);
+    if (m_uav.spec.endurance_s > 0 && distanceToEdges(m_s.area_m, home_m) < 2 * fence.radius_m())
+        warn("uavs[0].home_m", advised::kHomeNearFence);
+    if (m_s.planner.policy == PolicyKind::Coverage)
+        hint("geofence", advised::kFenceUnplanned);
+    if (turnRadius_m(m_uav.spec) <= m_turnView_m)
+        return;
+    for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
+        if (!isOutside(m_s.icebergs[i].position_m) && fence.isShutOff(m_s.icebergs[i].position_m))
+            warn(entryPath("icebergs", i) + ".position_m", advised::kShutOff);
 }
 
 void Adviser::adviseAsset()
@@ -230,6 +274,8 @@ void Adviser::advisePlanner()
 {
     const std::size_t count = m_s.icebergs.size();
     const PlannerSettings& planner = m_s.planner;
+    if (m_s.clusters && !plansClusters(planner.policy))
+        hint("planner.clusters", advised::kClustersIgnored);
     if (planner.policy != PolicyKind::Visitation || count == 0)
         return;
     if (std::all_of(m_s.icebergs.begin(), m_s.icebergs.end(),

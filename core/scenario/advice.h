@@ -10,24 +10,35 @@ namespace berg {
  * What whoever flies a scenario would want to know before take-off, of one that has no errors:
  * icebergs and UAV outside the area, icebergs that leave it, at one place, fast or out of reach,
  * recorded tracks that do not fit, turns too wide for the field of view, endurance and duration too
- * short, solvers at their limit, members that are kept but not used. Called by `validate`.
+ * short, too little room inside the geofence, solvers at their limit, members that are kept but not
+ * used. Called by `validate`.
  */
 [[nodiscard]] std::vector<Issue> advice(const Scenario& scenario);
 
-/** Every message of `advice`; each is about one field, so they are also the names of findings. */
+/** Every message of `advice`, and some of `validate`; each is about one field, so they are also the
+ * names of findings. */
 namespace advised {
 
 inline constexpr std::string_view kUnknownMembers =
     "members that this version does not know are kept, but not used";
-inline constexpr std::string_view kAreaUnused =
-    "is used to check the scenario; this version flies beyond it";
+inline constexpr std::string_view kAreaNoFence =
+    "icebergs outside it are not monitored; the UAV may fly beyond it";
+inline constexpr std::string_view kVelocitySdUnused = "is used with the observer kalman only";
 inline constexpr std::string_view kFirstUavOnly = "kept, but this version flies the first UAV only";
-inline constexpr std::string_view kEnduranceUnused =
-    "the endurance is kept, but not used by this version";
-inline constexpr std::string_view kEnduranceShort =
-    "is shorter than the run, and this version flies on when it is over";
+inline constexpr std::string_view kNoWayHome = "is too short for the way home from the start";
 inline constexpr std::string_view kNoRoundTrip =
     "is too short for the way to the nearest iceberg and back";
+inline constexpr std::string_view kHomeUnused = "is used with a limited endurance only";
+inline constexpr std::string_view kHomeNearFence =
+    "is so near the geofence that the UAV may come home late, turning away from it";
+inline constexpr std::string_view kStartNearFence =
+    "is so near the geofence, for this heading, that the UAV cannot turn inside it";
+inline constexpr std::string_view kShutOff =
+    "is so near the geofence that the UAV, to be within the reach radius, cannot be sent there";
+inline constexpr std::string_view kFenceNoArea = "needs an area, area_m, to stay inside";
+inline constexpr std::string_view kOutsideFence = "must be inside the area, which is a geofence";
+inline constexpr std::string_view kFenceUnplanned =
+    "this policy plans without the geofence; it is kept in flight";
 inline constexpr std::string_view kUavOutside = "the UAV starts outside the area";
 inline constexpr std::string_view kWideTurn =
     "the turn radius is larger than half the field of view, so that an iceberg may be missed";
@@ -49,6 +60,8 @@ inline constexpr std::string_view kNoSigma =
     "no iceberg is uncertain at the start, so distance alone makes the first plan";
 inline constexpr std::string_view kBeyondProof =
     "more than can be proven optimal; the plan comes with a bound";
+inline constexpr std::string_view kClustersIgnored =
+    "the policy plans icebergs one by one, so clusters are not made";
 inline constexpr std::string_view kSolverUnable =
     "cannot plan so many icebergs; the back end auto can";
 inline constexpr std::string_view kLongProof =

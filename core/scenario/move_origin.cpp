@@ -71,6 +71,8 @@ void keepPlaces(Scenario& scenario, const PlaneChange& change)
         const double heading_deg = uav.heading_deg - degFromRad(change.turn_rad(uav.position_m));
         uav.heading_deg = heading_deg - 360 * std::floor(heading_deg / 360);
         uav.position_m = change(uav.position_m);
+        if (uav.home_m)
+            uav.home_m = change(*uav.home_m);
     }
     for (Iceberg& iceberg : scenario.icebergs) {
         const Point overGround_mps =

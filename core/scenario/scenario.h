@@ -26,6 +26,8 @@ struct Uav
     double heading_deg = 45; ///< clockwise from north
     UavSpec spec;
     Point fov_m = Point(600, 600); ///< field of view along and across the heading
+    std::optional<Point> home_m;   ///< where it lands; none: where it starts
+    double turnaround_s = 600;     ///< on the ground between two sorties
     std::string extraJson;
     bool operator==(const Uav&) const = default;
 };
@@ -36,6 +38,7 @@ struct Iceberg
     std::string name;
     Point position_m = Point::Zero();   ///< estimate at t = 0, and truth in the simple model
     Point velocity_mps = Point::Zero(); ///< known part
+    double velocitySd_mps = 0;          ///< of what it is known to, along each axis
     double q_m2ps = 0.025;
     double sigma0_m2 = 5;
     double observed_s = 0; ///< age of the last observation at t = 0: adds q x age to sigma0
@@ -73,16 +76,20 @@ struct Scenario
     bool noise = true;
     Point wind_mps = Point::Zero();
     Point current_mps = Point::Zero(); ///< carries every iceberg in addition to its own velocity
-    std::vector<Point> area_m;         ///< empty: unbounded
+    std::vector<Point> area_m;         ///< icebergs outside are not monitored; empty: unbounded
+    bool geofence = false;             ///< the UAVs stay inside the area
+    ObserverSpec observer;
     std::vector<Uav> uavs;
     std::vector<Iceberg> icebergs;
     std::optional<Asset> asset;
     PlannerSettings planner;
     double planningTime_s = 0;           ///< file: planner.latency_s; a plan is in force so late
+    bool clusters = false;               ///< file: planner.clusters; several in one view: a point
     std::optional<double> reachRadius_m; ///< file: planner.reach_radius_m; none: reached in view
     FovShape fovShape = FovShape::Body;  ///< file: planner.fov_shape
     std::string plannerExtraJson;
     std::string originExtraJson;
+    std::string observerExtraJson;
     std::string extraJson;
     bool operator==(const Scenario&) const = default;
 };
@@ -93,6 +100,7 @@ inline constexpr double kLargestVelocity_mps = 5;
 // Where the file format sets no upper limit, these keep every sum of a run finite.
 inline constexpr double kLargestLength_m = 1e6;
 inline constexpr double kLargestTime_s = 1e9;
+inline constexpr double kLongestLookInterval_s = 60;
 inline constexpr double kLargestGrowth_m2ps = 1e6;
 inline constexpr double kLargestSigma_m2 = 1e12;
 

@@ -3,6 +3,7 @@
 #include "core/plan/names.h"
 #include "core/scenario/advice.h"
 #include "core/scenario/checks.h"
+#include "core/vehicle/geofence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,9 @@ constexpr double kStrongWind = 0.7;
 constexpr double kLargestAirspeed_mps = 1000;
 constexpr double kLargestAssetSpeed_mps = 50;
 constexpr double kLargestGain = 1e6;
+
+/** Slower autopilots cannot be told when home must be gone for: `wayTo`. */
+constexpr double kSlowestHoming_s = 1;
 
 /** Gathers the findings; the checks below call it field by field. */
 class Findings
@@ -143,8 +147,15 @@ void checkUav(const Uav& uav, const std::string& path, Findings& findings)
     // In memory 0 stands for "none"; a file leaves the member out instead.
     findings.inRange(uav.spec.endurance_s, {.low = 0, .high = kLargestTime_s},
                      path + ".endurance_s");
-    findings.inRange(uav.spec.autopilot_s, {.low = 0, .high = kSlowestAutopilot_s},
-                     path + ".autopilot_s");
+    if (uav.home_m)
+        findings.inRange(*uav.home_m, kCoordinate_m, path + ".home_m");
+    findings.inRange(uav.turnaround_s, {.low = 0, .high = kLargestTime_s}, path + ".turnaround_s");
+    if (findings.inRange(uav.spec.autopilot_s, {.low = 0, .high = kSlowestAutopilot_s},
+                         path + ".autopilot_s") &&
+        uav.spec.endurance_s > 0 && uav.spec.autopilot_s > kSlowestHoming_s)
+        findings.error(path + ".autopilot_s", "must be at most " + shortText(kSlowestHoming_s) +
+                                                  " where the endurance is limited, not " +
+                                                  shortText(uav.spec.autopilot_s));
 }
 
 void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId, Findings& findings)
@@ -158,6 +169,30 @@ void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId,
         const std::string path = entryPath("uavs", i);
         checkId(s.uavs[i].id, path, ownerOfId, findings);
         checkUav(s.uavs[i], path, findings);
+    }
+}
+
+/** The UAVs start and land inside a polygon that can be kept inside of. */
+void checkGeofence(const Scenario& s, Findings& findings)
+{
+    if (!s.geofence)
+        return;
+    if (s.area_m.empty()) {
+        findings.error("geofence", std::string(advised::kFenceNoArea));
+        return;
+    }
+    if (s.area_m.size() > kMostFenceCorners)
+        findings.error("area_m", "must have at most " + std::to_string(kMostFenceCorners) +
+                                     " corners to be a geofence, not " +
+                                     std::to_string(s.area_m.size()));
+    const auto inside = [&](const Point& place_m, const std::string& field) {
+        if (place_m.allFinite() && !insidePolygon(s.area_m, place_m))
+            findings.error(field, std::string(advised::kOutsideFence));
+    };
+    for (std::size_t i = 0; i < s.uavs.size(); ++i) {
+        inside(s.uavs[i].position_m, entryPath("uavs", i) + ".position_m");
+        if (s.uavs[i].home_m)
+            inside(*s.uavs[i].home_m, entryPath("uavs", i) + ".home_m");
     }
 }
 
@@ -193,6 +228,8 @@ void checkIceberg(const Iceberg& iceberg, const std::string& path, Findings& fin
     findings.utf8(iceberg.name, path + ".name");
     findings.inRange(iceberg.position_m, kCoordinate_m, path + ".position_m");
     findings.inRange(iceberg.velocity_mps, kVelocity_mps, path + ".velocity_mps");
+    findings.inRange(iceberg.velocitySd_mps, {.low = 0, .high = kLargestVelocity_mps},
+                     path + ".velocity_sd_mps");
     findings.inRange(iceberg.q_m2ps, {.low = 0, .high = kLargestGrowth_m2ps}, path + ".q_m2ps");
     findings.inRange(iceberg.sigma0_m2, {.low = 0, .high = kLargestSigma_m2}, path + ".sigma0_m2");
     findings.inRange(iceberg.observed_s, {.low = 0, .high = kLargestTime_s}, path + ".observed_s");
@@ -277,6 +314,19 @@ void checkAsset(const Scenario& s, Findings& findings)
     findings.inRange(s.asset->alarm_m, {.low = 0, .high = kLargestLength_m}, "asset.alarm_m");
 }
 
+void checkObserver(const Scenario& s, Findings& findings)
+{
+    const ObserverSpec& observer = s.observer;
+    findings.inRange(observer.positionSd_m, {.low = 0, .high = kLargestLength_m},
+                     "observer.position_sd_m");
+    if (findings.inRange(observer.interval_s, {.low = 0, .high = kLongestLookInterval_s},
+                         "observer.interval_s") &&
+        observer.model == ObserverModel::Kalman && observer.interval_s < s.dt_s)
+        findings.error("observer.interval_s", "must not be shorter than the time step dt_s");
+    findings.inRange(observer.detection, {.low = 0, .high = 1, .above = true},
+                     "observer.detection");
+}
+
 void checkPlanner(const Scenario& s, Findings& findings)
 {
     findings.inRange(s.planner.tau, {.low = 0, .high = kLargestTau}, "planner.tau");
@@ -294,9 +344,11 @@ std::vector<Issue> validate(const Scenario& scenario)
     checkRun(scenario, findings);
     checkArea(scenario, findings);
     checkUavs(scenario, ownerOfId, findings);
+    checkGeofence(scenario, findings);
     checkIcebergs(scenario, ownerOfId, findings);
     checkDrift(scenario, findings);
     checkAsset(scenario, findings);
+    checkObserver(scenario, findings);
     checkPlanner(scenario, findings);
     std::vector<Issue> issues = findings.take();
     if (!hasErrors(issues)) // advice reckons with the numbers

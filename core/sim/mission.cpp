@@ -4,6 +4,7 @@
 #include "core/coverage/coverage_policy.h"
 #include "core/plan/names.h"
 #include "core/scenario/validate.h"
+#include "core/sim/clusters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,7 @@ PlanEvent planEvent(const PlanAnswer& answer)
     const SolveOutcome& outcome = answer.outcome;
     PlanEvent event{.target = answer.order.empty() ? -1 : answer.order.front(),
                     .order = answer.order,
+                    .clusters = answer.clusters,
                     .legs = answer.legs,
                     .predictedZeta_m2s = answer.predictedZeta_m2s,
                     .outlook = answer.outlook,
@@ -46,6 +48,26 @@ PlanEvent planEvent(const PlanAnswer& answer)
     if (outcome.bound && outcome.status != SolveStatus::None)
         event.gap = relativeGap(answer.problem, outcome.objective, *outcome.bound);
     return event;
+}
+
+/** Who is seen with the target; empty: it is no cluster. */
+std::string togetherText(const WorldState& state, const std::vector<Iceberg>& icebergs)
+{
+    std::string text;
+    for (const int member : state.members)
+        if (member != state.target)
+            text += (text.empty() ? "with " : ", ") + icebergs[static_cast<std::size_t>(member)].id;
+    return text;
+}
+
+/** Of the clusters, what can still be flown to as one point. */
+std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> clusters,
+                                            const Simulation& simulation)
+{
+    for (std::vector<int>& members : clusters)
+        std::erase_if(members, [&](int i) { return !simulation.clusterable(i); });
+    std::erase_if(clusters, [](const std::vector<int>& members) { return members.size() < 2; });
+    return clusters;
 }
 
 } // namespace
@@ -90,10 +112,16 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
 /** Puts a pending plan in force and asks for one where it is needed. False: cancelled. */
 bool Mission::planWhenDue(const std::stop_token& stop)
 {
+    if (m_simulation.homeward()) { // what is flown next is planned at take-off
+        m_pending.reset();
+        m_missed = PlanReason::None;
+        return true;
+    }
     if (m_pending && m_simulation.state().step >= m_pending->step) {
         PlanEvent plan = std::exchange(m_pending, std::nullopt)->plan;
         // What has come into view since is not flown to.
         std::erase_if(plan.order, [this](int i) { return !m_simulation.available(i); });
+        plan.clusters = stillClusters(std::move(plan.clusters), m_simulation);
         const bool outdated = plan.target >= 0 && !m_simulation.available(plan.target);
         if (outdated) {
             plan.target = plan.order.empty() ? -1 : plan.order.front();
@@ -121,9 +149,12 @@ bool Mission::planNow(const std::stop_token& stop)
     options.workLimit = m_options.workLimit;
     options.gap = m_options.gap;
     options.stop = stop;
+    const auto request =
+        std::make_shared<const PlanRequest>(requestFor(m_simulation, m_planner.settings().policy));
     if (m_incumbentListener)
-        options.onProgress = [this](const SolveProgress& progress) { tellIncumbent(progress); };
-    const auto request = std::make_shared<const PlanRequest>(m_simulation.planRequest());
+        options.onProgress = [&](const SolveProgress& progress) {
+            tellIncumbent(progress, *request);
+        };
     const PlanAnswer answer = m_planner.plan(*request, options, m_options.warmStart);
     if (answer.outcome.reason == StopReason::Cancelled)
         return false;
@@ -136,9 +167,9 @@ bool Mission::planNow(const std::stop_token& stop)
     event.reason = m_simulation.planReason();
     if (event.outlook && !event.outlook->sightings_s.empty())
         event.distance_m = request->speed_mps * (event.outlook->sightings_s.back() - event.time_s);
-    // The first plan is made before take-off.
+    // The first plan of a sortie is made before take-off.
     const std::int64_t wait = std::llround(m_scenario.planningTime_s / m_simulation.dt_s());
-    if (wait == 0 || m_plans.empty()) {
+    if (wait == 0 || m_plans.empty() || event.reason == PlanReason::TakeOff) {
         putInForce(std::move(event));
         return true;
     }
@@ -150,10 +181,12 @@ bool Mission::planNow(const std::stop_token& stop)
 void Mission::putInForce(PlanEvent plan)
 {
     plan.zeta_m2s = m_simulation.state().zeta_m2s;
+    plan.thisSortie = thisSortie(m_simulation, plan.order, plan.clusters);
     if (m_options.record) // two forecasts: dear where missions are flown by the thousand
         plan.change = changeTo(plan);
-    m_simulation.setTarget(plan.target, firstAim(plan));
+    m_simulation.setTarget(plan.target, firstAim(plan), clusterWith(plan.clusters, plan.target));
     note(EventKind::Planned, plan.target, plan.fellBack ? "last plan kept" : plan.backend);
+    noteNews();
     m_plans.push_back(std::move(plan));
 }
 
@@ -171,6 +204,8 @@ void Mission::flyOn()
     if (plan.order.empty())
         if (const int nearest = m_simulation.nearestAvailable(); nearest >= 0)
             plan.order = {nearest};
+    plan.clusters = stillClusters(m_plans.back().clusters, m_simulation);
+    plan.thisSortie = thisSortie(m_simulation, plan.order, plan.clusters);
     plan.target = plan.order.empty() ? -1 : plan.order.front();
     if (plan.target >= 0 && plan.target == m_simulation.state().target &&
         m_simulation.state().aim) {
@@ -178,7 +213,8 @@ void Mission::flyOn()
         leg.sighting_s = std::max(leg.sighting_s, plan.time_s + m_scenario.planningTime_s);
         plan.legs = {leg};
     }
-    m_simulation.setTarget(plan.target, firstAim(plan));
+    m_simulation.setTarget(plan.target, firstAim(plan), clusterWith(plan.clusters, plan.target));
+    noteNews();
     m_plans.push_back(std::move(plan));
 }
 
@@ -201,6 +237,14 @@ std::optional<PlanChange> Mission::changeTo(const PlanEvent& next) const
         return !m_simulation.available(iceberg) &&
                std::find(next.order.begin(), next.order.end(), iceberg) == next.order.end();
     });
+    // Of both what can be flown.
+    const ChangedClusters clusters{.before = m_plans.back().clusters, .after = next.clusters};
+    const auto ofSortie = [this](std::vector<int> order,
+                                 std::span<const std::vector<int>> together) {
+        if (const std::optional<int> visits = thisSortie(m_simulation, order, together))
+            order.resize(static_cast<std::size_t>(*visits));
+        return order;
+    };
     ForecastStart start{.world = m_simulation.state(),
                         .time_s = m_simulation.time_s(),
                         .airspeed_mps = m_simulation.motion().airspeed_mps,
@@ -209,7 +253,8 @@ std::optional<PlanChange> Mission::changeTo(const PlanEvent& next) const
         start.active.push_back(m_simulation.active(i));
     const double left_s =
         static_cast<double>(m_simulation.lastStep()) * m_simulation.dt_s() - start.time_s;
-    return planChange(start, std::move(rest), next.order, left_s);
+    return planChange(start, ofSortie(std::move(rest), clusters.before),
+                      ofSortie(next.order, clusters.after), left_s, clusters);
 }
 
 void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listener)
@@ -217,7 +262,7 @@ void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listene
     m_incumbentListener = std::move(listener);
 }
 
-void Mission::tellIncumbent(const SolveProgress& progress)
+void Mission::tellIncumbent(const SolveProgress& progress, const PlanRequest& request)
 {
     if (progress.order.empty())
         return;
@@ -225,6 +270,8 @@ void Mission::tellIncumbent(const SolveProgress& progress)
                          .reason = m_simulation.planReason(),
                          .target = progress.order.front(),
                          .order = progress.order,
+                         .clusters = request.clusters,
+                         .thisSortie = thisSortie(m_simulation, progress.order, request.clusters),
                          .legs = progress.legs,
                          .status = SolveStatus::Feasible,
                          .objective = progress.objective,
@@ -234,7 +281,9 @@ void Mission::tellIncumbent(const SolveProgress& progress)
 
 void Mission::note(EventKind kind, int iceberg, std::string detail)
 {
-    if (m_options.record)
+    const bool isInEveryRun =
+        kind == EventKind::Planned || kind == EventKind::Reached || kind == EventKind::Sighted;
+    if (m_options.record || !isInEveryRun)
         m_events.push_back({m_simulation.time_s(), kind, iceberg, std::move(detail)});
 }
 
@@ -244,14 +293,22 @@ void Mission::noteStep()
         note(EventKind::Appeared, iceberg, {});
     for (const int iceberg : m_simulation.newlySeen())
         note(EventKind::Sighted, iceberg, {});
+    noteNews();
     if (m_simulation.planReason() == PlanReason::TargetReached) {
         ++m_visits;
-        note(EventKind::Reached, m_simulation.state().target, {});
+        note(EventKind::Reached, m_simulation.state().target,
+             togetherText(m_simulation.state(), m_icebergs));
     }
     const auto second =
         static_cast<std::int64_t>(std::max(1LL, std::llround(1 / m_simulation.dt_s())));
-    if (m_options.record && m_simulation.asset() && m_simulation.state().step % second == 0)
+    if (m_simulation.asset() && m_simulation.state().step % second == 0)
         noteAlarms();
+}
+
+void Mission::noteNews()
+{
+    for (const News& news : m_simulation.takeNews())
+        note(news.kind, news.iceberg, {});
 }
 
 /** One for each time an iceberg is found to be on its way into the inner ring. */
@@ -337,7 +394,7 @@ Metrics Mission::metrics() const
 
 PlanAnswer planFromStart(const Scenario& scenario, const SolveOptions& options)
 {
-    const PlanRequest request = Simulation(checked(scenario)).planRequest();
+    const PlanRequest request = requestFor(Simulation(checked(scenario)), scenario.planner.policy);
     return Planner(scenario.planner, nullptr, makeFlownPolicy).plan(request, options);
 }
 

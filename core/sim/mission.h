@@ -17,7 +17,7 @@ struct MissionOptions
     std::optional<double> timeLimit_s;     ///< of each solve; the run may not repeat
     double gap = 0;                        ///< relative gap at which a solve may stop
     bool warmStart = true;
-    bool record = true; ///< keep samples and keyframes
+    bool record = true; ///< keep samples, keyframes and all events
     double sampleInterval_s = 1;
     double keyframeInterval_s = 60;
     bool operator==(const MissionOptions&) const = default;
@@ -119,9 +119,10 @@ private:
     void flyOn();
     [[nodiscard]] std::vector<int> restOfPlan(PlanReason reason) const;
     [[nodiscard]] std::optional<PlanChange> changeTo(const PlanEvent& next) const;
-    void tellIncumbent(const SolveProgress& progress);
+    void tellIncumbent(const SolveProgress& progress, const PlanRequest& request);
     void note(EventKind kind, int iceberg, std::string detail);
     void noteStep();
+    void noteNews();
     void noteAlarms();
     /** Index; throws `Error{InvalidInput}` when there is none of that id now. */
     [[nodiscard]] int appearedIceberg(const std::string& id) const;

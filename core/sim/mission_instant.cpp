@@ -1,5 +1,7 @@
 #include "core/sim/mission_instant.h"
 
+#include "core/sim/clusters.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +23,7 @@ public:
     void flyTo(std::int64_t step)
     {
         while (m_world.state().step < step) {
+            static_cast<void>(m_world.takeNews()); // as the mission did
             m_world.advanceStep();
             apply();
         }
@@ -85,7 +88,8 @@ private:
                 apply(changes[m_intervention]);
                 ++m_intervention;
             } else if (m_plan < plans.size() && isNow(plans[m_plan].time_s)) {
-                m_world.setTarget(plans[m_plan].target, firstAim(plans[m_plan]));
+                m_world.setTarget(plans[m_plan].target, firstAim(plans[m_plan]),
+                                  clusterWith(plans[m_plan].clusters, plans[m_plan].target));
                 ++m_plan;
             } else {
                 return;

@@ -42,12 +42,22 @@ struct PlanForecast
  * - an iceberg is seen for an instant, when the UAV is over its estimate: sigma falls to 0 and
  *   grows again. In a flight it is seen earlier, by half the field of view, and for longer;
  * - nothing is seen by chance on the way, and what is not in the order grows from what it is now;
+ * - the members of one of `clusters`, which follow each other in the order, are all seen at the
+ *   middle of the circle round them; the leg there is told of the first of them;
  * - no iceberg appears, and nothing is planned again: after the last visit all sigmas grow.
  * So it is good for comparing orders and for the near future; over many rounds the flight, which
  * goes on visiting, stays below it. Throws `std::logic_error` for an index that is not there.
  */
 [[nodiscard]] PlanForecast forecastPlan(const ForecastStart& start, std::span<const int> order,
-                                        double horizon_s);
+                                        double horizon_s,
+                                        std::span<const std::vector<int>> clusters = {});
+
+/** What is flown to as one point before and after a change. */
+struct ChangedClusters
+{
+    std::span<const std::vector<int>> before;
+    std::span<const std::vector<int>> after;
+};
 
 /** Another order took the place of what was left of the one before. */
 struct PlanChange
@@ -65,6 +75,7 @@ struct PlanChange
  */
 [[nodiscard]] std::optional<PlanChange> planChange(const ForecastStart& start,
                                                    std::vector<int> before,
-                                                   std::span<const int> after, double horizon_s);
+                                                   std::span<const int> after, double horizon_s,
+                                                   const ChangedClusters& clusters = {});
 
 } // namespace berg

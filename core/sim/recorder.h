@@ -14,6 +14,8 @@ struct PlanEvent
     PlanReason reason = PlanReason::None;
     int target = -1;                         ///< index of the iceberg flown to; -1: circling
     std::vector<int> order;                  ///< iceberg indices
+    std::vector<std::vector<int>> clusters;  ///< planned as one point each, two icebergs and more
+    std::optional<int> thisSortie;           ///< so many of the order before going home; none: all
     std::vector<AimedLeg> legs;              ///< how it is flown; empty: straight to the target
     std::optional<double> predictedZeta_m2s; ///< what `legs` were judged by
     std::optional<AimedOutlook> outlook;     ///< of `legs`
@@ -33,17 +35,6 @@ struct PlanEvent
     bool interim = false; ///< the autopilot goes on with the last plan while the next one is made
     std::optional<PlanChange> change; ///< against the rest of the plan before, until the end; of
                                       ///< missions that keep a record
-};
-
-enum class EventKind
-{
-    Planned,
-    Reached,
-    Sighted,
-    Appeared,
-    PlannerFailed, ///< it threw; the last plan is flown on
-    Alarm,         ///< found to be on its way into the inner ring of the asset
-    Intervention
 };
 
 /** The aim of the leg that the plan starts with, if it has any. */

@@ -1,9 +1,12 @@
 #include "core/sim/simulation.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/true_start.h"
+#include "core/vehicle/geofence.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace berg {
 
@@ -42,7 +45,10 @@ Simulation::Simulation(const Scenario& scenario, std::span<const DriftNoise> noi
                .wind_mps = scenario.wind_mps}
     , m_sensor{.fov_m = scenario.uavs[0].fov_m, .shape = scenario.fovShape}
     , m_reachRadius_m(scenario.reachRadius_m)
+    , m_clusters(scenario.clusters)
     , m_asset(scenario.asset)
+    , m_area_m(scenario.area_m)
+    , m_observer(scenario.observer)
     , m_current_mps(scenario.current_mps)
     , m_dt_s(scenario.dt_s)
     , m_autopilotSteps(
@@ -55,12 +61,19 @@ Simulation::Simulation(const Scenario& scenario, std::span<const DriftNoise> noi
     , m_reach_m(FieldOfView::reach_m(m_sensor))
     , m_turnRadius_m(turnRadius_m(scenario.uavs[0].spec))
     , m_needsRunOut(turnsInsideReach(scenario.uavs[0], scenario.reachRadius_m))
+    , m_lookSteps(std::max<std::int64_t>(1, std::llround(scenario.observer.interval_s / m_dt_s)))
 {
     require(noise.empty() || noise.size() == scenario.icebergs.size(),
             "Simulation: noise of another scenario");
     m_state.uav = {.position_m = scenario.uavs[0].position_m,
                    .psi_rad = psiFromHeading(scenario.uavs[0].heading_deg)};
     m_state.guidance.startLeg(m_state.uav.position_m);
+    if (const Uav& uav = scenario.uavs[0]; uav.spec.endurance_s > 0)
+        m_sortie = {.endurance_s = uav.spec.endurance_s,
+                    .turnaround_s = uav.turnaround_s,
+                    .home_m = uav.home_m.value_or(uav.position_m)};
+    if (scenario.geofence)
+        buildFence();
     for (std::size_t i = 0; i < scenario.icebergs.size(); ++i) {
         const Iceberg& iceberg = scenario.icebergs[i];
         require(noise.empty() || noise[i].isOf(m_seed, iceberg.id),
@@ -70,16 +83,18 @@ Simulation::Simulation(const Scenario& scenario, std::span<const DriftNoise> noi
     }
     observe(0);
     m_newlyAppeared.clear(); // those that are there from the start are no news
+    m_news.clear();
 }
 
 void Simulation::insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
                         std::int64_t appearsStep)
 {
     const Point velocity_mps = iceberg.velocity_mps + m_current_mps;
+    const TrueStart truth = trueStart(iceberg, m_observer, m_seed, m_noise);
     m_drift.emplace_back(
-        DriftSpec{.position_m = iceberg.position_m,
+        DriftSpec{.position_m = truth.position_m,
                   .start_s = start_s,
-                  .velocity_mps = velocity_mps,
+                  .velocity_mps = truth.velocity_mps + m_current_mps,
                   .q_m2ps = iceberg.q_m2ps,
                   .track = iceberg.track.empty()
                                ? nullptr
@@ -90,21 +105,28 @@ void Simulation::insert(const Iceberg& iceberg, DriftNoise noise, double start_s
     m_nextLookStep = std::min(m_nextLookStep, appearsStep);
     // An iceberg that appears later has drifted unseen until then.
     const double unseen_s = static_cast<double>(appearsStep) * m_dt_s - start_s;
-    m_state.tracks.push_back(
-        {.anchor_m = iceberg.position_m,
-         .anchor_s = start_s,
-         .velocity_mps = velocity_mps,
-         .sigma_m2 = initialSigma_m2(iceberg) + iceberg.q_m2ps * std::max(0.0, unseen_s),
-         .q_m2ps = iceberg.q_m2ps});
+    Track track{.anchor_m = iceberg.position_m,
+                .anchor_s = start_s,
+                .velocity_mps = velocity_mps,
+                .sigma_m2 = initialSigma_m2(iceberg),
+                .q_m2ps = iceberg.q_m2ps};
+    if (m_observer.model == ObserverModel::Kalman)
+        track.velocity_m2ps2 = iceberg.velocitySd_mps * iceberg.velocitySd_mps;
+    m_bodies.push_back({.stream = stableHash(iceberg.id + "/look"),
+                        .radius_m = iceberg.radius_m,
+                        .velocity_mps = velocity_mps,
+                        .velocity_m2ps2 = track.velocity_m2ps2});
+    track.grow(std::max(0.0, unseen_s));
+    m_state.tracks.push_back(std::move(track));
 }
 
 void Simulation::addIceberg(const Iceberg& iceberg)
 {
     insert(iceberg, DriftNoise(m_seed, iceberg.id), time_s(), m_state.step);
     const int added = icebergCount() - 1;
-    if (fieldOfView().contains(truth_m(added)))
+    if (m_observer.model == ObserverModel::Simple && fieldOfView().contains(truth_m(added)))
         m_state.tracks.back().seen(truth_m(added), time_s());
-    m_planReason = PlanReason::Appeared;
+    needPlan(PlanReason::Appeared);
 }
 
 void Simulation::reportSighting(int iceberg)
@@ -112,9 +134,12 @@ void Simulation::reportSighting(int iceberg)
     require(active(iceberg), "reportSighting: the iceberg has not appeared");
     Track& track = m_state.tracks[index(iceberg)];
     const bool inView = track.inView;
-    track.seen(truth_m(iceberg), time_s());
+    if (m_observer.model == ObserverModel::Simple)
+        track.seen(truth_m(iceberg), time_s());
+    else
+        measure(index(iceberg), truth_m(iceberg), time_s());
     track.inView = inView;
-    m_planReason = PlanReason::Intervention;
+    requestPlan();
 }
 
 void Simulation::setWind(const Point& wind_mps)
@@ -124,6 +149,13 @@ void Simulation::setWind(const Point& wind_mps)
     for (std::size_t i = 0; i < m_lookStep.size(); ++i)
         m_lookStep[i] = std::max(m_appearsStep[i], m_state.step + 1);
     m_nextLookStep = m_state.step + 1;
+    if (m_fence)
+        buildFence();
+    if (const std::optional<double> margin_s = homeMargin_s(); margin_s && *margin_s < 0) {
+        m_news.push_back({.kind = EventKind::LateHome});
+        if (!homeward())
+            goHome();
+    }
     requestPlan();
 }
 
@@ -147,9 +179,14 @@ double Simulation::priority(int iceberg) const
     return motion ? berg::priority(*m_asset, *motion) : 1;
 }
 
-bool Simulation::active(int iceberg) const
+bool Simulation::appeared(int iceberg) const
 {
     return m_appearsStep[index(iceberg)] <= m_state.step;
+}
+
+bool Simulation::active(int iceberg) const
+{
+    return appeared(iceberg) && !track(iceberg).left;
 }
 
 bool Simulation::withinReach(int iceberg) const
@@ -158,15 +195,17 @@ bool Simulation::withinReach(int iceberg) const
            (truth_m(iceberg) - m_state.uav.position_m).norm() <= *m_reachRadius_m;
 }
 
-bool Simulation::available(int iceberg) const
+bool Simulation::visitable(int iceberg) const
 {
-    return active(iceberg) && !track(iceberg).inView && !withinReach(iceberg);
+    return active(iceberg) && track(iceberg).status == TrackStatus::Tracked &&
+           !track(iceberg).inView && !withinReach(iceberg) &&
+           !(m_fence && m_needsRunOut && m_fence->isShutOff(estimate_m(iceberg)));
 }
 
 Point Simulation::truth_m(int iceberg) const
 {
     const DriftModel& drift = m_drift[index(iceberg)];
-    return drift.at(active(iceberg) ? time_s() : drift.start_s());
+    return drift.at(appeared(iceberg) ? time_s() : drift.start_s());
 }
 
 Point Simulation::estimate_m(int iceberg) const
@@ -176,63 +215,32 @@ Point Simulation::estimate_m(int iceberg) const
 
 FieldOfView Simulation::fieldOfView() const
 {
-    return {m_sensor, m_state.uav.position_m, m_state.uav.psi_rad};
+    SensorSpec sensor = m_sensor;
+    if (m_state.mode == FlightMode::Ground) // switched off: nothing is within these extents
+        sensor.fov_m.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return {sensor, m_state.uav.position_m, m_state.uav.psi_rad};
 }
 
-PlanRequest Simulation::planRequest() const
-{
-    PlanRequest request{.speed_mps = m_motion.airspeed_mps};
-    FlightPicture picture{.time_s = time_s(),
-                          .until_s = static_cast<double>(m_lastStep) * m_dt_s,
-                          .uav = m_state.uav,
-                          .motion = m_motion,
-                          .sensor = m_sensor,
-                          .seed = m_seed,
-                          .step = m_state.step};
-    std::vector<Point> nodes_m{m_state.uav.position_m};
-    request.problem.sigma_m2.push_back(0);
-    for (int i = 0; i < icebergCount(); ++i) {
-        if (!active(i))
-            continue;
-        request.ids.push_back(i);
-        request.available.push_back(available(i));
-        const double weight = priority(i);
-        request.problem.sigma_m2.push_back(weight * track(i).sigma_m2);
-        nodes_m.push_back(estimate_m(i));
-        picture.tracks.push_back(track(i));
-        picture.weights.push_back(weight);
-    }
-    request.picture = std::make_shared<const FlightPicture>(std::move(picture));
-    const auto n = static_cast<Eigen::Index>(nodes_m.size());
-    request.problem.distance_m.resize(n, n);
-    const bool calm = m_motion.wind_mps.isZero(0);
-    for (Eigen::Index j = 0; j < n; ++j)
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const Point leg_m =
-                nodes_m[static_cast<std::size_t>(j)] - nodes_m[static_cast<std::size_t>(i)];
-            // Air distance U t_ij: what a leg costs when the wind helps or hinders.
-            request.problem.distance_m(i, j) =
-                calm ? leg_m.norm()
-                     : m_motion.airspeed_mps *
-                           flightTime_s(leg_m, m_motion.airspeed_mps, m_motion.wind_mps);
-        }
-    return request;
-}
-
-void Simulation::setTarget(int iceberg, const std::optional<AimedLeg>& aim)
+void Simulation::setTarget(int iceberg, const std::optional<AimedLeg>& aim,
+                           std::span<const int> members)
 {
     m_planReason = PlanReason::None;
     m_state.target = iceberg;
     m_state.aim = aim;
     m_state.misses = 0;
+    setMembers(members);
     if (iceberg >= 0) {
         m_state.mode = FlightMode::Leg;
         m_state.guidance.startLeg(aim ? aim->from_m : m_state.uav.position_m);
+        beginOrEndSearch();
         return;
     }
     if (m_state.lastReached < 0)
         m_state.lastReached = nearest(&Simulation::active);
     m_state.mode = m_state.lastReached < 0 ? FlightMode::Idle : FlightMode::Circle;
+    beginOrEndSearch();
+    if (m_state.mode != FlightMode::Search && nothingAffordable())
+        goHome();
 }
 
 int Simulation::nearest(bool (Simulation::*counts)(int) const) const
@@ -259,15 +267,21 @@ void Simulation::advanceStep()
     require(m_planReason == PlanReason::None, "advanceStep: a plan is needed first");
     require(!finished(), "advanceStep: the run is over");
     ++m_state.step; // the estimates steered at are those at the end of the step
-    m_state.u_radps = commanded();
-    m_state.uav =
-        berg::step(m_state.uav, m_motion.airspeed_mps, m_state.u_radps, m_dt_s, m_motion.wind_mps);
-    m_state.flown_m += m_motion.airspeed_mps * m_dt_s;
+    const Point from_m = m_state.uav.position_m;
+    if (m_state.mode != FlightMode::Ground) {
+        m_state.u_radps = commanded();
+        m_state.uav = berg::step(m_state.uav, m_motion.airspeed_mps, m_state.u_radps, m_dt_s,
+                                 m_motion.wind_mps);
+        m_state.flown_m += m_motion.airspeed_mps * m_dt_s;
+    }
+    if (m_sortie)
+        advanceSortie(from_m);
     m_newlySeen.clear();
     m_newlyAppeared.clear();
     observe(m_dt_s);
     m_state.zeta_m2s += m_state.sigmaSum_m2 * m_dt_s;
     updatePlanReason();
+    updateClusters();
 }
 
 void Simulation::observe(double dt_s)
@@ -278,17 +292,23 @@ void Simulation::observe(double dt_s)
         for (std::size_t i = 0; i < m_drift.size(); ++i)
             if (m_appearsStep[i] <= m_state.step)
                 m_drift[i].advanceTo(now_s);
-    if (m_nextLookStep <= m_state.step)
+    const bool isFiltered = m_observer.model == ObserverModel::Kalman;
+    if (isFiltered)
+        observeFiltered(now_s, dt_s);
+    else if (m_nextLookStep <= m_state.step)
         lookAround(now_s);
+    if (!m_area_m.empty() && m_state.step % m_stepsPerSecond == 0)
+        watchArea();
     double sigmaSum_m2 = 0;
     for (std::size_t i = 0; i < m_state.tracks.size(); ++i) {
         const std::int64_t age = m_state.step - m_appearsStep[i];
         if (age < 0)
             continue;
         Track& track = m_state.tracks[i];
-        if (!track.inView)
+        if (!isFiltered && !track.inView)
             track.unseen(age == 0 ? 0 : dt_s);
-        sigmaSum_m2 += track.sigma_m2;
+        if (!track.left)
+            sigmaSum_m2 += track.sigma_m2;
     }
     m_state.sigmaSum_m2 = sigmaSum_m2;
 }
@@ -356,14 +376,19 @@ void Simulation::updatePlanReasonOfAim()
 
 void Simulation::updatePlanReason()
 {
-    if (m_state.target >= 0 && m_state.aim) {
+    if (homeward()) {
+        takeOffWhenDue();
+        return;
+    }
+    m_planReason = reasonOfNews();
+    if (m_planReason != PlanReason::None)
+        return;
+    if (m_state.target >= 0 && m_state.aim && m_state.mode != FlightMode::Search) {
         updatePlanReasonOfAim();
         return;
     }
     if (m_state.target >= 0) {
-        const bool reached =
-            m_reachRadius_m ? withinReach(m_state.target) : track(m_state.target).inView;
-        if (reached) {
+        if (targetReached()) {
             m_state.lastReached = m_state.target;
             m_planReason = PlanReason::TargetReached;
             return;
@@ -376,7 +401,7 @@ void Simulation::updatePlanReason()
     if (m_state.target >= 0)
         return;
     for (int i = 0; i < icebergCount(); ++i)
-        if (available(i)) {
+        if (visitable(i)) {
             m_planReason = PlanReason::OutOfView;
             return;
         }

@@ -17,7 +17,13 @@ constexpr double kCircleMargin = 1.2;
 
 double Simulation::commanded()
 {
-    return (m_state.step - 1) % m_autopilotSteps == 0 ? steer() : m_state.u_radps;
+    if ((m_state.step - 1) % m_autopilotSteps != 0)
+        return m_state.u_radps;
+    const double u_radps = guarded(steer());
+    if (!m_sortie || m_state.mode == FlightMode::Home || homeInTimeAfter(u_radps))
+        return u_radps;
+    goHome();
+    return guarded(steerHome());
 }
 
 double Simulation::steer()
@@ -29,6 +35,12 @@ double Simulation::steer()
         return steerRunOut();
     case FlightMode::Circle:
         return steerCircle();
+    case FlightMode::Search:
+        return steerSearch();
+    case FlightMode::Home:
+        return steerHome();
+    case FlightMode::Ground:
+        return 0;
     case FlightMode::Idle:
         m_state.crossTrack_m = 0;
         return m_motion.limit_radps / kCircleMargin; // nothing to fly to: hold where it is
@@ -40,7 +52,11 @@ double Simulation::steerLeg()
 {
     if (m_state.aim)
         return steerAim();
+    if (!m_state.members.empty())
+        return steerCluster();
     const Point end_m = estimate_m(m_state.target);
+    if (const std::optional<double> u_radps = steerRoundFence(end_m))
+        return *u_radps;
     LosGuidance::Command command =
         m_state.guidance.steer(m_state.uav, end_m, m_motion, m_command_s);
     if (command.passedEnd) {

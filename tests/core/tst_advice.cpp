@@ -67,10 +67,12 @@ const std::vector<Case>& cases()
              s.uavs[1].id = "uav-2";
          },
          kHint, "uavs[1]", advised::kFirstUavOnly, [](S&) {}},
-        {"endurance", [](S& s) { s.uavs[0].spec.endurance_s = 1000; }, kHint, "uavs[0].endurance_s",
-         advised::kEnduranceUnused, [](S&) {}},
-        {"endurance short", [](S& s) { s.uavs[0].spec.endurance_s = 999; }, kHint,
-         "uavs[0].endurance_s", advised::kEnduranceShort, [](S&) {}},
+        {"home without endurance", [](S& s) { s.uavs[0].home_m = Point(100, 0); }, kHint,
+         "uavs[0].home_m", advised::kHomeUnused,
+         [](S& s) {
+             s.uavs[0].home_m = Point(100, 0);
+             s.uavs[0].spec.endurance_s = 900;
+         }},
         {"wide turn",
          [](S& s) {
              s.uavs[0].fov_m = {600, 200}; // the turn radius is 105.8 m
@@ -81,6 +83,16 @@ const std::vector<Case>& cases()
          }},
         {"reach inside turn", [](S& s) { s.reachRadius_m = 100; }, kHint, "planner.reach_radius_m",
          advised::kReachInsideTurn, [](S& s) { s.reachRadius_m = 110; }},
+        {"clusters of a fixed route",
+         [](S& s) {
+             s.clusters = true;
+             s.planner.policy = PolicyKind::Tour;
+         },
+         kHint, "planner.clusters", advised::kClustersIgnored,
+         [](S& s) {
+             s.clusters = true;
+             s.planner.policy = PolicyKind::Latency;
+         }},
         {"one iceberg twice", [](S& s) { addIceberg(s, 500.5, 0.5); }, kWarning,
          "icebergs[2].position_m", advised::kSamePlace, [](S& s) { addIceberg(s, 501.1, 0); }},
         // 22 km straight on and the half diagonal of the field of view, 424 m.
@@ -174,7 +186,7 @@ std::vector<Issue> adviceInArea(Scenario scenario, double half_m)
 {
     scenario.area_m = square(half_m);
     std::vector<Issue> issues = validate(scenario);
-    const auto isUse = [](const Issue& issue) { return issue.message == advised::kAreaUnused; };
+    const auto isUse = [](const Issue& issue) { return issue.message == advised::kAreaNoFence; };
     return std::erase_if(issues, isUse) == 1 ? issues : std::vector<Issue>{};
 }
 
@@ -254,6 +266,51 @@ private slots:
         };
         QVERIFY(refused(199));
         QVERIFY(!refused(201));
+    }
+
+    void wayHomeIsCounted()
+    {
+        Scenario s = calmSea();
+        s.uavs[0].home_m = Point(-4400, 0); // 200 s, turn and reserve besides
+        const auto warned = [&](double endurance_s) {
+            s.uavs[0].spec.endurance_s = endurance_s;
+            const std::vector<Issue> issues = validate(s);
+            return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
+                return issue.message == advised::kNoWayHome &&
+                       issue.severity == Severity::Warning && issue.field == "uavs[0].endurance_s";
+            });
+        };
+        QVERIFY(warned(205));
+        QVERIFY(!warned(240));
+    }
+
+    void roomInsideTheGeofence()
+    {
+        Scenario s = calmSea();
+        s.area_m = square(2500);
+        s.geofence = true;
+        QVERIFY(validate(s).empty());
+        s.uavs[0].position_m = {2450, 0};
+        s.uavs[0].heading_deg = 90;
+        QVERIFY(isOne(validate(s), {Severity::Warning, "uavs[0].position_m",
+                                    std::string(advised::kStartNearFence)}));
+        s.uavs[0].heading_deg = 0; // along the fence
+        QVERIFY(validate(s).empty());
+        s.uavs[0].spec.endurance_s = 900;
+        QVERIFY(isOne(validate(s),
+                      {Severity::Warning, "uavs[0].home_m", std::string(advised::kHomeNearFence)}));
+        s.uavs[0].home_m = Point(0, 0);
+        QVERIFY(validate(s).empty());
+        s.planner.policy = PolicyKind::Coverage;
+        QVERIFY(isOne(validate(s),
+                      {Severity::Hint, "geofence", std::string(advised::kFenceUnplanned)}));
+        s.planner.policy = PolicyKind::Visitation;
+        s.icebergs[1].position_m = {2490, 1000};
+        QVERIFY(validate(s).empty()); // seen from afar
+        s.reachRadius_m = 50;
+        const std::vector<Issue> issues = validate(s);
+        QVERIFY(std::ranges::find(issues, Issue{Severity::Warning, "icebergs[1].position_m",
+                                                std::string(advised::kShutOff)}) != issues.end());
     }
 
     void assetInIce()

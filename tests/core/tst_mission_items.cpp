@@ -69,6 +69,25 @@ private slots:
         scenario.wind_mps = Point(0, wind_mps);
         QCOMPARE(loiterRadius_m(scenario), expected_m);
     }
+
+    /** The last item of a plan with endurance loiters at home, which the file names as such. */
+    void enduranceEndsAtHome()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.uavs[0].spec.endurance_s = 1e6;
+        scenario.uavs[0].home_m = Point(500, -700);
+        const PlanAnswer plan = planFromStart(scenario);
+        const MavMission mission = mavMission({.scenario = scenario, .plan = plan});
+        QCOMPARE(mission.items.size(), plan.order.size() + 2);
+        QCOMPARE(mission.items.back().command, MavCommand::NavLoiterUnlimited);
+        QVERIFY(mission.items.back().place == mission.home);
+        const Point home_m = LocalFrame(scenario.origin).toPlane(mission.home);
+        QVERIFY((home_m - Point(500, -700)).norm() < 0.1);
+
+        scenario.uavs[0].spec.endurance_s = 60; // not enough for any
+        const MavMission none = mavMission({.scenario = scenario, .plan = plan});
+        QCOMPARE(none.items.size(), std::size_t{2});
+    }
 };
 
 QTEST_APPLESS_MAIN(TestMissionItems)

@@ -38,7 +38,8 @@ Scenario scene(const LatLon& origin)
     s.current_mps = {0.2, -0.1};
     s.wind_mps = {3, 4};
     s.area_m = {{-9000, -9000}, {9000, -9000}, {0, 12000}};
-    s.uavs = {{.id = "uav", .position_m = {-2000, 500}, .heading_deg = 10}};
+    s.uavs = {
+        {.id = "uav", .position_m = {-2000, 500}, .heading_deg = 10, .home_m = Point(-2500, 900)}};
     s.icebergs = {{.id = "a", .position_m = {8000, 7000}, .velocity_mps = {0.3, 0.1}},
                   {.id = "b", .position_m = {-6000, 2000}}};
     s.icebergs[1].track = {.time_s = {0, 600}, .position_m = {{-6000, 2000}, {-5900, 2100}}};
@@ -95,6 +96,7 @@ private slots:
             COMPARE_NEAR((to.toPlane(from.toGeographic(then_m)) - now_m).norm(), 0, 1e-6);
         };
         stays(after.uavs[0].position_m, before.uavs[0].position_m);
+        stays(*after.uavs[0].home_m, *before.uavs[0].home_m);
         stays(after.asset->position_m, before.asset->position_m);
         for (std::size_t i = 0; i < 3; ++i)
             stays(after.area_m[i], before.area_m[i]);

@@ -80,6 +80,8 @@ private slots:
         QCOMPARE(s.duration_s, 1000.0);
         QCOMPARE(s.uavs[0].spec.airspeed_mps, 22.0);
         QCOMPARE(s.uavs[0].spec.endurance_s, 0.0);
+        QCOMPARE(s.uavs[0].turnaround_s, 600.0);
+        QVERIFY(!s.uavs[0].home_m && !s.geofence);
         QVERIFY(s.planner.policy == PolicyKind::Visitation);
         QVERIFY(!s.asset && !s.reachRadius_m && s.area_m.empty() && s.noise);
     }
@@ -99,6 +101,7 @@ private slots:
         QVERIFY(s.current_mps == Point(0.25, 0.5));
         QCOMPARE(s.area_m.size(), std::size_t{5});
         QVERIFY(s.area_m[3] == Point(2000, 2000));
+        QVERIFY(s.geofence);
         QVERIFY(s.planner == (PlannerSettings{.policy = PolicyKind::Tour,
                                               .tau = 0.75,
                                               .route = Route::Closed,
@@ -121,6 +124,8 @@ private slots:
         uav.heading_deg = -30;
         uav.spec = {.airspeed_mps = 25, .maxBank_deg = 30, .altitude_m = 150, .endurance_s = 5400};
         uav.fov_m = {400, 700};
+        uav.home_m = Point(-400, 450);
+        uav.turnaround_s = 900;
         uav.extraJson = R"({"colour":"orange"})";
         QCOMPARE(s.uavs.size(), std::size_t{2});
         QVERIFY(s.uavs[0] == uav);

@@ -2,6 +2,7 @@
 #include "core/io/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
+#include "core/sim/mission.h"
 
 #include <QDir>
 #include <QTest>
@@ -21,6 +22,14 @@ Scenario shipped(const char* name)
     return loadScenario(kFolder.toStdString() + '/' + name + ".berg");
 }
 
+/** The first minutes of its flight. */
+Mission start(const char* name)
+{
+    Mission mission(shipped(name));
+    mission.advance(300);
+    return mission;
+}
+
 /** What one of the files is there to show. */
 struct Feature
 {
@@ -29,7 +38,7 @@ struct Feature
     bool (*shows)(const Scenario&);
 };
 
-constexpr std::array<Feature, 10> kFeatures = {{
+constexpr std::array<Feature, 13> kFeatures = {{
     {"grand-banks-12", 12, [](const Scenario& s) { return s == defaultScenario(); }},
     {"disko-bay-4", 4,
      [](const Scenario& s) {
@@ -47,7 +56,7 @@ constexpr std::array<Feature, 10> kFeatures = {{
     {"fram-strait-endurance", 14,
      [](const Scenario& s) {
          return s.uavs[0].spec.endurance_s > 0 && s.uavs[0].spec.endurance_s < s.duration_s &&
-                s.area_m.size() >= 3;
+                s.area_m.size() >= 3 && s.geofence;
      }},
     {"recorded-drift", 6,
      [](const Scenario& s) {
@@ -60,6 +69,13 @@ constexpr std::array<Feature, 10> kFeatures = {{
          return s.icebergs.back().appears_s > 0 && s.icebergs.back().appears_s < s.duration_s &&
                 s.icebergs[1].observed_s > 0;
      }},
+    {"bonavista-lost", 10,
+     [](const Scenario& s) {
+         return s.observer.model == ObserverModel::Kalman && s.observer.detection < 1;
+     }},
+    {"twillingate-clusters", 17, [](const Scenario& s) { return s.clusters; }},
+    {"jones-sound-late-plans", 12,
+     [](const Scenario& s) { return s.planningTime_s > 0 && s.uavs[0].spec.autopilot_s > 0; }},
 }};
 
 } // namespace
@@ -85,6 +101,42 @@ private slots:
         QVERIFY(!s.name.empty());
         QCOMPARE(s.icebergs.size(), feature.icebergs);
         QVERIFY(feature.shows(s));
+    }
+
+    /** What a file is there to show is seen when it is flown. */
+    void flights_data()
+    {
+        QTest::addColumn<QList<EventKind>>("kinds");
+        const auto row = [](const char* file, const QList<EventKind>& kinds) {
+            QTest::newRow(file) << kinds;
+        };
+        row("hibernia-asset", {EventKind::Alarm});
+        row("flemish-pass-appearing", {EventKind::Appeared, EventKind::Left});
+        row("bonavista-lost", {EventKind::Lost, EventKind::Found});
+        row("fram-strait-endurance", {EventKind::HomeBound, EventKind::Landed, EventKind::TookOff});
+    }
+    void flights()
+    {
+        QFETCH(const QList<EventKind>, kinds);
+        Mission mission(shipped(QTest::currentDataTag()));
+        mission.advance(mission.scenario().duration_s);
+        for (const EventKind kind : kinds)
+            QVERIFY2(std::any_of(mission.events().begin(), mission.events().end(),
+                                 [kind](const MissionEvent& event) { return event.kind == kind; }),
+                     std::to_string(static_cast<int>(kind)).c_str());
+    }
+
+    void clustersAreFlownTo()
+    {
+        const Mission mission = start("twillingate-clusters");
+        QVERIFY(!mission.plans().front().clusters.empty());
+    }
+
+    void plansComeLate()
+    {
+        const Mission mission = start("jones-sound-late-plans");
+        QVERIFY(std::any_of(mission.plans().begin(), mission.plans().end(),
+                            [](const PlanEvent& plan) { return plan.interim; }));
     }
 
     void allFilesAreListed()

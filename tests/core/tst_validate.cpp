@@ -99,6 +99,37 @@ const std::vector<Case>& cases()
         {"altitude 0", [](S& s) { s.uavs[0].spec.altitude_m = 0; }, kError, "uavs[0].altitude_m"},
         {"endurance negative", [](S& s) { s.uavs[0].spec.endurance_s = -1; }, kError,
          "uavs[0].endurance_s"},
+        {"home far", [](S& s) { s.uavs[0].home_m = Point(0, -1.1e6); }, kError,
+         "uavs[0].home_m[1]"},
+        {"turn-around negative", [](S& s) { s.uavs[0].turnaround_s = -1; }, kError,
+         "uavs[0].turnaround_s"},
+        {"slow autopilot with endurance",
+         [](S& s) {
+             s.uavs[0].spec.endurance_s = 3600;
+             s.uavs[0].spec.autopilot_s = 1.1;
+         },
+         kError, "uavs[0].autopilot_s"},
+        {"geofence without area", [](S& s) { s.geofence = true; }, kError, "geofence"},
+        {"UAV outside the geofence",
+         [](S& s) {
+             s.area_m = {{0, 0}, {6000, 0}, {6000, 6000}, {0, 6000}};
+             s.geofence = true;
+         },
+         kError, "uavs[0].position_m"},
+        {"home outside the geofence",
+         [](S& s) {
+             s.area_m = {{-1000, 0}, {6000, 0}, {6000, 6000}, {-1000, 6000}};
+             s.geofence = true;
+             s.uavs[0].home_m = Point(-500, -1);
+         },
+         kError, "uavs[0].home_m"},
+        {"geofence of too many corners",
+         [](S& s) {
+             for (int i = 0; i < 201; ++i)
+                 s.area_m.emplace_back(9000 * std::cos(i * 0.03), 9000 * std::sin(i * 0.03));
+             s.geofence = true;
+         },
+         kError, "area_m"},
         {"no iceberg", [](S& s) { s.icebergs.clear(); }, kHint, "icebergs"},
         {"too many icebergs", [](S& s) { s.icebergs.resize(1001); }, kError, "icebergs"},
         {"iceberg without id", [](S& s) { s.icebergs[2].id.clear(); }, kError, "icebergs[2].id"},

@@ -106,6 +106,31 @@ private slots:
         QVERIFY(plannedVisits(scenario, planOf({})).empty());
     }
 
+    /** A plan is exported as far as one sortie flies it, and then home. */
+    void enduranceEndsAtHome()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.uavs[0].spec.endurance_s = 1e6;
+        scenario.uavs[0].home_m = Point(50, -70);
+        const std::vector<Visit> all = plannedVisits(scenario, planOf({0, 1, 2, 3}));
+        QCOMPARE(all.size(), std::size_t{5});
+        QCOMPARE(all[4].iceberg, -1);
+        QVERIFY(all[4].position_m == Point(50, -70));
+        const double back_s =
+            flightTime_s(all[4].position_m - all[3].position_m, 22, scenario.wind_mps);
+        QVERIFY(std::abs(all[4].time_s - all[3].time_s - back_s) < 1e-9);
+
+        // Just not enough for the last one, when turns and reserves are counted.
+        scenario.uavs[0].spec.endurance_s = all[4].time_s;
+        const std::vector<Visit> fewer = plannedVisits(scenario, planOf({0, 1, 2, 3}));
+        QVERIFY(fewer.size() < all.size());
+        QCOMPARE(fewer.back().iceberg, -1);
+        QVERIFY(fewer.back().time_s < scenario.uavs[0].spec.endurance_s);
+
+        scenario.uavs[0].spec.endurance_s = 1;
+        QCOMPARE(plannedVisits(scenario, planOf({0, 1})).size(), std::size_t{1});
+    }
+
     void icebergFasterThanTheUavIsTakenAsStill()
     {
         Scenario scenario = fourIcebergs();

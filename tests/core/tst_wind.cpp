@@ -1,4 +1,5 @@
 #include "core/base/angles.h"
+#include "core/base/random.h"
 #include "core/io/run_json.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"
@@ -31,6 +32,32 @@ class TestWind : public QObject
     Q_OBJECT
 
 private slots:
+    /**
+     * In a uniform wind the part of the time of a leg that changes sign with its direction adds up
+     * along an order to what depends on the ends alone: no order is better for it at its stops.
+     */
+    void helpAndHindranceTelescope()
+    {
+        Random random(3, 0);
+        const Point wind_mps(9, -11);
+        const auto oneWay_s = [&](const Point& from_m, const Point& to_m) {
+            return (flightTime_s(to_m - from_m, 22, wind_mps) -
+                    flightTime_s(from_m - to_m, 22, wind_mps)) /
+                   2;
+        };
+        const auto place_m = [&] {
+            const double x_m = random.uniform(-5000, 5000);
+            return Point(x_m, random.uniform(-5000, 5000));
+        };
+        for (int k = 0; k < 200; ++k) {
+            const Point a_m = place_m();
+            const Point b_m = place_m();
+            const Point c_m = place_m();
+            COMPARE_NEAR(oneWay_s(a_m, b_m) + oneWay_s(b_m, c_m), oneWay_s(a_m, c_m), 1e-9);
+            QVERIFY(std::abs(oneWay_s(a_m, c_m)) > 0);
+        }
+    }
+
     /** A long leg in wind from all sides, until the iceberg comes into view. */
     void longLegsTakeTheTimePlanned_data()
     {

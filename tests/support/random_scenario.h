@@ -34,15 +34,24 @@ public:
             s.current_mps = point(5);
         if (often())
             s.area_m = star();
+        s.geofence = !s.area_m.empty() && often();
         const std::uint64_t uavs = 1 + m_random.below(3);
         for (std::uint64_t i = 0; i < uavs; ++i)
-            s.uavs.push_back(uav());
+            s.uavs.push_back(uav(s.geofence ? 100 : 1e6));
         const std::uint64_t icebergs = m_random.below(6);
         for (std::uint64_t i = 0; i < icebergs; ++i)
             s.icebergs.push_back(iceberg());
         if (often())
             s.asset = asset();
         s.planner = planner();
+        if (often())
+            s.observer = {.model = often() ? ObserverModel::Kalman : ObserverModel::Simple,
+                          .positionSd_m = number(0, 100),
+                          .interval_s = number(1, 60),
+                          .detection = number(0.01, 1),
+                          .search = static_cast<SearchPattern>(m_random.below(3))};
+        s.clusters = often();
+        s.observerExtraJson = extra();
         if (often())
             s.reachRadius_m = number(1, 500);
         s.fovShape = static_cast<FovShape>(m_random.below(3));
@@ -108,12 +117,15 @@ private:
         }
         return corners_m;
     }
-    Uav uav()
+    Uav uav(double farthest_m)
     {
         Uav uav;
         uav.id = id("uav ");
         uav.name = text();
-        uav.position_m = point(1e6);
+        uav.position_m = point(farthest_m);
+        if (often())
+            uav.home_m = point(farthest_m);
+        uav.turnaround_s = number(0, 1e6);
         uav.heading_deg = number(-720, 720);
         uav.spec = {.airspeed_mps = number(15, 40),
                     .maxBank_deg = number(1, 80),
@@ -130,6 +142,7 @@ private:
         iceberg.name = text();
         iceberg.position_m = point(1e6);
         iceberg.velocity_mps = point(5);
+        iceberg.velocitySd_mps = number(0, 5);
         iceberg.q_m2ps = number(0, 10);
         iceberg.sigma0_m2 = number(0, 1e6);
         iceberg.observed_s = number(0, 1e6);

@@ -1,0 +1,173 @@
+#include "core/sim/clusters.h"
+
+#include "core/base/angles.h"
+#include "core/base/enclosing_circle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace berg {
+
+namespace {
+
+/** Standard deviations that the view has to spare for a member. */
+constexpr double kDeviations = 2;
+/** A turn is flown this much wider than the tightest one, which the autopilot comes to by and by.
+ */
+constexpr double kTurnMargin = 1.2;
+
+/** Over ground; in wind the widest that becomes of it. */
+double widestTurn_m(const Motion& motion)
+{
+    return kTurnMargin * (motion.airspeed_mps + motion.wind_mps.norm()) / motion.limit_radps;
+}
+
+/** False inside the circles of tightest turn, where the UAV would have to fly away first. */
+bool canTurnOnto(const DubinsState& uav, const Motion& motion, const Point& place_m)
+{
+    const double radius_m = widestTurn_m(motion);
+    const Point left(-std::sin(uav.psi_rad), std::cos(uav.psi_rad));
+    return std::ranges::all_of(std::array{left, Point(-left)}, [&](const Point& side) {
+        return (place_m - uav.position_m - radius_m * side).norm() >= radius_m;
+    });
+}
+
+/** Whether the fence can be kept on any course over the place. */
+bool isFlownOver(const Geofence& fence, const Point& place_m)
+{
+    constexpr int kCourses = 16;
+    for (int i = 0; i < kCourses; ++i)
+        if (fence.room_m({.position_m = place_m, .psi_rad = 2 * kPi * i / kCourses}) < 0)
+            return false;
+    return true;
+}
+
+/** Single icebergs that become clusters. */
+class Grouping
+{
+public:
+    Grouping(std::span<const Track> tracks, const ClusterRules& rules)
+        : m_tracks(tracks), m_rules(rules)
+    {
+        for (int i = 0; i < static_cast<int>(tracks.size()); ++i) {
+            m_groups.push_back({i});
+            m_places_m.push_back(track(i).estimate_m(rules.time_s));
+        }
+        for (std::size_t a = 0; a < m_groups.size(); ++a)
+            for (std::size_t b = a + 1; b < m_groups.size(); ++b)
+                offer(a, b);
+    }
+
+    [[nodiscard]] std::vector<std::vector<int>> grown()
+    {
+        while (!m_unions.empty())
+            unite(std::ranges::min(m_unions));
+        std::erase_if(m_groups, [](const std::vector<int>& group) { return group.size() < 2; });
+        for (std::vector<int>& group : m_groups)
+            std::ranges::sort(group);
+        std::ranges::sort(m_groups);
+        return std::move(m_groups);
+    }
+
+private:
+    /** Two groups that are allowed to be one. */
+    struct Union
+    {
+        double radius_m = 0;
+        std::size_t a = 0; ///< the smaller index
+        std::size_t b = 0;
+        auto operator<=>(const Union&) const = default;
+    };
+
+    void offer(std::size_t a, std::size_t b)
+    {
+        if ((m_places_m[a] - m_places_m[b]).norm() > 2 * m_rules.cover_m)
+            return;
+        std::vector<int> members = m_groups[a];
+        members.insert(members.end(), m_groups[b].begin(), m_groups[b].end());
+        if (const std::optional<double> radius_m = radiusOf(members))
+            m_unions.push_back({.radius_m = *radius_m, .a = std::min(a, b), .b = std::max(a, b)});
+    }
+
+    void unite(const Union& chosen)
+    {
+        std::vector<int>& into = m_groups[chosen.a];
+        std::vector<int>& from = m_groups[chosen.b];
+        into.insert(into.end(), from.begin(), from.end());
+        from.clear();
+        std::erase_if(m_unions, [&](const Union& other) {
+            return other.a == chosen.a || other.a == chosen.b || other.b == chosen.a ||
+                   other.b == chosen.b;
+        });
+        for (std::size_t other = 0; other < m_groups.size(); ++other)
+            if (other != chosen.a && !m_groups[other].empty())
+                offer(other, chosen.a);
+    }
+
+    /** Of the circle round the members, the larger of now and later; none: they are no cluster. */
+    [[nodiscard]] std::optional<double> radiusOf(const std::vector<int>& members) const
+    {
+        const Circle now = circleAt(members, m_rules.time_s);
+        if (now.radius_m > m_rules.cover_m ||
+            !canTurnOnto(m_rules.uav, m_rules.motion, now.centre_m) ||
+            (m_rules.fence && !isFlownOver(*m_rules.fence, now.centre_m)))
+            return std::nullopt;
+        const Motion& motion = m_rules.motion;
+        const double wait_s =
+            longestTurn_s(motion) + flightTime_s(now.centre_m - m_rules.uav.position_m,
+                                                 motion.airspeed_mps, motion.wind_mps);
+        double sigma_m2 = 0;
+        for (const int i : members)
+            sigma_m2 = std::max(sigma_m2, track(i).sigmaAfter_m2(wait_s));
+        const double radius_m =
+            std::max(now.radius_m, circleAt(members, m_rules.time_s + wait_s).radius_m);
+        const double spare_m = kDeviations * std::sqrt(sigma_m2) + kFlownOver_m;
+        return radius_m + spare_m <= m_rules.cover_m ? std::optional(radius_m) : std::nullopt;
+    }
+
+    [[nodiscard]] Circle circleAt(const std::vector<int>& members, double time_s) const
+    {
+        std::vector<Point> places_m;
+        places_m.reserve(members.size());
+        for (const int i : members)
+            places_m.push_back(track(i).estimate_m(time_s));
+        return enclosingCircle(places_m);
+    }
+
+    [[nodiscard]] const Track& track(int i) const { return m_tracks[static_cast<std::size_t>(i)]; }
+
+    std::span<const Track> m_tracks;
+    const ClusterRules& m_rules;
+    std::vector<Point> m_places_m;          ///< by track, now
+    std::vector<std::vector<int>> m_groups; ///< each at the index of its first; empty: of another
+    std::vector<Union> m_unions;
+};
+
+} // namespace
+
+double surelySeen_m(const SensorSpec& sensor)
+{
+    return (sensor.shape == FovShape::Disk ? sensor.fov_m.x() : sensor.fov_m.minCoeff()) / 2;
+}
+
+double longestTurn_s(const Motion& motion)
+{
+    return kTurnMargin * 2 * kPi / motion.limit_radps;
+}
+
+std::vector<std::vector<int>> clustersOf(std::span<const Track> tracks, const ClusterRules& rules)
+{
+    return Grouping(tracks, rules).grown();
+}
+
+std::span<const int> clusterWith(std::span<const std::vector<int>> clusters, int iceberg)
+{
+    const auto found = std::ranges::find_if(clusters, [iceberg](const std::vector<int>& members) {
+        return std::ranges::find(members, iceberg) != members.end();
+    });
+    return found == clusters.end() ? std::span<const int>() : std::span<const int>(*found);
+}
+
+} // namespace berg

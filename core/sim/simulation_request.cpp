@@ -1,0 +1,127 @@
+// What planners are asked: the part of `Simulation` that makes problems of what is known.
+
+#include "core/plan/plans_clusters.h"
+#include "core/sim/clusters.h"
+#include "core/sim/simulation.h"
+#include "core/vehicle/geofence.h"
+
+#include <algorithm>
+
+namespace berg {
+
+PlanRequest requestFor(const Simulation& simulation, PolicyKind policy)
+{
+    return plansClusters(policy) ? simulation.clusteredRequest() : simulation.planRequest();
+}
+
+PlanRequest Simulation::planRequest() const
+{
+    PlanRequest request{.speed_mps = m_motion.airspeed_mps};
+    FlightPicture picture{.time_s = time_s(),
+                          .until_s = static_cast<double>(m_lastStep) * m_dt_s,
+                          .uav = m_state.uav,
+                          .motion = m_motion,
+                          .sensor = m_sensor,
+                          .seed = m_seed,
+                          .step = m_state.step};
+    if (m_sortie)
+        picture.until_s = std::min(picture.until_s, picture.time_s + enduranceLeft_s());
+    std::vector<Point> nodes_m{m_state.uav.position_m};
+    request.problem.sigma_m2.push_back(0);
+    for (int i = 0; i < icebergCount(); ++i) {
+        if (!active(i))
+            continue;
+        request.ids.push_back(i);
+        request.available.push_back(available(i));
+        const double weight = priority(i);
+        request.problem.sigma_m2.push_back(weight * track(i).sigma_m2);
+        nodes_m.push_back(estimate_m(i));
+        picture.tracks.push_back(track(i));
+        picture.weights.push_back(weight);
+    }
+    request.picture = std::make_shared<const FlightPicture>(std::move(picture));
+    request.problem.distance_m = legLengths_m(nodes_m);
+    return request;
+}
+
+/** Of the legs between places: over ground, or through the air in wind. */
+Eigen::MatrixXd Simulation::legLengths_m(std::span<const Point> places_m) const
+{
+    if (m_fence)
+        return m_fence->distances_m(places_m);
+    const auto n = static_cast<Eigen::Index>(places_m.size());
+    Eigen::MatrixXd lengths_m(n, n);
+    const bool calm = m_motion.wind_mps.isZero(0);
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Point leg_m =
+                places_m[static_cast<std::size_t>(j)] - places_m[static_cast<std::size_t>(i)];
+            // Air distance U t_ij: what a leg costs when the wind helps or hinders.
+            lengths_m(i, j) =
+                calm ? leg_m.norm()
+                     : m_motion.airspeed_mps *
+                           flightTime_s(leg_m, m_motion.airspeed_mps, m_motion.wind_mps);
+        }
+    return lengths_m;
+}
+
+PlanRequest Simulation::clusteredRequest() const
+{
+    PlanRequest single = planRequest();
+    if (!m_clusters)
+        return single;
+    std::vector<int> candidates;
+    std::vector<Track> tracks;
+    for (const int id : single.ids)
+        if (clusterable(id)) {
+            candidates.push_back(id);
+            tracks.push_back(track(id));
+        }
+    std::vector<std::vector<int>> clusters =
+        clustersOf(tracks, {.time_s = time_s(),
+                            .uav = m_state.uav,
+                            .motion = m_motion,
+                            .cover_m = std::min(surelySeen_m(m_sensor),
+                                                m_reachRadius_m.value_or(surelySeen_m(m_sensor))),
+                            .fence = m_fence});
+    for (std::vector<int>& members : clusters)
+        for (int& member : members)
+            member = candidates[index(member)];
+    // What cannot be flown to whole in this sortie is left to single visits.
+    std::erase_if(clusters, [this](const std::vector<int>& members) {
+        const std::optional<int> visits = thisSortie(members);
+        return visits && *visits < static_cast<int>(members.size());
+    });
+    return clusters.empty() ? single : withClusters(std::move(single), std::move(clusters));
+}
+
+/** The request with the nodes of each cluster made one, that of its first member. */
+PlanRequest Simulation::withClusters(PlanRequest single,
+                                     std::vector<std::vector<int>> clusters) const
+{
+    PlanRequest request = single;
+    request.ids.clear();
+    request.available.clear();
+    request.problem.sigma_m2 = {0};
+    std::vector<Point> nodes_m{m_state.uav.position_m};
+    for (std::size_t k = 0; k < single.ids.size(); ++k) {
+        const int id = single.ids[k];
+        const double sigma_m2 = single.problem.sigma_m2[k + 1];
+        const std::span<const int> members = clusterWith(clusters, id);
+        if (!members.empty() && members.front() != id) {
+            const auto leader = std::ranges::find(request.ids, members.front());
+            request.problem.sigma_m2[index(static_cast<int>(leader - request.ids.begin())) + 1] +=
+                sigma_m2;
+            continue;
+        }
+        request.ids.push_back(id);
+        request.available.push_back(single.available[k]);
+        request.problem.sigma_m2.push_back(sigma_m2);
+        nodes_m.push_back(members.empty() ? estimate_m(id) : middleOf_m(members));
+    }
+    request.problem.distance_m = legLengths_m(nodes_m);
+    request.clusters = std::move(clusters);
+    return request;
+}
+
+} // namespace berg

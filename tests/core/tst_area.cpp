@@ -1,0 +1,155 @@
+#include "core/bound/stays_inside.h"
+#include "core/bound/zeta_bound.h"
+#include "core/io/run_json.h"
+#include "core/scenario/presets.h"
+#include "core/sim/mission.h"
+#include "tests/support/approx.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+/** A square of 4 km; one iceberg in its middle, one that drifts out to the north after 1000 s. */
+Scenario squareSea()
+{
+    Scenario scenario = emptySea(2000);
+    scenario.area_m = {{-2000, -2000}, {2000, -2000}, {2000, 2000}, {-2000, 2000}};
+    addIceberg(scenario, 0, -1000);
+    Iceberg& leaver = addIceberg(scenario, 0, 1450);
+    leaver.velocity_mps = {0, 0.6};
+    return scenario;
+}
+
+const MissionEvent* find(const Mission& mission, EventKind kind)
+{
+    const auto found = std::find_if(mission.events().begin(), mission.events().end(),
+                                    [kind](const MissionEvent& e) { return e.kind == kind; });
+    return found == mission.events().end() ? nullptr : &*found;
+}
+
+} // namespace
+
+/** The set of icebergs: those that leave the area and come into it. */
+class TestArea : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void distances()
+    {
+        const std::vector<Point> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+        COMPARE_NEAR(distanceToEdges(square, Point(5, 4)), 4, 1e-12);
+        COMPARE_NEAR(distanceToEdges(square, Point(13, 14)), 5, 1e-12);
+        COMPARE_NEAR(distanceToEdges(square, Point(2, 5), Point(7, 5)), 2, 1e-12);
+        QCOMPARE(distanceToEdges(square, Point(2, 5), Point(17, 5)), 0.0);
+        COMPARE_NEAR(distanceToSegment({0, 0}, {0, 0}, {3, 4}), 5, 1e-12);
+    }
+
+    void leaversAreDropped()
+    {
+        Scenario scenario = squareSea();
+        Mission mission(scenario);
+        mission.advance(2000);
+        const MissionEvent* left = find(mission, EventKind::Left);
+        QVERIFY(left != nullptr);
+        QCOMPARE(left->iceberg, 1);
+        // 600 m beyond the edge less 50 m of its own radius: at (550 + 50) / 0.6 s.
+        COMPARE_NEAR(left->time_s, 600 / 0.6, 1.01);
+        const Simulation& end = mission.simulation();
+        QVERIFY(!end.active(1));
+        QVERIFY(!end.available(1));
+        COMPARE_NEAR(end.state().sigmaSum_m2, end.track(0).sigma_m2, 1e-12);
+        bool replanned = false;
+        for (const PlanEvent& plan : mission.plans()) {
+            replanned = replanned || plan.reason == PlanReason::Left;
+            if (plan.time_s >= left->time_s)
+                QVERIFY(std::find(plan.order.begin(), plan.order.end(), 1) == plan.order.end());
+        }
+        QVERIFY(replanned);
+    }
+
+    void comesBack()
+    {
+        Scenario scenario = squareSea();
+        scenario.icebergs[1].position_m = {0, 2300};
+        scenario.icebergs[1].velocity_mps = {0, -0.6};
+        Mission mission(scenario);
+        QVERIFY(!mission.simulation().active(1));
+        mission.advance(2000);
+        QVERIFY(mission.simulation().active(1));
+        const MissionEvent* back = find(mission, EventKind::Appeared);
+        QVERIFY(back != nullptr);
+        COMPARE_NEAR(back->time_s, 500, 1.01);
+        QVERIFY(find(mission, EventKind::Left) == nullptr); // it was never there
+    }
+
+    void theUncertaintyOfOneOutsideGrowsOn()
+    {
+        Scenario scenario = squareSea();
+        scenario.icebergs[1].position_m = {9000, 9000};
+        scenario.icebergs[1].velocity_mps = {0, 0};
+        Mission mission(scenario);
+        mission.advance(100);
+        COMPARE_NEAR(mission.simulation().track(1).sigma_m2, 5 + 0.025 * 100, 1e-9);
+    }
+
+    void withoutAreaNothingLeaves()
+    {
+        Scenario scenario = squareSea();
+        scenario.area_m.clear();
+        Mission mission(scenario);
+        mission.advance(2000);
+        QVERIFY(mission.simulation().active(1));
+        QVERIFY(find(mission, EventKind::Left) == nullptr);
+    }
+
+    void replays()
+    {
+        Mission mission(squareSea());
+        mission.advance(2000);
+        const RunFile run = runFromJson(runToJson(runOf(mission)), "run");
+        QVERIFY(compareRun(run, runOf(replay(run))).empty());
+    }
+
+    /** The bound reckons only with icebergs that surely stay. */
+    void bound()
+    {
+        const Scenario scenario = squareSea();
+        QVERIFY(staysInside(scenario, scenario.icebergs[0]));
+        QVERIFY(!staysInside(scenario, scenario.icebergs[1]));
+        Scenario one = scenario;
+        one.icebergs.pop_back();
+        QCOMPARE(zetaLowerBound(scenario, {.workLimit = 1'000'000}).zeta_m2s,
+                 zetaLowerBound(one, {.workLimit = 1'000'000}).zeta_m2s);
+        for (std::int64_t seed = 1; seed <= 10; ++seed) {
+            Scenario random = randomScenario(seed);
+            for (Iceberg& iceberg : random.icebergs)
+                iceberg.velocity_mps *= 5; // up to 2 km in the run
+            random.area_m = {{0, 0}, {5000, 0}, {5000, 4000}, {0, 4000}};
+            Mission mission(random);
+            mission.advance(random.duration_s);
+            QVERIFY(zetaLowerBound(random, {.workLimit = 20'000'000}).zeta_m2s <=
+                    mission.metrics().zeta_m2s);
+        }
+    }
+
+    /** Noise can carry an iceberg over the edge: near it none surely stays. */
+    void noiseNearTheEdge()
+    {
+        Scenario scenario = squareSea();
+        scenario.noise = true;
+        scenario.icebergs[0].position_m = {1999.5, 0};
+        QVERIFY(!staysInside(scenario, scenario.icebergs[0]));
+        scenario.icebergs[0].position_m = {1900, 0};
+        QVERIFY(staysInside(scenario, scenario.icebergs[0]));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestArea)
+#include "tst_area.moc"

@@ -1,0 +1,254 @@
+// Flying to clusters: the closed loop.
+
+#include "core/sim/clusters.h"
+#include "core/sim/mission_instant.h"
+#include "tests/support/approx.h"
+#include "tests/support/cluster_scenes.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+/** Known motion: without noise. */
+Scenario calmCrowd(std::int64_t seed, FovShape shape)
+{
+    Scenario scenario = crowd(seed);
+    scenario.noise = false;
+    scenario.fovShape = shape;
+    return scenario;
+}
+
+void addShapes()
+{
+    QTest::addColumn<FovShape>("shape");
+    QTest::addColumn<double>("wind_mps");
+    QTest::newRow("body") << FovShape::Body << 0.0;
+    QTest::newRow("north") << FovShape::North << 0.0;
+    QTest::newRow("disk") << FovShape::Disk << 0.0;
+    QTest::newRow("body in wind") << FovShape::Body << 10.0;
+}
+
+/** The true place of the iceberg is this one, whatever the estimate says. */
+void putElsewhere(Iceberg& iceberg, const Point& place_m)
+{
+    iceberg.track = {.time_s = {0, 1e5}, .position_m = {place_m, place_m}};
+}
+
+} // namespace
+
+class TestClusterFlights : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void inAReachRadiusAllMustBe()
+    {
+        Scenario scenario = pairAhead();
+        scenario.reachRadius_m = 190;
+        QVERIFY(Simulation(scenario).clusteredRequest().clusters.empty());
+        scenario.reachRadius_m = 250;
+        Mission mission(scenario);
+        mission.advance(200);
+        const std::vector<MissionEvent>& events = mission.events();
+        const auto reached = std::ranges::find(events, EventKind::Reached, &MissionEvent::kind);
+        QVERIFY(reached != events.end());
+        QCOMPARE(reached->iceberg, 0);
+        QCOMPARE(reached->detail, std::string("with berg-3"));
+        const Simulation then = instantAt(mission, reached->time_s).simulation;
+        for (const int member : {0, 2})
+            QVERIFY((then.truth_m(member) - then.state().uav.position_m).norm() <= 250);
+    }
+
+    void reachedWhenAllAreInView_data() { addShapes(); }
+
+    /** From any place and heading, each cluster there is: known motion, so it never fails. */
+    void reachedWhenAllAreInView()
+    {
+        QFETCH(FovShape, shape);
+        QFETCH(double, wind_mps);
+        Random random(31);
+        int flown = 0;
+        for (int seed = 1; seed <= 100; ++seed) {
+            Scenario scenario = calmCrowd(seed, shape);
+            scenario.uavs[0].position_m = {random.uniform(0, 2500), random.uniform(0, 2000)};
+            scenario.uavs[0].heading_deg = random.uniform(0, 360);
+            scenario.wind_mps = {wind_mps, 0};
+            const Groups clusters = Simulation(scenario).clusteredRequest().clusters;
+            for (const std::vector<int>& members : clusters) {
+                Simulation simulation(scenario);
+                simulation.setTarget(members.front(), {}, members);
+                while (simulation.planReason() == PlanReason::None)
+                    simulation.advanceStep();
+                QVERIFY2(simulation.planReason() == PlanReason::TargetReached,
+                         qPrintable(QString("seed %1").arg(seed)));
+                for (const int member : members)
+                    QVERIFY(simulation.track(member).inView);
+                ++flown;
+            }
+        }
+        QVERIFY2(flown > 150, QByteArray::number(flown));
+    }
+
+    void wholeMissions_data() { addShapes(); }
+
+    /** Planned again and again: orders are whole, what is reached is in view, nothing is missed. */
+    void wholeMissions()
+    {
+        QFETCH(FovShape, shape);
+        QFETCH(double, wind_mps);
+        int reached = 0;
+        for (int seed = 1; seed <= 10; ++seed) {
+            Scenario scenario = calmCrowd(seed, shape);
+            scenario.wind_mps = {0, wind_mps};
+            scenario.planner.policy = seed % 2 == 0 ? PolicyKind::Visitation : PolicyKind::Latency;
+            Mission mission(scenario);
+            mission.advance(scenario.duration_s);
+            const std::vector<PlanEvent>& plans = mission.plans();
+            for (std::size_t k = 0; k < plans.size(); ++k) {
+                QVERIFY(plans[k].reason != PlanReason::Overdue);
+                for (const std::vector<int>& members : plans[k].clusters) {
+                    const auto first = std::ranges::find(plans[k].order, members.front());
+                    QVERIFY(std::ranges::equal(
+                        members, std::span(first, plans[k].order.end()).first(members.size())));
+                }
+                const auto members = clusterWith(plans[k].clusters, plans[k].target);
+                if (members.empty() || k + 1 == plans.size() ||
+                    plans[k + 1].reason != PlanReason::TargetReached)
+                    continue;
+                const Simulation then = instantAt(mission, plans[k + 1].time_s).simulation;
+                for (const int member : members)
+                    QVERIFY(then.track(member).inView);
+                ++reached;
+            }
+        }
+        QVERIFY2(reached > 30, QByteArray::number(reached));
+    }
+
+    /** One of the two is not where it is believed to be: the other is seen, and it stays single. */
+    void membersThatAreNotThereAreFlownToAlone()
+    {
+        Scenario scenario = pairAhead();
+        putElsewhere(scenario.icebergs[2], {2000, -700});
+        Simulation simulation(scenario);
+        simulation.setTarget(0, {}, std::vector{0, 2});
+        while (simulation.planReason() == PlanReason::None)
+            simulation.advanceStep();
+        QCOMPARE(simulation.planReason(), PlanReason::Overdue);
+        COMPARE_NEAR(simulation.state().uav.position_m.x(), 2000, kFlownOver_m);
+        QVERIFY(simulation.track(0).inView);
+        QCOMPARE(simulation.state().apart, std::vector<int>{2});
+        QVERIFY(simulation.available(2) && !simulation.clusterable(2));
+
+        simulation.setTarget(1);
+        while (simulation.planReason() == PlanReason::None)
+            simulation.advanceStep();
+        QVERIFY(simulation.available(0) && simulation.available(2));
+        QVERIFY(simulation.clusteredRequest().clusters.empty());
+        simulation.reportSighting(2);
+        simulation.setTarget(2);
+        while (simulation.planReason() == PlanReason::None)
+            simulation.advanceStep();
+        QVERIFY(simulation.track(2).inView);
+        QVERIFY(simulation.state().apart.empty());
+    }
+
+    /** Round the inner corner of a fence, where the way is longer than it is straight. */
+    void roundAFence()
+    {
+        Scenario scenario = emptySea();
+        scenario.clusters = true;
+        scenario.geofence = true;
+        scenario.planner.policy = PolicyKind::Nearest;
+        scenario.area_m = {Point(-500, -500), Point(4000, -500), Point(4000, 4000),
+                           Point(3000, 4000), Point(3000, 500),  Point(500, 500),
+                           Point(500, 4000),  Point(-500, 4000)};
+        scenario.uavs[0].position_m = {0, 3000};
+        addIceberg(scenario, 3500, 2800);
+        addIceberg(scenario, 3500, 3200);
+        Simulation simulation(scenario);
+        QCOMPARE(simulation.clusteredRequest().clusters, (Groups{{0, 1}}));
+        QVERIFY(simulation.clusteredRequest().problem.distance_m(0, 1) > 7500);
+        simulation.setTarget(0, {}, std::vector{0, 1});
+        while (simulation.planReason() == PlanReason::None) {
+            simulation.advanceStep();
+            QVERIFY(insidePolygon(scenario.area_m, simulation.state().uav.position_m));
+        }
+        QCOMPARE(simulation.planReason(), PlanReason::TargetReached);
+    }
+
+    /** An autopilot that steers once a minute does not get there: the cluster ends all the same. */
+    void overdueWithoutBeingFlownOver()
+    {
+        Scenario scenario = pairAhead();
+        scenario.uavs[0].spec.autopilot_s = 60;
+        scenario.uavs[0].heading_deg = 180;
+        putElsewhere(scenario.icebergs[2], {2000, -7000});
+        Simulation simulation(scenario);
+        simulation.setTarget(0, {}, std::vector{0, 2});
+        while (simulation.planReason() == PlanReason::None && !simulation.finished())
+            simulation.advanceStep();
+        QCOMPARE(simulation.planReason(), PlanReason::Overdue);
+        QVERIFY(simulation.time_s() < 200);
+    }
+
+    void anyInstantIsTheOneFlown()
+    {
+        Scenario scenario = crowd(3);
+        scenario.noise = true;
+        scenario.duration_s = 400;
+        scenario.planningTime_s = 2.5;
+        putElsewhere(scenario.icebergs[5], {-3000, 0});
+        Mission whole(scenario);
+        whole.advance(400);
+        for (const double time_s : {0.0, 37.7, 60.0, 151.3, 222.2, 333.3, 399.9}) {
+            Mission part(scenario);
+            part.advance(time_s);
+            QVERIFY(instantAt(whole, time_s).simulation.state() == part.simulation().state());
+        }
+        QVERIFY(std::ranges::any_of(whole.plans(), [](const PlanEvent& plan) {
+            return plan.interim && !plan.clusters.empty();
+        }));
+    }
+
+    /** What has come into view while the plan was made is no member any more. */
+    void plansThatComeLateHoldWhatIsLeft()
+    {
+        for (int seed = 1; seed <= 10; ++seed) {
+            Scenario scenario = crowd(seed);
+            scenario.planningTime_s = 8;
+            Mission mission(scenario);
+            mission.advance(500);
+            for (const PlanEvent& plan : mission.plans()) {
+                const Simulation then = instantAt(mission, plan.time_s).simulation;
+                for (const std::vector<int>& members : plan.clusters) {
+                    QVERIFY(members.size() >= 2);
+                    for (const int member : members)
+                        QVERIFY(then.available(member));
+                }
+            }
+        }
+    }
+
+    void progressNamesAllMembers()
+    {
+        Scenario scenario = crowd(1);
+        scenario.planner.policy = PolicyKind::Visitation;
+        Mission mission(scenario);
+        int told = 0;
+        mission.setIncumbentListener([&](const PlanEvent& plan) {
+            QCOMPARE(plan.order.size(), std::size_t{14});
+            QVERIFY(!plan.clusters.empty());
+            ++told;
+        });
+        mission.advance(0);
+        QVERIFY(told > 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestClusterFlights)
+#include "tst_cluster_flights.moc"

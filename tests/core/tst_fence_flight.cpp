@@ -1,0 +1,185 @@
+#include "core/io/run_json.h"
+#include "core/sim/mission_instant.h"
+#include "tests/support/fenced_scenario.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+Mission flown(const Scenario& scenario)
+{
+    Mission mission(scenario, {.workLimit = 20'000, .sampleInterval_s = 0.1});
+    mission.advance(scenario.duration_s);
+    return mission;
+}
+
+std::ptrdiff_t samplesOutside(const Mission& mission)
+{
+    const std::vector<Point>& area_m = mission.scenario().area_m;
+    const std::vector<Sample>& samples = mission.recorder().samples();
+    return std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
+        return !insidePolygon(area_m, sample.uav.position_m);
+    });
+}
+
+} // namespace
+
+/** The area as a geofence. */
+class TestFenceFlight : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void nothingIsFlownOutside_data()
+    {
+        QTest::addColumn<double>("wind_mps");
+        QTest::addColumn<int>("policy");
+        QTest::addColumn<int>("scenarios");
+        const int visitation = static_cast<int>(PolicyKind::Visitation);
+        QTest::newRow("calm") << 0.0 << visitation << 200;
+        QTest::newRow("5 m/s") << 5.0 << visitation << 200;
+        QTest::newRow("15 m/s") << 15.0 << visitation << 20;
+        QTest::newRow("coverage") << 5.0 << static_cast<int>(PolicyKind::Coverage) << 10;
+        QTest::newRow("tour") << 5.0 << static_cast<int>(PolicyKind::Tour) << 20;
+    }
+    void nothingIsFlownOutside()
+    {
+        QFETCH(double, wind_mps);
+        QFETCH(int, policy);
+        QFETCH(int, scenarios);
+        int visits = 0;
+        for (int seed = 1; seed <= scenarios; ++seed) {
+            Scenario s = fencedScenario(seed, {0.8 * wind_mps, -0.6 * wind_mps});
+            s.planner.policy = static_cast<PolicyKind>(policy);
+            const Mission mission = flown(s);
+            QVERIFY2(samplesOutside(mission) == 0, qPrintable(QString("seed %1").arg(seed)));
+            visits += mission.metrics().visits;
+        }
+        QVERIFY(visits > 12 * scenarios); // and all the same it visits
+    }
+
+    void withoutTheFenceItFliesOutside()
+    {
+        std::ptrdiff_t outside = 0;
+        for (int seed = 1; seed <= 10; ++seed) {
+            Scenario s = fencedScenario(seed);
+            s.geofence = false;
+            outside += samplesOutside(flown(s));
+        }
+        QVERIFY(outside > 1000);
+    }
+
+    void slowAutopilotStaysInside()
+    {
+        for (int seed = 1; seed <= 20; ++seed) {
+            Scenario s = fencedScenario(seed);
+            s.uavs[0].spec.autopilot_s = 1;
+            QCOMPARE(samplesOutside(flown(s)), std::ptrdiff_t{0});
+        }
+    }
+
+    void fenceHoldsInTheNewWind()
+    {
+        for (int seed = 1; seed <= 20; ++seed) {
+            Mission mission(fencedScenario(seed), {.sampleInterval_s = 0.1});
+            mission.advance(200);
+            // The circle over ground grows with the wind: a little, and from well inside.
+            if (distanceToEdges(mission.scenario().area_m,
+                                mission.simulation().state().uav.position_m) < 600)
+                continue;
+            mission.intervene({.wind_mps = Point(-6, 3)});
+            mission.advance(1000);
+            QCOMPARE(samplesOutside(mission), std::ptrdiff_t{0});
+        }
+    }
+
+    /** The plan reckons with the way round, so it goes on with what is on this side. */
+    void legsAreAsLongAsTheWayRound()
+    {
+        Scenario s = fencedScenario(1);
+        s.area_m = {{0, 0}, {4000, 0}, {4000, 900}, {900, 900}, {900, 4000}, {0, 4000}};
+        s.uavs[0].position_m = {3500, 450};
+        s.icebergs.resize(2);
+        s.icebergs[0].position_m = {450, 3500}; // 4300 m away, and about 5700 m to fly
+        s.icebergs[1].position_m = {1000, 450};
+        const PlanRequest request = Simulation(s).planRequest();
+        const double straight_m = (s.uavs[0].position_m - s.icebergs[0].position_m).norm();
+        QVERIFY(request.problem.distance_m(0, 1) > 1.2 * straight_m);
+        QVERIFY(std::abs(request.problem.distance_m(0, 2) - 2500) < 1e-9);
+    }
+
+    /** With a reach radius below the turn radius some icebergs cannot be met: none of them holds
+     * the UAV up. */
+    void nothingIsTriedForEver()
+    {
+        for (int seed = 1; seed <= 20; ++seed) {
+            Scenario s = fencedScenario(seed, {4, -3});
+            s.duration_s = 2000;
+            s.reachRadius_m = 40;
+            const Mission mission = flown(s);
+            QCOMPARE(samplesOutside(mission), std::ptrdiff_t{0});
+            double last_s = 0;
+            for (const MissionEvent& event : mission.events())
+                if (event.kind == EventKind::Reached) {
+                    QVERIFY2(event.time_s - last_s < 600, qPrintable(QString("%1").arg(seed)));
+                    last_s = event.time_s;
+                }
+            QVERIFY(s.duration_s - last_s < 600);
+        }
+    }
+
+    /** Corners of a search pattern that lie outside are left out. */
+    void searchesEndInsideTheFence()
+    {
+        std::ptrdiff_t ended = 0;
+        for (int seed = 1; seed <= 20; ++seed) {
+            Scenario s = fencedScenario(seed);
+            s.duration_s = 2000;
+            s.observer.model = ObserverModel::Kalman;
+            for (Iceberg& iceberg : s.icebergs)
+                iceberg.velocitySd_mps = 1;
+            Mission mission(s, {.workLimit = 20'000, .sampleInterval_s = 0.1});
+            int searching_s = 0;
+            for (double t_s = 1; t_s <= s.duration_s; ++t_s) {
+                mission.advance(t_s);
+                const bool searches = mission.simulation().state().mode == FlightMode::Search;
+                searching_s = searches ? searching_s + 1 : 0;
+                QVERIFY2(searching_s < 800, qPrintable(QString("%1").arg(seed)));
+            }
+            QCOMPARE(samplesOutside(mission), std::ptrdiff_t{0});
+            const auto isEnd = [](const MissionEvent& e) {
+                return e.kind == EventKind::GivenUp || e.kind == EventKind::Found;
+            };
+            ended += std::count_if(mission.events().begin(), mission.events().end(), isEnd);
+        }
+        QVERIFY(ended > 40);
+    }
+
+    void runsReplayAndLookBack()
+    {
+        const Scenario s = fencedScenario(7, {4, 3});
+        const auto fly = [&](double until_s) {
+            Mission mission(s, {.keyframeInterval_s = 50});
+            mission.advance(until_s);
+            return mission;
+        };
+        const Mission mission = fly(900);
+        const std::vector<Simulation>& keyframes = mission.recorder().keyframes();
+        QVERIFY(std::any_of(keyframes.begin(), keyframes.end(),
+                            [](const Simulation& k) { return k.state().via_m.has_value(); }));
+        const RunFile read = runFromJson(runToJson(runOf(mission)), "run");
+        QVERIFY(read == runOf(mission));
+        QVERIFY(compareRun(read, runOf(replay(read))).empty());
+        for (const double time_s : {99.0, 333.0, 640.0})
+            QVERIFY(instantAt(mission, time_s).simulation.state() ==
+                    fly(time_s).simulation().state());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFenceFlight)
+#include "tst_fence_flight.moc"

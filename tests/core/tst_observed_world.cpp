@@ -1,0 +1,270 @@
+#include "core/bound/zeta_bound.h"
+#include "core/io/run_json.h"
+#include "core/scenario/presets.h"
+#include "core/sim/mission_instant.h"
+#include "tests/support/approx.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+int count(const Mission& mission, EventKind kind)
+{
+    return static_cast<int>(
+        std::count_if(mission.events().begin(), mission.events().end(),
+                      [kind](const MissionEvent& event) { return event.kind == kind; }));
+}
+
+Scenario measuredField(std::int64_t seed, double velocitySd_mps)
+{
+    Scenario scenario = randomScenario(seed);
+    scenario.observer.model = ObserverModel::Kalman;
+    for (Iceberg& iceberg : scenario.icebergs)
+        iceberg.velocitySd_mps = velocitySd_mps;
+    return scenario;
+}
+
+/** One iceberg ahead that has a beacon: it is truly so far north of where it is believed to be. */
+Scenario ghost(double off_m)
+{
+    Scenario scenario = emptySea(2000);
+    scenario.observer.model = ObserverModel::Kalman;
+    addIceberg(scenario, 3000, 0).track = {.time_s = {0, 10000},
+                                           .position_m = {{3000, off_m}, {3000, off_m}}};
+    addIceberg(scenario, 9000, 0);
+    return scenario;
+}
+
+Mission flown(const Scenario& scenario)
+{
+    Mission mission(scenario);
+    mission.advance(scenario.duration_s);
+    return mission;
+}
+
+} // namespace
+
+/** Measurements, lost and found, in closed loop. */
+class TestObservedWorld : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** Known velocity and start, perfect measurements at each step: the paper's model. */
+    void agreesWithTheSimpleModel_data()
+    {
+        QTest::addColumn<PolicyKind>("policy");
+        QTest::newRow("visitation") << PolicyKind::Visitation;
+        QTest::newRow("latency") << PolicyKind::Latency;
+    }
+    void agreesWithTheSimpleModel()
+    {
+        QFETCH(PolicyKind, policy);
+        for (const std::int64_t seed : {1, 2, 3, 4}) {
+            Scenario simple = randomScenario(seed);
+            simple.planner.policy = policy;
+            for (Iceberg& iceberg : simple.icebergs)
+                iceberg.sigma0_m2 = 0; // the filter's truth starts with an error of that variance
+            Scenario measured = simple;
+            measured.observer = {
+                .model = ObserverModel::Kalman, .positionSd_m = 0, .interval_s = simple.dt_s};
+            const Mission a = flown(simple);
+            const Mission b = flown(measured);
+            QCOMPARE(b.metrics().visits, a.metrics().visits);
+            COMPARE_NEAR(b.metrics().zeta_m2s / a.metrics().zeta_m2s, 1, 1e-9);
+            QCOMPARE(count(b, EventKind::Lost), 0);
+        }
+    }
+
+    /** In flight the filters are consistent: the mean error squared is what sigma says. */
+    void sigmaIsTheErrorSquared()
+    {
+        double error = 0;
+        int samples = 0;
+        for (std::int64_t seed = 1; seed <= 40; ++seed) {
+            Scenario scenario = measuredField(seed, 0.1);
+            scenario.observer.search = SearchPattern::None;
+            Mission mission(scenario);
+            for (const double time_s : {150.0, 400.0, 650.0, 900.0}) {
+                mission.advance(time_s);
+                const Simulation& now = mission.simulation();
+                for (int i = 0; i < now.icebergCount(); ++i) {
+                    if (now.track(i).status != TrackStatus::Tracked)
+                        continue;
+                    error += (now.truth_m(i) - now.estimate_m(i)).squaredNorm() /
+                             (2 * now.track(i).sigma_m2);
+                    ++samples;
+                }
+            }
+        }
+        // About 1900 samples of chi-square with 2 degrees of freedom over 2, those of one iceberg
+        // dependent: 40 x 12 independent ones give sd 1 / sqrt(480) = 0.046; three of them.
+        QVERIFY2(std::abs(error / samples - 1) < 0.14,
+                 qPrintable(QString::number(error / samples)));
+    }
+
+    void measurementsComeAtTheirInterval()
+    {
+        Scenario scenario = emptySea(60);
+        scenario.observer = {.model = ObserverModel::Kalman, .interval_s = 5};
+        addIceberg(scenario, 100, 0, 50).q_m2ps = 1;
+        Simulation simulation(scenario);
+        QVERIFY(simulation.track(0).inView);
+        simulation.setTarget(-1);
+        double last_m2 = simulation.track(0).sigma_m2;
+        for (int step = 1; step <= 120; ++step) {
+            simulation.advanceStep();
+            const double now_m2 = simulation.track(0).sigma_m2;
+            QCOMPARE(now_m2 < last_m2, step % 50 == 0);
+            last_m2 = now_m2;
+        }
+    }
+
+    void lostSearchedForAndFound()
+    {
+        const Scenario scenario = ghost(600); // beyond the view of 300 m, within the pattern
+        const Mission mission = flown(scenario);
+        QCOMPARE(count(mission, EventKind::Lost), 1);
+        QCOMPARE(count(mission, EventKind::Found), 1);
+        QCOMPARE(count(mission, EventKind::GivenUp), 0);
+        const Simulation& end = mission.simulation();
+        QCOMPARE(end.track(0).status, TrackStatus::Tracked);
+        QVERIFY((end.estimate_m(0) - end.truth_m(0)).norm() < 100);
+        const auto lost = std::find_if(mission.events().begin(), mission.events().end(),
+                                       [](const auto& e) { return e.kind == EventKind::Lost; });
+        // Not before the estimate was in the middle of the view, 150 m.
+        QVERIFY(lost->time_s >= 2850 / 22.0 - 1 && lost->time_s < 3000 / 22.0 + 2);
+        for (const PlanReason reason : {PlanReason::Lost, PlanReason::Found})
+            QVERIFY(std::any_of(mission.plans().begin(), mission.plans().end(),
+                                [reason](const PlanEvent& p) { return p.reason == reason; }));
+    }
+
+    void sectorSearchFindsToo()
+    {
+        Scenario scenario = ghost(450);
+        scenario.observer.search = SearchPattern::Sector;
+        QCOMPARE(count(flown(scenario), EventKind::Found), 1);
+    }
+
+    /** The others are flown to; the one given up is no longer planned, but counts in zeta. */
+    void givenUpWhenItIsNowhere()
+    {
+        const Mission mission = flown(ghost(20000));
+        QCOMPARE(count(mission, EventKind::Lost), 1);
+        QCOMPARE(count(mission, EventKind::GivenUp), 1);
+        QCOMPARE(count(mission, EventKind::Found), 0);
+        const Simulation& end = mission.simulation();
+        QCOMPARE(end.track(0).status, TrackStatus::GivenUp);
+        QVERIFY(end.active(0));
+        QVERIFY(!end.available(0));
+        QVERIFY(end.track(0).sigma_m2 > 300 * 300 / 2); // it is outside what was seen
+        QVERIFY(mission.metrics().visits >= 1);         // the other one
+        for (const PlanEvent& plan : mission.plans())
+            if (plan.time_s > 300)
+                QVERIFY(std::find(plan.order.begin(), plan.order.end(), 0) == plan.order.end());
+    }
+
+    void withoutSearchItIsGivenUpAtOnce()
+    {
+        Scenario scenario = ghost(600);
+        scenario.observer.search = SearchPattern::None;
+        const Mission mission = flown(scenario);
+        QCOMPARE(count(mission, EventKind::GivenUp), 1);
+        QCOMPARE(count(mission, EventKind::Found), 0);
+    }
+
+    /** A search ends as soon as another iceberg promises more. */
+    void abandonedForMore()
+    {
+        Scenario scenario = ghost(20000);
+        const auto gaveUp_s = [](const Mission& mission) {
+            for (const MissionEvent& event : mission.events())
+                if (event.kind == EventKind::GivenUp)
+                    return event.time_s;
+            return -1.0;
+        };
+        const double patient_s = gaveUp_s(flown(scenario));
+        scenario.icebergs[1].position_m = {4500, 0};
+        scenario.icebergs[1].sigma0_m2 = 1e7;
+        const double impatient_s = gaveUp_s(flown(scenario));
+        QVERIFY(impatient_s > 0);
+        QVERIFY2(impatient_s + 60 < patient_s, qPrintable(QString::number(patient_s)));
+    }
+
+    /** A single look in vain is not the end where looks often show nothing. */
+    void missedDetectionsAreNotLosses()
+    {
+        Scenario scenario = emptySea(120);
+        scenario.noise = true;
+        scenario.observer = {.model = ObserverModel::Kalman, .detection = 0.5};
+        addIceberg(scenario, 100, 0);
+        const Mission mission = flown(scenario);
+        QCOMPARE(count(mission, EventKind::Lost), 0);
+        QVERIFY(mission.simulation().track(0).sigma_m2 < 5); // measured every other second
+    }
+
+    /** With unknown velocities the search finds more of the lost ones than nothing does. */
+    void searchingPays()
+    {
+        const auto recovered = [](SearchPattern search) {
+            double lost = 0;
+            double found = 0;
+            for (std::int64_t seed = 1; seed <= 16; ++seed) {
+                Scenario scenario = measuredField(seed, 0.6);
+                scenario.duration_s = 2000;
+                scenario.observer.search = search;
+                const Mission mission = flown(scenario);
+                lost += count(mission, EventKind::Lost);
+                found += count(mission, EventKind::Found);
+            }
+            return found / lost;
+        };
+        QVERIFY(recovered(SearchPattern::Square) > recovered(SearchPattern::None) + 0.2);
+    }
+
+    void replaysBitForBit()
+    {
+        Scenario scenario = measuredField(7, 0.6);
+        scenario.duration_s = 2000;
+        scenario.observer.detection = 0.8;
+        const Mission mission = flown(scenario);
+        QVERIFY(count(mission, EventKind::Lost) > 0);
+        const RunFile run = runOf(mission);
+        const RunFile read = runFromJson(runToJson(run), "run");
+        QCOMPARE(read, run);
+        const Mission again = replay(read);
+        QVERIFY(compareRun(read, runOf(again)).empty());
+        for (const double time_s : {333.3, 1200.0, 1999.9}) {
+            Mission half(scenario);
+            half.advance(time_s);
+            QCOMPARE(instantAt(mission, time_s).simulation.state(), half.simulation().state());
+        }
+    }
+
+    void everyPolicyFliesIt()
+    {
+        for (const PolicyKind policy :
+             {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour, PolicyKind::Nearest,
+              PolicyKind::Uncertainty, PolicyKind::Latency, PolicyKind::Coverage}) {
+            Scenario scenario = measuredField(3, 0.1);
+            scenario.planner.policy = policy;
+            scenario.observer.detection = 0.9;
+            const Mission mission = flown(scenario);
+            scenario.observer = {};
+            QVERIFY2(2 * mission.metrics().visits >= flown(scenario).metrics().visits,
+                     qPrintable(QString::number(int(policy))));
+            QVERIFY(zetaLowerBound(scenario, {.workLimit = 10'000'000}).zeta_m2s <=
+                    mission.metrics().zeta_m2s);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestObservedWorld)
+#include "tst_observed_world.moc"

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/scenario/presets.h"
+#include "tests/support/scenario_builder.h"
+
+#include <vector>
+
+namespace berg::test {
+
+using Groups = std::vector<std::vector<int>>;
+
+/** Two standing icebergs, 0 and 2, 400 m apart across the way, 2 km ahead, and one far beyond. */
+inline Scenario pairAhead()
+{
+    Scenario scenario = emptySea();
+    scenario.clusters = true;
+    scenario.planner.policy = PolicyKind::Nearest;
+    addIceberg(scenario, 2000, 200, 3);
+    addIceberg(scenario, 5000, 0, 5);
+    addIceberg(scenario, 2000, -200, 4);
+    return scenario;
+}
+
+/** 14 icebergs so close together that many lie within one view. */
+inline Scenario crowd(std::int64_t seed)
+{
+    Scenario scenario = randomScenario(seed, {.icebergs = 14, .size_m = Point(2500, 2000)});
+    scenario.clusters = true;
+    return scenario;
+}
+
+} // namespace berg::test
