@@ -41,8 +41,8 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
     const Scenario scenario = loadScenario(arguments.file);
     printWarnings(arguments.file, validate(scenario));
     const Mission mission(scenario, {.record = false});
-    const VisitationProblem visitation =
-        visitationProblem(mission.simulation().planRequest(), scenario.planner.route);
+    const PlanRequest request = mission.simulation().clusteredRequest();
+    const VisitationProblem visitation = visitationProblem(request, scenario.planner.route);
 
     const Stopwatch watch;
     TauCurve curve;
@@ -59,7 +59,8 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
     }
     if (curve.reason == StopReason::Cancelled)
         throw Interrupted{};
-    const CurveReport report{.curve = curve, .scenario = scenario, .ids = visitation.ids};
+    const CurveReport report{
+        .curve = curve, .scenario = scenario, .ids = visitation.ids, .clusters = request.clusters};
     if (!arguments.outputFile.empty())
         writeFileAtomically(arguments.outputFile, curveCsv(report));
     print(arguments.json ? curveJson(report, watch.elapsed_s()) : curveTable(report));

@@ -5,9 +5,11 @@
 #include "core/io/scenario_json.h"
 #include "core/plan/tuning.h"
 #include "core/scenario/validate.h"
+#include "core/sim/clusters.h"
 #include "core/sim/mission.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -140,6 +142,13 @@ void printReport(const SolveReport& report, bool json)
     std::string text = "order     ";
     for (std::size_t i = 0; i < report.order.size(); ++i)
         text += ' ' + (report.ids.empty() ? std::to_string(report.order[i]) : report.ids[i]);
+    for (const std::vector<std::string>& ids : report.clusters) {
+        text += "\ntogether  ";
+        for (const std::string& id : ids)
+            text += ' ' + id;
+    }
+    if (report.thisSortie)
+        text += "\nsortie     the first " + std::to_string(*report.thisSortie) + ", then home";
     text += "\nobjective  " + fixed(outcome.objective, 3) + "  (" +
             solverWords(report.problem, outcome) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
             " ms, " + outcome.backend + ")\ndistance   " +
@@ -206,11 +215,20 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     const SolveOptions options = optionsOf(arguments, stop);
     const PlanAnswer answer = planFromStart(scenario, options);
     SolveReport report{.problem = answer.problem, .outcome = answer.outcome};
+    const auto idOf = [&](int iceberg) {
+        return scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
+    };
     for (const int node : answer.outcome.order) {
-        const int iceberg = answer.solvedIds[static_cast<std::size_t>(node - 1)];
-        report.order.push_back(iceberg + 1);
-        report.ids.push_back(scenario.icebergs[static_cast<std::size_t>(iceberg)].id);
+        const int first = answer.solvedIds[static_cast<std::size_t>(node - 1)];
+        const std::span<const int> members = clusterWith(answer.clusters, first);
+        for (const int iceberg : members.empty() ? std::span(&first, 1) : members) {
+            report.order.push_back(iceberg + 1);
+            report.ids.push_back(idOf(iceberg));
+        }
     }
+    for (const std::vector<int>& members : answer.clusters)
+        std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
+    report.thisSortie = thisSortie(Simulation(scenario), answer.order, answer.clusters);
     return conclude(report, arguments, options);
 }
 

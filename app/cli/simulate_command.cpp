@@ -131,6 +131,11 @@ void printSummary(const Mission& mission, std::optional<double> bound_m2s, doubl
             grouped(mission.simulation().time_s()) + " s  (policy " +
             nameOf(kPolicyNames, scenario.planner.policy) + ", tau " +
             fixed(scenario.planner.tau, 2) + ")\ncomputed  in " + fixed(elapsed_s, 3) + " s\n";
+    std::string events;
+    for (const auto& [name, count] : worldEvents(mission))
+        events += (events.empty() ? "events    " : ", ") + std::to_string(count) + ' ' + name;
+    if (!events.empty())
+        text += events + '\n';
     if (replayed)
         text += "replay    equal to the recorded run\n";
     print(text);
@@ -149,7 +154,7 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
     if (arguments.bound)
         bound_m2s = lowerBound_m2s(mission, arguments.json, stop);
     if (arguments.json)
-        print(simulateJson(mission.metrics(), bound_m2s, watch.elapsed_s()));
+        print(simulateJson(mission, bound_m2s, watch.elapsed_s()));
     else
         printSummary(mission, bound_m2s, watch.elapsed_s(), replayed);
     return kDone;

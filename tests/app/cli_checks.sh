@@ -135,8 +135,27 @@ check "plan: proven" json 'd["status"] == "optimal"'
 check "plan 40" exits 0 "$cli" plan "$source_dir/resources/scenarios/scoresby-sund-40.berg" --json
 check "plan 40: an honest gap" json 'd["bound"] is not None and 0 <= d["gap"] < 0.1 and d["bound"] <= d["objective"]'
 check "plan with --mu is refused" exits 2 "$cli" plan "$default" --mu 1
+python3 - "$default" <<'PY'
+import json, sys
+scenario = json.load(open(sys.argv[1]))
+scenario["planner"]["clusters"] = True
+json.dump(scenario, open("clusters.berg", "w"))
+PY
+check "plan with clusters" exits 0 "$cli" plan clusters.berg --json
+check "plan with clusters: every iceberg once, theirs in a row" json 'sorted(d["order"]) == list(range(1,13)) and d["clusters"] and all(any(d["icebergs"][k:k+len(c)] == c for k in range(12)) for c in d["clusters"])'
+cp stdout.txt clusters.json
+check "plan with clusters in words" exits 0 "$cli" plan clusters.berg
+check "plan with clusters in words: who together" grep -q "^together " stdout.txt
+check "curve with clusters" exits 0 "$cli" curve clusters.berg --json
+check "curve with clusters: the plan is on it" json '[i["order"] for i in d["intervals"] if i["tau_from"] <= 1 < i["tau_to"]] == [json.load(open("clusters.json"))["order"]]'
 
 # --- curve -----------------------------------------------------------------------------------
+endurance=$source_dir/resources/scenarios/fram-strait-endurance.berg
+check "plan with endurance" exits 0 "$cli" plan "$endurance" --json
+check "plan with endurance: what one sortie can visit" json '1 <= d["this_sortie"] <= len(d["order"])'
+check "plan with endurance in words" exits 0 "$cli" plan "$endurance"
+check "plan with endurance in words: then home" grep -q "^sortie .*then home" stdout.txt
+
 check "plan at tau 0.6" exits 0 "$cli" plan "$default" --tau 0.6 --json
 cp stdout.txt plan06.json
 check "curve" exits 0 "$cli" curve "$default" --json --output curve.csv
@@ -165,10 +184,15 @@ check "simulate again" exits 0 "$cli" simulate "$default" --json --output out
 grep -v '"seconds"' stdout.txt >second.json
 check "simulate twice: the same bytes" cmp -s first.json second.json
 check "no bound unless asked for" json 'd["lower_bound_m2s"] is None'
-check "simulate --bound" exits 0 "$cli" simulate "$default" --duration 200 --bound --json
+four="$source_dir/resources/scenarios/disko-bay-4.berg" # the bound of twelve takes seconds
+check "simulate --bound" exits 0 "$cli" simulate "$four" --duration 200 --bound --json
 check "simulate --bound: below zeta" json '0 < d["lower_bound_m2s"] < d["zeta_m2s"]'
-check "simulate --bound in words" exits 0 "$cli" simulate "$default" --duration 200 --bound
+check "simulate --bound in words" exits 0 "$cli" simulate "$four" --duration 200 --bound
 check "simulate --bound: the words" grep -q 'no flight can do better than [0-9 ]* m2 s' stdout.txt
+check "simulate: what befell icebergs" exits 0 "$cli" simulate "$source_dir/resources/scenarios/bonavista-lost.berg" --json
+check "simulate: lost and found" json 'd["events"]["lost"] > 0 and d["events"]["found"] > 0 and list(d)[-1] == "events"'
+check "simulate: lost and found in words" exits 0 "$cli" simulate "$source_dir/resources/scenarios/bonavista-lost.berg"
+check "simulate: the words for lost" grep -q '^events .* lost, [0-9]* found' stdout.txt
 for file in trajectory.csv sigma.csv events.csv zeta.csv run.bergrun; do
     check "simulate --output: $file" test -s out/$file
 done
@@ -387,8 +411,8 @@ while IFS= read -r -d '' file; do
 done < <(find "$source_dir/tests/data/broken" -type f ! -name 'EXPECTED.tsv' -print0)
 check "at least 40 broken files" test "$broken" -ge 40
 check "broken input writes nothing" test ! -e never
-check "validate: advice" exits 0 "$cli" validate "$source_dir/resources/scenarios/fram-strait-endurance.berg"
-check "validate: advice names the field" says "hint: uavs[0].endurance_s: is shorter than the run"
+check "validate: advice" exits 0 "$cli" validate "$source_dir/resources/scenarios/flemish-pass-appearing.berg"
+check "validate: advice names the field" says "hint: icebergs[2].velocity_mps: drifts out of the area"
 check "validate --json" exits 3 "$cli" validate --json problem.json missing.berg
 check "validate --json: list" json 'len(d) == 1 and d[0]["file"] == "missing.berg" and d[0]["severity"] == "error"'
 

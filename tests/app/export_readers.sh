@@ -114,7 +114,7 @@ check_plan() {
 check_plan disko "$scenarios/disko-bay-4.berg" "" LINESTRING
 check_plan barents "$scenarios/barents-wind.berg" "" LINESTRING
 check_plan fram "$scenarios/fram-strait-endurance.berg" "area POLYGON 1;" LINESTRING
-check_plan flemish "$scenarios/flemish-pass-appearing.berg" "" LINESTRING
+check_plan flemish "$scenarios/flemish-pass-appearing.berg" "area POLYGON 1;" LINESTRING
 python3 - "$scenarios/disko-bay-4.berg" across.berg <<'EDIT'
 import json, sys
 scenario = json.load(open(sys.argv[1]))
