@@ -32,6 +32,7 @@ public:
     {
         return {};
     }
+    std::optional<Point> askWind(QWidget*, const Point&, double) override { return {}; }
     std::optional<OriginChoice> askOrigin(QWidget*, const Scenario&, const LatLon&,
                                           const Theme&) override
     {

@@ -1,0 +1,46 @@
+// What the parts of the world as it is come to, each part flown with and without it: the same
+// scenarios with the same noise, and the differences pair by pair.
+//
+// Use: bench_world PART [scenarios]
+
+#include "tests/bench/world_parts.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+using namespace berg;
+
+struct Part
+{
+    std::string_view name;
+    void (*run)(int scenarios);
+};
+
+constexpr std::array kParts{
+    Part{"clusters", bench::clusters},   Part{"observer", bench::observer},
+    Part{"lost", bench::lost},           Part{"wind", bench::wind},
+    Part{"asset", bench::asset},         Part{"area", bench::area},
+    Part{"autopilot", bench::autopilot}, Part{"endurance", bench::endurance},
+    Part{"geofence", bench::geofence}};
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const std::string_view wanted = argc > 1 ? argv[1] : "";
+    const int scenarios = argc > 2 ? std::atoi(argv[2]) : 50;
+    for (const Part& part : kParts)
+        if (part.name == wanted) {
+            part.run(scenarios);
+            return 0;
+        }
+    std::printf("bench_world PART [scenarios]; the parts are");
+    for (const Part& part : kParts)
+        std::printf(" %.*s", static_cast<int>(part.name.size()), part.name.data());
+    std::printf("\n");
+    return 2;
+}

@@ -1,0 +1,66 @@
+#include "core/plan/names.h"
+#include "core/scenario/presets.h"
+#include "core/sim/clusters.h"
+#include "tests/bench/world_parts.h"
+
+#include <string>
+#include <utility>
+
+namespace berg::bench {
+
+namespace {
+
+/** zeta, visits, plans, ms of solving, legs to a cluster and those of them ended without it. */
+Row flown(const Scenario& scenario)
+{
+    Mission mission(scenario, {.record = false});
+    mission.advance(scenario.duration_s);
+    double solving_s = 0;
+    double legs = 0;
+    double missed = 0;
+    bool isCluster = false; // the leg that a plan ends
+    for (const PlanEvent& plan : mission.plans()) {
+        solving_s += plan.elapsed_s;
+        missed += isCluster && plan.reason == PlanReason::Overdue ? 1 : 0;
+        isCluster = !clusterWith(plan.clusters, plan.target).empty();
+        legs += isCluster ? 1 : 0;
+    }
+    const Metrics metrics = mission.metrics();
+    return {metrics.zeta_m2s,
+            static_cast<double>(metrics.visits),
+            static_cast<double>(metrics.replans),
+            1e3 * solving_s,
+            legs,
+            missed};
+}
+
+} // namespace
+
+void clusters(int scenarios)
+{
+    std::printf("%-24s %11s %11s %11s %11s %11s %11s\n", "clusters", "zeta", "visits", "plans",
+                "solving ms", "legs there", "missed");
+    const std::pair<const char*, FieldSpec> fields[] = {
+        {"12 in 5000 x 4000 m", {}},
+        {"12 in 2500 x 2000 m", {.size_m = Point(2500, 2000)}},
+        {"20 in 2500 x 2000 m", {.icebergs = 20, .size_m = Point(2500, 2000)}}};
+    for (const auto& [name, field] : fields)
+        for (const PolicyKind policy : {PolicyKind::Visitation, PolicyKind::Latency,
+                                        PolicyKind::Nearest, PolicyKind::Uncertainty}) {
+            std::vector<Row> without;
+            std::vector<Row> with;
+            for (int seed = 1; seed <= scenarios; ++seed) {
+                Scenario scenario = randomScenario(seed, field);
+                scenario.planner.policy = policy;
+                without.push_back(flown(scenario));
+                scenario.clusters = true;
+                with.push_back(flown(scenario));
+            }
+            std::printf("%s, %s\n", name, nameOf(kPolicyNames, policy).c_str());
+            printMeans("  single icebergs", without);
+            printMeans("  clusters", with);
+            printDifference("  zeta", without, with);
+        }
+}
+
+} // namespace berg::bench

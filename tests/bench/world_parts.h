@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/sim/mission.h"
+#include "core/study/statistics.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+// One function for each part of the world as it is: flies scenarios 1 ... `scenarios` with and
+// without it and prints what came of them.
+
+namespace berg::bench {
+
+void observer(int scenarios);
+void lost(int scenarios);
+void wind(int scenarios);
+void asset(int scenarios);
+void area(int scenarios);
+void autopilot(int scenarios);
+void clusters(int scenarios);
+void endurance(int scenarios);
+void geofence(int scenarios);
+
+inline int countOf(const Mission& mission, EventKind kind)
+{
+    return static_cast<int>(
+        std::count_if(mission.events().begin(), mission.events().end(),
+                      [kind](const MissionEvent& e) { return e.kind == kind; }));
+}
+
+/** What is measured of one flight, by column. */
+using Row = std::vector<double>;
+
+/** A line: the mean of each column. */
+inline void printMeans(const char* name, const std::vector<Row>& flights)
+{
+    std::printf("%-24s", name);
+    for (std::size_t column = 0; column < flights.front().size(); ++column) {
+        double sum = 0;
+        for (const Row& row : flights)
+            sum += row[column];
+        std::printf(" %11.3f", sum / static_cast<double>(flights.size()));
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+/** A line: `with` against `without` in one column, in % of the mean without, pair by pair. */
+inline void printDifference(const char* name, const std::vector<Row>& without,
+                            const std::vector<Row>& with, std::size_t column = 0)
+{
+    std::vector<double> share;
+    double base = 0;
+    for (const Row& row : without)
+        base += row[column] / static_cast<double>(without.size());
+    for (std::size_t i = 0; i < with.size(); ++i)
+        share.push_back(100 * (with[i][column] - without[i][column]) / base);
+    const MeanInterval mean = meanInterval(share);
+    std::printf("%-24s %+.2f %% [%+.2f, %+.2f]\n", name, mean.mean, mean.low, mean.high);
+    std::fflush(stdout);
+}
+
+} // namespace berg::bench
