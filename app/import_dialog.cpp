@@ -47,6 +47,7 @@ MapPicture pictureOf(const ImportPreview& preview)
         if (row.taken)
             outcomes.emplace(row.report.id, row.report.outcome);
     MapPicture picture = withScenario({}, preview.result.scenario);
+    picture.air = {}; // no sighting says anything about it
     for (MapIceberg& iceberg : picture.icebergs) {
         const auto found = outcomes.find(iceberg.key);
         if (found == outcomes.end())

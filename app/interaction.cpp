@@ -4,6 +4,7 @@
 #include "app/import_dialog.h"
 #include "app/origin_dialog.h"
 #include "app/recovery_dialog.h"
+#include "app/wind_dialog.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -65,6 +66,15 @@ std::optional<OriginChoice> DialogInteraction::askOrigin(QWidget* parent, const 
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     return dialog.choice();
+}
+
+std::optional<Point> DialogInteraction::askWind(QWidget* parent, const Point& wind_mps,
+                                                double airspeed_mps)
+{
+    WindDialog dialog(wind_mps, airspeed_mps, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.wind_mps();
 }
 
 std::optional<ExportChoice> DialogInteraction::chooseExport(QWidget* parent,

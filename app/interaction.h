@@ -121,6 +121,9 @@ public:
                                                                 const Scenario& scenario,
                                                                 const LatLon& suggested,
                                                                 const Theme& theme) = 0;
+    /** None: cancelled. What is chosen is slower than `airspeed_mps`. */
+    [[nodiscard]] virtual std::optional<Point> askWind(QWidget* parent, const Point& wind_mps,
+                                                       double airspeed_mps) = 0;
     /** Another window has the file open; `holder` says which. */
     [[nodiscard]] virtual InUse askInUse(QWidget* parent, const QString& fileName,
                                          const QString& holder) = 0;
@@ -151,6 +154,8 @@ public:
     [[nodiscard]] std::optional<OriginChoice> askOrigin(QWidget* parent, const Scenario& scenario,
                                                         const LatLon& suggested,
                                                         const Theme& theme) override;
+    [[nodiscard]] std::optional<Point> askWind(QWidget* parent, const Point& wind_mps,
+                                               double airspeed_mps) override;
     [[nodiscard]] InUse askInUse(QWidget* parent, const QString& fileName,
                                  const QString& holder) override;
     [[nodiscard]] Overwrite askOverwrite(QWidget* parent, const QString& fileName,

@@ -139,6 +139,7 @@ private:
     void setInFlight(bool inFlight);
     void followSystem();
     void togglePlay();
+    void askWind();
     void openInspector();
 
     // main_window_checks.cpp
@@ -272,6 +273,7 @@ private:
     QMenu* m_recentMenu = nullptr;
     QAction* m_followAction = nullptr;
     QAction* m_sweptAction = nullptr; ///< whether the water seen so far is shown
+    QAction* m_truthAction = nullptr; ///< whether true positions are
     QAction* m_playAction = nullptr;
     QLabel* m_hintLabel = nullptr; ///< what the tool expects
     QLabel* m_cursorLabel = nullptr;

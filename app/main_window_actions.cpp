@@ -195,6 +195,15 @@ void MainWindow::buildViewMenu()
         });
     m_sweptAction->setCheckable(true);
     m_sweptAction->setChecked(m_settings.value("view/swept", true).toBool());
+    m_truthAction = addAction(menu, {"truthAction", tr("S&how true positions"), {}, std::nullopt},
+                              [this](bool on) {
+                                  m_settings.setValue("view/truth", on);
+                                  showFlight();
+                              });
+    m_truthAction->setCheckable(true);
+    m_truthAction->setChecked(m_settings.value("view/truth", true).toBool());
+    m_truthAction->setStatusTip(tr("Where the icebergs are in truth, beside where the observer "
+                                   "believes them to be; off: only what an operator would see"));
     addAction(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7, std::nullopt},
               [this] { openChecks(); });
     addAction(menu, {"studyAction", tr("S&tudy of τ and policies"), {}, std::nullopt},
@@ -251,13 +260,9 @@ void MainWindow::buildFlightMenu()
                QKeySequence(Qt::ALT | Qt::Key_Left), std::nullopt},
               [this] { m_tradeoff->stepPlan(-1); });
     menu.addSeparator();
-    addAction(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N, std::nullopt}, [this] {
-        std::vector<std::string> ids;
-        for (const Iceberg& iceberg :
-             icebergsOf(m_workspace.document().scenario(), m_workspace.selection().ids()))
-            ids.push_back(iceberg.id);
-        m_workspace.reportSeen(ids);
-    });
+    addAction(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N, std::nullopt},
+              [this] { m_workspace.reportSeen(m_workspace.selection().ids()); });
+    addAction(menu, {"windAction", tr("Win&d..."), Qt::Key_W, std::nullopt}, [this] { askWind(); });
     menu.addSeparator();
     addAction(menu, {"stepBackAction", tr("Step &back one second"), Qt::Key_Comma, std::nullopt},
               [this] { m_workspace.stepBack(); });
@@ -311,7 +316,7 @@ void MainWindow::addTool(MapToolKind kind, const ActionSpec& spec)
     action->setToolTip(u"%1 (%2)"_s.arg(spec.text, spec.shortcut.toString()));
     action->setData(static_cast<int>(kind));
     m_icons.emplace_back(action, *spec.icon);
-    if (isEditing(kind))
+    if (isLockedInFlight(kind))
         m_editActions.push_back(action);
     connect(action, &QAction::triggered, this, [this, kind] { m_map->setTool(kind); });
 }
@@ -374,7 +379,8 @@ void MainWindow::updateActions()
     const std::vector<std::string>& ids = m_workspace.selection().ids();
     const bool hasIcebergs = !icebergsOf(m_workspace.document().scenario(), ids).empty();
     findChild<QAction*>(u"copyAction"_s)->setEnabled(hasIcebergs);
-    findChild<QAction*>(u"seenAction"_s)->setEnabled(locked && hasIcebergs);
+    findChild<QAction*>(u"seenAction"_s)
+        ->setEnabled(locked && !m_workspace.flownAmong(ids).empty());
     for (const QString& name : {u"cutAction"_s, u"duplicateAction"_s})
         findChild<QAction*>(name)->setEnabled(!locked && hasIcebergs);
 }

@@ -5,6 +5,7 @@
 #include "widgets/map/map_view.h"
 #include "widgets/map/mission_picture.h"
 #include "widgets/model/event_text.h"
+#include "widgets/model/wind.h"
 #include "widgets/panels/chart_panel.h"
 #include "widgets/panels/comparison_panel.h"
 #include "widgets/panels/event_panel.h"
@@ -79,12 +80,25 @@ void MainWindow::togglePlay()
     }
 }
 
+void MainWindow::askWind()
+{
+    const double airspeed_mps = slowestAirspeed_mps(m_workspace.document().scenario());
+    if (airspeed_mps <= 0)
+        return;
+    const std::optional<Point> wind_mps =
+        m_interaction.askWind(this, m_workspace.wind_mps(), airspeed_mps);
+    if (wind_mps)
+        m_workspace.setWind(*wind_mps);
+}
+
 void MainWindow::showFlight()
 {
     const FlightRecord& record = m_workspace.record();
     MapPicture picture = missionPicture(record, locale());
     if (!m_sweptAction->isChecked())
         picture.swept.clear();
+    if (!m_truthAction->isChecked())
+        hideTruth(picture);
     if (const RunPointer other = m_workspace.runs().otherIn(record.scenario))
         addComparison(picture, *other,
                       record.inFlight() ? record.shown().time_s : record.scenario.duration_s,
@@ -94,6 +108,7 @@ void MainWindow::showFlight()
     m_plan->setSigmaFull(picture.sigmaFull_m2);
     m_icebergs->setSigmaFull(picture.sigmaFull_m2);
     m_map->setPicture(std::move(picture));
+    m_map->setMayIntervene(m_workspace.mayIntervene());
     const QString fault = planFault();
     m_tradeoff->showPlan({.plan = record.shown().plan,
                           .solving = record.now.phase == RunPhase::Planning,
@@ -106,6 +121,7 @@ void MainWindow::showFlight()
                                            : record.now.phase,
                           record.shown().time_s, record.scenario.duration_s, record.now.time_s);
     m_banner->showState(record.inFlight(), m_workspace.lookedAt_s(), fault);
+    m_banner->showNotices(flightNotices(record, locale()));
     m_comparisonChart->setCursor_s(m_workspace.lookedAt_s());
     const QString phase = phaseText(record.now.phase, fault);
     m_stateLabel->setText(
@@ -128,7 +144,9 @@ void MainWindow::showChartsSoon()
 void MainWindow::showPlan()
 {
     const FlightRecord& record = m_workspace.record();
-    m_plan->showPlan(planRows(record.shown(), record.scenario));
+    const FlightMode mode = record.shown().world.mode;
+    m_plan->showPlan(planRows(record.shown(), record.scenario),
+                     mode == FlightMode::Home || mode == FlightMode::Ground);
     m_plan->showOutlook(planOutlook(record));
 }
 

@@ -40,7 +40,8 @@ void MainWindow::showContextMenu(const QPoint& globalPos, const Point& position_
 void MainWindow::addObjectActions(QMenu& menu, const std::string& id)
 {
     const bool locked = m_workspace.inFlight();
-    const bool isIceberg = findIceberg(m_workspace.document().scenario(), id) != nullptr;
+    const bool isUav = findUav(m_workspace.document().scenario(), id) != nullptr;
+    const bool isIceberg = !isUav && id != kAssetKey && id != kAreaKey;
     menu.addAction(locked ? tr("Show in the inspector") : tr("Edit in the inspector"), this,
                    &MainWindow::openInspector);
     if (isIceberg) {
@@ -50,8 +51,8 @@ void MainWindow::addObjectActions(QMenu& menu, const std::string& id)
         menu.addAction(findChild<QAction*>(u"seenAction"_s));
         return;
     }
-    if (id != kAssetKey && id != kAreaKey)
-        return; // the UAV stays
+    if (isUav)
+        return; // it stays
     const QString text = id == kAssetKey ? tr("Remove asset") : tr("Remove area");
     menu.addAction(text, this,
                    [this, id, text] {
@@ -66,8 +67,8 @@ void MainWindow::addWaterActions(QMenu& menu, const Point& position_m)
 {
     const bool locked = m_workspace.inFlight();
     menu.addAction(tr("New iceberg here"), this,
-                   [this, position_m] { m_map->addIcebergAt(position_m); })
-        ->setEnabled(!locked);
+                   [this, position_m] { m_map->addIcebergAt(position_m); });
+    menu.addAction(findChild<QAction*>(u"windAction"_s));
     menu.addAction(findChild<QAction*>(u"generateAction"_s));
     menu.addAction(tr("Paste here"), this, [this, position_m] { m_map->pasteAt(position_m); })
         ->setEnabled(!locked);

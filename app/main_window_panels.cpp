@@ -252,6 +252,9 @@ void MainWindow::connectPanels()
     connect(m_overview, &OverviewInset::placePicked, m_map, &MapView::centreOn);
     connect(m_map, &MapView::followUavChanged, m_followAction, &QAction::setChecked);
     connect(m_map, &MapView::cursorMoved, this, &MainWindow::showCursor);
+    connect(m_map, &MapView::windEdited, &m_workspace, &Workspace::setWind);
+    connect(m_map, &MapView::assetMoved, &m_workspace, &Workspace::moveAsset);
+    connect(m_map, &MapView::icebergPlaced, &m_workspace, &Workspace::addIceberg);
     connect(m_map, &MapView::cursorLeft, m_cursorLabel, &QLabel::clear);
     connect(m_map, &MapView::editRequested, this, &MainWindow::openInspector);
     connect(m_map, &MapView::statusText, this, [this](const QString& text) {

@@ -36,7 +36,7 @@ std::optional<std::size_t> findRun(const RunList& list, const Scenario& world,
 {
     const std::vector<RunPointer>& runs = list.runs();
     const auto found = std::find_if(runs.rbegin(), runs.rend(), [&](const RunPointer& run) {
-        return !run->wasChanged && run->flown_s >= world.duration_s && run->added_s.empty() &&
+        return !run->wasChanged && run->flown_s >= world.duration_s && run->worldChanges.empty() &&
                isSamePlanner(run->scenario.planner, planner) && isSameWorld(run->scenario, world);
     });
     if (found == runs.rend())

@@ -75,7 +75,10 @@ QStringList examplePaths()
             u":/scenarios/hibernia-asset.berg"_s,
             u":/scenarios/flemish-pass-appearing.berg"_s,
             u":/scenarios/barents-wind.berg"_s,
+            u":/scenarios/bonavista-lost.berg"_s,
+            u":/scenarios/twillingate-clusters.berg"_s,
             u":/scenarios/fram-strait-endurance.berg"_s,
+            u":/scenarios/jones-sound-late-plans.berg"_s,
             u":/scenarios/svalbard-two-uavs.berg"_s,
             u":/scenarios/labrador-20.berg"_s,
             u":/scenarios/scoresby-sund-40.berg"_s};

@@ -40,6 +40,17 @@
     </message>
 </context>
 <context>
+    <name>AssetText</name>
+    <message>
+        <source>%1 is inside the inner ring</source>
+        <translation>%1 er innenfor den indre ringen</translation>
+    </message>
+    <message>
+        <source>%1 enters the inner ring in %2</source>
+        <translation>%1 kommer inn i den indre ringen om %2</translation>
+    </message>
+</context>
+<context>
     <name>ComparedRunText</name>
     <message>
         <source>τ %1</source>
@@ -429,6 +440,119 @@
         <source>What is to be protected has changed</source>
         <translation>Det som skal beskyttes, er endret</translation>
     </message>
+    <message>
+        <source>%1 has left the area</source>
+        <translation>%1 har forlatt området</translation>
+    </message>
+    <message>
+        <source>%1 is lost: not where it should be</source>
+        <translation>%1 er tapt: ikke der det skulle være</translation>
+    </message>
+    <message>
+        <source>%1 found again</source>
+        <translation>%1 funnet igjen</translation>
+    </message>
+    <message>
+        <source>Search for %1 given up</source>
+        <translation>Letingen etter %1 er oppgitt</translation>
+    </message>
+    <message>
+        <source>Returning home</source>
+        <translation>På vei hjem</translation>
+    </message>
+    <message>
+        <source>Landed</source>
+        <translation>Landet</translation>
+    </message>
+    <message>
+        <source>Took off</source>
+        <translation>Tok av</translation>
+    </message>
+    <message>
+        <source>The wind has changed: home cannot be reached in time</source>
+        <translation>Vinden har endret seg: hjem kan ikke nås i tide</translation>
+    </message>
+    <message>
+        <source>iceberg left the area</source>
+        <translation>isfjell forlot området</translation>
+    </message>
+    <message>
+        <source>iceberg lost</source>
+        <translation>isfjell tapt</translation>
+    </message>
+    <message>
+        <source>lost iceberg found</source>
+        <translation>tapt isfjell funnet</translation>
+    </message>
+    <message>
+        <source>search given up</source>
+        <translation>leting oppgitt</translation>
+    </message>
+    <message>
+        <source>next sortie</source>
+        <translation>neste tokt</translation>
+    </message>
+</context>
+<context>
+    <name>FlightDrag</name>
+    <message>
+        <source>Change wind</source>
+        <translation>Endre vind</translation>
+    </message>
+    <message>
+        <source>Let go: this wind blows from now on. Esc takes it back.</source>
+        <translation>Slipp: denne vinden blåser fra nå av. Esc angrer.</translation>
+    </message>
+    <message>
+        <source>Let go to keep this wind. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <translation>Slipp for å beholde denne vinden. Skift holder seg til trinn på %1°, Esc angrer.</translation>
+    </message>
+    <message>
+        <source>Let go: the asset is here from now on. Esc takes it back.</source>
+        <translation>Slipp: objektet er her fra nå av. Esc angrer.</translation>
+    </message>
+    <message>
+        <source>The UAV makes little way against this wind. Esc takes it back.</source>
+        <translation>UAV-en kommer knapt fremover mot denne vinden. Esc angrer.</translation>
+    </message>
+</context>
+<context>
+    <name>FlightNotices</name>
+    <message numerus="yes">
+        <source>%1, and %n more</source>
+        <translation>
+            <numerusform>%1, og %n til</numerusform>
+            <numerusform>%1, og %n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Searching for %1</source>
+        <translation>Leter etter %1</translation>
+    </message>
+    <message>
+        <source>Returning home</source>
+        <translation>På vei hjem</translation>
+    </message>
+    <message>
+        <source>On the ground, takes off in %1</source>
+        <translation>På bakken, tar av om %1</translation>
+    </message>
+    <message>
+        <source>The planner failed: the last plan is flown on</source>
+        <translation>Planleggeren sviktet: forrige plan flys videre</translation>
+    </message>
+    <message>
+        <source>It is asked again when the next plan is needed.</source>
+        <translation>Den spørres igjen når neste plan trengs.</translation>
+    </message>
+    <message>
+        <source>Home cannot be reached in time any more</source>
+        <translation>Hjem kan ikke lenger nås i tide</translation>
+    </message>
+    <message>
+        <source>The wind has changed on the way.</source>
+        <translation>Vinden har endret seg underveis.</translation>
+    </message>
 </context>
 <context>
     <name>HandleDrag</name>
@@ -501,6 +625,14 @@
     <message>
         <source>The outline would cross itself here.</source>
         <translation>Omrisset ville krysse seg selv her.</translation>
+    </message>
+    <message>
+        <source>Drag changes the wind from now on; in flight that cannot be undone.</source>
+        <translation>Dra endrer vinden fra nå av; under flyging kan det ikke angres.</translation>
+    </message>
+    <message>
+        <source>Drag sets the wind: the arrow points where it blows to.</source>
+        <translation>Dra setter vinden: pilen peker dit den blåser.</translation>
     </message>
 </context>
 <context>
@@ -608,6 +740,26 @@
         <source>Speed, %1</source>
         <translation>Fart, %1</translation>
     </message>
+    <message>
+        <source>CPA, %1</source>
+        <translation>CPA, %1</translation>
+    </message>
+    <message>
+        <source>Closest point of approach: least distance from the asset within the next hour, by the estimate. A warning sign beside the name: it comes into the inner ring</source>
+        <translation>Nærmeste punkt (closest point of approach): minste avstand fra objektet den neste timen, etter estimatet. Varseltegn ved navnet: det kommer inn i den indre ringen</translation>
+    </message>
+    <message>
+        <source>TCPA</source>
+        <translation>TCPA</translation>
+    </message>
+    <message>
+        <source>TCPA, s</source>
+        <translation>TCPA, s</translation>
+    </message>
+    <message>
+        <source>Time to the closest point of approach</source>
+        <translation>Tid til nærmeste punkt</translation>
+    </message>
 </context>
 <context>
     <name>IcebergPasteText</name>
@@ -673,6 +825,34 @@
     <message>
         <source>It stands still.</source>
         <translation>Det står stille.</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nå</translation>
+    </message>
+    <message>
+        <source>&gt; 1 h</source>
+        <translation>&gt; 1 t</translation>
+    </message>
+    <message>
+        <source>lost, searched for</source>
+        <translation>tapt, letes etter</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>tapt</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>oppgitt</translation>
+    </message>
+    <message>
+        <source>left the area</source>
+        <translation>forlot området</translation>
+    </message>
+    <message>
+        <source>It still comes nearer in an hour, to this distance by then.</source>
+        <translation>Det kommer fortsatt nærmere om en time, til denne avstanden da.</translation>
     </message>
 </context>
 <context>
@@ -1353,10 +1533,6 @@
         <translation>Utholdenhet</translation>
     </message>
     <message>
-        <source>Longest flight; 0 is unlimited.</source>
-        <translation>Lengste flyging; 0 er ubegrenset.</translation>
-    </message>
-    <message>
         <source>Change endurance</source>
         <translation>Endre utholdenhet</translation>
     </message>
@@ -1598,16 +1774,180 @@
         <source>each time step</source>
         <translation>hvert tidssteg</translation>
     </message>
+    <message>
+        <source>Geofence</source>
+        <translation>Geogjerde</translation>
+    </message>
+    <message>
+        <source>The UAVs stay inside the area.</source>
+        <translation>UAV-ene holder seg innenfor området.</translation>
+    </message>
+    <message>
+        <source>Change geofence</source>
+        <translation>Endre geogjerde</translation>
+    </message>
+    <message>
+        <source>Change home</source>
+        <translation>Endre hjem</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Hjem</translation>
+    </message>
+    <message>
+        <source>It lands elsewhere than it starts.</source>
+        <translation>Den lander et annet sted enn den starter.</translation>
+    </message>
+    <message>
+        <source>Land where it starts</source>
+        <translation>Land der den starter</translation>
+    </message>
+    <message>
+        <source>%1 from the start</source>
+        <translation>%1 fra starten</translation>
+    </message>
+    <message>
+        <source>Home east</source>
+        <translation>Hjem øst</translation>
+    </message>
+    <message>
+        <source>Where it lands, east of the scenario&apos;s origin.</source>
+        <translation>Hvor den lander, øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Home north</source>
+        <translation>Hjem nord</translation>
+    </message>
+    <message>
+        <source>Where it lands, north of the scenario&apos;s origin.</source>
+        <translation>Hvor den lander, nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Turn-around</source>
+        <translation>Bakketid</translation>
+    </message>
+    <message>
+        <source>Time on the ground between landing and the next take-off.</source>
+        <translation>Tid på bakken mellom landing og neste avgang.</translation>
+    </message>
+    <message>
+        <source>Change turn-around</source>
+        <translation>Endre bakketid</translation>
+    </message>
+    <message>
+        <source>Drift error</source>
+        <translation>Driftfeil</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the known drift, along each axis: its true drift differs from it by as much.</source>
+        <translation>Standardavvik for den kjente driften, langs hver akse: så mye avviker den sanne driften fra den.</translation>
+    </message>
+    <message>
+        <source>Change drift error</source>
+        <translation>Endre driftfeil</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Posisjonsfeil</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured position, along each axis.</source>
+        <translation>Standardavvik for en målt posisjon, langs hver akse.</translation>
+    </message>
+    <message>
+        <source>Change position error</source>
+        <translation>Endre posisjonsfeil</translation>
+    </message>
+    <message>
+        <source>Look every</source>
+        <translation>Ser hvert</translation>
+    </message>
+    <message>
+        <source>Time between two looks of the camera, each of which measures what is in view.</source>
+        <translation>Tid mellom to bilder fra kameraet; hvert av dem måler det som er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Change time between looks</source>
+        <translation>Endre tid mellom bilder</translation>
+    </message>
+    <message>
+        <source>Detection</source>
+        <translation>Deteksjon</translation>
+    </message>
+    <message>
+        <source>Chance that one look shows an iceberg in view.</source>
+        <translation>Sannsynlighet for at ett bilde viser et isfjell i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Change detection</source>
+        <translation>Endre deteksjon</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>Observatør</translation>
+    </message>
+    <message>
+        <source>Exact: an iceberg in view is where it is seen. Filter: noisy measurements, from which position and velocity are estimated, and icebergs can get lost.</source>
+        <translation>Eksakt: et isfjell i synsfeltet er der det ses. Filter: målinger med støy, som posisjon og fart estimeres fra, og isfjell kan gå tapt.</translation>
+    </message>
+    <message>
+        <source>Change observer</source>
+        <translation>Endre observatør</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>eksakt</translation>
+    </message>
+    <message>
+        <source>Kalman filter</source>
+        <translation>Kalman-filter</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Leting</translation>
+    </message>
+    <message>
+        <source>What is flown to find an iceberg that was not where it was believed to be.</source>
+        <translation>Det som flys for å finne et isfjell som ikke var der det ble antatt å være.</translation>
+    </message>
+    <message>
+        <source>Change search</source>
+        <translation>Endre leting</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>expanding square</source>
+        <translation>voksende kvadrat</translation>
+    </message>
+    <message>
+        <source>sectors</source>
+        <translation>sektorer</translation>
+    </message>
+    <message>
+        <source>Several at once</source>
+        <translation>Flere på en gang</translation>
+    </message>
+    <message>
+        <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
+        <translation>Isfjell som får plass i ett synsfelt, planlegges som ett punkt som alle ses fra.</translation>
+    </message>
+    <message>
+        <source>Change planning of several at once</source>
+        <translation>Endre planlegging av flere på en gang</translation>
+    </message>
+    <message>
+        <source>Longest flight: it is home before that; at 0 it never lands.</source>
+        <translation>Lengste flytur: den er hjemme før det; ved 0 lander den aldri.</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
     <message>
         <source>This version flies the first UAV only; the others are kept.</source>
         <translation>Denne versjonen flyr bare den første UAV-en; de andre beholdes.</translation>
-    </message>
-    <message>
-        <source>The endurance is kept, but not used by this version.</source>
-        <translation>Utholdenheten beholdes, men brukes ikke av denne versjonen.</translation>
     </message>
     <message>
         <source>Drifts so fast that the UAV may not catch up with it.</source>
@@ -1632,14 +1972,6 @@
     <message>
         <source>The file holds members that this version does not know. They are kept, but not used.</source>
         <translation>Filen inneholder felter som denne versjonen ikke kjenner. De beholdes, men brukes ikke.</translation>
-    </message>
-    <message>
-        <source>The area serves these checks; this version flies beyond it.</source>
-        <translation>Området brukes i denne kontrollen; denne versjonen flyr utenfor det.</translation>
-    </message>
-    <message>
-        <source>The endurance is shorter than the run, and this version flies on when it is over.</source>
-        <translation>Utholdenheten er kortere enn flygingen, og denne versjonen flyr videre når den er brukt opp.</translation>
     </message>
     <message>
         <source>The endurance is too short for the way to the nearest iceberg and back.</source>
@@ -1746,6 +2078,50 @@
         <source>1 hint</source>
         <translation>1 tips</translation>
     </message>
+    <message>
+        <source>Icebergs outside the area are not monitored; the UAV may fly beyond it.</source>
+        <translation>Isfjell utenfor området overvåkes ikke; UAV-en kan fly utenfor det.</translation>
+    </message>
+    <message>
+        <source>The velocity&apos;s deviation counts with the Kalman filter only.</source>
+        <translation>Fartens avvik teller bare med Kalman-filteret.</translation>
+    </message>
+    <message>
+        <source>The endurance is too short for the way home from the start.</source>
+        <translation>Utholdenheten er for kort til hjemveien fra startstedet.</translation>
+    </message>
+    <message>
+        <source>Home counts with a limited endurance only.</source>
+        <translation>Hjemstedet har bare betydning når utholdenheten er begrenset.</translation>
+    </message>
+    <message>
+        <source>Home is so near the geofence that the UAV may come home late, turning away from it.</source>
+        <translation>Hjemstedet ligger så nær geogjerdet at dronen kan komme sent hjem fordi den må svinge unna.</translation>
+    </message>
+    <message>
+        <source>The UAV starts so near the geofence, for its heading, that it cannot turn inside it.</source>
+        <translation>Dronen starter så nær geogjerdet, med denne kursen, at den ikke kan svinge innenfor det.</translation>
+    </message>
+    <message>
+        <source>A geofence needs an area.</source>
+        <translation>Et geogjerde trenger et område.</translation>
+    </message>
+    <message>
+        <source>Must be inside the area, which is a geofence.</source>
+        <translation>Må ligge innenfor området, som er et geogjerde.</translation>
+    </message>
+    <message>
+        <source>This policy plans without the geofence; it is kept in flight.</source>
+        <translation>Denne strategien planlegger uten geogjerdet; det overholdes under flygingen.</translation>
+    </message>
+    <message>
+        <source>This policy plans icebergs one by one: several in one field of view are not planned as one point.</source>
+        <translation>Denne strategien planlegger isfjell ett for ett: flere i ett synsfelt planlegges ikke som ett punkt.</translation>
+    </message>
+    <message>
+        <source>So near the geofence that the UAV cannot come as near as it has to.</source>
+        <translation>Så nær geogjerdet at dronen ikke kan komme så nær som den må.</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -1840,6 +2216,17 @@
     </message>
 </context>
 <context>
+    <name>MapLayoutText</name>
+    <message>
+        <source>lost</source>
+        <translation>tapt</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>oppgitt</translation>
+    </message>
+</context>
+<context>
     <name>MapLegend</name>
     <message>
         <source>In view now: σ is 0</source>
@@ -1908,6 +2295,94 @@
     <message>
         <source>Flown</source>
         <translation>Fløyet</translation>
+    </message>
+    <message>
+        <source>In view now</source>
+        <translation>I synsfeltet nå</translation>
+    </message>
+    <message>
+        <source>Lost: not where it should be</source>
+        <translation>Tapt: ikke der det skulle være</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Tapt</translation>
+    </message>
+    <message>
+        <source>Search for it given up</source>
+        <translation>Letingen er oppgitt</translation>
+    </message>
+    <message>
+        <source>Given up</source>
+        <translation>Oppgitt</translation>
+    </message>
+    <message>
+        <source>Inside it with 95 %</source>
+        <translation>Innenfor med 95 %</translation>
+    </message>
+    <message>
+        <source>95 % circle</source>
+        <translation>95 %-sirkel</translation>
+    </message>
+    <message>
+        <source>True position</source>
+        <translation>Sann posisjon</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Sannhet</translation>
+    </message>
+    <message>
+        <source>Comes into the inner ring</source>
+        <translation>Kommer inn i indre ring</translation>
+    </message>
+    <message>
+        <source>Into the ring</source>
+        <translation>Inn i ringen</translation>
+    </message>
+    <message>
+        <source>Planned as one point</source>
+        <translation>Planlagt som ett punkt</translation>
+    </message>
+    <message>
+        <source>One point</source>
+        <translation>Ett punkt</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Hjem</translation>
+    </message>
+    <message>
+        <source>Geofence: flown inside only</source>
+        <translation>Geogjerde: flys bare innenfor</translation>
+    </message>
+    <message>
+        <source>Geofence</source>
+        <translation>Geogjerde</translation>
+    </message>
+    <message>
+        <source>Asset&apos;s range: more urgent inside</source>
+        <translation>Objektets rekkevidde: haster mer</translation>
+    </message>
+    <message>
+        <source>Asset&apos;s range</source>
+        <translation>Rekkevidde</translation>
+    </message>
+    <message>
+        <source>Inner ring: alarm</source>
+        <translation>Indre ring: alarm</translation>
+    </message>
+    <message>
+        <source>Inner ring</source>
+        <translation>Indre ring</translation>
+    </message>
+    <message>
+        <source>Search pattern</source>
+        <translation>Letemønster</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Leting</translation>
     </message>
 </context>
 <context>
@@ -2135,6 +2610,18 @@
         <source>No flight can do better than</source>
         <translation>Ingen flyging kan komme under</translation>
     </message>
+    <message>
+        <source>Weighted</source>
+        <translation>Vektet</translation>
+    </message>
+    <message>
+        <source>Weighted by priority</source>
+        <translation>Vektet etter prioritet</translation>
+    </message>
+    <message>
+        <source>Weighted by priority the sum is %1 m².</source>
+        <translation>Vektet etter prioritet er summen %1 m².</translation>
+    </message>
 </context>
 <context>
     <name>MissionPicture</name>
@@ -2157,6 +2644,10 @@
     <message>
         <source>Add icebergs with their positions to the scenario file, then draw the map again.</source>
         <translation>Legg isfjell med posisjoner inn i scenariofilen, og tegn kartet på nytt.</translation>
+    </message>
+    <message>
+        <source>Endurance left</source>
+        <translation>Flytid igjen</translation>
     </message>
 </context>
 <context>
@@ -2378,6 +2869,10 @@
     <message>
         <source>Click places the asset to be protected. Esc leaves the tool.</source>
         <translation>Klikk plasserer objektet som skal vernes. Esc forlater verktøyet.</translation>
+    </message>
+    <message>
+        <source>Click adds an iceberg that appears here and now, drag on to set its drift. In flight that cannot be undone.</source>
+        <translation>Klikk legger til et isfjell som dukker opp her og nå, dra videre for å sette driften. Under flyging kan det ikke angres.</translation>
     </message>
 </context>
 <context>
@@ -2685,6 +3180,10 @@
         <source>Click selects, drag moves. Ctrl adds, a drag on water selects what is inside the frame.</source>
         <translation>Klikk velger, dra flytter. Ctrl legger til, dra på sjøen velger det som er innenfor rammen.</translation>
     </message>
+    <message>
+        <source>Click selects. In flight the tip of the wind&apos;s arrow and the asset can be dragged.</source>
+        <translation>Klikk velger. Under flyging kan spissen av vindpilen og objektet dras.</translation>
+    </message>
 </context>
 <context>
     <name>SolveTimeText</name>
@@ -2738,6 +3237,39 @@
     <message>
         <source>Time, mm:ss</source>
         <translation>Tid, mm:ss</translation>
+    </message>
+</context>
+<context>
+    <name>WindText</name>
+    <message>
+        <source>No wind</source>
+        <translation>Ingen vind</translation>
+    </message>
+    <message>
+        <source>Wind %1
+from %2, strong</source>
+        <translation>Vind %1
+fra %2, sterk</translation>
+    </message>
+    <message>
+        <source>Wind %1
+from %2</source>
+        <translation>Vind %1
+fra %2</translation>
+    </message>
+    <message>
+        <source>Current %1
+towards %2</source>
+        <translation>Strøm %1
+mot %2</translation>
+    </message>
+    <message>
+        <source>The arrow points where the wind blows to; the ring is the airspeed of %1, beyond the dashed one the UAV makes little way against the wind.</source>
+        <translation>Pilen peker dit vinden blåser; ringen er flyfarten på %1, utenfor den stiplede kommer UAV-en knapt fremover mot vinden.</translation>
+    </message>
+    <message>
+        <source>The thin line in the middle of a leg is the heading flown there.</source>
+        <translation>Den tynne streken midt på en etappe er kursen som styres der.</translation>
     </message>
 </context>
 <context>
@@ -3410,6 +3942,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Paste icebergs</source>
         <translation>Lim inn isfjell</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; follows from the others. Nothing was pasted.</source>
+        <translation>Kolonnen «%1» følger av de andre. Ingenting ble limt inn.</translation>
     </message>
 </context>
 <context>
@@ -4418,6 +4954,18 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Study: %1</source>
         <translation>Studie: %1</translation>
     </message>
+    <message>
+        <source>S&amp;how true positions</source>
+        <translation>&amp;Vis sanne posisjoner</translation>
+    </message>
+    <message>
+        <source>Where the icebergs are in truth, beside where the observer believes them to be; off: only what an operator would see</source>
+        <translation>Hvor isfjellene egentlig er, ved siden av der observatøren tror de er; av: bare det en operatør ville se</translation>
+    </message>
+    <message>
+        <source>Win&amp;d...</source>
+        <translation>&amp;Vind...</translation>
+    </message>
 </context>
 <context>
     <name>berg::MapView</name>
@@ -4763,6 +5311,10 @@ på den, og uten at noe planlegges på nytt.</translation>
 whatever the policy and however tightly the UAV turns.</source>
         <translation>Grensen er bevist for dette scenariet og støyen det trekker,
 uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
+    </message>
+    <message>
+        <source>The UAV is on its way home or on the ground: the next sortie is planned at take-off.</source>
+        <translation>UAV-en er på vei hjem eller på bakken: neste tokt planlegges ved avgang.</translation>
     </message>
 </context>
 <context>
@@ -5939,6 +6491,33 @@ virkelige flygingen avviker med støyen i driften.</translation>
     </message>
 </context>
 <context>
+    <name>berg::WindDialog</name>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Sett</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>F&amp;art</translation>
+    </message>
+    <message>
+        <source>Blows &amp;from</source>
+        <translation>Blåser &amp;fra</translation>
+    </message>
+    <message>
+        <source>The UAV will make little way against this wind.</source>
+        <translation>UAV-en kommer knapt fremover mot denne vinden.</translation>
+    </message>
+    <message>
+        <source>Always slower than the UAV flies: %1.</source>
+        <translation>Alltid langsommere enn UAV-en flyr: %1.</translation>
+    </message>
+</context>
+<context>
     <name>berg::Workspace</name>
     <message>
         <source>Change trade-off</source>
@@ -5959,6 +6538,10 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>You are looking back. Fly on from here, or go to the newest picture, to change this.</source>
         <translation>Du ser tilbake. Fly videre herfra, eller gå til det nyeste bildet, for å endre dette.</translation>
+    </message>
+    <message>
+        <source>Change wind</source>
+        <translation>Endre vind</translation>
     </message>
 </context>
 </TS>

@@ -171,7 +171,7 @@ private slots:
         QVERIFY(w.until([&] { return w.workspace.inFlight(); }));
 
         for (const QString& name :
-             {u"undoAction"_s, u"redoAction"_s, u"deleteAction"_s, u"icebergTool"_s, u"uavTool"_s})
+             {u"undoAction"_s, u"redoAction"_s, u"deleteAction"_s, u"areaTool"_s, u"uavTool"_s})
             QVERIFY2(!w.action(name).isEnabled(), qPrintable(name));
         QVERIFY(w.action(u"selectTool"_s).isChecked());
         w.drag(w.pixelOf("berg-2"), w.pixelOf(Point(3000, 2000)));

@@ -22,7 +22,7 @@ Q_DECLARE_METATYPE(Interaction::Unsaved)
 namespace {
 
 /** The ways in which the scenario on screen is left. */
-enum class Way
+enum class WayOut
 {
     New,
     Open,
@@ -66,34 +66,34 @@ bool drop(WindowFixture& w, const QList<QUrl>& urls)
     return true;
 }
 
-void leave(WindowFixture& w, Way way, const QString& other)
+void leave(WindowFixture& w, WayOut way, const QString& other)
 {
     switch (way) {
-    case Way::New:
+    case WayOut::New:
         w.trigger(u"newAction"_s);
         return;
-    case Way::Open:
+    case WayOut::Open:
         w.interaction.path = other;
         w.trigger(u"openAction"_s);
         return;
-    case Way::Run:
+    case WayOut::Run:
         w.interaction.path = w.file(u"other.bergrun"_s);
         w.trigger(u"openAction"_s);
         return;
-    case Way::Example:
+    case WayOut::Example:
         w.trigger(u"startPageAction"_s);
         w.window().findChild<ExampleCard*>()->click();
         return;
-    case Way::Recent:
+    case WayOut::Recent:
         recentActions(w).front()->trigger();
         return;
-    case Way::Drop:
+    case WayOut::Drop:
         QVERIFY(drop(w, {QUrl::fromLocalFile(other)}));
         return;
-    case Way::Close:
+    case WayOut::Close:
         w.window().close();
         return;
-    case Way::Quit:
+    case WayOut::Quit:
         w.trigger(u"quitAction"_s);
         return;
     }
@@ -222,12 +222,12 @@ private slots:
 
     void everyWayOutAsks_data()
     {
-        QTest::addColumn<Way>("way");
+        QTest::addColumn<WayOut>("way");
         QTest::addColumn<Unsaved>("answer");
-        const std::pair<Way, const char*> ways[] = {
-            {Way::New, "new"},         {Way::Open, "open"},     {Way::Run, "run"},
-            {Way::Example, "example"}, {Way::Recent, "recent"}, {Way::Drop, "drop"},
-            {Way::Close, "close"},     {Way::Quit, "quit"}};
+        const std::pair<WayOut, const char*> ways[] = {
+            {WayOut::New, "new"},         {WayOut::Open, "open"},     {WayOut::Run, "run"},
+            {WayOut::Example, "example"}, {WayOut::Recent, "recent"}, {WayOut::Drop, "drop"},
+            {WayOut::Close, "close"},     {WayOut::Quit, "quit"}};
         for (const auto& [way, name] : ways) {
             QTest::addRow("%s, cancel", name) << way << Unsaved::Cancel;
             QTest::addRow("%s, discard", name) << way << Unsaved::Discard;
@@ -237,7 +237,7 @@ private slots:
 
     void everyWayOutAsks()
     {
-        QFETCH(Way, way);
+        QFETCH(WayOut, way);
         QFETCH(Unsaved, answer);
         WindowFixture w(three());
         const QString other = w.file(u"other.berg"_s);
@@ -251,7 +251,7 @@ private slots:
         saveScenario(three(34), own.toStdString());
         w.interaction.path = own;
         w.trigger(u"openAction"_s);
-        if (way == Way::Recent) // the other one comes first
+        if (way == WayOut::Recent) // the other one comes first
             w.settings.setValue("files/recent", QStringList{other, own});
         change(w);
         const Scenario changed = w.scenario();
@@ -260,7 +260,7 @@ private slots:
         leave(w, way, other);
         QCOMPARE(w.interaction.unsavedNames.size(), 1);
         const bool stays = answer == Unsaved::Cancel;
-        const bool closes = way == Way::Close || way == Way::Quit;
+        const bool closes = way == WayOut::Close || way == WayOut::Quit;
         QCOMPARE(w.window().isVisible(), stays || !closes);
         QVERIFY((loadScenario(own.toStdString()) == changed) == (answer == Unsaved::Save));
         if (stays) {
@@ -269,10 +269,10 @@ private slots:
             QCOMPARE(w.document().undoStack()->count(), 1);
             QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{"berg-2"});
             QVERIFY(w.window().isWindowModified());
-        } else if (way == Way::New) {
+        } else if (way == WayOut::New) {
             QVERIFY(w.scenario().icebergs.empty());
             QVERIFY(w.document().filePath().isEmpty());
-        } else if (way == Way::Example) {
+        } else if (way == WayOut::Example) {
             QVERIFY(w.scenario() == loadExample(examplePaths().front()));
         } else if (!closes) {
             QVERIFY(w.scenario() == three(33));
@@ -313,10 +313,10 @@ private slots:
 
     void typingIsAChange_data()
     {
-        QTest::addColumn<Way>("way");
+        QTest::addColumn<WayOut>("way");
         QTest::addColumn<QString>("field");
-        const std::pair<Way, const char*> ways[] = {
-            {Way::New, "new"}, {Way::Drop, "drop"}, {Way::Close, "close"}};
+        const std::pair<WayOut, const char*> ways[] = {
+            {WayOut::New, "new"}, {WayOut::Drop, "drop"}, {WayOut::Close, "close"}};
         for (const auto& [way, name] : ways)
             for (const char* field : {"icebergName", "icebergGrowth", "tauField"})
                 QTest::addRow("%s, %s", name, field) << way << QString::fromLatin1(field);
@@ -325,7 +325,7 @@ private slots:
     /** What is typed but not yet confirmed counts as a change. */
     void typingIsAChange()
     {
-        QFETCH(Way, way);
+        QFETCH(WayOut, way);
         QFETCH(QString, field);
         WindowFixture w(three());
         const QString other = w.file(u"other.berg"_s);

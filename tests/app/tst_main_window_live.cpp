@@ -33,20 +33,6 @@ void scrub(WindowFixture& w, const std::vector<double>& shares)
     QTest::mouseRelease(&line, Qt::LeftButton, {}, at(shares.back()));
 }
 
-/** The run so far, as it would be saved. */
-std::shared_ptr<const RunFile> runOf(WindowFixture& w)
-{
-    std::shared_ptr<const RunFile> taken;
-    QObject context;
-    QObject::connect(
-        &w.workspace.runner(), &MissionRunner::runReady, &context,
-        [&](const QString&, const std::shared_ptr<const RunFile>& run) { taken = run; });
-    w.workspace.runner().requestRun();
-    if (!w.until([&] { return taken != nullptr; }))
-        qFatal("no run");
-    return taken;
-}
-
 bool hasFinished(WindowFixture& w)
 {
     return w.record().now.phase == RunPhase::Finished;
@@ -86,7 +72,7 @@ private slots:
         QCOMPARE(w.record().now.time_s, longMission().duration_s);
         QCOMPARE(w.record().history.samples.back().zeta_m2s, w.record().now.metrics.zeta_m2s);
 
-        const std::shared_ptr<const RunFile> run = runOf(w);
+        const std::shared_ptr<const RunFile> run = flownRun(w);
         QVERIFY(!run->interventions.empty());
         const auto [differences, metrics] = test::elsewhere([&] {
             const Mission again = replay(*run);

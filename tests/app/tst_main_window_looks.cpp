@@ -168,6 +168,26 @@ private slots:
         QVERIFY(w.map().grab().toImage() != hidden);
     }
 
+    /** True positions are shown beside estimates, can be hidden, and stay so. */
+    void truthIsSwitchedAndRemembered()
+    {
+        Scenario scenario = test::MapFixture::fourIcebergs();
+        scenario.observer.model = ObserverModel::Kalman;
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.sigma0_m2 = 40000; // apart by some hundred metres
+        WindowFixture w(scenario);
+        QAction& truth = w.action(u"truthAction"_s);
+        QVERIFY(truth.isCheckable() && truth.isChecked());
+        w.workspace.runner().stepBy(1);
+        QVERIFY(w.until(RunPhase::Paused));
+        const QImage shown = w.map().grab().toImage();
+        truth.trigger();
+        QVERIFY(w.map().grab().toImage() != shown);
+        QCOMPARE(w.settings.value("view/truth").toBool(), false);
+        const MainWindow next(w.workspace, w.interaction, w.settings);
+        QVERIFY(!test::child<QAction>(next, u"truthAction"_s).isChecked());
+    }
+
     void languageChangesAndComesBack()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -205,7 +225,7 @@ private slots:
         QCOMPARE(w.workspace.selection().ids(), ids);
         QCOMPARE(w.record().now.generation, flight);
         QVERIFY(w.workspace.inFlight());
-        QVERIFY(!w.action(u"icebergTool"_s).isEnabled());
+        QVERIFY(!w.action(u"uavTool"_s).isEnabled());
         QVERIFY(w.window().isVisible());
         QCOMPARE(w.window().size(), size);
         QVERIFY(w.action(u"view/language-en"_s).isChecked());

@@ -20,6 +20,7 @@ public:
     std::vector<RecoveryAnswer> recoveryAnswers; ///< one after the other, then Later
     std::optional<ExportChoice> exportChoice;
     std::optional<OriginChoice> originChoice;
+    std::optional<Point> wind_mps; ///< answered
     /** Answers a question about an import; null: cancelled. */
     std::function<std::optional<ImportChoice>(ImportRunner&, const ImportOffer&)> importAnswer;
 
@@ -34,6 +35,7 @@ public:
     QStringList informations;
     std::vector<ExportOffer> offers;
     std::vector<LatLon> suggestedOrigins;
+    std::vector<Point> askedWinds_mps; ///< each question about the wind: what blew then
     std::vector<ImportOffer> importOffers;
 
     [[nodiscard]] Unsaved askUnsaved(QWidget*, const QString& name) override
@@ -68,6 +70,11 @@ public:
     {
         suggestedOrigins.push_back(place);
         return originChoice;
+    }
+    [[nodiscard]] std::optional<Point> askWind(QWidget*, const Point& present_mps, double) override
+    {
+        askedWinds_mps.push_back(present_mps);
+        return wind_mps;
     }
     [[nodiscard]] InUse askInUse(QWidget*, const QString&, const QString& holder) override
     {

@@ -107,4 +107,18 @@ private:
     ForbidSolving m_guard;
 };
 
+/** The run so far, as it would be saved. */
+inline std::shared_ptr<const RunFile> flownRun(WindowFixture& w)
+{
+    std::shared_ptr<const RunFile> taken;
+    QObject context;
+    QObject::connect(
+        &w.workspace.runner(), &MissionRunner::runReady, &context,
+        [&](const QString&, const std::shared_ptr<const RunFile>& run) { taken = run; });
+    w.workspace.runner().requestRun();
+    if (!w.until([&] { return taken != nullptr; }))
+        qFatal("no run");
+    return taken;
+}
+
 } // namespace berg::test

@@ -130,14 +130,16 @@ private slots:
     void everyAdviceHasItsWords()
     {
         for (const std::string_view message :
-             {advised::kUnknownMembers,  advised::kAreaUnused,     advised::kFirstUavOnly,
-              advised::kEnduranceUnused, advised::kEnduranceShort, advised::kNoRoundTrip,
-              advised::kUavOutside,      advised::kWideTurn,       advised::kReachInsideTurn,
-              advised::kOutsideArea,     advised::kLeavesArea,     advised::kSamePlace,
-              advised::kOutOfReach,      advised::kTooShort,       advised::kFast,
-              advised::kTrackShort,      advised::kTrackFar,       advised::kAssetInIce,
-              advised::kNoSigma,         advised::kBeyondProof,    advised::kSolverUnable,
-              advised::kLongProof}) {
+             {advised::kUnknownMembers, advised::kAreaNoFence,      advised::kFirstUavOnly,
+              advised::kNoWayHome,      advised::kHomeUnused,       advised::kHomeNearFence,
+              advised::kStartNearFence, advised::kFenceUnplanned,   advised::kNoRoundTrip,
+              advised::kShutOff,        advised::kFenceNoArea,      advised::kOutsideFence,
+              advised::kUavOutside,     advised::kWideTurn,         advised::kReachInsideTurn,
+              advised::kOutsideArea,    advised::kLeavesArea,       advised::kSamePlace,
+              advised::kOutOfReach,     advised::kTooShort,         advised::kFast,
+              advised::kTrackShort,     advised::kTrackFar,         advised::kAssetInIce,
+              advised::kNoSigma,        advised::kBeyondProof,      advised::kSolverUnable,
+              advised::kLongProof,      advised::kVelocitySdUnused, advised::kClustersIgnored}) {
             const Issue issue{Severity::Hint, "field", std::string(message)};
             QVERIFY2(!issueText(issue).startsWith(u"field: "), issue.message.c_str());
         }

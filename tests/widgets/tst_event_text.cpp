@@ -1,5 +1,6 @@
 #include "widgets/model/event_text.h"
 
+#include <QSet>
 #include <QtTest>
 
 #include <limits>
@@ -30,6 +31,18 @@ private slots:
                                   << u"1:00:00  Storberget appeared"_s;
         QTest::newRow("intervention")
             << EventKind::Intervention << 59.6 << -1 << u"01:00  Trade-off or policy changed"_s;
+        QTest::newRow("left") << EventKind::Left << 1.0 << 0
+                              << u"00:01  berg-1 has left the area"_s;
+        QTest::newRow("lost") << EventKind::Lost << 1.0 << 1
+                              << u"00:01  Storberget is lost: not where it should be"_s;
+        QTest::newRow("found") << EventKind::Found << 1.0 << 1
+                               << u"00:01  Storberget found again"_s;
+        QTest::newRow("given up") << EventKind::GivenUp << 1.0 << 0
+                                  << u"00:01  Search for berg-1 given up"_s;
+        QTest::newRow("home bound")
+            << EventKind::HomeBound << 1.0 << -1 << u"00:01  Returning home"_s;
+        QTest::newRow("landed") << EventKind::Landed << 1.0 << -1 << u"00:01  Landed"_s;
+        QTest::newRow("took off") << EventKind::TookOff << 1.0 << -1 << u"00:01  Took off"_s;
     }
 
     void saysWhatHappened()
@@ -43,6 +56,18 @@ private slots:
         icebergs[1].id = "berg-2";
         icebergs[1].name = "Storberget";
         QCOMPARE(eventText({.time_s = time_s, .kind = kind, .iceberg = iceberg}, icebergs), text);
+    }
+
+    /** Every plan but none at all has a reason, and each its own. */
+    void reasonsAreWords()
+    {
+        QSet<QString> texts;
+        const int last = static_cast<int>(PlanReason::TakeOff);
+        for (int reason = static_cast<int>(PlanReason::Start); reason <= last; ++reason)
+            texts << planReasonText(static_cast<PlanReason>(reason));
+        QCOMPARE(texts.size(), last);
+        QVERIFY(!texts.contains(QString()));
+        QVERIFY(planReasonText(PlanReason::None).isEmpty());
     }
 
     /** An index that is none of the icebergs' gets no name, not another one's. */

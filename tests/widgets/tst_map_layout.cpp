@@ -2,6 +2,7 @@
 #include "tests/support/map_builder.h"
 #include "tests/support/map_layouts.h"
 #include "widgets/map/footprint.h"
+#include "widgets/map/map_legs.h"
 #include "widgets/map/map_painter.h"
 #include "widgets/map/map_symbols.h"
 

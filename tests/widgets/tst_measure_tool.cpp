@@ -24,7 +24,7 @@ private slots:
     void fromTheOriginLikeThePlane()
     {
         const Scenario scenario = test::emptySea();
-        const MeasuredLeg leg = measureLeg(scenario, {0, 0}, {30000, 40000});
+        const MeasuredLeg leg = measureLeg(scenario, scenario.wind_mps, {0, 0}, {30000, 40000});
         COMPARE_NEAR(leg.length_m, 50000, 1e-6);
         COMPARE_NEAR(leg.bearing_deg, 36.8698976458, 1e-9);
         COMPARE_NEAR(leg.time_s, 50000.0 / 22, 1e-6);
@@ -52,10 +52,11 @@ private slots:
             plane.toPlane({.latitude_deg = latitude_deg - 0.5, .longitude_deg = 14});
         const Point north_m =
             plane.toPlane({.latitude_deg = latitude_deg + 0.5, .longitude_deg = 14});
-        const MeasuredLeg leg = measureLeg(scenario, south_m, north_m);
+        const MeasuredLeg leg = measureLeg(scenario, scenario.wind_mps, south_m, north_m);
         COMPARE_NEAR(leg.length_m, length_m, 1.5); // the formula is of an arc at one latitude
         COMPARE_NEAR(std::remainder(leg.bearing_deg, 360), 0, 1e-7);
-        COMPARE_NEAR(measureLeg(scenario, north_m, south_m).bearing_deg, 180, 1e-7);
+        COMPARE_NEAR(measureLeg(scenario, scenario.wind_mps, north_m, south_m).bearing_deg, 180,
+                     1e-7);
     }
 
     /** Across the antimeridian and over the pole it is the short way. */
@@ -66,21 +67,24 @@ private slots:
         const LocalFrame plane(scenario.origin);
         const Point over_m = plane.toPlane({.latitude_deg = 89.9, .longitude_deg = 0});
         // 0.2 degrees of the meridian at the pole, 111 694 m each.
-        COMPARE_NEAR(measureLeg(scenario, {0, 0}, over_m).length_m, 0.2 * 111694, 1);
+        COMPARE_NEAR(measureLeg(scenario, scenario.wind_mps, {0, 0}, over_m).length_m, 0.2 * 111694,
+                     1);
         const Point east_m = plane.toPlane({.latitude_deg = 80, .longitude_deg = -179});
         const Point west_m = plane.toPlane({.latitude_deg = 80, .longitude_deg = 179});
-        QVERIFY(measureLeg(scenario, west_m, east_m).length_m < 40000);
+        QVERIFY(measureLeg(scenario, scenario.wind_mps, west_m, east_m).length_m < 40000);
     }
 
     void windCounts()
     {
         Scenario scenario = test::emptySea();
         scenario.wind_mps = {10, 0};
-        COMPARE_NEAR(measureLeg(scenario, {0, 0}, {3200, 0}).time_s, 100, 1e-6);  // 32 m/s
-        COMPARE_NEAR(measureLeg(scenario, {0, 0}, {-1200, 0}).time_s, 100, 1e-6); // 12 m/s
+        COMPARE_NEAR(measureLeg(scenario, scenario.wind_mps, {0, 0}, {3200, 0}).time_s, 100,
+                     1e-6); // 32 m/s
+        COMPARE_NEAR(measureLeg(scenario, scenario.wind_mps, {0, 0}, {-1200, 0}).time_s, 100,
+                     1e-6);          // 12 m/s
         scenario.wind_mps = {30, 0}; // faster than it flies
-        COMPARE_NEAR(measureLeg(scenario, {0, 0}, {3200, 0}).time_s, 0, 0);
-        COMPARE_NEAR(measureLeg(scenario, {5, 5}, {5, 5}).length_m, 0, 1e-6);
+        COMPARE_NEAR(measureLeg(scenario, scenario.wind_mps, {0, 0}, {3200, 0}).time_s, 0, 0);
+        COMPARE_NEAR(measureLeg(scenario, scenario.wind_mps, {5, 5}, {5, 5}).length_m, 0, 1e-6);
     }
 
     void clicksDrawAndNothingIsStored()

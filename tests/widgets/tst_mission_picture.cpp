@@ -102,6 +102,26 @@ private slots:
         COMPARE_NEAR(content.duration_s, 300, 1e-9);
     }
 
+    /** With an asset, beside the sum that makes zeta; the bound stays the last line. */
+    void weightedSumIsShownWithAnAsset()
+    {
+        FlightRecord record = recordOf(flown(300));
+        ZetaBound bound{.zeta_m2s = 1, .curve = {{.time_s = 0}, {.time_s = 300, .zeta_m2s = 1}}};
+        record.bound = {.zeta_m2s = 1, .share = 1, .whole = std::make_shared<ZetaBound>(bound)};
+        QCOMPARE(zetaContent(record, kLocale).lines.size(), std::size_t{3});
+        record.now.asset.emplace();
+        for (Sample& sample : record.history.samples)
+            sample.weightedSum_m2 = 3 * sample.sigmaSum_m2;
+        const TimeChartContent content = zetaContent(record, kLocale);
+        QCOMPARE(content.lines.size(), std::size_t{4});
+        QCOMPARE(content.lines[2].key, u"weighted_sum_m2"_s);
+        QCOMPARE(content.lines[3].key, u"zeta_bound_m2s"_s);
+        const Sample& last = record.history.samples.back();
+        COMPARE_NEAR(content.lines[1].points.back().y(), last.sigmaSum_m2, 1e-12);
+        COMPARE_NEAR(content.lines[2].points.back().y(), 3 * last.sigmaSum_m2, 1e-12);
+        QVERIFY(content.summary.contains(u"Weighted by priority"_s));
+    }
+
     void oneFormerlyUncertainIcebergDoesNotSetTheScale()
     {
         Scenario scenario = flown(0).scenario();

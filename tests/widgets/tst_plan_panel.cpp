@@ -49,6 +49,8 @@ MissionSnapshot twoIcebergs(const Scenario& scenario)
                          .sigma_m2 = 7,
                          .q_m2ps = 0.1}};
     now.active = {true, true};
+    now.motion = {.airspeed_mps = scenario.uavs.front().spec.airspeed_mps,
+                  .wind_mps = scenario.wind_mps};
     now.plan = PlanEvent{.order = {0, 1}};
     return now;
 }
@@ -179,6 +181,8 @@ private slots:
         f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423});
         QCOMPARE(summary.text().section(u'\n', 1),
                  u"ζ at the end by this plan alone: 84\u202f420 m² s"_s);
+        f.panel.showPlan({}, true);
+        QVERIFY(test::child<QLabel>(f.panel, u"planEmpty"_s).text().contains(u"next sortie"_s));
         f.panel.showPlan({});
         f.panel.showOutlook(std::nullopt);
         QVERIFY(summary.text().isEmpty());

@@ -264,6 +264,60 @@ private slots:
         QCOMPARE(isComparable(a, b), expected);
     }
 
+    void changesOfTheWorldCount_data()
+    {
+        QTest::addColumn<int>("change");
+        QTest::addColumn<bool>("expected");
+        QTest::newRow("the same changes") << 0 << true;
+        QTest::newRow("another wind") << 1 << false;
+        QTest::newRow("at another time") << 2 << false;
+        QTest::newRow("no change of the wind") << 3 << false;
+        QTest::newRow("the asset moved elsewhere") << 4 << false;
+        QTest::newRow("another iceberg") << 5 << false;
+        QTest::newRow("tau as well") << 6 << true;
+    }
+
+    /** Wind, asset and icebergs are the world; what the planner was told is not. */
+    void changesOfTheWorldCount()
+    {
+        QFETCH(int, change);
+        QFETCH(bool, expected);
+        const auto flown = [](const std::function<void(std::vector<Intervention>&)>& vary) {
+            std::vector<Intervention> told{{.time_s = 20, .wind_mps = Point(5, -3)},
+                                           {.time_s = 30, .asset = Asset{.position_m = {900, 100}}},
+                                           {.time_s = 30, .appears = newIceberg()}};
+            vary(told);
+            Scenario scenario = shortScenario();
+            scenario.duration_s = 60;
+            Mission mission(scenario);
+            for (const Intervention& next : told) {
+                mission.advance(next.time_s);
+                mission.intervene(next);
+            }
+            mission.advance(60);
+            return comparedRun(recordOf(mission));
+        };
+        const ComparedRun a = flown([](auto&) {});
+        const ComparedRun b = flown([change](std::vector<Intervention>& told) {
+            if (change == 1)
+                told[0].wind_mps = Point(5, -4);
+            else if (change == 2)
+                told[0].time_s = 21;
+            else if (change == 3)
+                told.erase(told.begin());
+            else if (change == 4)
+                told[1].asset->position_m = {900, 200};
+            else if (change == 5)
+                told[2].appears->position_m.x() += 100;
+            else if (change == 6)
+                told[0].tau = 3;
+        });
+        QCOMPARE(a.worldChanges.size(), std::size_t{3});
+        QCOMPARE(isComparable(a, b), expected);
+        QVERIFY(!a.wasChanged); // the planner was not
+        QCOMPARE(b.wasChanged, change == 6);
+    }
+
     /** The figures of a run at an earlier time are those of a run that ended there. */
     void figuresOfAnEarlierTime_data()
     {

@@ -116,6 +116,50 @@ private slots:
         QCOMPARE(workspace.planner().tau, 4.5);
     }
 
+    /** Changes that wait for the flight together are all in force, of each kind the newest. */
+    void changesOfEveryKindAreJoined()
+    {
+        Workspace workspace;
+        Scenario scenario = small();
+        scenario.asset = Asset{.name = "Ship", .position_m = {1000, 0}, .velocity_mps = {3, 4}};
+        workspace.document().reset(scenario);
+        QVERIFY(takeOff(workspace));
+        const double time_s = workspace.record().now.time_s;
+        workspace.setWind({1, 1});
+        workspace.setWind({-4, 2});
+        workspace.moveAsset({500, 600});
+        workspace.setTau(2.5);
+        QVERIFY(until([&] { return workspace.planner().tau == 2.5; }));
+        QVERIFY(workspace.wind_mps() == Point(-4, 2));
+        const std::optional<Asset>& asset = workspace.record().now.asset;
+        QVERIFY((asset->position_m - (Point(500, 600) - Point(3, 4) * time_s)).norm() < 1e-9);
+        QVERIFY(asset->velocity_mps == Point(3, 4));
+        QVERIFY(workspace.document().scenario() == scenario);
+        for (const Intervention& change : workspace.record().now.worldChanges)
+            QVERIFY(!change.tau);
+    }
+
+    /** Before take-off there is no flight to be told. */
+    void onlyAFlightCanBeTold()
+    {
+        Workspace workspace;
+        Scenario scenario = small();
+        scenario.asset = Asset{.position_m = {1000, 0}};
+        workspace.document().reset(scenario);
+        QVERIFY(untilPhase(workspace, RunPhase::Ready));
+        QVERIFY(!workspace.mayIntervene());
+        workspace.moveAsset({0, 0});
+        workspace.addIceberg({});
+        QVERIFY(workspace.document().scenario() == scenario);
+        workspace.setWind({3, 0}); // an edit
+        QCOMPARE(workspace.document().undoStack()->count(), 1);
+        QVERIFY(workspace.wind_mps() == Point(3, 0));
+        QVERIFY(takeOff(workspace));
+        QVERIFY(workspace.mayIntervene());
+        workspace.lookAt(0);
+        QVERIFY(!workspace.mayIntervene());
+    }
+
     void afterTheEndChangesAreRefused()
     {
         Workspace workspace;

@@ -14,6 +14,7 @@ enum class LineRole
 {
     Accumulated, ///< zeta, distance flown, means over the mission
     Momentary,   ///< sum of sigma, with a light area below; >= 0
+    Weighted,    ///< the same with weights, dashed
     Signed,      ///< a reading with sign, such as the turn rate
     Sigma,       ///< sigma of one iceberg, coloured by its value
     Bound        ///< what no other line gets below

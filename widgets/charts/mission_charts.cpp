@@ -71,6 +71,24 @@ TimeLine sumOfSigma()
             .key = u"sigma_sum_m2"_s};
 }
 
+constexpr std::size_t kWeightedLine = 2; // of the chart of zeta, with an asset
+
+bool hasAsset(const FlightRecord& record)
+{
+    return record.now.asset.has_value();
+}
+
+/** What is planned by; zeta stays that of the sum without weights. */
+TimeLine weightedSum()
+{
+    return {.label = MissionCharts::tr("Weighted"),
+            .points = {},
+            .role = LineRole::Weighted,
+            .name = MissionCharts::tr("Weighted by priority"),
+            .unit = squareMetres(),
+            .key = u"weighted_sum_m2"_s};
+}
+
 std::optional<TimeLine> boundOfZeta(const FlightRecord& record)
 {
     const KnownBound bound = record.boundOfFlight();
@@ -108,12 +126,17 @@ void fillZeta(TimeChartContent& content, const FlightRecord& record, const QLoca
                              .unit = zetaUnit(),
                              .key = u"zeta_m2s"_s});
     content.lines.push_back(sumOfSigma());
+    if (hasAsset(record))
+        content.lines.push_back(weightedSum());
     if (std::optional<TimeLine> bound = boundOfZeta(record))
         content.lines.push_back(*std::move(bound));
     const Sample& last = record.history.samples.back();
     content.summary = MissionCharts::tr("At %1 zeta is %2 m² s and the sum of σ %3 m².")
                           .arg(atTime(record), significantText(last.zeta_m2s, 4, locale),
                                significantText(last.sigmaSum_m2, 3, locale));
+    if (hasAsset(record))
+        content.summary += u' ' + MissionCharts::tr("Weighted by priority the sum is %1 m².")
+                                      .arg(significantText(last.weightedSum_m2, 3, locale));
 }
 
 double meanSigma_m2(const Sample& sample)
@@ -314,6 +337,8 @@ std::optional<double> chartValue(ChartKind kind, const FlightRecord& record, std
     const bool isFirst = line == 0;
     switch (kind) {
     case ChartKind::Zeta:
+        if (line == kWeightedLine && hasAsset(record))
+            return sample.weightedSum_m2;
         if (line > 1) // the bound has points of its own
             return std::nullopt;
         return isFirst ? sample.zeta_m2s : sample.sigmaSum_m2;

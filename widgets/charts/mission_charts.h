@@ -12,7 +12,7 @@ namespace berg {
 /** What of a mission a chart shows over time. */
 enum class ChartKind
 {
-    Zeta,       ///< zeta and the sum of sigma
+    Zeta,       ///< zeta and the sum of sigma, with an asset that by priority too
     MeanSigma,  ///< sum of sigma, which is the rate of zeta (Eq. (24)), and its mean since take-off
     Sigma,      ///< of each iceberg
     Distance,   ///< through the air

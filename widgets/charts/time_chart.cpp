@@ -27,6 +27,7 @@ double penWidth(LineRole role)
         return 2.4;
     case LineRole::Momentary:
         return 1.8;
+    case LineRole::Weighted:
     case LineRole::Signed:
     case LineRole::Sigma:
         return 1.5;
@@ -160,6 +161,7 @@ QColor TimeChart::lineColour(const TimeLine& line) const
     case LineRole::Accumulated:
         return m_theme.accumulated;
     case LineRole::Momentary:
+    case LineRole::Weighted:
     case LineRole::Signed:
         return m_theme.momentary;
     case LineRole::Sigma:
@@ -207,8 +209,9 @@ void TimeChart::styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapSt
     const QBrush brush = line.role == LineRole::Sigma && m_gradients ? bySigma : QBrush(colour);
     const bool isThin = m_plain && line.emphasis != LineEmphasis::Strong &&
                         line.role != LineRole::Accumulated; // which is smooth anyway
-    m_series[index]->setPen(
-        QPen(brush, isThin ? 1 : penWidth(line), Qt::SolidLine, cap, Qt::RoundJoin));
+    m_series[index]->setPen(QPen(brush, isThin ? 1 : penWidth(line),
+                                 line.role == LineRole::Weighted ? Qt::DashLine : Qt::SolidLine,
+                                 cap, Qt::RoundJoin));
     if (m_areas[index] == nullptr)
         return;
     m_areas[index]->setPen(Qt::NoPen);

@@ -1,6 +1,7 @@
 // What dragging a handle of the map does to the scenario.
 
 #include "widgets/map/drift_arrow.h"
+#include "widgets/map/flight_drag.h"
 #include "widgets/map/map_handles.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/scenario_edits.h"
@@ -166,6 +167,10 @@ std::unique_ptr<HandleDrag> makeHandleDrag(const MapToolContext& context, const 
     case HandleKind::Corner:
     case HandleKind::Edge:
         return std::make_unique<CornerDrag>(context, handle);
+    case HandleKind::Wind:
+        return makeWindDrag(context, handle);
+    case HandleKind::Asset:
+        return makeAssetDrag(context, handle);
     }
     return nullptr;
 }
@@ -185,6 +190,13 @@ QString handleText(const MapToolContext& context, const MapHandle& handle)
         return HandleText::tr("Drag moves the corner, a click and Del remove it.");
     case HandleKind::Edge:
         return HandleText::tr("Drag makes a new corner here.");
+    case HandleKind::Wind:
+        return context.view.isLocked()
+                   ? HandleText::tr("Drag changes the wind from now on; in flight that cannot be "
+                                    "undone.")
+                   : HandleText::tr("Drag sets the wind: the arrow points where it blows to.");
+    case HandleKind::Asset:
+        break; // dragged without a mark of its own
     }
     return {};
 }

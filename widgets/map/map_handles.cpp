@@ -3,6 +3,7 @@
 #include "widgets/map/map_scene.h"
 #include "widgets/map/painter_state.h"
 #include "widgets/map/scenario_picture.h"
+#include "widgets/map/wind_panel.h"
 #include "widgets/model/selection.h"
 
 #include <algorithm>
@@ -97,6 +98,14 @@ std::vector<MapHandle> areaHandles(MapScene& scene)
     }
     dropHidden(handles, scene);
     return handles;
+}
+
+std::optional<MapHandle> windHandle(MapScene& scene)
+{
+    const QRectF& panel = scene.layout().wind;
+    if (panel.isNull())
+        return std::nullopt;
+    return MapHandle{.kind = HandleKind::Wind, .at_px = windTip(panel, scene.picture().air)};
 }
 
 std::vector<MapHandle> handlesOf(MapScene& scene, const Selection& selection)

@@ -14,7 +14,9 @@ enum class HandleKind
     Drift,   ///< velocity of an iceberg, at the tip of its arrow
     Heading, ///< of the UAV
     Corner,  ///< of the area
-    Edge     ///< middle of an edge of the area: a new corner
+    Edge,    ///< middle of an edge of the area: a new corner
+    Wind,    ///< tip of the arrow in its panel
+    Asset    ///< in flight: the asset itself
 };
 
 /** A small mark to be dragged, beside what it belongs to. */
@@ -32,6 +34,8 @@ struct MapHandle
     }
 };
 
+/** None: the panel of the wind has no room. */
+[[nodiscard]] std::optional<MapHandle> windHandle(MapScene& scene);
 /** Handles of what is selected; those under a panel of the map are left out. */
 [[nodiscard]] std::vector<MapHandle> handlesOf(MapScene& scene, const Selection& selection);
 /** Corners and middles of edges of the area; edges too short for a handle have none. */
@@ -50,7 +54,10 @@ struct HandleMarks
 void paintHandles(QPainter& painter, const std::vector<MapHandle>& handles,
                   const HandleMarks& marks, const Theme& theme);
 
-/** One drag of a handle: one undo step, taken back by `cancel`. */
+/**
+ * One drag of a handle: one undo step, taken back by `end(false)`. In flight, where it is one of
+ * those that can be dragged then, a draft of the picture and at the end what the map emits.
+ */
 class HandleDrag
 {
 public:
@@ -60,18 +67,20 @@ public:
     HandleDrag& operator=(const HandleDrag&) = delete;
 
     virtual void move(const MapPointer& pointer) = 0;
-    /** Live values, beside the cursor. */
+    /** Live values, beside the cursor; empty: they are elsewhere. */
     [[nodiscard]] virtual QString text() const = 0;
     /** For the status bar. */
     [[nodiscard]] virtual QString status() const = 0;
 
     [[nodiscard]] const MapHandle& handle() const { return m_handle; }
-    void end(bool keep);
-    [[nodiscard]] bool isApplying() const { return m_gesture->isApplying(); }
+    virtual void end(bool keep);
+    [[nodiscard]] bool isApplying() const { return m_gesture && m_gesture->isApplying(); }
 
 protected:
     [[nodiscard]] const MapToolContext& context() const { return m_context; }
     [[nodiscard]] EditGesture& gesture() { return *m_gesture; }
+    /** There is no gesture. */
+    [[nodiscard]] bool isInFlight() const { return m_gesture == nullptr; }
     void begin(const QString& undoText) { m_gesture = makeGesture(m_context, undoText); }
 
 private:

@@ -1,9 +1,12 @@
 #include "widgets/map/map_layout.h"
 
 #include "widgets/map/footprint.h"
+#include "widgets/map/map_legs.h"
 #include "widgets/map/map_symbols.h"
+#include "widgets/map/wind_panel.h"
 #include "widgets/theme/quantity_text.h"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 
 #include <algorithm>
@@ -15,6 +18,11 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
+
+struct MapLayoutText
+{
+    Q_DECLARE_TR_FUNCTIONS(MapLayoutText)
+};
 
 constexpr double kMargin_px = 12;       // of overlays from the edge and from each other
 constexpr double kSymbolMargin_px = 44; // of the outermost symbols from the edge
@@ -29,7 +37,8 @@ constexpr std::size_t kTrackProbes = 240;
 constexpr double kWidestShare = 0.45;
 constexpr double kTallestShare = 0.62;
 constexpr double kLargestShare = 0.16; // of the area
-constexpr double kLowMap_px = 600;     // whose legend is compact
+constexpr double kLargestCalmShare = 0.05;
+constexpr double kLowMap_px = 600; // whose legend is compact
 
 // Times a drift arrow may stand for.
 constexpr std::array<double, 11> kDriftTimes_s = {60,   120,  300,   600,   1200, 1800,
@@ -60,6 +69,8 @@ std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, 
             points_m.push_back(point.position_m);
     if (picture.asset)
         points_m.push_back(picture.asset->position_m);
+    if (picture.home_m)
+        points_m.push_back(*picture.home_m);
     for (const MapWay& way : picture.planWays) {
         points_m.insert(points_m.end(), way.path_m.begin(), way.path_m.end());
         points_m.push_back(way.aim_m);
@@ -78,10 +89,30 @@ bool fits(const QSizeF& size, const QRectF& rect)
            size.width() * size.height() <= kLargestShare * rect.width() * rect.height();
 }
 
+/** Beside the north arrow. */
+void placeWind(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
+{
+    const QSizeF size = windPanelSize(picture.air, style);
+    if (layout.north.isNull() || !fits(size, layout.rect))
+        return;
+    const bool isCalm = picture.air.wind_mps.isZero(0) && picture.air.current_mps.isZero(0);
+    if (isCalm && size.width() * size.height() >
+                      kLargestCalmShare * layout.rect.width() * layout.rect.height())
+        return;
+    const QRectF rect(QPointF(layout.north.left() - kMargin_px - size.width(), layout.north.top()),
+                      size);
+    const auto isClearOf = [&rect](const QRectF& other) {
+        return other.isNull() ||
+               !other.adjusted(-kMargin_px, -kMargin_px, kMargin_px, kMargin_px).intersects(rect);
+    };
+    if (isClearOf(layout.title) && isClearOf(layout.legend) && isClearOf(layout.scaleBar))
+        layout.wind = rect;
+}
+
 /** Overlays into their corners: title top left, legend bottom left, the others on the right. */
 void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
 {
-    layout.title = layout.legend = layout.scaleBar = layout.north = layout.inset = {};
+    layout.title = layout.legend = layout.scaleBar = layout.north = layout.wind = layout.inset = {};
     const QRectF inner = layout.rect.adjusted(kMargin_px, kMargin_px, -kMargin_px, -kMargin_px);
     const QSizeF title = titleSize(picture, style, 0.6 * layout.rect.width());
     if (!title.isEmpty() && title.width() >= 120 && title.height() <= 0.4 * layout.rect.height())
@@ -98,6 +129,7 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
     const QSizeF north = northArrowSize();
     if (fits(north, layout.rect))
         layout.north = QRectF(inner.topRight() - QPointF(north.width(), 0), north);
+    placeWind(layout, picture, style);
     const QRectF inset(
         QPointF(inner.right() - style.inset_px.width(), layout.north.bottom() + kMargin_px),
         style.inset_px);
@@ -172,7 +204,8 @@ MapViewTransform bestView(MapLayout layout, const MapPicture& picture, const QRe
     const WorldBounds bounds =
         boundsOf(contentPoints(picture, layout.symbols.driftTime_s, layout.view.scale_pxpm()));
     const std::array<double, 3> lefts = {0, layout.title.width(), layout.legend.width()};
-    const std::array<double, 2> rights = {0, layout.north.width()};
+    const double besideNorth_px = layout.wind.isNull() ? 0 : layout.wind.width() + kMargin_px;
+    const std::array<double, 2> rights = {0, layout.north.width() + besideNorth_px};
     const std::array<double, 2> tops = {0, layout.title.height()};
     const std::array<double, 3> bottoms = {0, layout.scaleBar.height(), layout.legend.height()};
     MapViewTransform best = layout.view;
@@ -288,43 +321,12 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
     return labels;
 }
 
-/** Legs from symbol to symbol, cut at them; none where there is no room between. */
-std::vector<QPolygonF> legsThrough(const std::vector<int>& icebergs, const QPointF& from_px,
-                                   const MapLayout& layout)
-{
-    std::vector<QPolygonF> legs;
-    LabelDisk from{.centre_px = from_px, .radius_px = 0};
-    for (const int iceberg : icebergs) {
-        const LabelDisk to = layout.icebergs[static_cast<std::size_t>(iceberg)];
-        const QLineF centres(from.centre_px, to.centre_px);
-        const double length_px = centres.length();
-        if (length_px > from.radius_px + to.radius_px + 1)
-            legs.push_back({centres.pointAt(from.radius_px / length_px),
-                            centres.pointAt(1 - to.radius_px / length_px)});
-        else
-            legs.emplace_back();
-        from = to;
-    }
-    return legs;
-}
-
-std::vector<QPolygonF> legsAlong(const std::vector<MapWay>& ways, const MapViewTransform& view)
-{
-    std::vector<QPolygonF> legs;
-    for (const MapWay& way : ways) {
-        QPolygonF& leg = legs.emplace_back();
-        for (const Point& point_m : way.path_m)
-            leg << view.toPixel(point_m);
-    }
-    return legs;
-}
-
 } // namespace
 
 std::vector<QRectF> MapLayout::overlays() const
 {
     std::vector<QRectF> shown;
-    for (const QRectF& overlay : {title, legend, scaleBar, north, inset})
+    for (const QRectF& overlay : {title, legend, scaleBar, north, wind, inset})
         if (!overlay.isNull())
             shown.push_back(overlay);
     return shown;
@@ -348,8 +350,13 @@ double driftTimeFor_s(double speed_mps, double scale_pxpm)
 
 QString labelText(const MapIceberg& iceberg)
 {
-    return iceberg.appears_s > 0 ? iceberg.id + u" · "_s + clockText(iceberg.appears_s)
-                                 : iceberg.id;
+    if (iceberg.appears_s > 0)
+        return iceberg.id + u" · "_s + clockText(iceberg.appears_s);
+    if (iceberg.status == TrackStatus::Lost)
+        return iceberg.id + u" · "_s + MapLayoutText::tr("lost");
+    if (iceberg.status == TrackStatus::GivenUp)
+        return iceberg.id + u" · "_s + MapLayoutText::tr("given up");
+    return iceberg.id;
 }
 
 MapContinuity continuityOf(const MapPicture& picture, const MapLayout& layout)
@@ -377,25 +384,6 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
     placeIcebergs(layout, picture);
     layout.labels = labelsOf(layout, picture, style, continuity);
     return layout;
-}
-
-std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layout)
-{
-    if (!picture.uav)
-        return {};
-    if (!picture.planWays.empty())
-        return legsAlong(picture.planWays, layout.view);
-    return legsThrough(picture.plan, layout.view.toPixel(picture.uav->position_m), layout);
-}
-
-std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& layout)
-{
-    if (!picture.uav)
-        return {};
-    if (!picture.formerWays.empty())
-        return legsAlong(picture.formerWays, layout.view);
-    const Point from_m = picture.formerFrom_m.value_or(picture.uav->position_m);
-    return legsThrough(picture.formerPlan, layout.view.toPixel(from_m), layout);
 }
 
 QLineF driftArrow(const MapPicture& picture, const MapLayout& layout, std::size_t iceberg)

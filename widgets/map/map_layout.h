@@ -21,6 +21,7 @@ struct MapLayout
     bool isLegendCompact = false;
     QRectF scaleBar;
     QRectF north;
+    QRectF wind;
     QRectF inset;                    ///< kept free, not painted
     std::vector<LabelDisk> icebergs; ///< symbol with its ring, by index
     std::vector<int> order;          ///< 1-based position in the plan by iceberg; 0: not planned
@@ -33,7 +34,7 @@ struct MapLayout
 inline constexpr double kOrderDisk_px = 9; ///< radius
 inline constexpr double kOrderGap_px = 4;
 [[nodiscard]] QFont labelFont(const Theme& theme);
-/** Id of the iceberg; of one still to come with the time when it will. */
+/** Id of the iceberg; of one still to come with the time when it will, and whether it is lost. */
 [[nodiscard]] QString labelText(const MapIceberg& iceberg);
 
 /** Icebergs by index whose labels may look for a place. */
@@ -66,15 +67,6 @@ struct MapContinuity
                                    const QRectF& rect,
                                    const std::optional<MapViewTransform>& view = {},
                                    const MapContinuity& continuity = {});
-
-/**
- * The legs of the plan on the screen, from the UAV on: lines cut at the symbols, or the ways of a
- * plan with aim points; empty where there is no room.
- */
-[[nodiscard]] std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layout);
-
-/** The same of what the plan took the place of, from where the UAV was then. */
-[[nodiscard]] std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& layout);
 
 /** Longest of the usual times whose way at this speed is an arrow of good length; 0: none. */
 [[nodiscard]] double driftTimeFor_s(double speed_mps, double scale_pxpm);

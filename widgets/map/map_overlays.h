@@ -14,7 +14,8 @@ struct MapStyle
 {
     const Theme& theme;
     QLocale locale;
-    QSizeF inset_px = {}; ///< kept free below the north arrow; empty: nothing
+    QSizeF inset_px = {};    ///< kept free below the north arrow; empty: nothing
+    bool offersWind = false; ///< the panel of the wind is there in calm, too, to be used
 };
 
 /** How symbols are scaled in one view; the legend explains it. */

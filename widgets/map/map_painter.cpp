@@ -2,11 +2,14 @@
 
 #include "core/base/random.h"
 #include "widgets/map/land_layer.h"
+#include "widgets/map/map_legend_rows.h"
 #include "widgets/map/map_paint.h"
 #include "widgets/map/map_sprites.h"
 #include "widgets/map/map_symbols.h"
 #include "widgets/map/map_ways.h"
+#include "widgets/map/map_world.h"
 #include "widgets/map/painter_state.h"
+#include "widgets/map/wind_panel.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QFontMetricsF>
@@ -58,18 +61,6 @@ void paintGraticuleLabels(const MapPaint& p)
     }
 }
 
-void paintArea(const MapPaint& p)
-{
-    if (p.picture.area_m.empty())
-        return;
-    QPolygonF outline;
-    for (const Point& corner_m : p.picture.area_m)
-        outline << p.layout.view.toPixel(corner_m);
-    p.painter.setBrush(Qt::NoBrush);
-    p.painter.setPen(QPen(p.theme.coast, 1.4, Qt::DashLine));
-    p.painter.drawPolygon(outline);
-}
-
 /** Kept drawings come in steps too fine to see, so that slow growth can use them. */
 void roundForKeeping(double& ring_px, double& sigma)
 {
@@ -97,12 +88,14 @@ void paintIcebergs(const MapPaint& p)
                                .sigma = p.theme.sigma.at(sigma),
                                .inView = iceberg.inView,
                                .later = iceberg.appears_s > 0,
+                               .status = iceberg.status,
                                .variant = variant};
-        const QString key = u"ice %1 %2 %3 %4 %5"_s.arg(symbol_px)
-                                .arg(ring_px)
-                                .arg(sigma)
-                                .arg(int(look.inView) + 2 * int(look.later))
-                                .arg(variant);
+        const QString key =
+            u"ice %1 %2 %3 %4 %5"_s.arg(symbol_px)
+                .arg(ring_px)
+                .arg(sigma)
+                .arg(int(look.inView) + 2 * int(look.later) + 4 * static_cast<int>(look.status))
+                .arg(variant);
         const double reach_px = std::max(symbol_px + 7, ring_px) + 2;
         paintKept(p, key, QRectF(-reach_px, -reach_px, 2 * reach_px, 2 * reach_px), disk.centre_px,
                   [&](QPainter& painter) {
@@ -145,48 +138,16 @@ void paintLabel(const MapPaint& p, std::size_t i)
               label.rect.topLeft(), draw);
 }
 
-/** Outer ring dashed, inner ring in full. */
-void paintRings(const MapPaint& p, const MapAsset& asset)
-{
-    const QPointF at = p.layout.view.toPixel(asset.position_m);
-    const double scale_pxpm = p.layout.view.scale_pxpm();
-    p.painter.setBrush(Qt::NoBrush);
-    p.painter.setPen(QPen(p.theme.mutedText, 1, Qt::DashLine));
-    p.painter.drawEllipse(at, asset.range_m * scale_pxpm, asset.range_m * scale_pxpm);
-    p.painter.setPen(QPen(p.theme.uav, 1.4));
-    p.painter.drawEllipse(at, asset.alarm_m * scale_pxpm, asset.alarm_m * scale_pxpm);
-}
-
-void paintAsset(const MapPaint& p)
-{
-    if (!p.picture.asset)
-        return;
-    paintRings(p, *p.picture.asset);
-    const QPointF at = p.layout.view.toPixel(p.picture.asset->position_m);
-    drawAsset(p.painter, at, p.theme);
-    p.painter.setFont(labelFont(p.theme));
-    drawHaloText(p.painter, QRectF(at.x() - 100, at.y() + 11, 200, 18), Qt::AlignHCenter,
-                 p.picture.asset->name, p.theme.text, p.theme.sea);
-}
-
 /** What the look of the legend depends on. */
 QString legendKey(const MapPaint& p)
 {
-    const auto any = [&](const auto& test) {
-        return std::any_of(p.picture.icebergs.begin(), p.picture.icebergs.end(), test);
-    };
-    const bool inView = any([](const MapIceberg& iceberg) { return iceberg.inView; });
-    const bool later = any([](const MapIceberg& iceberg) { return iceberg.appears_s > 0; });
-    const int rows = int(inView) + 2 * int(later) + 4 * int(!p.picture.plan.empty()) +
-                     8 * int(p.picture.track.size() > 1) + 16 * int(p.picture.uav.has_value()) +
-                     32 * int(p.picture.showsSwept()) + 64 * int(!p.picture.formerPlan.empty()) +
-                     128 * int(!p.picture.planWays.empty()) + 256 * int(p.layout.isLegendCompact);
-    return u"legend %1 %2 %3 %4 %5 "_s.arg(p.layout.symbols.ring_pxpm)
-               .arg(p.layout.symbols.driftTime_s)
-               .arg(p.picture.sigmaFull_m2)
-               .arg(rows)
-               .arg(p.style.locale.name()) + // last, the one text of the user's
-           (p.picture.comparisonTrack.size() > 1 ? p.picture.comparisonName : QString());
+    QString key = u"legend %1 %2 %3 %4"_s.arg(p.layout.symbols.ring_pxpm)
+                      .arg(p.picture.sigmaFull_m2)
+                      .arg(int(p.layout.isLegendCompact))
+                      .arg(p.style.locale.name());
+    for (const LegendRow& row : legendRows(p.picture, p.style, p.layout.symbols))
+        key += u'\n' + row.text;
+    return key;
 }
 
 void paintOverlays(const MapPaint& p, double north_rad)
@@ -209,6 +170,8 @@ void paintOverlays(const MapPaint& p, double north_rad)
           [&](QPainter& painter, const QRectF& rect) {
               paintNorthArrow(painter, rect, north_rad, p.style);
           });
+    if (!p.layout.wind.isNull())
+        paintWindPanel(p.painter, p.layout.wind, p.picture.air, p.style);
     if (!p.layout.title.isNull())
         paintTitle(p.painter, p.layout.title, p.picture, p.style);
     if (!p.picture.icebergs.empty())
@@ -248,8 +211,14 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     paintTrack(p);
     paintFieldOfView(p);
     paintFormerPlan(p);
+    paintClusters(p);
     paintPlan(p);
+    paintSearch(p);
+    paintCircles(p);
     paintIcebergs(p);
+    paintTruths(p);
+    paintAlarms(p);
+    paintHome(p);
     paintAsset(p);
     if (p.picture.uav)
         drawUav(painter, p.layout.view.toPixel(p.picture.uav->position_m), p.picture.uav->psi_rad,

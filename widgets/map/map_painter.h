@@ -32,7 +32,7 @@ void paintMapGround(QPainter& painter, const MapFrame& frame);
 void paintMapContent(QPainter& painter, const MapFrame& frame);
 /** Names of the icebergs with their order, numbers of the graticule. */
 void paintMapLabels(QPainter& painter, const MapFrame& frame);
-/** Title, legend, scale bar, north arrow; the words on an empty map. */
+/** Title, legend, scale bar, north arrow, wind; the words on an empty map. */
 void paintMapOverlays(QPainter& painter, const MapFrame& frame);
 
 /** All layers of a picture where its layout put things. */

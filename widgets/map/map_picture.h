@@ -22,6 +22,10 @@ struct MapIceberg
     bool inView = false;
     double appears_s = 0; ///< > 0: not there yet, drawn faint with this time
     std::string key;      ///< id in the scenario; empty: the same as `id`
+    TrackStatus status = TrackStatus::Tracked;
+    double circle_m = 0;            ///< it is within this of the estimate with 95 %; 0: not shown
+    std::optional<Point> truth_m{}; ///< where it is in truth; none: not shown
+    std::optional<double> ringEntry_s{}; ///< from now, into the inner ring of the asset; 0: inside
 };
 
 struct MapUav
@@ -30,6 +34,15 @@ struct MapUav
     double psi_rad = 0; ///< from the x = east axis, counter-clockwise
     SensorSpec sensor;
     std::string key; ///< id in the scenario; empty: cannot be selected
+    double airspeed_mps = 22;
+};
+
+/** What moves the air and the water of the whole map. */
+struct MapAir
+{
+    Point wind_mps = Point::Zero();
+    Point current_mps = Point::Zero();
+    double limit_mps = 0; ///< the wind is slower: airspeed of the slowest UAV; 0: nothing flies
 };
 
 /** One point of the flown track. */
@@ -84,14 +97,23 @@ struct MapPicture
     std::vector<int> plan;             ///< indices of `icebergs` in the order to be visited
     std::vector<int> formerPlan;       ///< what `plan` took the place of; empty: nothing to tell
     std::optional<Point> formerFrom_m; ///< where the UAV was then; none: where it is
+    std::optional<int> thisSortie; ///< so many of `plan` are flown to before going home; none: all
+    std::vector<std::vector<int>> clusters; ///< indices of `icebergs` planned as one point each
+    std::vector<std::vector<Point>> planCorners; ///< of the geofence that the legs go round, by
+                                                 ///< leg, the way home last; empty: none do
     std::vector<MapWay> planWays;   ///< how `plan` is flown; empty: straight from symbol to symbol
     std::vector<MapWay> formerWays; ///< how `formerPlan` would have been
+    std::vector<Point> search_m;    ///< corners flown to find a lost iceberg; empty: no search
     std::vector<MapPose> swept;     ///< by time; round and between them the UAV has seen the water
     std::vector<MapTrackPoint> track;
     std::vector<MapTrackPoint> comparisonTrack; ///< of another run in the same world
     QString comparisonName;                     ///< what that run is, for the legend
     std::vector<Point> area_m;                  ///< corners; empty: unbounded
+    bool isFenced = false;                      ///< the UAV stays inside the area
+    std::optional<Point> home_m;                ///< where it lands; none: it never does
     std::optional<MapAsset> asset;
+    MapAir air;
+    bool hidesTruth = false;  ///< nothing is shown that the observer does not know
     double sigmaFull_m2 = 10; ///< end of the colour scale, > 0
     QString emptyTitle;       ///< shown when there is no iceberg
     QString emptyHint;        ///< what to do about it

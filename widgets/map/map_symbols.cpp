@@ -76,6 +76,36 @@ void drawBrackets(QPainter& painter, const QPointF& centre, double half_px, cons
     }
 }
 
+/** The form of an iceberg, in whose units the painter draws from now on. */
+const IceForm& scaledForm(QPainter& painter, const QPointF& centre, const IcebergLook& look)
+{
+    const bool isMirrored = (look.variant / iceForms().size()) % 2 == 1;
+    painter.translate(centre);
+    painter.scale(isMirrored ? -look.radius_px : look.radius_px, look.radius_px);
+    return iceForms()[look.variant % iceForms().size()];
+}
+
+/** Nobody knows that it is there. */
+void drawLostForm(QPainter& painter, const QPointF& centre, const IcebergLook& look,
+                  const Theme& theme)
+{
+    {
+        const PainterState unscaled(painter);
+        QPen edge(theme.ink, 1.4, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+        edge.setDashPattern({2.5, 2});
+        edge.setCosmetic(true);
+        painter.setPen(edge);
+        painter.setBrush(theme.sea);
+        painter.drawPolygon(scaledForm(painter, centre, look).outline);
+    }
+    QFont font = theme.strong();
+    font.setPixelSize(static_cast<int>(std::lround(std::max(11.0, 1.5 * look.radius_px))));
+    painter.setFont(font);
+    const QRectF box(centre.x() - 20, centre.y() - 20, 40, 40);
+    drawHaloText(painter, box, Qt::AlignCenter,
+                 QString(look.status == TrackStatus::Lost ? u'?' : u'×'), theme.text, theme.sea);
+}
+
 double widestDigit(const QFontMetricsF& metrics)
 {
     double widest = 0;
@@ -102,7 +132,8 @@ void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& lo
                  const Theme& theme)
 {
     const PainterState saved(painter);
-    const Qt::PenStyle line = look.later ? Qt::DashLine : Qt::SolidLine;
+    const bool isSure = !look.later && look.status == TrackStatus::Tracked;
+    const Qt::PenStyle line = isSure ? Qt::SolidLine : Qt::DashLine;
     if (look.later)
         painter.setOpacity(0.6);
     if (look.inView) {
@@ -114,10 +145,11 @@ void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& lo
         painter.setPen(QPen(look.sigma, 1.8, line, Qt::FlatCap));
         painter.drawEllipse(centre, look.ring_px, look.ring_px);
     }
-    const IceForm& form = iceForms()[look.variant % iceForms().size()];
-    const bool mirrored = (look.variant / iceForms().size()) % 2 == 1;
-    painter.translate(centre);
-    painter.scale(mirrored ? -look.radius_px : look.radius_px, look.radius_px);
+    if (look.status != TrackStatus::Tracked) {
+        drawLostForm(painter, centre, look, theme);
+        return;
+    }
+    const IceForm& form = scaledForm(painter, centre, look);
     const QColor lit = look.inView ? theme.ice : mixed(look.sigma, theme.ice, 0.3);
     const QColor shaded = look.inView ? mixed(theme.ice, theme.ink, 0.22) : look.sigma;
     QPen edge(theme.isDark ? mixed(theme.ink, theme.sea, 0.1) : theme.ink, 1.2, line);
@@ -158,6 +190,84 @@ void drawAsset(QPainter& painter, const QPointF& centre, const Theme& theme)
     painter.drawLine(QPointF(6, 0), QPointF(8, 9));
     painter.drawLine(QPointF(-7, 5), QPointF(7, 5));
     painter.drawLine(QPointF(3, -7), QPointF(3, -13));
+}
+
+void drawHome(QPainter& painter, const QPointF& centre, const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.translate(centre);
+    painter.setPen(QPen(theme.ink, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(theme.panel);
+    painter.drawPolygon(QPolygonF{{-7.5, 8}, {-7.5, -1}, {0, -8.5}, {7.5, -1}, {7.5, 8}});
+    painter.setBrush(theme.ink);
+    painter.drawRect(QRectF(-2, 2, 4, 6));
+}
+
+void drawTruth(QPainter& painter, const QPointF& centre, const Theme& theme)
+{
+    constexpr double kHalf_px = 4.5;
+    const PainterState saved(painter);
+    painter.translate(centre);
+    painter.setPen(QPen(theme.isDark ? theme.sea : theme.ink, 1.3));
+    painter.setBrush(theme.ice);
+    painter.drawPolygon(QPolygonF{{kHalf_px, 0}, {0, -kHalf_px}, {-kHalf_px, 0}, {0, kHalf_px}});
+}
+
+void drawAlarm(QPainter& painter, const QPointF& centre, const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.translate(centre);
+    const QPolygonF triangle{{0, -8}, {8, 6}, {-8, 6}};
+    painter.setPen(QPen(theme.sea, 3, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPolygon(triangle);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.uav);
+    painter.drawPolygon(triangle);
+    painter.setPen(QPen(theme.sea, 2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(0, -3), QPointF(0, 1));
+    painter.drawPoint(QPointF(0, 4));
+}
+
+void drawFence(QPainter& painter, const QLineF& line, const Theme& theme)
+{
+    constexpr double kPost_px = 6;
+    constexpr double kGap_px = 14;
+    if (line.length() < 1)
+        return;
+    const PainterState saved(painter);
+    painter.setPen(QPen(theme.ink, 1.5, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(line);
+    const QPointF along = (line.p2() - line.p1()) / line.length();
+    const QPointF right(-along.y() * kPost_px, along.x() * kPost_px);
+    for (double at_px = kGap_px / 2; at_px < line.length(); at_px += kGap_px) {
+        const QPointF foot = line.p1() + along * at_px;
+        painter.drawLine(foot, foot + right);
+    }
+}
+
+QPen searchPen(const Theme& theme)
+{
+    return {theme.uav, 1.6, Qt::DashDotLine, Qt::FlatCap, Qt::MiterJoin};
+}
+
+QPen clusterPen(const Theme& theme)
+{
+    return {theme.plan, 1.5, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin};
+}
+
+QPen circlePen(const Theme& theme)
+{
+    return {theme.ink, 1.2, Qt::DotLine, Qt::FlatCap};
+}
+
+QPen rangeRingPen(const Theme& theme)
+{
+    return {theme.mutedText, 1, Qt::DashLine};
+}
+
+QPen alarmRingPen(const Theme& theme)
+{
+    return {theme.uav, 1.4};
 }
 
 void drawArrow(QPainter& painter, const QLineF& line, const QPen& pen, double head_px)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/tracking/observer.h"
 #include "widgets/theme/theme.h"
 
 #include <QPainter>
@@ -15,17 +16,19 @@ namespace berg {
 /** How an iceberg is drawn. */
 struct IcebergLook
 {
-    double radius_px = 10; ///< of the symbol
-    double ring_px = 0;    ///< radius of the sigma ring; 0: none
-    QColor sigma;          ///< colour of sigma
-    bool inView = false;   ///< seen now: pure ice, no ring
-    bool later = false;    ///< still to come: faint and dashed
-    unsigned variant = 0;  ///< which of the forms
+    double radius_px = 10;                     ///< of the symbol
+    double ring_px = 0;                        ///< radius of the sigma ring; 0: none
+    QColor sigma;                              ///< colour of sigma
+    bool inView = false;                       ///< seen now: pure ice, no ring
+    bool later = false;                        ///< still to come: faint and dashed
+    TrackStatus status = TrackStatus::Tracked; ///< lost: an empty dashed form with a question mark
+    unsigned variant = 0;                      ///< which of the forms
 };
 
 /**
  * An angular form of ice with a lit and a shaded facet inside its sigma ring. Seen now: white ice
- * with a corner bracket on each side, so that the state is told by shape too.
+ * with a corner bracket on each side, so that the state is told by shape too. Lost: a dashed
+ * outline with a question mark; given up: with a cross.
  */
 void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& look,
                  const Theme& theme);
@@ -35,6 +38,28 @@ void drawUav(QPainter& painter, const QPointF& centre, double direction_rad, con
 
 /** Platform to protect: a square on four legs. */
 void drawAsset(QPainter& painter, const QPointF& centre, const Theme& theme);
+
+/** Where the UAV lands: a house. */
+void drawHome(QPainter& painter, const QPointF& centre, const Theme& theme);
+
+/** Where an iceberg is in truth: a small diamond. */
+void drawTruth(QPainter& painter, const QPointF& centre, const Theme& theme);
+
+/** A filled triangle with an exclamation mark. */
+void drawAlarm(QPainter& painter, const QPointF& centre, const Theme& theme);
+
+/** Straight piece of a fence; its posts are on the right-hand side of who walks along it. */
+void drawFence(QPainter& painter, const QLineF& line, const Theme& theme);
+
+/** Of the pattern that is flown to find a lost iceberg. */
+[[nodiscard]] QPen searchPen(const Theme& theme);
+/** Line round icebergs that are planned as one point. */
+[[nodiscard]] QPen clusterPen(const Theme& theme);
+/** Of the circle that holds 95 %. */
+[[nodiscard]] QPen circlePen(const Theme& theme);
+/** Of the rings of what is to be protected. */
+[[nodiscard]] QPen rangeRingPen(const Theme& theme);
+[[nodiscard]] QPen alarmRingPen(const Theme& theme);
 
 /** Line with a filled head at its end. */
 void drawArrow(QPainter& painter, const QLineF& line, const QPen& pen, double head_px);

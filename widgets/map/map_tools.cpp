@@ -73,6 +73,11 @@ bool isEditing(MapToolKind kind)
     return false;
 }
 
+bool isLockedInFlight(MapToolKind kind)
+{
+    return isEditing(kind) && kind != MapToolKind::Iceberg;
+}
+
 bool MapTool::hover(const MapPointer&)
 {
     return false;

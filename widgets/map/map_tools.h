@@ -30,8 +30,10 @@ enum class MapToolKind
     Pan
 };
 
-/** True for tools that are not taken up in flight. */
+/** True for tools that change the scenario: they are left at take-off. */
 [[nodiscard]] bool isEditing(MapToolKind kind);
+/** True for those of them that are not taken up in flight. */
+[[nodiscard]] bool isLockedInFlight(MapToolKind kind);
 
 /** Where the pointer is. */
 struct MapPointer

@@ -82,9 +82,27 @@ void MapView::setLocked(bool locked)
     toolActed();
 }
 
+void MapView::setMayIntervene(bool may)
+{
+    if (m_mayIntervene == may)
+        return;
+    if (m_isLocked)
+        m_tool->cancel();
+    m_mayIntervene = may;
+    toolActed();
+}
+
+void MapView::setDraft(std::function<void(MapPicture&)> draft)
+{
+    if (!draft && !m_draft)
+        return;
+    m_draft = std::move(draft);
+    refreshPicture();
+}
+
 void MapView::setTool(MapToolKind kind)
 {
-    if (kind == m_toolKind || (m_isLocked && isEditing(kind)))
+    if (kind == m_toolKind || (m_isLocked && isLockedInFlight(kind)))
         return;
     m_tool->cancel();
     endNudges();
@@ -250,6 +268,8 @@ void MapView::refreshPicture()
 {
     const Scenario& scenario = m_preview ? *m_preview : m_document.scenario();
     MapPicture shown = m_isLocked ? m_picture : withScenario(m_picture, scenario);
+    if (m_isLocked && m_draft)
+        m_draft(shown);
     if (shown.uav && shown.uav->key.empty() && !scenario.uavs.empty())
         shown.uav->key = scenario.uavs.front().id;
     const bool isOtherCount = shown.icebergs.size() != m_scene.picture().icebergs.size();
@@ -350,7 +370,7 @@ void MapView::paintMarks(QPainter& painter)
     if (m_selection.contains(kAreaKey))
         paintAreaMark(painter, m_scene.areaOutline(), true, theme);
     for (const Iceberg& iceberg : m_document.scenario().icebergs) {
-        if (iceberg.track.empty() || !m_selection.contains(iceberg.id))
+        if (iceberg.track.empty() || m_picture.hidesTruth || !m_selection.contains(iceberg.id))
             continue;
         QPolygonF way;
         for (const Point& position_m : iceberg.track.position_m)

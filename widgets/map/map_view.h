@@ -36,6 +36,11 @@ public:
      */
     void setLocked(bool locked);
     [[nodiscard]] bool isLocked() const { return m_isLocked; }
+    /** Whether the flight can be told now of what is dragged: wind and asset. */
+    void setMayIntervene(bool may);
+    [[nodiscard]] bool mayIntervene() const { return m_mayIntervene; }
+    /** While locked: what is being done, as a change of the picture; null: nothing. */
+    void setDraft(std::function<void(MapPicture&)> draft);
 
     /** Leaves what was under way. A tool that edits is not taken up while the map is locked. */
     void setTool(MapToolKind kind);
@@ -96,6 +101,7 @@ public slots:
     void paste();
     void pasteAt(const std::optional<Point>& place_m);
     void duplicateSelected();
+    /** In flight it is told to the flight. */
     void addIcebergAt(const Point& place_m);
 
 signals:
@@ -112,6 +118,13 @@ signals:
     /** The object under the cursor; empty: none. */
     void hovered(const std::string& id);
     void editRequested(const std::string& id);
+
+    // What the user wants of a flight under way: from now on, here and now.
+    void windEdited(const berg::Point& wind_mps);
+    void assetMoved(const berg::Point& position_m);
+    /** Without an id. */
+    void icebergPlaced(const berg::Iceberg& iceberg);
+
     /** At an object, which is selected then, or on water: empty. */
     void contextMenuRequested(const QPoint& globalPos, const berg::Point& position_m,
                               const std::string& id);
@@ -163,10 +176,12 @@ private:
     MapScene m_scene;
     MapPicture m_picture; ///< as the owner gave it
     std::optional<Scenario> m_preview;
+    std::function<void(MapPicture&)> m_draft; ///< null: none
     MapToolKind m_toolKind = MapToolKind::Select;
     std::unique_ptr<MapTool> m_tool;
 
     bool m_isLocked = false;
+    bool m_mayIntervene = false; ///< while locked
     bool m_isFitted = true;        ///< not moved since `fit`: a new size is fitted again
     bool m_fitsNextPicture = true; ///< the first one of a scenario
     bool m_followsUav = false;

@@ -176,11 +176,15 @@ void MapView::addCopiesOf(const std::vector<Iceberg>& icebergs, const std::optio
 void MapView::addIcebergAt(const Point& place_m)
 {
     m_tool->cancel();
-    if (m_isLocked || m_document.scenario().icebergs.size() >= kMostIcebergs)
-        return;
     Iceberg iceberg;
-    iceberg.id = freshIcebergId(m_document.scenario());
     iceberg.position_m = clampedPosition(roundedTo(place_m, kPositionStep_m));
+    if (m_isLocked) {
+        emit icebergPlaced(iceberg);
+        return;
+    }
+    if (m_document.scenario().icebergs.size() >= kMostIcebergs)
+        return;
+    iceberg.id = freshIcebergId(m_document.scenario());
     m_document.edit(tr("Add iceberg"),
                     [&](Scenario& scenario) { scenario.icebergs.push_back(iceberg); });
     m_selection.set({iceberg.id});

@@ -3,6 +3,8 @@
 #include "widgets/map/map_overlays.h"
 #include "widgets/map/map_view.h"
 #include "widgets/map/scenario_picture.h"
+#include "widgets/map/wind_panel.h"
+#include "widgets/model/asset_approach.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QContextMenuEvent>
@@ -290,6 +292,11 @@ bool MapView::gesture(QGestureEvent& event)
 
 bool MapView::showToolTip(const QHelpEvent& event)
 {
+    if (!m_tool->isBusy() && m_scene.layout().wind.contains(event.pos())) {
+        QToolTip::showText(event.globalPos(), windToolTip(m_scene.picture().air, m_scene.locale()),
+                           this);
+        return true;
+    }
     const std::string id = m_tool->isBusy() ? std::string() : m_scene.objectAt(event.pos());
     const std::vector<MapIceberg>& icebergs = m_scene.picture().icebergs;
     const auto iceberg =
@@ -305,9 +312,11 @@ bool MapView::showToolTip(const QHelpEvent& event)
         speed_mps > 0 ? tr("drifting %1 towards %2")
                             .arg(speedText(speed_mps, words), bearingText(iceberg->velocity_mps))
                       : tr("not drifting");
-    const QString text = tr("%1: σ %2 m² (√σ %3 m), %4")
-                             .arg(iceberg->id, significantText(iceberg->sigma_m2, 3, words),
-                                  significantText(std::sqrt(iceberg->sigma_m2), 2, words), drift);
+    QString text = tr("%1: σ %2 m² (√σ %3 m), %4")
+                       .arg(iceberg->id, significantText(iceberg->sigma_m2, 3, words),
+                            significantText(std::sqrt(iceberg->sigma_m2), 2, words), drift);
+    if (iceberg->ringEntry_s)
+        text += u'\n' + ringEntryText(iceberg->id, *iceberg->ringEntry_s, words);
     QToolTip::showText(event.globalPos(), text, this);
     return true;
 }

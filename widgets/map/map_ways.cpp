@@ -1,11 +1,15 @@
 #include "widgets/map/map_ways.h"
 
 #include "widgets/map/footprint.h"
+#include "widgets/map/map_legs.h"
 #include "widgets/map/map_paint.h"
 #include "widgets/map/map_symbols.h"
 #include "widgets/map/swept_layer.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 
 namespace berg {
 namespace {
@@ -15,6 +19,8 @@ constexpr int kTrackShades = 40;
 constexpr double kComparison_px = 1.2;      // thinner than the track
 constexpr double kComparisonMarks_px = 150; // between its arrow heads
 constexpr double kComparisonMark_px = 9;
+constexpr std::size_t kHeadingLegs = 3;
+constexpr double kHeading_px = 24;
 
 /** Where an arrow head has room. */
 QLineF longestPiece(const QPolygonF& leg)
@@ -24,6 +30,23 @@ QLineF longestPiece(const QPolygonF& leg)
         if (const QLineF piece(leg[i - 1], leg[i]); piece.length() > longest.length())
             longest = piece;
     return longest;
+}
+
+/** The direction of the nose, of length 1, on a course in the wind; both over the plane. */
+Point headingOn(const Point& course, const Point& wind_mps, double airspeed_mps)
+{
+    const double across = std::clamp(-cross(course, wind_mps) / airspeed_mps, -1.0, 1.0);
+    return Eigen::Rotation2Dd(std::asin(across)) * course;
+}
+
+void paintHeadingMarks(const MapPaint& p)
+{
+    for (const QLineF& mark : headingMarks(p.picture, p.layout))
+        for (const QPen& pen : {QPen(p.theme.sea, 3.6, Qt::SolidLine, Qt::RoundCap),
+                                QPen(p.theme.uav, 1.6, Qt::SolidLine, Qt::RoundCap)}) {
+            p.painter.setPen(pen);
+            p.painter.drawLine(mark);
+        }
 }
 
 /** Legs end when their iceberg comes into view; their lines point on at these. */
@@ -142,13 +165,47 @@ void paintFormerPlan(const MapPaint& p)
         p.painter.drawPolyline(leg);
 }
 
+std::vector<QLineF> headingMarks(const MapPicture& picture, const MapLayout& layout)
+{
+    if (!picture.uav || picture.air.wind_mps.isZero(0))
+        return {};
+    std::vector<QLineF> marks;
+    std::vector<QPolygonF> legs = planLegs(picture, layout);
+    legs.resize(std::min(legs.size(), kHeadingLegs));
+    for (const QPolygonF& leg : legs) {
+        const QLineF piece = longestPiece(leg);
+        if (piece.length() < 2 * kHeading_px)
+            continue;
+        const Point course(piece.dx() / piece.length(), -piece.dy() / piece.length());
+        const Point nose = headingOn(course, picture.air.wind_mps, picture.uav->airspeed_mps);
+        marks.emplace_back(piece.center(),
+                           piece.center() + QPointF(nose.x(), -nose.y()) * kHeading_px);
+    }
+    return marks;
+}
+
+void paintSearch(const MapPaint& p)
+{
+    if (p.picture.search_m.empty() || !p.picture.uav)
+        return;
+    QPolygonF way{p.layout.view.toPixel(p.picture.uav->position_m)};
+    for (const Point& corner_m : p.picture.search_m)
+        way << p.layout.view.toPixel(corner_m);
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(searchPen(p.theme));
+    p.painter.drawPolyline(way);
+    drawDirectionMark(p.painter, QLineF(way[0], way[1]), p.theme.uav, 10);
+}
+
 void paintPlan(const MapPaint& p)
 {
     paintAims(p);
     const std::vector<QPolygonF> legs = planLegs(p.picture, p.layout);
     p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(QPen(p.theme.plan, 1.6, Qt::DashLine, Qt::FlatCap));
+    p.painter.drawPolyline(homeLeg(p.picture, p.layout));
     for (std::size_t k = legs.size(); k-- > 0;) {
-        const bool isNext = k == 0;
+        const bool isNext = k == 0 && p.picture.search_m.empty();
         const double width_px = isNext ? 3.2 : 1.6;
         if (legs[k].size() < 2)
             continue;
@@ -160,6 +217,7 @@ void paintPlan(const MapPaint& p)
         p.painter.drawPolyline(legs[k]);
         drawDirectionMark(p.painter, longestPiece(legs[k]), p.theme.plan, isNext ? 13 : 10);
     }
+    paintHeadingMarks(p);
 }
 
 } // namespace berg

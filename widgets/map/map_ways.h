@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/map/map_layout.h"
+
 namespace berg {
 
 struct MapPaint;
@@ -15,7 +17,15 @@ void paintTrack(const MapPaint& p);
 void paintFieldOfView(const MapPaint& p);
 /** What the plan took the place of: thin and dashed, without numbers. */
 void paintFormerPlan(const MapPaint& p);
-/** The plan, its next leg thicker. */
+/** The pattern that is flown to find a lost iceberg. */
+void paintSearch(const MapPaint& p);
+/** The plan, its next leg thicker; all thin while something else is flown. */
 void paintPlan(const MapPaint& p);
+
+/**
+ * In wind: short lines from the middle of the first legs along the heading that they are flown
+ * with, heading = course + asin(-w_n / U). Legs without room for one have none.
+ */
+[[nodiscard]] std::vector<QLineF> headingMarks(const MapPicture& picture, const MapLayout& layout);
 
 } // namespace berg

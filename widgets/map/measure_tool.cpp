@@ -58,20 +58,20 @@ QString legText(const MeasuredLeg& leg, const QLocale& locale)
 
 } // namespace
 
-MeasuredLeg measureLeg(const Scenario& scenario, const Point& from_m, const Point& to_m)
+MeasuredLeg measureLeg(const Scenario& scenario, const Point& wind_mps, const Point& from_m,
+                       const Point& to_m)
 {
     const LocalFrame plane(scenario.origin);
     const Point way_m = geodesicWay_m(plane.toGeographic(from_m), plane.toGeographic(to_m));
     MeasuredLeg leg{.length_m = way_m.norm()};
     if (leg.length_m > 0)
         leg.bearing_deg = headingFromPsi(std::atan2(way_m.y(), way_m.x()));
-    const bool isFlown = !scenario.uavs.empty() &&
-                         scenario.wind_mps.norm() < scenario.uavs.front().spec.airspeed_mps;
+    const bool isFlown =
+        !scenario.uavs.empty() && wind_mps.norm() < scenario.uavs.front().spec.airspeed_mps;
     if (!isFlown || leg.length_m <= 0 || to_m == from_m)
         return leg;
     const Point inPlane_m = (to_m - from_m).normalized() * leg.length_m;
-    leg.time_s =
-        flightTime_s(inPlane_m, scenario.uavs.front().spec.airspeed_mps, scenario.wind_mps);
+    leg.time_s = flightTime_s(inPlane_m, scenario.uavs.front().spec.airspeed_mps, wind_mps);
     return leg;
 }
 
@@ -163,7 +163,7 @@ QString MeasureTool::totalText(const std::vector<MeasuredLeg>& legs) const
         return text;
     const QString speed = speedText(scenario.uavs.front().spec.airspeed_mps, locale, 3);
     const QString time =
-        scenario.wind_mps.isZero(0)
+        context().scene.picture().air.wind_mps.isZero(0)
             ? MeasureToolText::tr("%1 at %2").arg(clockText(sum.time_s), speed)
             : MeasureToolText::tr("%1 at %2 in the wind").arg(clockText(sum.time_s), speed);
     return text + u'\n' + time;
@@ -196,7 +196,8 @@ void MeasureTool::paint(QPainter& painter) const
     const MapScene& scene = context().scene;
     std::vector<MeasuredLeg> legs;
     for (std::size_t i = 0; i + 1 < points_m.size(); ++i) {
-        legs.push_back(measureLeg(context().document.scenario(), points_m[i], points_m[i + 1]));
+        legs.push_back(measureLeg(context().document.scenario(), scene.picture().air.wind_mps,
+                                  points_m[i], points_m[i + 1]));
         paintLeg(painter, points_m[i], points_m[i + 1], legs.back(), i + 2 == points_m.size());
     }
     painter.setPen(QPen(scene.theme().text, 1.8));

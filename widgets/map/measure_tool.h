@@ -13,9 +13,9 @@ struct MeasuredLeg
     double time_s = 0;      ///< of flight, straight
 };
 
-/** The leg between two places of a scenario's plane, flown by its first UAV in its wind. */
-[[nodiscard]] MeasuredLeg measureLeg(const Scenario& scenario, const Point& from_m,
-                                     const Point& to_m);
+/** The leg between two places of a scenario's plane, flown by its first UAV in this wind. */
+[[nodiscard]] MeasuredLeg measureLeg(const Scenario& scenario, const Point& wind_mps,
+                                     const Point& from_m, const Point& to_m);
 
 /**
  * Each click adds a point to a line; legs show length and bearing, the end the sum and the time of

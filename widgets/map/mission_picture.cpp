@@ -1,6 +1,9 @@
 #include "widgets/map/mission_picture.h"
 
+#include "core/vehicle/geofence.h"
+#include "widgets/map/map_legs.h"
 #include "widgets/map/scenario_picture.h"
+#include "widgets/model/asset_approach.h"
 #include "widgets/model/domain_text.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -19,39 +22,68 @@ struct MissionPicture
     Q_DECLARE_TR_FUNCTIONS(MissionPicture)
 };
 
+/** At the time shown; none: it is unlimited. */
+std::optional<double> enduranceLeft_s(const FlightRecord& record)
+{
+    const std::vector<Uav>& uavs = record.scenario.uavs;
+    if (uavs.empty() || uavs.front().spec.endurance_s <= 0)
+        return std::nullopt;
+    const WorldState& world = record.shown().world;
+    const bool isOnGround = world.mode == FlightMode::Ground; // made ready for the next sortie
+    return uavs.front().spec.endurance_s - (isOnGround ? 0 : world.aloft_s);
+}
+
 std::vector<MapReadout> readoutsOf(const FlightRecord& record, const QLocale& locale)
 {
     const Metrics& metrics = record.shown().metrics;
-    return {{.caption = MissionPicture::tr("Time"),
-             .value = clockText(record.shown().time_s),
-             .unit = {}},
-            {.caption = MissionPicture::tr("Zeta ζ"),
-             .value = significantText(metrics.zeta_m2s, 4, locale),
-             .unit = u"m² s"_s},
-            {.caption = MissionPicture::tr("Visits"),
-             .value = fixedText(metrics.visits, 0, locale),
-             .unit = {}}};
+    std::vector<MapReadout> readouts{{.caption = MissionPicture::tr("Time"),
+                                      .value = clockText(record.shown().time_s),
+                                      .unit = {}},
+                                     {.caption = MissionPicture::tr("Zeta ζ"),
+                                      .value = significantText(metrics.zeta_m2s, 4, locale),
+                                      .unit = u"m² s"_s},
+                                     {.caption = MissionPicture::tr("Visits"),
+                                      .value = fixedText(metrics.visits, 0, locale),
+                                      .unit = {}}};
+    if (const std::optional<double> left_s = enduranceLeft_s(record))
+        readouts.push_back({.caption = MissionPicture::tr("Endurance left"),
+                            .value = clockText(*left_s),
+                            .unit = {}});
+    return readouts;
 }
 
-/** Icebergs that have appeared; `shown[i]` is the place of iceberg i in the picture or -1. */
+MapIceberg icebergOf(const FlightRecord& record, std::size_t i)
+{
+    const MissionSnapshot& shown = record.shown();
+    const Iceberg& iceberg = shown.icebergs[i];
+    const Track& track = shown.world.tracks[i];
+    MapIceberg drawn{.id = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name),
+                     .position_m = record.estimate_m(i),
+                     .velocity_mps = track.velocity_mps,
+                     .sigma_m2 = track.sigma_m2,
+                     .radius_m = iceberg.radius_m,
+                     .inView = track.inView,
+                     .key = iceberg.id,
+                     .status = track.status};
+    if (record.scenario.observer.model == ObserverModel::Kalman) {
+        drawn.circle_m = likelyRadius_m(track.sigma_m2);
+        drawn.truth_m = shown.truth_m[i];
+    }
+    if (const std::optional<AssetApproach> approach = approachOf(shown, i))
+        drawn.ringEntry_s = approach->entry_s;
+    return drawn;
+}
+
+/** Icebergs that are there; `shown[i]` is the place of iceberg i in the picture or -1. */
 std::vector<MapIceberg> icebergsOf(const FlightRecord& record, std::vector<int>& shown)
 {
     std::vector<MapIceberg> icebergs;
     shown.assign(record.shown().icebergs.size(), -1);
     for (std::size_t i = 0; i < record.shown().icebergs.size(); ++i) {
-        if (!record.shown().active[i])
+        if (!record.shown().active[i] || record.shown().world.tracks[i].left)
             continue;
-        const Iceberg& iceberg = record.shown().icebergs[i];
-        const Track& track = record.shown().world.tracks[i];
         shown[i] = static_cast<int>(icebergs.size());
-        icebergs.push_back(
-            {.id = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name),
-             .position_m = record.estimate_m(i),
-             .velocity_mps = iceberg.velocity_mps + record.scenario.current_mps,
-             .sigma_m2 = track.sigma_m2,
-             .radius_m = iceberg.radius_m,
-             .inView = track.inView,
-             .key = iceberg.id});
+        icebergs.push_back(icebergOf(record, i));
     }
     return icebergs;
 }
@@ -111,6 +143,42 @@ std::vector<int> placesOf(const std::vector<int>& order, const std::vector<int>&
     return places;
 }
 
+/** What is left of the pattern, which drifts with the iceberg's estimate. */
+std::vector<Point> searchOf_m(const FlightRecord& record)
+{
+    const WorldState& world = record.shown().world;
+    if (world.mode != FlightMode::Search || !world.search)
+        return {};
+    const Point datum_m = record.estimate_m(static_cast<std::size_t>(world.search->iceberg));
+    const std::vector<Point>& offsets_m = world.search->way.corners_m();
+    std::vector<Point> corners_m;
+    for (std::size_t k = world.search->way.next(); k < offsets_m.size(); ++k)
+        corners_m.emplace_back(datum_m + offsets_m[k]);
+    return corners_m;
+}
+
+/** Of the straight legs of the plan; none without a geofence. */
+std::vector<std::vector<Point>> cornersOf(const MapPicture& picture, const MissionSnapshot& shown)
+{
+    std::vector<std::vector<Point>> corners_m;
+    if (!shown.fence)
+        return corners_m;
+    Point from_m = shown.world.uav.position_m;
+    for (const Point& to_m : planStops_m(picture)) {
+        corners_m.push_back(shown.fence->cornersBetween(from_m, to_m));
+        from_m = to_m;
+    }
+    return corners_m;
+}
+
+std::vector<std::vector<int>> clustersOf(const PlanEvent& plan, const std::vector<int>& shown)
+{
+    std::vector<std::vector<int>> clusters;
+    for (const std::vector<int>& members : plan.clusters)
+        clusters.push_back(placesOf(members, shown));
+    return clusters;
+}
+
 std::vector<MapWay> mapWays(const std::vector<AimedWay>& ways)
 {
     std::vector<MapWay> drawn;
@@ -150,6 +218,13 @@ double sigmaScaleEnd_m2(const FlightRecord& record)
     return roundSigmaScale(end_m2);
 }
 
+void hideTruth(MapPicture& picture)
+{
+    for (MapIceberg& iceberg : picture.icebergs)
+        iceberg.truth_m.reset();
+    picture.hidesTruth = true;
+}
+
 MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
 {
     const Scenario& scenario = record.scenario;
@@ -164,21 +239,31 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
             MapUav{.position_m = state.uav.position_m,
                    .psi_rad = state.uav.psi_rad,
                    .sensor = {.fov_m = scenario.uavs.front().fov_m, .shape = scenario.fovShape},
-                   .key = scenario.uavs.front().id};
+                   .key = scenario.uavs.front().id,
+                   .airspeed_mps = scenario.uavs.front().spec.airspeed_mps};
     std::vector<int> shown;
     picture.icebergs = icebergsOf(record, shown);
-    if (record.shown().plan)
-        picture.plan = placesOf(record.shown().plan->order, shown);
-    picture.planWays = mapWays(waysAhead(record.shown(), scenario));
+    if (const std::optional<PlanEvent>& plan = record.shown().plan) {
+        picture.plan = placesOf(plan->order, shown);
+        picture.thisSortie = plan->thisSortie;
+        picture.clusters = clustersOf(*plan, shown);
+    }
+    picture.planWays = mapWays(waysAhead(record.shown()));
     if (const std::optional<ShownChange> change = record.changeShown()) {
         picture.formerPlan = placesOf(change->change.before, shown);
         picture.formerFrom_m = change->from_m;
         picture.formerWays = mapWays(change->ways);
     }
+    picture.search_m = searchOf_m(record);
     picture.track = trackOf(record);
     picture.swept = posesOf(record);
     picture.area_m = scenario.area_m;
+    picture.isFenced = scenario.geofence;
+    picture.home_m = homeOf(scenario);
+    picture.planCorners = cornersOf(picture, record.shown());
     picture.asset = assetOf(record.shown().asset, record.shown().time_s);
+    picture.air = airOf(scenario);
+    picture.air.wind_mps = record.shown().motion.wind_mps;
     picture.sigmaFull_m2 = sigmaScaleEnd_m2(record);
     picture.emptyTitle = MissionPicture::tr("No icebergs yet");
     picture.emptyHint =

@@ -21,4 +21,7 @@ namespace berg {
  */
 [[nodiscard]] double sigmaScaleEnd_m2(const FlightRecord& record);
 
+/** Leaves only what an operator would see. */
+void hideTruth(MapPicture& picture);
+
 } // namespace berg

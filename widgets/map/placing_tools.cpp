@@ -5,6 +5,7 @@
 #include "widgets/map/drift_arrow.h"
 #include "widgets/map/map_marks.h"
 #include "widgets/map/map_view.h"
+#include "widgets/map/scenario_picture.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -42,7 +43,12 @@ void IcebergTool::press(const MapPointer& pointer)
     const Scenario& scenario = context().document.scenario();
     if (scene.isOverlay(pointer.at_px))
         return;
-    const Iceberg* present = findIceberg(scenario, scene.objectAt(pointer.at_px));
+    const std::string object = scene.objectAt(pointer.at_px);
+    if (context().view.isLocked()) {
+        pressInFlight(pointer, object);
+        return;
+    }
+    const Iceberg* present = findIceberg(scenario, object);
     if (present == nullptr && scenario.icebergs.size() >= kMostIcebergs)
         return;
     m_press = pointer;
@@ -59,10 +65,27 @@ void IcebergTool::press(const MapPointer& pointer)
     apply();
 }
 
+/** What is there is selected; elsewhere an iceberg is drawn until it is told to the flight. */
+void IcebergTool::pressInFlight(const MapPointer& pointer, const std::string& object)
+{
+    const std::vector<MapIceberg>& icebergs = context().scene.picture().icebergs;
+    if (std::any_of(icebergs.begin(), icebergs.end(),
+                    [&](const MapIceberg& iceberg) { return keyOf(iceberg) == object; })) {
+        context().selection.set({object});
+        return;
+    }
+    m_press = pointer;
+    m_now = pointer;
+    m_isPressed = true;
+    m_iceberg = {};
+    m_iceberg.position_m = placeOf(pointer);
+    apply();
+}
+
 void IcebergTool::beginDrift()
 {
     m_arrow = std::make_unique<DriftArrow>(context().scene);
-    if (!m_gesture)
+    if (!m_gesture && !context().view.isLocked())
         m_gesture = newGesture(PlacingTools::tr("Change drift"));
 }
 
@@ -82,6 +105,11 @@ void IcebergTool::apply()
     if (m_arrow)
         m_iceberg.velocity_mps =
             m_arrow->velocity_mps(m_iceberg, m_now, context().document.scenario().current_mps);
+    if (!m_gesture) {
+        context().view.setDraft([drawn = mapIceberg(m_iceberg, context().document.scenario())](
+                                    MapPicture& picture) { picture.icebergs.push_back(drawn); });
+        return;
+    }
     m_gesture->apply([this](Scenario& scenario) {
         if (Iceberg* present = findIceberg(scenario, m_iceberg.id))
             present->velocity_mps = m_iceberg.velocity_mps;
@@ -99,10 +127,21 @@ void IcebergTool::release(const MapPointer& pointer)
         cancel();
         return;
     }
+    if (context().view.isLocked()) {
+        addInFlight();
+        return;
+    }
     if (m_gesture)
         m_gesture->finish();
     context().selection.set({m_iceberg.id});
     end();
+}
+
+void IcebergTool::addInFlight()
+{
+    const Iceberg placed = m_iceberg;
+    end();
+    emit context().view.icebergPlaced(placed);
 }
 
 void IcebergTool::cancel()
@@ -123,6 +162,7 @@ void IcebergTool::end()
     m_isPressed = false;
     m_arrow.reset();
     m_gesture.reset();
+    context().view.setDraft(nullptr);
 }
 
 void IcebergTool::paint(QPainter& painter) const
@@ -144,6 +184,9 @@ QString IcebergTool::status() const
 {
     if (m_arrow)
         return m_arrow->status();
+    if (context().view.isLocked())
+        return PlacingTools::tr("Click adds an iceberg that appears here and now, drag on to set "
+                                "its drift. In flight that cannot be undone.");
     if (context().document.scenario().icebergs.size() >= kMostIcebergs)
         return PlacingTools::tr("A scenario holds at most %n icebergs.", nullptr,
                                 static_cast<int>(kMostIcebergs));

@@ -17,7 +17,7 @@ public:
 /**
  * A click adds an iceberg and selects it; dragging from it on sets its drift over ground by the
  * arrow of the map, whose tip follows the cursor. Dragging from an iceberg that is there sets the
- * drift of that one.
+ * drift of that one. In flight it adds icebergs only, which are told to the flight.
  */
 class IcebergTool final : public PlacingTool
 {
@@ -39,6 +39,8 @@ private:
     /** Adds the iceberg unless it is there already, and sets its drift when one is drawn. */
     void apply();
     void beginDrift();
+    void pressInFlight(const MapPointer& pointer, const std::string& object);
+    void addInFlight();
     void end();
 
     bool m_isPressed = false;

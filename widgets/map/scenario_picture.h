@@ -8,13 +8,25 @@ namespace berg {
 /** Id of the iceberg in the scenario. */
 [[nodiscard]] std::string keyOf(const MapIceberg& iceberg);
 
+/** An iceberg of the scenario at t = 0. */
+[[nodiscard]] MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario);
+
 /** Where the asset is `time_s` after the start, with its rings. */
 [[nodiscard]] std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s);
 
+/** Wind and current of the scenario. */
+[[nodiscard]] MapAir airOf(const Scenario& scenario);
+
+/** Where the first UAV lands; none: its endurance is unlimited and it has no home of its own. */
+[[nodiscard]] std::optional<Point> homeOf(const Scenario& scenario);
+
+/** Of the circle that holds 95 % of a normal distribution with this variance along each axis. */
+[[nodiscard]] double likelyRadius_m(double sigma_m2);
+
 /**
  * The picture with everything that can be edited taken from the scenario at t = 0: icebergs (those
- * still to come too), UAV, area, asset. The plan keeps the order of the icebergs that are still
- * there. So an edit is seen at once, before it is planned again.
+ * still to come too), UAV, home, area, asset, wind. The plan keeps the order of the icebergs that
+ * are still there. So an edit is seen at once, before it is planned again.
  */
 [[nodiscard]] MapPicture withScenario(MapPicture picture, const Scenario& scenario);
 

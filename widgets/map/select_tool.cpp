@@ -93,12 +93,24 @@ void SelectTool::beginDrag()
         m_phase = Phase::Dragging;
         m_drag = makeHandleDrag(context(), *m_handle);
     } else if (context().view.isLocked()) {
-        m_phase = Phase::Refused;
+        beginInFlight();
     } else {
         m_phase = Phase::Moving;
         m_moved = context().selection.ids();
         m_gesture = newGesture(moveText(context().document.scenario(), m_moved));
     }
+}
+
+/** Of what is on the map only the asset can be moved then. */
+void SelectTool::beginInFlight()
+{
+    if (m_object != kAssetKey || !context().view.mayIntervene()) {
+        m_phase = Phase::Refused;
+        return;
+    }
+    m_phase = Phase::Dragging;
+    m_drag = makeHandleDrag(context(),
+                            {.kind = HandleKind::Asset, .id = kAssetKey, .at_px = m_press.at_px});
 }
 
 void SelectTool::moveSelection(const MapPointer& pointer)
@@ -191,8 +203,14 @@ bool SelectTool::removePart()
 
 std::vector<MapHandle> SelectTool::handles() const
 {
-    return context().view.isLocked() ? std::vector<MapHandle>()
-                                     : handlesOf(context().scene, context().selection);
+    const MapView& view = context().view;
+    std::vector<MapHandle> handles;
+    if (!view.isLocked())
+        handles = handlesOf(context().scene, context().selection);
+    if (!view.isLocked() || view.mayIntervene())
+        if (const std::optional<MapHandle> wind = windHandle(context().scene))
+            handles.push_back(*wind);
+    return handles;
 }
 
 bool SelectTool::key(const QKeyEvent& event)
@@ -229,6 +247,7 @@ void SelectTool::documentChanged()
 
 void SelectTool::end()
 {
+    context().view.setDraft(nullptr);
     m_phase = Phase::Idle;
     m_gesture.reset();
     m_drag.reset();
@@ -246,7 +265,7 @@ void SelectTool::paint(QPainter& painter) const
         // One that is dragged is hollow, so that the tip of its arrow is seen.
         paintHandles(painter, handles(),
                      {.hovered = m_drag ? std::nullopt : m_handle, .corner = m_corner}, theme);
-    if (m_phase == Phase::Dragging)
+    if (m_phase == Phase::Dragging && !m_drag->text().isEmpty())
         paintBubble(painter, m_now.at_px, m_drag->text(), context().scene.rect(), theme);
     if (m_phase != Phase::Moving)
         return;
@@ -296,6 +315,9 @@ QString SelectTool::status() const
         return handleText(context(), *m_handle);
     if (m_phase == Phase::Banding)
         return SelectToolText::tr("Everything inside the frame is selected.");
+    if (context().view.isLocked() && context().view.mayIntervene())
+        return SelectToolText::tr(
+            "Click selects. In flight the tip of the wind's arrow and the asset can be dragged.");
     if (context().view.isLocked())
         return SelectToolText::tr("Click selects. The scenario is locked while flying.");
     return SelectToolText::tr(

@@ -43,6 +43,7 @@ private:
 
     void pressObject(const MapPointer& pointer);
     void beginDrag();
+    void beginInFlight();
     void clickHandle(const MapPointer& pointer);
     void clickObject(bool adds);
     [[nodiscard]] std::vector<MapHandle> handles() const;

@@ -60,6 +60,7 @@ ComparedRun comparedRun(const FlightRecord& record)
     const MissionSnapshot& now = record.now;
     ComparedRun run{.scenario = record.scenario,
                     .planner = now.planner,
+                    .worldChanges = now.worldChanges,
                     .metrics = now.metrics,
                     .flown_s = now.time_s,
                     .samples = record.history.samples,
@@ -75,14 +76,12 @@ ComparedRun comparedRun(const FlightRecord& record)
     }
     for (const PlanEvent& plan : record.history.plans)
         run.plans_s.push_back(plan.time_s);
-    const int atStart = static_cast<int>(record.scenario.icebergs.size());
     for (const MissionEvent& event : record.history.events) {
         if (event.kind == EventKind::Reached)
             run.visits_s.push_back(event.time_s);
         else if (event.kind == EventKind::Intervention)
-            run.wasChanged = true;
-        else if (event.kind == EventKind::Appeared && event.iceberg >= atStart)
-            run.added_s.push_back(event.time_s);
+            run.wasChanged =
+                run.wasChanged || (event.detail != kWindChanged && event.detail != kAssetChanged);
     }
     return run;
 }
@@ -130,8 +129,7 @@ bool isSameWorld(const Scenario& a, const Scenario& b)
 
 bool isComparable(const ComparedRun& a, const ComparedRun& b)
 {
-    return isSameWorld(a.scenario, b.scenario) && a.icebergs == b.icebergs &&
-           a.added_s == b.added_s;
+    return isSameWorld(a.scenario, b.scenario) && a.worldChanges == b.worldChanges;
 }
 
 bool isSamePlanner(const PlannerSettings& a, const PlannerSettings& b)

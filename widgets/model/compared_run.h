@@ -11,17 +11,17 @@ namespace berg {
 /** What is kept of a run that was flown, to be set beside others. */
 struct ComparedRun
 {
-    Scenario scenario;             ///< as flown, with the planner chosen at take-off
-    PlannerSettings planner;       ///< at the end
-    bool wasChanged = false;       ///< tau or policy, in flight
-    QString file;                  ///< it was opened from; empty: flown here
-    Metrics metrics;               ///< at the end
-    double flown_s = 0;            ///< up to here
-    std::vector<Sample> samples;   ///< the last one at `flown_s`
-    std::vector<double> visits_s;  ///< when a target was reached
-    std::vector<double> plans_s;   ///< when a plan was made
-    std::vector<Iceberg> icebergs; ///< those added in flight at the end
-    std::vector<double> added_s;   ///< when those were added, in their order
+    Scenario scenario;                      ///< as flown, with the planner chosen at take-off
+    PlannerSettings planner;                ///< at the end
+    bool wasChanged = false;                ///< tau or policy, in flight
+    std::vector<Intervention> worldChanges; ///< in flight: wind, asset, icebergs added
+    QString file;                           ///< it was opened from; empty: flown here
+    Metrics metrics;                        ///< at the end
+    double flown_s = 0;                     ///< up to here
+    std::vector<Sample> samples;            ///< the last one at `flown_s`
+    std::vector<double> visits_s;           ///< when a target was reached
+    std::vector<double> plans_s;            ///< when a plan was made
+    std::vector<Iceberg> icebergs;          ///< those added in flight at the end
     std::vector<std::vector<UnseenInterval>> unseen; ///< by iceberg
 };
 
@@ -35,7 +35,7 @@ struct ComparedRun
 
 /** Equal scenarios apart from name, notes and planner: runs of one can be set beside the other. */
 [[nodiscard]] bool isSameWorld(const Scenario& a, const Scenario& b);
-/** Runs in the same world with the same icebergs added in flight. */
+/** Runs in the same world, which was changed in flight in the same way at the same times. */
 [[nodiscard]] bool isComparable(const ComparedRun& a, const ComparedRun& b);
 /** Equal settings, tau aside where the policy does not use it. */
 [[nodiscard]] bool isSamePlanner(const PlannerSettings& a, const PlannerSettings& b);

@@ -52,7 +52,8 @@ void CurveRunner::setScenario(const Scenario& scenario)
     ask([this]() -> std::optional<VisitationProblem> {
         if (hasErrors(validate(*m_scenario)))
             return std::nullopt;
-        return visitationProblem(Simulation(*m_scenario).planRequest(), m_scenario->planner.route);
+        return visitationProblem(Simulation(*m_scenario).clusteredRequest(),
+                                 m_scenario->planner.route);
     });
 }
 

@@ -38,6 +38,22 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
         if (event.detail == kAssetChanged)
             return EventText::tr("What is to be protected has changed");
         return EventText::tr("Trade-off or policy changed");
+    case EventKind::Left:
+        return EventText::tr("%1 has left the area").arg(iceberg);
+    case EventKind::Lost:
+        return EventText::tr("%1 is lost: not where it should be").arg(iceberg);
+    case EventKind::Found:
+        return EventText::tr("%1 found again").arg(iceberg);
+    case EventKind::GivenUp:
+        return EventText::tr("Search for %1 given up").arg(iceberg);
+    case EventKind::HomeBound:
+        return EventText::tr("Returning home");
+    case EventKind::Landed:
+        return EventText::tr("Landed");
+    case EventKind::TookOff:
+        return EventText::tr("Took off");
+    case EventKind::LateHome:
+        return EventText::tr("The wind has changed: home cannot be reached in time");
     }
     return {};
 }
@@ -81,6 +97,16 @@ QString planReasonText(PlanReason reason)
         return EventText::tr("iceberg sighted on the way");
     case PlanReason::Overdue:
         return EventText::tr("sighting overdue");
+    case PlanReason::Left:
+        return EventText::tr("iceberg left the area");
+    case PlanReason::Lost:
+        return EventText::tr("iceberg lost");
+    case PlanReason::Found:
+        return EventText::tr("lost iceberg found");
+    case PlanReason::GivenUp:
+        return EventText::tr("search given up");
+    case PlanReason::TakeOff:
+        return EventText::tr("next sortie");
     }
     return {};
 }

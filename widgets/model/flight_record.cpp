@@ -64,7 +64,7 @@ std::vector<AimedWay> after(std::vector<AimedWay> ways, double time_s)
 std::vector<AimedWay> waysAfter(const FlightRecord& record, const PlanEvent& plan, double time_s)
 {
     const DubinsState uav{.position_m = placeAt(record, plan.time_s)};
-    return after(waysOf(plan, uav, plan.time_s, record.scenario), time_s);
+    return after(waysOf(plan, uav, plan.time_s, record.shown().motion), time_s);
 }
 
 } // namespace
@@ -101,8 +101,9 @@ void FlightRecord::noteStartPlan()
         next.change = startPlan->change;
         next.former = startPlan->former;
     } else if (startPlan) {
-        next.change = planChange(forecastStart(now, scenario), startPlan->plan.order, order,
-                                 scenario.duration_s);
+        next.change =
+            planChange(forecastStart(now), startPlan->plan.order, order, scenario.duration_s,
+                       {.before = startPlan->plan.clusters, .after = now.plan->clusters});
         next.former = startPlan->plan;
     }
     startPlan = std::move(next);

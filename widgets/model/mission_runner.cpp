@@ -8,7 +8,7 @@ namespace berg {
 
 namespace {
 
-/** A drag of tau in flight: only the newest of the values that wait is flown. */
+/** A drag in flight: only the newest of the values that wait is flown. */
 void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
 {
     for (Intervention& change : next) {
@@ -19,6 +19,8 @@ void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
         }
         last.tau = change.tau ? change.tau : last.tau;
         last.policy = change.policy ? change.policy : last.policy;
+        last.wind_mps = change.wind_mps ? change.wind_mps : last.wind_mps;
+        last.asset = change.asset ? change.asset : last.asset;
     }
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/model/mission_snapshot.h"
 
+#include "core/sim/clusters.h"
 #include "core/sim/mission_instant.h"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
                              .world = simulation.state(),
                              .icebergs = mission.icebergs(),
                              .motion = simulation.motion(),
-                             .asset = simulation.asset()};
+                             .asset = simulation.asset(),
+                             .fence = simulation.fence()};
     // At an earlier instant some have not been added yet.
     snapshot.icebergs.resize(static_cast<std::size_t>(simulation.icebergCount()));
     for (int i = 0; i < simulation.icebergCount(); ++i) {
@@ -39,6 +41,18 @@ void setPlan(MissionSnapshot& snapshot, const Mission& mission, std::size_t coun
         snapshot.plan = mission.plans()[count - 1];
 }
 
+std::vector<Intervention> worldChangesOf(const Mission& mission)
+{
+    std::vector<Intervention> changes;
+    for (const Intervention& change : mission.interventions())
+        if (change.wind_mps || change.asset || change.appears)
+            changes.push_back({.time_s = change.time_s,
+                               .wind_mps = change.wind_mps,
+                               .asset = change.asset,
+                               .appears = change.appears});
+    return changes;
+}
+
 } // namespace
 
 void append(MissionHistory& history, HistoryNews news)
@@ -51,25 +65,21 @@ void append(MissionHistory& history, HistoryNews news)
     join(history.events, news.firstEvent, std::move(news.part.events));
 }
 
-ForecastStart forecastStart(const MissionSnapshot& snapshot, const Scenario& scenario)
+ForecastStart forecastStart(const MissionSnapshot& snapshot)
 {
     return {.world = snapshot.world,
             .active = snapshot.active,
             .time_s = snapshot.time_s,
-            .airspeed_mps = scenario.uavs.front().spec.airspeed_mps,
-            .wind_mps = scenario.wind_mps};
+            .airspeed_mps = snapshot.motion.airspeed_mps,
+            .wind_mps = snapshot.motion.wind_mps};
 }
 
 std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav, double time_s,
-                             const Scenario& scenario)
+                             const Motion& motion)
 {
-    if (plan.legs.empty() || scenario.uavs.empty())
+    if (plan.legs.empty())
         return {};
-    const UavSpec& spec = scenario.uavs.front().spec;
-    std::vector<AimedWay> ways = aimedWays(plan.legs, uav, time_s,
-                                           {.airspeed_mps = spec.airspeed_mps,
-                                            .limit_radps = maxTurnRate_radps(spec),
-                                            .wind_mps = scenario.wind_mps});
+    std::vector<AimedWay> ways = aimedWays(plan.legs, uav, time_s, motion);
     constexpr double kSlack_s = 1; // a leg that starts with the last sighting sees nothing new
     if (plan.outlook && !plan.outlook->sightings_s.empty())
         std::erase_if(ways, [last_s = plan.outlook->sightings_s.back()](const AimedWay& way) {
@@ -80,14 +90,14 @@ std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav, doub
     return ways;
 }
 
-std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot, const Scenario& scenario)
+std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot)
 {
     if (!snapshot.plan)
         return {};
     PlanEvent plan = *snapshot.plan;
     if (snapshot.world.aim && !plan.legs.empty())
         plan.legs.front() = *snapshot.world.aim; // what is left of its turn
-    return waysOf(plan, snapshot.world.uav, snapshot.time_s, scenario);
+    return waysOf(plan, snapshot.world.uav, snapshot.time_s, snapshot.motion);
 }
 
 MissionSnapshot snapshotOf(const Mission& mission)
@@ -96,6 +106,7 @@ MissionSnapshot snapshotOf(const Mission& mission)
     snapshot.planner = mission.plannerSettings();
     snapshot.metrics = mission.metrics();
     snapshot.request = mission.lastRequest();
+    snapshot.worldChanges = worldChangesOf(mission);
     setPlan(snapshot, mission, mission.plans().size());
     return snapshot;
 }
@@ -108,8 +119,8 @@ MissionSnapshot snapshotAt(const Mission& mission, double time_s)
     snapshot.metrics = instant.metrics;
     setPlan(snapshot, mission, instant.plans);
     if (snapshot.plan) // as it was asked for: where the UAV was then, what was known then
-        snapshot.request = std::make_shared<const PlanRequest>(
-            instantAt(mission, snapshot.plan->time_s).simulation.planRequest());
+        snapshot.request = std::make_shared<const PlanRequest>(requestFor(
+            instantAt(mission, snapshot.plan->time_s).simulation, snapshot.planner.policy));
     return snapshot;
 }
 

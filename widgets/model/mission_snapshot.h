@@ -53,24 +53,25 @@ struct MissionSnapshot
     PlannerSettings planner;                    ///< in force, interventions applied
     Motion motion;                              ///< of the UAV, in the wind in force
     std::optional<Asset> asset;                 ///< in force; its position is that at time 0
+    std::shared_ptr<const Geofence> fence;      ///< what the UAV stays inside; null: nothing
+    /** Until then, of the world: wind, asset and icebergs, without what else came with them. */
+    std::vector<Intervention> worldChanges;
     Metrics metrics;
     HistoryNews news;
     std::optional<Error> error;
 };
 
 /** The instant of the snapshot as one to forecast from; the snapshot must outlive it. */
-[[nodiscard]] ForecastStart forecastStart(const MissionSnapshot& snapshot,
-                                          const Scenario& scenario);
+[[nodiscard]] ForecastStart forecastStart(const MissionSnapshot& snapshot);
 
 /**
  * How a plan with aim points is flown by a UAV that is there at that time, until all of its order
  * are seen; none of other plans.
  */
 [[nodiscard]] std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav,
-                                           double time_s, const Scenario& scenario);
+                                           double time_s, const Motion& motion);
 /** The same of the plan in force, from the instant of the snapshot on. */
-[[nodiscard]] std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot,
-                                              const Scenario& scenario);
+[[nodiscard]] std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot);
 
 /** The mission as it is now, without generation, phase and news. */
 [[nodiscard]] MissionSnapshot snapshotOf(const Mission& mission);

@@ -80,10 +80,7 @@ void RunList::addVariant(const ComparedRun& run, const PlannerSettings& planner)
     }
     Job job{.run = {.scenario = run.scenario, .flownUntil_s = run.scenario.duration_s}};
     job.run.scenario.planner = planner;
-    const std::size_t atStart = run.scenario.icebergs.size();
-    for (std::size_t k = 0; k < run.added_s.size(); ++k)
-        job.run.interventions.push_back(
-            {.time_s = run.added_s[k], .appears = run.icebergs[atStart + k]});
+    job.run.interventions = run.worldChanges;
     queue(std::move(job));
 }
 

@@ -44,8 +44,8 @@ public:
     /** Flies the scenario with these settings in the background and compares it. */
     void addFlown(const Scenario& scenario, const PlannerSettings& planner);
     /**
-     * Flies the world of a run, icebergs added in flight included, with other settings from the
-     * start. A run of the list that is the same is compared at once.
+     * Flies the world of a run, as it was changed in flight, with other settings from the start. A
+     * run of the list that is the same is compared at once.
      */
     void addVariant(const ComparedRun& run, const PlannerSettings& planner);
     /** Flies a run file again; one that does not repeat is refused. */

@@ -184,8 +184,10 @@ void removeObjects(Scenario& scenario, std::span<const std::string> ids)
     removeIcebergs(scenario, ids);
     if (std::find(ids.begin(), ids.end(), kAssetKey) != ids.end())
         scenario.asset.reset();
-    if (std::find(ids.begin(), ids.end(), kAreaKey) != ids.end())
+    if (std::find(ids.begin(), ids.end(), kAreaKey) != ids.end()) {
         scenario.area_m.clear();
+        scenario.geofence = false;
+    }
 }
 
 std::vector<Iceberg> icebergsOf(const Scenario& scenario, std::span<const std::string> ids)

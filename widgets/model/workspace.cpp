@@ -1,9 +1,14 @@
 #include "widgets/model/workspace.h"
 
+#include "widgets/model/scenario_edits.h"
+
 #include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -36,6 +41,27 @@ const PlannerSettings& Workspace::planner() const
     return inFlight() ? m_record.shown().planner : m_document.scenario().planner;
 }
 
+Point Workspace::wind_mps() const
+{
+    return inFlight() ? m_record.shown().motion.wind_mps : m_document.scenario().wind_mps;
+}
+
+bool Workspace::mayIntervene() const
+{
+    return inFlight() && !m_lookedAt_s && m_record.now.phase != RunPhase::Finished;
+}
+
+std::vector<std::string> Workspace::flownAmong(const std::vector<std::string>& ids) const
+{
+    std::unordered_set<std::string_view> flown;
+    for (const Iceberg& iceberg : m_record.now.icebergs)
+        flown.insert(iceberg.id);
+    std::vector<std::string> found;
+    std::copy_if(ids.begin(), ids.end(), std::back_inserter(found),
+                 [&](const std::string& id) { return flown.contains(id); });
+    return found;
+}
+
 void Workspace::planAgain()
 {
     m_selection.keepExisting(m_document.scenario());
@@ -44,6 +70,7 @@ void Workspace::planAgain()
         m_runs.add(m_record);
     m_record.scenario = m_document.scenario();
     m_tauWanted.reset();
+    m_placed.clear();
     m_playBack.stop();
     m_lookedAt_s.reset();
     m_runner.setScenario(m_document.scenario(), recordingOf(m_document.scenario()));
@@ -127,8 +154,46 @@ void Workspace::reportSeen(const std::vector<std::string>& ids)
 {
     if (!inFlight() || refuseWhileLookingBack())
         return;
-    for (const std::string& id : ids)
+    for (const std::string& id : flownAmong(ids))
         m_runner.intervene({.seen = id});
+}
+
+void Workspace::setWind(const Point& wind_mps)
+{
+    if (!inFlight())
+        m_document.edit(tr("Change wind"), [&](Scenario& s) { s.wind_mps = wind_mps; });
+    else if (!refuseWhileLookingBack())
+        m_runner.intervene({.wind_mps = wind_mps});
+}
+
+void Workspace::moveAsset(const Point& position_m)
+{
+    if (!m_record.now.asset || !inFlight() || refuseWhileLookingBack())
+        return;
+    Asset asset = *m_record.now.asset;
+    // An asset says where it was at time 0, and has moved since.
+    asset.position_m = position_m - asset.velocity_mps * m_record.now.time_s;
+    m_runner.intervene({.asset = asset});
+}
+
+void Workspace::addIceberg(Iceberg iceberg)
+{
+    if (!inFlight() || refuseWhileLookingBack())
+        return;
+    iceberg.id = freshIdInFlight();
+    m_placed.push_back(iceberg.id);
+    m_runner.intervene({.appears = std::move(iceberg)});
+}
+
+/** No id of the flight, nor of an iceberg that is on its way to it. */
+std::string Workspace::freshIdInFlight() const
+{
+    Scenario flown = m_record.scenario;
+    flown.icebergs = m_record.now.icebergs;
+    for (const std::string& id : m_placed)
+        if (findIceberg(flown, id) == nullptr)
+            flown.icebergs.push_back({.id = id});
+    return freshIcebergId(flown);
 }
 
 void Workspace::setBackend(Backend backend)
@@ -329,6 +394,7 @@ void Workspace::reset()
     if (wasInFlight)
         m_runs.add(m_record);
     m_tauWanted.reset();
+    m_placed.clear();
     m_playBack.stop();
     m_lookedAt_s.reset();
     m_record.begin(m_document.scenario());

@@ -55,12 +55,23 @@ public:
     [[nodiscard]] bool inFlight() const { return m_record.inFlight(); }
     /** In force: the document's, or in flight those of the mission at the instant shown. */
     [[nodiscard]] const PlannerSettings& planner() const;
+    /** In force, likewise. */
+    [[nodiscard]] Point wind_mps() const;
+    /** The newest of a flight that has not ended is shown: wind, asset and icebergs can change. */
+    [[nodiscard]] bool mayIntervene() const;
+    /** Those that are icebergs of the flight, added ones too. */
+    [[nodiscard]] std::vector<std::string> flownAmong(const std::vector<std::string>& ids) const;
 
     /** In flight at most ten times a second, the last one always: each is a re-plan on record. */
     void setTau(double tau);
     void setPolicy(PolicyKind policy);
-    /** In flight: somebody else sees these now. */
+    /** In flight: somebody else sees those of them now that are icebergs. */
     void reportSeen(const std::vector<std::string>& ids);
+    void setWind(const Point& wind_mps);
+    /** In flight: what is to be protected is here now. */
+    void moveAsset(const Point& position_m);
+    /** In flight: it is here now, under an id of its own. */
+    void addIceberg(Iceberg iceberg);
     void setBackend(Backend backend);
     void setRoute(Route route);
 
@@ -115,6 +126,7 @@ private:
     void takeInstant();
     void playBack();
     [[nodiscard]] bool refuseWhileLookingBack();
+    [[nodiscard]] std::string freshIdInFlight() const;
     void setPlanner(const QString& text, const std::function<void(PlannerSettings&)>& change,
                     const QString& gesture = {});
 
@@ -125,6 +137,7 @@ private:
     FlightRecord m_record;
     std::optional<double> m_tauWanted; ///< in flight, not yet told to the mission
     QTimer m_tauPause;
+    std::vector<std::string> m_placed;  ///< ids of icebergs added in this flight
     std::optional<double> m_lookedAt_s; ///< wanted; the record's instant follows
     QTimer m_playBack;                  ///< runs while what was flown is played
     QElapsedTimer m_playClock;

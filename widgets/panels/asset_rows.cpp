@@ -105,10 +105,19 @@ std::vector<InspectorRow> areaRows()
     return {InfoRow{.key = u"areaSize"_s,
                     .text = [](const Scenario& scenario, const std::string&,
                                const QLocale& locale) { return areaText(scenario, locale); }},
+            FlagRow{.words = {.key = u"areaFence"_s,
+                              .label = InspectorRows::tr("Geofence"),
+                              .toolTip = InspectorRows::tr("The UAVs stay inside the area."),
+                              .undoText = InspectorRows::tr("Change geofence")},
+                    .read = [](const Scenario& scenario) { return scenario.geofence; },
+                    .write = [](Scenario& scenario, bool on) { scenario.geofence = on; }},
             ActionRow{.words = {.key = u"areaRemove"_s,
                                 .toolTip = InspectorRows::tr("Takes the area off the map."),
                                 .undoText = InspectorRows::tr("Remove area")},
-                      .act = [](Scenario& scenario) { scenario.area_m.clear(); }}};
+                      .act = [](Scenario& scenario) {
+                          scenario.area_m.clear();
+                          scenario.geofence = false;
+                      }}};
 }
 
 } // namespace berg

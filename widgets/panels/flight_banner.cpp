@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kEdge_px = 12;
 constexpr int kIcon_px = 16;
+constexpr int kLineGap_px = 3;
 constexpr double kRadius_px = 6;
 
 } // namespace
@@ -26,12 +27,17 @@ FlightBanner::FlightBanner(QWidget* parent) : QWidget(parent)
 {
     setObjectName(u"flightBanner"_s);
     setCursor(Qt::ArrowCursor);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(10, 5, 5, 5);
+    m_column = new QVBoxLayout(this);
+    m_column->setContentsMargins(10, 5, 5, 5);
+    m_column->setSpacing(kLineGap_px);
+    m_state = new QWidget;
+    m_column->addWidget(m_state);
+    auto* row = new QHBoxLayout(m_state);
+    row->setContentsMargins(0, 0, 0, 0);
     m_icon = new QLabel;
     m_text = new QLabel;
     row->addWidget(m_icon);
-    row->addWidget(m_text);
+    row->addWidget(m_text, 1);
     row->addSpacing(6);
     m_stop = addButton(u"stopAndEditButton"_s, tr("Stop and edit"),
                        tr("Ends the flight and goes back to the start, where everything can be "
@@ -58,7 +64,7 @@ QPushButton* FlightBanner::addButton(const QString& name, const QString& text,
     button->setObjectName(name);
     button->setToolTip(toolTip);
     button->setFocusPolicy(Qt::TabFocus);
-    layout()->addWidget(button);
+    m_state->layout()->addWidget(button);
     return button;
 }
 
@@ -68,6 +74,7 @@ void FlightBanner::setTheme(const Theme& theme)
     m_icon->setPixmap(
         icon(m_iconName, theme).pixmap(QSize(kIcon_px, kIcon_px), devicePixelRatioF()));
     m_text->setFont(theme.body());
+    fillNotices();
     place();
     update();
 }
@@ -94,8 +101,50 @@ void FlightBanner::showState(bool inFlight, std::optional<double> lookBack_s, co
     m_flyOn->setVisible(looksBack);
     m_newest->setVisible(looksBack);
     m_checks->setVisible(!m_fault.isEmpty());
-    setVisible(inFlight || !m_fault.isEmpty());
+    m_hasState = inFlight || !m_fault.isEmpty();
+    m_state->setVisible(m_hasState);
+    setVisible(m_hasState || !m_notices.empty());
     place();
+}
+
+void FlightBanner::showNotices(const std::vector<FlightNotice>& notices)
+{
+    if (notices == m_notices)
+        return;
+    m_notices = notices;
+    fillNotices();
+    setVisible(m_hasState || !m_notices.empty());
+    place();
+}
+
+FlightBanner::NoticeLine FlightBanner::addNoticeLine()
+{
+    const NoticeLine added{.line = new QWidget, .icon = new QLabel, .text = new QLabel};
+    auto* row = new QHBoxLayout(added.line);
+    row->setContentsMargins(0, 0, 5, 0);
+    row->addWidget(added.icon);
+    row->addWidget(added.text, 1);
+    added.text->setObjectName(u"flightNotice%1"_s.arg(m_noticeLines.size() + 1));
+    m_column->insertWidget(static_cast<int>(m_noticeLines.size()), added.line);
+    return added;
+}
+
+void FlightBanner::fillNotices()
+{
+    while (m_noticeLines.size() < m_notices.size())
+        m_noticeLines.push_back(addNoticeLine());
+    for (std::size_t i = 0; i < m_noticeLines.size(); ++i) {
+        const NoticeLine& shown = m_noticeLines[i];
+        shown.line->setVisible(i < m_notices.size());
+        if (i >= m_notices.size())
+            continue;
+        const FlightNotice& notice = m_notices[i];
+        shown.icon->setPixmap(
+            icon(notice.icon, m_theme).pixmap(QSize(kIcon_px, kIcon_px), devicePixelRatioF()));
+        shown.text->setFont(m_theme.body());
+        shown.text->setText(notice.text);
+        shown.text->setToolTip(notice.toolTip);
+    }
 }
 
 /** As much of the reason as the map has room for; all of it is in the tool tip. */
@@ -108,12 +157,21 @@ void FlightBanner::elideFault()
         std::max(0, parentWidget()->width() - beside_px - 2 * kEdge_px)));
 }
 
+/** Also when texts have changed just now, which the layouts within do not know yet. */
+void FlightBanner::fitToTexts()
+{
+    for (const NoticeLine& shown : m_noticeLines)
+        shown.line->layout()->activate();
+    m_state->layout()->activate();
+    adjustSize();
+}
+
 void FlightBanner::place()
 {
-    adjustSize();
+    fitToTexts();
     if (!m_fault.isEmpty()) {
         elideFault();
-        adjustSize();
+        fitToTexts();
     }
     const QSize map = parentWidget()->size();
     move(std::max(0, (map.width() - width()) / 2), map.height() - height() - kEdge_px);

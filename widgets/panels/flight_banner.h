@@ -1,12 +1,14 @@
 #pragma once
 
-#include "widgets/theme/icons.h"
+#include "widgets/panels/flight_notices.h"
 #include "widgets/theme/theme.h"
 
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -14,8 +16,8 @@ namespace berg {
 
 /**
  * Says on top of the map why the scenario is locked, in flight or while one looks back, with the
- * one click that ends it, or why nothing can be planned. Keeps itself in the middle of its parent's
- * lower edge, between legend and scale.
+ * one click that ends it, or why nothing can be planned; above that what the user is to know now.
+ * Keeps itself in the middle of its parent's lower edge, between legend and scale.
  */
 class FlightBanner : public QWidget
 {
@@ -30,6 +32,8 @@ public:
      * can be planned; empty: nothing stands in the way.
      */
     void showState(bool inFlight, std::optional<double> lookBack_s, const QString& fault = {});
+    /** Each in a line of its own. */
+    void showNotices(const std::vector<FlightNotice>& notices);
 
 signals:
     void stopRequested();
@@ -43,7 +47,16 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    struct NoticeLine
+    {
+        QWidget* line;
+        QLabel* icon;
+        QLabel* text;
+    };
     QPushButton* addButton(const QString& name, const QString& text, const QString& toolTip);
+    NoticeLine addNoticeLine();
+    void fillNotices();
+    void fitToTexts();
     void place();
     void elideFault();
     void setIcon(IconName icon);
@@ -51,6 +64,11 @@ private:
     Theme m_theme = Theme::light();
     IconName m_iconName = IconName::Locked;
     QString m_fault; ///< shown
+    bool m_hasState = false;
+    std::vector<FlightNotice> m_notices;
+    std::vector<NoticeLine> m_noticeLines; ///< at least as many
+    QBoxLayout* m_column;
+    QWidget* m_state; ///< the line of the lock or the fault
     QLabel* m_icon;
     QLabel* m_text;
     QPushButton* m_stop;

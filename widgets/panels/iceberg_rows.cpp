@@ -43,6 +43,17 @@ std::vector<InspectorRow> driftRows()
                         .write = writing<Iceberg>(number),
                         .range = always(kVelocity_mps)});
     };
+    NumberRow deviation = asSpeed(
+        icebergRow({.key = u"icebergVelocitySd"_s,
+                    .label = InspectorRows::tr("Drift error"),
+                    .toolTip = InspectorRows::tr(
+                        "Standard deviation of the known drift, along each axis: its true drift "
+                        "differs from it by as much."),
+                    .undoText = InspectorRows::tr("Change drift error"),
+                    .isShown = isFiltered},
+                   {}, &Iceberg::velocitySd_mps, {.low = 0, .high = kLargestVelocity_mps}));
+    deviation.decimals = {.least = 2, .most = 3};
+    deviation.step = kVelocityStep_mps;
     return {
         row(
             u"icebergVelocityEast"_s, InspectorRows::tr("Drift east"),
@@ -52,6 +63,7 @@ std::vector<InspectorRow> driftRows()
             u"icebergVelocityNorth"_s, InspectorRows::tr("Drift north"),
             InspectorRows::tr("Known drift to the north; the current comes on top."),
             [](auto& iceberg) -> auto& { return iceberg.velocity_mps.y(); }),
+        deviation,
         InfoRow{.key = u"icebergDrift"_s,
                 .text = [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
                     const Iceberg* iceberg = objectOf(scenario.icebergs, id);

@@ -5,6 +5,7 @@
 #include "widgets/panels/iceberg_table_model.h"
 #include "widgets/panels/iceberg_table_view.h"
 #include "widgets/panels/plan_model.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -31,7 +32,7 @@ constexpr int kSortMark_px = 14;
 constexpr int kFilterFrom = 15; ///< so many icebergs make it worth its room
 
 /** As wide as usual contents: columns stand still in flight. */
-QString widestText(IcebergColumn column)
+QString widestText(IcebergColumn column, double sigmaFull_m2, const QLocale& locale)
 {
     switch (column) {
     case IcebergColumn::Name:
@@ -41,12 +42,16 @@ QString widestText(IcebergColumn column)
                u"0"_s;
     case IcebergColumn::Arrival:
         return PlanModel::arrivalText(3599);
+    case IcebergColumn::AssetDistance:
+        return u"00 000"_s;
     case IcebergColumn::East:
     case IcebergColumn::North:
         return u"−0 000.0"_s;
+    case IcebergColumn::AssetTime:
     case IcebergColumn::Unseen:
         return u"00:00"_s;
     case IcebergColumn::Sigma:
+        return widestSigmaText(sigmaFull_m2, locale);
     case IcebergColumn::Deviation:
     case IcebergColumn::Visits:
     case IcebergColumn::Speed:
@@ -128,6 +133,10 @@ void IcebergTable::connectTable()
                     m_current = m_model->rowAt(current.row()).id;
             });
     connect(m_model, &QAbstractItemModel::modelReset, this, &IcebergTable::refresh);
+    connect(m_model, &IcebergTableModel::columnsChanged, this, [this] {
+        showColumns();
+        setColumnWidths();
+    });
     connect(m_filter, &QLineEdit::textChanged, m_model, &IcebergTableModel::setFilter);
     connect(m_delegate, &IcebergTableDelegate::allEdited, this, &IcebergTable::editAll);
     connect(m_table, &IcebergTableView::copyRequested, this, &IcebergTable::copy);
@@ -159,7 +168,12 @@ void IcebergTable::setTheme(const Theme& theme)
 
 void IcebergTable::setSigmaFull(double full_m2)
 {
+    const bool isWider =
+        widestSigmaText(full_m2, locale()) != widestSigmaText(m_sigmaFull_m2, locale());
+    m_sigmaFull_m2 = full_m2;
     m_delegate->setSigmaFull(full_m2);
+    if (isWider) // else they stay as the user has made them
+        setColumnWidths();
 }
 
 void IcebergTable::showRecord(const FlightRecord& record)
@@ -215,14 +229,24 @@ void IcebergTable::setHiddenColumns(const QStringList& keys)
     showColumns();
 }
 
+/** Of what stands beside the text of a cell. */
+int IcebergTable::markWidth(IcebergColumn column) const
+{
+    if (column == IcebergColumn::Sigma)
+        return IcebergTableDelegate::barWidth();
+    const bool hasAlarms = m_model->hasColumn(static_cast<int>(IcebergColumn::AssetDistance));
+    return column == IcebergColumn::Name && hasAlarms ? IcebergTableDelegate::alarmWidth() : 0;
+}
+
 void IcebergTable::setColumnWidths()
 {
     const QFontMetrics metrics(m_table->font());
     const QFontMetrics headerMetrics(m_table->horizontalHeader()->font());
     for (int column = 0; column < m_model->columnCount(); ++column) {
         const auto kind = static_cast<IcebergColumn>(column);
-        const int extra_px = kind == IcebergColumn::Sigma ? IcebergTableDelegate::barWidth() : 0;
-        const int cell_px = metrics.horizontalAdvance(widestText(kind)) + extra_px;
+        const int extra_px = markWidth(kind);
+        const int cell_px =
+            metrics.horizontalAdvance(widestText(kind, m_sigmaFull_m2, locale())) + extra_px;
         const int title_px =
             headerMetrics.horizontalAdvance(m_model->spec(column).title) + kSortMark_px;
         const bool isHidden = m_table->isColumnHidden(column);

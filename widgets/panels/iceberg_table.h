@@ -16,6 +16,7 @@ namespace berg {
 class IcebergTableDelegate;
 class IcebergTableModel;
 class IcebergTableView;
+enum class IcebergColumn;
 
 /**
  * The icebergs as a table: before take-off a spreadsheet to edit them in, in flight how each of
@@ -63,6 +64,7 @@ private:
     void showDocument();
     void refresh();
     void showColumns();
+    [[nodiscard]] int markWidth(IcebergColumn column) const;
     void setColumnWidths();
     void showFilter();
     void showEmpty();
@@ -85,6 +87,7 @@ private:
     QLabel* m_fault; ///< why something was not pasted
     QLabel* m_empty;
     QStringList m_hiddenColumns;
+    double m_sigmaFull_m2 = 0;
     std::string m_hovered;
     std::string m_current;      ///< id of the current row, found again when the rows are begun anew
     bool m_isSelecting = false; ///< the selection is going from here to there, or back

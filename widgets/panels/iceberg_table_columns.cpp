@@ -55,6 +55,36 @@ IcebergColumnSpec inBoth(IcebergColumnSpec spec, const ShownUnit& unit)
     return spec;
 }
 
+IcebergColumnSpec ofAsset(const QString& key, const QString& title, const QString& copied,
+                          const QString& toolTip)
+{
+    return {.key = key,
+            .title = title,
+            .copied = copied,
+            .toolTip = toolTip,
+            .isInEditor = true,
+            .isInFlight = true,
+            .isOfAsset = true,
+            .number = {},
+            .unit = {}};
+}
+
+/** Closest point of approach and time to it. */
+std::array<IcebergColumnSpec, 2> assetColumns()
+{
+    const ShownUnit unit = distanceUnit();
+    const QString distance = IcebergColumnText::tr("CPA, %1").arg(unit.name);
+    IcebergColumnSpec nearest = ofAsset(
+        u"assetDistance"_s, distance, distance,
+        IcebergColumnText::tr("Closest point of approach: least distance from the asset "
+                              "within the next hour, by the estimate. A warning sign beside "
+                              "the name: it comes into the inner ring"));
+    nearest.unit = unit;
+    return {nearest,
+            ofAsset(u"assetTime"_s, IcebergColumnText::tr("TCPA"), IcebergColumnText::tr("TCPA, s"),
+                    IcebergColumnText::tr("Time to the closest point of approach"))};
+}
+
 IcebergColumnSpec inEditor(const QString& key, const QString& title, const QString& toolTip,
                            const NumberRow& number)
 {
@@ -102,6 +132,7 @@ IcebergColumnSpecs icebergColumnSpecs()
         return inEditor(key, title, number.words.toolTip, number);
     };
     const NumberRow drift = numberOf(u"icebergVelocityEast"_s);
+    const auto [assetDistance, assetTime] = assetColumns();
     IcebergColumnSpec name{
         .key = u"name"_s,
         .title = IcebergColumnText::tr("Iceberg"),
@@ -118,6 +149,8 @@ IcebergColumnSpecs icebergColumnSpecs()
                      "Uncertainty of the position now; the bar is on the scale of the map")),
         inFlight(u"deviation"_s, u"√σ, m"_s, u"√σ, m"_s,
                  IcebergColumnText::tr("Standard deviation of the position now")),
+        assetDistance,
+        assetTime,
         inFlight(u"state"_s, IcebergColumnText::tr("State"), IcebergColumnText::tr("State"),
                  IcebergColumnText::tr("In view, flown to, or its place in the visiting order")),
         inFlight(u"unseen"_s, IcebergColumnText::tr("Unseen for"),
@@ -180,6 +213,8 @@ std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column
     case IcebergColumn::Sigma:
     case IcebergColumn::Deviation:
     case IcebergColumn::State:
+    case IcebergColumn::AssetDistance:
+    case IcebergColumn::AssetTime:
     case IcebergColumn::Unseen:
     case IcebergColumn::Arrival:
     case IcebergColumn::Visits:
@@ -226,6 +261,8 @@ void setIcebergNumber(Iceberg& iceberg, IcebergColumn column, double value)
     case IcebergColumn::Sigma:
     case IcebergColumn::Deviation:
     case IcebergColumn::State:
+    case IcebergColumn::AssetDistance:
+    case IcebergColumn::AssetTime:
     case IcebergColumn::Unseen:
     case IcebergColumn::Arrival:
     case IcebergColumn::Visits:

@@ -14,6 +14,8 @@ enum class IcebergColumn
     Name,
     Sigma,
     Deviation,
+    AssetDistance,
+    AssetTime,
     State,
     Unseen,
     Arrival,
@@ -38,8 +40,12 @@ struct IcebergColumnSpec
     QString toolTip;
     bool isInEditor = false;         ///< there before take-off
     bool isInFlight = false;         ///< there in flight
+    bool isOfAsset = false;          ///< there only with an asset
     std::optional<NumberRow> number; ///< how the inspector edits it; none: no number to be edited
     ShownUnit unit;                  ///< its numbers are shown, edited and copied in this
+
+    /** Before take-off; what tells of the asset follows from the rest. */
+    [[nodiscard]] bool isEditable() const { return isInEditor && !isOfAsset; }
 };
 
 using IcebergColumnSpecs = std::array<IcebergColumnSpec, kIcebergColumns>;

@@ -3,6 +3,7 @@
 #include "widgets/map/map_symbols.h"
 #include "widgets/panels/iceberg_table_model.h"
 #include "widgets/panels/number_field.h"
+#include "widgets/theme/icons.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -19,6 +20,7 @@ constexpr int kBar_px = 32;
 constexpr int kBarHeight_px = 9;
 constexpr int kMargin_px = 5;
 constexpr int kMark_px = 3;
+constexpr int kAlarm_px = 15;
 constexpr double kHighlight = 0.18; ///< part of the plan's colour in the ground of a row
 
 /** The inspector's input in a cell; takes a point for the decimal sign where that is a comma. */
@@ -57,11 +59,23 @@ bool isNumber(const QModelIndex& index)
     return column != IcebergColumn::Name && column != IcebergColumn::State;
 }
 
+/** Not there yet, or not there any more. */
+bool isAbsent(const QModelIndex& index)
+{
+    const auto state = static_cast<IcebergState>(index.data(IcebergTableModel::StateRole).toInt());
+    return state == IcebergState::Later || state == IcebergState::Left;
+}
+
 } // namespace
 
 int IcebergTableDelegate::barWidth()
 {
     return kBar_px + 2 * kMargin_px;
+}
+
+int IcebergTableDelegate::alarmWidth()
+{
+    return kAlarm_px + kMargin_px;
 }
 
 void IcebergTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
@@ -72,7 +86,7 @@ void IcebergTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& 
     const auto column = static_cast<IcebergColumn>(index.column());
     if (!index.flags().testFlag(Qt::ItemIsEditable))
         option.state.setFlag(QStyle::State_HasFocus, false); // rows are chosen, not cells
-    if (index.data(IcebergTableModel::StateRole).toInt() == static_cast<int>(IcebergState::Later))
+    if (isAbsent(index))
         option.palette.setColor(QPalette::Text, option.palette.color(QPalette::PlaceholderText));
     if (index.data(IcebergTableModel::HighlightRole).toBool()) {
         painter->fillRect(option.rect,
@@ -81,6 +95,8 @@ void IcebergTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& 
             painter->fillRect(QRect(option.rect.topLeft(), QSize(kMark_px, option.rect.height())),
                               m_theme.plan);
     }
+    if (column == IcebergColumn::Name && index.data(IcebergTableModel::AlarmRole).toBool())
+        addAlarm(option);
     const QString text = option.text;
     if (isNumber(index))
         option.text.clear();
@@ -89,6 +105,16 @@ void IcebergTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& 
         paintNumber(*painter, option, text);
     if (column == IcebergColumn::Sigma && option.rect.width() > barWidth())
         paintBar(*painter, option, index.data(IcebergTableModel::SigmaRole).toDouble());
+}
+
+/** A warning sign behind the name. */
+void IcebergTableDelegate::addAlarm(QStyleOptionViewItem& option) const
+{
+    option.features |= QStyleOptionViewItem::HasDecoration;
+    option.decorationSize = QSize(kAlarm_px, kAlarm_px);
+    option.decorationPosition = QStyleOptionViewItem::Right;
+    option.decorationAlignment = Qt::AlignCenter;
+    option.icon = icon(IconName::Warning, m_theme);
 }
 
 void IcebergTableDelegate::paintNumber(QPainter& painter, const QStyleOptionViewItem& option,

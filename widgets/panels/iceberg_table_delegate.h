@@ -31,6 +31,8 @@ public:
 
     /** Room that the bar takes left of the text of sigma. */
     [[nodiscard]] static int barWidth();
+    /** Room that the sign of an alarm takes behind a name. */
+    [[nodiscard]] static int alarmWidth();
 
 signals:
     /** Ctrl+Return: what was typed goes to this cell of all rows selected. */
@@ -40,6 +42,7 @@ protected:
     bool eventFilter(QObject* editor, QEvent* event) override;
 
 private:
+    void addAlarm(QStyleOptionViewItem& option) const;
     void paintNumber(QPainter& painter, const QStyleOptionViewItem& option,
                      const QString& text) const;
     void paintBar(QPainter& painter, const QStyleOptionViewItem& option, double sigma_m2) const;

@@ -1,5 +1,6 @@
 #include "widgets/panels/iceberg_table_model.h"
 
+#include "widgets/model/asset_approach.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/panels/iceberg_table_text.h"
 #include "widgets/panels/inspector_row_makers.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -43,19 +45,22 @@ IcebergTableModel::IcebergTableModel(ScenarioDocument& document, const QLocale& 
 
 void IcebergTableModel::showScenario()
 {
-    setRows(editorRows(m_document.scenario()), false);
+    const Scenario& scenario = m_document.scenario();
+    setRows(editorRows(scenario), {.hasAsset = scenario.asset.has_value()});
 }
 
 void IcebergTableModel::showRecord(const FlightRecord& record)
 {
-    setRows(flightRows(record), true);
+    setRows(flightRows(record), {.isInFlight = true, .hasAsset = record.shown().asset.has_value()});
 }
 
-void IcebergTableModel::setRows(std::vector<IcebergTableRow> rows, bool inFlight)
+void IcebergTableModel::setRows(std::vector<IcebergTableRow> rows, const Kind& kind)
 {
-    m_isInFlight = inFlight;
+    const bool hasOtherColumns = std::exchange(m_kind, kind) != kind;
     if (isSameIcebergs(rows, m_rows)) {
         updateRows(std::move(rows));
+        if (hasOtherColumns)
+            emit columnsChanged();
         return;
     }
     beginResetModel();
@@ -216,7 +221,9 @@ const IcebergColumnSpec& IcebergTableModel::spec(int column) const
 
 bool IcebergTableModel::hasColumn(int column) const
 {
-    return m_isInFlight ? spec(column).isInFlight : spec(column).isInEditor;
+    const IcebergColumnSpec& one = spec(column);
+    return (m_kind.isInFlight ? one.isInFlight : one.isInEditor) &&
+           (m_kind.hasAsset || !one.isOfAsset);
 }
 
 int IcebergTableModel::rowCount(const QModelIndex& parent) const
@@ -237,13 +244,17 @@ QVariant IcebergTableModel::data(const QModelIndex& index, int role) const
     const IcebergTableRow& row = rowAt(index.row());
     switch (role) {
     case Qt::DisplayRole:
-        return cellText(row, column, m_isInFlight, m_locale);
+        return cellText(row, column, m_kind.isInFlight, m_locale);
     case Qt::EditRole:
         return column == IcebergColumn::Name
                    ? QVariant(row.name)
                    : QVariant(spec(index.column()).unit.fromSi(row.value(column).value_or(0)));
     case Qt::ToolTipRole:
         return cellToolTip(row, column, m_locale);
+    case Qt::AccessibleTextRole:
+        return column == IcebergColumn::Name && row.ringEntry_s
+                   ? QVariant(ringEntryText(row.label(), *row.ringEntry_s, m_locale))
+                   : QVariant();
     case Qt::TextAlignmentRole:
         return QVariant::fromValue((isText(column) ? Qt::AlignLeft : Qt::AlignRight) |
                                    Qt::AlignVCenter);
@@ -251,6 +262,8 @@ QVariant IcebergTableModel::data(const QModelIndex& index, int role) const
         return row.value(IcebergColumn::Sigma).value_or(0);
     case StateRole:
         return static_cast<int>(row.state);
+    case AlarmRole:
+        return row.ringEntry_s.has_value();
     case HighlightRole:
         return row.id == m_highlight;
     default:
@@ -280,7 +293,7 @@ Qt::ItemFlags IcebergTableModel::flags(const QModelIndex& index) const
 {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
     flags.setFlag(Qt::ItemIsEditable,
-                  index.isValid() && !m_isInFlight && spec(index.column()).isInEditor);
+                  index.isValid() && !m_kind.isInFlight && spec(index.column()).isEditable());
     return flags;
 }
 
@@ -292,7 +305,7 @@ bool IcebergTableModel::setData(const QModelIndex& index, const QVariant& value,
 bool IcebergTableModel::setAll(const std::vector<int>& rows, IcebergColumn column,
                                const QVariant& value)
 {
-    if (m_isInFlight)
+    if (m_kind.isInFlight || !specOf(m_specs, column).isEditable())
         return false;
     std::vector<std::string> ids;
     for (const int row : rows)
@@ -321,7 +334,7 @@ bool IcebergTableModel::setAll(const std::vector<int>& rows, IcebergColumn colum
 QString IcebergTableModel::copiedCell(const IcebergTableRow& row, int column) const
 {
     if (isText(columnOf(column)))
-        return cellText(row, columnOf(column), m_isInFlight, m_locale);
+        return cellText(row, columnOf(column), m_kind.isInFlight, m_locale);
     const std::optional<double> value = row.value(columnOf(column));
     return value ? exactText(spec(column).unit.fromSi(*value), m_locale) : QString();
 }
@@ -343,12 +356,17 @@ QString IcebergTableModel::copied(const std::vector<int>& rows,
 PasteOutcome IcebergTableModel::paste(const QString& text, int row, int column,
                                       const std::vector<int>& columns)
 {
+    if (!spec(column).isEditable())
+        return {.fault = tr("The column \"%1\" follows from the others. Nothing was pasted.")
+                             .arg(spec(column).title),
+                .ids = {},
+                .scenario = {}};
     PasteTarget target;
     for (int at = row; at < rowCount(); ++at)
         target.ids.push_back(rowAt(at).id);
     for (const int one : columns) {
         target.shown.push_back(columnOf(one));
-        if (one >= column)
+        if (one >= column && spec(one).isEditable())
             target.columns.push_back(columnOf(one));
     }
     PasteOutcome outcome = pasteCells(m_document.scenario(), text, target, m_specs, m_locale);

@@ -23,6 +23,7 @@ public:
     {
         SigmaRole = Qt::UserRole, ///< sigma, m^2
         StateRole,                ///< int of `IcebergState`
+        AlarmRole,                ///< bool: on its way into the inner ring of the asset
         HighlightRole             ///< bool
     };
 
@@ -33,7 +34,7 @@ public:
     void showScenario();
     /** In flight. */
     void showRecord(const FlightRecord& record);
-    [[nodiscard]] bool isInFlight() const { return m_isInFlight; }
+    [[nodiscard]] bool isInFlight() const { return m_kind.isInFlight; }
 
     /** Shows those whose name or id holds this text, whatever its case; empty: all. */
     void setFilter(const QString& text);
@@ -45,7 +46,7 @@ public:
     /** So many icebergs there are, the ones that the filter hides included. */
     [[nodiscard]] int total() const { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] const IcebergColumnSpec& spec(int column) const;
-    /** Whether the column is there now, in the editor or in flight. */
+    /** Whether the column is there now, in the editor or in flight, with an asset or without. */
     [[nodiscard]] bool hasColumn(int column) const;
 
     /** Sets a cell of all these rows, one undo step; a number is brought into its range. */
@@ -66,8 +67,18 @@ public:
     /** -1: the order of the scenario. Cells without a number come last either way. */
     void sort(int column, Qt::SortOrder order) override;
 
+signals:
+    /** `hasColumn` is not what it was. */
+    void columnsChanged();
+
 private:
-    void setRows(std::vector<IcebergTableRow> rows, bool inFlight);
+    struct Kind
+    {
+        bool isInFlight = false;
+        bool hasAsset = false;
+        bool operator==(const Kind&) const = default;
+    };
+    void setRows(std::vector<IcebergTableRow> rows, const Kind& kind);
     void updateRows(std::vector<IcebergTableRow> rows);
     void rankNames();
     [[nodiscard]] std::vector<int> arranged() const;
@@ -86,7 +97,7 @@ private:
     std::string m_highlight;
     int m_sortColumn = -1;
     Qt::SortOrder m_sortOrder = Qt::AscendingOrder;
-    bool m_isInFlight = false;
+    Kind m_kind;
 };
 
 } // namespace berg

@@ -132,6 +132,8 @@ private:
             return;
         }
         const IcebergColumnSpec& spec = specOf(m_specs, column);
+        if (!spec.isEditable())
+            return; // named by a title: it follows from the others
         const std::optional<double> value = numberOf(cell, m_locale);
         if (!value) {
             fail(IcebergPasteText::tr("Row %1, column \"%2\": \"%3\" is not a number.")

@@ -1,5 +1,6 @@
 #include "widgets/panels/iceberg_table_rows.h"
 
+#include "widgets/model/asset_approach.h"
 #include "widgets/panels/plan_model.h"
 #include "widgets/panels/plan_rows.h"
 #include "widgets/theme/quantity_text.h"
@@ -27,6 +28,15 @@ constexpr std::array kEditorNumbers{
 void put(IcebergTableRow& row, IcebergColumn column, std::optional<double> value)
 {
     row.values[static_cast<std::size_t>(column)] = value;
+}
+
+void putApproach(IcebergTableRow& row, const std::optional<AssetApproach>& approach)
+{
+    if (!approach)
+        return;
+    put(row, IcebergColumn::AssetDistance, approach->closest.distance_m);
+    put(row, IcebergColumn::AssetTime, approach->closest.time_s);
+    row.ringEntry_s = approach->entry_s;
 }
 
 /** Of the whole order: when the UAV is there. */
@@ -65,11 +75,21 @@ std::vector<int> placesOf(const MissionSnapshot& shown)
 
 IcebergState stateOf(const MissionSnapshot& shown, std::size_t iceberg, int place)
 {
+    const Track& track = shown.world.tracks[iceberg];
+    if (track.left)
+        return IcebergState::Left;
     if (!shown.active[iceberg])
         return IcebergState::Later;
-    if (shown.world.tracks[iceberg].inView)
+    if (track.inView)
         return IcebergState::InView;
-    if (shown.world.target == static_cast<int>(iceberg))
+    if (track.status == TrackStatus::GivenUp)
+        return IcebergState::GivenUp;
+    if (track.status == TrackStatus::Lost)
+        return shown.world.search && shown.world.search->iceberg == static_cast<int>(iceberg)
+                   ? IcebergState::Searched
+                   : IcebergState::Lost;
+    const bool isFlownTo = shown.world.target == static_cast<int>(iceberg);
+    if (isFlownTo && shown.world.mode != FlightMode::Search)
         return IcebergState::Target;
     return place > 0 ? IcebergState::Planned : IcebergState::Unplanned;
 }
@@ -85,10 +105,18 @@ double stateOrder(IcebergState state, int place)
         return 0;
     case IcebergState::Planned:
         return place;
-    case IcebergState::Unplanned:
+    case IcebergState::Searched:
         return kBehindAll;
-    case IcebergState::Later:
+    case IcebergState::Lost:
         return kBehindAll + 1;
+    case IcebergState::GivenUp:
+        return kBehindAll + 2;
+    case IcebergState::Unplanned:
+        return kBehindAll + 3;
+    case IcebergState::Later:
+        return kBehindAll + 4;
+    case IcebergState::Left:
+        return kBehindAll + 5;
     }
     return 0;
 }
@@ -98,7 +126,15 @@ QString orDash(const QString& text)
     return text.isEmpty() ? u"–"_s : text;
 }
 
-/** Without its unit, which is in the header; to about a tenth of a metre, in flight to ten. */
+/** Of the asset; "> 1 h": still coming nearer at the end of what is looked at. */
+QString approachTimeText(double time_s)
+{
+    if (time_s <= 0)
+        return IcebergRowText::tr("now");
+    return time_s < kApproachHorizon_s ? clockText(time_s) : IcebergRowText::tr("> 1 h");
+}
+
+/** Without its unit, which is in the header; to about a tenth of a metre, in flight to one. */
 QString positionText(double position_m, bool inFlight, const QLocale& locale)
 {
     const bool isNautical = shownUnits().distance == DistanceUnit::Nautical;
@@ -112,6 +148,10 @@ QString numberText(double value, IcebergColumn column, bool inFlight, const QLoc
     case IcebergColumn::East:
     case IcebergColumn::North:
         return positionText(value, inFlight, locale);
+    case IcebergColumn::AssetDistance:
+        return positionText(value, true, locale);
+    case IcebergColumn::AssetTime:
+        return approachTimeText(value);
     case IcebergColumn::Speed:
         return fixedText(speedUnit().fromSi(value), 2, locale);
     case IcebergColumn::Direction:
@@ -136,6 +176,15 @@ QString numberText(double value, IcebergColumn column, bool inFlight, const QLoc
     return {};
 }
 
+QString nameToolTip(const IcebergTableRow& row, const QLocale& locale)
+{
+    QString text =
+        IcebergRowText::tr("%1 (id %2)").arg(row.label(), QString::fromStdString(row.id));
+    if (row.ringEntry_s)
+        text += u'\n' + ringEntryText(row.label(), *row.ringEntry_s, locale);
+    return text;
+}
+
 } // namespace
 
 std::vector<IcebergTableRow> editorRows(const Scenario& scenario)
@@ -148,6 +197,7 @@ std::vector<IcebergTableRow> editorRows(const Scenario& scenario)
         row.name = QString::fromStdString(iceberg.name);
         for (const IcebergColumn column : kEditorNumbers)
             put(row, column, icebergNumber(iceberg, column));
+        putApproach(row, approachOf(scenario, iceberg));
     }
     return rows;
 }
@@ -168,10 +218,11 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
         row.name = QString::fromStdString(iceberg.name);
         row.state = stateOf(shown, i, places[i]);
         put(row, IcebergColumn::State, stateOrder(row.state, places[i]));
-        if (row.state == IcebergState::Later) {
+        if (row.state == IcebergState::Later)
             put(row, IcebergColumn::Appears, iceberg.appears_s);
+        if (!shown.active[i] || track.left)
             continue;
-        }
+        putApproach(row, approachOf(shown, i));
         const Point estimate_m = record.estimate_m(i);
         put(row, IcebergColumn::Sigma, track.sigma_m2);
         put(row, IcebergColumn::Deviation, std::sqrt(track.sigma_m2));
@@ -197,6 +248,14 @@ QString stateText(const IcebergTableRow& row)
     case IcebergState::Planned:
         return IcebergRowText::tr("number %1 in the order")
             .arg(row.value(IcebergColumn::State).value_or(0));
+    case IcebergState::Searched:
+        return IcebergRowText::tr("lost, searched for");
+    case IcebergState::Lost:
+        return IcebergRowText::tr("lost");
+    case IcebergState::GivenUp:
+        return IcebergRowText::tr("given up");
+    case IcebergState::Left:
+        return IcebergRowText::tr("left the area");
     case IcebergState::Unplanned:
         return IcebergRowText::tr("not in the order");
     case IcebergState::Later:
@@ -221,7 +280,13 @@ QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLoc
     const std::optional<double> value = row.value(column);
     switch (column) {
     case IcebergColumn::Name:
-        return IcebergRowText::tr("%1 (id %2)").arg(row.label(), QString::fromStdString(row.id));
+        return nameToolTip(row, locale);
+    case IcebergColumn::AssetDistance:
+    case IcebergColumn::AssetTime:
+        return row.value(IcebergColumn::AssetTime) == kApproachHorizon_s
+                   ? IcebergRowText::tr(
+                         "It still comes nearer in an hour, to this distance by then.")
+                   : QString();
     case IcebergColumn::State:
         return row.state == IcebergState::Later
                    ? IcebergRowText::tr("Appears at %1")

@@ -14,6 +14,10 @@ enum class IcebergState
     InView,
     Target,
     Planned,   ///< further on in the visiting order
+    Searched,  ///< lost, and the UAV is searching for it
+    Lost,      ///< not where it should be
+    GivenUp,   ///< the search for it has ended without it
+    Left,      ///< of the area that is monitored
     Unplanned, ///< known, not in the order
     Later      ///< not there yet
 };
@@ -25,6 +29,7 @@ struct IcebergTableRow
     QString name; ///< empty: it has none
     IcebergState state = IcebergState::Unplanned;
     std::array<std::optional<double>, kIcebergColumns> values; ///< by column; none: nothing there
+    std::optional<double> ringEntry_s; ///< from now, into the inner ring of the asset, 0: inside
     bool operator==(const IcebergTableRow&) const = default;
 
     [[nodiscard]] std::optional<double> value(IcebergColumn column) const
@@ -42,7 +47,8 @@ struct IcebergTableRow
 [[nodiscard]] std::vector<IcebergTableRow> editorRows(const Scenario& scenario);
 
 /**
- * The icebergs at the time shown, by index; of those that are not there yet nothing but the name.
+ * The icebergs at the time shown, by index; of those that are not there yet, or have left the
+ * area, nothing but the name.
  * `State` holds the place in the visiting order, from 1. Cost: linear in icebergs and events.
  */
 [[nodiscard]] std::vector<IcebergTableRow> flightRows(const FlightRecord& record);

@@ -12,6 +12,8 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -93,6 +95,16 @@ void InspectorForm::addInput(const RowWords& words, QWidget* input)
     input->setAccessibleName(words.label);
     input->setToolTip(words.toolTip);
     m_form->addRow(words.label, input); // which makes the label its buddy
+    if (words.isShown)
+        m_inputs.push_back({.show =
+                                [this, isShown = words.isShown, input] {
+                                    const auto matters = [&](const std::string& id) {
+                                        return isShown(m_document.scenario(), id);
+                                    };
+                                    m_form->setRowVisible(
+                                        input, std::any_of(m_ids.begin(), m_ids.end(), matters));
+                                },
+                            .lock = [](bool) {}});
     if (m_first == nullptr)
         m_first = input;
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace berg {
 
@@ -89,6 +90,28 @@ NumberRow scenarioRow(const RowWords& words, const QString& unit, Number number,
                               double value) { number(scenario) = value; },
             .range = range};
 }
+
+/** The values of an enumeration of the core in the order of its declaration. */
+template <class Member>
+ChoiceRow choiceRow(const RowWords& words, const QStringList& choices, Member member)
+{
+    using Enum = std::remove_reference_t<decltype(member(std::declval<Scenario&>()))>;
+    return {
+        .words = words,
+        .choices = choices,
+        .read = [member](const Scenario& scenario) { return static_cast<int>(member(scenario)); },
+        .write = [member](Scenario& scenario,
+                          int choice) { member(scenario) = static_cast<Enum>(choice); }};
+}
+
+/** Whether icebergs are measured and filtered: what only then matters is shown only then. */
+inline bool isFiltered(const Scenario& scenario, const std::string& /*id*/)
+{
+    return scenario.observer.model == ObserverModel::Kalman;
+}
+
+/** Where a UAV lands and how long it stands there; part of `uavRows`. */
+[[nodiscard]] std::vector<InspectorRow> homeRows();
 
 template <class Object>
 [[nodiscard]] TextRow nameRow(const QString& key);

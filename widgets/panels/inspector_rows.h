@@ -25,6 +25,9 @@ struct RowWords
     QString label;
     QString toolTip;
     QString undoText;
+    /** Where the row matters; null: everywhere. Of several objects it is there when it is for one.
+     */
+    std::function<bool(const Scenario&, const std::string& id)> isShown{};
 };
 
 struct NumberRow
@@ -99,6 +102,8 @@ using InspectorRow =
 [[nodiscard]] std::vector<InspectorRow> assetRows();
 [[nodiscard]] std::vector<InspectorRow> areaRows();
 [[nodiscard]] std::vector<InspectorRow> scenarioRows();
+/** How the icebergs are observed; part of `scenarioRows`. */
+[[nodiscard]] std::vector<InspectorRow> observerRows();
 /** Settings of the planner that the trade-off panel does not have; they end `scenarioRows`. */
 [[nodiscard]] std::vector<InspectorRow> plannerRows();
 

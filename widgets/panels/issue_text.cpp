@@ -42,15 +42,34 @@ constexpr AdviceText kAdviceTexts[] = {
     {advised::kUnknownMembers,
      QT_TRANSLATE_NOOP("IssueText", "The file holds members that this version does not know. They "
                                     "are kept, but not used.")},
-    {advised::kAreaUnused,
-     QT_TRANSLATE_NOOP("IssueText", "The area serves these checks; this version flies beyond it.")},
+    {advised::kAreaNoFence,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "Icebergs outside the area are not monitored; the UAV may fly beyond "
+                       "it.")},
+    {advised::kVelocitySdUnused,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "The velocity's deviation counts with the Kalman filter only.")},
     {advised::kFirstUavOnly,
      QT_TRANSLATE_NOOP("IssueText", "This version flies the first UAV only; the others are kept.")},
-    {advised::kEnduranceUnused,
-     QT_TRANSLATE_NOOP("IssueText", "The endurance is kept, but not used by this version.")},
-    {advised::kEnduranceShort,
-     QT_TRANSLATE_NOOP("IssueText", "The endurance is shorter than the run, and this version flies "
-                                    "on when it is over.")},
+    {advised::kNoWayHome,
+     QT_TRANSLATE_NOOP("IssueText", "The endurance is too short for the way home from the start.")},
+    {advised::kHomeUnused,
+     QT_TRANSLATE_NOOP("IssueText", "Home counts with a limited endurance only.")},
+    {advised::kHomeNearFence,
+     QT_TRANSLATE_NOOP("IssueText", "Home is so near the geofence that the UAV may come home late, "
+                                    "turning away from it.")},
+    {advised::kStartNearFence,
+     QT_TRANSLATE_NOOP("IssueText", "The UAV starts so near the geofence, for its heading, that it "
+                                    "cannot turn inside it.")},
+    {advised::kShutOff,
+     QT_TRANSLATE_NOOP("IssueText", "So near the geofence that the UAV cannot come as near as it "
+                                    "has to.")},
+    {advised::kFenceNoArea, QT_TRANSLATE_NOOP("IssueText", "A geofence needs an area.")},
+    {advised::kOutsideFence,
+     QT_TRANSLATE_NOOP("IssueText", "Must be inside the area, which is a geofence.")},
+    {advised::kFenceUnplanned,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "This policy plans without the geofence; it is kept in flight.")},
     {advised::kNoRoundTrip,
      QT_TRANSLATE_NOOP("IssueText", "The endurance is too short for the way to the nearest iceberg "
                                     "and back.")},
@@ -58,6 +77,9 @@ constexpr AdviceText kAdviceTexts[] = {
     {advised::kWideTurn,
      QT_TRANSLATE_NOOP("IssueText", "The turn radius is larger than half the field of view, so "
                                     "that an iceberg may be missed.")},
+    {advised::kClustersIgnored,
+     QT_TRANSLATE_NOOP("IssueText", "This policy plans icebergs one by one: several in one field "
+                                    "of view are not planned as one point.")},
     {advised::kReachInsideTurn,
      QT_TRANSLATE_NOOP("IssueText", "The radius that counts as reached is smaller than the turn "
                                     "radius, so that the UAV flies on and comes back.")},

@@ -103,7 +103,8 @@ QString PlanModel::text(int row, Column column) const
     case Name:
         return planned.name;
     case Leg:
-        return distanceText(planned.leg_m, m_locale);
+        // Planned as one point with the one above: there is no way between the two.
+        return planned.leg_m > 0 ? distanceText(planned.leg_m, m_locale) : noFigure();
     case Arrival:
         return arrivalText(planned.arrival_s);
     case Sigma:

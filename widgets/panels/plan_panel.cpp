@@ -48,9 +48,7 @@ PlanPanel::PlanPanel(QWidget* parent)
     , m_model(new PlanModel(locale(), this))
     , m_delegate(new PlanDelegate(this))
     , m_table(new QTableView(this))
-    , m_empty(new QLabel(tr("Nothing to visit: there are no icebergs yet, or all of them are in "
-                            "view."),
-                         m_table->viewport()))
+    , m_empty(new QLabel(m_table->viewport()))
     , m_summary(new QLabel(this))
 {
     setUpTable();
@@ -86,6 +84,7 @@ PlanPanel::PlanPanel(QWidget* parent)
                                                                QItemSelectionModel::Rows);
             });
     setTheme(Theme::light());
+    showPlan({});
 }
 
 void PlanPanel::setUpTable()
@@ -147,8 +146,9 @@ void PlanPanel::setColumnWidths()
     m_table->setColumnWidth(PlanModel::Number, kNumberColumn_px);
     setWidth(PlanModel::Leg, distanceText(8880, locale()), 0);
     setWidth(PlanModel::Arrival, PlanModel::arrivalText(m_hasHours ? 9 * kHour_s : kHour_s - 1), 0);
-    setWidth(PlanModel::Sigma, significantText(88.8, 3, locale()), PlanDelegate::swatchWidth());
-    setWidth(PlanModel::ArrivalSigma, significantText(88.8, 3, locale()), 0);
+    const QString sigma = widestSigmaText(m_sigmaFull_m2, locale());
+    setWidth(PlanModel::Sigma, sigma, PlanDelegate::swatchWidth());
+    setWidth(PlanModel::ArrivalSigma, sigma, 0);
     chooseColumns();
 }
 
@@ -252,11 +252,16 @@ void PlanPanel::setSigmaFull(double full_m2)
         return;
     m_sigmaFull_m2 = full_m2;
     m_delegate->setSigmaFull(full_m2);
+    setColumnWidths();
     m_table->viewport()->update();
 }
 
-void PlanPanel::showPlan(std::vector<PlanRow> rows)
+void PlanPanel::showPlan(std::vector<PlanRow> rows, bool isHomeward)
 {
+    m_empty->setText(isHomeward ? tr("The UAV is on its way home or on the ground: the next sortie "
+                                     "is planned at take-off.")
+                                : tr("Nothing to visit: there are no icebergs yet, or all of them "
+                                     "are in view."));
     if (m_sigmaFull_m2 == 0) {
         double largest_m2 = 0;
         for (const PlanRow& row : rows)

@@ -25,7 +25,8 @@ public:
     /** sigma at the end of the colour scale, the same as on the map; 0: the largest in the list. */
     void setSigmaFull(double full_m2);
 
-    void showPlan(std::vector<PlanRow> rows);
+    /** `isHomeward`: on its way home or on the ground, where nothing is planned. */
+    void showPlan(std::vector<PlanRow> rows, bool isHomeward = false);
     /** Of the plan shown; none: only its length is told. */
     void showOutlook(std::optional<PlanOutlook> outlook);
     /** Marks this iceberg's row, e.g. while the pointer is on it on the map; empty: none. */

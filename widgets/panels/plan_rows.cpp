@@ -13,8 +13,8 @@ QString nameOf(const Iceberg& iceberg)
 
 PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
 {
-    return forecastPlan(forecastStart(now, scenario), now.plan->order,
-                        std::max(0.0, scenario.duration_s - now.time_s));
+    return forecastPlan(forecastStart(now), now.plan->order,
+                        std::max(0.0, scenario.duration_s - now.time_s), now.plan->clusters);
 }
 
 /** What the row says of the iceberg as it is now. */
@@ -38,9 +38,21 @@ std::vector<PlanRow> straightRows(const MissionSnapshot& now, const Scenario& sc
     return rows;
 }
 
-std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const Scenario& scenario)
+/** What comes after the way home has no times yet. */
+void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
 {
-    const std::vector<AimedWay> ways = waysAhead(now, scenario);
+    const auto flown = static_cast<std::size_t>(
+        std::max(0, plan.thisSortie.value_or(static_cast<int>(rows.size()))));
+    for (std::size_t k = flown; k < rows.size(); ++k) {
+        PlanRow& row = rows[k];
+        row.isSeen = false;
+        row.leg_m = row.arrival_s = row.arrivalSigma_m2 = 0;
+    }
+}
+
+std::vector<PlanRow> aimedRows(const MissionSnapshot& now)
+{
+    const std::vector<AimedWay> ways = waysAhead(now);
     const std::vector<double>& sightings_s = now.plan->outlook->sightings_s;
     std::vector<PlanRow> rows;
     double before_m = 0;
@@ -54,7 +66,7 @@ std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const Scenario& scena
         const Track& track = now.world.tracks[static_cast<std::size_t>(iceberg)];
         row.leg_m = way_m - std::exchange(before_m, way_m);
         row.arrival_s = std::max(0.0, sightings_s[k] - now.time_s);
-        row.arrivalSigma_m2 = track.sigma_m2 + track.q_m2ps * row.arrival_s;
+        row.arrivalSigma_m2 = track.sigmaAfter_m2(row.arrival_s);
     }
     return rows;
 }
@@ -107,7 +119,9 @@ std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenar
 {
     if (!now.plan || scenario.uavs.empty())
         return {};
-    return now.plan->outlook ? aimedRows(now, scenario) : straightRows(now, scenario);
+    std::vector<PlanRow> rows = now.plan->outlook ? aimedRows(now) : straightRows(now, scenario);
+    leaveForNextSortie(rows, *now.plan);
+    return rows;
 }
 
 std::optional<PlanOutlook> planOutlook(const FlightRecord& record)

@@ -1,28 +1,8 @@
 #include "widgets/panels/inspector_row_makers.h"
 
-#include <type_traits>
-#include <utility>
-
 using namespace Qt::StringLiterals;
 
 namespace berg {
-namespace {
-
-/** The values of an enumeration of the core in the order of its declaration. */
-template <class Member>
-ChoiceRow choiceRow(const RowWords& words, const QStringList& choices, Member member)
-{
-    using Enum = std::remove_reference_t<decltype(member(std::declval<Scenario&>()))>;
-    return {
-        .words = words,
-        .choices = choices,
-        .read = [member](const Scenario& scenario) { return static_cast<int>(member(scenario)); },
-        .write = [member](Scenario& scenario,
-                          int choice) { member(scenario) = static_cast<Enum>(choice); }};
-}
-
-} // namespace
-
 std::vector<InspectorRow> plannerRows()
 {
     // 0 stands for "none": the file leaves the member out.
@@ -57,7 +37,15 @@ std::vector<InspectorRow> plannerRows()
         .write = [](Scenario& scenario, const std::string&,
                     double value) { scenario.planningTime_s = value; },
         .range = always({.low = 0, .high = 3600})};
-    return {reach, latency,
+    const FlagRow clusters{
+        .words = {.key = u"scenarioClusters"_s,
+                  .label = InspectorRows::tr("Several at once"),
+                  .toolTip = InspectorRows::tr("Icebergs that fit into one field of view are "
+                                               "planned as one point, from which all are seen."),
+                  .undoText = InspectorRows::tr("Change planning of several at once")},
+        .read = [](const Scenario& scenario) { return scenario.clusters; },
+        .write = [](Scenario& scenario, bool on) { scenario.clusters = on; }};
+    return {reach, latency, clusters,
             choiceRow(
                 {.key = u"scenarioFovShape"_s,
                  .label = InspectorRows::tr("Field of view"),

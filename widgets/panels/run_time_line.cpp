@@ -28,8 +28,26 @@ constexpr double kNear_px = 5;
 
 bool isMarked(EventKind kind)
 {
-    return kind == EventKind::Reached || kind == EventKind::Appeared || kind == EventKind::Alarm ||
-           kind == EventKind::Intervention;
+    switch (kind) {
+    case EventKind::Planned:
+    case EventKind::Sighted: // there are too many of them
+    case EventKind::HomeBound:
+        return false;
+    case EventKind::Reached:
+    case EventKind::Appeared:
+    case EventKind::PlannerFailed:
+    case EventKind::Alarm:
+    case EventKind::Intervention:
+    case EventKind::Left:
+    case EventKind::Lost:
+    case EventKind::Found:
+    case EventKind::GivenUp:
+    case EventKind::Landed:
+    case EventKind::TookOff:
+    case EventKind::LateHome:
+        return true;
+    }
+    return false;
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "widgets/model/wind.h"
 #include "widgets/panels/inspector_row_makers.h"
 
 #include <cmath>
@@ -17,9 +18,8 @@ constexpr double kWindStep_mps = 0.5;
 /** What is left for one component of the wind beside the other: slower than the slowest UAV. */
 Limits windRange(const Scenario& scenario, double other_mps)
 {
-    double airspeed_mps = kLargestAirspeed_mps;
-    for (const Uav& uav : scenario.uavs)
-        airspeed_mps = std::min(airspeed_mps, uav.spec.airspeed_mps);
+    const double airspeed_mps =
+        scenario.uavs.empty() ? kLargestAirspeed_mps : slowestAirspeed_mps(scenario);
     const double room_mps =
         std::sqrt(std::max(0.0, airspeed_mps * airspeed_mps - other_mps * other_mps));
     const double largest_mps = std::max(0.0, std::ceil(100 * room_mps - 1) / 100);
@@ -96,7 +96,8 @@ std::vector<InspectorRow> runRows()
         u" s"_s, [](auto& scenario) -> auto& { return scenario.dt_s; },
         [](const Scenario& scenario) {
             return Limits{.low = kSmallestTimeStep_s,
-                          .high = std::min(kLargestTimeStep_s, scenario.duration_s)};
+                          .high = std::min({kLargestTimeStep_s, scenario.duration_s,
+                                            scenario.observer.interval_s})};
         });
     timeStep.step = 0.05;
     timeStep.decimals = {.least = 2, .most = 3};
@@ -188,6 +189,7 @@ std::vector<InspectorRow> scenarioRows()
     append(rows, runRows());
     append(rows, windRows());
     append(rows, currentRows());
+    append(rows, observerRows());
     append(rows, plannerRows());
     append(rows, placeRows());
     return rows;

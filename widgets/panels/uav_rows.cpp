@@ -118,14 +118,17 @@ std::vector<InspectorRow> uavRows()
                                 u" m"_s, &UavSpec::altitude_m, kExtent_m);
     altitude.step = 10;
     rows.emplace_back(altitude);
-    NumberRow endurance = uavRow({.key = u"uavEndurance"_s,
-                                  .label = InspectorRows::tr("Endurance"),
-                                  .toolTip = InspectorRows::tr("Longest flight; 0 is unlimited."),
-                                  .undoText = InspectorRows::tr("Change endurance")},
-                                 u" s"_s, &UavSpec::endurance_s, kTime_s);
+    NumberRow endurance =
+        uavRow({.key = u"uavEndurance"_s,
+                .label = InspectorRows::tr("Endurance"),
+                .toolTip = InspectorRows::tr("Longest flight: it is home before that; at 0 "
+                                             "it never lands."),
+                .undoText = InspectorRows::tr("Change endurance")},
+               u" s"_s, &UavSpec::endurance_s, kTime_s);
     endurance.step = 60;
     endurance.lowestText = InspectorRows::tr("unlimited");
     rows.emplace_back(endurance);
+    append(rows, homeRows());
     NumberRow autopilot =
         uavRow({.key = u"uavAutopilot"_s,
                 .label = InspectorRows::tr("Autopilot rate"),

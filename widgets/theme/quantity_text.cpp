@@ -144,6 +144,16 @@ QString sigmaText(double sigma_m2, const QLocale& locale)
     return QuantityText::tr("%1 m²").arg(significantText(sigma_m2, 3, locale));
 }
 
+QString widestSigmaText(double full_m2, const QLocale& locale)
+{
+    constexpr double kFourDigits = 999.5;
+    QString text = significantText(full_m2 < kFourDigits ? 88.8 : full_m2, 3, locale);
+    for (QChar& c : text)
+        if (c.isDigit())
+            c = u'8';
+    return text;
+}
+
 QString durationText(double time_s, const QLocale& locale)
 {
     const auto whole = [&](double unit_s) { return fixedText(time_s / unit_s, 0, locale); };

@@ -58,6 +58,9 @@ struct ShownUnit
 /** "8.12 m²": three digits. */
 [[nodiscard]] QString sigmaText(double sigma_m2, const QLocale& locale);
 
+/** As wide as any sigma of up to this much is with three digits; of small ones "88.8". */
+[[nodiscard]] QString widestSigmaText(double full_m2, const QLocale& locale);
+
 /** "30 s", "10 min", "2 h": a whole number of the largest unit that fits. */
 [[nodiscard]] QString durationText(double time_s, const QLocale& locale);
 

@@ -1,0 +1,229 @@
+#include "tests/support/approx.h"
+#include "tests/support/panel_test.h"
+#include "tests/support/scenario_builder.h"
+#include "tests/support/test_solvers.h"
+#include "widgets/panels/flight_banner.h"
+#include "widgets/panels/flight_notices.h"
+
+#include <QLabel>
+#include <QPushButton>
+
+#include <stdexcept>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QLocale kLocale(QLocale::English);
+
+/** Two icebergs drift towards a platform at the origin, the second is there first. */
+Scenario twoComing()
+{
+    Scenario scenario = test::emptySea(3000);
+    scenario.planner.policy = PolicyKind::Nearest;
+    scenario.uavs.front().position_m = {-5000, -5000};
+    test::addIceberg(scenario, 2000, 0).velocity_mps = {-0.5, 0};
+    test::addIceberg(scenario, 0, 1600).velocity_mps = {0, -0.5};
+    test::addIceberg(scenario, -3000, 0).velocity_mps = {-0.5, 0};
+    scenario.icebergs[1].name = "Storberget";
+    scenario.asset = Asset{.name = "Rig", .range_m = 4000, .alarm_m = 1000};
+    return scenario;
+}
+
+FlightRecord recordAt(const Mission& mission, double time_s)
+{
+    FlightRecord record = recordOf(mission);
+    record.now.phase = RunPhase::Paused;
+    record.instant = snapshotAt(mission, time_s);
+    return record;
+}
+
+/** The record of a flight in that mode. */
+FlightRecord inMode(FlightMode mode)
+{
+    const Mission mission(twoComing());
+    FlightRecord record = recordOf(mission);
+    record.scenario.asset.reset();
+    record.now.asset.reset();
+    record.now.phase = RunPhase::Paused;
+    record.now.world.mode = mode;
+    return record;
+}
+
+QStringList textsOf(const FlightRecord& record)
+{
+    QStringList texts;
+    for (const FlightNotice& notice : flightNotices(record, kLocale))
+        texts << notice.text;
+    return texts;
+}
+
+} // namespace
+
+class TestFlightNotices : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    /** From the failure on until the next plan that succeeds, at whatever instant is shown. */
+    void failureOfThePlannerIsToldUntilAPlanSucceeds()
+    {
+        int calls = 0;
+        test::SolverScript script;
+        script.answer = [&calls](const TvpProblem& problem) {
+            if (++calls == 2)
+                throw std::runtime_error("out of order");
+            return test::triedAll(problem);
+        };
+        Scenario scenario = test::emptySea(600);
+        scenario.planner.policy = PolicyKind::Visitation;
+        for (const double east_m : {2000.0, 4000.0, 6000.0, 8000.0})
+            test::addIceberg(scenario, east_m, 0);
+        Mission mission(scenario, {}, std::make_unique<test::ScriptedSolver>(script));
+        mission.advance(600);
+        QVERIFY(calls >= 3);
+        const std::vector<PlanEvent>& plans = mission.plans();
+        QVERIFY(plans[1].fellBack);
+        const QString words = u"The planner failed: the last plan is flown on"_s;
+        QVERIFY(!textsOf(recordAt(mission, plans[1].time_s - 1)).contains(words));
+        QVERIFY(textsOf(recordAt(mission, plans[1].time_s)).contains(words));
+        QVERIFY(textsOf(recordAt(mission, plans[2].time_s - 1)).contains(words));
+        QVERIFY(!textsOf(recordAt(mission, plans[2].time_s)).contains(words));
+        const std::vector<FlightNotice> notices =
+            flightNotices(recordAt(mission, plans[1].time_s), kLocale);
+        QVERIFY(notices.front().icon == IconName::Warning);
+    }
+
+    /** The first plan of all may fail too. */
+    void failureBeforeTakeOffIsTold()
+    {
+        test::SolverScript script;
+        script.answer = [](const TvpProblem&) -> SolveOutcome {
+            throw std::runtime_error("out of order");
+        };
+        Scenario scenario = test::emptySea(600);
+        test::addIceberg(scenario, 2000, 0);
+        test::addIceberg(scenario, 4000, 0);
+        scenario.planner.policy = PolicyKind::Visitation;
+        Mission mission(scenario, {}, std::make_unique<test::ScriptedSolver>(script));
+        mission.advance(0);
+        FlightRecord record = recordOf(mission);
+        record.now.phase = RunPhase::Ready;
+        QCOMPARE(textsOf(record).size(), 1);
+    }
+
+    /** berg-1 crosses the ring of 1000 m after 2000 s, Storberget after 1200 s. */
+    void alarmCountsDownAtTheInstantShown()
+    {
+        Mission mission(twoComing());
+        mission.advance(3000);
+        const QStringList soon = textsOf(recordAt(mission, 600));
+        QCOMPARE(soon.size(), 1);
+        QVERIFY2(soon.front().contains(u"enters the inner ring in"_s), qPrintable(soon.front()));
+        QVERIFY(soon.front().endsWith(u", and 1 more"_s));
+        const QString all = flightNotices(recordAt(mission, 600), kLocale).front().toolTip;
+        QCOMPARE(all, u"Storberget enters the inner ring in 10 min\n"
+                      "berg-1 enters the inner ring in 23 min"_s);
+        const QString late = flightNotices(recordAt(mission, 1170), kLocale).front().toolTip;
+        QVERIFY2(late.contains(u"Storberget enters the inner ring in 30 s"_s), qPrintable(late));
+        const QString inside = flightNotices(recordAt(mission, 1300), kLocale).front().toolTip;
+        QVERIFY2(inside.contains(u"Storberget is inside the inner ring"_s), qPrintable(inside));
+    }
+
+    /** The one found last comes first, whichever is there first. */
+    void newestAlarmIsShown()
+    {
+        Mission mission(twoComing());
+        mission.advance(10);
+        FlightRecord record = recordAt(mission, 10);
+        for (const int newest : {0, 1}) {
+            record.history.events = {{.time_s = 3, .kind = EventKind::Alarm, .iceberg = 1 - newest},
+                                     {.time_s = 5, .kind = EventKind::Alarm, .iceberg = newest}};
+            const QString name = newest == 0 ? u"berg-1"_s : u"Storberget"_s;
+            QVERIFY2(textsOf(record).front().startsWith(name), qPrintable(textsOf(record).front()));
+        }
+    }
+
+    void noAssetNoAlarm()
+    {
+        Scenario scenario = twoComing();
+        scenario.asset.reset();
+        Mission mission(scenario);
+        mission.advance(100);
+        QVERIFY(textsOf(recordAt(mission, 100)).isEmpty());
+    }
+
+    void modesAreTold_data()
+    {
+        QTest::addColumn<FlightMode>("mode");
+        QTest::addColumn<QStringList>("texts");
+        QTest::newRow("leg") << FlightMode::Leg << QStringList{};
+        QTest::newRow("circle") << FlightMode::Circle << QStringList{};
+        QTest::newRow("search") << FlightMode::Search << QStringList{u"Searching for Storberget"_s};
+        QTest::newRow("home") << FlightMode::Home << QStringList{u"Returning home"_s};
+        QTest::newRow("ground") << FlightMode::Ground
+                                << QStringList{u"On the ground, takes off in 9 min"_s};
+    }
+
+    void modesAreTold()
+    {
+        QFETCH(FlightMode, mode);
+        QFETCH(QStringList, texts);
+        FlightRecord record = inMode(mode);
+        record.now.world.ground_s = 530;
+        Search search;
+        search.iceberg = 1;
+        record.now.world.search = search;
+        QCOMPARE(textsOf(record), texts);
+        record.now.phase = RunPhase::Ready; // nothing is flown yet
+        QVERIFY(textsOf(record).isEmpty());
+    }
+
+    void lateForHomeIsToldUntilLanding()
+    {
+        FlightRecord record = inMode(FlightMode::Home);
+        record.history.events = {{.time_s = 0, .kind = EventKind::LateHome}};
+        QCOMPARE(textsOf(record).front(), u"Home cannot be reached in time any more"_s);
+        record.history.events.push_back({.time_s = 0, .kind = EventKind::Landed});
+        QCOMPARE(textsOf(record), QStringList{u"Returning home"_s});
+    }
+
+    void bannerShowsEachInALine()
+    {
+        QWidget map;
+        map.resize(800, 500);
+        FlightBanner banner(&map);
+        map.show();
+        QVERIFY(!banner.isVisible());
+        banner.showState(true, {});
+        const int plain_px = banner.height();
+        banner.showNotices({{.icon = IconName::Warning, .text = u"One"_s, .toolTip = u"more"_s},
+                            {.icon = IconName::Hint, .text = u"Two"_s, .toolTip = {}}});
+        QCOMPARE(test::child<QLabel>(banner, u"flightNotice1"_s).text(), u"One"_s);
+        QCOMPARE(test::child<QLabel>(banner, u"flightNotice1"_s).toolTip(), u"more"_s);
+        QVERIFY(test::child<QLabel>(banner, u"flightNotice2"_s).isVisible());
+        QVERIFY(test::child<QPushButton>(banner, u"stopAndEditButton"_s).isVisible());
+        QVERIFY(banner.height() > plain_px);
+        QVERIFY(map.rect().contains(banner.geometry()));
+        // A longer text gets its room at once.
+        const QString longer = QString(60, u'x');
+        banner.showNotices({{.icon = IconName::Hint, .text = longer, .toolTip = {}}});
+        QLabel& first = test::child<QLabel>(banner, u"flightNotice1"_s);
+        QVERIFY(banner.width() > first.fontMetrics().horizontalAdvance(longer));
+        QVERIFY(map.rect().contains(banner.geometry()));
+        banner.showNotices({{.icon = IconName::Hint, .text = u"Three"_s, .toolTip = {}}});
+        QVERIFY(!test::child<QLabel>(banner, u"flightNotice2"_s).isVisible());
+        // Before take-off a notice stands by itself.
+        banner.showState(false, {});
+        QVERIFY(banner.isVisible());
+        QVERIFY(!test::child<QPushButton>(banner, u"stopAndEditButton"_s).isVisible());
+        banner.showNotices({});
+        QVERIFY(!banner.isVisible());
+    }
+};
+
+QTEST_MAIN(TestFlightNotices)
+#include "tst_flight_notices.moc"

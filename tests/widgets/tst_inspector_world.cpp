@@ -1,0 +1,170 @@
+#include "core/scenario/validate.h"
+#include "tests/support/mission_builder.h"
+#include "tests/support/panel_test.h"
+#include "widgets/panels/inspector_panel.h"
+#include "widgets/panels/number_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QPushButton>
+#include <QUndoStack>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Fixture
+{
+    ScenarioDocument document;
+    Selection selection;
+    InspectorPanel panel{document, selection};
+
+    explicit Fixture(const Scenario& scenario = test::fourIcebergs())
+    {
+        document.reset(scenario);
+        panel.setLocale(QLocale::c());
+        panel.resize(test::kDock_px, 900);
+        panel.show();
+    }
+    [[nodiscard]] const Scenario& scenario() const { return document.scenario(); }
+    [[nodiscard]] bool isShown(const QString& name) const
+    {
+        return test::child<QWidget>(panel, name).isVisibleTo(&panel);
+    }
+    void type(const QString& name, const QString& text)
+    {
+        test::enter(test::child<NumberField>(panel, name), text);
+    }
+    void choose(const QString& name, int choice)
+    {
+        auto& combo = test::child<QComboBox>(panel, name);
+        combo.setCurrentIndex(choice);
+        emit combo.activated(choice);
+    }
+    void undoAll()
+    {
+        while (document.undoStack()->canUndo())
+            document.undoStack()->undo();
+    }
+};
+
+const QStringList kFilterRows{u"observerPositionSd"_s, u"observerInterval"_s,
+                              u"observerDetection"_s, u"observerSearch"_s};
+
+} // namespace
+
+/** Observer, endurance, home, fence and clusters in the inspector. */
+class TestInspectorWorld : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void observerIsEditedWhereItMatters()
+    {
+        Fixture f;
+        for (const QString& row : kFilterRows)
+            QVERIFY2(!f.isShown(row), qPrintable(row));
+        f.choose(u"observerModel"_s, 1);
+        QVERIFY(f.scenario().observer.model == ObserverModel::Kalman);
+        for (const QString& row : kFilterRows)
+            QVERIFY2(f.isShown(row), qPrintable(row));
+        f.type(u"observerPositionSd"_s, u"7.5"_s);
+        f.type(u"observerInterval"_s, u"2"_s);
+        f.type(u"observerDetection"_s, u"90"_s);
+        f.choose(u"observerSearch"_s, 2);
+        const ObserverSpec expected{.model = ObserverModel::Kalman,
+                                    .positionSd_m = 7.5,
+                                    .interval_s = 2,
+                                    .detection = 0.9,
+                                    .search = SearchPattern::Sector};
+        QVERIFY(f.scenario().observer == expected);
+        QCOMPARE(f.document.undoStack()->count(), 5);
+        f.undoAll();
+        QCOMPARE(f.scenario(), test::fourIcebergs());
+        QVERIFY(!f.isShown(kFilterRows.front()));
+    }
+
+    /** A look is never shorter than a time step, whichever of them is edited. */
+    void looksAreNoShorterThanSteps()
+    {
+        Fixture f;
+        f.choose(u"observerModel"_s, 1);
+        const double step_s = f.scenario().dt_s;
+        QCOMPARE(test::child<NumberField>(f.panel, u"observerInterval"_s).minimum(), step_s);
+        f.type(u"observerInterval"_s, u"0.5"_s);
+        QCOMPARE(test::child<NumberField>(f.panel, u"scenarioTimeStep"_s).maximum(), 0.5);
+        f.type(u"scenarioTimeStep"_s, u"0.5"_s);
+        QVERIFY(!hasErrors(validate(f.scenario())));
+    }
+
+    void driftErrorIsThereWithTheFilter()
+    {
+        Fixture f;
+        f.selection.set({"berg-1", "berg-2"});
+        QVERIFY(!f.isShown(u"icebergVelocitySd"_s));
+        f.document.edit(u"Filter"_s, [](Scenario& s) { s.observer.model = ObserverModel::Kalman; });
+        QVERIFY(f.isShown(u"icebergVelocitySd"_s));
+        f.type(u"icebergVelocitySd"_s, u"0.2"_s);
+        QCOMPARE(f.scenario().icebergs[0].velocitySd_mps, 0.2);
+        QCOMPARE(f.scenario().icebergs[1].velocitySd_mps, 0.2);
+        QCOMPARE(f.scenario().icebergs[2].velocitySd_mps, 0.0);
+        f.undoAll();
+        QCOMPARE(f.scenario(), test::fourIcebergs());
+    }
+
+    void homeIsThereWithEndurance()
+    {
+        Fixture f;
+        f.selection.set({"uav-1"});
+        const QStringList rows{u"uavHomeEast"_s, u"uavHomeNorth"_s, u"uavTurnaround"_s};
+        for (const QString& row : rows)
+            QVERIFY2(!f.isShown(row), qPrintable(row));
+        QVERIFY(!f.isShown(u"uavHomeClear"_s));
+        f.type(u"uavEndurance"_s, u"1800"_s);
+        for (const QString& row : rows)
+            QVERIFY2(f.isShown(row), qPrintable(row));
+        QCOMPARE(test::child<NumberField>(f.panel, u"uavHomeEast"_s).value(), -500.0); // the start
+        f.type(u"uavTurnaround"_s, u"300"_s);
+        QCOMPARE(f.scenario().uavs[0].turnaround_s, 300.0);
+        f.type(u"uavHomeEast"_s, u"0"_s);
+        QVERIFY(*f.scenario().uavs[0].home_m == Point(0, 500)); // what is not typed stays
+        QVERIFY(f.isShown(u"uavHomeClear"_s));
+        // Without a limit the home is kept, and can be taken away.
+        f.type(u"uavEndurance"_s, u"0"_s);
+        QVERIFY(f.isShown(u"uavHomeEast"_s) && !f.isShown(u"uavTurnaround"_s));
+        test::child<QPushButton>(f.panel, u"uavHomeClear"_s).click();
+        QVERIFY(!f.scenario().uavs[0].home_m);
+        QVERIFY(!f.isShown(u"uavHomeEast"_s));
+        f.undoAll();
+        QCOMPARE(f.scenario(), test::fourIcebergs());
+    }
+
+    void fenceBelongsToTheArea()
+    {
+        Fixture f;
+        f.selection.set({kAreaKey});
+        auto& fence = test::child<QCheckBox>(f.panel, u"areaFence"_s);
+        QVERIFY(fence.isVisibleTo(&f.panel) && !fence.isChecked());
+        fence.click();
+        QVERIFY(f.scenario().geofence);
+        test::child<QPushButton>(f.panel, u"areaRemove"_s).click();
+        QVERIFY(!f.scenario().geofence && f.scenario().area_m.empty());
+        f.undoAll();
+        QCOMPARE(f.scenario(), test::fourIcebergs());
+    }
+
+    void severalAtOnce()
+    {
+        Fixture f;
+        test::child<QCheckBox>(f.panel, u"scenarioClusters"_s).click();
+        QVERIFY(f.scenario().clusters);
+        f.undoAll();
+        QVERIFY(!f.scenario().clusters);
+    }
+};
+
+QTEST_MAIN(TestInspectorWorld)
+#include "tst_inspector_world.moc"
