@@ -5,14 +5,34 @@
 
 namespace berg::test {
 
+/** The planner's settings for a policy. */
+inline PlannerSettings policy(PolicyKind kind, double tau = 1)
+{
+    return {.policy = kind, .tau = tau};
+}
+
 /** The scenario flown with these settings until `until_s`, in the calling thread. */
-inline FlightRecord flownRecord(Scenario scenario, const PlannerSettings& planner,
-                                double until_s = 1e9)
+inline Mission flownWith(Scenario scenario, const PlannerSettings& planner, double until_s = 1e9)
 {
     scenario.planner = planner;
     Mission mission(scenario);
     mission.advance(until_s);
-    return recordOf(mission);
+    return mission;
+}
+
+inline FlightRecord flownRecord(const Scenario& scenario, const PlannerSettings& planner,
+                                double until_s = 1e9)
+{
+    return recordOf(flownWith(scenario, planner, until_s));
+}
+
+/** One that the scenarios do not have. */
+inline Iceberg newIceberg()
+{
+    Iceberg iceberg;
+    iceberg.id = "added";
+    iceberg.position_m = Point(900, 1200);
+    return iceberg;
 }
 
 /** Five minutes of a random scenario: flown in a moment. */

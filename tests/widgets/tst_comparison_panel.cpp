@@ -14,16 +14,12 @@
 #include <QToolButton>
 
 using namespace berg;
+using test::policy;
 using namespace Qt::StringLiterals;
 
 namespace {
 
 constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measured
-
-PlannerSettings policy(PolicyKind kind, double tau = 1)
-{
-    return {.policy = kind, .tau = tau};
-}
 
 struct Fixture
 {
