@@ -1,0 +1,127 @@
+#include "core/plan/fleet_problem.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace berg {
+
+bool FleetProblem::allows(int uav, int node) const
+{
+    if (assignedTo.empty())
+        return true;
+    const int owner = assignedTo[static_cast<std::size_t>(node)];
+    return owner == kAnyUav || owner == uav;
+}
+
+bool isFleetPlan(const FleetProblem& problem, const FleetPlan& plan)
+{
+    if (static_cast<int>(plan.size()) != problem.uavCount())
+        return false;
+    std::vector<bool> seen(problem.sigma_m2.size(), false);
+    int visits = 0;
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        for (const int node : plan[static_cast<std::size_t>(uav)]) {
+            if (node < 1 || node >= problem.nodeCount() || seen[static_cast<std::size_t>(node)] ||
+                !problem.allows(uav, node))
+                return false;
+            seen[static_cast<std::size_t>(node)] = true;
+            ++visits;
+        }
+    return visits == problem.icebergCount();
+}
+
+TvpProblem problemOfUav(const FleetProblem& problem, int uav)
+{
+    return {.distance_m = problem.distance_m[static_cast<std::size_t>(uav)],
+            .sigma_m2 = problem.sigma_m2,
+            .mu = problem.mu,
+            .route = problem.route};
+}
+
+double fleetDistance(const FleetProblem& problem, const FleetPlan& plan)
+{
+    double distance_m = 0;
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        distance_m +=
+            flownDistance(problemOfUav(problem, uav), plan[static_cast<std::size_t>(uav)]);
+    return distance_m;
+}
+
+double fleetObjective(const FleetProblem& problem, const FleetPlan& plan)
+{
+    require(isFleetPlan(problem, plan), "fleetObjective: not a plan of this problem");
+    double reward = 0;
+    for (const VisitOrder& order : plan) {
+        int t = 1;
+        for (const int node : order)
+            reward +=
+                problem.sigma_m2[static_cast<std::size_t>(node)] * (problem.nodeCount() - ++t);
+    }
+    return problem.mu * fleetDistance(problem, plan) - reward;
+}
+
+double fleetObjectiveShift(const FleetProblem& problem)
+{
+    return problem.nodeCount() *
+           std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
+}
+
+double fleetGap(const FleetProblem& problem, double objective, double bound)
+{
+    const double scale = objective + fleetObjectiveShift(problem);
+    return scale > 0 ? std::max(0.0, objective - bound) / scale : 0.0;
+}
+
+TuningWeight fleetTuningWeight(const FleetProblem& problem, const Eigen::MatrixXd& betweenStarts_m,
+                               double tau)
+{
+    const Eigen::Index uavs = problem.uavCount();
+    const Eigen::Index n = problem.icebergCount();
+    require(betweenStarts_m.rows() == uavs && betweenStarts_m.cols() == uavs,
+            "fleetTuningWeight: one row and column for each UAV");
+    if (n < 1)
+        return {};
+    double sum_m = betweenStarts_m.sum() - betweenStarts_m.diagonal().sum();
+    for (const Eigen::MatrixXd& all_m : problem.distance_m) {
+        const Eigen::MatrixXd between_m = all_m.bottomRightCorner(n, n);
+        sum_m += all_m.row(0).tail(n).sum() + all_m.col(0).tail(n).sum();
+        sum_m += (between_m.sum() - between_m.diagonal().sum()) / static_cast<double>(uavs);
+    }
+    const auto places = static_cast<double>(uavs + n);
+    // The rule for one UAV, on a matrix that has this average everywhere.
+    return tuningWeight(
+        {.distance_m = Eigen::MatrixXd::Constant(n + 1, n + 1, sum_m / (places * (places - 1))),
+         .sigma_m2 = problem.sigma_m2},
+        tau);
+}
+
+std::vector<Issue> validate(const FleetProblem& problem)
+{
+    std::vector<Issue> issues;
+    if (problem.distance_m.empty())
+        issues.push_back({Severity::Error, "uavs", "must hold at least one UAV"});
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        for (Issue& issue : validate(problemOfUav(problem, uav))) {
+            const bool ofUav = issue.field.starts_with("distance_m");
+            if (ofUav)
+                issue.field = "uavs[" + std::to_string(uav) + "]." + issue.field;
+            if (ofUav || uav == 0)
+                issues.push_back(std::move(issue));
+        }
+    if (problem.assignedTo.empty())
+        return issues;
+    if (problem.assignedTo.size() != problem.sigma_m2.size())
+        issues.push_back(
+            {Severity::Error, "assigned_to", "must be empty or hold one entry per sigma"});
+    for (std::size_t i = 1; i < problem.assignedTo.size(); ++i) {
+        const int owner = problem.assignedTo[i];
+        if (owner != FleetProblem::kAnyUav && (owner < 0 || owner >= problem.uavCount()))
+            issues.push_back({Severity::Error, "assigned_to[" + std::to_string(i) + "]",
+                              "must be the number of a UAV, from 0, or -1"});
+    }
+    return issues;
+}
+
+} // namespace berg

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "core/base/random.h"
+#include "core/plan/fleet_problem.h"
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace berg::test {
+
+/** What makes a fleet's problem more than icebergs and starts in the plane. */
+enum class FleetKind
+{
+    Plain,
+    Unlike,   ///< airspeeds differ, and distances are asymmetric
+    Assigned, ///< about a third of the icebergs belong to a UAV
+    Closed
+};
+
+/** Icebergs and starts anywhere in 5000 m x 4000 m, sigma 1 to 10 m^2; deterministic. */
+inline FleetProblem randomFleet(std::uint64_t seed, int uavs, int icebergs, double tau,
+                                FleetKind kind = FleetKind::Plain)
+{
+    Random random(seed, 91);
+    Eigen::MatrixX2d points_m(uavs + icebergs, 2);
+    for (Eigen::Index k = 0; k < points_m.rows(); ++k)
+        points_m.row(k) << random.uniform(0, 5000), random.uniform(0, 4000);
+    FleetProblem problem;
+    problem.sigma_m2.assign(static_cast<std::size_t>(icebergs) + 1, 0.0);
+    for (std::size_t i = 1; i < problem.sigma_m2.size(); ++i)
+        problem.sigma_m2[i] = random.uniform(1, 10);
+    for (int uav = 0; uav < uavs; ++uav) {
+        Eigen::MatrixX2d own_m(icebergs + 1, 2);
+        own_m << points_m.row(uav), points_m.bottomRows(icebergs);
+        Eigen::MatrixXd distance_m = euclideanDistances(own_m);
+        if (kind == FleetKind::Unlike)
+            for (Eigen::Index i = 0; i <= icebergs; ++i)
+                for (Eigen::Index j = 0; j <= icebergs; ++j)
+                    distance_m(i, j) *= (1 + 0.3 * uav) * random.uniform(0.9, 1.3);
+        problem.distance_m.push_back(std::move(distance_m));
+    }
+    problem.route = kind == FleetKind::Closed ? Route::Closed : Route::Open;
+    if (kind == FleetKind::Assigned)
+        for (int i = 0; i <= icebergs; ++i)
+            problem.assignedTo.push_back(
+                random.below(3) == 0
+                    ? static_cast<int>(random.below(static_cast<std::uint64_t>(uavs)))
+                    : FleetProblem::kAnyUav);
+    problem.mu = fleetTuningWeight(problem, euclideanDistances(points_m.topRows(uavs)), tau).mu;
+    return problem;
+}
+
+/** F by the visiting numbers t_i, written otherwise than `fleetObjective`. */
+inline double fleetCostByNumbers(const FleetProblem& problem, const FleetPlan& plan)
+{
+    const std::size_t N = problem.sigma_m2.size();
+    double cost = 0;
+    for (std::size_t uav = 0; uav < plan.size(); ++uav) {
+        const VisitOrder& order = plan[uav];
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            cost -= problem.sigma_m2[static_cast<std::size_t>(order[k])] *
+                    static_cast<double>(N - (k + 2));
+            cost += problem.mu * problem.distance_m[uav](k == 0 ? 0 : order[k - 1], order[k]);
+        }
+        if (problem.route == Route::Closed && !order.empty())
+            cost += problem.mu * problem.distance_m[uav](order.back(), 0);
+    }
+    return cost;
+}
+
+/** Least objective of all plans, by putting one iceberg after the other into every place. */
+inline double bruteForceFleet(const FleetProblem& problem, FleetPlan plan = {}, int iceberg = 1)
+{
+    plan.resize(problem.distance_m.size());
+    if (iceberg == problem.nodeCount())
+        return fleetCostByNumbers(problem, plan);
+    double least = std::numeric_limits<double>::infinity();
+    for (int uav = 0; uav < problem.uavCount(); ++uav) {
+        if (!problem.assignedTo.empty() &&
+            problem.assignedTo[static_cast<std::size_t>(iceberg)] != FleetProblem::kAnyUav &&
+            problem.assignedTo[static_cast<std::size_t>(iceberg)] != uav)
+            continue;
+        VisitOrder& order = plan[static_cast<std::size_t>(uav)];
+        for (std::size_t place = 0; place <= order.size(); ++place) {
+            const auto at = order.begin() + static_cast<std::ptrdiff_t>(place);
+            order.insert(at, iceberg);
+            least = std::min(least, bruteForceFleet(problem, plan, iceberg + 1));
+            order.erase(order.begin() + static_cast<std::ptrdiff_t>(place));
+        }
+    }
+    return least;
+}
+
+} // namespace berg::test
