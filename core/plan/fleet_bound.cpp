@@ -1,0 +1,308 @@
+#include "core/plan/fleet_bound.h"
+
+#include "core/plan/fleet_cover.h"
+#include "core/plan/fleet_graph.h"
+#include "core/plan/ng_memory.h"
+#include "core/plan/price_ascent.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Relative margin of every cut and of every bound: far above rounding, far below interest. */
+constexpr double kMargin = 1e-9;
+/** Steps of the multipliers: before the first suggestion, without memory, on the first graphs with
+ * it, on later ones. */
+constexpr int kFirstSteps = 10;
+constexpr int kPlainSteps = 120;
+constexpr int kFirstGraphSteps = 150;
+constexpr int kLaterSteps = 100;
+/** Work counts the arcs of a sweep as 1; the rest by measurement. */
+constexpr std::int64_t kWorkOfNode = 3;
+constexpr std::int64_t kWorkOfRefining = 10;
+constexpr std::int64_t kWorkOfState = 500;
+constexpr std::int64_t kWorkOfCandidate = 3;
+/** Relaxed paths whose cycles make the memory grow: those of the last steps. */
+constexpr std::size_t kRecentSteps = 20;
+constexpr int kNearest = 3;
+/** States of the first attempt to put a plan together, and in all; an attempt doubles them. */
+constexpr std::size_t kFirstStates = 50'000;
+constexpr std::size_t kMostStates = 200'000;
+/** Larger graphs are not made: sweeps would take too long between two looks at the clock, and
+ * memory of tens of megabytes as long to come. */
+constexpr std::int64_t kMostArcs = 4'000'000;
+constexpr std::int64_t kBytesOfState = 120;
+/** Gaps certified on the way. */
+constexpr std::array kStages{0.02, 0.01, 0.005, 0.002};
+
+/** The run of `improveFleetBound`. */
+class FleetBoundSearch
+{
+public:
+    FleetBoundSearch(const FleetCosts& costs, const FleetPlan& plan,
+                     const FleetBoundOptions& options)
+        : m_costs(costs)
+        , m_options(options)
+        , m_cost(costs.total(plan))
+        , m_ascent(savings(costs, plan))
+        , m_cutQuestion([this] { return cut(); })
+    {
+        m_result.plan = plan;
+    }
+
+    FleetBoundResult run()
+    {
+        if (m_costs.icebergs() >= NodeSet::kCapacity) {
+            while (!finished() && takeSuggestion() > 0) {
+            }
+            return std::move(m_result);
+        }
+        const std::int64_t n = m_costs.icebergs();
+        if (4 * n * n * n > m_options.memoryLimit_bytes) {
+            m_result.memoryOut = true;
+            return std::move(m_result);
+        }
+        for (std::vector<int>& uavs : m_costs.alike())
+            if (!cut())
+                m_graphs.emplace_back(m_costs, std::move(uavs));
+        m_sets = nearestSets(m_costs.of(0), kNearest);
+        ascend(kFirstSteps);
+        takeSuggestion();
+        m_suggested = true;
+        takeBound(m_result.bound);
+        ascend(kPlainSteps - kFirstSteps);
+        for (int cap = kNearest; !finished(); ++cap) {
+            if (cap > kNearest)
+                forbidCycles(m_sets, m_costs.of(0), m_recent, cap);
+            const bool finer = refine();
+            if (finished())
+                break;
+            ascend(cap == kNearest ? kFirstGraphSteps : kLaterSteps);
+            putTogether();
+            takeSuggestion();
+            report();
+            m_result.memoryOut = m_result.memoryOut || (!finer && m_statesOut);
+        }
+        return std::move(m_result);
+    }
+
+private:
+    /** Plans of at least this cost are of no interest. */
+    [[nodiscard]] double cutoff() const
+    {
+        return m_cost * (1 - std::max(kMargin, m_suggested ? m_options.gap : 0.0));
+    }
+    bool cut()
+    {
+        m_cut = m_cut || (m_options.cut && m_options.cut());
+        return m_cut;
+    }
+    bool finished()
+    {
+        return m_result.reached || m_result.memoryOut || m_result.work >= m_options.workLimit ||
+               cut();
+    }
+    void takeBound(double bound)
+    {
+        if (bound >= cutoff()) {
+            m_result.bound = std::max(m_result.bound, cutoff());
+            m_result.reached = m_suggested;
+        } else {
+            m_result.bound = std::max(m_result.bound, bound - kMargin * m_cost);
+        }
+    }
+    bool takePlan(const FleetPlan& plan)
+    {
+        const double cost = m_costs.total(plan);
+        if (cost >= m_cost * (1 - kMargin))
+            return false;
+        m_cost = cost;
+        m_result.plan = plan;
+        report();
+        return true;
+    }
+    /** The work of it. */
+    std::int64_t takeSuggestion()
+    {
+        if (!m_options.suggest || finished())
+            return 0;
+        const FleetSuggestion found =
+            m_options.suggest(m_result.work, m_options.workLimit - m_result.work);
+        m_result.work += found.work;
+        takePlan(found.plan);
+        return found.work;
+    }
+    void report() const
+    {
+        if (m_options.onImproved)
+            m_options.onImproved(m_result.plan, m_result.bound);
+    }
+
+    /** Sum of the multipliers and of the shortest paths; none when cut. */
+    std::optional<double> sweep(const Eigen::VectorXd& lambda)
+    {
+        double bound = lambda.sum();
+        for (FleetGraph& graph : m_graphs) {
+            if (!graph.sweep(lambda, m_cutQuestion))
+                return std::nullopt;
+            m_result.work += workOfSweep(graph);
+            bound += graph.shortestSum();
+        }
+        return bound;
+    }
+    [[nodiscard]] static std::int64_t workOfSweep(const FleetGraph& graph)
+    {
+        return graph.arcCount() + kWorkOfNode * graph.nodeCount();
+    }
+
+    void ascend(int steps)
+    {
+        m_ascent.restart();
+        m_recent.clear();
+        for (int k = 0; k < steps && !finished(); ++k) {
+            const std::optional<double> bound = sweep(m_ascent.here(0).lambda);
+            if (!bound)
+                return;
+            std::vector<int> visits;
+            for (const FleetGraph& graph : m_graphs)
+                for (int root = 0; root < graph.rootCount(); ++root) {
+                    m_recent.push_back(graph.shortestPath(root));
+                    visits.insert(visits.end(), m_recent.back().begin(), m_recent.back().end());
+                }
+            const std::size_t most = kRecentSteps * static_cast<std::size_t>(m_costs.uavs());
+            if (m_recent.size() > most)
+                m_recent.erase(m_recent.begin(),
+                               m_recent.end() - static_cast<std::ptrdiff_t>(most));
+            m_ascent.step(visits, *bound, m_cost);
+            takeBound(m_ascent.bound());
+            if (k % 20 == 6 && m_suggested)
+                trim();
+        }
+        if (m_suggested && !finished())
+            trim();
+        report();
+    }
+
+    /** Sweeps at the best multipliers; none when cut, else how much longer paths may be. */
+    std::optional<double> slack()
+    {
+        const std::optional<double> bound = sweep(m_ascent.best(0).lambda);
+        return bound ? std::optional(cutoff() - *bound) : std::nullopt;
+    }
+
+    void trim()
+    {
+        const std::optional<double> room = slack();
+        if (!room)
+            return;
+        const Eigen::VectorXd lambda = m_ascent.best(0).lambda;
+        for (FleetGraph& graph : m_graphs) {
+            m_result.work += 3 * workOfSweep(graph);
+            if (!graph.trim(lambda, *room, m_cutQuestion))
+                return; // cut, so finished
+        }
+    }
+
+    /** False when cut, or when the refined graphs would be larger than the limits allow. */
+    bool refine()
+    {
+        const std::optional<double> room = slack();
+        if (!room)
+            return false;
+        const Eigen::VectorXd lambda = m_ascent.best(0).lambda;
+        for (FleetGraph& graph : m_graphs) {
+            std::int64_t others_bytes = 0;
+            for (const FleetGraph& other : m_graphs)
+                others_bytes += other.bytes();
+            constexpr std::int64_t kGrowth = 3; // of vectors and labels
+            const GraphLimits limits{.arcs = std::min((m_options.workLimit - m_result.work) /
+                                                          (kWorkOfRefining + kLaterSteps),
+                                                      kMostArcs),
+                                     .bytes =
+                                         (m_options.memoryLimit_bytes - others_bytes) / kGrowth};
+            FleetRefinement refined = graph.refined(m_sets, lambda, *room, limits, m_cutQuestion);
+            m_result.memoryOut = refined.memoryOut;
+            if (!refined.graph)
+                return false;
+            graph = std::move(*refined.graph);
+            m_result.work += kWorkOfRefining * workOfSweep(graph);
+        }
+        return true;
+    }
+
+    /** The best plan of what is left: of what beats the plan by much first, which is little. */
+    void putTogether()
+    {
+        const std::optional<double> room = finished() ? std::nullopt : slack();
+        if (!room)
+            return;
+        const double bound = cutoff() - *room;
+        for (const double gap : kStages)
+            if (gap > m_options.gap && bound < m_cost * (1 - gap) &&
+                (finished() || !isBestWithin(bound, m_cost * (1 - gap))))
+                return;
+        if (!finished())
+            isBestWithin(bound, cutoff());
+    }
+
+    /** Whether it is proven now that no plan costs less than `cost`. Takes the best one that does.
+     * `bound` is that of the last sweep. */
+    bool isBestWithin(double bound, double cost)
+    {
+        const Eigen::VectorXd lambda = m_ascent.best(0).lambda;
+        FleetOrders orders(m_costs.uavs(), m_costs.icebergs());
+        const auto mostByMemory =
+            static_cast<std::size_t>(m_options.memoryLimit_bytes / kBytesOfState);
+        bool all = true;
+        for (const FleetGraph& graph : m_graphs)
+            all = all && orders.add(graph, lambda, cost - bound, std::min(m_states, mostByMemory),
+                                    m_cutQuestion);
+        m_result.work += kWorkOfState * static_cast<std::int64_t>(orders.stateCount());
+        if (!all || cut()) {
+            m_statesOut = m_states >= std::min(kMostStates, mostByMemory);
+            m_states = std::min(2 * m_states, kMostStates);
+            return false;
+        }
+        const std::int64_t left = (m_options.workLimit - m_result.work) / kWorkOfCandidate;
+        const FleetCover found =
+            bestCover(orders, cost - bound, std::min(left, m_coverWork), m_cutQuestion);
+        m_result.work += kWorkOfCandidate * found.work;
+        const bool better = found.plan && takePlan(*found.plan);
+        if (!found.complete) {
+            m_coverWork *= 2;
+            return false;
+        }
+        takeBound(better ? m_cost : cost);
+        return !better;
+    }
+
+    const FleetCosts& m_costs;
+    const FleetBoundOptions& m_options;
+    FleetBoundResult m_result;
+    double m_cost; ///< of m_result.plan
+    PriceAscent m_ascent;
+    NgSets m_sets{0};
+    CutQuestion m_cutQuestion;
+    std::vector<FleetGraph> m_graphs;
+    std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
+    std::size_t m_states = kFirstStates;
+    std::int64_t m_coverWork = 20'000'000;
+    bool m_suggested = false; ///< the gap is not looked at before the first suggestion
+    bool m_statesOut = false; ///< there are more than may be looked at
+    bool m_cut = false;
+};
+
+} // namespace
+
+FleetBoundResult improveFleetBound(const FleetCosts& costs, const FleetPlan& plan,
+                                   const FleetBoundOptions& options)
+{
+    return FleetBoundSearch(costs, plan, options).run();
+}
+
+} // namespace berg
