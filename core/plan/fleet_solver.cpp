@@ -1,0 +1,236 @@
+#include "core/plan/fleet_solver.h"
+
+#include "core/base/solving_guard.h"
+#include "core/plan/engine.h"
+#include "core/plan/fleet_bound.h"
+#include "core/plan/fleet_costs.h"
+#include "core/plan/fleet_search.h"
+#include "core/plan/fleet_subsets.h"
+#include "core/plan/layered_graph.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Share of all work that goes into more local search while the proof is under way: 1 / this. */
+constexpr std::int64_t kSearchShare = 4;
+/** Annealings are at least so long. */
+constexpr std::int64_t kLeastTimes = 2000;
+/** Work of taking out and putting back, per iceberg. */
+constexpr std::int64_t kWorkOfTime = 50;
+/** Length of the first annealing, per iceberg; by measurement. */
+constexpr std::int64_t kFirstTimes = 600;
+
+constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max() / 4;
+
+/** One solve: local search and bound take turns. */
+class FleetEngine
+{
+public:
+    FleetEngine(const FleetProblem& problem, const FleetOptions& options,
+                std::optional<std::int64_t> effort)
+        : m_problem(problem)
+        , m_options(options)
+        , m_costs(problem)
+        , m_shift(fleetObjectiveShift(problem))
+        , m_own(effort.value_or(kNoLimit))
+        , m_most(std::min(m_own, options.workLimit.value_or(kNoLimit)))
+        , m_search(m_costs, m_effort)
+    {
+        m_effort.cut = [this] { return cut(); };
+        m_effort.limit = m_most;
+        m_search.onImproved = [this](const FleetPlan& plan) {
+            m_objective = fleetObjective(m_problem, plan);
+            report();
+        };
+    }
+
+    FleetOutcome bySubsets()
+    {
+        const std::optional<FleetPlan> plan = bestFleetPlan(m_costs, m_effort.cut);
+        if (!plan)
+            return {.reason = *m_cut, .plan = {}};
+        m_search.take(*plan);
+        return {.status = SolveStatus::Optimal,
+                .plan = *plan,
+                .work = fleetSubsetWork(m_costs.uavs(), m_costs.icebergs())};
+    }
+
+    FleetOutcome byEngine()
+    {
+        if (m_options.hint.empty())
+            m_search.startGreedily();
+        else
+            m_search.take(m_options.hint);
+        m_search.descend();
+
+        const std::int64_t before = m_effort.work;
+        const FleetBoundResult result = improveFleetBound(
+            m_costs, m_search.best(),
+            {.gap = m_options.gap,
+             .workLimit = m_most - before,
+             .memoryLimit_bytes = m_options.memoryLimit_bytes.value_or(kNoLimit),
+             .cut = m_effort.cut,
+             .onImproved =
+                 [this](const FleetPlan& plan, double bound) {
+                     m_search.take(plan);
+                     takeBound(bound);
+                 },
+             .suggest = [this](std::int64_t work,
+                               std::int64_t most) { return suggest(work, most); }});
+        m_search.take(result.plan);
+        takeBound(result.bound);
+        return outcome(result, before + result.work);
+    }
+
+private:
+    /** Remembers the reason. */
+    bool cut()
+    {
+        if (m_options.stop.stop_requested())
+            m_cut = m_cut.value_or(StopReason::Cancelled);
+        else if (m_options.timeLimit_s && m_watch.elapsed_s() >= *m_options.timeLimit_s)
+            m_cut = m_cut.value_or(StopReason::TimeLimit);
+        return m_cut.has_value();
+    }
+
+    FleetSuggestion suggest(std::int64_t work, std::int64_t most)
+    {
+        const std::int64_t before = m_effort.work;
+        m_effort.limit = before + most;
+        const std::int64_t n = m_costs.icebergs();
+        std::int64_t times = kFirstTimes * n;
+        if (m_searched) {
+            times = (work / kSearchShare - (before - *m_searched)) / (kWorkOfTime * n);
+            // Without a bound the search is all there is.
+            if (n >= NodeSet::kCapacity)
+                times = kFirstTimes * n;
+        }
+        if (times >= kLeastTimes || !m_searched)
+            m_search.disturb(times);
+        if (!m_searched)
+            m_searched = m_effort.work;
+        return {.plan = m_search.best(), .work = m_effort.work - before};
+    }
+
+    /** 0 says nothing: that every cost is positive goes without saying. */
+    void takeBound(double bound)
+    {
+        if (bound <= 0 || bound <= m_bound)
+            return;
+        m_bound = bound;
+        report();
+    }
+    void report() const
+    {
+        if (!m_options.onProgress)
+            return;
+        FleetProgress progress{.plan = m_search.best(),
+                               .objective = m_objective,
+                               .bound = {},
+                               .elapsed_s = m_watch.elapsed_s()};
+        if (m_bound > 0)
+            progress.bound = std::min(m_bound - m_shift, m_objective);
+        m_options.onProgress(progress);
+    }
+
+    FleetOutcome outcome(const FleetBoundResult& result, std::int64_t work)
+    {
+        FleetOutcome outcome{.status = SolveStatus::Feasible,
+                             .plan = m_search.best(),
+                             .work = work,
+                             .hintUsed = !m_options.hint.empty()};
+        if (m_bound > 0)
+            outcome.bound = m_bound - m_shift;
+        constexpr double kProven = 2e-9; // the bound's own margin and its rounding
+        const double cost = m_costs.total(outcome.plan);
+        if (result.reached && cost - result.bound <= kProven * cost)
+            outcome.status = SolveStatus::Optimal;
+        else if (result.reached)
+            outcome.reason = StopReason::GapReached;
+        else if (m_cut)
+            outcome.reason = *m_cut;
+        else if (result.memoryOut)
+            outcome.reason = StopReason::MemoryLimit;
+        else if (m_options.workLimit && *m_options.workLimit <= m_own)
+            outcome.reason = StopReason::WorkLimit;
+        return outcome;
+    }
+
+    const FleetProblem& m_problem;
+    const FleetOptions& m_options;
+    Stopwatch m_watch;
+    FleetCosts m_costs;
+    double m_shift;      ///< cost = objective + shift
+    std::int64_t m_own;  ///< the back end's own limit of work
+    std::int64_t m_most; ///< that and the caller's
+    SearchEffort m_effort;
+    FleetSearch m_search;
+    std::optional<std::int64_t> m_searched; ///< work of the first annealing, once it is done
+    std::optional<StopReason> m_cut;
+    double m_objective = 0; ///< of the best plan
+    double m_bound = 0;     ///< on the cost, not on the objective
+};
+
+/** Dynamic programming is faster, and keeps to the limits. */
+bool subsetsSuffice(const FleetProblem& problem, const FleetOptions& options)
+{
+    const int n = problem.icebergCount();
+    if (n > kMostFleetSubsets)
+        return false;
+    const std::int64_t work = fleetSubsetWork(problem.uavCount(), n);
+    const std::int64_t bytes = fleetSubsetBytes(problem.uavCount(), n);
+    return work <= options.workLimit.value_or(work) &&
+           bytes <= options.memoryLimit_bytes.value_or(bytes);
+}
+
+FleetOutcome solveValid(const FleetProblem& problem, Backend backend, const FleetOptions& options)
+{
+    if (backend == Backend::Cbc)
+        return {.reason = StopReason::Unable, .plan = {}, .detail = "cbc plans for one UAV only"};
+    if (backend == Backend::Exact && problem.icebergCount() > kMostProvenByEngine)
+        return {.reason = StopReason::Unable,
+                .plan = {},
+                .detail = "exact proves plans of up to " + std::to_string(kMostProvenByEngine) +
+                          " icebergs"};
+    if (options.stop.stop_requested())
+        return {.reason = StopReason::Cancelled, .plan = {}};
+    if (problem.icebergCount() == 0)
+        return {.status = SolveStatus::Optimal,
+                .plan = FleetPlan(static_cast<std::size_t>(problem.uavCount()))};
+    std::optional<std::int64_t> effort;
+    if (backend != Backend::Exact)
+        effort = responsiveEffort(problem.icebergCount());
+    FleetEngine engine(problem, options, effort);
+    if (backend != Backend::Heuristic && subsetsSuffice(problem, options))
+        return engine.bySubsets();
+    return engine.byEngine();
+}
+
+} // namespace
+
+FleetOutcome solveFleet(const FleetProblem& problem, Backend backend, const FleetOptions& options)
+{
+    requireSolvingAllowed();
+    const Stopwatch watch;
+    if (std::vector<Issue> issues = validate(problem); !issues.empty())
+        throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
+    FleetOptions checked = options;
+    if (!isFleetPlan(problem, options.hint))
+        checked.hint.clear();
+    FleetOutcome outcome = solveValid(problem, backend, checked);
+    if (outcome.status != SolveStatus::None)
+        outcome.objective = fleetObjective(problem, outcome.plan);
+    if (outcome.status == SolveStatus::Optimal)
+        outcome.bound = outcome.objective;
+    else if (outcome.bound)
+        outcome.bound = std::min(*outcome.bound, outcome.objective);
+    outcome.elapsed_s = watch.elapsed_s();
+    return outcome;
+}
+
+} // namespace berg

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/plan/fleet_problem.h"
+#include "core/plan/solver.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace berg {
+
+/** As `SolveProgress`. */
+struct FleetProgress
+{
+    FleetPlan plan;
+    double objective = 0;
+    std::optional<double> bound;
+    double elapsed_s = 0;
+};
+
+/** As `SolveOptions`. */
+struct FleetOptions
+{
+    std::optional<double> timeLimit_s;
+    std::optional<std::int64_t> workLimit; ///< units of about 2 ns
+    std::optional<std::int64_t> memoryLimit_bytes = 1'500'000'000;
+    double gap = 0;
+    FleetPlan hint;       ///< warm start; ignored when not a valid plan
+    std::stop_token stop; ///< checked at least every 10 ms
+    std::function<void(const FleetProgress&)> onProgress;
+};
+
+/** As `SolveOutcome`. */
+struct FleetOutcome
+{
+    SolveStatus status = SolveStatus::None;
+    StopReason reason = StopReason::Finished;
+    FleetPlan plan; ///< empty when status is None
+    double objective = 0;
+    std::optional<double> bound;
+    double elapsed_s = 0;
+    std::int64_t work = 0;
+    bool hintUsed = false;
+    std::string detail; ///< why not, when unable
+};
+
+/**
+ * Solves the problem by the fleet's counterpart of that back end, with the same promises about
+ * status, limits and determinism as `TvpSolver::solve`. Up to 14 icebergs `Exact` and `Auto` use
+ * dynamic programming over subsets; else a local search and a bound take turns: `Exact` until the
+ * proof, `Auto` and `Heuristic` for about a second's work. `Cbc` is unable. A problem that
+ * `validate` faults throws `Error{InvalidInput}`.
+ */
+[[nodiscard]] FleetOutcome solveFleet(const FleetProblem& problem, Backend backend,
+                                      const FleetOptions& options);
+
+} // namespace berg

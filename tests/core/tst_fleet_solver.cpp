@@ -1,0 +1,301 @@
+#include "core/base/solving_guard.h"
+#include "core/plan/fleet_solver.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/fleet_rows.h"
+
+#include <QtTest>
+
+#include <thread>
+
+using namespace berg;
+
+namespace {
+
+constexpr double kProven = 2e-9; // the margin of a proof
+
+/** What is wrong with an outcome, given the optimum; empty when nothing is. */
+QString faultOf(const FleetProblem& problem, const FleetOutcome& outcome, double optimum)
+{
+    const double scale = optimum + fleetObjectiveShift(problem);
+    if (outcome.status == SolveStatus::None)
+        return outcome.plan.empty() && !outcome.bound ? QString() : QStringLiteral("not empty");
+    if (!isFleetPlan(problem, outcome.plan))
+        return QStringLiteral("no plan");
+    if (outcome.objective != fleetObjective(problem, outcome.plan))
+        return QStringLiteral("wrong objective");
+    if (outcome.bound && *outcome.bound > optimum + kProven * scale)
+        return QStringLiteral("bound above the optimum");
+    if (outcome.bound && *outcome.bound > outcome.objective)
+        return QStringLiteral("bound above the objective");
+    if (outcome.status == SolveStatus::Optimal && outcome.objective > optimum + kProven * scale)
+        return QStringLiteral("not optimal");
+    return {};
+}
+
+double optimumOf(const FleetProblem& problem)
+{
+    return solveFleet(problem, Backend::Exact, {}).objective;
+}
+
+} // namespace
+
+class TestFleetSolver : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void backEndsAgreeWithBruteForce_data() { test::addFleetRows(); }
+    void backEndsAgreeWithBruteForce()
+    {
+        for (const int uavs : {1, 2, 3}) {
+            const FleetProblem problem = test::fetchedFleet(41, uavs, 8 - uavs);
+            const double optimum = test::bruteForceFleet(problem);
+            for (const Backend backend : {Backend::Exact, Backend::Auto, Backend::Heuristic}) {
+                const FleetOutcome outcome = solveFleet(problem, backend, {});
+                QCOMPARE(faultOf(problem, outcome, optimum), QString());
+                QVERIFY(outcome.status == SolveStatus::Optimal);
+                QVERIFY(outcome.reason == StopReason::Finished);
+                QCOMPARE(*outcome.bound, outcome.objective);
+                QVERIFY(outcome.work > 0);
+                QVERIFY(!outcome.hintUsed);
+            }
+        }
+    }
+
+    /** The engine's proof against dynamic programming. */
+    void engineAgreesWithSubsets_data() { test::addFleetRows(); }
+    void engineAgreesWithSubsets()
+    {
+        for (const int uavs : {2, 4}) {
+            const FleetProblem problem = test::fetchedFleet(42, uavs, 11);
+            const FleetOutcome outcome = solveFleet(problem, Backend::Heuristic, {});
+            QCOMPARE(faultOf(problem, outcome, optimumOf(problem)), QString());
+            QVERIFY(outcome.status == SolveStatus::Optimal);
+        }
+    }
+
+    void middlingProblemsAreProven()
+    {
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            const FleetProblem problem = test::randomFleet(seed, 2, 20, 1);
+            QVERIFY(solveFleet(problem, Backend::Auto, {}).status == SolveStatus::Optimal);
+        }
+    }
+
+    void oddProblems_data()
+    {
+        QTest::addColumn<double>("sigma_m2");
+        QTest::addColumn<double>("scale");
+        QTest::addRow("no sigma") << 0.0 << 1.0;
+        QTest::addRow("equal sigmas") << 5.0 << 1.0;
+        QTest::addRow("all in one place") << 5.0 << 0.0;
+        QTest::addRow("nothing costs anything") << 0.0 << 0.0;
+    }
+    void oddProblems()
+    {
+        QFETCH(double, sigma_m2);
+        QFETCH(double, scale);
+        FleetProblem problem = test::randomFleet(43, 2, 7, 1);
+        std::fill(problem.sigma_m2.begin() + 1, problem.sigma_m2.end(), sigma_m2);
+        for (Eigen::MatrixXd& distance_m : problem.distance_m)
+            distance_m *= scale;
+        const double optimum = test::bruteForceFleet(problem);
+        for (const Backend backend : {Backend::Exact, Backend::Heuristic}) {
+            const FleetOutcome outcome = solveFleet(problem, backend, {});
+            QCOMPARE(faultOf(problem, outcome, optimum), QString());
+            QVERIFY(test::sameObjective(problem, outcome.objective, optimum));
+        }
+    }
+
+    void noIcebergs()
+    {
+        const FleetProblem problem{.distance_m = {3, Eigen::MatrixXd::Zero(1, 1)}, .sigma_m2 = {0}};
+        const FleetOutcome outcome = solveFleet(problem, Backend::Auto, {});
+        QVERIFY(outcome.status == SolveStatus::Optimal);
+        QCOMPARE(outcome.plan, FleetPlan(3));
+        QCOMPARE(outcome.objective, 0.0);
+    }
+
+    void faultyProblemsThrow()
+    {
+        FleetProblem problem = test::randomFleet(44, 2, 5, 1);
+        problem.assignedTo.assign(6, 7);
+        const std::optional<Error> error =
+            test::errorOf([&] { (void)solveFleet(problem, Backend::Auto, {}); });
+        QVERIFY(error && error->code() == ErrorCode::InvalidInput);
+        QVERIFY(test::names(error->issues(), "assigned_to[1]"));
+    }
+
+    void unableIsAnOutcome()
+    {
+        const FleetProblem small = test::randomFleet(45, 2, 5, 1);
+        const FleetProblem large = test::randomFleet(45, 2, 128, 1);
+        for (const FleetOutcome& outcome :
+             {solveFleet(small, Backend::Cbc, {}), solveFleet(large, Backend::Exact, {})}) {
+            QVERIFY(outcome.status == SolveStatus::None);
+            QVERIFY(outcome.reason == StopReason::Unable);
+            QVERIFY(!outcome.detail.empty());
+        }
+    }
+
+    void manyIcebergsArePlannedWithoutBound()
+    {
+        const FleetProblem problem = test::randomFleet(46, 4, 140, 1);
+        const FleetOutcome outcome = solveFleet(problem, Backend::Auto, {.workLimit = 30'000'000});
+        QVERIFY(outcome.status == SolveStatus::Feasible);
+        QVERIFY(outcome.reason == StopReason::WorkLimit);
+        QVERIFY(!outcome.bound);
+        QVERIFY(isFleetPlan(problem, outcome.plan));
+    }
+
+    void solvingMayBeForbidden()
+    {
+        const ForbidSolving guard;
+        const FleetProblem problem = test::randomFleet(47, 2, 5, 1);
+        QVERIFY_EXCEPTION_THROWN((void)solveFleet(problem, Backend::Auto, {}), std::logic_error);
+    }
+
+    void limitsAreOutcomes_data()
+    {
+        QTest::addColumn<int>("icebergs");
+        QTest::addColumn<int>("backend");
+        for (const int icebergs : {7, 20})
+            for (const Backend backend : {Backend::Exact, Backend::Auto, Backend::Heuristic})
+                QTest::addRow("%d icebergs, back end %d", icebergs, static_cast<int>(backend))
+                    << icebergs << static_cast<int>(backend);
+    }
+    void limitsAreOutcomes()
+    {
+        QFETCH(int, icebergs);
+        QFETCH(int, backend);
+        const FleetProblem problem = test::randomFleet(48, 2, icebergs, 1);
+        const double optimum = optimumOf(problem);
+        const auto solve = [&](const FleetOptions& options) {
+            return solveFleet(problem, static_cast<Backend>(backend), options);
+        };
+        for (const std::int64_t work : {0, 1, 1000}) {
+            const FleetOutcome outcome = solve({.workLimit = work});
+            QCOMPARE(faultOf(problem, outcome, optimum), QString());
+            QVERIFY(outcome.status == SolveStatus::Feasible);
+            QVERIFY(outcome.reason == StopReason::WorkLimit);
+        }
+        const FleetOutcome late = solve({.timeLimit_s = 0});
+        QCOMPARE(faultOf(problem, late, optimum), QString());
+        QVERIFY(late.status != SolveStatus::Optimal);
+        QVERIFY(late.reason == StopReason::TimeLimit);
+        const FleetOutcome narrow = solve({.memoryLimit_bytes = 100});
+        QCOMPARE(faultOf(problem, narrow, optimum), QString());
+        QVERIFY(narrow.status == SolveStatus::Feasible);
+        QVERIFY(narrow.reason == StopReason::MemoryLimit);
+    }
+
+    void cancelledBeforeTheStart()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        const FleetOutcome outcome =
+            solveFleet(test::randomFleet(49, 2, 20, 1), Backend::Exact, {.stop = stop.get_token()});
+        QVERIFY(outcome.status == SolveStatus::None);
+        QVERIFY(outcome.reason == StopReason::Cancelled);
+        QVERIFY(outcome.plan.empty());
+    }
+
+    void cancelledOnTheWay()
+    {
+        const FleetProblem problem = test::randomFleet(50, 5, 60, 1);
+        std::stop_source stop;
+        FleetOptions options{.stop = stop.get_token()};
+        options.onProgress = [&](const FleetProgress& progress) {
+            if (progress.bound)
+                stop.request_stop();
+        };
+        const FleetOutcome outcome = solveFleet(problem, Backend::Exact, options);
+        QVERIFY(outcome.status == SolveStatus::Feasible);
+        QVERIFY(outcome.reason == StopReason::Cancelled);
+        QVERIFY(isFleetPlan(problem, outcome.plan));
+        QVERIFY(outcome.bound && *outcome.bound < outcome.objective);
+    }
+
+    void aGapIsEnough()
+    {
+        const FleetProblem problem = test::randomFleet(51, 3, 30, 1);
+        const FleetOutcome outcome = solveFleet(problem, Backend::Exact, {.gap = 0.05});
+        QCOMPARE(faultOf(problem, outcome, optimumOf(problem)), QString());
+        QVERIFY(outcome.reason == StopReason::GapReached || outcome.status == SolveStatus::Optimal);
+        QVERIFY(fleetGap(problem, outcome.objective, *outcome.bound) <= 0.05 + kProven);
+    }
+
+    void hintsAreNeverMadeWorse()
+    {
+        const FleetProblem problem = test::randomFleet(52, 3, 20, 1);
+        const FleetPlan best = solveFleet(problem, Backend::Exact, {}).plan;
+        const FleetOutcome outcome =
+            solveFleet(problem, Backend::Heuristic, {.workLimit = 1, .hint = best});
+        QVERIFY(outcome.hintUsed);
+        QCOMPARE(outcome.plan, best);
+
+        FleetPlan broken = best;
+        broken[0].clear();
+        const FleetOutcome without = solveFleet(problem, Backend::Heuristic, {.hint = broken});
+        QVERIFY(!without.hintUsed);
+        QVERIFY(isFleetPlan(problem, without.plan));
+    }
+
+    void progressOnlyImproves()
+    {
+        const FleetProblem problem = test::randomFleet(53, 3, 25, 1);
+        const double optimum = optimumOf(problem);
+        const double scale = optimum + fleetObjectiveShift(problem);
+        std::vector<FleetProgress> reports;
+        FleetOptions options;
+        options.onProgress = [&](const FleetProgress& progress) { reports.push_back(progress); };
+        const FleetOutcome outcome = solveFleet(problem, Backend::Heuristic, options);
+        QVERIFY(reports.size() > 2);
+        for (std::size_t k = 0; k < reports.size(); ++k) {
+            QVERIFY(isFleetPlan(problem, reports[k].plan));
+            QCOMPARE(reports[k].objective, fleetObjective(problem, reports[k].plan));
+            QVERIFY(!reports[k].bound || *reports[k].bound <= optimum + kProven * scale);
+            if (k == 0)
+                continue;
+            QVERIFY(reports[k].objective <= reports[k - 1].objective);
+            QVERIFY(!reports[k - 1].bound ||
+                    (reports[k].bound && *reports[k].bound >= *reports[k - 1].bound));
+        }
+        QCOMPARE(reports.back().objective, outcome.objective);
+    }
+
+    /** Whatever else runs at the same time. */
+    void repeats()
+    {
+        const FleetProblem problem = test::randomFleet(54, 4, 40, 0.5);
+        const FleetOptions options{.workLimit = 40'000'000};
+        std::array<FleetOutcome, 2> outcomes;
+        {
+            std::jthread other([&] { outcomes[1] = solveFleet(problem, Backend::Auto, options); });
+            outcomes[0] = solveFleet(problem, Backend::Auto, options);
+        }
+        QCOMPARE(outcomes[0].plan, outcomes[1].plan);
+        QCOMPARE(outcomes[0].bound, outcomes[1].bound);
+        QCOMPARE(outcomes[0].work, outcomes[1].work);
+    }
+
+    /** An iceberg handed to another UAV is visited by it, and the rest is the best for that. */
+    void assignmentsAreKept()
+    {
+        FleetProblem problem = test::randomFleet(55, 3, 18, 1);
+        const FleetOutcome free = solveFleet(problem, Backend::Auto, {});
+        const int handed = free.plan[0].front();
+        problem.assignedTo.assign(problem.sigma_m2.size(), FleetProblem::kAnyUav);
+        problem.assignedTo[static_cast<std::size_t>(handed)] = 2;
+        const FleetOutcome bound = solveFleet(problem, Backend::Auto, {.hint = free.plan});
+        QVERIFY(!bound.hintUsed);
+        QVERIFY(bound.status == SolveStatus::Optimal);
+        QCOMPARE(std::count(bound.plan[2].begin(), bound.plan[2].end(), handed), 1);
+        QVERIFY(bound.objective > free.objective);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFleetSolver)
+#include "tst_fleet_solver.moc"
