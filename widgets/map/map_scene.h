@@ -82,10 +82,7 @@ private:
     [[nodiscard]] std::vector<LabelDisk> symbolsOf(const std::vector<std::string>& keys);
     [[nodiscard]] MapStyle style() const
     {
-        return {.theme = m_theme,
-                .locale = m_locale,
-                .inset_px = m_inset_px,
-                .offersWind = true};
+        return {.theme = m_theme, .locale = m_locale, .inset_px = m_inset_px, .offersWind = true};
     }
     [[nodiscard]] std::optional<LabelTurn> nextTurn(std::size_t inSight);
     void paintGround(QPainter& painter, const MapFrame& frame);

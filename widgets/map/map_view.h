@@ -181,7 +181,7 @@ private:
     std::unique_ptr<MapTool> m_tool;
 
     bool m_isLocked = false;
-    bool m_mayIntervene = false; ///< while locked
+    bool m_mayIntervene = false;   ///< while locked
     bool m_isFitted = true;        ///< not moved since `fit`: a new size is fitted again
     bool m_fitsNextPicture = true; ///< the first one of a scenario
     bool m_followsUav = false;
