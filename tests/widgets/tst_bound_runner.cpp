@@ -29,6 +29,15 @@ Scenario largeField()
     return scenario;
 }
 
+/** An area with some of the icebergs outside: what zeta is then, only the others tell. */
+std::vector<Point> westernHalf(const Scenario& scenario)
+{
+    double middle_m = 0;
+    for (const Iceberg& iceberg : scenario.icebergs)
+        middle_m += iceberg.position_m.x() / static_cast<double>(scenario.icebergs.size());
+    return {{-20000, -20000}, {middle_m, -20000}, {middle_m, 20000}, {-20000, 20000}};
+}
+
 bool completes(const BoundRunner& runner)
 {
     return QTest::qWaitFor([&] { return runner.isComplete(); }, kPatience_ms);
@@ -90,6 +99,8 @@ private slots:
         QTest::newRow("seed") << 2;
         QTest::newRow("airspeed") << 3;
         QTest::newRow("shape of the view") << 4;
+        QTest::newRow("area that some leave") << 5;
+        QTest::newRow("measurements") << 6;
     }
 
     void whatMattersDoesAwayWithIt()
@@ -99,11 +110,17 @@ private slots:
         BoundRunner runner(nullptr, kLittleWork);
         runner.setScenario(scenario);
         QVERIFY(completes(runner));
-        const std::array<std::function<void()>, 5> changes{
+        const std::array<std::function<void()>, 7> changes{
             [&] { scenario.icebergs[0].position_m.x() += 500; },
-            [&] { scenario.wind_mps = Point(5, 0); }, [&] { scenario.seed += 1; },
+            [&] { scenario.wind_mps = Point(5, 0); },
+            [&] { scenario.seed += 1; },
             [&] { scenario.uavs[0].spec.airspeed_mps *= 2; },
-            [&] { scenario.fovShape = FovShape::North; }};
+            [&] { scenario.fovShape = FovShape::North; },
+            [&] { scenario.area_m = westernHalf(scenario); },
+            [&] {
+                scenario.observer.model = ObserverModel::Kalman;
+                scenario.icebergs[0].velocitySd_mps = 2;
+            }};
         changes.at(static_cast<std::size_t>(change))();
         runner.setScenario(scenario);
         QVERIFY(!runner.isComplete());

@@ -25,6 +25,8 @@ Scenario boundedPart(const Scenario& scenario)
                   .noise = scenario.noise,
                   .wind_mps = scenario.wind_mps,
                   .current_mps = scenario.current_mps,
+                  .area_m = scenario.area_m,
+                  .observer = scenario.observer,
                   .uavs = scenario.uavs,
                   .icebergs = scenario.icebergs,
                   .fovShape = scenario.fovShape};
