@@ -34,6 +34,19 @@ struct PlannerSettings
 
 struct FlightPicture; // core/coverage
 
+/** What a request says of one UAV of several. */
+struct UavRequest
+{
+    int uav = 0; ///< the caller's own number of it
+    /** As `PlanRequest::problem`, row and column 0 the UAV; in one unit for the fleet: flight time
+     * times `PlanRequest::speed_mps`. */
+    Eigen::MatrixXd distance_m;
+    std::vector<bool> available;                  ///< N-1: may be planned for this UAV
+    std::shared_ptr<const FlightPicture> picture; ///< of this UAV
+    /** What remains of its last answer (available ids), the warm start; the planner's part. */
+    std::vector<int> lastRest = {};
+};
+
 /** The picture at the instant of planning. Ids are the caller's own numbers of icebergs. */
 struct PlanRequest
 {
@@ -48,6 +61,21 @@ struct PlanRequest
     std::vector<std::vector<int>> clusters;
     /** For policies that predict the flight itself; the others do without. */
     std::shared_ptr<const FlightPicture> picture;
+    /**
+     * Of several UAVs that are planned together, two or more: then they stand for the distances of
+     * `problem`, for `available` and for `picture`, which are those of the first one.
+     */
+    std::vector<UavRequest> fleet;
+    /** Distances between the UAVs, in the unit of `UavRequest::distance_m`; for Eq. (14). */
+    Eigen::MatrixXd betweenUavs_m;
+};
+
+/** What one UAV of several is to fly. */
+struct UavAnswer
+{
+    std::vector<int> order;     ///< ids in visiting order, the first one available; may be empty
+    std::vector<AimedLeg> legs; ///< how to fly it; empty: straight to the first
+    std::optional<AimedOutlook> outlook; ///< of `legs`
 };
 
 struct PlanAnswer
@@ -62,6 +90,13 @@ struct PlanAnswer
     std::vector<AimedLeg> legs; ///< how to fly it; empty: straight to the first of `order`
     std::optional<double> predictedZeta_m2s; ///< what `legs` were judged by
     std::optional<AimedOutlook> outlook;     ///< of `legs`
+    /**
+     * One for each of `PlanRequest::fleet`, no iceberg the first one of two of them; then `order`,
+     * `legs`, `problem` and the order of `outcome` are empty.
+     */
+    std::vector<UavAnswer> fleet;
+    std::optional<double> gap; ///< relative, of a fleet
+    double distance_m = 0;     ///< flown, of a fleet: the sum over its orders
 };
 
 /** What the policies `visitation` and `latency` solve in answer to a request; `mu` is 0. */
@@ -84,8 +119,9 @@ public:
 
     /**
      * The order to fly now. `lastRest` is what remains of the last answer (available ids), the
-     * warm start. An answer without order means that a limit came before any plan, or that there
-     * is nothing to plan (no iceberg available). `options.onProgress` is told orders in ids.
+     * warm start; of several UAVs it is `UavRequest::lastRest`. An answer without order means that
+     * a limit came before any plan, or that there is nothing to plan (no iceberg available).
+     * `options.onProgress` is told orders in ids.
      */
     [[nodiscard]] virtual PlanAnswer plan(const PlanRequest& request, std::span<const int> lastRest,
                                           const SolveOptions& options) = 0;

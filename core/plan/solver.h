@@ -39,7 +39,8 @@ struct SolveProgress
     double objective = 0;
     std::optional<double> bound; ///< valid lower bound on the optimum
     double elapsed_s = 0;
-    std::vector<AimedLeg> legs; ///< how the order is flown, of plans with aim points
+    std::vector<AimedLeg> legs;          ///< how the order is flown, of plans with aim points
+    std::vector<std::vector<int>> fleet; ///< of several UAVs in place of `order`: one for each
 };
 
 struct SolveOptions

@@ -44,6 +44,7 @@ struct Iceberg
     double observed_s = 0; ///< age of the last observation at t = 0: adds q x age to sigma0
     double appears_s = 0;
     double radius_m = 50;
+    std::string uav;     ///< id of the UAV that alone is to visit it; empty: any
     RecordedTrack track; ///< true motion where it is known; empty: drawn from velocity and q
     std::string trackExtraJson;
     std::string extraJson;
@@ -78,6 +79,8 @@ struct Scenario
     Point current_mps = Point::Zero(); ///< carries every iceberg in addition to its own velocity
     std::vector<Point> area_m;         ///< icebergs outside are not monitored; empty: unbounded
     bool geofence = false;             ///< the UAVs stay inside the area
+    /** UAVs of one altitude layer closer than this, horizontally, are warned of; 0: never. */
+    double separation_m = 200;
     ObserverSpec observer;
     std::vector<Uav> uavs;
     std::vector<Iceberg> icebergs;
