@@ -1,5 +1,6 @@
 #include "core/plan/cbc_solver.h"
 
+#include "core/plan/cbc_coin.h"
 #include "core/plan/cbc_run.h"
 #include "core/plan/milp_relaxation.h"
 #include "core/plan/reduced_model.h"
@@ -8,12 +9,8 @@
 #include <CbcHeuristic.hpp>
 #include <CbcModel.hpp>
 #include <CglCutGenerator.hpp>
-#include <ClpEventHandler.hpp>
-#include <ClpSimplex.hpp>
 #include <CoinError.hpp>
-#include <CoinMessageHandler.hpp>
 #include <CoinPackedMatrix.hpp>
-#include <OsiClpSolverInterface.hpp>
 #include <OsiCuts.hpp>
 #include <OsiRowCut.hpp>
 
@@ -43,69 +40,6 @@ double coinBound(double value)
 {
     return std::isinf(value) ? std::copysign(COIN_DBL_MAX, value) : value;
 }
-
-/** Swallows everything: CBC raises log levels by itself and aborts after severe messages. */
-class SilentHandler final : public CoinMessageHandler
-{
-public:
-    [[nodiscard]] CoinMessageHandler* clone() const override { return new SilentHandler(*this); }
-    int print() override { return 0; }
-    void checkSeverity() override {}
-};
-
-/** Stops a relaxation between two simplex iterations. */
-class SimplexStopper final : public ClpEventHandler
-{
-public:
-    explicit SimplexStopper(CbcRun& run) : m_run(&run) {}
-    [[nodiscard]] ClpEventHandler* clone() const override { return new SimplexStopper(*this); }
-    int event(Event which) override
-    {
-        constexpr int kContinue = -1;
-        constexpr int kStop = 0;
-        const bool asked = which == endOfIteration || which == endOfFactorization;
-        return asked && m_run->mustStop() ? kStop : kContinue;
-    }
-
-private:
-    CbcRun* m_run;
-};
-
-/**
- * Clp that solves nothing any more after a stop. CBC tidies up with several relaxations then, each
- * of which would cost its preparation before the stopper is asked.
- */
-class StoppableClp final : public OsiClpSolverInterface
-{
-public:
-    explicit StoppableClp(CbcRun& run) : m_run(&run) {}
-    [[nodiscard]] OsiSolverInterface* clone(bool copyData = true) const override
-    {
-        return copyData ? new StoppableClp(*this) : new StoppableClp(*m_run);
-    }
-    void initialSolve() override
-    {
-        if (!skipped())
-            OsiClpSolverInterface::initialSolve();
-    }
-    void resolve() override
-    {
-        if (!skipped())
-            OsiClpSolverInterface::resolve();
-    }
-
-private:
-    bool skipped()
-    {
-        constexpr int kInfeasible = 1; // as an interrupted relaxation looks to CBC
-        const bool skip = m_run->mustStop();
-        if (skip)
-            getModelPtr()->setProblemStatus(kInfeasible);
-        return skip;
-    }
-
-    CbcRun* m_run;
-};
 
 void harvestFrom(CbcRun& run, const CbcModel& model)
 {
@@ -354,10 +288,11 @@ SolveOutcome branchAndCut(const OsiClpSolverInterface& relaxation, CbcRun& run)
 SolveOutcome search(CbcRun& run)
 {
     SilentHandler silent;
-    StoppableClp solver(run);
+    const CoinStop stop = [&run] { return run.mustStop(); };
+    StoppableClp solver(stop);
     solver.passInMessageHandler(&silent);
     solver.setHintParam(OsiDoReducePrint, true, OsiHintTry);
-    SimplexStopper stopper(run);
+    SimplexStopper stopper(stop);
     solver.getModelPtr()->passInEventHandler(&stopper);
     load(run, solver);
     constexpr int kNoScaling = 0;

@@ -1,6 +1,5 @@
 #include "core/plan/fleet_bound.h"
 
-#include "core/plan/fleet_cover.h"
 #include "core/plan/fleet_graph.h"
 #include "core/plan/ng_memory.h"
 #include "core/plan/price_ascent.h"
@@ -57,7 +56,7 @@ public:
 
     FleetBoundResult run()
     {
-        if (m_costs.icebergs() >= NodeSet::kCapacity) {
+        if (!isBounded(m_costs)) {
             while (!finished() && takeSuggestion() > 0) {
             }
             return std::move(m_result);
@@ -270,7 +269,7 @@ private:
         }
         const std::int64_t left = (m_options.workLimit - m_result.work) / kWorkOfCandidate;
         const FleetCover found =
-            bestCover(orders, cost - bound, std::min(left, m_coverWork), m_cutQuestion);
+            m_options.cover(orders, cost - bound, std::min(left, m_coverWork), m_cutQuestion);
         m_result.work += kWorkOfCandidate * found.work;
         const bool better = found.plan && takePlan(*found.plan);
         if (!found.complete) {
@@ -298,6 +297,11 @@ private:
 };
 
 } // namespace
+
+bool isBounded(const FleetCosts& costs)
+{
+    return costs.icebergs() < NodeSet::kCapacity && !costs.weighted();
+}
 
 FleetBoundResult improveFleetBound(const FleetCosts& costs, const FleetPlan& plan,
                                    const FleetBoundOptions& options)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/plan/fleet_costs.h"
+#include "core/plan/fleet_cover.h"
 
 #include <cstdint>
 #include <functional>
@@ -20,6 +21,7 @@ struct FleetBoundOptions
     double gap = 0;
     std::int64_t workLimit = 0;
     std::int64_t memoryLimit_bytes = 0;
+    CoverFunction cover = bestCover; ///< puts orders together
     std::function<bool()> cut;
     std::function<void(const FleetPlan& plan, double bound)> onImproved;
     std::function<FleetSuggestion(std::int64_t work, std::int64_t most)> suggest;
@@ -39,10 +41,14 @@ struct FleetBoundResult
  * Lower bound on the cost of all plans, as `improveBound`: Lagrangian relaxation of "each iceberg
  * once" on the layered graphs of the UAVs (`FleetGraph`), in which ng memory grows where relaxed
  * paths visit an iceberg twice and from which is deleted what cannot beat the plan. The orders left
- * are put together to plans (`bestCover`), which ends the proof when they are not too many. Above
- * 127 icebergs there is no bound but 0.
+ * are put together to plans (`cover`), which ends the proof when they are not too many. When
+ * not `isBounded`, suggestions are all there is, and there is no bound but 0.
  */
 [[nodiscard]] FleetBoundResult improveFleetBound(const FleetCosts& costs, const FleetPlan& plan,
                                                  const FleetBoundOptions& options);
+
+/** Up to 127 icebergs, and not for latency: how much sigma an order has in all, by which its legs
+ * are weighted, is not known at the root of a graph. */
+[[nodiscard]] bool isBounded(const FleetCosts& costs);
 
 } // namespace berg

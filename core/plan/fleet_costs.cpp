@@ -36,11 +36,11 @@ Eigen::VectorXd savings(const FleetCosts& costs, const FleetPlan& plan)
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(costs.icebergs() + 1);
     for (int uav = 0; uav < costs.uavs(); ++uav) {
         const VisitOrder& order = plan[static_cast<std::size_t>(uav)];
-        const double cost = costs.of(uav).total(order);
+        const double cost = costs.total(uav, order);
         for (std::size_t k = 0; k < order.size(); ++k) {
             VisitOrder others = order;
             others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-            lambda(order[k]) = cost - costs.of(uav).total(others);
+            lambda(order[k]) = cost - costs.total(uav, others);
         }
     }
     return lambda;

@@ -3,6 +3,7 @@
 #include "core/plan/fleet_problem.h"
 #include "core/plan/order_costs.h"
 
+#include <span>
 #include <vector>
 
 namespace berg {
@@ -27,15 +28,22 @@ public:
     {
         return m_uavs[static_cast<std::size_t>(uav)];
     }
+    /** Criterion latency: a leg counts as many times as there is sigma ahead of it in its order.
+     * The legs are those of `of`, the rest of which is Eq. (1)'s. */
+    [[nodiscard]] bool weighted() const { return m_problem->criterion == Criterion::Latency; }
     [[nodiscard]] bool allows(int uav, int iceberg) const
     {
         return m_problem->allows(uav, iceberg);
+    }
+    [[nodiscard]] double total(int uav, std::span<const int> order) const
+    {
+        return weighted() ? of(uav).latency(order) : of(uav).total(order);
     }
     [[nodiscard]] double total(const FleetPlan& plan) const
     {
         double sum = 0;
         for (int uav = 0; uav < uavs(); ++uav)
-            sum += of(uav).total(plan[static_cast<std::size_t>(uav)]);
+            sum += total(uav, plan[static_cast<std::size_t>(uav)]);
         return sum;
     }
 

@@ -22,4 +22,8 @@ struct FleetCover
 [[nodiscard]] FleetCover bestCover(const FleetOrders& orders, double slack, std::int64_t workLimit,
                                    const CutQuestion& cut);
 
+/** `bestCover`, or another way to find it. */
+using CoverFunction = FleetCover (*)(const FleetOrders&, double slack, std::int64_t workLimit,
+                                     const CutQuestion&);
+
 } // namespace berg

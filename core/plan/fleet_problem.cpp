@@ -7,14 +7,6 @@
 
 namespace berg {
 
-bool FleetProblem::allows(int uav, int node) const
-{
-    if (assignedTo.empty())
-        return true;
-    const int owner = assignedTo[static_cast<std::size_t>(node)];
-    return owner == kAnyUav || owner == uav;
-}
-
 bool isFleetPlan(const FleetProblem& problem, const FleetPlan& plan)
 {
     if (static_cast<int>(plan.size()) != problem.uavCount())
@@ -32,12 +24,27 @@ bool isFleetPlan(const FleetProblem& problem, const FleetPlan& plan)
     return visits == problem.icebergCount();
 }
 
+FleetPlan validPart(const FleetProblem& problem, FleetPlan plan)
+{
+    std::vector<bool> seen(problem.sigma_m2.size(), false);
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        std::erase_if(plan[static_cast<std::size_t>(uav)], [&](int node) {
+            if (node < 1 || node >= problem.nodeCount() || seen[static_cast<std::size_t>(node)] ||
+                !problem.allows(uav, node))
+                return true;
+            seen[static_cast<std::size_t>(node)] = true;
+            return false;
+        });
+    return plan;
+}
+
 TvpProblem problemOfUav(const FleetProblem& problem, int uav)
 {
     return {.distance_m = problem.distance_m[static_cast<std::size_t>(uav)],
             .sigma_m2 = problem.sigma_m2,
             .mu = problem.mu,
-            .route = problem.route};
+            .route = problem.route,
+            .criterion = problem.criterion};
 }
 
 double fleetDistance(const FleetProblem& problem, const FleetPlan& plan)
@@ -52,6 +59,13 @@ double fleetDistance(const FleetProblem& problem, const FleetPlan& plan)
 double fleetObjective(const FleetProblem& problem, const FleetPlan& plan)
 {
     require(isFleetPlan(problem, plan), "fleetObjective: not a plan of this problem");
+    if (problem.criterion == Criterion::Latency) {
+        double latency = 0;
+        for (int uav = 0; uav < problem.uavCount(); ++uav)
+            latency +=
+                weightedLatency(problemOfUav(problem, uav), plan[static_cast<std::size_t>(uav)]);
+        return problem.mu * latency;
+    }
     double reward = 0;
     for (const VisitOrder& order : plan) {
         int t = 1;
@@ -64,6 +78,8 @@ double fleetObjective(const FleetProblem& problem, const FleetPlan& plan)
 
 double fleetObjectiveShift(const FleetProblem& problem)
 {
+    if (problem.criterion == Criterion::Latency)
+        return 0;
     return problem.nodeCount() *
            std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
 }
@@ -97,6 +113,29 @@ TuningWeight fleetTuningWeight(const FleetProblem& problem, const Eigen::MatrixX
         tau);
 }
 
+namespace {
+
+void validateAllowed(const FleetProblem& problem, std::vector<Issue>& issues)
+{
+    if (problem.allowed.empty())
+        return;
+    const auto right = [&](const std::vector<bool>& row) {
+        return row.size() == problem.sigma_m2.size();
+    };
+    if (problem.allowed.size() != problem.distance_m.size() ||
+        !std::ranges::all_of(problem.allowed, right)) {
+        issues.push_back(
+            {Severity::Error, "allowed", "must be empty or hold one entry per UAV and sigma"});
+        return;
+    }
+    for (std::size_t i = 1; i < problem.sigma_m2.size(); ++i)
+        if (std::ranges::none_of(problem.allowed, [i](const auto& row) { return row[i]; }))
+            issues.push_back({Severity::Error, "allowed[][" + std::to_string(i) + "]",
+                              "must be true for one UAV at least"});
+}
+
+} // namespace
+
 std::vector<Issue> validate(const FleetProblem& problem)
 {
     std::vector<Issue> issues;
@@ -110,17 +149,7 @@ std::vector<Issue> validate(const FleetProblem& problem)
             if (ofUav || uav == 0)
                 issues.push_back(std::move(issue));
         }
-    if (problem.assignedTo.empty())
-        return issues;
-    if (problem.assignedTo.size() != problem.sigma_m2.size())
-        issues.push_back(
-            {Severity::Error, "assigned_to", "must be empty or hold one entry per sigma"});
-    for (std::size_t i = 1; i < problem.assignedTo.size(); ++i) {
-        const int owner = problem.assignedTo[i];
-        if (owner != FleetProblem::kAnyUav && (owner < 0 || owner >= problem.uavCount()))
-            issues.push_back({Severity::Error, "assigned_to[" + std::to_string(i) + "]",
-                              "must be the number of a UAV, from 0, or -1"});
-    }
+    validateAllowed(problem, issues);
     return issues;
 }
 

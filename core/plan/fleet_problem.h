@@ -17,8 +17,6 @@ namespace berg {
  */
 struct FleetProblem
 {
-    static constexpr int kAnyUav = -1;
-
     /** One N x N for each UAV, as `TvpProblem::distance_m`. They differ in row and column 0, and
      * elsewhere when airspeeds or winds do: then in one unit for all, such as flight time times a
      * speed common to the fleet. */
@@ -26,21 +24,31 @@ struct FleetProblem
     std::vector<double> sigma_m2; ///< N; [0] is 0
     double mu = 0;                ///< weight of distance, >= 0: `fleetTuningWeight`
     Route route = Route::Open;
-    /** Empty, or N: the UAV 0 .. that alone may visit the iceberg, or `kAnyUav`; [0] is ignored. */
-    std::vector<int> assignedTo;
+    /** Which UAV may visit which iceberg: empty when each may visit all, or N entries for each of
+     * them, [0] ignored. Every iceberg may be visited by one at least. */
+    std::vector<std::vector<bool>> allowed = {};
+    Criterion criterion = Criterion::Visitation;
 
     [[nodiscard]] int uavCount() const { return static_cast<int>(distance_m.size()); }
     [[nodiscard]] int nodeCount() const { return static_cast<int>(sigma_m2.size()); }
     [[nodiscard]] int icebergCount() const { return nodeCount() - 1; }
     /** Whether the UAV may visit the iceberg node. */
-    [[nodiscard]] bool allows(int uav, int node) const;
+    [[nodiscard]] bool allows(int uav, int node) const
+    {
+        return allowed.empty() ||
+               allowed[static_cast<std::size_t>(uav)][static_cast<std::size_t>(node)];
+    }
 };
 
 /** One order for each UAV, which may be empty. */
 using FleetPlan = std::vector<VisitOrder>;
 
-/** True when every iceberg is in one of the orders, once, and the assignments are kept. */
+/** True when every iceberg is in one of the orders, once, and each may visit what it visits. */
 [[nodiscard]] bool isFleetPlan(const FleetProblem& problem, const FleetPlan& plan);
+
+/** The plan without what is in no plan: unknown nodes, second visits, visits that are not allowed.
+ * `plan` holds one order for each UAV. */
+[[nodiscard]] FleetPlan validPart(const FleetProblem& problem, FleetPlan plan);
 
 /** The problem as the UAV would have it alone, with all icebergs. */
 [[nodiscard]] TvpProblem problemOfUav(const FleetProblem& problem, int uav);
@@ -50,11 +58,12 @@ using FleetPlan = std::vector<VisitOrder>;
 
 /**
  * The only judge of fleet plans: F = -sum sigma_i (N - t_i) + mu D with t = 2, 3, ... along each
- * order. With one UAV that is `objective`. `plan` must satisfy `isFleetPlan`.
+ * order, or the sum of the orders' latencies. With one UAV that is `objective`. `plan` must satisfy
+ * `isFleetPlan`.
  */
 [[nodiscard]] double fleetObjective(const FleetProblem& problem, const FleetPlan& plan);
 
-/** As `objectiveShift`: N sum(sigma). */
+/** As `objectiveShift`. */
 [[nodiscard]] double fleetObjectiveShift(const FleetProblem& problem);
 
 /** As `relativeGap`. */
@@ -68,7 +77,8 @@ using FleetPlan = std::vector<VisitOrder>;
 [[nodiscard]] TuningWeight fleetTuningWeight(const FleetProblem& problem,
                                              const Eigen::MatrixXd& betweenStarts_m, double tau);
 
-/** All faults of a problem: no UAV, sizes, signs, numbers that are not finite, unknown UAVs. */
+/** All faults of a problem: no UAV, sizes, signs, numbers that are not finite, icebergs
+ * that no UAV may visit. */
 [[nodiscard]] std::vector<Issue> validate(const FleetProblem& problem);
 
 } // namespace berg

@@ -12,12 +12,25 @@ FleetRoutes::FleetRoutes(const FleetCosts& costs, FleetPlan plan)
         setOrder(uav, std::move(plan[at(uav)]));
 }
 
+std::vector<std::vector<double>> FleetRoutes::waits(const Table& table,
+                                                    const std::vector<std::vector<double>>& legs)
+{
+    std::vector<std::vector<double>> waits = legs;
+    for (std::size_t uav = 0; uav < legs.size(); ++uav) {
+        waits[uav][0] = 0;
+        for (std::size_t k = 1; k < table.sigma.size(); ++k)
+            waits[uav][k] =
+                waits[uav][k - 1] + (table.sigma[k] - table.sigma[k - 1]) * legs[uav][k - 1];
+    }
+    return waits;
+}
+
 void FleetRoutes::setOrder(int uav, VisitOrder order)
 {
     Table& table = m_tables[at(uav)];
     const auto uavs = at(m_costs->uavs());
     const std::size_t size = order.size();
-    table.cost = m_costs->of(uav).total(order);
+    table.cost = m_costs->total(uav, order);
     table.sigma.assign(size + 1, 0.0);
     table.wait.assign(size + 1, 0.0);
     table.forward.assign(uavs, std::vector<double>(size + 1, 0.0));
@@ -40,11 +53,17 @@ void FleetRoutes::setOrder(int uav, VisitOrder order)
             table.back[other][k] = table.back[other][k - 1] + costs.leg(order[k], order[k - 1]);
         }
     }
+    if (m_costs->weighted()) {
+        table.forwardWait = waits(table, table.forward);
+        table.backWait = waits(table, table.back);
+    }
     m_plan[at(uav)] = std::move(order);
 }
 
 double FleetRoutes::cost(int uav, std::span<const RoutePiece> pieces) const
 {
+    if (m_costs->weighted())
+        return latency(uav, pieces);
     const VisitCosts& costs = m_costs->of(uav);
     double sum = 0;
     int place = 0; // of the last iceberg so far
@@ -71,6 +90,36 @@ double FleetRoutes::cost(int uav, std::span<const RoutePiece> pieces) const
         last = piece.backwards ? from[begin] : from[end - 1];
     }
     return sum + costs.leg(last, 0);
+}
+
+double FleetRoutes::latency(int uav, std::span<const RoutePiece> pieces) const
+{
+    const VisitCosts& costs = m_costs->of(uav);
+    double sum = 0;
+    double length = 0; // flown so far
+    int last = 0;
+    for (const RoutePiece& piece : pieces) {
+        if (piece.begin == piece.end)
+            continue;
+        const Table& table = m_tables[at(piece.uav)];
+        const VisitOrder& from = order(piece.uav);
+        const std::size_t begin = at(piece.begin);
+        const std::size_t end = at(piece.end);
+        if (table.barred[at(uav)][end] != table.barred[at(uav)][begin])
+            return std::numeric_limits<double>::infinity();
+        const double sigma = table.sigma[end] - table.sigma[begin];
+        const std::vector<double>& legs =
+            piece.backwards ? table.back[at(uav)] : table.forward[at(uav)];
+        const std::vector<double>& waits =
+            piece.backwards ? table.backWait[at(uav)] : table.forwardWait[at(uav)];
+        const double wait = waits[end] - waits[begin];
+        length += costs.leg(last, piece.backwards ? from[end - 1] : from[begin]);
+        sum += length * sigma +
+               (piece.backwards ? legs[end - 1] * sigma - wait : wait - legs[begin] * sigma);
+        length += legs[end - 1] - legs[begin];
+        last = piece.backwards ? from[begin] : from[end - 1];
+    }
+    return sum;
 }
 
 VisitOrder FleetRoutes::joined(std::span<const RoutePiece> pieces) const

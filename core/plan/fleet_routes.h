@@ -43,10 +43,16 @@ private:
         /** By UAV: legs to the place before it within the order, there and back. */
         std::vector<std::vector<double>> forward;
         std::vector<std::vector<double>> back;
+        /** For latency, by UAV: sums of sigma times these. */
+        std::vector<std::vector<double>> forwardWait;
+        std::vector<std::vector<double>> backWait;
         std::vector<std::vector<int>> barred; ///< by UAV: icebergs it may not visit
     };
 
     [[nodiscard]] static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+    [[nodiscard]] static std::vector<std::vector<double>>
+    waits(const Table& table, const std::vector<std::vector<double>>& legs);
+    [[nodiscard]] double latency(int uav, std::span<const RoutePiece> pieces) const;
     [[nodiscard]] const VisitOrder& order(int uav) const { return m_plan[at(uav)]; }
 
     const FleetCosts* m_costs;

@@ -62,11 +62,16 @@ void FleetSearch::take(const FleetPlan& plan)
     keep(plan, m_costs.total(plan));
 }
 
-void FleetSearch::startGreedily()
+void FleetSearch::complete(FleetPlan plan)
 {
-    FleetPlan plan(static_cast<std::size_t>(m_costs.uavs()));
-    std::vector<int> icebergs(static_cast<std::size_t>(m_costs.icebergs()));
-    std::iota(icebergs.begin(), icebergs.end(), 1);
+    std::vector<bool> there(static_cast<std::size_t>(m_costs.icebergs()) + 1, false);
+    for (const VisitOrder& order : plan)
+        for (const int iceberg : order)
+            there[static_cast<std::size_t>(iceberg)] = true;
+    std::vector<int> icebergs;
+    for (int i = 1; i <= m_costs.icebergs(); ++i)
+        if (!there[static_cast<std::size_t>(i)])
+            icebergs.push_back(i);
     std::stable_sort(icebergs.begin(), icebergs.end(), [&](int a, int b) {
         return m_costs.of(0).sigmaOf(a) > m_costs.of(0).sigmaOf(b);
     });
@@ -187,25 +192,47 @@ void FleetSearch::put(FleetPlan& plan, int iceberg, bool blink)
     for (int uav = 0; uav < m_costs.uavs(); ++uav) {
         if (!m_costs.allows(uav, iceberg))
             continue;
-        const VisitCosts& costs = m_costs.of(uav);
         const VisitOrder& order = plan[static_cast<std::size_t>(uav)];
         m_effort.work += 3 * static_cast<std::int64_t>(order.size() + 1);
-        double sigmaBehind = 0;
-        int next = 0;
-        for (auto index = static_cast<std::ptrdiff_t>(order.size()); index >= 0; --index) {
-            const int last = index > 0 ? order[static_cast<std::size_t>(index - 1)] : 0;
-            const double cost = costs.leg(last, iceberg) + costs.leg(iceberg, next) -
-                                costs.leg(last, next) + sigmaBehind +
-                                costs.visit(iceberg, static_cast<int>(index) + 1);
-            const bool better = cost < best.cost;
-            if (better && !(blink && best.uav >= 0 && m_random.uniform() < kBlink))
-                best = {.cost = cost, .uav = uav, .index = index};
-            sigmaBehind += costs.sigmaOf(last);
-            next = last;
-        }
+        if (m_costs.weighted())
+            offerPlaces<true>(order, uav, iceberg, blink, best);
+        else
+            offerPlaces<false>(order, uav, iceberg, blink, best);
     }
     VisitOrder& order = plan[static_cast<std::size_t>(best.uav)];
     order.insert(order.begin() + best.index, iceberg);
+}
+
+template <bool kWeighted>
+void FleetSearch::offerPlaces(const VisitOrder& order, int uav, int iceberg, bool blink,
+                              Place& best)
+{
+    const VisitCosts& costs = m_costs.of(uav);
+    double sigmaBehind = 0;
+    double flown = 0; // until `last`
+    if constexpr (kWeighted)
+        for (std::size_t k = 0; k < order.size(); ++k)
+            flown += costs.leg(k > 0 ? order[k - 1] : 0, order[k]);
+    int next = 0;
+    for (auto index = static_cast<std::ptrdiff_t>(order.size()); index >= 0; --index) {
+        const int last = index > 0 ? order[static_cast<std::size_t>(index - 1)] : 0;
+        const double there = costs.leg(last, iceberg);
+        const double detour = there + costs.leg(iceberg, next) - costs.leg(last, next);
+        double cost = 0;
+        if constexpr (kWeighted)
+            cost = detour * sigmaBehind + (flown + there) * costs.sigmaOf(iceberg);
+        else
+            cost = detour + sigmaBehind + costs.visit(iceberg, static_cast<int>(index) + 1);
+        const bool better = cost < best.cost;
+        if (better && !(blink && best.uav >= 0 && m_random.uniform() < kBlink))
+            best = {.cost = cost, .uav = uav, .index = index};
+        sigmaBehind += costs.sigmaOf(last);
+        if constexpr (kWeighted)
+            if (index > 0)
+                flown -=
+                    costs.leg(index > 1 ? order[static_cast<std::size_t>(index - 2)] : 0, last);
+        next = last;
+    }
 }
 
 } // namespace berg

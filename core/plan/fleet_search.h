@@ -29,9 +29,11 @@ public:
 
     /** Takes a plan from elsewhere, if it is a better one. */
     void take(const FleetPlan& plan);
-    /** Puts each iceberg where it costs least, the most uncertain first: at once, whatever the
-     * effort. */
-    void startGreedily();
+    /** Takes the part of a plan (`validPart`) after each iceberg that it lacks was put where it
+     * costs least, the most uncertain first: at once, whatever the effort. */
+    void complete(FleetPlan plan);
+    /** `complete` from nothing. */
+    void startGreedily() { complete(FleetPlan(static_cast<std::size_t>(m_costs.uavs()))); }
     /** Goes down from the best plan to a local optimum. */
     void descend();
     /** Annealing from the best plan, so many times out and back, and a descent from what it finds.
@@ -54,6 +56,8 @@ private:
     void putBack(FleetPlan& plan, std::vector<int>& icebergs);
     void sortForPuttingBack(std::vector<int>& icebergs);
     void put(FleetPlan& plan, int iceberg, bool blink);
+    template <bool kWeighted>
+    void offerPlaces(const VisitOrder& order, int uav, int iceberg, bool blink, Place& best);
 
     const FleetCosts& m_costs;
     SearchEffort& m_effort;

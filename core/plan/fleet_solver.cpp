@@ -4,9 +4,13 @@
 #include "core/plan/engine.h"
 #include "core/plan/fleet_bound.h"
 #include "core/plan/fleet_costs.h"
+#include "core/plan/fleet_ranks.h"
 #include "core/plan/fleet_search.h"
 #include "core/plan/fleet_subsets.h"
-#include "core/plan/layered_graph.h"
+#include "core/plan/names.h"
+#ifdef BERG_WITH_CBC
+#include "core/plan/cbc_cover.h"
+#endif
 
 #include <algorithm>
 #include <limits>
@@ -22,10 +26,16 @@ constexpr std::int64_t kSearchShare = 4;
 constexpr std::int64_t kLeastTimes = 2000;
 /** Work of taking out and putting back, per iceberg. */
 constexpr std::int64_t kWorkOfTime = 50;
-/** Length of the first annealing, per iceberg; by measurement. */
+/** Length of the first annealing, per iceberg, without a hint and with one; by measurement. */
 constexpr std::int64_t kFirstTimes = 600;
+constexpr std::int64_t kFirstTimesFromHint = 100;
 
 constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max() / 4;
+
+std::int64_t firstTimes(const FleetOptions& options)
+{
+    return options.hint.empty() ? kFirstTimes : kFirstTimesFromHint;
+}
 
 /** One solve: local search and bound take turns. */
 class FleetEngine
@@ -57,15 +67,16 @@ public:
         m_search.take(*plan);
         return {.status = SolveStatus::Optimal,
                 .plan = *plan,
-                .work = fleetSubsetWork(m_costs.uavs(), m_costs.icebergs())};
+                .work = fleetSubsetWork(m_costs.uavs(), m_costs.icebergs()),
+                .backend = "exact"};
     }
 
-    FleetOutcome byEngine()
+    FleetOutcome byEngine(CoverFunction cover)
     {
         if (m_options.hint.empty())
             m_search.startGreedily();
         else
-            m_search.take(m_options.hint);
+            m_search.complete(m_options.hint);
         m_search.descend();
 
         const std::int64_t before = m_effort.work;
@@ -74,6 +85,7 @@ public:
             {.gap = m_options.gap,
              .workLimit = m_most - before,
              .memoryLimit_bytes = m_options.memoryLimit_bytes.value_or(kNoLimit),
+             .cover = cover,
              .cut = m_effort.cut,
              .onImproved =
                  [this](const FleetPlan& plan, double bound) {
@@ -103,12 +115,12 @@ private:
         const std::int64_t before = m_effort.work;
         m_effort.limit = before + most;
         const std::int64_t n = m_costs.icebergs();
-        std::int64_t times = kFirstTimes * n;
+        std::int64_t times = firstTimes(m_options) * n;
         if (m_searched) {
             times = (work / kSearchShare - (before - *m_searched)) / (kWorkOfTime * n);
             // Without a bound the search is all there is.
-            if (n >= NodeSet::kCapacity)
-                times = kFirstTimes * n;
+            if (!isBounded(m_costs))
+                times = firstTimes(m_options) * n;
         }
         if (times >= kLeastTimes || !m_searched)
             m_search.disturb(times);
@@ -188,27 +200,92 @@ bool subsetsSuffice(const FleetProblem& problem, const FleetOptions& options)
            bytes <= options.memoryLimit_bytes.value_or(bytes);
 }
 
+/** Of the back ends that must answer while someone waits. Without a proof to come, that of a few
+ * annealings. */
+std::int64_t ownEffort(const FleetProblem& problem, const FleetOptions& options)
+{
+    constexpr std::int64_t kAnnealings = 3;
+    const std::int64_t n = problem.icebergCount();
+    const std::int64_t responsive = responsiveEffort(problem.icebergCount());
+    return problem.criterion == Criterion::Latency
+               ? std::min(responsive, kAnnealings * firstTimes(options) * kWorkOfTime * n * n)
+               : responsive;
+}
+
+/** Distance does not count. */
+FleetOutcome byRanks(const FleetProblem& problem, const FleetOptions& options)
+{
+    const Stopwatch watch;
+    const std::int64_t n = problem.icebergCount();
+    FleetOutcome outcome{.status = SolveStatus::Optimal,
+                         .plan = bestRanks(problem, [&] { return options.stop.stop_requested(); }),
+                         .work = n * n * n * problem.uavCount(),
+                         .backend = "assignment"};
+    if (options.onProgress) {
+        const double value = fleetObjective(problem, outcome.plan);
+        options.onProgress({.plan = outcome.plan,
+                            .objective = value,
+                            .bound = value,
+                            .elapsed_s = watch.elapsed_s()});
+    }
+    return outcome;
+}
+
+CoverFunction coverOf(Backend backend)
+{
+    if (backend != Backend::Cbc)
+        return bestCover;
+#ifdef BERG_WITH_CBC
+    return bestCoverByCbc;
+#else
+    throw Error(ErrorCode::Unsupported, "backend cbc", "this build was made without COIN-OR CBC");
+#endif
+}
+
 FleetOutcome solveValid(const FleetProblem& problem, Backend backend, const FleetOptions& options)
 {
-    if (backend == Backend::Cbc)
-        return {.reason = StopReason::Unable, .plan = {}, .detail = "cbc plans for one UAV only"};
-    if (backend == Backend::Exact && problem.icebergCount() > kMostProvenByEngine)
+    if (backend == Backend::Cbc && problem.criterion == Criterion::Latency)
         return {.reason = StopReason::Unable,
                 .plan = {},
-                .detail = "exact proves plans of up to " + std::to_string(kMostProvenByEngine) +
-                          " icebergs"};
+                .detail = "the set partitioning is that of Eq. (1), not of latency"};
+    const bool mustProve = backend == Backend::Exact || backend == Backend::Cbc;
+    if (mustProve && problem.icebergCount() > kMostProvenByEngine)
+        return {.reason = StopReason::Unable,
+                .plan = {},
+                .detail = nameOf(kBackendNames, backend) + " proves plans of up to " +
+                          std::to_string(kMostProvenByEngine) + " icebergs"};
+    if (backend == Backend::Exact && problem.criterion == Criterion::Latency &&
+        problem.icebergCount() > kMostFleetSubsets)
+        return {.reason = StopReason::Unable,
+                .plan = {},
+                .detail = "exact proves latency plans of several UAVs up to " +
+                          std::to_string(kMostFleetSubsets) + " icebergs"};
     if (options.stop.stop_requested())
         return {.reason = StopReason::Cancelled, .plan = {}};
     if (problem.icebergCount() == 0)
         return {.status = SolveStatus::Optimal,
                 .plan = FleetPlan(static_cast<std::size_t>(problem.uavCount()))};
+    if (problem.mu == 0 && problem.criterion == Criterion::Visitation &&
+        problem.icebergCount() <= kMostProvenByEngine)
+        return byRanks(problem, options);
     std::optional<std::int64_t> effort;
-    if (backend != Backend::Exact)
-        effort = responsiveEffort(problem.icebergCount());
+    if (!mustProve)
+        effort = ownEffort(problem, options);
     FleetEngine engine(problem, options, effort);
-    if (backend != Backend::Heuristic && subsetsSuffice(problem, options))
+    const bool subsets = backend == Backend::Exact || backend == Backend::Auto;
+    if (subsets && subsetsSuffice(problem, options))
         return engine.bySubsets();
-    return engine.byEngine();
+    return engine.byEngine(coverOf(backend));
+}
+
+/** Of a hint; empty when there is none. */
+FleetPlan usablePart(const FleetProblem& problem, FleetPlan hint)
+{
+    if (static_cast<int>(hint.size()) != problem.uavCount())
+        return {};
+    hint = validPart(problem, std::move(hint));
+    const bool nothing = std::ranges::all_of(hint, &VisitOrder::empty);
+    return nothing ? FleetPlan{} : hint;
 }
 
 } // namespace
@@ -220,8 +297,7 @@ FleetOutcome solveFleet(const FleetProblem& problem, Backend backend, const Flee
     if (std::vector<Issue> issues = validate(problem); !issues.empty())
         throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
     FleetOptions checked = options;
-    if (!isFleetPlan(problem, options.hint))
-        checked.hint.clear();
+    checked.hint = usablePart(problem, std::move(checked.hint));
     FleetOutcome outcome = solveValid(problem, backend, checked);
     if (outcome.status != SolveStatus::None)
         outcome.objective = fleetObjective(problem, outcome.plan);
@@ -229,6 +305,9 @@ FleetOutcome solveFleet(const FleetProblem& problem, Backend backend, const Flee
         outcome.bound = outcome.objective;
     else if (outcome.bound)
         outcome.bound = std::min(*outcome.bound, outcome.objective);
+    if (outcome.backend.empty())
+        outcome.backend =
+            nameOf(kBackendNames, backend == Backend::Auto ? Backend::Heuristic : backend);
     outcome.elapsed_s = watch.elapsed_s();
     return outcome;
 }

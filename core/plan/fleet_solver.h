@@ -27,7 +27,9 @@ struct FleetOptions
     std::optional<std::int64_t> workLimit; ///< units of about 2 ns
     std::optional<std::int64_t> memoryLimit_bytes = 1'500'000'000;
     double gap = 0;
-    FleetPlan hint;       ///< warm start; ignored when not a valid plan
+    /** Warm start: what is valid of it (`validPart`), the rest put where it costs least. Ignored
+     * when it has not one order for each UAV or nothing is left of it. */
+    FleetPlan hint;
     std::stop_token stop; ///< checked at least every 10 ms
     std::function<void(const FleetProgress&)> onProgress;
 };
@@ -43,14 +45,19 @@ struct FleetOutcome
     double elapsed_s = 0;
     std::int64_t work = 0;
     bool hintUsed = false;
-    std::string detail; ///< why not, when unable
+    std::string backend = {};
+    std::string detail = {}; ///< why not, when unable
 };
 
 /**
  * Solves the problem by the fleet's counterpart of that back end, with the same promises about
  * status, limits and determinism as `TvpSolver::solve`. Up to 14 icebergs `Exact` and `Auto` use
  * dynamic programming over subsets; else a local search and a bound take turns: `Exact` until the
- * proof, `Auto` and `Heuristic` for about a second's work. `Cbc` is unable. A problem that
+ * proof, `Auto` and `Heuristic` for about a second's work. Latency has no bound: beyond 14 icebergs
+ * `Exact` is unable, and the other two search for some tenths of a second. `Cbc` is `Exact` without
+ * dynamic programming, with the orders that the bound leaves put together by CBC: a proof relies on
+ * our bound for what is left out. Unable for latency. At mu = 0
+ * an assignment is the proof (`bestRanks`), whatever the back end and the limits. A problem that
  * `validate` faults throws `Error{InvalidInput}`.
  */
 [[nodiscard]] FleetOutcome solveFleet(const FleetProblem& problem, Backend backend,

@@ -27,12 +27,14 @@ Set without(Set set, int iceberg)
 /**
  * Orders of one UAV. Every leg is charged for the sigma still ahead of it in the order, once more
  * for the first one: that makes sigma t, and what remains to be flown independent of the position.
+ * For latency that sigma is the leg's weight.
  */
 class SubsetOrders
 {
 public:
     SubsetOrders(const FleetCosts& costs, int uav)
         : m_costs(costs.of(uav))
+        , m_weighted(costs.weighted())
         , m_n(costs.icebergs())
         , m_sigma(std::size_t{1} << m_n, 0.0)
         , m_onwards(m_sigma.size() * static_cast<std::size_t>(m_n), kInfinity)
@@ -63,7 +65,7 @@ public:
     {
         if ((set & ~m_allowed) != 0)
             return kInfinity;
-        return set == 0 ? 0.0 : m_sigma[set] + cheapest(set, 0).cost;
+        return set == 0 ? 0.0 : cheapest(set, 0).cost + (m_weighted ? 0.0 : m_sigma[set]);
     }
     [[nodiscard]] VisitOrder order(Set set) const
     {
@@ -87,8 +89,9 @@ private:
         Step step;
         for (Set left = set; left != 0; left &= left - 1) {
             const int i = firstOf(left);
-            const double cost =
-                m_costs.leg(from, i) + m_sigma[set] + m_onwards[index(without(set, i), i)];
+            const double leg = m_costs.leg(from, i);
+            const double cost = (m_weighted ? leg * m_sigma[set] : leg + m_sigma[set]) +
+                                m_onwards[index(without(set, i), i)];
             if (cost < step.cost)
                 step = {cost, i};
         }
@@ -101,6 +104,7 @@ private:
     [[nodiscard]] double& onwards(Set set, int at) { return m_onwards[index(set, at)]; }
 
     const VisitCosts& m_costs;
+    bool m_weighted;
     int m_n;
     Set m_allowed = 0;
     std::vector<double> m_sigma;   ///< by set

@@ -78,7 +78,7 @@ LatencyCosts::LatencyCosts(const TvpProblem& problem)
     leastUnseen = unseenByLevel(*this);
 }
 
-double LatencyCosts::total(std::span<const int> order) const
+double LegTable::latency(std::span<const int> order) const
 {
     double length = 0;
     double sum = 0;

@@ -24,6 +24,8 @@ struct LegTable
 
     [[nodiscard]] double leg(int from, int to) const { return legs(to, from); }
     [[nodiscard]] double sigmaOf(int node) const { return sigma[static_cast<std::size_t>(node)]; }
+    /** Sum of the sigmas, each times the legs flown until there. */
+    [[nodiscard]] double latency(std::span<const int> order) const;
 
     int icebergs = 0;
     Eigen::MatrixXd legs;      ///< N x N, column = from, row = to, mu d; row 0 is the end of the
@@ -67,7 +69,7 @@ struct LatencyCosts : LegTable
     [[nodiscard]] int lastLevel() const { return last; }
     [[nodiscard]] static double visit(int /*node*/, int /*level*/) { return 0; }
     /** Sum of an order's costs: `objective`. */
-    [[nodiscard]] double total(std::span<const int> order) const;
+    [[nodiscard]] double total(std::span<const int> order) const { return latency(order); }
 
     double sigmaSum = 0;
     std::vector<int> steps; ///< N, at least 1; [0] is 0

@@ -2,6 +2,8 @@
 
 #include "core/plan/policy.h"
 
+#include <map>
+
 namespace berg {
 
 /**
@@ -26,19 +28,29 @@ public:
 
     /**
      * The order to fly now; empty only when no iceberg is available, or when cancelled. A policy
-     * that throws is as one that finds no order, with `failure` saying why.
+     * that throws is as one that finds no order, with `failure` saying why. Of several UAVs some
+     * may have nothing to fly; when none has, each falls back, and no two fly to one iceberg.
      * `warmStart` off keeps the last order from the solver (the fall-back still uses it).
      */
     [[nodiscard]] PlanAnswer plan(const PlanRequest& request, const SolveOptions& options,
                                   bool warmStart = true);
 
 private:
+    [[nodiscard]] PlanAnswer planOne(const PlanRequest& request, const SolveOptions& options,
+                                     bool warmStart);
+    [[nodiscard]] PlanAnswer planFleet(const PlanRequest& request, const SolveOptions& options,
+                                       bool warmStart);
+    /** Each UAV flies the rest of its last order, else to the nearest that no other one flies to.
+     * False when there is nothing to fly to. */
+    [[nodiscard]] bool fallBack(const PlanRequest& request, std::vector<UavAnswer>& answers) const;
+
     PlannerSettings m_settings;
     PolicyMaker m_maker;
     bool m_ownSolver = false;
     std::unique_ptr<TvpSolver> m_solver;
     std::unique_ptr<Policy> m_policy;
     std::vector<int> m_lastOrder;
+    std::map<int, std::vector<int>> m_lastOrders; ///< of several UAVs, by number
 };
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #include "core/plan/policy.h"
 
+#include "core/plan/fleet_policies.h"
 #include "core/plan/names.h"
 #include "core/plan/tuning.h"
 
@@ -356,7 +357,9 @@ VisitationProblem visitationProblem(const PlanRequest& request, Route route)
     return result;
 }
 
-std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings, const TvpSolver& solver)
+namespace {
+
+std::unique_ptr<Policy> makePolicyOfOne(const PlannerSettings& settings, const TvpSolver& solver)
 {
     switch (settings.policy) {
     case PolicyKind::Visitation:
@@ -379,6 +382,34 @@ std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings, const TvpSol
                     nameOf(kPolicyNames, settings.policy) + " is not flown by this version");
     }
     throw std::logic_error("makePolicy: unknown policy");
+}
+
+/** A policy for one UAV and its counterpart for several. */
+class OneOrFleet final : public Policy
+{
+public:
+    OneOrFleet(std::unique_ptr<Policy> one, std::unique_ptr<Policy> fleet)
+        : m_one(std::move(one)), m_fleet(std::move(fleet))
+    {
+    }
+
+    PlanAnswer plan(const PlanRequest& request, std::span<const int> lastRest,
+                    const SolveOptions& options) override
+    {
+        return (request.fleet.empty() ? *m_one : *m_fleet).plan(request, lastRest, options);
+    }
+
+private:
+    std::unique_ptr<Policy> m_one;
+    std::unique_ptr<Policy> m_fleet;
+};
+
+} // namespace
+
+std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings, const TvpSolver& solver)
+{
+    std::unique_ptr<Policy> one = makePolicyOfOne(settings, solver);
+    return std::make_unique<OneOrFleet>(std::move(one), makeFleetPolicy(settings, solver));
 }
 
 } // namespace berg

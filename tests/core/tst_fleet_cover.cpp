@@ -1,4 +1,7 @@
 #include "core/plan/fleet_cover.h"
+#if BERG_EXPECT_CBC
+#include "core/plan/cbc_cover.h"
+#endif
 #include "core/plan/fleet_subsets.h"
 #include "core/plan/ng_memory.h"
 #include "tests/support/fleet_rows.h"
@@ -34,13 +37,13 @@ struct Relaxed
     }
     /** Plans up to a thousandth above the optimum are below it. */
     [[nodiscard]] double slack() const { return 1.001 * optimum - bound; }
-    [[nodiscard]] double bestCost(double room) const
+    [[nodiscard]] double bestCost(double room, CoverFunction cover = bestCover) const
     {
         FleetOrders orders(costs.uavs(), costs.icebergs());
         for (const FleetGraph& graph : graphs)
             if (!orders.add(graph, lambda, room, 1'000'000, {}))
                 return -1;
-        const FleetCover result = bestCover(orders, room, 1'000'000'000, {});
+        const FleetCover result = cover(orders, room, 1'000'000'000, {});
         return result.complete && result.plan ? costs.total(*result.plan) : -1;
     }
 
@@ -65,7 +68,7 @@ class TestFleetCover : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void anyMultipliersGiveABound_data() { test::addFleetRows(); }
+    void anyMultipliersGiveABound_data() { test::addFleetRows(false); }
     void anyMultipliersGiveABound()
     {
         const FleetProblem problem = test::fetchedFleet(32, 3, 8);
@@ -86,7 +89,7 @@ private slots:
             }
     }
 
-    void theOptimumIsFound_data() { test::addFleetRows(); }
+    void theOptimumIsFound_data() { test::addFleetRows(false); }
     void theOptimumIsFound()
     {
         const FleetProblem problem = test::fetchedFleet(33, 3, 8);
@@ -112,6 +115,37 @@ private slots:
         relaxed.sweep();
         QVERIFY(std::abs(relaxed.bestCost(relaxed.slack()) - relaxed.optimum) <= margin);
     }
+
+#if BERG_EXPECT_CBC
+    /** CBC's partitioning is ours. */
+    void cbcAgrees_data()
+    {
+        test::addFleetRows(false);
+    }
+    void cbcAgrees()
+    {
+        const FleetProblem problem = test::fetchedFleet(33, 3, 8);
+        Relaxed relaxed(problem);
+        for (const double above : {1.001, 1.02}) {
+            const double room = above * relaxed.optimum - relaxed.bound;
+            QVERIFY(std::abs(relaxed.bestCost(room, bestCoverByCbc) - relaxed.optimum) <=
+                    kRounding * relaxed.optimum);
+        }
+        const double none = relaxed.optimum * (1 - 1e-6) - relaxed.bound;
+        QCOMPARE(relaxed.bestCost(none, bestCoverByCbc), -1.0);
+    }
+
+    void cbcEndsWhenCut()
+    {
+        const FleetProblem problem = test::randomFleet(35, 2, 8, 1);
+        const Relaxed relaxed(problem);
+        FleetOrders orders(2, 8);
+        QVERIFY(orders.add(relaxed.graphs[0], relaxed.lambda, relaxed.slack(), 100'000, {}));
+        const CutQuestion cut = [] { return true; };
+        QVERIFY(!bestCoverByCbc(orders, relaxed.slack(), 1'000'000, cut).complete);
+        QVERIFY(!bestCoverByCbc(orders, relaxed.slack(), 1, {}).complete);
+    }
+#endif
 
     void nothingBeatsTheOptimum()
     {

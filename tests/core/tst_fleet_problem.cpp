@@ -13,8 +13,7 @@ namespace {
 FleetProblem withOwner()
 {
     FleetProblem problem = test::randomFleet(1, 2, 4, 1);
-    problem.assignedTo = {FleetProblem::kAnyUav, FleetProblem::kAnyUav, FleetProblem::kAnyUav,
-                          FleetProblem::kAnyUav, 1};
+    test::assign(problem, 4, 1);
     return problem;
 }
 
@@ -31,7 +30,7 @@ private slots:
     void objectiveByVisitingNumbers()
     {
         FleetProblem problem = test::fetchedFleet(2, 3, 6);
-        problem.assignedTo.clear();
+        problem.allowed.clear();
         for (const FleetPlan& plan :
              {FleetPlan{{3, 1}, {2, 6, 4}, {5}}, FleetPlan{{}, {6, 5, 4, 3, 2, 1}, {}}})
             QVERIFY(test::sameObjective(problem, fleetObjective(problem, plan),
@@ -96,6 +95,12 @@ private slots:
             QVERIFY_EXCEPTION_THROWN((void)fleetObjective(withOwner(), plan), std::logic_error);
     }
 
+    void validPartOfAPlan()
+    {
+        QCOMPARE(validPart(withOwner(), {{4, 1, 9, 1}, {3, 0, 1}}), (FleetPlan{{1}, {3}}));
+        QCOMPARE(validPart(withOwner(), {{}, {4, 2}}), (FleetPlan{{}, {4, 2}}));
+    }
+
     void faultsAreNamed()
     {
         QVERIFY(validate(withOwner()).empty());
@@ -103,15 +108,17 @@ private slots:
         problem.distance_m[1](2, 3) = -1;
         problem.sigma_m2[2] = -5;
         problem.mu = std::numeric_limits<double>::quiet_NaN();
-        problem.assignedTo[3] = 2;
+        problem.allowed[0][3] = problem.allowed[1][3] = false;
         const std::vector<Issue> issues = validate(problem);
         QCOMPARE(issues.size(), std::size_t{4});
-        for (const char* field : {"uavs[1].distance_m[2][3]", "sigma[2]", "mu", "assigned_to[3]"})
+        for (const char* field : {"uavs[1].distance_m[2][3]", "sigma[2]", "mu", "allowed[][3]"})
             QVERIFY2(test::names(issues, field), field);
 
         problem = withOwner();
-        problem.assignedTo.pop_back();
-        QVERIFY(test::names(validate(problem), "assigned_to"));
+        problem.allowed[1].pop_back();
+        QVERIFY(test::names(validate(problem), "allowed"));
+        problem.allowed = {withOwner().allowed[0]};
+        QVERIFY(test::names(validate(problem), "allowed"));
         problem.distance_m.clear();
         QVERIFY(test::names(validate(problem), "uavs"));
     }

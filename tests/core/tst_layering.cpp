@@ -74,8 +74,9 @@ std::string thirdPartyFault(const std::string& file, const std::string& target)
     if (target.starts_with('Q') || target.starts_with("qt") || target.starts_with("ui_"))
         return "Qt belongs to widgets/ and app/";
     if (startsWithAny(target, {"Cbc", "Cgl", "Coin", "Clp", "Osi", "coin/"}) &&
-        file != "core/plan/cbc_solver.cpp")
-        return "COIN belongs to core/plan/cbc_solver.cpp";
+        !startsWithAny(
+            file, {"core/plan/cbc_solver.cpp", "core/plan/cbc_cover.cpp", "core/plan/cbc_coin.h"}))
+        return "COIN belongs to core/plan/cbc_solver, cbc_cover and cbc_coin";
     if (target.starts_with("nlohmann") && moduleOf(file) != "io")
         return "JSON belongs to core/io";
     if (target == "expat.h" && file != "core/io/xml_reader.cpp")

@@ -1,5 +1,6 @@
 #include "core/plan/planner.h"
 #include "tests/support/approx.h"
+#include "tests/support/fleet_requests.h"
 #include "tests/support/request_builder.h"
 #include "tests/support/test_solvers.h"
 
@@ -25,6 +26,54 @@ auto answering(const SolveOutcome& outcome)
     return [outcome](const TvpProblem&) { return outcome; };
 }
 
+/** What a `ScriptedPolicy` answers, and what it was asked. Of the process, because `PolicyMaker` is
+ * a plain function. */
+struct PolicyScript
+{
+    std::function<PlanAnswer(const PlanRequest&)> answer;
+    std::vector<PlanRequest> requests;
+};
+PolicyScript g_script;
+
+class ScriptedPolicy final : public Policy
+{
+public:
+    PlanAnswer plan(const PlanRequest& request, std::span<const int>, const SolveOptions&) override
+    {
+        g_script.requests.push_back(request);
+        return g_script.answer(request);
+    }
+};
+
+std::unique_ptr<Policy> makeScriptedPolicy(const PlannerSettings&, const TvpSolver&)
+{
+    return std::make_unique<ScriptedPolicy>();
+}
+
+/** UAVs 20 and 21 beside the icebergs of `five()`. */
+PlanRequest twoForFive()
+{
+    return fleetRequestOf({{0, 0}, {4000, 0}}, kFive);
+}
+
+std::vector<Ids> ordersOf(const PlanAnswer& answer)
+{
+    std::vector<Ids> orders;
+    for (const UavAnswer& uav : answer.fleet)
+        orders.push_back(uav.order);
+    return orders;
+}
+
+auto answeringFleet(const std::vector<Ids>& orders)
+{
+    return [orders](const PlanRequest&) {
+        PlanAnswer answer{.outcome = {.status = SolveStatus::Feasible}};
+        for (const Ids& order : orders)
+            answer.fleet.push_back({.order = order, .legs = {}, .outlook = {}});
+        return answer;
+    };
+}
+
 } // namespace
 
 class TestPlanner : public QObject
@@ -47,7 +96,11 @@ private:
     }
 
 private slots:
-    void init() { m_script = {}; }
+    void init()
+    {
+        m_script = {};
+        g_script = {};
+    }
 
     void theSolversOrderIsFlown()
     {
@@ -245,6 +298,112 @@ private slots:
         const PlanAnswer changed = planner.plan(five(), {});
         COMPARE_NEAR(changed.outcome.objective, bruteForce(changed.problem).objective, 1e-9);
         COMPARE_NEAR(changed.problem.mu, 0.2 * answer.problem.mu, 1e-12);
+    }
+
+    void fleetsStartFromTheirLastOrders()
+    {
+        Planner planner({}, nullptr, makeScriptedPolicy);
+        g_script.answer = answeringFleet({{10, 7, 5}, {42, 3}});
+        const PlanAnswer first = planner.plan(twoForFive(), {});
+        QVERIFY((ordersOf(first) == std::vector<Ids>{{10, 7, 5}, {42, 3}}));
+        QVERIFY(!first.fellBack);
+        QVERIFY(g_script.requests[0].fleet[0].lastRest.empty());
+
+        // The other way round, 10 in view, and 3 no longer for the second one.
+        PlanRequest next = withoutIceberg(twoForFive(), 10);
+        next.fleet[1].available[3] = false;
+        std::swap(next.fleet[0], next.fleet[1]);
+        (void)planner.plan(next, {});
+        QVERIFY((g_script.requests[1].fleet[0].lastRest == Ids{42}));
+        QVERIFY((g_script.requests[1].fleet[1].lastRest == Ids{7, 5}));
+        (void)planner.plan(next, {}, false);
+        QVERIFY(g_script.requests[2].fleet[0].lastRest.empty());
+    }
+
+    /** To what is left of the last orders, else to the nearest that no other one flies to. */
+    void fleetsFallBack_data()
+    {
+        QTest::addColumn<bool>("throws");
+        QTest::newRow("no order") << false;
+        QTest::newRow("failure") << true;
+    }
+    void fleetsFallBack()
+    {
+        QFETCH(bool, throws);
+        Planner planner({}, nullptr, makeScriptedPolicy);
+        const auto fail = [throws](const PlanRequest&) -> PlanAnswer {
+            if (throws)
+                throw std::runtime_error("out of order");
+            return {.outcome = {.status = SolveStatus::None, .reason = StopReason::TimeLimit}};
+        };
+        g_script.answer = fail;
+        const PlanAnswer first = planner.plan(twoForFive(), {});
+        QVERIFY((ordersOf(first) == std::vector<Ids>{{10}, {42}}));
+        QVERIFY(first.fellBack);
+        QCOMPARE(first.failure.empty(), !throws);
+
+        g_script.answer = answeringFleet({{7, 10, 3}, {}});
+        QVERIFY((ordersOf(planner.plan(twoForFive(), {})) == std::vector<Ids>{{7, 10, 3}, {}}));
+        g_script.answer = fail;
+        const PlanAnswer second = planner.plan(withoutIceberg(twoForFive(), 7), {});
+        QVERIFY((ordersOf(second) == std::vector<Ids>{{10, 3}, {42}}));
+        // Nothing is left for the second one.
+        PlanRequest busy = withoutUav(twoForFive(), 1);
+        QVERIFY((ordersOf(planner.plan(busy, {})) == std::vector<Ids>{{10, 3}, {}}));
+        busy = withoutUav(busy, 0);
+        const PlanAnswer none = planner.plan(busy, {});
+        QVERIFY((ordersOf(none) == std::vector<Ids>{{}, {}}));
+        QVERIFY(!none.fellBack);
+    }
+
+    void cancelledFleetsLeaveTheMemoryAsItWas()
+    {
+        Planner planner({}, nullptr, makeScriptedPolicy);
+        g_script.answer = answeringFleet({{7, 10}, {42, 3, 5}});
+        (void)planner.plan(twoForFive(), {});
+        g_script.answer = [](const PlanRequest&) {
+            return PlanAnswer{.outcome = {.reason = StopReason::Cancelled}};
+        };
+        QVERIFY(!planner.plan(twoForFive(), {}).fellBack);
+        (void)planner.plan(twoForFive(), {});
+        QVERIFY((g_script.requests.back().fleet[1].lastRest == Ids{42, 3, 5}));
+    }
+
+    /** Whatever a policy answers. */
+    void noTwoUavsFlyToOneIceberg()
+    {
+        Planner planner({}, nullptr, makeScriptedPolicy);
+        g_script.answer = answeringFleet({{7, 10}, {7, 42, 3}});
+        QVERIFY((ordersOf(planner.plan(twoForFive(), {})) == std::vector<Ids>{{7, 10}, {42, 3}}));
+        const PlanRequest later = withoutIceberg(twoForFive(), 7);
+        QVERIFY((ordersOf(planner.plan(later, {})) == std::vector<Ids>{{10}, {42, 3}}));
+    }
+
+    void membersOfClustersFollowInFleets()
+    {
+        Planner planner({}, nullptr, makeScriptedPolicy);
+        PlanRequest request = twoForFive();
+        request.clusters = {{10, 98, 99}, {42, 97}};
+        g_script.answer = answeringFleet({{7, 10}, {3}});
+        const PlanAnswer answer = planner.plan(request, {});
+        QVERIFY((ordersOf(answer) == std::vector<Ids>{{7, 10, 98, 99}, {3}}));
+        QVERIFY((answer.clusters == std::vector<Ids>{{10, 98, 99}}));
+        (void)planner.plan(request, {});
+        QVERIFY((g_script.requests.back().fleet[0].lastRest == Ids{7, 10}));
+    }
+
+    /** Flown on, each plan starts from the rest of the one before it. */
+    void fleetsAreReplannedWarm()
+    {
+        Planner planner({});
+        const PlanRequest all = randomFleetRequest(5, 3, 20);
+        PlanAnswer answer = planner.plan(all, {});
+        QVERIFY(!answer.outcome.hintUsed);
+        const PlanRequest next = withoutIceberg(all, answer.fleet[1].order.front());
+        const PlanAnswer warm = planner.plan(next, {});
+        QVERIFY(warm.outcome.hintUsed);
+        QVERIFY(warm.outcome.status == SolveStatus::Optimal);
+        COMPARE_NEAR(warm.outcome.objective, Planner({}).plan(next, {}).outcome.objective, 1e-9);
     }
 };
 

@@ -15,8 +15,20 @@ enum class FleetKind
     Plain,
     Unlike,   ///< airspeeds differ, and distances are asymmetric
     Assigned, ///< about a third of the icebergs belong to a UAV
-    Closed
+    Closed,
+    Latency, ///< the criterion; airspeeds differ, and some icebergs are not for all
 };
+
+/** The iceberg is for that UAV alone. */
+inline void assign(FleetProblem& problem, int iceberg, int owner)
+{
+    if (problem.allowed.empty())
+        problem.allowed.assign(problem.distance_m.size(),
+                               std::vector<bool>(problem.sigma_m2.size(), true));
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        problem.allowed[static_cast<std::size_t>(uav)][static_cast<std::size_t>(iceberg)] =
+            uav == owner;
+}
 
 /** Icebergs and starts anywhere in 5000 m x 4000 m, sigma 1 to 10 m^2; deterministic. */
 inline FleetProblem randomFleet(std::uint64_t seed, int uavs, int icebergs, double tau,
@@ -34,7 +46,7 @@ inline FleetProblem randomFleet(std::uint64_t seed, int uavs, int icebergs, doub
         Eigen::MatrixX2d own_m(icebergs + 1, 2);
         own_m << points_m.row(uav), points_m.bottomRows(icebergs);
         Eigen::MatrixXd distance_m = euclideanDistances(own_m);
-        if (kind == FleetKind::Unlike)
+        if (kind == FleetKind::Unlike || kind == FleetKind::Latency)
             for (Eigen::Index i = 0; i <= icebergs; ++i)
                 for (Eigen::Index j = 0; j <= icebergs; ++j)
                     distance_m(i, j) *= (1 + 0.3 * uav) * random.uniform(0.9, 1.3);
@@ -43,21 +55,34 @@ inline FleetProblem randomFleet(std::uint64_t seed, int uavs, int icebergs, doub
     problem.route = kind == FleetKind::Closed ? Route::Closed : Route::Open;
     if (kind == FleetKind::Assigned)
         for (int i = 0; i <= icebergs; ++i)
-            problem.assignedTo.push_back(
-                random.below(3) == 0
-                    ? static_cast<int>(random.below(static_cast<std::uint64_t>(uavs)))
-                    : FleetProblem::kAnyUav);
+            if (random.below(3) == 0)
+                assign(problem, i,
+                       static_cast<int>(random.below(static_cast<std::uint64_t>(uavs))));
+    if (kind == FleetKind::Latency) {
+        problem.criterion = Criterion::Latency;
+        if (uavs > 1 && icebergs > 2)
+            assign(problem, 2, 1);
+    }
     problem.mu = fleetTuningWeight(problem, euclideanDistances(points_m.topRows(uavs)), tau).mu;
     return problem;
 }
 
-/** F by the visiting numbers t_i, written otherwise than `fleetObjective`. */
+/** F by the visiting numbers t_i, or the latency leg by leg: written otherwise than
+ * `fleetObjective`. */
 inline double fleetCostByNumbers(const FleetProblem& problem, const FleetPlan& plan)
 {
     const std::size_t N = problem.sigma_m2.size();
     double cost = 0;
     for (std::size_t uav = 0; uav < plan.size(); ++uav) {
         const VisitOrder& order = plan[uav];
+        if (problem.criterion == Criterion::Latency) {
+            for (std::size_t k = 0; k < order.size(); ++k)
+                for (std::size_t later = k; later < order.size(); ++later)
+                    cost += problem.mu *
+                            problem.distance_m[uav](k == 0 ? 0 : order[k - 1], order[k]) *
+                            problem.sigma_m2[static_cast<std::size_t>(order[later])];
+            continue;
+        }
         for (std::size_t k = 0; k < order.size(); ++k) {
             cost -= problem.sigma_m2[static_cast<std::size_t>(order[k])] *
                     static_cast<double>(N - (k + 2));
@@ -77,9 +102,8 @@ inline double bruteForceFleet(const FleetProblem& problem, FleetPlan plan = {}, 
         return fleetCostByNumbers(problem, plan);
     double least = std::numeric_limits<double>::infinity();
     for (int uav = 0; uav < problem.uavCount(); ++uav) {
-        if (!problem.assignedTo.empty() &&
-            problem.assignedTo[static_cast<std::size_t>(iceberg)] != FleetProblem::kAnyUav &&
-            problem.assignedTo[static_cast<std::size_t>(iceberg)] != uav)
+        if (!problem.allowed.empty() &&
+            !problem.allowed[static_cast<std::size_t>(uav)][static_cast<std::size_t>(iceberg)])
             continue;
         VisitOrder& order = plan[static_cast<std::size_t>(uav)];
         for (std::size_t place = 0; place <= order.size(); ++place) {

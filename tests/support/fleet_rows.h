@@ -7,7 +7,7 @@
 namespace berg::test {
 
 /** Columns kind and tau of `fetchedFleet`, a row for each pair of them. */
-inline void addFleetRows()
+inline void addFleetRows(bool latency = true)
 {
     struct Named
     {
@@ -21,6 +21,8 @@ inline void addFleetRows()
           Named{FleetKind::Assigned, "assigned"}, Named{FleetKind::Closed, "closed"}})
         for (const double tau : {0.0, 0.5, 1.0, 3.0, 10.0})
             QTest::addRow("%s, tau %g", kind.name, tau) << static_cast<int>(kind.kind) << tau;
+    if (latency)
+        QTest::addRow("latency") << static_cast<int>(FleetKind::Latency) << 1.0;
 }
 
 inline FleetProblem fetchedFleet(std::uint64_t seed, int uavs, int icebergs)

@@ -1,0 +1,415 @@
+#include "core/plan/assignment.h"
+#include "core/plan/fleet_solver.h"
+#include "core/plan/names.h"
+#include "core/plan/policy.h"
+#include "tests/support/approx.h"
+#include "tests/support/fleet_requests.h"
+
+#include <array>
+#include <memory>
+#include <numeric>
+
+using namespace berg;
+using namespace berg::test;
+
+using Ids = std::vector<int>;
+using Orders = std::vector<Ids>;
+
+namespace {
+
+constexpr std::array kFlown{PolicyKind::Visitation, PolicyKind::Path,        PolicyKind::Tour,
+                            PolicyKind::Nearest,    PolicyKind::Uncertainty, PolicyKind::Latency};
+
+/** A policy with a solver of its own. */
+class Flown
+{
+public:
+    explicit Flown(const PlannerSettings& settings)
+        : m_solver(makeSolver(settings.backend)), m_policy(makePolicy(settings, *m_solver))
+    {
+    }
+    explicit Flown(PolicyKind kind) : Flown(PlannerSettings{.policy = kind}) {}
+
+    PlanAnswer plan(const PlanRequest& request, const SolveOptions& options = {})
+    {
+        return m_policy->plan(request, {}, options);
+    }
+
+private:
+    std::unique_ptr<TvpSolver> m_solver;
+    std::unique_ptr<Policy> m_policy;
+};
+
+Orders ordersOf(const PlanAnswer& answer)
+{
+    Orders orders;
+    for (const UavAnswer& uav : answer.fleet)
+        orders.push_back(uav.order);
+    return orders;
+}
+
+double lengthOf(const PlanRequest& request, const Orders& orders)
+{
+    double length_m = 0;
+    for (std::size_t k = 0; k < orders.size(); ++k)
+        length_m += pathLength_m(aloneOf(request, k), orders[k]);
+    return length_m;
+}
+
+/** What is wrong with an answer, whatever the policy; empty when nothing is. `round`: each order
+ * may hold what others hold, but the first. */
+QString faultOf(const PlanRequest& request, const PlanAnswer& answer, bool round)
+{
+    if (answer.fleet.size() != request.fleet.size())
+        return QStringLiteral("not one answer for each UAV");
+    if (!answer.order.empty() || !answer.legs.empty() || !answer.outcome.order.empty())
+        return QStringLiteral("an answer for one UAV");
+    std::set<int> firsts;
+    std::set<int> visited;
+    std::set<int> all;
+    for (std::size_t k = 0; k < answer.fleet.size(); ++k) {
+        const Ids& order = answer.fleet[k].order;
+        if (!order.empty() && !firsts.insert(order.front()).second)
+            return QStringLiteral("two to one iceberg");
+        std::set<int> own;
+        for (const int id : order) {
+            const auto node = static_cast<std::size_t>(nodeOf(request, id));
+            if (!request.fleet[k].available.at(node - 1))
+                return QStringLiteral("not available");
+            if (!own.insert(id).second || (!round && !visited.insert(id).second))
+                return QStringLiteral("one twice");
+        }
+        all.insert(own.begin(), own.end());
+    }
+    for (std::size_t k = 0; k < request.ids.size(); ++k) {
+        const bool some = std::ranges::any_of(
+            request.fleet, [k](const UavRequest& uav) { return uav.available[k]; });
+        if (some != all.contains(request.ids[k]) && !(round && !some))
+            return QStringLiteral("one left out");
+    }
+    if (std::abs(answer.distance_m - lengthOf(request, ordersOf(answer))) > 1e-6)
+        return QStringLiteral("wrong distance");
+    return {};
+}
+
+void addPolicyRows()
+{
+    QTest::addColumn<PolicyKind>("kind");
+    for (const PolicyKind kind : kFlown)
+        QTest::newRow(nameOf(kPolicyNames, kind).c_str()) << kind;
+}
+
+} // namespace
+
+/** What every policy does for a fleet, and what each one does. */
+class TestFleetPolicies : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void assignmentsAreTheCheapest()
+    {
+        Random random(5);
+        for (const int columns : {1, 3, 5}) {
+            for (int k = 0; k < 20; ++k) {
+                const int rows = std::min(3, columns);
+                Eigen::MatrixXd cost(rows, columns);
+                for (double& entry : cost.reshaped())
+                    entry = random.uniform(-5, 5);
+                const auto costOf = [&](const std::vector<int>& places) {
+                    double sum = 0;
+                    for (int row = 0; row < rows; ++row)
+                        sum += cost(row, places[static_cast<std::size_t>(row)]);
+                    return sum;
+                };
+                const std::vector<int> found = cheapestAssignment(cost);
+                QCOMPARE(std::set<int>(found.begin(), found.end()).size(),
+                         static_cast<std::size_t>(rows));
+                std::vector<int> places(static_cast<std::size_t>(columns));
+                std::iota(places.begin(), places.end(), 0);
+                do {
+                    QVERIFY(costOf(found) <= costOf(places) + 1e-12);
+                } while (std::next_permutation(places.begin(), places.end()));
+            }
+        }
+    }
+
+    void everyAnswerIsAPlan_data() { addPolicyRows(); }
+    void everyAnswerIsAPlan()
+    {
+        QFETCH(PolicyKind, kind);
+        struct Size
+        {
+            int uavs;
+            int icebergs;
+        };
+        Random random(3);
+        for (const Size size : {Size{2, 0}, Size{2, 1}, Size{4, 2}, Size{2, 7}, Size{3, 12}})
+            for (const double share : {1.0, 0.6, 0.2, 0.0}) {
+                const PlanRequest all = randomFleetRequest(7, size.uavs, size.icebergs, true);
+                const PlanRequest request = thinnedOut(all, random, share);
+                QCOMPARE(faultOf(request, Flown(kind).plan(request), kind == PolicyKind::Tour),
+                         QString());
+            }
+    }
+
+    /** One that remembers its routes, over a random walk of pictures. */
+    void everyAnswerIsAPlanInFlight_data() { addPolicyRows(); }
+    void everyAnswerIsAPlanInFlight()
+    {
+        QFETCH(PolicyKind, kind);
+        const PlanRequest all = randomFleetRequest(8, 3, 8);
+        Flown flown(kind);
+        Random random(4);
+        PlanRequest request = all;
+        for (int k = 0; k < 40; ++k) {
+            const PlanAnswer answer = flown.plan(request);
+            const bool part = kind == PolicyKind::Path || kind == PolicyKind::Tour;
+            const QString fault = faultOf(request, answer, part);
+            QVERIFY2(fault.isEmpty() || (part && fault == QStringLiteral("one left out")),
+                     qPrintable(fault));
+            // The next picture: one target is in view, and sometimes a UAV is out of service.
+            const Ids& order =
+                answer.fleet[static_cast<std::size_t>(random.below(answer.fleet.size()))].order;
+            request = order.empty() ? all : withoutIceberg(all, order.front());
+            if (random.below(4) == 0)
+                request = withoutUav(request, static_cast<std::size_t>(random.below(3)));
+        }
+    }
+
+    void answersRepeat_data() { addPolicyRows(); }
+    void answersRepeat()
+    {
+        QFETCH(PolicyKind, kind);
+        const PlanRequest request = randomFleetRequest(9, 3, 16, true);
+        const PlanAnswer first = Flown(kind).plan(request);
+        const PlanAnswer second = Flown(kind).plan(request);
+        QVERIFY(ordersOf(first) == ordersOf(second));
+        QCOMPARE(first.outcome.objective, second.outcome.objective);
+        QCOMPARE(first.outcome.work, second.outcome.work);
+    }
+
+    void oneUavOfTwoFliesAsIfAlone_data() { addPolicyRows(); }
+    void oneUavOfTwoFliesAsIfAlone()
+    {
+        QFETCH(PolicyKind, kind);
+        for (const std::size_t out : {0U, 1U}) {
+            const PlanRequest two = withoutUav(randomFleetRequest(10, 2, 7), out);
+            const PlanAnswer answer = Flown(kind).plan(two);
+            QVERIFY(answer.fleet[out].order.empty());
+            const PlanAnswer alone = Flown(kind).plan(aloneOf(two, 1 - out));
+            QVERIFY(answer.fleet[1 - out].order == alone.order);
+            COMPARE_NEAR(answer.outcome.objective, alone.outcome.objective,
+                         1e-9 * std::abs(alone.outcome.objective));
+            QVERIFY(answer.outcome.status == alone.outcome.status);
+        }
+    }
+
+    void cancelledAnswersAreEmpty_data() { addPolicyRows(); }
+    void cancelledAnswersAreEmpty()
+    {
+        QFETCH(PolicyKind, kind);
+        std::stop_source stop;
+        stop.request_stop();
+        const PlanRequest request = randomFleetRequest(11, 2, 6);
+        Flown flown(kind);
+        const PlanAnswer answer = flown.plan(request, {.stop = stop.get_token()});
+        QCOMPARE(answer.fleet.size(), std::size_t{2});
+        if (kind == PolicyKind::Nearest || kind == PolicyKind::Uncertainty)
+            return; // done before anyone could ask
+        QVERIFY(answer.outcome.reason == StopReason::Cancelled);
+        QVERIFY(answer.outcome.status == SolveStatus::None);
+        QVERIFY(answer.fleet[0].order.empty() && answer.fleet[1].order.empty());
+        QVERIFY(ordersOf(flown.plan(request)) == ordersOf(Flown(kind).plan(request)));
+    }
+
+    void limitsAreKept_data()
+    {
+        QTest::addColumn<PolicyKind>("kind");
+        for (const PolicyKind kind :
+             {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Latency})
+            QTest::newRow(nameOf(kPolicyNames, kind).c_str()) << kind;
+    }
+    void limitsAreKept()
+    {
+        QFETCH(PolicyKind, kind);
+        const PlanRequest request = randomFleetRequest(12, 3, 25);
+        const PlanAnswer answer = Flown(kind).plan(request, {.workLimit = 1000});
+        QCOMPARE(faultOf(request, answer, false), QString());
+        QVERIFY(answer.outcome.status == SolveStatus::Feasible);
+        QVERIFY(answer.outcome.reason == StopReason::WorkLimit);
+    }
+
+    void visitationIsWhatTheSolverSays()
+    {
+        const PlanRequest request = randomFleetRequest(13, 2, 6);
+        for (const Route route : {Route::Open, Route::Closed}) {
+            const PlanAnswer answer =
+                Flown(PlannerSettings{.tau = 0.7, .route = route}).plan(request);
+            FleetProblem problem{
+                .distance_m = {request.fleet[0].distance_m, request.fleet[1].distance_m},
+                .sigma_m2 = request.problem.sigma_m2,
+                .route = route};
+            problem.mu = fleetTuningWeight(problem, request.betweenUavs_m, 0.7).mu;
+            const FleetOutcome best = solveFleet(problem, Backend::Exact, {});
+            QCOMPARE(answer.outcome.objective, best.objective);
+            QCOMPARE(answer.gap.value(), 0.0);
+            QVERIFY(answer.outcome.status == SolveStatus::Optimal);
+            QCOMPARE(answer.outcome.backend, std::string("exact"));
+        }
+    }
+
+    /** mu is that of the UAVs and icebergs that have a part in the plan. */
+    void outsidersDoNotChangeThePlan()
+    {
+        const PlanRequest three = withoutUav(randomFleetRequest(14, 3, 6), 1);
+        PlanRequest two = three;
+        two.fleet.erase(two.fleet.begin() + 1);
+        two.betweenUavs_m = Eigen::MatrixXd(three.betweenUavs_m(Eigen::seq(0, 2, 2), //
+                                                                Eigen::seq(0, 2, 2)));
+        const PlanAnswer answer = Flown(PolicyKind::Visitation).plan(three);
+        const PlanAnswer expected = Flown(PolicyKind::Visitation).plan(two);
+        QCOMPARE(answer.outcome.objective, expected.outcome.objective);
+        QVERIFY(answer.fleet[2].order == expected.fleet[1].order);
+    }
+
+    /** Sum of sigma times arrival, which no single iceberg elsewhere lowers. */
+    void latencyIsInSquareMetreSeconds()
+    {
+        const PlanRequest request = randomFleetRequest(15, 2, 7);
+        const PlanAnswer answer = Flown(PolicyKind::Latency).plan(request);
+        double sum = 0;
+        for (std::size_t k = 0; k < 2; ++k)
+            for (std::size_t i = 0; i < answer.fleet[k].order.size(); ++i) {
+                const Ids& order = answer.fleet[k].order;
+                const Ids until(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+                sum +=
+                    pathLength_m(aloneOf(request, k), until) / request.speed_mps *
+                    request.problem.sigma_m2[static_cast<std::size_t>(nodeOf(request, order[i]))];
+            }
+        COMPARE_NEAR(answer.outcome.objective, sum, 1e-9 * sum);
+        QVERIFY(answer.outcome.status == SolveStatus::Optimal);
+        QVERIFY(!answer.fleet[0].order.empty() && !answer.fleet[1].order.empty());
+    }
+
+    /** UAVs at 0 and 10 km on a line, icebergs at 1, 2, 4 and 9 km. */
+    void greedyByHand()
+    {
+        const PlanRequest request = fleetRequestOf(
+            {{0, 0}, {10000, 0}},
+            {{1, {1000, 0}, 2}, {2, {2000, 0}, 5}, {4, {4000, 0}, 5}, {9, {9000, 0}, 1}});
+        QVERIFY((ordersOf(Flown(PolicyKind::Nearest).plan(request)) == Orders{{1, 2, 4}, {9}}));
+        // 2 to the first (2 km), 4 from there, 1 (from 4: 3 km), 9 to the second (1 km).
+        QVERIFY((ordersOf(Flown(PolicyKind::Uncertainty).plan(request)) == Orders{{2, 4, 1}, {9}}));
+        QVERIFY((ordersOf(Flown(PolicyKind::Path).plan(request)) == Orders{{1, 2, 4}, {9}}));
+    }
+
+    void pathIsKeptUntilItsEnd()
+    {
+        const PlanRequest all = fleetRequestOf(
+            {{0, 0}, {10000, 0}},
+            {{1, {1000, 0}, 2}, {2, {2000, 0}, 5}, {8, {8000, 0}, 5}, {9, {9000, 0}, 1}});
+        Flown path(PolicyKind::Path);
+        QVERIFY((ordersOf(path.plan(all)) == Orders{{1, 2}, {9, 8}}));
+        // A UAV whose part is flown waits for the others.
+        QVERIFY((ordersOf(path.plan(withoutIceberg(all, 1))) == Orders{{2}, {9, 8}}));
+        QVERIFY((ordersOf(path.plan(withoutIceberg(all, 2))) == Orders{{}, {9, 8}}));
+        QVERIFY((ordersOf(path.plan(withoutIceberg(all, 9))) == Orders{{}, {8}}));
+        const PlanAnswer again = path.plan(withoutIceberg(all, 8));
+        QVERIFY((ordersOf(again) == Orders{{1, 2}, {9}}));
+        QVERIFY(again.outcome.status == SolveStatus::Optimal);
+    }
+
+    /** A square of 8 icebergs, one UAV before each of two opposite sides' first corner. */
+    void tourSpreadsTheUavs()
+    {
+        const std::vector<Place> square{
+            {0, {0, 0}, 1},       {1, {1000, 0}, 1},    {2, {2000, 0}, 1}, {3, {2000, 1000}, 1},
+            {4, {2000, 2000}, 1}, {5, {1000, 2000}, 1}, {6, {0, 2000}, 1}, {7, {0, 1000}, 1}};
+        const PlanRequest all = fleetRequestOf({{2300, 2000}, {-300, 0}}, square);
+        Flown tour(PolicyKind::Tour);
+        const Orders orders = ordersOf(tour.plan(all));
+        QCOMPARE(orders[0].size(), std::size_t{8});
+        QCOMPARE(orders[0].front(), 4);
+        QCOMPARE(orders[1].front(), 0);
+        QCOMPARE(std::abs(orders[0][1] - 4), 1);
+        // The same direction: from 4 the other one comes to 0 after four.
+        QCOMPARE(orders[0][4], 0);
+        QCOMPARE(orders[1][4], 4);
+        COMPARE_NEAR(tour.plan(all).outcome.objective, 8000.0, 1e-6);
+
+        // The first one's target is seen: on to the next. The second one keeps its own.
+        const Orders next = ordersOf(tour.plan(withoutIceberg(all, 4)));
+        QCOMPARE(next[0].front(), orders[0][1]);
+        QCOMPARE(next[1].front(), 0);
+        // What only the other may visit is passed over.
+        PlanRequest barred = all;
+        barred.fleet[0].available[static_cast<std::size_t>(orders[0][1])] = false;
+        QCOMPARE(ordersOf(tour.plan(barred))[0].front(), orders[0][2]);
+    }
+
+    /** The rest of the last plan, mended where it no longer holds, is what the solve starts from.
+     */
+    void hintsAreMended()
+    {
+        PlanRequest request = randomFleetRequest(16, 3, 30);
+        Flown flown(PolicyKind::Visitation);
+        const PlanAnswer best = flown.plan(request);
+        QVERIFY(!best.outcome.hintUsed);
+        const Orders orders = ordersOf(best);
+        for (std::size_t k = 0; k < 3; ++k)
+            request.fleet[k].lastRest = orders[k];
+        const PlanAnswer same = flown.plan(request, {.workLimit = 1});
+        QVERIFY(same.outcome.hintUsed);
+        QVERIFY(ordersOf(same) == orders);
+
+        const int handed = orders[0].back();
+        request.fleet[0].available[static_cast<std::size_t>(nodeOf(request, handed) - 1)] = false;
+        request.fleet[1].lastRest.insert(request.fleet[1].lastRest.begin(), 4711);
+        const PlanAnswer mended = flown.plan(request, {.workLimit = 1});
+        QVERIFY(mended.outcome.hintUsed);
+        QCOMPARE(faultOf(request, mended, false), QString());
+        Orders rest = ordersOf(mended);
+        for (Ids& order : rest)
+            std::erase(order, handed);
+        Orders expected = orders;
+        expected[0].pop_back();
+        QVERIFY(rest == expected);
+    }
+
+    void progressIsInIds()
+    {
+        const PlanRequest request = withoutUav(randomFleetRequest(17, 3, 20), 1);
+        for (const bool alone : {false, true}) {
+            const PlanRequest asked = alone ? withoutUav(request, 2) : request;
+            std::vector<SolveProgress> reports;
+            SolveOptions options;
+            options.onProgress = [&](const SolveProgress& report) { reports.push_back(report); };
+            const PlanAnswer answer = Flown(PolicyKind::Visitation).plan(asked, options);
+            QVERIFY(!reports.empty());
+            for (const SolveProgress& report : reports) {
+                QVERIFY(report.order.empty());
+                PlanAnswer told = answer;
+                for (std::size_t k = 0; k < 3; ++k)
+                    told.fleet[k].order = report.fleet.at(k);
+                told.distance_m = lengthOf(asked, report.fleet);
+                QCOMPARE(faultOf(asked, told, false), QString());
+            }
+            QVERIFY(reports.back().fleet == ordersOf(answer));
+        }
+    }
+
+    void nothingUncertainMeansShortestPaths()
+    {
+        PlanRequest request = randomFleetRequest(18, 2, 6);
+        std::ranges::fill(request.problem.sigma_m2, 0.0);
+        const double length_m = Flown(PolicyKind::Path).plan(request).distance_m;
+        for (const PolicyKind kind : {PolicyKind::Visitation, PolicyKind::Latency})
+            COMPARE_NEAR(Flown(kind).plan(request).distance_m, length_m, 1e-6);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFleetPolicies)
+#include "tst_fleet_policies.moc"
