@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace berg {
 
@@ -102,8 +103,8 @@ class CoverageModel::Flight
 {
 public:
     Flight(const CoverageModel& model, CoverageState& state, int target,
-           std::vector<CoverageSighting>* sightings)
-        : m_model(model), m_state(state), m_target(target), m_sightings(sightings)
+           std::vector<CoverageSighting>* sightings, std::vector<CoverageView>* views)
+        : m_model(model), m_state(state), m_target(target), m_sightings(sightings), m_views(views)
     {
     }
 
@@ -186,7 +187,7 @@ private:
         const ViewAxes after = axesOf(m_model.m_window, end);
         m_from_s = m_state.time_s;
         const double to_s = m_from_s + dt_s;
-        m_end_s = std::min(to_s, m_model.m_horizon.length_s);
+        m_end_s = std::min(to_s, m_model.m_flightEnd_s);
         const auto crossing = [&](int iceberg) {
             return m_model.m_window.crossing(before.coordinates(m_model.place_m(iceberg, m_from_s)),
                                              after.coordinates(m_model.place_m(iceberg, to_s)));
@@ -207,20 +208,26 @@ private:
     {
         if (enter_s > m_end_s)
             return;
+        const double until_s = std::min(leave_s, m_end_s);
+        if (m_views)
+            m_views->push_back({.iceberg = iceberg, .enter_s = enter_s, .leave_s = until_s});
         CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(iceberg)];
+        m_state.cost_m2s += m_model.passOthers_m2s(iceberg, account, enter_s);
         const double unseen_s = enter_s - account.paid_s;
         if (unseen_s > kShortest_s) {
             m_state.cost_m2s += m_model.growth(iceberg, account, unseen_s).cost_m2s;
             if (m_sightings)
                 m_sightings->push_back({iceberg, enter_s});
         }
-        account = {.paid_s = std::min(leave_s, m_end_s), .sigma_m2 = 0};
+        account.paid_s = std::max(account.paid_s, until_s);
+        account.sigma_m2 = 0;
     }
 
     const CoverageModel& m_model;
     CoverageState& m_state;
     int m_target;
     std::vector<CoverageSighting>* m_sightings;
+    std::vector<CoverageView>* m_views;
     double m_from_s = 0;
     double m_end_s = 0;
     std::array<int, 48> m_near;
@@ -229,6 +236,7 @@ private:
 CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon)
     : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)) + doubt_m(picture))
     , m_horizon(horizon)
+    , m_flightEnd_s(std::min(horizon.length_s, horizon.flown_s))
     , m_uav(poseOf(picture.uav))
     , m_wind_mps(picture.motion.wind_mps)
     , m_speed_mps(picture.motion.airspeed_mps)
@@ -253,13 +261,47 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
     }
     m_all.resize(m_bergs.size());
     std::iota(m_all.begin(), m_all.end(), 0);
+    setOthers({});
+}
+
+void CoverageModel::setOthers(std::vector<CoverageView> views)
+{
+    m_isAlone = views.empty();
+    std::sort(views.begin(), views.end(), [](const CoverageView& a, const CoverageView& b) {
+        return std::pair(a.iceberg, a.enter_s) < std::pair(b.iceberg, b.enter_s);
+    });
+    m_others.clear();
+    m_firstOfOther.clear();
+    auto view = views.begin();
+    for (const int i : m_all) {
+        m_firstOfOther.push_back(m_others.size());
+        for (; view != views.end() && view->iceberg == i; ++view)
+            if (m_others.size() > m_firstOfOther.back() &&
+                view->enter_s <= m_others.back().leave_s + kShortest_s)
+                m_others.back().leave_s = std::max(m_others.back().leave_s, view->leave_s);
+            else if (view->enter_s < m_horizon.length_s && view->leave_s > kShortest_s)
+                m_others.push_back({.enter_s = view->enter_s, .leave_s = view->leave_s});
+        m_others.push_back({});
+        for (std::size_t k = m_others.size() - 1; k-- > m_firstOfOther.back();)
+            m_others[k].rest_m2s = restOf_m2s(i, {.paid_s = m_others[k].leave_s, .next = k + 1});
+    }
+}
+
+void CoverageModel::passOthers(CoverageState& state) const
+{
+    for (const int i : m_all)
+        state.cost_m2s +=
+            passOthers_m2s(i, state.accounts[static_cast<std::size_t>(i)], state.time_s);
 }
 
 CoverageState CoverageModel::start() const
 {
     CoverageState state{.uav = m_uav};
-    for (const Berg& berg : m_bergs)
-        state.accounts.push_back({.paid_s = 0, .sigma_m2 = berg.sigma_m2});
+    for (std::size_t i = 0; i < m_bergs.size(); ++i)
+        state.accounts.push_back(
+            {.paid_s = 0, .sigma_m2 = m_bergs[i].sigma_m2, .next = m_firstOfOther[i]});
+    if (!m_isAlone)
+        passOthers(state);
     return state;
 }
 
@@ -288,27 +330,26 @@ TangentTurn CoverageModel::turnOf(const CoverageState& state, const CoverageLeg&
 }
 
 bool CoverageModel::fly(CoverageState& state, const CoverageLeg& leg,
-                        std::vector<CoverageSighting>* sightings) const
+                        std::vector<CoverageSighting>* sightings,
+                        std::vector<CoverageView>* views) const
 {
     if (atEnd(state) || inView(state, leg.iceberg))
         return false;
     const double from_s = state.time_s;
     const TangentTurn turn = turnOf(state, leg);
-    Flight flight(*this, state, leg.iceberg, sightings);
+    Flight flight(*this, state, leg.iceberg, sightings, views);
     if (!flight.turn(turn))
         flight.straight(turn.length_m);
+    if (!m_isAlone)
+        passOthers(state);
     return state.time_s - from_s > kShortest_s;
 }
 
 double CoverageModel::total_m2s(const CoverageState& state) const
 {
     double cost_m2s = state.cost_m2s;
-    for (std::size_t i = 0; i < m_bergs.size(); ++i) {
-        const CoverageState::Account& account = state.accounts[i];
-        const Growth end =
-            growth(static_cast<int>(i), account, m_horizon.length_s - account.paid_s);
-        cost_m2s += end.cost_m2s + m_horizon.rest_s * end.sigma_m2;
-    }
+    for (const int i : m_all)
+        cost_m2s += restOf_m2s(i, state.accounts[static_cast<std::size_t>(i)]);
     return cost_m2s;
 }
 
@@ -317,7 +358,8 @@ double CoverageModel::costSoFar_m2s(const CoverageState& state) const
     double cost_m2s = state.cost_m2s;
     for (std::size_t i = 0; i < m_bergs.size(); ++i) {
         const CoverageState::Account& account = state.accounts[i];
-        cost_m2s += growth(static_cast<int>(i), account, state.time_s - account.paid_s).cost_m2s;
+        const double unseen_s = std::max(0.0, state.time_s - account.paid_s);
+        cost_m2s += growth(static_cast<int>(i), account, unseen_s).cost_m2s;
     }
     return cost_m2s;
 }
@@ -325,7 +367,7 @@ double CoverageModel::costSoFar_m2s(const CoverageState& state) const
 double CoverageModel::sigma_m2(const CoverageState& state, int iceberg) const
 {
     const CoverageState::Account& account = state.accounts[static_cast<std::size_t>(iceberg)];
-    return growth(iceberg, account, state.time_s - account.paid_s).sigma_m2;
+    return growth(iceberg, account, std::max(0.0, state.time_s - account.paid_s)).sigma_m2;
 }
 
 bool CoverageModel::inView(const CoverageState& state, int iceberg) const

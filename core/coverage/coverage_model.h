@@ -4,6 +4,8 @@
 #include "core/tracking/view_window.h"
 #include "core/vehicle/tangent_turn.h"
 
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace berg {
@@ -24,6 +26,7 @@ struct CoverageHorizon
 {
     double length_s = 0;
     double rest_s = 0; ///< each m2 of sigma at the end counts for so many seconds
+    double flown_s = std::numeric_limits<double>::infinity(); ///< the UAV flies no longer
 };
 
 /** The predicted flight at the end of a leg. In the air's frame, which the wind does not move. */
@@ -34,6 +37,7 @@ struct CoverageState
     {
         double paid_s = 0;
         double sigma_m2 = 0;
+        std::size_t next = 0; ///< the first view of other UAVs that is not accounted for
     };
 
     double time_s = 0; ///< since the picture
@@ -49,12 +53,24 @@ struct CoverageSighting
     double time_s = 0; ///< since the picture
 };
 
+/** An iceberg is in view of a UAV; times since the picture. */
+struct CoverageView
+{
+    int iceberg = 0;
+    double enter_s = 0;
+    double leave_s = 0;
+};
+
 /**
  * Predicts, in closed form, what flying a sequence of legs costs: each leg is a turn at the limit,
  * taken in arcs of a second and 12 degrees at most, and a straight line in one piece; every iceberg
  * that comes into view on the way counts, with the exact integral of its sigma between sightings.
  * The same flight as `Simulation` makes of a leg, but for the noise of the drift. Cost of a leg:
- * about 0.2 us and 10 ns for each iceberg. Immutable: one object serves several threads.
+ * about 0.2 us and 10 ns for each iceberg. Immutable but for `setOthers`: one object serves several
+ * threads.
+ *
+ * Of several UAVs each has a model. What a UAV sees depends on its own legs alone, so the others
+ * are a list of times at which icebergs are in view of theirs; costs are then those of the fleet.
  */
 class CoverageModel
 {
@@ -67,18 +83,22 @@ public:
     [[nodiscard]] const CoverageHorizon& horizon() const { return m_horizon; }
     [[nodiscard]] bool atEnd(const CoverageState& state) const
     {
-        return state.time_s >= m_horizon.length_s;
+        return state.time_s >= m_flightEnd_s;
     }
+
+    /** What other UAVs have in view meanwhile, in any order. Ends the use of all states. */
+    void setOthers(std::vector<CoverageView> views);
 
     [[nodiscard]] CoverageState start() const;
 
     /**
      * Flies one leg until its iceberg is in view, but to the horizon or abeam of the iceberg at
      * most. False when no time passes, because it is in view already. `sightings` gets what is
-     * seen.
+     * seen after it was not, `views` all that is in view, piece by piece.
      */
     bool fly(CoverageState& state, const CoverageLeg& leg,
-             std::vector<CoverageSighting>* sightings = nullptr) const;
+             std::vector<CoverageSighting>* sightings = nullptr,
+             std::vector<CoverageView>* views = nullptr) const;
 
     /** Predicted cost if nothing else were seen until the horizon, what comes after it included. */
     [[nodiscard]] double total_m2s(const CoverageState& state) const;
@@ -118,6 +138,14 @@ private:
     };
     class Flight;
 
+    /** One of other UAVs; the last one of each iceberg never comes. */
+    struct OtherView
+    {
+        double enter_s = std::numeric_limits<double>::infinity();
+        double leave_s = std::numeric_limits<double>::infinity();
+        double rest_m2s = 0; ///< from then on with nothing but the views after it
+    };
+
     /** sigma after `unseen_s` of an account, and its integral until then. */
     struct Growth
     {
@@ -137,6 +165,33 @@ private:
                 .cost_m2s = unseen_s * (account.sigma_m2 + grown_m2 / 2 + drifted_m2 / 3)};
     }
 
+    /** From now to the end of an account that nothing but the others' views change. */
+    [[nodiscard]] double restOf_m2s(int iceberg, const CoverageState::Account& account) const
+    {
+        const OtherView& next = m_others[account.next];
+        const bool isLast = next.enter_s >= m_horizon.length_s;
+        const Growth end =
+            growth(iceberg, account, (isLast ? m_horizon.length_s : next.enter_s) - account.paid_s);
+        return isLast ? end.cost_m2s + m_horizon.rest_s * end.sigma_m2
+                      : end.cost_m2s + next.rest_m2s;
+    }
+    /** Takes the others' views that have begun by then into the account; what that costs. */
+    double passOthers_m2s(int iceberg, CoverageState::Account& account, double time_s) const
+    {
+        double cost_m2s = 0;
+        while (m_others[account.next].enter_s <= time_s) {
+            const OtherView& view = m_others[account.next++];
+            if (view.enter_s > account.paid_s)
+                cost_m2s += growth(iceberg, account, view.enter_s - account.paid_s).cost_m2s;
+            if (view.leave_s > account.paid_s) {
+                account.paid_s = view.leave_s;
+                account.sigma_m2 = 0;
+            }
+        }
+        return cost_m2s;
+    }
+    void passOthers(CoverageState& state) const;
+
     [[nodiscard]] Point place_m(int iceberg, double time_s) const
     {
         const Berg& berg = m_bergs[static_cast<std::size_t>(iceberg)];
@@ -146,6 +201,7 @@ private:
 
     ViewWindow m_window;
     CoverageHorizon m_horizon;
+    double m_flightEnd_s;
     Pose m_uav;
     Point m_wind_mps;
     double m_speed_mps;
@@ -156,7 +212,10 @@ private:
     double m_sineOfArc;
     double m_fastest_mps = 0; ///< of the icebergs, through the air
     std::vector<Berg> m_bergs;
-    std::vector<int> m_all; ///< their indices
+    std::vector<int> m_all;                  ///< their indices
+    std::vector<OtherView> m_others;         ///< of one iceberg after the other, ascending
+    std::vector<std::size_t> m_firstOfOther; ///< of each iceberg
+    bool m_isAlone = true;                   ///< no other has anything in view
 };
 
 } // namespace berg

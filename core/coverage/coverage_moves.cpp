@@ -32,13 +32,14 @@ auto at(CoveragePlan& plan, std::size_t place)
 
 } // namespace
 
-CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random)
+CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random,
+                             const std::vector<bool>& allowed)
     : m_edge_m(model.largestOffset_m()), m_random(random)
 {
     for (int i = 0; i < model.icebergCount(); ++i) {
         std::vector<int> others;
         for (int j = 0; j < model.icebergCount(); ++j)
-            if (j != i)
+            if (j != i && (allowed.empty() || allowed[static_cast<std::size_t>(j)]))
                 others.push_back(j);
         std::stable_sort(others.begin(), others.end(), [&](int a, int b) {
             return model.between_m(i, a) < model.between_m(i, b);

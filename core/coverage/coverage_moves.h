@@ -9,8 +9,9 @@ namespace berg {
 class CoverageMoves
 {
 public:
-    /** Of plans for a model that has an iceberg at least. */
-    CoverageMoves(const CoverageModel& model, const Random& random);
+    /** Of plans for a model that has an iceberg at least, with legs to these: empty, all. */
+    CoverageMoves(const CoverageModel& model, const Random& random,
+                  const std::vector<bool>& allowed = {});
 
     /**
      * Changes a plan that has legs: an offset, or a leg added, removed, replaced, moved or
@@ -33,7 +34,8 @@ private:
     [[nodiscard]] double anyOffset_m();
     [[nodiscard]] double nearOffset_m(double offset_m);
 
-    std::vector<std::vector<int>> m_neighbours; ///< of each iceberg all others, nearest first
+    std::vector<std::vector<int>>
+        m_neighbours; ///< of each iceberg all allowed others, nearest first
     double m_edge_m;
     Random m_random;
 };

@@ -1,5 +1,7 @@
 #include "core/coverage/coverage_policy.h"
 
+#include "core/coverage/coverage_effort.h"
+#include "core/coverage/coverage_fleet.h"
 #include "core/coverage/coverage_search.h"
 #include "core/coverage/described_plan.h"
 #include "core/plan/tuning.h"
@@ -11,47 +13,16 @@ namespace berg {
 
 namespace {
 
-/** Work of the first plan, and of each one after it: about 200 ms and 5 ms. */
-constexpr std::int64_t kFirstWork = 8'000'000;
-constexpr std::int64_t kNextWork = 200'000;
-/** Of the first work, for each plan to start from; the best of them gets the rest. */
-constexpr double kShareOfStart = 0.15;
-/** For each order to start from, in the solver's units. */
-constexpr std::int64_t kOrderWork = 5'000'000;
-/** Temperature at which searches begin, of the predicted cost. */
-constexpr double kHeat = 0.0008;
-
-/** Up to this is judged as a whole; of longer runs a part, and what it leaves. */
-constexpr double kWhole_s = 1000;
-constexpr CoverageHorizon kPart{.length_s = 800, .rest_s = 25};
-
-CoverageHorizon horizonOf(const FlightPicture& picture)
-{
-    const double left_s = picture.until_s - picture.time_s;
-    return left_s <= kWhole_s ? CoverageHorizon{.length_s = left_s} : kPart;
-}
-
 CoverageSearch searchFor(const CoverageModel& model, const FlightPicture& picture)
 {
     const std::uint64_t stream = stableHash("coverage") + static_cast<std::uint64_t>(picture.step);
     return CoverageSearch(model, Random(picture.seed, stream));
 }
 
-/** Straight at the icebergs in this order (nodes 1 ..), so many times. */
-CoveragePlan straightPlan(const VisitOrder& order, int rounds)
-{
-    CoveragePlan plan;
-    for (int round = 0; round < rounds; ++round)
-        for (const int node : order)
-            plan.push_back({.iceberg = node - 1, .offset_m = 0});
-    return plan;
-}
-
 /** Greedy, the paper's order, that of least waiting, and the shortest tour, either way round. */
 std::vector<CoveragePlan> firstPlans(const PlanRequest& request, const SolveOptions& limits)
 {
     constexpr double kTau = 1;
-    constexpr int kRounds = 20; // more than a horizon holds, as a rule; greedy legs follow
     const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
     TvpProblem problem = request.problem;
     problem.route = Route::Open;
@@ -131,22 +102,14 @@ public:
                     const SolveOptions& options) override;
 
 private:
-    /** A leg with the id of its iceberg, which stays the same in flight. */
-    struct KeptLeg
-    {
-        int id = -1;
-        double offset_m = 0;
-    };
-
     [[nodiscard]] static CoverageResult first(CoverageSearch& search, const PlanRequest& request,
                                               const SolveOptions& options, const SolveWatch& watch);
     [[nodiscard]] CoverageResult next(CoverageSearch& search, const PlanRequest& request,
                                       bool warmStart, const SolveOptions& options,
                                       const SolveWatch& watch) const;
-    [[nodiscard]] CoveragePlan rest(const PlanRequest& request) const;
-    void keep(const PlanRequest& request, const CoveragePlan& plan);
 
-    std::vector<KeptLeg> m_last; ///< the plan that is flown; empty: none yet
+    KeptPlan m_last; ///< the plan that is flown; empty: none yet
+    CoverageFleet m_fleet;
 };
 
 CoverageResult CoveragePolicy::first(CoverageSearch& search, const PlanRequest& request,
@@ -173,38 +136,11 @@ CoverageResult CoveragePolicy::next(CoverageSearch& search, const PlanRequest& r
 {
     CoverageResult start = search.completed({});
     if (warmStart) {
-        CoverageResult warm = search.completed(rest(request));
+        CoverageResult warm = search.completed(restOf(m_last, request.ids));
         if (warm.total_m2s <= start.total_m2s)
             start = std::move(warm);
     }
     return search.improved(start, options.workLimit.value_or(kNextWork), kHeat, watch);
-}
-
-/** The last plan; legs to icebergs that have come into view since are dropped when flown. */
-CoveragePlan CoveragePolicy::rest(const PlanRequest& request) const
-{
-    CoveragePlan plan;
-    for (const KeptLeg& leg : m_last) {
-        const auto it = std::find(request.ids.begin(), request.ids.end(), leg.id);
-        if (it != request.ids.end())
-            plan.push_back(
-                {.iceberg = static_cast<int>(it - request.ids.begin()), .offset_m = leg.offset_m});
-    }
-    return plan;
-}
-
-void CoveragePolicy::keep(const PlanRequest& request, const CoveragePlan& plan)
-{
-    m_last.clear();
-    for (const CoverageLeg& leg : plan)
-        m_last.push_back(
-            {.id = request.ids[static_cast<std::size_t>(leg.iceberg)], .offset_m = leg.offset_m});
-}
-
-bool isWeighted(const FlightPicture& picture)
-{
-    return std::any_of(picture.weights.begin(), picture.weights.end(),
-                       [](double weight) { return weight != 1; });
 }
 
 /** The plan was found with weights; zeta, which it is predicted to come to, has none. */
@@ -222,6 +158,8 @@ PlanAnswer unweightedAnswer(const PlanRequest& request, const CoverageResult& fo
 PlanAnswer CoveragePolicy::plan(const PlanRequest& request, std::span<const int> lastRest,
                                 const SolveOptions& options)
 {
+    if (!request.fleet.empty())
+        return m_fleet.plan(request, options);
     require(request.picture != nullptr, "CoveragePolicy: the request has no picture of the flight");
     const Stopwatch clock;
     const SolveWatch watch(options);
@@ -245,7 +183,7 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, std::span<const int>
         answer.outcome.reason = cut.value_or(StopReason::WorkLimit);
         answer.outcome.work = search.work();
         answer.outcome.hintUsed = warmStart && !m_last.empty();
-        keep(request, found.plan);
+        m_last = keptPlan(found.plan, request.ids);
     }
     answer.outcome.status = SolveStatus::Feasible;
     answer.outcome.backend = "coverage";

@@ -9,8 +9,6 @@ namespace berg {
 
 namespace {
 
-/** A leg costs as much as so many icebergs before it looks at any. */
-constexpr std::int64_t kWorkOfLeg = 20;
 constexpr std::size_t kMostLegs = 2000;
 /** Steps between questions to the watch: some 0.2 ms. */
 constexpr int kStepsPerLook = 32;
@@ -21,8 +19,12 @@ constexpr double kHope = 0.03;
 
 } // namespace
 
-CoverageSearch::CoverageSearch(const CoverageModel& model, const Random& random)
-    : m_model(model), m_moves(model, random), m_start(model.start())
+CoverageSearch::CoverageSearch(const CoverageModel& model, const Random& random,
+                               CoverageLimits limits)
+    : m_model(model)
+    , m_limits(std::move(limits))
+    , m_moves(model, random, m_limits.any)
+    , m_start(model.start())
 {
 }
 
@@ -34,6 +36,7 @@ CoverageResult CoverageSearch::completed(const CoveragePlan& plan)
 
 void CoverageSearch::load(const CoveragePlan& plan)
 {
+    m_start = m_model.start(); // what others see may have changed
     m_now = {};
     m_candidate = plan;
     flyTail(0, std::numeric_limits<double>::infinity());
@@ -46,18 +49,35 @@ CoverageResult CoverageSearch::improved(const CoverageResult& start, std::int64_
     load(start.plan);
     CoverageResult best = start;
     tell(best);
-    const double hottest_m2s = heat * m_now.total_m2s;
-    const std::int64_t begin = m_work;
+    anneal({.begin = m_work, .end = untilWork, .hottest_m2s = heat * m_now.total_m2s}, untilWork,
+           watch, best);
+    return best;
+}
+
+CoverageResult CoverageSearch::annealed(const CoveragePlan& now, const CoverageCooling& cooling,
+                                        std::int64_t untilWork, const SolveWatch& watch,
+                                        CoverageResult& best)
+{
+    load(now);
+    if (m_now.total_m2s < best.total_m2s)
+        best = {.plan = m_now.legs, .total_m2s = m_now.total_m2s};
+    anneal(cooling, untilWork, watch, best);
+    return {.plan = m_now.legs, .total_m2s = m_now.total_m2s};
+}
+
+void CoverageSearch::anneal(const CoverageCooling& cooling, std::int64_t untilWork,
+                            const SolveWatch& watch, CoverageResult& best)
+{
     for (int step = 0; m_work < untilWork && !m_now.legs.empty(); ++step) {
         if (step % kStepsPerLook == 0 && watch.cut())
             break;
-        const double left =
-            static_cast<double>(untilWork - m_work) / static_cast<double>(untilWork - begin);
+        const double left = static_cast<double>(cooling.end - m_work) /
+                            static_cast<double>(cooling.end - cooling.begin);
         m_candidate = m_now.legs;
         const std::size_t from = m_moves.change(m_candidate);
         // Metropolis: the chance is drawn first, so that the flight can end when it is missed.
         const double worse_m2s =
-            -hottest_m2s * (left * left + kCool) * std::log(1 - m_moves.uniform());
+            -cooling.hottest_m2s * (left * left + kCool) * std::log(1 - m_moves.uniform());
         ++m_work;
         if (!flyTail(from, m_now.total_m2s + worse_m2s))
             continue;
@@ -67,7 +87,6 @@ CoverageResult CoverageSearch::improved(const CoverageResult& start, std::int64_
             tell(best);
         }
     }
-    return best;
 }
 
 void CoverageSearch::tell(const CoverageResult& better)
@@ -93,9 +112,13 @@ bool CoverageSearch::flyTail(std::size_t from, double limit_m2s)
     };
     while (!m_model.atEnd(reached()) && m_tail.legs.size() < kMostLegs) {
         const bool planned = next < m_candidate.size();
-        const std::optional<CoverageLeg> leg = planned ? m_candidate[next++] : greedyLeg(reached());
+        const bool isFirst = from + m_tail.legs.size() == 0;
+        const std::optional<CoverageLeg> leg =
+            planned ? m_candidate[next++] : greedyLeg(reached(), isFirst);
         if (!leg)
             break;
+        if (planned && !mayFly(leg->iceberg, isFirst))
+            continue;
         if (addToTail(reached(), *leg)) {
             if (hopeless(limit_m2s, place))
                 return false;
@@ -162,14 +185,21 @@ void CoverageSearch::accept(std::size_t from)
     m_now.total_m2s = m_tail.total_m2s;
 }
 
+bool CoverageSearch::mayFly(int iceberg, bool isFirst) const
+{
+    const auto i = static_cast<std::size_t>(iceberg);
+    return (m_limits.any.empty() || m_limits.any[i]) &&
+           (!isFirst || m_limits.first.empty() || m_limits.first[i]);
+}
+
 /** The largest sigma for its way; none when every iceberg is in view. */
-std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state) const
+std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state, bool isFirst) const
 {
     constexpr double kShortestWay_m = 50;
     std::optional<CoverageLeg> best;
     double bestScore = -1;
     for (int i = 0; i < m_model.icebergCount(); ++i) {
-        if (m_model.inView(state, i))
+        if (m_model.inView(state, i) || !mayFly(i, isFirst))
             continue;
         const double way_m =
             std::max(kShortestWay_m, m_model.distance_m(state, i) - m_model.largestOffset_m());

@@ -18,6 +18,21 @@ struct CoverageResult
     double total_m2s = 0; ///< predicted, see `CoverageModel::total_m2s`
 };
 
+/** To which icebergs plans may have legs; each empty: to all. */
+struct CoverageLimits
+{
+    std::vector<bool> any;   ///< at all
+    std::vector<bool> first; ///< first of all
+};
+
+/** How an annealing cools down, in work. */
+struct CoverageCooling
+{
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+    double hottest_m2s = 0; ///< at the beginning
+};
+
 /**
  * Improves plans by simulated annealing over the legs and their offsets. Effort is counted in work,
  * so that the same work gives the same plan on every machine: a leg predicted is 20 units and one
@@ -26,7 +41,10 @@ struct CoverageResult
 class CoverageSearch
 {
 public:
-    CoverageSearch(const CoverageModel& model, const Random& random);
+    /** A leg costs as much as so many icebergs before it looks at any. */
+    static constexpr std::int64_t kWorkOfLeg = 20;
+
+    CoverageSearch(const CoverageModel& model, const Random& random, CoverageLimits limits = {});
 
     /** The plan flown to the horizon: legs without use left out, greedy ones added at its end. */
     [[nodiscard]] CoverageResult completed(const CoveragePlan& plan);
@@ -37,6 +55,17 @@ public:
      */
     [[nodiscard]] CoverageResult improved(const CoverageResult& start, std::int64_t untilWork,
                                           double heat, const SolveWatch& watch);
+
+    /**
+     * Part of an annealing: goes on from `now` until `work()` comes to `untilWork`. `best` is
+     * replaced by what costs less. Returns where it has come to.
+     */
+    [[nodiscard]] CoverageResult annealed(const CoveragePlan& now, const CoverageCooling& cooling,
+                                          std::int64_t untilWork, const SolveWatch& watch,
+                                          CoverageResult& best);
+
+    /** To which icebergs the first leg may go from now on; empty: to all. */
+    void setFirst(std::vector<bool> first) { m_limits.first = std::move(first); }
 
     [[nodiscard]] std::int64_t work() const { return m_work; }
 
@@ -57,6 +86,8 @@ private:
     };
 
     void load(const CoveragePlan& plan);
+    void anneal(const CoverageCooling& cooling, std::int64_t untilWork, const SolveWatch& watch,
+                CoverageResult& best);
     [[nodiscard]] const CoverageState& stateBefore(std::size_t leg) const
     {
         return leg == 0 ? m_start : m_now.states[leg - 1];
@@ -65,10 +96,13 @@ private:
     bool addToTail(const CoverageState& before, const CoverageLeg& leg);
     void tell(const CoverageResult& better);
     [[nodiscard]] bool hopeless(double limit_m2s, std::size_t& place) const;
-    [[nodiscard]] std::optional<CoverageLeg> greedyLeg(const CoverageState& state) const;
+    [[nodiscard]] bool mayFly(int iceberg, bool isFirst) const;
+    [[nodiscard]] std::optional<CoverageLeg> greedyLeg(const CoverageState& state,
+                                                       bool isFirst) const;
     void accept(std::size_t from);
 
     const CoverageModel& m_model;
+    CoverageLimits m_limits;
     CoverageMoves m_moves;
     std::int64_t m_work = 0;
     std::function<void(const CoverageResult&)> m_listener;

@@ -1,0 +1,57 @@
+#include "core/coverage/coverage_effort.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+/** Up to this is judged as a whole; of longer runs a part, and what it leaves. */
+constexpr double kWhole_s = 1000;
+constexpr CoverageHorizon kPart{.length_s = 800, .rest_s = 25};
+
+} // namespace
+
+CoverageHorizon horizonOf(const FlightPicture& picture)
+{
+    const double left_s = picture.until_s - picture.time_s;
+    return left_s <= kWhole_s ? CoverageHorizon{.length_s = left_s} : kPart;
+}
+
+bool isWeighted(const FlightPicture& picture)
+{
+    return std::any_of(picture.weights.begin(), picture.weights.end(),
+                       [](double weight) { return weight != 1; });
+}
+
+CoveragePlan straightPlan(const VisitOrder& order, int rounds)
+{
+    CoveragePlan plan;
+    for (int round = 0; round < rounds; ++round)
+        for (const int node : order)
+            plan.push_back({.iceberg = node - 1, .offset_m = 0});
+    return plan;
+}
+
+KeptPlan keptPlan(const CoveragePlan& plan, std::span<const int> ids)
+{
+    KeptPlan kept;
+    for (const CoverageLeg& leg : plan)
+        kept.push_back(
+            {.id = ids[static_cast<std::size_t>(leg.iceberg)], .offset_m = leg.offset_m});
+    return kept;
+}
+
+CoveragePlan restOf(const KeptPlan& plan, std::span<const int> ids)
+{
+    CoveragePlan rest;
+    for (const KeptLeg& leg : plan) {
+        const auto it = std::find(ids.begin(), ids.end(), leg.id);
+        if (it != ids.end())
+            rest.push_back(
+                {.iceberg = static_cast<int>(it - ids.begin()), .offset_m = leg.offset_m});
+    }
+    return rest;
+}
+
+} // namespace berg

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/coverage/coverage_model.h"
+#include "core/plan/tvp.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace berg {
+
+// How much the policy `coverage` does, and from what it starts; the same for one UAV and several.
+
+/** Work of the first plan, and of each one after it: about 200 ms and 5 ms. */
+inline constexpr std::int64_t kFirstWork = 8'000'000;
+inline constexpr std::int64_t kNextWork = 200'000;
+/** Of the first work, for each plan to start from; the best of them gets the rest. */
+inline constexpr double kShareOfStart = 0.15;
+/** For each order to start from, in the solver's units. */
+inline constexpr std::int64_t kOrderWork = 5'000'000;
+/** Temperature at which searches begin, of the predicted cost. */
+inline constexpr double kHeat = 0.0008;
+/** Rounds of a tour: more than a horizon holds, as a rule; greedy legs follow. */
+inline constexpr int kRounds = 20;
+
+/** Up to the end of the run, or of a long one a part. */
+[[nodiscard]] CoverageHorizon horizonOf(const FlightPicture& picture);
+
+[[nodiscard]] bool isWeighted(const FlightPicture& picture);
+
+/** Straight at the icebergs in this order (nodes 1 ..), so many times. */
+[[nodiscard]] CoveragePlan straightPlan(const VisitOrder& order, int rounds);
+
+/** A leg with the id of its iceberg, which stays the same in flight. */
+struct KeptLeg
+{
+    int id = -1;
+    double offset_m = 0;
+};
+
+using KeptPlan = std::vector<KeptLeg>;
+
+[[nodiscard]] KeptPlan keptPlan(const CoveragePlan& plan, std::span<const int> ids);
+
+/**
+ * A plan of before, for the icebergs there are now; legs to those that have come into view since
+ * are dropped when flown.
+ */
+[[nodiscard]] CoveragePlan restOf(const KeptPlan& plan, std::span<const int> ids);
+
+} // namespace berg
