@@ -39,6 +39,10 @@ std::string curveTable(const CurveReport& report)
 int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
 {
     const Scenario scenario = loadScenario(arguments.file);
+    if (scenario.uavs.size() > 1)
+        throw Error(ErrorCode::Unsupported, arguments.file,
+                    "uavs: the curve is for one UAV, there are " +
+                        std::to_string(scenario.uavs.size()));
     printWarnings(arguments.file, validate(scenario));
     const Mission mission(scenario, {.record = false});
     const PlanRequest request = mission.simulation().clusteredRequest();

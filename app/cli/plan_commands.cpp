@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "core/io/fleet_result.h"
 #include "core/io/problem_json.h"
 #include "core/io/result_json.h"
 #include "core/io/scenario_json.h"
@@ -65,14 +66,24 @@ SolveOptions optionsOf(const SolveArguments& arguments, const std::stop_token& s
             .stop = stop};
 }
 
+std::string provenWords(SolveStatus status, std::optional<double> gap)
+{
+    if (status == SolveStatus::Optimal)
+        return "proven optimal";
+    return gap ? "within " + fixed(100 * *gap, 2) + " % of optimal" : "not proven, no bound";
+}
+
 std::string solverWords(const TvpProblem& problem, const SolveOutcome& outcome)
 {
-    if (outcome.status == SolveStatus::Optimal)
-        return "proven optimal";
-    if (!outcome.bound)
-        return "not proven, no bound";
-    const double gap = relativeGap(problem, outcome.objective, *outcome.bound);
-    return "within " + fixed(100 * gap, 2) + " % of optimal";
+    std::optional<double> gap;
+    if (outcome.bound)
+        gap = relativeGap(problem, outcome.objective, *outcome.bound);
+    return provenWords(outcome.status, gap);
+}
+
+std::string noPlan(const SolveOutcome& outcome)
+{
+    return "No plan: " + (outcome.detail.empty() ? "a limit came first" : outcome.detail) + '\n';
 }
 
 /** "cbc" or, when it matters, "cbc (reduced)". */
@@ -135,8 +146,7 @@ void printReport(const SolveReport& report, bool json)
     }
     const SolveOutcome& outcome = report.outcome;
     if (outcome.status == SolveStatus::None) {
-        print("No plan: " + (outcome.detail.empty() ? "a limit came first" : outcome.detail) +
-              '\n');
+        print(noPlan(outcome));
         return;
     }
     std::string text = "order     ";
@@ -159,12 +169,17 @@ void printReport(const SolveReport& report, bool json)
     print(text);
 }
 
+void checkOutcome(const SolveOutcome& outcome, const std::string& file)
+{
+    if (outcome.reason == StopReason::Cancelled)
+        throw Interrupted{};
+    if (outcome.reason == StopReason::Unable)
+        throw Error(ErrorCode::Unsupported, file, outcome.detail);
+}
+
 int conclude(SolveReport& report, const SolveArguments& arguments, const SolveOptions& options)
 {
-    if (report.outcome.reason == StopReason::Cancelled)
-        throw Interrupted{};
-    if (report.outcome.reason == StopReason::Unable)
-        throw Error(ErrorCode::Unsupported, arguments.file, report.outcome.detail);
+    checkOutcome(report.outcome, arguments.file);
     if (arguments.verify)
         report.secondOpinion =
             secondOpinion(report.problem, report.outcome, options, arguments.formulation);
@@ -199,6 +214,48 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
     return conclude(report, arguments, options);
 }
 
+/** A line for each UAV. */
+std::string orderLines(const std::vector<UavOrder>& uavs)
+{
+    std::string text;
+    for (const UavOrder& uav : uavs) {
+        text += rowLabel(uav.id);
+        for (const std::string& id : uav.ids)
+            text += ' ' + id;
+        text += "  (" + grouped(uav.distance_m) + " m";
+        if (uav.thisSortie)
+            text += ", the first " + std::to_string(*uav.thisSortie) + ", then home";
+        text += ")\n";
+    }
+    return text;
+}
+
+void printFleet(const FleetReport& report)
+{
+    const SolveOutcome& outcome = report.outcome;
+    if (outcome.status == SolveStatus::None) {
+        print(noPlan(outcome));
+        return;
+    }
+    const std::string objective =
+        report.objective ? fixed(*report.objective, 3) : std::string("none");
+    print(orderLines(report.uavs) + "objective  " + objective + "  (" +
+          provenWords(outcome.status, report.gap) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
+          " ms, " + outcome.backend + ")\ndistance   " + grouped(report.distance_m()) + " m" +
+          (report.mu ? "   mu " + fixed(*report.mu, 6) : std::string()) + '\n');
+}
+
+int planFleet(const Scenario& scenario, const PlanAnswer& answer, const SolveArguments& arguments)
+{
+    checkOutcome(answer.outcome, arguments.file);
+    const FleetReport report = fleetReport(scenario, answer);
+    if (arguments.json)
+        print(fleetJson(report));
+    else
+        printFleet(report);
+    return report.outcome.status == SolveStatus::None ? kLimitWithoutPlan : kDone;
+}
+
 int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 {
     if (arguments.mu)
@@ -210,10 +267,16 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     planner.policy = arguments.policy.value_or(planner.policy);
     planner.backend = arguments.backend.value_or(planner.backend);
     planner.formulation = arguments.formulation.value_or(planner.formulation);
+    const bool isFleet = scenario.uavs.size() > 1;
+    if (isFleet && arguments.verify)
+        throw UsageError{"plan: --verify is for one UAV; this scenario has " +
+                         std::to_string(scenario.uavs.size())};
     printWarnings(arguments.file, validate(scenario));
 
     const SolveOptions options = optionsOf(arguments, stop);
     const PlanAnswer answer = planFromStart(scenario, options);
+    if (isFleet)
+        return planFleet(scenario, answer, arguments);
     SolveReport report{.problem = answer.problem, .outcome = answer.outcome};
     const auto idOf = [&](int iceberg) {
         return scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
@@ -228,7 +291,7 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     }
     for (const std::vector<int>& members : answer.clusters)
         std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
-    report.thisSortie = thisSortie(Simulation(scenario), answer.order, answer.clusters);
+    report.thisSortie = thisSortie(Simulation(scenario), 0, answer.order, answer.clusters);
     return conclude(report, arguments, options);
 }
 

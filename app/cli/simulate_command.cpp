@@ -48,10 +48,19 @@ Scenario changed(Scenario scenario, const SimulateArguments& arguments)
     return scenario;
 }
 
+void checkBound(const SimulateArguments& arguments, const Scenario& scenario)
+{
+    if (arguments.bound && !hasZetaBound(scenario))
+        throw Error(ErrorCode::Unsupported, arguments.file,
+                    "uavs: --bound is for one UAV, there are " +
+                        std::to_string(scenario.uavs.size()));
+}
+
 Mission flyScenario(const SimulateArguments& arguments, const std::string& text,
                     const std::stop_token& stop)
 {
     const Scenario scenario = changed(scenarioFromJson(text, arguments.file), arguments);
+    checkBound(arguments, scenario);
     printWarnings(arguments.file, validate(scenario));
     MissionOptions options;
     options.record = !arguments.outputFolder.empty();
@@ -73,6 +82,7 @@ Mission replayRun(const SimulateArguments& arguments, const std::string& text,
         throw UsageError{"simulate: a run file is replayed as it was flown; --tau, --policy, "
                          "--duration, --dt, --seed and --no-noise are for scenarios"};
     const RunFile run = runFromJson(text, arguments.file);
+    checkBound(arguments, run.scenario);
     ProgressBar bar("replaying", !arguments.json);
     Mission mission = replay(run, stop, [&](double time_s) {
         bar.update(run.flownUntil_s > 0 ? time_s / run.flownUntil_s : 1);
@@ -117,6 +127,18 @@ double lowerBound_m2s(const Mission& mission, bool quiet, const std::stop_token&
     return bound.by_m2s(mission.simulation().time_s());
 }
 
+/** What each of several UAVs did, and how near two of them came. */
+std::string fleetLines(const Mission& mission)
+{
+    std::string text;
+    for (const UavFigures& uav : uavFigures(mission))
+        text += rowLabel(uav.id) + std::to_string(uav.visits) + " visits, " + grouped(uav.flown_m) +
+                " m\n";
+    if (const std::optional<double> closest_m = mission.simulation().state().closest_m)
+        text += "closest   " + grouped(*closest_m) + " m between two UAVs of one altitude layer\n";
+    return text;
+}
+
 void printSummary(const Mission& mission, std::optional<double> bound_m2s, double elapsed_s,
                   bool replayed)
 {
@@ -131,6 +153,8 @@ void printSummary(const Mission& mission, std::optional<double> bound_m2s, doubl
             grouped(mission.simulation().time_s()) + " s  (policy " +
             nameOf(kPolicyNames, scenario.planner.policy) + ", tau " +
             fixed(scenario.planner.tau, 2) + ")\ncomputed  in " + fixed(elapsed_s, 3) + " s\n";
+    if (scenario.uavs.size() > 1)
+        text += fleetLines(mission);
     std::string events;
     for (const auto& [name, count] : worldEvents(mission))
         events += (events.empty() ? "events    " : ", ") + std::to_string(count) + ' ' + name;

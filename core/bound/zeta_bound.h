@@ -44,6 +44,9 @@ struct ZetaBound
     [[nodiscard]] double by_m2s(double time_s) const;
 };
 
+/** Whether `zetaLowerBound` is for such scenarios: those of one UAV. */
+[[nodiscard]] bool hasZetaBound(const Scenario& scenario);
+
 /**
  * A number that zeta, Eq. (24), of no flight of this scenario is below, whatever the policy.
  *
@@ -70,7 +73,8 @@ struct ZetaBound
  * summed over disjoint groups of icebergs: what bounds one group says nothing of the others.
  *
  * The same bytes for the same scenario and work limit. More work never lowers it. The scenario must
- * have no errors (`validate`).
+ * have no errors (`validate`). The chain is that of one UAV: throws `Error{Unsupported}` of `uavs`
+ * for several.
  */
 [[nodiscard]] ZetaBound zetaLowerBound(const Scenario& scenario, const BoundOptions& options = {});
 

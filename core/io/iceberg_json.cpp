@@ -11,13 +11,15 @@ namespace {
 
 constexpr std::string_view kFormat = "bergwatch-icebergs";
 
-/** Adds what makes them unfit for a scenario, apart from their ids. */
+/** Adds what makes them unfit for a scenario, apart from their ids and those of UAVs. */
 void addFindings(std::vector<Iceberg> icebergs, Faults& faults)
 {
     Scenario scenario;
     scenario.uavs.push_back({.id = "uav-1"});
-    for (std::size_t i = 0; i < icebergs.size(); ++i)
+    for (std::size_t i = 0; i < icebergs.size(); ++i) {
         icebergs[i].id = "berg-" + std::to_string(i + 1);
+        icebergs[i].uav.clear();
+    }
     scenario.icebergs = std::move(icebergs);
     for (Issue& issue : validate(scenario))
         if (issue.severity == Severity::Error && !faults.has(issue.field))

@@ -144,6 +144,20 @@ std::string solveJson(const SolveReport& report)
     return text(json);
 }
 
+std::vector<UavFigures> uavFigures(const Mission& mission)
+{
+    std::vector<UavFigures> figures;
+    for (int i = 0; i < mission.simulation().uavCount(); ++i) {
+        const auto visits = std::ranges::count_if(mission.events(), [i](const MissionEvent& event) {
+            return event.kind == EventKind::Reached && event.uav == i;
+        });
+        figures.push_back({.id = mission.scenario().uavs[static_cast<std::size_t>(i)].id,
+                           .visits = static_cast<int>(visits),
+                           .flown_m = mission.simulation().uav(i).flown_m});
+    }
+    return figures;
+}
+
 std::vector<std::pair<std::string, int>> worldEvents(const Mission& mission)
 {
     std::vector<std::pair<std::string, int>> counts;
@@ -169,6 +183,13 @@ std::string simulateJson(const Mission& mission, std::optional<double> lowerBoun
               {"flown_m", metrics.flown_m},
               {"lower_bound_m2s", orNull(lowerBound_m2s)},
               {"seconds", elapsed_s}};
+    if (mission.simulation().uavCount() > 1) {
+        json["uavs"] = Json::array();
+        for (const UavFigures& uav : uavFigures(mission))
+            json["uavs"].push_back(
+                {{"id", uav.id}, {"visits", uav.visits}, {"flown_m", uav.flown_m}});
+        json["closest_m"] = orNull(mission.simulation().state().closest_m);
+    }
     for (const auto& [name, count] : worldEvents(mission))
         json["events"][name] = count;
     return text(json);

@@ -29,6 +29,15 @@ struct SolveReport
 /** `lowerBound_m2s`: what no flight is below, if it was asked for. */
 [[nodiscard]] std::string simulateJson(const Mission& mission, std::optional<double> lowerBound_m2s,
                                        double elapsed_s);
+
+/** What one UAV did in a mission. */
+struct UavFigures
+{
+    std::string id;
+    int visits = 0;
+    double flown_m = 0; ///< through the air
+};
+[[nodiscard]] std::vector<UavFigures> uavFigures(const Mission& mission);
 /** How often what happened that not every run has (icebergs lost, sorties, ...), by `eventName`. */
 [[nodiscard]] std::vector<std::pair<std::string, int>> worldEvents(const Mission& mission);
 /** `elapsed_s`: none for a study that was flown before. */

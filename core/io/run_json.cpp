@@ -46,6 +46,12 @@ std::string interventionText(const Intervention& intervention)
         object.addText("appears", icebergText(*intervention.appears));
     if (intervention.seen)
         object.add("seen", *intervention.seen);
+    if (intervention.assigned) {
+        JsonObject assigned;
+        assigned.add("iceberg", intervention.assigned->iceberg);
+        assigned.add("uav", intervention.assigned->uav);
+        object.addText("assigned", assigned.inLine());
+    }
     return object.inLine();
 }
 
@@ -53,6 +59,7 @@ std::string planText(const RecordedPlan& plan)
 {
     JsonObject object;
     object.add("time_s", plan.time_s);
+    object.addUnless("uav", plan.uav, 0);
     object.add("target", plan.target);
     object.addText("order", jsonArrayOf(plan.order));
     if (!plan.clusters.empty()) {
@@ -116,6 +123,16 @@ double readTime(ObjectReader& object, double flownUntil_s, double before_s)
     return std::max(time_s, before_s);
 }
 
+Assignment readAssignment(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    Assignment assignment;
+    if (object.need("iceberg") != nullptr)
+        assignment.iceberg = object.text("iceberg");
+    assignment.uav = object.text("uav");
+    return assignment;
+}
+
 std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil_s)
 {
     std::vector<Intervention> interventions;
@@ -136,28 +153,39 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
             intervention.appears = readIceberg(*appears, object.path("appears"), run.faults());
         if (object.find("seen") != nullptr)
             intervention.seen = object.text("seen");
+        if (const Json* assigned = object.find("assigned"))
+            intervention.assigned =
+                readAssignment(*assigned, object.path("assigned"), run.faults());
         interventions.push_back(std::move(intervention));
     }
     return interventions;
 }
 
-/** Who is reported seen must be there by then. */
-void checkSeen(const RunFile& file, Faults& faults)
+/** Who is reported seen or kept for a UAV must be there by then. */
+void checkNamed(const RunFile& file, Faults& faults)
 {
     std::vector<Iceberg> there = file.scenario.icebergs;
     for (std::size_t i = 0; i < file.interventions.size(); ++i) {
         const Intervention& change = file.interventions[i];
         if (change.appears)
             there.push_back(*change.appears);
-        if (!change.seen)
+        const auto isThere = [&](const std::string& id) {
+            return std::ranges::any_of(there, [&](const Iceberg& iceberg) {
+                return iceberg.id == id && iceberg.appears_s <= change.time_s + file.scenario.dt_s;
+            });
+        };
+        const std::string path = entryPath("interventions", i);
+        constexpr const char* kUnknown = "no iceberg of this id is there at this time";
+        if (change.seen && !isThere(*change.seen))
+            faults.add(path + ".seen", kUnknown);
+        if (!change.assigned)
             continue;
-        const bool known = std::any_of(there.begin(), there.end(), [&](const Iceberg& iceberg) {
-            return iceberg.id == *change.seen &&
-                   iceberg.appears_s <= change.time_s + file.scenario.dt_s;
-        });
-        if (!known)
-            faults.add(entryPath("interventions", i) + ".seen",
-                       "no iceberg of this id is there at this time");
+        if (!isThere(change.assigned->iceberg))
+            faults.add(path + ".assigned.iceberg", kUnknown);
+        const std::string& uav = change.assigned->uav;
+        if (!uav.empty() &&
+            std::ranges::find(file.scenario.uavs, uav, &Uav::id) == file.scenario.uavs.end())
+            faults.add(path + ".assigned.uav", "no UAV of this id is in the scenario");
     }
 }
 
@@ -241,6 +269,8 @@ std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context
         ObjectReader object((*list)[i], entryPath(run.path("plans"), i), run.faults());
         RecordedPlan plan;
         plan.time_s = readTime(object, context.flownUntil_s, i == 0 ? 0 : plans.back().time_s);
+        plan.uav = asInt(object.whole(
+            "uav", 0, {.low = 0, .high = static_cast<std::int64_t>(context.uavs) - 1}));
         plan.target = asInt(object.whole("target", -1, context.indices()));
         std::vector<bool> seen(context.icebergs, false);
         if (const Json* order = object.find("order"))
@@ -286,7 +316,8 @@ RunContext contextOf(const RunFile& file)
         .flownUntil_s = file.flownUntil_s,
         .lastStep = std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s)),
         .icebergsAtStart = scenario.icebergs.size(),
-        .icebergs = scenario.icebergs.size()};
+        .icebergs = scenario.icebergs.size(),
+        .uavs = scenario.uavs.size()};
     for (const Intervention& intervention : file.interventions)
         if (intervention.appears)
             ++context.icebergs;
@@ -315,7 +346,7 @@ RunFile readRun(ObjectReader& run)
     file.interventions = readInterventions(run, file.flownUntil_s);
     checkSurroundings(file, run.faults());
     checkAppearing(file, run.faults());
-    checkSeen(file, run.faults());
+    checkNamed(file, run.faults());
     if (!run.faults().empty())
         return file;
     const RunContext context = contextOf(file);

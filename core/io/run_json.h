@@ -14,6 +14,7 @@ namespace berg {
 struct RecordedPlan
 {
     double time_s = 0;
+    int uav = 0; ///< index
     int target = -1;
     std::vector<int> order;
     std::vector<std::vector<int>> clusters; ///< of the order, flown to as one point each

@@ -223,6 +223,81 @@ std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults
     return icebergs;
 }
 
+namespace {
+
+void addUav(JsonObject& object, const UavState& uav)
+{
+    object.add("position_m", uav.pose.position_m);
+    object.add("psi_rad", uav.pose.psi_rad);
+    object.add("u_radps", uav.u_radps);
+    object.add("cross_track_m", uav.crossTrack_m);
+    object.add("flown_m", uav.flown_m);
+    object.add("mode", nameOf(kModeNames, uav.mode));
+    object.add("target", uav.target);
+    object.add("last_reached", uav.lastReached);
+    object.addText("guidance", guidanceText(uav.guidance));
+    object.add("run_out_m", uav.runOut_m);
+    object.add("misses", uav.misses);
+    if (uav.aim)
+        object.addText("aim", legText(*uav.aim));
+    if (uav.search)
+        object.addText("search", searchText(*uav.search));
+    if (!uav.members.empty()) {
+        object.addText("members", jsonArrayOf(uav.members));
+        object.add("members_by_s", uav.membersBy_s);
+    }
+    object.addUnless("aloft_s", uav.aloft_s, 0.0);
+    object.addUnless("ground_s", uav.ground_s, 0.0);
+    if (uav.via_m)
+        object.add("via_m", *uav.via_m);
+}
+
+UavState readUav(ObjectReader& object, const RunContext& context)
+{
+    UavState uav;
+    uav.pose.position_m = object.point("position_m", Point::Zero());
+    uav.pose.psi_rad = object.number("psi_rad", 0);
+    uav.u_radps = object.number("u_radps", 0);
+    uav.crossTrack_m = object.number("cross_track_m", 0);
+    uav.flown_m = object.number("flown_m", 0, kAmount);
+    uav.mode = object.choice("mode", FlightMode::Idle, kModeNames);
+    uav.target = asInt(object.whole("target", -1, context.indices()));
+    uav.lastReached = asInt(object.whole("last_reached", -1, context.indices()));
+    uav.guidance = readGuidance(object);
+    uav.runOut_m = object.number("run_out_m", 0);
+    uav.misses = asInt(object.whole("misses", 0, {.low = 0, .high = kLargestCount}));
+    if (const Json* aim = object.find("aim"))
+        uav.aim = readLeg(*aim, object.path("aim"), object.faults(), context);
+    if (const Json* search = object.find("search"))
+        uav.search = readSearch(*search, object.path("search"), object.faults(), context);
+    uav.members = readGroup(object, "members", context);
+    uav.membersBy_s = object.number("members_by_s", 0);
+    uav.aloft_s = object.number("aloft_s", 0, kAmount);
+    uav.ground_s = object.number("ground_s", 0, kAmount);
+    if (object.find("via_m") != nullptr)
+        uav.via_m = object.point("via_m", Point::Zero());
+    return uav;
+}
+
+/** The UAVs after the first one, which is in the keyframe itself: one for each of the scenario. */
+std::vector<UavState> readOtherUavs(ObjectReader& keyframe, const RunContext& context)
+{
+    std::vector<UavState> uavs;
+    const std::string path = keyframe.path("other_uavs");
+    const Json* list = keyframe.find("other_uavs");
+    const std::size_t count = list != nullptr && list->is_array() ? list->size() : 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        ObjectReader object((*list)[i], entryPath(path, i), keyframe.faults());
+        uavs.push_back(readUav(object, context));
+    }
+    if (count + 1 != context.uavs)
+        keyframe.faults().add(path, "must hold " + std::to_string(context.uavs - 1) +
+                                        " UAVs, as the scenario does");
+    return uavs;
+}
+
+} // namespace
+
 std::string keyframeText(const WorldState& state)
 {
     std::vector<std::string> tracks;
@@ -230,33 +305,21 @@ std::string keyframeText(const WorldState& state)
     std::transform(state.tracks.begin(), state.tracks.end(), std::back_inserter(tracks), trackText);
     JsonObject object;
     object.add("step", state.step);
-    object.add("position_m", state.uav.position_m);
-    object.add("psi_rad", state.uav.psi_rad);
-    object.add("u_radps", state.u_radps);
-    object.add("cross_track_m", state.crossTrack_m);
+    addUav(object, state.uavs.front());
     object.add("sigma_sum_m2", state.sigmaSum_m2);
     object.add("zeta_m2s", state.zeta_m2s);
-    object.add("flown_m", state.flown_m);
-    object.add("mode", nameOf(kModeNames, state.mode));
-    object.add("target", state.target);
-    object.add("last_reached", state.lastReached);
-    object.addText("guidance", guidanceText(state.guidance));
-    object.add("run_out_m", state.runOut_m);
-    object.add("misses", state.misses);
-    if (state.aim)
-        object.addText("aim", legText(*state.aim));
-    if (state.search)
-        object.addText("search", searchText(*state.search));
-    if (!state.members.empty()) {
-        object.addText("members", jsonArrayOf(state.members));
-        object.add("members_by_s", state.membersBy_s);
-    }
     if (!state.apart.empty())
         object.addText("apart", jsonArrayOf(state.apart));
-    object.addUnless("aloft_s", state.aloft_s, 0.0);
-    object.addUnless("ground_s", state.ground_s, 0.0);
-    if (state.via_m)
-        object.add("via_m", *state.via_m);
+    if (state.closest_m)
+        object.add("closest_m", *state.closest_m);
+    std::vector<std::string> others;
+    for (std::size_t i = 1; i < state.uavs.size(); ++i) {
+        JsonObject other;
+        addUav(other, state.uavs[i]);
+        others.push_back(other.inLine());
+    }
+    if (!others.empty())
+        object.addText("other_uavs", jsonLines(others, 2));
     object.addText("tracks", jsonLines(tracks, 2));
     return object.inLine();
 }
@@ -268,30 +331,13 @@ WorldState readKeyframe(const Json& value, const std::string& path, Faults& faul
     WorldState state;
     if (object.need("step") != nullptr)
         state.step = object.whole("step", 0, {.low = 0, .high = context.lastStep});
-    state.uav.position_m = object.point("position_m", Point::Zero());
-    state.uav.psi_rad = object.number("psi_rad", 0);
-    state.u_radps = object.number("u_radps", 0);
-    state.crossTrack_m = object.number("cross_track_m", 0);
+    state.uavs.push_back(readUav(object, context));
+    for (UavState& uav : readOtherUavs(object, context))
+        state.uavs.push_back(std::move(uav));
     state.sigmaSum_m2 = object.number("sigma_sum_m2", 0, kAmount);
     state.zeta_m2s = object.number("zeta_m2s", 0, kAmount);
-    state.flown_m = object.number("flown_m", 0, kAmount);
-    state.mode = object.choice("mode", FlightMode::Idle, kModeNames);
-    state.target = asInt(object.whole("target", -1, context.indices()));
-    state.lastReached = asInt(object.whole("last_reached", -1, context.indices()));
-    state.guidance = readGuidance(object);
-    state.runOut_m = object.number("run_out_m", 0);
-    state.misses = asInt(object.whole("misses", 0, {.low = 0, .high = kLargestCount}));
-    if (const Json* aim = object.find("aim"))
-        state.aim = readLeg(*aim, object.path("aim"), faults, context);
-    if (const Json* search = object.find("search"))
-        state.search = readSearch(*search, object.path("search"), faults, context);
-    state.members = readGroup(object, "members", context);
-    state.membersBy_s = object.number("members_by_s", 0);
     state.apart = readGroup(object, "apart", context);
-    state.aloft_s = object.number("aloft_s", 0, kAmount);
-    state.ground_s = object.number("ground_s", 0, kAmount);
-    if (object.find("via_m") != nullptr)
-        state.via_m = object.point("via_m", Point::Zero());
+    state.closest_m = object.optionalNumber("closest_m", kAmount);
     state.tracks = readTracks(object, context);
     return state;
 }

@@ -25,6 +25,7 @@ struct RunContext
     std::int64_t lastStep = 0;
     std::size_t icebergsAtStart = 0;
     std::size_t icebergs = 0; ///< those added in flight included
+    std::size_t uavs = 1;
 
     /** Indices of icebergs; -1 means none. */
     [[nodiscard]] WholeLimits indices() const

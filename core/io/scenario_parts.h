@@ -16,6 +16,9 @@ inline constexpr Limits kTauLimits{.low = 0, .high = 100};
  */
 [[nodiscard]] Scenario readScenario(ObjectReader& object);
 
+/** One entry of `uavs`; its id is empty when the file gives none. */
+[[nodiscard]] Uav readUav(const Json& value, const std::string& path, Faults& faults);
+
 /** One entry of `icebergs`; its id is empty when the file gives none. */
 [[nodiscard]] Iceberg readIceberg(const Json& value, const std::string& path, Faults& faults);
 
@@ -24,6 +27,7 @@ inline constexpr Limits kTauLimits{.low = 0, .high = 100};
 
 /** The scenario as an object whose braces stand at `indent`. */
 [[nodiscard]] std::string scenarioText(const Scenario& scenario, int indent);
+[[nodiscard]] std::string uavText(const Uav& uav);
 [[nodiscard]] std::string icebergText(const Iceberg& iceberg);
 [[nodiscard]] std::string assetText(const Asset& asset);
 

@@ -23,11 +23,10 @@ constexpr double kFastDrift_mps = 2;
 constexpr std::size_t kQuickProof = 80;
 constexpr auto kMostProven = static_cast<std::size_t>(kMostProvenByEngine);
 
-Motion motionOf(const Scenario& scenario)
+Motion motionOf(const Scenario& scenario, const Uav& uav)
 {
-    const UavSpec& spec = scenario.uavs.front().spec;
-    return {.airspeed_mps = spec.airspeed_mps,
-            .limit_radps = maxTurnRate_radps(spec),
+    return {.airspeed_mps = uav.spec.airspeed_mps,
+            .limit_radps = maxTurnRate_radps(uav.spec),
             .wind_mps = scenario.wind_mps};
 }
 
@@ -36,22 +35,42 @@ DubinsState startOf(const Uav& uav)
     return {.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)};
 }
 
+/** One UAV and what it comes near enough to. */
+struct Flyer
+{
+    const Uav& uav;
+    std::string path;    ///< in the file
+    double reach_m = 0;  ///< farthest from it that counts as reached
+    bool isWide = false; ///< its turns are wider than what it sees of its side
+};
+
+Flyer flyerOf(const Scenario& scenario, std::size_t i)
+{
+    const Uav& uav = scenario.uavs[i];
+    const Point half_m = 0.5 * uav.fov_m;
+    return {.uav = uav,
+            .path = entryPath("uavs", i),
+            .reach_m = scenario.reachRadius_m.value_or(half_m.norm()),
+            .isWide = turnRadius_m(uav.spec) > scenario.reachRadius_m.value_or(half_m.minCoeff())};
+}
+
 /** The findings about one scenario without errors. */
 class Adviser
 {
 public:
-    explicit Adviser(const Scenario& scenario) : m_s(scenario), m_uav(scenario.uavs.front())
+    explicit Adviser(const Scenario& scenario) : m_s(scenario)
     {
-        const Point half_m = 0.5 * m_uav.fov_m;
-        m_reach_m = m_s.reachRadius_m.value_or(half_m.norm());
-        m_turnView_m = m_s.reachRadius_m.value_or(half_m.minCoeff());
+        for (std::size_t i = 0; i < m_s.uavs.size(); ++i)
+            m_flyers.push_back(flyerOf(m_s, i));
     }
 
     [[nodiscard]] std::vector<Issue> findings()
     {
         adviseUnused();
         adviseUavs();
-        adviseEndurance();
+        adviseLayers();
+        for (const Flyer& flyer : m_flyers)
+            adviseEndurance(flyer);
         adviseGeofence();
         adviseAsset();
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
@@ -87,20 +106,34 @@ private:
                                         std::max(0.0, m_s.duration_s - iceberg.appears_s);
     }
     /** Straight until it is reached or comes into view, without the turn at the start. */
-    [[nodiscard]] double timeTo_s(const Point& from_m, const Point& to_m, double reach_m) const
+    [[nodiscard]] double timeOf_s(const Flyer& flyer, const Point& from_m, const Point& to_m) const
     {
         const Point way_m = to_m - from_m;
         const double distance_m = way_m.norm();
-        if (distance_m <= reach_m)
+        if (distance_m <= flyer.reach_m)
             return 0;
-        return flightTime_s(way_m * ((distance_m - reach_m) / distance_m), m_uav.spec.airspeed_mps,
-                            m_s.wind_mps);
+        return flightTime_s(way_m * ((distance_m - flyer.reach_m) / distance_m),
+                            flyer.uav.spec.airspeed_mps, m_s.wind_mps);
+    }
+    /** Whether this is so of every UAV that may visit the iceberg. */
+    template <class Test>
+    [[nodiscard]] bool allVisitors(const Iceberg& iceberg, const Test& test) const
+    {
+        return std::all_of(m_flyers.begin(), m_flyers.end(), [&](const Flyer& flyer) {
+            return !mayVisit(flyer, iceberg) || test(flyer);
+        });
+    }
+    [[nodiscard]] static bool mayVisit(const Flyer& flyer, const Iceberg& iceberg)
+    {
+        return iceberg.uav.empty() || iceberg.uav == flyer.uav.id;
     }
 
     void adviseUnused();
     void adviseUavs();
-    void adviseEndurance();
+    void adviseLayers();
+    void adviseEndurance(const Flyer& flyer);
     void adviseGeofence();
+    void adviseShutOff(const std::vector<Geofence>& fences);
     void adviseAsset();
     void adviseIceberg(std::size_t i);
     void adviseTrack(const Iceberg& iceberg, const std::string& path);
@@ -109,9 +142,7 @@ private:
     void advisePlanner();
 
     const Scenario& m_s;
-    const Uav& m_uav;        ///< the one that flies
-    double m_reach_m = 0;    ///< farthest from the UAV that counts as reached
-    double m_turnView_m = 0; ///< what it sees of its side when it passes
+    std::vector<Flyer> m_flyers;
     std::vector<Issue> m_issues;
 };
 
@@ -131,65 +162,93 @@ void Adviser::adviseUnused()
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
             if (m_s.icebergs[i].velocitySd_mps > 0)
                 hint(entryPath("icebergs", i) + ".velocity_sd_mps", advised::kVelocitySdUnused);
-    if (m_s.uavs.size() > 1)
-        hint("uavs[1]", advised::kFirstUavOnly);
 }
 
 void Adviser::adviseUavs()
 {
-    for (std::size_t i = 0; i < m_s.uavs.size(); ++i)
-        if (isOutside(m_s.uavs[i].position_m))
-            hint(entryPath("uavs", i) + ".position_m", advised::kUavOutside);
-    if (turnRadius_m(m_uav.spec) <= m_turnView_m)
-        return;
-    if (m_s.reachRadius_m)
+    for (const Flyer& flyer : m_flyers) {
+        if (isOutside(flyer.uav.position_m))
+            hint(flyer.path + ".position_m", advised::kUavOutside);
+        if (flyer.isWide && !m_s.reachRadius_m)
+            hint(flyer.path + ".fov_m", advised::kWideTurn);
+    }
+    if (m_s.reachRadius_m && std::any_of(m_flyers.begin(), m_flyers.end(),
+                                         [](const Flyer& flyer) { return flyer.isWide; }))
         hint("planner.reach_radius_m", advised::kReachInsideTurn);
-    else
-        hint("uavs[0].fov_m", advised::kWideTurn);
 }
 
-void Adviser::adviseEndurance()
+/** Told of each that is near one before it. */
+void Adviser::adviseLayers()
 {
-    const double endurance_s = m_uav.spec.endurance_s;
-    if (endurance_s == 0 && m_uav.home_m)
-        hint("uavs[0].home_m", advised::kHomeUnused);
+    const auto isNear = [&](const Uav& a, const Uav& b) {
+        return std::abs(a.spec.altitude_m - b.spec.altitude_m) < kLayerHeight_m &&
+               (a.position_m - b.position_m).norm() < m_s.separation_m;
+    };
+    for (auto flyer = m_flyers.begin(); flyer != m_flyers.end(); ++flyer)
+        if (std::any_of(m_flyers.begin(), flyer,
+                        [&](const Flyer& before) { return isNear(before.uav, flyer->uav); }))
+            hint(flyer->path + ".altitude_m", advised::kSameLayer);
+}
+
+void Adviser::adviseEndurance(const Flyer& flyer)
+{
+    const Uav& uav = flyer.uav;
+    const double endurance_s = uav.spec.endurance_s;
+    if (endurance_s == 0 && uav.home_m)
+        hint(flyer.path + ".home_m", advised::kHomeUnused);
     if (endurance_s == 0)
         return;
-    const Point& start_m = m_uav.position_m;
-    const Point home_m = m_uav.home_m.value_or(start_m);
-    const Motion motion = motionOf(m_s);
-    const std::optional<Way> home = wayTo(startOf(m_uav), {.place_m = home_m}, motion, m_s.dt_s);
+    const Point home_m = uav.home_m.value_or(uav.position_m);
+    const std::optional<Way> home =
+        wayTo(startOf(uav), {.place_m = home_m}, motionOf(m_s, uav), m_s.dt_s);
     if (!home || home->time_s + kHomeReserve_s > endurance_s)
-        warn("uavs[0].endurance_s", advised::kNoWayHome);
-    if (m_s.icebergs.empty())
-        return;
-    const bool returns =
-        std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [&](const Iceberg& iceberg) {
-            return timeTo_s(start_m, iceberg.position_m, m_reach_m) +
-                       timeTo_s(iceberg.position_m, home_m, m_reach_m) <=
-                   endurance_s;
-        });
-    if (!returns)
-        warn("uavs[0].endurance_s", advised::kNoRoundTrip);
+        warn(flyer.path + ".endurance_s", advised::kNoWayHome);
+    bool visits = false;
+    bool returns = false;
+    for (const Iceberg& iceberg : m_s.icebergs) {
+        if (!mayVisit(flyer, iceberg))
+            continue;
+        visits = true;
+        returns = returns || timeOf_s(flyer, uav.position_m, iceberg.position_m) +
+                                     timeOf_s(flyer, iceberg.position_m, home_m) <=
+                                 endurance_s;
+    }
+    if (visits && !returns)
+        warn(flyer.path + ".endurance_s", advised::kNoRoundTrip);
 }
 
 void Adviser::adviseGeofence()
 {
     if (!m_s.geofence)
         return;
-    const Geofence fence(m_s.area_m, motionOf(m_s));
-    if (fence.room_m(startOf(m_uav)) < 0)
-        warn("uavs[0].position_m", advised::kStartNearFence);
-    const Point home_m = m_uav.home_m.value_or(m_uav.position_m);
-    if (m_uav.spec.endurance_s > 0 && distanceToEdges(m_s.area_m, home_m) < 2 * fence.radius_m())
-        warn("uavs[0].home_m", advised::kHomeNearFence);
+    std::vector<Geofence> fences; // by UAV: one that is faster turns wider
+    for (const Flyer& flyer : m_flyers) {
+        const Uav& uav = flyer.uav;
+        const Geofence& fence = fences.emplace_back(m_s.area_m, motionOf(m_s, uav));
+        if (fence.room_m(startOf(uav)) < 0)
+            warn(flyer.path + ".position_m", advised::kStartNearFence);
+        const Point home_m = uav.home_m.value_or(uav.position_m);
+        if (uav.spec.endurance_s > 0 && distanceToEdges(m_s.area_m, home_m) < 2 * fence.radius_m())
+            warn(flyer.path + ".home_m", advised::kHomeNearFence);
+    }
     if (m_s.planner.policy == PolicyKind::Coverage)
         hint("geofence", advised::kFenceUnplanned);
-    if (turnRadius_m(m_uav.spec) <= m_turnView_m)
-        return;
-    for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
-        if (!isOutside(m_s.icebergs[i].position_m) && fence.isShutOff(m_s.icebergs[i].position_m))
+    adviseShutOff(fences);
+}
+
+void Adviser::adviseShutOff(const std::vector<Geofence>& fences)
+{
+    for (std::size_t i = 0; i < m_s.icebergs.size(); ++i) {
+        const Iceberg& iceberg = m_s.icebergs[i];
+        if (isOutside(iceberg.position_m))
+            continue;
+        bool isShutOff = true;
+        for (std::size_t k = 0; k < m_flyers.size() && isShutOff; ++k)
+            isShutOff = !mayVisit(m_flyers[k], iceberg) ||
+                        (m_flyers[k].isWide && fences[k].isShutOff(iceberg.position_m));
+        if (isShutOff)
             warn(entryPath("icebergs", i) + ".position_m", advised::kShutOff);
+    }
 }
 
 void Adviser::adviseAsset()
@@ -220,7 +279,7 @@ void Adviser::adviseTrack(const Iceberg& iceberg, const std::string& path)
     if (iceberg.track.time_s.back() < m_s.duration_s)
         hint(path + ".track", advised::kTrackShort);
     const Point gap_m = iceberg.track.at(iceberg.appears_s) - iceberg.position_m;
-    if (gap_m.norm() > m_reach_m)
+    if (allVisitors(iceberg, [&](const Flyer& f) { return gap_m.norm() > f.reach_m; }))
         warn(path + ".track", advised::kTrackFar);
 }
 
@@ -246,7 +305,7 @@ void Adviser::adviseSamePlace()
             warn(entryPath("icebergs", i) + ".position_m", advised::kSamePlace);
 }
 
-/** Of an iceberg that the UAV catches up with the end is the easiest instant to be there. */
+/** Of an iceberg that a UAV catches up with the end is the easiest instant to be there. */
 void Adviser::adviseReach()
 {
     std::vector<std::size_t> far;
@@ -256,10 +315,13 @@ void Adviser::adviseReach()
         if (!comesInTime(iceberg))
             continue;
         ++coming;
-        const auto time_s = [&](const Point& place_m) {
-            return timeTo_s(m_uav.position_m, place_m, m_reach_m);
+        const auto isLate = [&](const Flyer& flyer) {
+            const auto time_s = [&](const Point& place_m) {
+                return timeOf_s(flyer, flyer.uav.position_m, place_m);
+            };
+            return std::min(time_s(iceberg.position_m), time_s(endOf(iceberg))) > m_s.duration_s;
         };
-        if (std::min(time_s(iceberg.position_m), time_s(endOf(iceberg))) > m_s.duration_s)
+        if (allVisitors(iceberg, isLate))
             far.push_back(i);
     }
     if (coming > 0 && far.size() == coming) {
@@ -276,6 +338,8 @@ void Adviser::advisePlanner()
     const PlannerSettings& planner = m_s.planner;
     if (m_s.clusters && !plansClusters(planner.policy))
         hint("planner.clusters", advised::kClustersIgnored);
+    else if (m_s.clusters && m_s.uavs.size() > 1)
+        warn("planner.clusters", advised::kClustersOneUav);
     if (planner.policy != PolicyKind::Visitation || count == 0)
         return;
     if (std::all_of(m_s.icebergs.begin(), m_s.icebergs.end(),

@@ -8,12 +8,16 @@ namespace berg {
 
 /**
  * What whoever flies a scenario would want to know before take-off, of one that has no errors:
- * icebergs and UAV outside the area, icebergs that leave it, at one place, fast or out of reach,
+ * icebergs and UAVs outside the area, icebergs that leave it, at one place, fast or out of reach,
+ * UAVs that start near each other in one altitude layer,
  * recorded tracks that do not fit, turns too wide for the field of view, endurance and duration too
  * short, too little room inside the geofence, solvers at their limit, members that are kept but not
  * used. Called by `validate`.
  */
 [[nodiscard]] std::vector<Issue> advice(const Scenario& scenario);
+
+/** UAVs whose altitudes differ by less are in one layer, where they have to be kept apart. */
+inline constexpr double kLayerHeight_m = 30;
 
 /** Every message of `advice`, and some of `validate`; each is about one field, so they are also the
  * names of findings. */
@@ -24,7 +28,8 @@ inline constexpr std::string_view kUnknownMembers =
 inline constexpr std::string_view kAreaNoFence =
     "icebergs outside it are not monitored; the UAV may fly beyond it";
 inline constexpr std::string_view kVelocitySdUnused = "is used with the observer kalman only";
-inline constexpr std::string_view kFirstUavOnly = "kept, but this version flies the first UAV only";
+inline constexpr std::string_view kSameLayer =
+    "starts within separation_m of another UAV of the same altitude layer";
 inline constexpr std::string_view kNoWayHome = "is too short for the way home from the start";
 inline constexpr std::string_view kNoRoundTrip =
     "is too short for the way to the nearest iceberg and back";
@@ -62,6 +67,8 @@ inline constexpr std::string_view kBeyondProof =
     "more than can be proven optimal; the plan comes with a bound";
 inline constexpr std::string_view kClustersIgnored =
     "the policy plans icebergs one by one, so clusters are not made";
+inline constexpr std::string_view kClustersOneUav =
+    "clusters are planned for one UAV only, so with several they are not made";
 inline constexpr std::string_view kSolverUnable =
     "cannot plan so many icebergs; the back end auto can";
 inline constexpr std::string_view kLongProof =

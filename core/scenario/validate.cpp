@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string_view>
 
 namespace berg {
 
@@ -258,6 +260,24 @@ void checkIcebergs(const Scenario& s, std::map<std::string, std::string>& ownerO
     }
 }
 
+/** Whom icebergs are kept for, and how far apart those fly. */
+void checkFleet(const Scenario& s, Findings& findings)
+{
+    findings.inRange(s.separation_m, {.low = 0, .high = kLargestLength_m}, "separation_m");
+    if (s.icebergs.size() > kMostIcebergs)
+        return;
+    std::set<std::string_view> known;
+    for (const Uav& uav : s.uavs)
+        known.insert(uav.id);
+    for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
+        const std::string& uav = s.icebergs[i].uav;
+        const std::string path = entryPath("icebergs", i) + ".uav";
+        findings.utf8(uav, path);
+        if (isUtf8(uav) && !uav.empty() && !known.contains(uav))
+            findings.error(path, '"' + printable(uav) + "\" is the id of no UAV of this scenario");
+    }
+}
+
 /** The slowest UAV whose airspeed is valid; null when there is none. */
 const Uav* slowestUav(const Scenario& s)
 {
@@ -346,6 +366,7 @@ std::vector<Issue> validate(const Scenario& scenario)
     checkUavs(scenario, ownerOfId, findings);
     checkGeofence(scenario, findings);
     checkIcebergs(scenario, ownerOfId, findings);
+    checkFleet(scenario, findings);
     checkDrift(scenario, findings);
     checkAsset(scenario, findings);
     checkObserver(scenario, findings);

@@ -23,7 +23,7 @@ class Simulation;
  * How many of the order can be visited before home must be reached, clusters as a whole; none:
  * unlimited. Takes them as visited one by one, which is a longer way than to their middle.
  */
-[[nodiscard]] std::optional<int> thisSortie(const Simulation& simulation,
+[[nodiscard]] std::optional<int> thisSortie(const Simulation& simulation, int uav,
                                             std::span<const int> order,
                                             std::span<const std::vector<int>> clusters);
 

@@ -23,16 +23,12 @@ const Scenario& checked(const Scenario& scenario)
     return scenario;
 }
 
-/** What the log keeps of an answer; time and reason are the caller's. */
+/** What the log keeps of an answer, of all its UAVs; time, order and reason are the caller's. */
 PlanEvent planEvent(const PlanAnswer& answer)
 {
     const SolveOutcome& outcome = answer.outcome;
-    PlanEvent event{.target = answer.order.empty() ? -1 : answer.order.front(),
-                    .order = answer.order,
-                    .clusters = answer.clusters,
-                    .legs = answer.legs,
+    PlanEvent event{.clusters = answer.clusters,
                     .predictedZeta_m2s = answer.predictedZeta_m2s,
-                    .outlook = answer.outlook,
                     .status = outcome.status,
                     .stop = outcome.reason,
                     .backend = outcome.backend,
@@ -40,6 +36,8 @@ PlanEvent planEvent(const PlanAnswer& answer)
                     .mu = answer.problem.mu,
                     .objective = outcome.objective,
                     .bound = outcome.bound,
+                    .gap = answer.gap,
+                    .distance_m = answer.distance_m,
                     .elapsed_s = outcome.elapsed_s,
                     .warmStarted = outcome.hintUsed,
                     .fellBack = answer.fellBack};
@@ -50,12 +48,40 @@ PlanEvent planEvent(const PlanAnswer& answer)
     return event;
 }
 
+/** The answer for one UAV alone as that for a fleet of one. */
+UavAnswer onlyAnswer(const PlanAnswer& answer)
+{
+    return {.order = answer.order, .legs = answer.legs, .outlook = answer.outlook};
+}
+
+/** One event for each UAV of the request; time and reasons are the caller's. */
+std::vector<PlanEvent> planEvents(const PlanAnswer& answer, const PlanRequest& request)
+{
+    const bool isFleet = !request.fleet.empty();
+    std::vector<PlanEvent> events;
+    for (std::size_t k = 0; k < (isFleet ? answer.fleet.size() : 1); ++k) {
+        UavAnswer own = isFleet ? answer.fleet[k] : onlyAnswer(answer);
+        PlanEvent event = planEvent(answer);
+        event.uav = isFleet ? request.fleet[k].uav : 0;
+        event.sameSolve = k > 0;
+        event.target = own.order.empty() ? -1 : own.order.front();
+        event.order = std::move(own.order);
+        event.legs = std::move(own.legs);
+        event.outlook = std::move(own.outlook);
+        if (!isFleet && event.outlook && !event.outlook->sightings_s.empty())
+            event.distance_m =
+                request.speed_mps * (event.outlook->sightings_s.back() - request.picture->time_s);
+        events.push_back(std::move(event));
+    }
+    return events;
+}
+
 /** Who is seen with the target; empty: it is no cluster. */
-std::string togetherText(const WorldState& state, const std::vector<Iceberg>& icebergs)
+std::string togetherText(const UavState& uav, const std::vector<Iceberg>& icebergs)
 {
     std::string text;
-    for (const int member : state.members)
-        if (member != state.target)
+    for (const int member : uav.members)
+        if (member != uav.target)
             text += (text.empty() ? "with " : ", ") + icebergs[static_cast<std::size_t>(member)].id;
     return text;
 }
@@ -112,25 +138,14 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
 /** Puts a pending plan in force and asks for one where it is needed. False: cancelled. */
 bool Mission::planWhenDue(const std::stop_token& stop)
 {
-    if (m_simulation.homeward()) { // what is flown next is planned at take-off
+    if (m_simulation.plannedUavs().empty()) { // what is flown next is planned at take-off
         m_pending.reset();
         m_missed = PlanReason::None;
         return true;
     }
     if (m_pending && m_simulation.state().step >= m_pending->step) {
-        PlanEvent plan = std::exchange(m_pending, std::nullopt)->plan;
-        // What has come into view since is not flown to.
-        std::erase_if(plan.order, [this](int i) { return !m_simulation.available(i); });
-        plan.clusters = stillClusters(std::move(plan.clusters), m_simulation);
-        const bool outdated = plan.target >= 0 && !m_simulation.available(plan.target);
-        if (outdated) {
-            plan.target = plan.order.empty() ? -1 : plan.order.front();
-            plan.legs.clear();
-        }
-        const PlanReason missed = std::exchange(m_missed, PlanReason::None);
-        plan.time_s = m_simulation.time_s();
-        putInForce(std::move(plan));
-        if (missed != PlanReason::None || outdated)
+        const bool isTimely = putPendingInForce();
+        if (std::exchange(m_missed, PlanReason::None) != PlanReason::None || !isTimely)
             m_simulation.requestPlan();
     }
     if (m_simulation.planReason() == PlanReason::None)
@@ -140,6 +155,28 @@ bool Mission::planWhenDue(const std::stop_token& stop)
     m_missed = m_simulation.planReason();
     flyOn();
     return true;
+}
+
+bool Mission::putPendingInForce()
+{
+    Round plans = std::exchange(m_pending, std::nullopt)->plans;
+    std::erase_if(plans,
+                  [this](const PlanEvent& plan) { return m_simulation.uav(plan.uav).homeward(); });
+    bool isTimely = true;
+    for (PlanEvent& plan : plans) {
+        // What has come into view since is not flown to.
+        const auto isGone = [&](int i) { return !m_simulation.available(plan.uav, i); };
+        std::erase_if(plan.order, isGone);
+        plan.clusters = stillClusters(std::move(plan.clusters), m_simulation);
+        plan.time_s = m_simulation.time_s();
+        if (plan.target < 0 || !isGone(plan.target))
+            continue;
+        isTimely = false;
+        plan.target = plan.order.empty() ? -1 : plan.order.front();
+        plan.legs.clear();
+    }
+    putInForce(std::move(plans));
+    return isTimely;
 }
 
 bool Mission::planNow(const std::stop_token& stop)
@@ -161,100 +198,157 @@ bool Mission::planNow(const std::stop_token& stop)
 
     m_lastRequest = request;
     if (!answer.failure.empty())
-        note(EventKind::PlannerFailed, -1, answer.failure);
-    PlanEvent event = planEvent(answer);
-    event.time_s = m_simulation.time_s();
-    event.reason = m_simulation.planReason();
-    if (event.outlook && !event.outlook->sightings_s.empty())
-        event.distance_m = request->speed_mps * (event.outlook->sightings_s.back() - event.time_s);
+        note(EventKind::PlannerFailed, -1, -1, answer.failure);
+    Round plans = planEvents(answer, *request);
+    bool isTakeOff = false;
+    for (PlanEvent& plan : plans) {
+        plan.time_s = m_simulation.time_s();
+        plan.reason = m_simulation.planReason(plan.uav);
+        isTakeOff = isTakeOff || plan.reason == PlanReason::TakeOff;
+    }
     // The first plan of a sortie is made before take-off.
     const std::int64_t wait = std::llround(m_scenario.planningTime_s / m_simulation.dt_s());
-    if (wait == 0 || m_plans.empty() || event.reason == PlanReason::TakeOff) {
-        putInForce(std::move(event));
+    if (wait == 0 || m_plans.empty() || isTakeOff) {
+        putInForce(std::move(plans));
         return true;
     }
-    m_pending = {.plan = std::move(event), .step = m_simulation.state().step + wait};
+    m_pending = {.plans = std::move(plans), .step = m_simulation.state().step + wait};
     flyOn();
     return true;
 }
 
-void Mission::putInForce(PlanEvent plan)
+void Mission::putInForce(Round plans)
 {
-    plan.zeta_m2s = m_simulation.state().zeta_m2s;
-    plan.thisSortie = thisSortie(m_simulation, plan.order, plan.clusters);
+    for (PlanEvent& plan : plans) {
+        plan.zeta_m2s = m_simulation.state().zeta_m2s;
+        plan.thisSortie = thisSortie(m_simulation, plan.uav, plan.order, plan.clusters);
+    }
     if (m_options.record) // two forecasts: dear where missions are flown by the thousand
-        plan.change = changeTo(plan);
-    m_simulation.setTarget(plan.target, firstAim(plan), clusterWith(plan.clusters, plan.target));
-    note(EventKind::Planned, plan.target, plan.fellBack ? "last plan kept" : plan.backend);
+        compareWithLast(plans);
+    for (PlanEvent& plan : plans)
+        tell(std::move(plan));
+}
+
+/** The autopilot of its UAV flies by the plan from now on. */
+void Mission::tell(PlanEvent plan)
+{
+    m_simulation.setTarget(plan.uav, plan.target, firstAim(plan),
+                           clusterWith(plan.clusters, plan.target));
+    if (!plan.interim)
+        note(EventKind::Planned, plan.target, plan.uav,
+             plan.fellBack ? "last plan kept" : plan.backend);
     noteNews();
     m_plans.push_back(std::move(plan));
 }
 
-/** The autopilot's part while a plan is pending: the leg under way, or the next of the last plan.
- */
+/** The autopilots' part while a plan is pending. */
 void Mission::flyOn()
 {
-    const PlanReason reason = m_simulation.planReason();
+    for (const int uav : m_simulation.plannedUavs())
+        if (m_simulation.planReason(uav) != PlanReason::None)
+            flyOn(uav);
+}
+
+/** The leg under way, or the next of the last plan. */
+void Mission::flyOn(int uav)
+{
+    const PlanReason reason = m_simulation.planReason(uav);
     PlanEvent plan{.time_s = m_simulation.time_s(),
+                   .uav = uav,
                    .reason = reason,
                    .zeta_m2s = m_simulation.state().zeta_m2s,
                    .interim = true};
-    plan.order = restOfPlan(reason);
-    std::erase_if(plan.order, [this](int i) { return !m_simulation.available(i); });
+    plan.order = restOfPlan(uav, reason);
+    std::erase_if(plan.order, [&](int i) {
+        return !m_simulation.available(uav, i) || isTargetOfOther(uav, i);
+    });
     if (plan.order.empty())
-        if (const int nearest = m_simulation.nearestAvailable(); nearest >= 0)
+        if (const int nearest = m_simulation.nearestAvailable(uav);
+            nearest >= 0 && !isTargetOfOther(uav, nearest))
             plan.order = {nearest};
-    plan.clusters = stillClusters(m_plans.back().clusters, m_simulation);
-    plan.thisSortie = thisSortie(m_simulation, plan.order, plan.clusters);
+    if (const PlanEvent* last = lastPlanOf(m_plans, uav))
+        plan.clusters = stillClusters(last->clusters, m_simulation);
+    plan.thisSortie = thisSortie(m_simulation, uav, plan.order, plan.clusters);
     plan.target = plan.order.empty() ? -1 : plan.order.front();
-    if (plan.target >= 0 && plan.target == m_simulation.state().target &&
-        m_simulation.state().aim) {
-        AimedLeg leg = *m_simulation.state().aim;
+    const UavState& now = m_simulation.uav(uav);
+    if (plan.target >= 0 && plan.target == now.target && now.aim) {
+        AimedLeg leg = *now.aim;
         leg.sighting_s = std::max(leg.sighting_s, plan.time_s + m_scenario.planningTime_s);
         plan.legs = {leg};
     }
-    m_simulation.setTarget(plan.target, firstAim(plan), clusterWith(plan.clusters, plan.target));
-    noteNews();
-    m_plans.push_back(std::move(plan));
+    tell(std::move(plan));
 }
 
-std::vector<int> Mission::restOfPlan(PlanReason reason) const
+bool Mission::isTargetOfOther(int uav, int iceberg) const
 {
-    std::vector<int> rest = m_plans.back().order;
+    for (int other = 0; other < m_simulation.uavCount(); ++other)
+        if (other != uav && m_simulation.uav(other).target == iceberg)
+            return true;
+    return false;
+}
+
+std::vector<int> Mission::restOfPlan(int uav, PlanReason reason) const
+{
+    const PlanEvent* last = lastPlanOf(m_plans, uav);
+    std::vector<int> rest = last ? last->order : std::vector<int>();
     if (reason == PlanReason::TargetReached && !rest.empty())
         rest.erase(rest.begin());
     return rest;
 }
 
-/** What `next` changes about the plan in force, seen from here. */
-std::optional<PlanChange> Mission::changeTo(const PlanEvent& next) const
+ForecastStart Mission::forecastStart() const
+{
+    ForecastStart start{.world = m_simulation.state(),
+                        .time_s = m_simulation.time_s(),
+                        .wind_mps = m_simulation.motion(0).wind_mps};
+    for (int uav = 0; uav < m_simulation.uavCount(); ++uav)
+        start.airspeeds_mps.push_back(m_simulation.motion(uav).airspeed_mps);
+    for (int i = 0; i < m_simulation.icebergCount(); ++i)
+        start.active.push_back(m_simulation.active(i));
+    return start;
+}
+
+/** What the plans change about those in force, seen from here. */
+void Mission::compareWithLast(Round& plans) const
 {
     if (m_plans.empty())
-        return std::nullopt;
-    std::vector<int> rest = restOfPlan(m_plans.back().interim ? PlanReason::None : next.reason);
-    // Those in view are passed over, unless the new order keeps them, as fixed routes do.
-    std::erase_if(rest, [&](int iceberg) {
-        return !m_simulation.available(iceberg) &&
-               std::find(next.order.begin(), next.order.end(), iceberg) == next.order.end();
-    });
+        return;
+    FleetOrders before(static_cast<std::size_t>(m_simulation.uavCount()));
+    FleetOrders after = before;
     // Of both what can be flown.
-    const ChangedClusters clusters{.before = m_plans.back().clusters, .after = next.clusters};
-    const auto ofSortie = [this](std::vector<int> order,
+    const auto ofSortie = [this](int uav, std::vector<int> order,
                                  std::span<const std::vector<int>> together) {
-        if (const std::optional<int> visits = thisSortie(m_simulation, order, together))
+        if (const std::optional<int> visits = thisSortie(m_simulation, uav, order, together))
             order.resize(static_cast<std::size_t>(*visits));
         return order;
     };
-    ForecastStart start{.world = m_simulation.state(),
-                        .time_s = m_simulation.time_s(),
-                        .airspeed_mps = m_simulation.motion().airspeed_mps,
-                        .wind_mps = m_simulation.motion().wind_mps};
-    for (int i = 0; i < m_simulation.icebergCount(); ++i)
-        start.active.push_back(m_simulation.active(i));
+    const auto isPlanned = [&plans](int iceberg) {
+        return std::ranges::any_of(plans, [iceberg](const PlanEvent& plan) {
+            return std::ranges::find(plan.order, iceberg) != plan.order.end();
+        });
+    };
+    ChangedClusters clusters{.after = plans.front().clusters};
+    for (const PlanEvent& next : plans) {
+        const PlanEvent* last = lastPlanOf(m_plans, next.uav);
+        if (last == nullptr)
+            continue;
+        clusters.before = last->clusters;
+        std::vector<int> rest =
+            restOfPlan(next.uav, last->interim ? PlanReason::None : next.reason);
+        // Those in view are passed over, unless the new order keeps them, as fixed routes do.
+        std::erase_if(rest, [&](int iceberg) {
+            return !m_simulation.available(next.uav, iceberg) && !isPlanned(iceberg);
+        });
+        const auto k = static_cast<std::size_t>(next.uav);
+        before[k] = ofSortie(next.uav, std::move(rest), last->clusters);
+        after[k] = ofSortie(next.uav, next.order, next.clusters);
+    }
     const double left_s =
-        static_cast<double>(m_simulation.lastStep()) * m_simulation.dt_s() - start.time_s;
-    return planChange(start, ofSortie(std::move(rest), clusters.before),
-                      ofSortie(next.order, clusters.after), left_s, clusters);
+        static_cast<double>(m_simulation.lastStep()) * m_simulation.dt_s() - m_simulation.time_s();
+    std::vector<std::optional<PlanChange>> changes =
+        planChanges(forecastStart(), before, after, left_s, clusters);
+    for (PlanEvent& plan : plans)
+        plan.change = std::move(changes[static_cast<std::size_t>(plan.uav)]);
 }
 
 void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listener)
@@ -264,41 +358,49 @@ void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listene
 
 void Mission::tellIncumbent(const SolveProgress& progress, const PlanRequest& request)
 {
-    if (progress.order.empty())
-        return;
-    m_incumbentListener({.time_s = m_simulation.time_s(),
-                         .reason = m_simulation.planReason(),
-                         .target = progress.order.front(),
-                         .order = progress.order,
-                         .clusters = request.clusters,
-                         .thisSortie = thisSortie(m_simulation, progress.order, request.clusters),
-                         .legs = progress.legs,
-                         .status = SolveStatus::Feasible,
-                         .objective = progress.objective,
-                         .bound = progress.bound,
-                         .elapsed_s = progress.elapsed_s});
+    PlanEvent event{.time_s = m_simulation.time_s(),
+                    .clusters = request.clusters,
+                    .status = SolveStatus::Feasible,
+                    .objective = progress.objective,
+                    .bound = progress.bound,
+                    .elapsed_s = progress.elapsed_s};
+    const bool isFleet = !request.fleet.empty();
+    for (std::size_t k = 0; k < (isFleet ? progress.fleet.size() : 1); ++k) {
+        event.uav = isFleet ? request.fleet[k].uav : 0;
+        event.sameSolve = k > 0;
+        event.order = isFleet ? progress.fleet[k] : progress.order;
+        if (event.order.empty() && !isFleet)
+            return;
+        event.reason = m_simulation.planReason(event.uav);
+        event.target = event.order.empty() ? -1 : event.order.front();
+        event.thisSortie = thisSortie(m_simulation, event.uav, event.order, event.clusters);
+        event.legs = isFleet ? std::vector<AimedLeg>() : progress.legs;
+        m_incumbentListener(event);
+    }
 }
 
-void Mission::note(EventKind kind, int iceberg, std::string detail)
+void Mission::note(EventKind kind, int iceberg, int uav, std::string detail)
 {
-    const bool isInEveryRun =
-        kind == EventKind::Planned || kind == EventKind::Reached || kind == EventKind::Sighted;
+    // Who of several has reached what is told nowhere else.
+    const bool isInEveryRun = kind == EventKind::Planned || kind == EventKind::Sighted ||
+                              (kind == EventKind::Reached && m_simulation.uavCount() == 1);
     if (m_options.record || !isInEveryRun)
-        m_events.push_back({m_simulation.time_s(), kind, iceberg, std::move(detail)});
+        m_events.push_back({m_simulation.time_s(), kind, iceberg, uav, std::move(detail)});
 }
 
 void Mission::noteStep()
 {
     for (const int iceberg : m_simulation.newlyAppeared())
-        note(EventKind::Appeared, iceberg, {});
-    for (const int iceberg : m_simulation.newlySeen())
-        note(EventKind::Sighted, iceberg, {});
+        note(EventKind::Appeared, iceberg, -1);
+    for (const SeenIceberg& sighting : m_simulation.newlySeen())
+        note(EventKind::Sighted, sighting.iceberg, sighting.uav);
     noteNews();
-    if (m_simulation.planReason() == PlanReason::TargetReached) {
-        ++m_visits;
-        note(EventKind::Reached, m_simulation.state().target,
-             togetherText(m_simulation.state(), m_icebergs));
-    }
+    for (int uav = 0; uav < m_simulation.uavCount(); ++uav)
+        if (m_simulation.planReason(uav) == PlanReason::TargetReached) {
+            ++m_visits;
+            note(EventKind::Reached, m_simulation.uav(uav).target, uav,
+                 togetherText(m_simulation.uav(uav), m_icebergs));
+        }
     const auto second =
         static_cast<std::int64_t>(std::max(1LL, std::llround(1 / m_simulation.dt_s())));
     if (m_simulation.asset() && m_simulation.state().step % second == 0)
@@ -307,8 +409,13 @@ void Mission::noteStep()
 
 void Mission::noteNews()
 {
-    for (const News& news : m_simulation.takeNews())
-        note(news.kind, news.iceberg, {});
+    for (const News& news : m_simulation.takeNews()) {
+        std::string detail;
+        if (news.otherUav >= 0)
+            detail = m_scenario.uavs[static_cast<std::size_t>(news.otherUav)].id + ", " +
+                     std::to_string(std::llround(news.distance_m)) + " m";
+        note(news.kind, news.iceberg, news.uav, std::move(detail));
+    }
 }
 
 /** One for each time an iceberg is found to be on its way into the inner ring. */
@@ -323,7 +430,7 @@ void Mission::noteAlarms()
             entryTime_s(*m_simulation.relativeToAsset(i), radius_m, kApproachHorizon_s);
         const auto k = static_cast<std::size_t>(i);
         if (entry_s && !m_alarmed[k])
-            note(EventKind::Alarm, i, "in " + std::to_string(std::llround(*entry_s)) + " s");
+            note(EventKind::Alarm, i, -1, "in " + std::to_string(std::llround(*entry_s)) + " s");
         m_alarmed[k] = entry_s.has_value();
     }
 }
@@ -336,12 +443,17 @@ void Mission::intervene(Intervention intervention)
     Scenario after = m_scenario;
     after.planner = settings;
     after.icebergs = m_icebergs;
-    after.wind_mps = intervention.wind_mps.value_or(m_simulation.motion().wind_mps);
+    after.wind_mps = intervention.wind_mps.value_or(m_simulation.motion(0).wind_mps);
     after.asset = intervention.asset ? intervention.asset : m_simulation.asset();
     if (intervention.appears)
         after.icebergs.push_back(*intervention.appears);
     checked(after);
-    const int seen = intervention.seen ? appearedIceberg(*intervention.seen) : -1;
+    if (intervention.seen)
+        static_cast<void>(appearedIceberg(*intervention.seen, "seen"));
+    if (intervention.assigned) {
+        static_cast<void>(appearedIceberg(intervention.assigned->iceberg, "assigned.iceberg"));
+        static_cast<void>(uavIndex(intervention.assigned->uav));
+    }
     // A plan still due is made before the change, as a replay does: it comes to this instant by
     // `advance`, which leaves no plan due.
     if (!m_simulation.finished())
@@ -349,47 +461,71 @@ void Mission::intervene(Intervention intervention)
 
     m_planner.setSettings(settings);
     intervention.time_s = m_simulation.time_s();
-    if (intervention.tau || intervention.policy) {
-        m_simulation.requestPlan();
-        note(EventKind::Intervention, -1, nameOf(kPolicyNames, settings.policy));
-    }
-    if (intervention.wind_mps) {
-        m_simulation.setWind(*intervention.wind_mps);
-        note(EventKind::Intervention, -1, kWindChanged);
-    }
-    if (intervention.asset) {
-        m_simulation.setAsset(*intervention.asset);
-        note(EventKind::Intervention, -1, kAssetChanged);
-    }
-    if (intervention.appears) {
-        m_icebergs.push_back(*intervention.appears);
-        m_simulation.addIceberg(*intervention.appears);
-        note(EventKind::Appeared, m_simulation.icebergCount() - 1, {});
-    }
-    if (seen >= 0) {
-        m_simulation.reportSighting(seen);
-        note(EventKind::Sighted, seen, kReported);
-    }
+    apply(intervention, settings);
     m_interventions.push_back(std::move(intervention));
     m_plansBefore.push_back(m_plans.size());
 }
 
-int Mission::appearedIceberg(const std::string& id) const
+void Mission::apply(const Intervention& intervention, const PlannerSettings& settings)
+{
+    if (intervention.tau || intervention.policy) {
+        m_simulation.requestPlan();
+        note(EventKind::Intervention, -1, -1, nameOf(kPolicyNames, settings.policy));
+    }
+    if (intervention.wind_mps) {
+        m_simulation.setWind(*intervention.wind_mps);
+        note(EventKind::Intervention, -1, -1, kWindChanged);
+    }
+    if (intervention.asset) {
+        m_simulation.setAsset(*intervention.asset);
+        note(EventKind::Intervention, -1, -1, kAssetChanged);
+    }
+    if (intervention.appears) {
+        m_icebergs.push_back(*intervention.appears);
+        m_simulation.addIceberg(*intervention.appears);
+        note(EventKind::Appeared, m_simulation.icebergCount() - 1, -1);
+    }
+    if (intervention.seen) {
+        const int seen = appearedIceberg(*intervention.seen, "seen");
+        m_simulation.reportSighting(seen);
+        note(EventKind::Sighted, seen, -1, kReported);
+    }
+    if (intervention.assigned) {
+        const int iceberg = appearedIceberg(intervention.assigned->iceberg, "assigned.iceberg");
+        const int uav = uavIndex(intervention.assigned->uav);
+        m_icebergs[static_cast<std::size_t>(iceberg)].uav = intervention.assigned->uav;
+        m_simulation.assign(iceberg, uav);
+        note(EventKind::Intervention, iceberg, uav, kAssigned);
+    }
+}
+
+int Mission::appearedIceberg(const std::string& id, const char* field) const
 {
     for (int i = 0; i < m_simulation.icebergCount(); ++i)
         if (m_icebergs[static_cast<std::size_t>(i)].id == id && m_simulation.active(i))
             return i;
     throw Error(ErrorCode::InvalidInput, m_scenario.name,
-                {{Severity::Error, "seen", "no iceberg \"" + id + "\" is there at this time"}});
+                {{Severity::Error, field, "no iceberg \"" + id + "\" is there at this time"}});
+}
+
+/** -1: any UAV, the id is empty. */
+int Mission::uavIndex(const std::string& id) const
+{
+    if (id.empty())
+        return -1;
+    const auto it = std::ranges::find(m_scenario.uavs, id, &Uav::id);
+    if (it != m_scenario.uavs.end())
+        return static_cast<int>(it - m_scenario.uavs.begin());
+    throw Error(ErrorCode::InvalidInput, m_scenario.name,
+                {{Severity::Error, "assigned.uav", "no UAV is named \"" + id + "\""}});
 }
 
 Metrics Mission::metrics() const
 {
     return {.zeta_m2s = m_simulation.state().zeta_m2s,
             .visits = m_visits,
-            .replans = static_cast<int>(std::count_if(
-                m_plans.begin(), m_plans.end(), [](const PlanEvent& p) { return !p.interim; })),
-            .flown_m = m_simulation.state().flown_m};
+            .replans = static_cast<int>(std::ranges::count_if(m_plans, isReplan)),
+            .flown_m = m_simulation.state().flown_m()};
 }
 
 PlanAnswer planFromStart(const Scenario& scenario, const SolveOptions& options)

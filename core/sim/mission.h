@@ -23,6 +23,14 @@ struct MissionOptions
     bool operator==(const MissionOptions&) const = default;
 };
 
+/** One iceberg and the UAV that alone is to visit it. */
+struct Assignment
+{
+    std::string iceberg; ///< id
+    std::string uav;     ///< id; empty: any may
+    bool operator==(const Assignment&) const = default;
+};
+
 /** A change made in flight, replayed from the run file. Empty members change nothing. */
 struct Intervention
 {
@@ -33,6 +41,7 @@ struct Intervention
     std::optional<Asset> asset;      ///< protected from now on; its position is that at time 0
     std::optional<Iceberg> appears;  ///< a new iceberg, here and now
     std::optional<std::string> seen; ///< id of one that somebody else sees now
+    std::optional<Assignment> assigned;
     bool operator==(const Intervention&) const = default;
 };
 
@@ -41,8 +50,8 @@ struct Metrics
 {
     double zeta_m2s = 0; ///< Eq. (24)
     int visits = 0;      ///< targets reached
-    int replans = 0;     ///< plans made, the first included
-    double flown_m = 0;  ///< through the air
+    int replans = 0;     ///< plans made, the first included; of several UAVs one for all
+    double flown_m = 0;  ///< through the air, all UAVs
     bool operator==(const Metrics&) const = default;
 };
 
@@ -77,7 +86,8 @@ public:
     AdvanceStatus advance(double until_s, const std::stop_token& stop = {},
                           const std::function<void(double)>& onProgress = {});
 
-    /** Told of each better order while a solve runs, on the flying thread; `status` is Feasible. */
+    /** Told of each better order while a solve runs, on the flying thread; `status` is Feasible. Of
+     * several UAVs for each of them, `sameSolve` from the second on. */
     void setIncumbentListener(std::function<void(const PlanEvent&)> listener);
 
     /**
@@ -107,25 +117,35 @@ public:
     [[nodiscard]] const std::vector<Iceberg>& icebergs() const { return m_icebergs; }
 
 private:
+    /** Of one re-planning, one for each UAV that is planned. */
+    using Round = std::vector<PlanEvent>;
     /** A plan that is made, but not in force before its time. */
     struct PendingPlan
     {
-        PlanEvent plan;
+        Round plans;
         std::int64_t step = 0; ///< from which on it is in force
     };
     [[nodiscard]] bool planWhenDue(const std::stop_token& stop);
     [[nodiscard]] bool planNow(const std::stop_token& stop);
-    void putInForce(PlanEvent plan);
+    /** False: it is overtaken by what has come into view since. */
+    [[nodiscard]] bool putPendingInForce();
+    void putInForce(Round plans);
+    void tell(PlanEvent plan);
     void flyOn();
-    [[nodiscard]] std::vector<int> restOfPlan(PlanReason reason) const;
-    [[nodiscard]] std::optional<PlanChange> changeTo(const PlanEvent& next) const;
+    void flyOn(int uav);
+    [[nodiscard]] bool isTargetOfOther(int uav, int iceberg) const;
+    [[nodiscard]] std::vector<int> restOfPlan(int uav, PlanReason reason) const;
+    void compareWithLast(Round& plans) const;
+    [[nodiscard]] ForecastStart forecastStart() const;
     void tellIncumbent(const SolveProgress& progress, const PlanRequest& request);
-    void note(EventKind kind, int iceberg, std::string detail);
+    void note(EventKind kind, int iceberg, int uav, std::string detail = {});
     void noteStep();
     void noteNews();
     void noteAlarms();
     /** Index; throws `Error{InvalidInput}` when there is none of that id now. */
-    [[nodiscard]] int appearedIceberg(const std::string& id) const;
+    [[nodiscard]] int appearedIceberg(const std::string& id, const char* field) const;
+    [[nodiscard]] int uavIndex(const std::string& id) const;
+    void apply(const Intervention& intervention, const PlannerSettings& settings);
 
     Scenario m_scenario;
     MissionOptions m_options;

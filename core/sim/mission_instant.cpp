@@ -50,7 +50,7 @@ public:
                                events.begin(), end,
                                [](const MissionEvent& e) { return e.kind == EventKind::Reached; })),
                            .replans = plansMade(),
-                           .flown_m = m_world.state().flown_m};
+                           .flown_m = m_world.state().flown_m()};
         return instant;
     }
 
@@ -58,8 +58,8 @@ private:
     [[nodiscard]] int plansMade() const
     {
         const auto first = m_mission.plans().begin();
-        return static_cast<int>(std::count_if(first, first + static_cast<std::ptrdiff_t>(m_plan),
-                                              [](const PlanEvent& plan) { return !plan.interim; }));
+        return static_cast<int>(
+            std::count_if(first, first + static_cast<std::ptrdiff_t>(m_plan), isReplan));
     }
     [[nodiscard]] std::int64_t stepOf(double time_s) const
     {
@@ -88,7 +88,7 @@ private:
                 apply(changes[m_intervention]);
                 ++m_intervention;
             } else if (m_plan < plans.size() && isNow(plans[m_plan].time_s)) {
-                m_world.setTarget(plans[m_plan].target, firstAim(plans[m_plan]),
+                m_world.setTarget(plans[m_plan].uav, plans[m_plan].target, firstAim(plans[m_plan]),
                                   clusterWith(plans[m_plan].clusters, plans[m_plan].target));
                 ++m_plan;
             } else {
@@ -105,13 +105,19 @@ private:
             m_world.setAsset(*change.asset);
         if (change.appears)
             m_world.addIceberg(*change.appears);
-        if (!change.seen)
-            return;
-        const std::vector<Iceberg>& icebergs = m_mission.icebergs();
-        const auto seen =
-            std::find_if(icebergs.begin(), icebergs.end(),
-                         [&change](const Iceberg& iceberg) { return iceberg.id == *change.seen; });
-        m_world.reportSighting(static_cast<int>(seen - icebergs.begin()));
+        if (change.seen)
+            m_world.reportSighting(indexOf(m_mission.icebergs(), *change.seen));
+        if (change.assigned)
+            m_world.assign(indexOf(m_mission.icebergs(), change.assigned->iceberg),
+                           indexOf(m_mission.scenario().uavs, change.assigned->uav));
+    }
+
+    /** By id; -1: there is none of that id. */
+    template <class Entry>
+    [[nodiscard]] static int indexOf(const std::vector<Entry>& entries, const std::string& id)
+    {
+        const auto it = std::ranges::find(entries, id, &Entry::id);
+        return it == entries.end() ? -1 : static_cast<int>(it - entries.begin());
     }
 
     const Mission& m_mission;

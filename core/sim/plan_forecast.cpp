@@ -57,9 +57,61 @@ bool startsWith(std::span<const int> order, std::span<const int> beginning)
            beginning.end();
 }
 
+/** The visits of one UAV and when they are; sigmas are another matter. */
+RouteForecast routeOf(const ForecastStart& start, std::size_t uav, std::span<const int> order,
+                      std::span<const std::vector<int>> clusters)
+{
+    RouteForecast route;
+    Point from_m = start.world.uavs.at(uav).pose.position_m;
+    double arrival_s = 0;
+    while (!order.empty()) {
+        const std::span<const int> together = seenTogether(order, clusters);
+        order = order.subspan(together.size());
+        const Point to_m = placeOf(together, start);
+        const Point leg_m = to_m - from_m;
+        arrival_s += flightTime_s(leg_m, start.airspeeds_mps.at(uav), start.wind_mps);
+        route.distance_m += leg_m.norm();
+        from_m = to_m;
+        for (const int iceberg : together)
+            route.visits.push_back({.iceberg = iceberg,
+                                    .leg_m = iceberg == together.front() ? leg_m.norm() : 0,
+                                    .arrival_s = arrival_s});
+    }
+    return route;
+}
+
+/** All visits in order of time, those of one UAV in its order. */
+std::vector<ForecastVisit*> inOrderOfTime(std::vector<RouteForecast>& routes)
+{
+    std::vector<ForecastVisit*> visits;
+    for (RouteForecast& route : routes)
+        for (ForecastVisit& visit : route.visits)
+            visits.push_back(&visit);
+    std::ranges::stable_sort(visits, {}, &ForecastVisit::arrival_s);
+    return visits;
+}
+
+bool isIn(const FleetOrders& orders, int iceberg)
+{
+    return std::ranges::any_of(orders, [iceberg](const std::vector<int>& order) {
+        return std::ranges::find(order, iceberg) != order.end();
+    });
+}
+
+/** The orders, and at their ends what only `others` visit, with the same UAV. */
+FleetOrders withVisitsOf(FleetOrders orders, const FleetOrders& others)
+{
+    const FleetOrders own = orders;
+    for (std::size_t uav = 0; uav < others.size(); ++uav)
+        for (const int iceberg : others[uav])
+            if (!isIn(own, iceberg))
+                orders[uav].push_back(iceberg);
+    return orders;
+}
+
 } // namespace
 
-PlanForecast forecastPlan(const ForecastStart& start, std::span<const int> order, double horizon_s,
+PlanForecast forecastPlan(const ForecastStart& start, const FleetOrders& orders, double horizon_s,
                           std::span<const std::vector<int>> clusters)
 {
     const std::vector<Track>& tracks = start.world.tracks;
@@ -69,27 +121,15 @@ PlanForecast forecastPlan(const ForecastStart& start, std::span<const int> order
         growths.push_back({.sigma_m2 = track.sigma_m2, .q_m2ps = track.q_m2ps});
 
     PlanForecast forecast;
-    Point from_m = start.world.uav.position_m;
-    double arrival_s = 0;
-    while (!order.empty()) {
-        const std::span<const int> together = seenTogether(order, clusters);
-        order = order.subspan(together.size());
-        const Point to_m = placeOf(together, start);
-        const Point leg_m = to_m - from_m;
-        arrival_s += flightTime_s(leg_m, start.airspeed_mps, start.wind_mps);
-        forecast.distance_m += leg_m.norm();
-        from_m = to_m;
-        for (const int iceberg : together) {
-            Growth& growth = growths[static_cast<std::size_t>(iceberg)];
-            forecast.visits.push_back({.iceberg = iceberg,
-                                       .leg_m = iceberg == together.front() ? leg_m.norm() : 0,
-                                       .arrival_s = arrival_s,
-                                       .arrivalSigma_m2 = growth.sigmaAt_m2(arrival_s)});
-            if (arrival_s > horizon_s)
-                continue;
-            forecast.zeta_m2s += growth.areaUntil_m2s(arrival_s);
-            growth = {.since_s = arrival_s, .sigma_m2 = 0, .q_m2ps = growth.q_m2ps};
-        }
+    for (std::size_t uav = 0; uav < orders.size(); ++uav)
+        forecast.uavs.push_back(routeOf(start, uav, orders[uav], clusters));
+    for (ForecastVisit* visit : inOrderOfTime(forecast.uavs)) {
+        Growth& growth = growths[static_cast<std::size_t>(visit->iceberg)];
+        visit->arrivalSigma_m2 = growth.sigmaAt_m2(visit->arrival_s);
+        if (visit->arrival_s > horizon_s)
+            continue;
+        forecast.zeta_m2s += growth.areaUntil_m2s(visit->arrival_s);
+        growth = {.since_s = visit->arrival_s, .sigma_m2 = 0, .q_m2ps = growth.q_m2ps};
     }
     for (std::size_t i = 0; i < growths.size(); ++i)
         if (start.active[i])
@@ -97,21 +137,31 @@ PlanForecast forecastPlan(const ForecastStart& start, std::span<const int> order
     return forecast;
 }
 
-std::optional<PlanChange> planChange(const ForecastStart& start, std::vector<int> before,
-                                     std::span<const int> after, double horizon_s,
-                                     const ChangedClusters& clusters)
+std::vector<std::optional<PlanChange>> planChanges(const ForecastStart& start,
+                                                   const FleetOrders& before,
+                                                   const FleetOrders& after, double horizon_s,
+                                                   const ChangedClusters& clusters)
 {
-    if (before.empty() || startsWith(after, before))
-        return std::nullopt;
-    std::vector<int> flown = before;
-    for (const int iceberg : after)
-        if (std::find(before.begin(), before.end(), iceberg) == before.end())
-            flown.push_back(iceberg);
-    const PlanForecast old = forecastPlan(start, flown, horizon_s, clusters.before);
-    const PlanForecast now = forecastPlan(start, after, horizon_s, clusters.after);
-    return PlanChange{.before = std::move(before),
-                      .distance_m = now.distance_m - old.distance_m,
-                      .zeta_m2s = now.zeta_m2s - old.zeta_m2s};
+    std::vector<std::optional<PlanChange>> changes(after.size());
+    const auto isChanged = [&](std::size_t uav) {
+        return !before[uav].empty() && !startsWith(after[uav], before[uav]);
+    };
+    bool any = false;
+    for (std::size_t uav = 0; uav < after.size(); ++uav)
+        any = any || isChanged(uav);
+    if (!any)
+        return changes;
+    const PlanForecast old =
+        forecastPlan(start, withVisitsOf(before, after), horizon_s, clusters.before);
+    const bool isFleet = after.size() > 1;
+    const PlanForecast now = forecastPlan(start, isFleet ? withVisitsOf(after, before) : after,
+                                          horizon_s, clusters.after);
+    for (std::size_t uav = 0; uav < after.size(); ++uav)
+        if (isChanged(uav))
+            changes[uav] = {.before = before[uav],
+                            .distance_m = now.uavs[uav].distance_m - old.uavs[uav].distance_m,
+                            .zeta_m2s = now.zeta_m2s - old.zeta_m2s};
+    return changes;
 }
 
 } // namespace berg

@@ -8,15 +8,18 @@
 
 namespace berg {
 
-/** The instant from which an order is thought flown. The world is borrowed. */
+/** The instant from which orders are thought flown. The world is borrowed. */
 struct ForecastStart
 {
     const WorldState& world;
     std::vector<bool> active; ///< by iceberg: it has appeared
     double time_s = 0;
-    double airspeed_mps = 0;
+    std::vector<double> airspeeds_mps; ///< by UAV
     Point wind_mps = Point::Zero();
 };
+
+/** An order for each UAV, as iceberg indices; empty: it visits nothing. */
+using FleetOrders = std::vector<std::vector<int>>;
 
 /** One iceberg of the order. */
 struct ForecastVisit
@@ -27,16 +30,22 @@ struct ForecastVisit
     double arrivalSigma_m2 = 0; ///< just before it is seen
 };
 
+/** What one UAV does. */
+struct RouteForecast
+{
+    std::vector<ForecastVisit> visits; ///< all of its order, also those after the horizon
+    double distance_m = 0;             ///< over ground, until the last of them
+};
+
 struct PlanForecast
 {
-    std::vector<ForecastVisit> visits; ///< all of the order, also those after the horizon
-    double distance_m = 0;             ///< over ground, until the last of them
-    double zeta_m2s = 0;               ///< added to Eq. (24) within the horizon
+    std::vector<RouteForecast> uavs; ///< by UAV
+    double zeta_m2s = 0;             ///< added to Eq. (24) within the horizon
 };
 
 /**
- * What becomes of flying `order` (iceberg indices) for `horizon_s` from the start: arrivals and
- * sigmas, Eq. (22), and the zeta, Eq. (24), that they add, in closed form. It is assumed that
+ * What becomes of flying `orders` for `horizon_s` from the start: arrivals and sigmas, Eq. (22),
+ * and the zeta, Eq. (24), that they add, in closed form. It is assumed that
  * - the estimates of the start stand still, as the planner takes them to do;
  * - legs are straight and flown at the airspeed in the wind, without the time that turns take;
  * - an iceberg is seen for an instant, when the UAV is over its estimate: sigma falls to 0 and
@@ -48,7 +57,7 @@ struct PlanForecast
  * So it is good for comparing orders and for the near future; over many rounds the flight, which
  * goes on visiting, stays below it. Throws `std::logic_error` for an index that is not there.
  */
-[[nodiscard]] PlanForecast forecastPlan(const ForecastStart& start, std::span<const int> order,
+[[nodiscard]] PlanForecast forecastPlan(const ForecastStart& start, const FleetOrders& orders,
                                         double horizon_s,
                                         std::span<const std::vector<int>> clusters = {});
 
@@ -64,18 +73,18 @@ struct PlanChange
 {
     std::vector<int> before; ///< what was left of it, iceberg indices
     double distance_m = 0;   ///< by which the new order is longer
-    double zeta_m2s = 0;     ///< by which it is predicted to add more within the horizon
+    double zeta_m2s = 0;     ///< by which the new orders are predicted to add more, of all UAVs
     bool operator==(const PlanChange&) const = default;
 };
 
 /**
- * The change from `before` to `after`, both flown from the same start for the same time
- * (`forecastPlan`). Icebergs that only the new order visits come last in the old one, so that both
- * visit the same. None: nothing was left, or the new order begins with all that was.
+ * The changes from `before` to `after`, both flown from the same start for the same time
+ * (`forecastPlan`), by UAV. Icebergs that only the new orders visit come last in the old one of the
+ * same UAV and the other way round, so that both visit the same. None: nothing was left for the
+ * UAV, or its new order begins with all that was.
  */
-[[nodiscard]] std::optional<PlanChange> planChange(const ForecastStart& start,
-                                                   std::vector<int> before,
-                                                   std::span<const int> after, double horizon_s,
-                                                   const ChangedClusters& clusters = {});
+[[nodiscard]] std::vector<std::optional<PlanChange>>
+planChanges(const ForecastStart& start, const FleetOrders& before, const FleetOrders& after,
+            double horizon_s, const ChangedClusters& clusters = {});
 
 } // namespace berg

@@ -19,9 +19,31 @@ std::optional<AimedLeg> firstAim(const PlanEvent& plan)
     return plan.legs.empty() ? std::nullopt : std::optional(plan.legs.front());
 }
 
+const PlanEvent* lastPlanOf(std::span<const PlanEvent> plans, int uav)
+{
+    for (std::size_t i = plans.size(); i-- > 0;)
+        if (plans[i].uav == uav)
+            return &plans[i];
+    return nullptr;
+}
+
 Recorder::Recorder(double interval_s, double keyframe_s, double dt_s)
     : m_sampleSteps(stepsOf(interval_s, dt_s)), m_keyframeSteps(stepsOf(keyframe_s, dt_s))
 {
+}
+
+std::vector<UavSample> uavSamples(const WorldState& state)
+{
+    std::vector<UavSample> samples;
+    samples.reserve(state.uavs.size());
+    for (const UavState& uav : state.uavs)
+        samples.push_back({.pose = uav.pose,
+                           .u_radps = uav.u_radps,
+                           .crossTrack_m = uav.crossTrack_m,
+                           .flown_m = uav.flown_m,
+                           .target = uav.target,
+                           .onGround = uav.mode == FlightMode::Ground});
+    return samples;
 }
 
 namespace {
@@ -48,14 +70,11 @@ void Recorder::record(const Simulation& simulation)
     if (!last && state.step % m_sampleSteps != 0)
         return;
     m_samples.push_back({.time_s = simulation.time_s(),
-                         .uav = state.uav,
-                         .u_radps = state.u_radps,
-                         .crossTrack_m = state.crossTrack_m,
+                         .uavs = uavSamples(state),
                          .sigmaSum_m2 = state.sigmaSum_m2,
                          .weightedSum_m2 = weightedSum_m2(simulation),
                          .zeta_m2s = state.zeta_m2s,
-                         .flown_m = state.flown_m,
-                         .target = state.target});
+                         .flown_m = state.flown_m()});
     std::vector<IcebergSample>& row = m_rows.emplace_back();
     row.reserve(static_cast<std::size_t>(simulation.icebergCount()));
     for (int i = 0; i < simulation.icebergCount(); ++i) {

@@ -7,10 +7,15 @@
 
 namespace berg {
 
-/** One re-planning, with what the solver said. */
+/**
+ * What one re-planning tells one UAV, with what the solver said. Of several UAVs each has an event
+ * of its own, one after another; the solve is that of all of them.
+ */
 struct PlanEvent
 {
     double time_s = 0;
+    int uav = 0;
+    bool sameSolve = false; ///< the event before is of the same re-planning, for another UAV
     PlanReason reason = PlanReason::None;
     int target = -1;                         ///< index of the iceberg flown to; -1: circling
     std::vector<int> order;                  ///< iceberg indices
@@ -37,6 +42,15 @@ struct PlanEvent
                                       ///< missions that keep a record
 };
 
+/** Whether it is one of `Metrics::replans`: not interim, and of several UAVs the first. */
+[[nodiscard]] inline bool isReplan(const PlanEvent& plan)
+{
+    return !plan.interim && !plan.sameSolve;
+}
+
+/** The last one of them for the UAV; null: none. */
+[[nodiscard]] const PlanEvent* lastPlanOf(std::span<const PlanEvent> plans, int uav);
+
 /** The aim of the leg that the plan starts with, if it has any. */
 [[nodiscard]] std::optional<AimedLeg> firstAim(const PlanEvent& plan);
 
@@ -46,6 +60,7 @@ inline constexpr const char* kReported = "reported";
 /** Details of an intervention. */
 inline constexpr const char* kWindChanged = "wind";
 inline constexpr const char* kAssetChanged = "asset";
+inline constexpr const char* kAssigned = "assigned";
 
 /** One line of the event log. */
 struct MissionEvent
@@ -53,21 +68,32 @@ struct MissionEvent
     double time_s = 0;
     EventKind kind = EventKind::Planned;
     int iceberg = -1;   ///< index; -1: none
+    int uav = -1;       ///< likewise
     std::string detail; ///< English, for the log file
 };
 
-/** UAV and totals at one instant. */
+/** One UAV at the instant of a sample. */
+struct UavSample
+{
+    DubinsState pose;
+    double u_radps = 0;
+    double crossTrack_m = 0;
+    double flown_m = 0; ///< through the air
+    int target = -1;
+    bool onGround = false;
+};
+
+[[nodiscard]] std::vector<UavSample> uavSamples(const WorldState& state);
+
+/** UAVs and totals at one instant. */
 struct Sample
 {
     double time_s = 0;
-    DubinsState uav;
-    double u_radps = 0;
-    double crossTrack_m = 0;
+    std::vector<UavSample> uavs;
     double sigmaSum_m2 = 0;
     double weightedSum_m2 = 0; ///< sigmas times their priorities; as `sigmaSum_m2` with no asset
     double zeta_m2s = 0;
-    double flown_m = 0;
-    int target = -1;
+    double flown_m = 0; ///< through the air, all UAVs
 };
 
 /** One iceberg at the instant of a sample. */

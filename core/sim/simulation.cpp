@@ -1,6 +1,7 @@
 #include "core/sim/simulation.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/advice.h"
 #include "core/scenario/true_start.h"
 #include "core/vehicle/geofence.h"
 
@@ -16,9 +17,6 @@ namespace {
 constexpr std::size_t kMostNoise_bytes = 32'000'000;
 /** Icebergs farther out of reach than this are out of view in spite of all rounding. */
 constexpr double kReachMargin_m = 1;
-/** A sighting later than predicted by this is overdue. */
-constexpr double kOverdue_s = 2;
-
 bool turnsInsideReach(const Uav& uav, const std::optional<double>& reachRadius_m)
 {
     const double reach_m = reachRadius_m ? *reachRadius_m : uav.fov_m.minCoeff() / 2;
@@ -39,41 +37,35 @@ std::vector<DriftNoise> drawNoise(const Scenario& scenario)
     return noise;
 }
 
+double WorldState::flown_m() const
+{
+    double sum_m = 0;
+    for (const UavState& uav : uavs)
+        sum_m += uav.flown_m;
+    return sum_m;
+}
+
 Simulation::Simulation(const Scenario& scenario, std::span<const DriftNoise> noise)
-    : m_motion{.airspeed_mps = scenario.uavs.at(0).spec.airspeed_mps,
-               .limit_radps = maxTurnRate_radps(scenario.uavs[0].spec),
-               .wind_mps = scenario.wind_mps}
-    , m_sensor{.fov_m = scenario.uavs[0].fov_m, .shape = scenario.fovShape}
-    , m_reachRadius_m(scenario.reachRadius_m)
-    , m_clusters(scenario.clusters)
+    : m_reachRadius_m(scenario.reachRadius_m)
+    , m_clusters(scenario.clusters && scenario.uavs.size() == 1)
     , m_asset(scenario.asset)
     , m_area_m(scenario.area_m)
+    , m_geofence(scenario.geofence)
+    , m_separation_m(scenario.separation_m)
     , m_observer(scenario.observer)
     , m_current_mps(scenario.current_mps)
     , m_dt_s(scenario.dt_s)
-    , m_autopilotSteps(
-          std::max<std::int64_t>(1, std::llround(scenario.uavs[0].spec.autopilot_s / m_dt_s)))
-    , m_command_s(static_cast<double>(m_autopilotSteps) * m_dt_s)
     , m_lastStep(std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s)))
     , m_stepsPerSecond(std::max<std::int64_t>(1, std::llround(1 / scenario.dt_s)))
     , m_seed(static_cast<std::uint64_t>(scenario.seed))
     , m_noise(scenario.noise)
-    , m_reach_m(FieldOfView::reach_m(m_sensor))
-    , m_turnRadius_m(turnRadius_m(scenario.uavs[0].spec))
-    , m_needsRunOut(turnsInsideReach(scenario.uavs[0], scenario.reachRadius_m))
     , m_lookSteps(std::max<std::int64_t>(1, std::llround(scenario.observer.interval_s / m_dt_s)))
 {
     require(noise.empty() || noise.size() == scenario.icebergs.size(),
             "Simulation: noise of another scenario");
-    m_state.uav = {.position_m = scenario.uavs[0].position_m,
-                   .psi_rad = psiFromHeading(scenario.uavs[0].heading_deg)};
-    m_state.guidance.startLeg(m_state.uav.position_m);
-    if (const Uav& uav = scenario.uavs[0]; uav.spec.endurance_s > 0)
-        m_sortie = {.endurance_s = uav.spec.endurance_s,
-                    .turnaround_s = uav.turnaround_s,
-                    .home_m = uav.home_m.value_or(uav.position_m)};
-    if (scenario.geofence)
-        buildFence();
+    require(!scenario.uavs.empty(), "Simulation: no UAV");
+    for (const Uav& uav : scenario.uavs)
+        addUav(uav, scenario);
     for (std::size_t i = 0; i < scenario.icebergs.size(); ++i) {
         const Iceberg& iceberg = scenario.icebergs[i];
         require(noise.empty() || noise[i].isOf(m_seed, iceberg.id),
@@ -84,6 +76,42 @@ Simulation::Simulation(const Scenario& scenario, std::span<const DriftNoise> noi
     observe(0);
     m_newlyAppeared.clear(); // those that are there from the start are no news
     m_news.clear();
+}
+
+void Simulation::addUav(const Uav& uav, const Scenario& scenario)
+{
+    const SensorSpec sensor{.fov_m = uav.fov_m, .shape = scenario.fovShape};
+    Craft craft{.id = uav.id,
+                .motion = {.airspeed_mps = uav.spec.airspeed_mps,
+                           .limit_radps = maxTurnRate_radps(uav.spec),
+                           .wind_mps = scenario.wind_mps},
+                .sensor = sensor,
+                .altitude_m = uav.spec.altitude_m,
+                .reach_m = FieldOfView::reach_m(sensor),
+                .turnRadius_m = turnRadius_m(uav.spec),
+                .needsRunOut = turnsInsideReach(uav, scenario.reachRadius_m),
+                .autopilotSteps =
+                    std::max<std::int64_t>(1, std::llround(uav.spec.autopilot_s / m_dt_s))};
+    craft.command_s = static_cast<double>(craft.autopilotSteps) * m_dt_s;
+    if (uav.spec.endurance_s > 0)
+        craft.sortie = {.endurance_s = uav.spec.endurance_s,
+                        .turnaround_s = uav.turnaround_s,
+                        .home_m = uav.home_m.value_or(uav.position_m)};
+    m_crafts.push_back(std::move(craft));
+    if (m_geofence)
+        buildFence(uavCount() - 1);
+    m_planReasons.push_back(PlanReason::Start);
+    UavState state{
+        .pose = {.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)}};
+    state.guidance.startLeg(uav.position_m);
+    m_state.uavs.push_back(std::move(state));
+}
+
+/** -1: no UAV is of that name. */
+int Simulation::uavOf(const std::string& id) const
+{
+    const auto it = std::ranges::find(m_crafts, id, &Craft::id);
+    return it == m_crafts.end() ? -1 : static_cast<int>(it - m_crafts.begin());
 }
 
 void Simulation::insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
@@ -112,6 +140,7 @@ void Simulation::insert(const Iceberg& iceberg, DriftNoise noise, double start_s
                 .q_m2ps = iceberg.q_m2ps};
     if (m_observer.model == ObserverModel::Kalman)
         track.velocity_m2ps2 = iceberg.velocitySd_mps * iceberg.velocitySd_mps;
+    m_assigned.push_back(iceberg.uav.empty() ? -1 : uavOf(iceberg.uav));
     m_bodies.push_back({.stream = stableHash(iceberg.id + "/look"),
                         .radius_m = iceberg.radius_m,
                         .velocity_mps = velocity_mps,
@@ -124,9 +153,10 @@ void Simulation::addIceberg(const Iceberg& iceberg)
 {
     insert(iceberg, DriftNoise(m_seed, iceberg.id), time_s(), m_state.step);
     const int added = icebergCount() - 1;
-    if (m_observer.model == ObserverModel::Simple && fieldOfView().contains(truth_m(added)))
+    Views views(m_crafts.size());
+    if (m_observer.model == ObserverModel::Simple && viewer(truth_m(added), views) >= 0)
         m_state.tracks.back().seen(truth_m(added), time_s());
-    needPlan(PlanReason::Appeared);
+    needPlans(PlanReason::Appeared);
 }
 
 void Simulation::reportSighting(int iceberg)
@@ -137,25 +167,36 @@ void Simulation::reportSighting(int iceberg)
     if (m_observer.model == ObserverModel::Simple)
         track.seen(truth_m(iceberg), time_s());
     else
-        measure(index(iceberg), truth_m(iceberg), time_s());
+        measure(index(iceberg), truth_m(iceberg), time_s(), -1);
     track.inView = inView;
     requestPlan();
 }
 
 void Simulation::setWind(const Point& wind_mps)
 {
-    m_motion.wind_mps = wind_mps;
     // It may come to icebergs sooner now.
     for (std::size_t i = 0; i < m_lookStep.size(); ++i)
         m_lookStep[i] = std::max(m_appearsStep[i], m_state.step + 1);
     m_nextLookStep = m_state.step + 1;
-    if (m_fence)
-        buildFence();
-    if (const std::optional<double> margin_s = homeMargin_s(); margin_s && *margin_s < 0) {
-        m_news.push_back({.kind = EventKind::LateHome});
-        if (!homeward())
-            goHome();
+    for (int uav = 0; uav < uavCount(); ++uav) {
+        Craft& craft = m_crafts[index(uav)];
+        craft.motion.wind_mps = wind_mps;
+        if (craft.fence)
+            buildFence(uav);
+        if (const std::optional<double> margin_s = homeMargin_s(uav); margin_s && *margin_s < 0) {
+            m_news.push_back({.kind = EventKind::LateHome, .uav = uav});
+            if (!this->uav(uav).homeward())
+                goHome(uav);
+        }
     }
+    requestPlan();
+}
+
+void Simulation::assign(int iceberg, int uav)
+{
+    require(iceberg >= 0 && iceberg < icebergCount() && uav >= -1 && uav < uavCount(),
+            "assign: no such iceberg or UAV");
+    m_assigned[index(iceberg)] = uav;
     requestPlan();
 }
 
@@ -189,17 +230,36 @@ bool Simulation::active(int iceberg) const
     return appeared(iceberg) && !track(iceberg).left;
 }
 
-bool Simulation::withinReach(int iceberg) const
+bool Simulation::withinReach(int uav, int iceberg) const
 {
     return m_reachRadius_m &&
-           (truth_m(iceberg) - m_state.uav.position_m).norm() <= *m_reachRadius_m;
+           (truth_m(iceberg) - this->uav(uav).pose.position_m).norm() <= *m_reachRadius_m;
 }
 
-bool Simulation::visitable(int iceberg) const
+bool Simulation::withinReachOfAny(int iceberg) const
 {
+    for (int uav = 0; m_reachRadius_m && uav < uavCount(); ++uav)
+        if (withinReach(uav, iceberg))
+            return true;
+    return false;
+}
+
+bool Simulation::visitable(int uav, int iceberg) const
+{
+    const Craft& craft = m_crafts[index(uav)];
+    const int assigned = m_assigned[index(iceberg)];
     return active(iceberg) && track(iceberg).status == TrackStatus::Tracked &&
-           !track(iceberg).inView && !withinReach(iceberg) &&
-           !(m_fence && m_needsRunOut && m_fence->isShutOff(estimate_m(iceberg)));
+           !track(iceberg).inView && (assigned < 0 || assigned == uav) &&
+           !withinReachOfAny(iceberg) &&
+           !(craft.fence && craft.needsRunOut && craft.fence->isShutOff(estimate_m(iceberg)));
+}
+
+bool Simulation::availableToAny(int iceberg) const
+{
+    for (int uav = 0; uav < uavCount(); ++uav)
+        if (available(uav, iceberg))
+            return true;
+    return false;
 }
 
 Point Simulation::truth_m(int iceberg) const
@@ -213,43 +273,64 @@ Point Simulation::estimate_m(int iceberg) const
     return track(iceberg).estimate_m(time_s());
 }
 
-FieldOfView Simulation::fieldOfView() const
+FieldOfView Simulation::fieldOfView(int uav) const
 {
-    SensorSpec sensor = m_sensor;
-    if (m_state.mode == FlightMode::Ground) // switched off: nothing is within these extents
+    const UavState& me = m_state.uavs[index(uav)];
+    SensorSpec sensor = m_crafts[index(uav)].sensor;
+    if (me.mode == FlightMode::Ground) // switched off: nothing is within these extents
         sensor.fov_m.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return {sensor, m_state.uav.position_m, m_state.uav.psi_rad};
+    return {sensor, me.pose.position_m, me.pose.psi_rad};
 }
 
-void Simulation::setTarget(int iceberg, const std::optional<AimedLeg>& aim,
+int Simulation::viewer(const Point& place_m, Views& views) const
+{
+    for (int uav = 0; uav < uavCount(); ++uav) {
+        std::optional<FieldOfView>& view = views[index(uav)];
+        if (!view)
+            view = fieldOfView(uav);
+        if (view->contains(place_m))
+            return uav;
+    }
+    return -1;
+}
+
+void Simulation::setTarget(int uav, int iceberg, const std::optional<AimedLeg>& aim,
                            std::span<const int> members)
 {
-    m_planReason = PlanReason::None;
-    m_state.target = iceberg;
-    m_state.aim = aim;
-    m_state.misses = 0;
-    setMembers(members);
+    UavState& me = m_state.uavs[index(uav)];
+    // A plan that another UAV asked for, and that leaves this one its target: it flies on.
+    const bool sameLeg = planReason(uav) == PlanReason::Fleet && iceberg >= 0 &&
+                         iceberg == me.target && !aim && !me.aim && !me.homeward();
+    m_planReasons[index(uav)] = PlanReason::None;
+    if (sameLeg)
+        return;
+    me.target = iceberg;
+    me.aim = aim;
+    me.misses = 0;
+    setMembers(uav, members);
     if (iceberg >= 0) {
-        m_state.mode = FlightMode::Leg;
-        m_state.guidance.startLeg(aim ? aim->from_m : m_state.uav.position_m);
-        beginOrEndSearch();
+        me.mode = FlightMode::Leg;
+        me.guidance.startLeg(aim ? aim->from_m : me.pose.position_m);
+        beginOrEndSearch(uav);
         return;
     }
-    if (m_state.lastReached < 0)
-        m_state.lastReached = nearest(&Simulation::active);
-    m_state.mode = m_state.lastReached < 0 ? FlightMode::Idle : FlightMode::Circle;
-    beginOrEndSearch();
-    if (m_state.mode != FlightMode::Search && nothingAffordable())
-        goHome();
+    if (me.lastReached < 0)
+        me.lastReached = nearest(uav, [this](int i) { return active(i); });
+    me.mode = me.lastReached < 0 ? FlightMode::Idle : FlightMode::Circle;
+    beginOrEndSearch(uav);
+    if (me.mode != FlightMode::Search && nothingAffordable(uav))
+        goHome(uav);
 }
 
-int Simulation::nearest(bool (Simulation::*counts)(int) const) const
+template <class Counts>
+int Simulation::nearest(int uav, const Counts& counts) const
 {
+    const Point& from_m = m_state.uavs[index(uav)].pose.position_m;
     int nearest = -1;
     double nearest_m = 0;
     for (int i = 0; i < icebergCount(); ++i) {
-        const double distance_m = (estimate_m(i) - m_state.uav.position_m).norm();
-        if ((this->*counts)(i) && (nearest < 0 || distance_m < nearest_m)) {
+        const double distance_m = (estimate_m(i) - from_m).norm();
+        if (counts(i) && (nearest < 0 || distance_m < nearest_m)) {
             nearest = i;
             nearest_m = distance_m;
         }
@@ -257,31 +338,75 @@ int Simulation::nearest(bool (Simulation::*counts)(int) const) const
     return nearest;
 }
 
-int Simulation::nearestAvailable() const
+int Simulation::nearestAvailable(int uav) const
 {
-    return nearest(&Simulation::available);
+    return nearest(uav, [this, uav](int iceberg) { return available(uav, iceberg); });
+}
+
+/** There is something to be visited, but not in this sortie. */
+bool Simulation::nothingAffordable(int uav) const
+{
+    return sortie(uav) &&
+           nearest(uav, [this, uav](int iceberg) { return visitable(uav, iceberg); }) >= 0 &&
+           nearestAvailable(uav) < 0;
 }
 
 void Simulation::advanceStep()
 {
-    require(m_planReason == PlanReason::None, "advanceStep: a plan is needed first");
+    require(planReason() == PlanReason::None, "advanceStep: a plan is needed first");
     require(!finished(), "advanceStep: the run is over");
     ++m_state.step; // the estimates steered at are those at the end of the step
-    const Point from_m = m_state.uav.position_m;
-    if (m_state.mode != FlightMode::Ground) {
-        m_state.u_radps = commanded();
-        m_state.uav = berg::step(m_state.uav, m_motion.airspeed_mps, m_state.u_radps, m_dt_s,
-                                 m_motion.wind_mps);
-        m_state.flown_m += m_motion.airspeed_mps * m_dt_s;
-    }
-    if (m_sortie)
-        advanceSortie(from_m);
+    std::vector<Point> before_m;
+    if (uavCount() > 1)
+        for (const UavState& uav : m_state.uavs)
+            before_m.push_back(uav.pose.position_m);
+    for (int uav = 0; uav < uavCount(); ++uav)
+        fly(uav);
+    if (uavCount() > 1)
+        watchSeparation(before_m);
     m_newlySeen.clear();
     m_newlyAppeared.clear();
     observe(m_dt_s);
     m_state.zeta_m2s += m_state.sigmaSum_m2 * m_dt_s;
-    updatePlanReason();
-    updateClusters();
+    updatePlanReasons();
+    for (int uav = 0; uav < uavCount(); ++uav)
+        updateClusters(uav);
+}
+
+void Simulation::fly(int uav)
+{
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    const Point from_m = me.pose.position_m;
+    if (me.mode != FlightMode::Ground) {
+        me.u_radps = commanded(uav);
+        me.pose = berg::step(me.pose, craft.motion.airspeed_mps, me.u_radps, m_dt_s,
+                             craft.motion.wind_mps);
+        me.flown_m += craft.motion.airspeed_mps * m_dt_s;
+    }
+    if (craft.sortie)
+        advanceSortie(uav, from_m);
+}
+
+/** Of the pairs aloft in one altitude layer; `before_m`: the places before the step. */
+void Simulation::watchSeparation(std::span<const Point> before_m)
+{
+    for (int a = 0; a < uavCount(); ++a)
+        for (int b = a + 1; b < uavCount(); ++b) {
+            const double layers_m =
+                std::abs(m_crafts[index(a)].altitude_m - m_crafts[index(b)].altitude_m);
+            if (layers_m >= kLayerHeight_m || uav(a).mode == FlightMode::Ground ||
+                uav(b).mode == FlightMode::Ground)
+                continue;
+            const double distance_m = (uav(a).pose.position_m - uav(b).pose.position_m).norm();
+            m_state.closest_m = std::min(m_state.closest_m.value_or(distance_m), distance_m);
+            const bool wasApart =
+                m_state.step == 1 ||
+                (before_m[index(a)] - before_m[index(b)]).norm() >= m_separation_m;
+            if (wasApart && distance_m < m_separation_m)
+                m_news.push_back(
+                    {.kind = EventKind::Close, .uav = a, .otherUav = b, .distance_m = distance_m});
+        }
 }
 
 void Simulation::observe(double dt_s)
@@ -315,96 +440,56 @@ void Simulation::observe(double dt_s)
 
 void Simulation::lookAround(double now_s)
 {
-    std::optional<FieldOfView> view;
+    Views views(m_crafts.size());
     m_nextLookStep = m_lastStep + 1;
     for (std::size_t i = 0; i < m_lookStep.size(); ++i) {
         if (m_lookStep[i] <= m_state.step)
-            look(i, now_s, view);
+            look(i, now_s, views);
         m_nextLookStep = std::min(m_nextLookStep, m_lookStep[i]);
     }
 }
 
-/** Whether the iceberg is in view now. The view is made when it is first needed: it costs a sine.
- */
-void Simulation::look(std::size_t iceberg, double now_s, std::optional<FieldOfView>& view)
+/** Whether the iceberg is in view now. */
+void Simulation::look(std::size_t iceberg, double now_s, Views& views)
 {
     if (m_appearsStep[iceberg] == m_state.step)
         m_newlyAppeared.push_back(static_cast<int>(iceberg));
     Track& track = m_state.tracks[iceberg];
     const Point truth_m = m_drift[iceberg].position_m(now_s);
-    const double away_m = (truth_m - m_state.uav.position_m).norm() - m_reach_m - kReachMargin_m;
-    if (away_m > 0) {
-        m_lookStep[iceberg] = firstStepInReach(m_drift[iceberg], away_m);
+    if (const std::int64_t steps = stepsOutOfReach(iceberg, truth_m); steps > 0) {
+        m_lookStep[iceberg] = m_state.step + steps;
         track.inView = false;
         return;
     }
     m_lookStep[iceberg] = m_state.step + 1;
-    if (!view)
-        view = fieldOfView();
-    if (!view->contains(truth_m)) {
+    const int uav = viewer(truth_m, views);
+    if (uav < 0) {
         track.inView = false;
         return;
     }
     if (!track.inView)
-        m_newlySeen.push_back(static_cast<int>(iceberg));
+        m_newlySeen.push_back({.iceberg = static_cast<int>(iceberg), .uav = uav});
     track.seen(truth_m, now_s);
 }
 
-/** The next step at which an iceberg may be in view that is so far out of reach now, UAV and it
- * being as fast as they can. */
-std::int64_t Simulation::firstStepInReach(const DriftModel& drift, double away_m) const
+/**
+ * 0: near enough to a UAV to be in view. Else the steps before it may be, UAVs and iceberg being as
+ * fast as they can.
+ */
+std::int64_t Simulation::stepsOutOfReach(std::size_t iceberg, const Point& truth_m) const
 {
-    const double closing_mps =
-        m_motion.airspeed_mps + m_motion.wind_mps.norm() + drift.speedLimit_mps();
-    const auto steps = static_cast<std::int64_t>(away_m / closing_mps / m_dt_s);
-    return m_state.step + std::max<std::int64_t>(1, steps);
-}
-
-void Simulation::updatePlanReasonOfAim()
-{
-    if (!m_newlySeen.empty()) {
-        const bool reached = track(m_state.target).inView;
-        if (reached)
-            m_state.lastReached = m_state.target;
-        m_planReason = reached ? PlanReason::TargetReached : PlanReason::Sighted;
-    } else if (!m_newlyAppeared.empty()) {
-        m_planReason = PlanReason::Appeared;
-    } else if (time_s() > m_state.aim->sighting_s + kOverdue_s) {
-        m_planReason = PlanReason::Overdue;
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    for (std::size_t u = 0; u < m_crafts.size(); ++u) {
+        const Craft& craft = m_crafts[u];
+        const double away_m =
+            (truth_m - m_state.uavs[u].pose.position_m).norm() - craft.reach_m - kReachMargin_m;
+        if (away_m <= 0)
+            return 0;
+        const double closing_mps = craft.motion.airspeed_mps + craft.motion.wind_mps.norm() +
+                                   m_drift[iceberg].speedLimit_mps();
+        least = std::min(least, static_cast<std::int64_t>(away_m / closing_mps / m_dt_s));
     }
-}
-
-void Simulation::updatePlanReason()
-{
-    if (homeward()) {
-        takeOffWhenDue();
-        return;
-    }
-    m_planReason = reasonOfNews();
-    if (m_planReason != PlanReason::None)
-        return;
-    if (m_state.target >= 0 && m_state.aim && m_state.mode != FlightMode::Search) {
-        updatePlanReasonOfAim();
-        return;
-    }
-    if (m_state.target >= 0) {
-        if (targetReached()) {
-            m_state.lastReached = m_state.target;
-            m_planReason = PlanReason::TargetReached;
-            return;
-        }
-    }
-    if (!m_newlyAppeared.empty()) {
-        m_planReason = PlanReason::Appeared;
-        return;
-    }
-    if (m_state.target >= 0)
-        return;
-    for (int i = 0; i < icebergCount(); ++i)
-        if (visitable(i)) {
-            m_planReason = PlanReason::OutOfView;
-            return;
-        }
+    return std::max<std::int64_t>(1, least);
 }
 
 } // namespace berg

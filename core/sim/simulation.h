@@ -25,13 +25,15 @@ enum class PlanReason
     OutOfView,
     Appeared,
     Intervention,
-    Sighted, ///< on a leg with an aim: another iceberg than the target came into view
-    Overdue, ///< on such a leg: the sighting predicted has not come
-    Left,    ///< an iceberg has left the area
-    Lost,    ///< one was not where it should have been
-    Found,   ///< a lost one is in view
-    GivenUp, ///< the search for one has ended without it
-    TakeOff  ///< the next sortie begins
+    Sighted,     ///< on a leg with an aim: another iceberg than the target came into view
+    Overdue,     ///< on such a leg: the sighting predicted has not come
+    Left,        ///< an iceberg has left the area
+    Lost,        ///< one was not where it should have been
+    Found,       ///< a lost one is in view
+    GivenUp,     ///< the search for one has ended without it
+    TakeOff,     ///< the next sortie begins
+    SeenByOther, ///< another UAV has the target in view
+    Fleet        ///< another UAV needs one
 };
 
 /** What the log of a mission names. */
@@ -51,14 +53,25 @@ enum class EventKind
     HomeBound,
     Landed,
     TookOff,
-    LateHome ///< the wind has changed: home cannot be reached in time any more
+    LateHome, ///< the wind has changed: home cannot be reached in time any more
+    Close     ///< two UAVs of one altitude layer have come near each other
 };
 
 /** Something of the last step that the log should name. */
 struct News
 {
     EventKind kind = EventKind::Appeared;
-    int iceberg = -1; ///< -1: none in particular
+    int iceberg = -1;      ///< -1: none in particular
+    int uav = -1;          ///< likewise
+    int otherUav = -1;     ///< of two that are close
+    double distance_m = 0; ///< between them
+};
+
+/** An iceberg that has come into view. */
+struct SeenIceberg
+{
+    int iceberg = -1;
+    int uav = -1; ///< the first one that has it in view; -1: reported by somebody else
 };
 
 /** What the autopilot is doing. */
@@ -81,16 +94,12 @@ struct Search
     bool operator==(const Search&) const = default;
 };
 
-/** Everything that changes while flying: enough to continue from here, bit for bit. */
-struct WorldState
+/** What changes about one UAV. */
+struct UavState
 {
-    std::int64_t step = 0;
-    DubinsState uav;
+    DubinsState pose;
     double u_radps = 0;
     double crossTrack_m = 0;
-    std::vector<Track> tracks; ///< one per iceberg of the scenario, the not yet appeared included
-    double sigmaSum_m2 = 0;
-    double zeta_m2s = 0;
     double flown_m = 0; ///< through the air
     FlightMode mode = FlightMode::Idle;
     int target = -1; ///< index into the icebergs; -1: none
@@ -101,11 +110,33 @@ struct WorldState
     std::optional<AimedLeg> aim; ///< flown in mode Leg instead of the way to the target's estimate
     std::vector<int> members;    ///< the target is the middle of these; empty: it is one iceberg
     double membersBy_s = 0;      ///< when they are overdue
-    std::vector<int> apart;      ///< in no cluster until seen: one was passed without them
     std::optional<Search> search;
     double aloft_s = 0;         ///< since take-off
     double ground_s = 0;        ///< left to stand in mode Ground
     std::optional<Point> via_m; ///< corner flown to, round which the geofence leads
+
+    /** On its way home or on the ground: no plan is asked for or taken. */
+    [[nodiscard]] bool homeward() const
+    {
+        return mode == FlightMode::Home || mode == FlightMode::Ground;
+    }
+    bool operator==(const UavState&) const = default;
+};
+
+/** Everything that changes while flying: enough to continue from here, bit for bit. */
+struct WorldState
+{
+    std::int64_t step = 0;
+    std::vector<UavState> uavs; ///< one per UAV of the scenario
+    std::vector<Track> tracks;  ///< one per iceberg of the scenario, the not yet appeared included
+    double sigmaSum_m2 = 0;
+    double zeta_m2s = 0;
+    std::vector<int> apart; ///< in no cluster until seen: one was passed without them
+    /** Least horizontal distance so far of two UAVs aloft in one altitude layer. */
+    std::optional<double> closest_m;
+
+    /** Through the air, all UAVs. */
+    [[nodiscard]] double flown_m() const;
     bool operator==(const WorldState&) const = default;
 };
 
@@ -117,11 +148,12 @@ struct WorldState
 [[nodiscard]] std::vector<DriftNoise> drawNoise(const Scenario& scenario);
 
 /**
- * One deterministic world: icebergs, estimates, UAV and autopilot advanced with a fixed time step.
- * It holds no planner: it says when a plan is needed (`needsPlan`) and is told the next target.
- * One step, in this order: true drift, estimates, guidance, Dubins step, field of view and sigma
- * (22)-(23), zeta (24). Flies the first UAV of the scenario. Not thread-safe; copyable, so that
- * any instant can be kept and continued.
+ * One deterministic world: icebergs, estimates, UAVs and autopilots advanced with a fixed time
+ * step. It holds no planner: it says when a plan is needed (`planReason`) and is told the next
+ * target of each UAV. One step, in this order: true drift, estimates, guidance, Dubins step, field
+ * of view and sigma (22)-(23), zeta (24). UAVs are numbered as in the scenario; an iceberg is in
+ * view when it is in that of one of them. Not thread-safe; copyable, so that any instant can be
+ * kept and continued.
  */
 class Simulation
 {
@@ -141,12 +173,18 @@ public:
     [[nodiscard]] int icebergCount() const { return static_cast<int>(m_state.tracks.size()); }
     /** Whether the iceberg is monitored: it has appeared and has not left the area. */
     [[nodiscard]] bool active(int iceberg) const;
-    /** Whether it may be planned: active, not lost, outside the field of view, not within reach. */
-    [[nodiscard]] bool available(int iceberg) const;
+    /** Whether it may be planned for the UAV: active, not lost, in no field of view, not within
+     * reach, not kept for another one, and within its endurance. */
+    [[nodiscard]] bool available(int uav, int iceberg) const;
+    /** Whether it may be for one of the UAVs. */
+    [[nodiscard]] bool availableToAny(int iceberg) const;
+    [[nodiscard]] int uavCount() const { return static_cast<int>(m_crafts.size()); }
+    /** The UAV that alone is to visit it; -1: any. */
+    [[nodiscard]] int assignedTo(int iceberg) const { return m_assigned[index(iceberg)]; }
     /** True position; before it has appeared, that at its start. */
     [[nodiscard]] Point truth_m(int iceberg) const;
     /** By its estimate; the first one among equals, -1: none is available. */
-    [[nodiscard]] int nearestAvailable() const;
+    [[nodiscard]] int nearestAvailable(int uav) const;
     [[nodiscard]] Point estimate_m(int iceberg) const;
     /** What multiplies its sigma in planning: above 1 where an asset is near. */
     [[nodiscard]] double priority(int iceberg) const;
@@ -154,56 +192,65 @@ public:
     [[nodiscard]] std::optional<RelativeMotion> relativeToAsset(int iceberg) const;
     [[nodiscard]] const Track& track(int iceberg) const { return m_state.tracks[index(iceberg)]; }
 
-    /** On its way home or on the ground: no plan is asked for or taken. */
-    [[nodiscard]] bool homeward() const
-    {
-        return m_state.mode == FlightMode::Home || m_state.mode == FlightMode::Ground;
-    }
+    [[nodiscard]] const UavState& uav(int uav) const { return m_state.uavs[index(uav)]; }
     /** None: unlimited endurance, the UAV never lands. */
-    [[nodiscard]] const std::optional<SortieSpec>& sortie() const { return m_sortie; }
+    [[nodiscard]] const std::optional<SortieSpec>& sortie(int uav) const
+    {
+        return m_crafts[index(uav)].sortie;
+    }
     /**
      * Endurance left when it would be home, flying there at once; none: unlimited, or on the
      * ground. Below 0: home cannot be reached in time any more.
      */
-    [[nodiscard]] std::optional<double> homeMargin_s() const;
+    [[nodiscard]] std::optional<double> homeMargin_s(int uav) const;
     /**
      * How many icebergs of this order, from its start, can be visited before home must be reached;
      * none: unlimited.
      */
-    [[nodiscard]] std::optional<int> thisSortie(std::span<const int> order) const;
+    [[nodiscard]] std::optional<int> thisSortie(int uav, std::span<const int> order) const;
     /** What the UAV stays inside; null: nothing. */
-    [[nodiscard]] const std::shared_ptr<const Geofence>& fence() const { return m_fence; }
+    [[nodiscard]] const std::shared_ptr<const Geofence>& fence(int uav) const
+    {
+        return m_crafts[index(uav)].fence;
+    }
 
-    /** Why a plan is needed now; None: fly on. */
-    [[nodiscard]] PlanReason planReason() const { return m_planReason; }
+    /** Why a plan is needed now, of the first UAV that has a reason of its own; None: fly on. */
+    [[nodiscard]] PlanReason planReason() const;
+    /** Why the UAV needs one; `Fleet`: because another one does. */
+    [[nodiscard]] PlanReason planReason(int uav) const { return m_planReasons[index(uav)]; }
+    /** UAVs that plans are made for now: not on the way home or on the ground. */
+    [[nodiscard]] std::vector<int> plannedUavs() const;
 
     /**
      * Distances over ground (air distances in wind) and sigmas of the active icebergs, times their
-     * priorities.
+     * priorities; of the UAVs planned together, `PlanRequest::fleet`, when the scenario has
+     * several.
      */
     [[nodiscard]] PlanRequest planRequest() const;
     /**
      * The same with the available icebergs that one view can cover as one node, where the scenario
-     * asks for that: `PlanRequest::clusters`. Its `picture` is still that of single icebergs.
+     * asks for that: `PlanRequest::clusters`. Its `picture` is still that of single icebergs. With
+     * several UAVs there are no clusters.
      */
     [[nodiscard]] PlanRequest clusteredRequest() const;
     /** Whether it may be planned as one of a cluster. */
     [[nodiscard]] bool clusterable(int iceberg) const;
 
     /**
-     * Fly to this iceberg from here; -1: none available, circle the last one reached. With an aim:
-     * along it until something comes into view. With members of a cluster, the iceberg one of them:
-     * to the middle of the circle round their estimates, reached when all of them are at once.
+     * The UAV is to fly to this iceberg from here; -1: none available, circle the last one reached.
+     * With an aim: along it until something comes into view. With members of a cluster, the iceberg
+     * one of them: to the middle of the circle round their estimates, reached when all of them are
+     * at once.
      */
-    void setTarget(int iceberg, const std::optional<AimedLeg>& aim = std::nullopt,
+    void setTarget(int uav, int iceberg, const std::optional<AimedLeg>& aim = std::nullopt,
                    std::span<const int> members = {});
     /** Where the target is believed to be, the middle of a cluster; there must be one. */
-    [[nodiscard]] Point targetPlace_m() const;
+    [[nodiscard]] Point targetPlace_m(int uav) const;
 
     /** Advances one dt. Must not be called while a plan is needed or when finished. */
     void advanceStep();
 
-    [[nodiscard]] const Motion& motion() const { return m_motion; }
+    [[nodiscard]] const Motion& motion(int uav) const { return m_crafts[index(uav)].motion; }
     [[nodiscard]] const std::optional<Asset>& asset() const { return m_asset; }
     /** The wind is this from now on, and a new plan is needed. */
     void setWind(const Point& wind_mps);
@@ -211,7 +258,9 @@ public:
     void setAsset(const Asset& asset);
 
     /** Something changed from outside (tau, policy): a new plan is needed now. */
-    void requestPlan() { needPlan(PlanReason::Intervention); }
+    void requestPlan() { needPlans(PlanReason::Intervention); }
+    /** The iceberg is to be visited by this UAV alone, -1: by any; a new plan is needed. */
+    void assign(int iceberg, int uav);
 
     /**
      * An iceberg that has appeared is reported by somebody else: its position is known now as if it
@@ -223,96 +272,124 @@ public:
     void addIceberg(const Iceberg& iceberg);
 
     /** Icebergs that came into view in the last step, by index, ascending. */
-    [[nodiscard]] std::span<const int> newlySeen() const { return m_newlySeen; }
+    [[nodiscard]] std::span<const SeenIceberg> newlySeen() const { return m_newlySeen; }
     /** Icebergs that appeared in the last step. */
     [[nodiscard]] std::span<const int> newlyAppeared() const { return m_newlyAppeared; }
     /** What else happened since this was asked last. */
     [[nodiscard]] std::vector<News> takeNews() { return std::exchange(m_news, {}); }
 
 private:
+    /** What does not change about a UAV, but for the wind. */
+    struct Craft
+    {
+        std::string id;
+        Motion motion;
+        SensorSpec sensor;
+        double altitude_m = 0;
+        double reach_m = 0; ///< of the field of view
+        double turnRadius_m = 0;
+        bool needsRunOut = false; ///< reach smaller than the turn radius: see FlightMode::RunOut
+        std::int64_t autopilotSteps = 1; ///< between two commands of the autopilot
+        double command_s = 0;            ///< the same in seconds
+        std::optional<SortieSpec> sortie;
+        std::shared_ptr<const Geofence> fence;
+    };
+    /** The fields of view of the UAVs, made when they are first needed: each costs a sine. */
+    using Views = std::vector<std::optional<FieldOfView>>;
+
     [[nodiscard]] static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] FieldOfView fieldOfView() const;
-    [[nodiscard]] bool withinReach(int iceberg) const;
-    [[nodiscard]] int nearest(bool (Simulation::*counts)(int) const) const;
-    [[nodiscard]] bool isReached(int iceberg) const;
-    [[nodiscard]] bool targetReached() const;
+    void addUav(const Uav& uav, const Scenario& scenario);
+    [[nodiscard]] int uavOf(const std::string& id) const;
+    [[nodiscard]] FieldOfView fieldOfView(int uav) const;
+    /** The first UAV that has the place in view; -1: none. */
+    [[nodiscard]] int viewer(const Point& place_m, Views& views) const;
+    [[nodiscard]] bool withinReach(int uav, int iceberg) const;
+    [[nodiscard]] bool withinReachOfAny(int iceberg) const;
+    template <class Counts>
+    [[nodiscard]] int nearest(int uav, const Counts& counts) const;
+    [[nodiscard]] bool inOwnView(int uav, int iceberg) const;
+    [[nodiscard]] bool isReached(int uav, int iceberg) const;
+    [[nodiscard]] bool isReachedByOther(int uav, int iceberg) const;
+    [[nodiscard]] bool targetReached(int uav) const;
     [[nodiscard]] PlanRequest withClusters(PlanRequest single,
                                            std::vector<std::vector<int>> clusters) const;
+    [[nodiscard]] PlanRequest requestOf(int uav) const;
     [[nodiscard]] Point middleOf_m(std::span<const int> members) const;
-    void setMembers(std::span<const int> members);
-    void updateClusters();
-    [[nodiscard]] Eigen::MatrixXd legLengths_m(std::span<const Point> places_m) const;
+    void setMembers(int uav, std::span<const int> members);
+    void updateClusters(int uav);
+    [[nodiscard]] Eigen::MatrixXd legLengths_m(int uav, std::span<const Point> places_m) const;
     /** `start_s`: when the iceberg is at its `position_m`; `appearsStep`: known from then on. */
     void insert(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep);
+    void fly(int uav);
+    void watchSeparation(std::span<const Point> before_m);
     void observe(double dt_s);
     void lookAround(double now_s);
     /** Of this step: held between two commands of the autopilot. */
-    [[nodiscard]] double commanded();
-    void look(std::size_t iceberg, double now_s, std::optional<FieldOfView>& view);
+    [[nodiscard]] double commanded(int uav);
+    void look(std::size_t iceberg, double now_s, Views& views);
+    [[nodiscard]] std::int64_t stepsOutOfReach(std::size_t iceberg, const Point& truth_m) const;
     void observeFiltered(double now_s, double dt_s);
     void lookForMeasurements(double now_s);
-    void measure(std::size_t iceberg, const Point& measured_m, double now_s);
-    void miss(std::size_t iceberg, const FieldOfView& view, const FieldOfView& middle);
-    void lose(std::size_t iceberg, const FieldOfView& view);
-    void giveUpSearch();
-    void beginOrEndSearch();
+    void measure(std::size_t iceberg, const Point& measured_m, double now_s, int seenBy);
+    void miss(std::size_t iceberg, std::span<const FieldOfView> views,
+              std::span<const FieldOfView> middles);
+    void lose(std::size_t iceberg, int uav, std::span<const FieldOfView> views);
+    void endSearchFor(int iceberg);
+    void giveUpSearch(int uav);
+    void beginOrEndSearch(int uav);
     void watchArea();
     [[nodiscard]] bool appeared(int iceberg) const;
     [[nodiscard]] PlanReason reasonOfNews() const;
-    [[nodiscard]] bool isWorthSearching() const;
-    [[nodiscard]] double steerSearch();
-    [[nodiscard]] std::int64_t firstStepInReach(const DriftModel& drift, double away_m) const;
-    [[nodiscard]] double steer();
-    [[nodiscard]] double steerLeg();
-    [[nodiscard]] double steerAim();
-    [[nodiscard]] double steerCluster();
-    [[nodiscard]] double steerRunOut();
-    [[nodiscard]] double steerCircle();
-    [[nodiscard]] double steerHome();
+    [[nodiscard]] bool isWorthSearching(int uav) const;
+    [[nodiscard]] double steerSearch(int uav);
+    [[nodiscard]] double steer(int uav);
+    [[nodiscard]] double steerLeg(int uav);
+    [[nodiscard]] double steerAim(int uav);
+    [[nodiscard]] double steerCluster(int uav);
+    [[nodiscard]] double steerRunOut(int uav);
+    [[nodiscard]] double steerCircle(int uav);
+    [[nodiscard]] double steerHome(int uav);
     /** Towards the corner that the geofence leads round on the way there; none: it does not. */
-    [[nodiscard]] std::optional<double> steerRoundFence(const Point& end_m);
+    [[nodiscard]] std::optional<double> steerRoundFence(int uav, const Point& end_m);
     /** Unless it is homeward. */
-    void needPlan(PlanReason reason);
+    void needPlan(int uav, PlanReason reason);
+    void needPlans(PlanReason reason);
     /** As `available`, whether or not the endurance allows it. */
-    [[nodiscard]] bool visitable(int iceberg) const;
-    [[nodiscard]] bool affordable(int iceberg) const;
-    [[nodiscard]] std::optional<Way> wayTo(const DubinsState& from, const Point& place_m,
+    [[nodiscard]] bool visitable(int uav, int iceberg) const;
+    [[nodiscard]] bool affordable(int uav, int iceberg) const;
+    [[nodiscard]] std::optional<Way> wayTo(int uav, const DubinsState& from, const Point& place_m,
                                            const Point& drift_mps) const;
-    [[nodiscard]] std::optional<double> timeHome_s(const DubinsState& from) const;
-    [[nodiscard]] DubinsState heldFor(double u_radps, std::int64_t steps) const;
-    [[nodiscard]] double enduranceLeft_s() const;
-    [[nodiscard]] bool homeInTimeAfter(double u_radps) const;
-    [[nodiscard]] bool nothingAffordable() const;
-    void goHome();
-    void takeOffWhenDue();
-    void advanceSortie(const Point& from_m);
-    [[nodiscard]] double roomAfter_m(double u_radps) const;
-    [[nodiscard]] double guarded(double u_radps) const;
-    void buildFence();
-    void updatePlanReason();
-    void updatePlanReasonOfAim();
+    [[nodiscard]] std::optional<double> timeHome_s(int uav, const DubinsState& from) const;
+    [[nodiscard]] DubinsState heldFor(int uav, double u_radps, std::int64_t steps) const;
+    [[nodiscard]] double enduranceLeft_s(int uav) const;
+    [[nodiscard]] bool homeInTimeAfter(int uav, double u_radps) const;
+    [[nodiscard]] bool nothingAffordable(int uav) const;
+    void goHome(int uav);
+    [[nodiscard]] PlanReason takeOffWhenDue(int uav);
+    void advanceSortie(int uav, const Point& from_m);
+    [[nodiscard]] double roomAfter_m(int uav, double u_radps) const;
+    [[nodiscard]] double guarded(int uav, double u_radps) const;
+    void buildFence(int uav);
+    void updatePlanReasons();
+    [[nodiscard]] PlanReason reasonOf(int uav);
+    [[nodiscard]] PlanReason reasonOfAim(int uav);
+    [[nodiscard]] bool somethingForIdle(int uav) const;
 
     // What the scenario says.
-    Motion m_motion;
-    SensorSpec m_sensor;
+    std::vector<Craft> m_crafts;
     std::optional<double> m_reachRadius_m;
     bool m_clusters;
     std::optional<Asset> m_asset;
     std::vector<Point> m_area_m; ///< empty: unbounded
+    bool m_geofence;
+    double m_separation_m;
     ObserverSpec m_observer;
     Point m_current_mps;
     double m_dt_s;
-    std::optional<SortieSpec> m_sortie;
-    std::shared_ptr<const Geofence> m_fence;
-    std::int64_t m_autopilotSteps; ///< between two commands of the autopilot
-    double m_command_s;            ///< the same in seconds
     std::int64_t m_lastStep;
     std::int64_t m_stepsPerSecond;
     std::uint64_t m_seed;
     bool m_noise;
-    double m_reach_m; ///< of the field of view
-    double m_turnRadius_m;
-    bool m_needsRunOut; ///< reach smaller than the turn radius: see FlightMode::RunOut
 
     std::int64_t m_lookSteps; ///< between two looks of the camera, with measurements
 
@@ -326,14 +403,15 @@ private:
     };
     std::vector<Body> m_bodies;
     std::vector<DriftModel> m_drift;
+    std::vector<int> m_assigned; ///< by iceberg: the UAV that alone is to visit it, or -1
     std::vector<std::int64_t> m_appearsStep;
     std::vector<std::int64_t> m_lookStep; ///< before this step it is surely out of view
     std::int64_t m_nextLookStep = 0;      ///< first of them
     WorldState m_state;
-    std::vector<int> m_newlySeen;
+    std::vector<SeenIceberg> m_newlySeen;
     std::vector<int> m_newlyAppeared;
     std::vector<News> m_news;
-    PlanReason m_planReason = PlanReason::Start;
+    std::vector<PlanReason> m_planReasons; ///< by UAV
 };
 
 } // namespace berg

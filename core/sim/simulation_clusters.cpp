@@ -10,10 +10,10 @@
 
 namespace berg {
 
-std::optional<int> thisSortie(const Simulation& simulation, std::span<const int> order,
+std::optional<int> thisSortie(const Simulation& simulation, int uav, std::span<const int> order,
                               std::span<const std::vector<int>> clusters)
 {
-    std::optional<int> visits = simulation.thisSortie(order);
+    std::optional<int> visits = simulation.thisSortie(uav, order);
     while (visits && *visits > 0 && *visits < static_cast<int>(order.size())) {
         const auto next = static_cast<std::size_t>(*visits);
         const std::span<const int> members = clusterWith(clusters, order[next - 1]);
@@ -26,7 +26,8 @@ std::optional<int> thisSortie(const Simulation& simulation, std::span<const int>
 
 bool Simulation::clusterable(int iceberg) const
 {
-    return available(iceberg) && std::ranges::find(m_state.apart, iceberg) == m_state.apart.end();
+    return available(0, iceberg) &&
+           std::ranges::find(m_state.apart, iceberg) == m_state.apart.end();
 }
 
 Point Simulation::middleOf_m(std::span<const int> members) const
@@ -38,68 +39,91 @@ Point Simulation::middleOf_m(std::span<const int> members) const
     return enclosingCircle(places_m).centre_m;
 }
 
-Point Simulation::targetPlace_m() const
+Point Simulation::targetPlace_m(int uav) const
 {
-    return m_state.members.empty() ? estimate_m(m_state.target) : middleOf_m(m_state.members);
+    const UavState& me = m_state.uavs[index(uav)];
+    return me.members.empty() ? estimate_m(me.target) : middleOf_m(me.members);
 }
 
-void Simulation::setMembers(std::span<const int> members)
+void Simulation::setMembers(int uav, std::span<const int> members)
 {
-    m_state.members.assign(members.begin(), members.end());
-    m_state.membersBy_s = 0;
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    me.members.assign(members.begin(), members.end());
+    me.membersBy_s = 0;
     if (members.empty())
         return;
-    const std::array leg_m{m_state.uav.position_m, middleOf_m(members)};
-    m_state.membersBy_s =
-        time_s() + longestTurn_s(m_motion) + legLengths_m(leg_m)(0, 1) / m_motion.airspeed_mps;
+    const std::array leg_m{me.pose.position_m, middleOf_m(members)};
+    me.membersBy_s = time_s() + longestTurn_s(craft.motion) +
+                     legLengths_m(uav, leg_m)(0, 1) / craft.motion.airspeed_mps;
 }
 
-bool Simulation::isReached(int iceberg) const
+bool Simulation::isReached(int uav, int iceberg) const
 {
-    return m_reachRadius_m ? withinReach(iceberg) : track(iceberg).inView;
+    return m_reachRadius_m ? withinReach(uav, iceberg) : inOwnView(uav, iceberg);
 }
 
-bool Simulation::targetReached() const
+/** Of several UAVs the others may have it in view. */
+bool Simulation::inOwnView(int uav, int iceberg) const
 {
-    if (m_state.members.empty())
-        return isReached(m_state.target);
-    return std::ranges::all_of(m_state.members, [this](int member) { return isReached(member); });
+    return track(iceberg).inView &&
+           (uavCount() == 1 || fieldOfView(uav).contains(truth_m(iceberg)));
+}
+
+bool Simulation::isReachedByOther(int uav, int iceberg) const
+{
+    if (uavCount() == 1 || (!m_reachRadius_m && !track(iceberg).inView))
+        return false;
+    for (int other = 0; other < uavCount(); ++other)
+        if (other != uav && isReached(other, iceberg))
+            return true;
+    return false;
+}
+
+bool Simulation::targetReached(int uav) const
+{
+    const UavState& me = m_state.uavs[index(uav)];
+    if (me.members.empty())
+        return isReached(uav, me.target);
+    return std::ranges::all_of(me.members,
+                               [this, uav](int member) { return isReached(uav, member); });
 }
 
 /**
  * Ends a cluster that has been flown over, or should have been by now, with members that did not
  * come into view: those are not where they should be, and flown to one by one.
  */
-void Simulation::updateClusters()
+void Simulation::updateClusters(int uav)
 {
+    UavState& me = m_state.uavs[index(uav)];
     std::erase_if(m_state.apart, [this](int iceberg) { return track(iceberg).inView; });
-    if (m_state.members.empty() || m_planReason != PlanReason::None ||
-        m_state.mode != FlightMode::Leg)
+    if (me.members.empty() || planReason(uav) != PlanReason::None || me.mode != FlightMode::Leg)
         return;
-    const Point way_m = targetPlace_m() - m_state.uav.position_m;
-    const Point ahead(std::cos(m_state.uav.psi_rad), std::sin(m_state.uav.psi_rad));
+    const Point way_m = targetPlace_m(uav) - me.pose.position_m;
+    const Point ahead(std::cos(me.pose.psi_rad), std::sin(me.pose.psi_rad));
     const bool flownOver = way_m.norm() <= kFlownOver_m && ahead.dot(way_m) <= 0;
-    if (!flownOver && time_s() < m_state.membersBy_s)
+    if (!flownOver && time_s() < me.membersBy_s)
         return;
-    for (const int member : m_state.members)
-        if (!isReached(member))
+    for (const int member : me.members)
+        if (!isReached(uav, member))
             m_state.apart.push_back(member);
-    m_planReason = PlanReason::Overdue;
+    m_planReasons[index(uav)] = PlanReason::Overdue;
 }
 
 /** Straight at the middle instead of along the leg: the view has little to spare beside it. */
-double Simulation::steerCluster()
+double Simulation::steerCluster(int uav)
 {
-    const Point end_m = targetPlace_m();
-    if (const std::optional<double> u_radps = steerRoundFence(end_m))
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    const Point end_m = targetPlace_m(uav);
+    if (const std::optional<double> u_radps = steerRoundFence(uav, end_m))
         return *u_radps;
-    const Point from_m = m_state.guidance.start_m;
+    const Point from_m = me.guidance.start_m;
     const Point leg_m = end_m - from_m;
-    const Point way_m = end_m - m_state.uav.position_m;
-    m_state.crossTrack_m =
-        leg_m.isZero(0) ? 0 : cross(leg_m.normalized(), m_state.uav.position_m - from_m);
-    return turnRateForCourse(m_state.uav.psi_rad, std::atan2(way_m.y(), way_m.x()), m_motion,
-                             m_state.guidance.gains.turn_1ps);
+    const Point way_m = end_m - me.pose.position_m;
+    me.crossTrack_m = leg_m.isZero(0) ? 0 : cross(leg_m.normalized(), me.pose.position_m - from_m);
+    return turnRateForCourse(me.pose.psi_rad, std::atan2(way_m.y(), way_m.x()), craft.motion,
+                             me.guidance.gains.turn_1ps);
 }
 
 } // namespace berg

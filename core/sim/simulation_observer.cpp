@@ -33,6 +33,14 @@ SensorSpec middleOf(SensorSpec sensor)
     return sensor;
 }
 
+/** Index of the first view with the place in it; -1: none. */
+int firstWith(std::span<const FieldOfView> views, const Point& place_m)
+{
+    const auto it = std::ranges::find_if(
+        views, [&](const FieldOfView& view) { return view.contains(place_m); });
+    return it == views.end() ? -1 : static_cast<int>(it - views.begin());
+}
+
 } // namespace
 
 void Simulation::observeFiltered(double now_s, double dt_s)
@@ -46,8 +54,9 @@ void Simulation::observeFiltered(double now_s, double dt_s)
             continue;
         const double before_m2 = track.sigma_m2;
         track.grow(dt_s);
-        if (m_state.search && index(m_state.search->iceberg) == i)
-            m_state.search->way.grow(track.sigma_m2 - before_m2);
+        for (UavState& uav : m_state.uavs)
+            if (uav.search && index(uav.search->iceberg) == i)
+                uav.search->way.grow(track.sigma_m2 - before_m2);
     }
     if (m_state.step % m_lookSteps == 0)
         lookForMeasurements(now_s);
@@ -55,32 +64,39 @@ void Simulation::observeFiltered(double now_s, double dt_s)
 
 void Simulation::lookForMeasurements(double now_s)
 {
-    const FieldOfView view = fieldOfView();
-    const FieldOfView middle(middleOf(m_sensor), m_state.uav.position_m, m_state.uav.psi_rad);
+    std::vector<FieldOfView> views;
+    std::vector<FieldOfView> middles;
+    for (int uav = 0; uav < uavCount(); ++uav) {
+        const DubinsState& pose = this->uav(uav).pose;
+        views.push_back(fieldOfView(uav));
+        middles.emplace_back(middleOf(m_crafts[index(uav)].sensor), pose.position_m, pose.psi_rad);
+    }
     const std::int64_t look = m_state.step / m_lookSteps;
     for (std::size_t i = 0; i < m_state.tracks.size(); ++i) {
         if (!appeared(static_cast<int>(i)))
             continue;
         const Point truth_m = m_drift[i].position_m(now_s);
-        if (!view.contains(truth_m)) {
-            miss(i, view, middle);
+        const int seenBy = firstWith(views, truth_m);
+        if (seenBy < 0) {
+            miss(i, views, middles);
             continue;
         }
+        // One look of several UAVs at once has the luck of one.
         const LookDraw draw = m_noise ? lookDraw(m_seed, m_bodies[i].stream, look) : LookDraw{};
         if (draw.chance < m_observer.detection)
-            measure(i, truth_m + m_observer.positionSd_m * draw.noise, now_s);
+            measure(i, truth_m + m_observer.positionSd_m * draw.noise, now_s, seenBy);
         else
-            miss(i, view, middle);
+            miss(i, views, middles);
     }
 }
 
-void Simulation::measure(std::size_t iceberg, const Point& measured_m, double now_s)
+void Simulation::measure(std::size_t iceberg, const Point& measured_m, double now_s, int seenBy)
 {
     Track& track = m_state.tracks[iceberg];
     const int i = static_cast<int>(iceberg);
     const double variance_m2 = m_observer.positionSd_m * m_observer.positionSd_m;
     if (!track.inView)
-        m_newlySeen.push_back(i);
+        m_newlySeen.push_back({.iceberg = i, .uav = seenBy});
     track.inView = true;
     track.presence = 1;
     if (track.status == TrackStatus::Tracked) {
@@ -97,111 +113,130 @@ void Simulation::measure(std::size_t iceberg, const Point& measured_m, double no
     track.mixed_m2ps = 0;
     track.velocity_m2ps2 = sd_mps * sd_mps;
     track.status = TrackStatus::Tracked;
-    if (m_state.search && m_state.search->iceberg == i)
-        m_state.search.reset();
-    m_news.push_back({EventKind::Found, i});
+    endSearchFor(i);
+    m_news.push_back({.kind = EventKind::Found, .iceberg = i, .uav = seenBy});
 }
 
-/** The look showed nothing of the iceberg. */
-void Simulation::miss(std::size_t iceberg, const FieldOfView& view, const FieldOfView& middle)
+/** What the UAVs saw of the iceberg with one look was nothing. */
+void Simulation::miss(std::size_t iceberg, std::span<const FieldOfView> views,
+                      std::span<const FieldOfView> middles)
 {
     Track& track = m_state.tracks[iceberg];
     const Point estimate_m = track.estimate_m(time_s());
     if (track.status != TrackStatus::Tracked) {
-        if (m_state.search && index(m_state.search->iceberg) == iceberg)
-            m_state.search->way.miss(view, estimate_m, m_observer.detection);
+        for (UavState& uav : m_state.uavs)
+            if (uav.search && index(uav.search->iceberg) == iceberg)
+                for (const FieldOfView& view : views)
+                    uav.search->way.miss(view, estimate_m, m_observer.detection);
         return;
     }
-    if (!view.contains(estimate_m)) {
+    if (firstWith(views, estimate_m) < 0) {
         track.inView = false;
         track.presence = 1;
-    } else if (middle.contains(estimate_m)) {
+    } else if (const int uav = firstWith(middles, estimate_m); uav >= 0) {
         track.presence = afterMiss(std::min(track.presence, kBelieved), m_observer.detection);
         if (track.presence < kLostBelow)
-            lose(iceberg, view);
+            lose(iceberg, uav, views);
     }
 }
 
-void Simulation::lose(std::size_t iceberg, const FieldOfView& view)
+/** The UAV that looked for it in vain searches, unless it does so for another one already. */
+void Simulation::lose(std::size_t iceberg, int uav, std::span<const FieldOfView> views)
 {
+    UavState& me = m_state.uavs[index(uav)];
     Track& track = m_state.tracks[iceberg];
     const int i = static_cast<int>(iceberg);
     track.inView = false;
     track.status = TrackStatus::Lost;
-    m_news.push_back({EventKind::Lost, i});
-    LostSearch way(m_observer, m_sensor, std::sqrt(track.sigma_m2), m_state.uav.psi_rad);
-    way.miss(view, track.estimate_m(time_s()), m_observer.detection);
+    m_news.push_back({.kind = EventKind::Lost, .iceberg = i, .uav = uav});
+    LostSearch way(m_observer, m_crafts[index(uav)].sensor, std::sqrt(track.sigma_m2),
+                   me.pose.psi_rad);
+    for (const FieldOfView& view : views)
+        way.miss(view, track.estimate_m(time_s()), m_observer.detection);
     track.sigma_m2 = std::max(track.sigma_m2, way.variance_m2());
-    if (!m_state.search && way.hasCorner()) {
-        m_state.search = {.iceberg = i, .way = std::move(way)};
+    if (!me.search && way.hasCorner()) {
+        me.search = {.iceberg = i, .way = std::move(way)};
         return;
     }
     // One at a time: by the end of the search for another this one is far behind.
     track.status = TrackStatus::GivenUp;
-    m_news.push_back({EventKind::GivenUp, i});
+    m_news.push_back({.kind = EventKind::GivenUp, .iceberg = i, .uav = uav});
 }
 
-void Simulation::giveUpSearch()
+void Simulation::endSearchFor(int iceberg)
 {
-    const int iceberg = m_state.search->iceberg;
+    for (UavState& uav : m_state.uavs)
+        if (uav.search && uav.search->iceberg == iceberg)
+            uav.search.reset();
+}
+
+void Simulation::giveUpSearch(int uav)
+{
+    UavState& me = m_state.uavs[index(uav)];
+    const int iceberg = me.search->iceberg;
     m_state.tracks[index(iceberg)].status = TrackStatus::GivenUp;
-    m_state.search.reset();
-    m_news.push_back({EventKind::GivenUp, iceberg});
+    me.search.reset();
+    m_news.push_back({.kind = EventKind::GivenUp, .iceberg = iceberg, .uav = uav});
 }
 
 /**
  * Whether the search gains more per second than flying to the target: chance of finding it times
  * its sigma, against the sigma that the target's sighting takes away, over the time until then.
  */
-bool Simulation::isWorthSearching() const
+bool Simulation::isWorthSearching(int uav) const
 {
-    const Search& search = *m_state.search;
+    const UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    const Search& search = *me.search;
     if (!search.way.hasCorner())
         return false;
-    if (m_state.target < 0)
+    if (me.target < 0)
         return true;
-    const double speed_mps = m_motion.airspeed_mps;
-    const double reach_m = m_sensor.fov_m.minCoeff() / 2;
+    const double speed_mps = craft.motion.airspeed_mps;
+    const double reach_m = craft.sensor.fov_m.minCoeff() / 2;
     const Track& lost = track(search.iceberg);
     const double found_m2ps =
         priority(search.iceberg) * lost.sigma_m2 *
-        search.way.chancePerSecond(m_state.uav.position_m - estimate_m(search.iceberg), speed_mps,
+        search.way.chancePerSecond(me.pose.position_m - estimate_m(search.iceberg), speed_mps,
                                    reach_m, m_observer.detection);
-    const Point leg_m = estimate_m(m_state.target) - m_state.uav.position_m;
-    const double leg_s = std::max(m_command_s, (leg_m.norm() - reach_m) / speed_mps);
-    return found_m2ps > priority(m_state.target) * track(m_state.target).sigma_m2 / leg_s;
+    const Point leg_m = estimate_m(me.target) - me.pose.position_m;
+    const double leg_s = std::max(craft.command_s, (leg_m.norm() - reach_m) / speed_mps);
+    return found_m2ps > priority(me.target) * track(me.target).sigma_m2 / leg_s;
 }
 
 /** With a new target: searched for first, or no longer. */
-void Simulation::beginOrEndSearch()
+void Simulation::beginOrEndSearch(int uav)
 {
-    if (!m_state.search)
+    UavState& me = m_state.uavs[index(uav)];
+    if (!me.search)
         return;
-    if (isWorthSearching())
-        m_state.mode = FlightMode::Search;
+    if (isWorthSearching(uav))
+        me.mode = FlightMode::Search;
     else
-        giveUpSearch();
+        giveUpSearch(uav);
 }
 
-double Simulation::steerSearch()
+double Simulation::steerSearch(int uav)
 {
-    if (!m_state.search)
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    if (!me.search)
         return 0; // ended; a plan follows
-    LostSearch& way = m_state.search->way;
-    const Point corner_m = estimate_m(m_state.search->iceberg) + way.corner_m();
-    const bool fencedOff = isFencedOff(m_fence.get(), m_state.guidance.start_m, corner_m);
+    LostSearch& way = me.search->way;
+    const Point corner_m = estimate_m(me.search->iceberg) + way.corner_m();
+    const bool fencedOff = isFencedOff(craft.fence.get(), me.guidance.start_m, corner_m);
     if (!fencedOff)
-        if (const std::optional<double> u_radps = steerRoundFence(corner_m))
+        if (const std::optional<double> u_radps = steerRoundFence(uav, corner_m))
             return *u_radps;
     const LosGuidance::Command command =
-        m_state.guidance.steer(m_state.uav, corner_m, m_motion, m_command_s);
-    m_state.crossTrack_m = command.crossTrack_m;
+        me.guidance.steer(me.pose, corner_m, craft.motion, craft.command_s);
+    me.crossTrack_m = command.crossTrack_m;
     if (!command.passedEnd && !fencedOff)
         return command.u_radps;
     way.nextCorner();
-    m_state.guidance.startLeg(m_state.uav.position_m);
-    if (!isWorthSearching())
-        giveUpSearch();
+    me.guidance.startLeg(me.pose.position_m);
+    if (!isWorthSearching(uav))
+        giveUpSearch(uav);
     return command.u_radps;
 }
 
@@ -220,30 +255,10 @@ void Simulation::watchArea()
         } else if (!track.left && !isInside &&
                    distanceToEdges(m_area_m, estimate_m(i)) > m_bodies[index(i)].radius_m) {
             track.left = true;
-            m_news.push_back({EventKind::Left, i});
-            if (m_state.search && m_state.search->iceberg == i)
-                m_state.search.reset();
+            m_news.push_back({.kind = EventKind::Left, .iceberg = i});
+            endSearchFor(i);
         }
     }
-}
-
-/** Why what the log names asks for a plan; `None`: it does not. */
-PlanReason Simulation::reasonOfNews() const
-{
-    for (const News& news : m_news)
-        switch (news.kind) {
-        case EventKind::Left:
-            return PlanReason::Left;
-        case EventKind::Lost:
-            return PlanReason::Lost;
-        case EventKind::Found:
-            return PlanReason::Found;
-        case EventKind::GivenUp:
-            return PlanReason::GivenUp;
-        default:
-            break;
-        }
-    return PlanReason::None;
 }
 
 } // namespace berg

@@ -16,23 +16,47 @@ PlanRequest requestFor(const Simulation& simulation, PolicyKind policy)
 
 PlanRequest Simulation::planRequest() const
 {
-    PlanRequest request{.speed_mps = m_motion.airspeed_mps};
+    const std::vector<int> uavs = plannedUavs();
+    PlanRequest request = requestOf(uavs.empty() ? 0 : uavs.front());
+    if (uavCount() == 1)
+        return request;
+    request.speed_mps = motion(0).airspeed_mps;
+    std::vector<Point> starts_m;
+    for (const int uav : uavs) {
+        PlanRequest own = requestOf(uav);
+        const double perOwn = request.speed_mps / motion(uav).airspeed_mps;
+        request.fleet.push_back({.uav = uav,
+                                 .distance_m = perOwn * own.problem.distance_m,
+                                 .available = std::move(own.available),
+                                 .picture = std::move(own.picture)});
+        starts_m.push_back(this->uav(uav).pose.position_m);
+    }
+    request.betweenUavs_m = legLengths_m(0, starts_m);
+    return request;
+}
+
+/** As if it were the only one. */
+PlanRequest Simulation::requestOf(int uav) const
+{
+    const UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    PlanRequest request{.speed_mps = craft.motion.airspeed_mps};
     FlightPicture picture{.time_s = time_s(),
                           .until_s = static_cast<double>(m_lastStep) * m_dt_s,
-                          .uav = m_state.uav,
-                          .motion = m_motion,
-                          .sensor = m_sensor,
+                          .uav = me.pose,
+                          .motion = craft.motion,
+                          .sensor = craft.sensor,
                           .seed = m_seed,
                           .step = m_state.step};
-    if (m_sortie)
-        picture.until_s = std::min(picture.until_s, picture.time_s + enduranceLeft_s());
-    std::vector<Point> nodes_m{m_state.uav.position_m};
+    if (craft.sortie)
+        picture.until_s = std::min(picture.until_s, picture.time_s + enduranceLeft_s(uav));
+    std::vector<Point> nodes_m{me.pose.position_m};
     request.problem.sigma_m2.push_back(0);
     for (int i = 0; i < icebergCount(); ++i) {
         if (!active(i))
             continue;
         request.ids.push_back(i);
-        request.available.push_back(available(i));
+        request.available.push_back(available(uav, i));
         const double weight = priority(i);
         request.problem.sigma_m2.push_back(weight * track(i).sigma_m2);
         nodes_m.push_back(estimate_m(i));
@@ -40,18 +64,19 @@ PlanRequest Simulation::planRequest() const
         picture.weights.push_back(weight);
     }
     request.picture = std::make_shared<const FlightPicture>(std::move(picture));
-    request.problem.distance_m = legLengths_m(nodes_m);
+    request.problem.distance_m = legLengths_m(uav, nodes_m);
     return request;
 }
 
 /** Of the legs between places: over ground, or through the air in wind. */
-Eigen::MatrixXd Simulation::legLengths_m(std::span<const Point> places_m) const
+Eigen::MatrixXd Simulation::legLengths_m(int uav, std::span<const Point> places_m) const
 {
-    if (m_fence)
-        return m_fence->distances_m(places_m);
+    const Craft& craft = m_crafts[index(uav)];
+    if (craft.fence)
+        return craft.fence->distances_m(places_m);
     const auto n = static_cast<Eigen::Index>(places_m.size());
     Eigen::MatrixXd lengths_m(n, n);
-    const bool calm = m_motion.wind_mps.isZero(0);
+    const bool calm = craft.motion.wind_mps.isZero(0);
     for (Eigen::Index j = 0; j < n; ++j)
         for (Eigen::Index i = 0; i < n; ++i) {
             const Point leg_m =
@@ -59,8 +84,8 @@ Eigen::MatrixXd Simulation::legLengths_m(std::span<const Point> places_m) const
             // Air distance U t_ij: what a leg costs when the wind helps or hinders.
             lengths_m(i, j) =
                 calm ? leg_m.norm()
-                     : m_motion.airspeed_mps *
-                           flightTime_s(leg_m, m_motion.airspeed_mps, m_motion.wind_mps);
+                     : craft.motion.airspeed_mps *
+                           flightTime_s(leg_m, craft.motion.airspeed_mps, craft.motion.wind_mps);
         }
     return lengths_m;
 }
@@ -70,6 +95,7 @@ PlanRequest Simulation::clusteredRequest() const
     PlanRequest single = planRequest();
     if (!m_clusters)
         return single;
+    const Craft& craft = m_crafts.front(); // clusters are planned for one UAV only
     std::vector<int> candidates;
     std::vector<Track> tracks;
     for (const int id : single.ids)
@@ -77,19 +103,19 @@ PlanRequest Simulation::clusteredRequest() const
             candidates.push_back(id);
             tracks.push_back(track(id));
         }
-    std::vector<std::vector<int>> clusters =
-        clustersOf(tracks, {.time_s = time_s(),
-                            .uav = m_state.uav,
-                            .motion = m_motion,
-                            .cover_m = std::min(surelySeen_m(m_sensor),
-                                                m_reachRadius_m.value_or(surelySeen_m(m_sensor))),
-                            .fence = m_fence});
+    std::vector<std::vector<int>> clusters = clustersOf(
+        tracks, {.time_s = time_s(),
+                 .uav = uav(0).pose,
+                 .motion = craft.motion,
+                 .cover_m = std::min(surelySeen_m(craft.sensor),
+                                     m_reachRadius_m.value_or(surelySeen_m(craft.sensor))),
+                 .fence = craft.fence});
     for (std::vector<int>& members : clusters)
         for (int& member : members)
             member = candidates[index(member)];
     // What cannot be flown to whole in this sortie is left to single visits.
     std::erase_if(clusters, [this](const std::vector<int>& members) {
-        const std::optional<int> visits = thisSortie(members);
+        const std::optional<int> visits = thisSortie(0, members);
         return visits && *visits < static_cast<int>(members.size());
     });
     return clusters.empty() ? single : withClusters(std::move(single), std::move(clusters));
@@ -103,7 +129,7 @@ PlanRequest Simulation::withClusters(PlanRequest single,
     request.ids.clear();
     request.available.clear();
     request.problem.sigma_m2 = {0};
-    std::vector<Point> nodes_m{m_state.uav.position_m};
+    std::vector<Point> nodes_m{uav(0).pose.position_m};
     for (std::size_t k = 0; k < single.ids.size(); ++k) {
         const int id = single.ids[k];
         const double sigma_m2 = single.problem.sigma_m2[k + 1];
@@ -119,7 +145,7 @@ PlanRequest Simulation::withClusters(PlanRequest single,
         request.problem.sigma_m2.push_back(sigma_m2);
         nodes_m.push_back(members.empty() ? estimate_m(id) : middleOf_m(members));
     }
-    request.problem.distance_m = legLengths_m(nodes_m);
+    request.problem.distance_m = legLengths_m(0, nodes_m);
     request.clusters = std::move(clusters);
     return request;
 }

@@ -15,107 +15,117 @@ constexpr double kCircleMargin = 1.2;
 
 } // namespace
 
-double Simulation::commanded()
+double Simulation::commanded(int uav)
 {
-    if ((m_state.step - 1) % m_autopilotSteps != 0)
-        return m_state.u_radps;
-    const double u_radps = guarded(steer());
-    if (!m_sortie || m_state.mode == FlightMode::Home || homeInTimeAfter(u_radps))
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    if ((m_state.step - 1) % craft.autopilotSteps != 0)
+        return me.u_radps;
+    const double u_radps = guarded(uav, steer(uav));
+    if (!craft.sortie || me.mode == FlightMode::Home || homeInTimeAfter(uav, u_radps))
         return u_radps;
-    goHome();
-    return guarded(steerHome());
+    goHome(uav);
+    return guarded(uav, steerHome(uav));
 }
 
-double Simulation::steer()
+double Simulation::steer(int uav)
 {
-    switch (m_state.mode) {
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    switch (me.mode) {
     case FlightMode::Leg:
-        return steerLeg();
+        return steerLeg(uav);
     case FlightMode::RunOut:
-        return steerRunOut();
+        return steerRunOut(uav);
     case FlightMode::Circle:
-        return steerCircle();
+        return steerCircle(uav);
     case FlightMode::Search:
-        return steerSearch();
+        return steerSearch(uav);
     case FlightMode::Home:
-        return steerHome();
+        return steerHome(uav);
     case FlightMode::Ground:
         return 0;
     case FlightMode::Idle:
-        m_state.crossTrack_m = 0;
-        return m_motion.limit_radps / kCircleMargin; // nothing to fly to: hold where it is
+        me.crossTrack_m = 0;
+        return craft.motion.limit_radps / kCircleMargin; // nothing to fly to: hold where it is
     }
     throw std::logic_error("Simulation: unknown flight mode");
 }
 
-double Simulation::steerLeg()
+double Simulation::steerLeg(int uav)
 {
-    if (m_state.aim)
-        return steerAim();
-    if (!m_state.members.empty())
-        return steerCluster();
-    const Point end_m = estimate_m(m_state.target);
-    if (const std::optional<double> u_radps = steerRoundFence(end_m))
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    if (me.aim)
+        return steerAim(uav);
+    if (!me.members.empty())
+        return steerCluster(uav);
+    const Point end_m = estimate_m(me.target);
+    if (const std::optional<double> u_radps = steerRoundFence(uav, end_m))
         return *u_radps;
-    LosGuidance::Command command =
-        m_state.guidance.steer(m_state.uav, end_m, m_motion, m_command_s);
+    LosGuidance::Command command = me.guidance.steer(me.pose, end_m, craft.motion, craft.command_s);
     if (command.passedEnd) {
-        ++m_state.misses;
-        if (m_needsRunOut) {
+        ++me.misses;
+        if (craft.needsRunOut) {
             // Each further miss gets more room, so that in the end the leg is straight.
-            m_state.runOut_m = 2 * m_turnRadius_m * m_state.misses;
-            m_state.mode = FlightMode::RunOut;
-            return steerRunOut();
+            me.runOut_m = 2 * craft.turnRadius_m * me.misses;
+            me.mode = FlightMode::RunOut;
+            return steerRunOut(uav);
         }
-        m_state.guidance.startLeg(m_state.uav.position_m);
-        command = m_state.guidance.steer(m_state.uav, end_m, m_motion, m_command_s);
+        me.guidance.startLeg(me.pose.position_m);
+        command = me.guidance.steer(me.pose, end_m, craft.motion, craft.command_s);
     }
-    m_state.crossTrack_m = command.crossTrack_m;
+    me.crossTrack_m = command.crossTrack_m;
     return command.u_radps;
 }
 
-double Simulation::steerAim()
+double Simulation::steerAim(int uav)
 {
-    AimedLeg& aim = *m_state.aim;
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    AimedLeg& aim = *me.aim;
     if (aim.turn_rad != 0) {
         // The side of the turn is part of the plan; the last step ends it exactly.
-        const double u_radps =
-            std::clamp(aim.turn_rad / m_command_s, -m_motion.limit_radps, m_motion.limit_radps);
-        const bool last = std::abs(u_radps) < m_motion.limit_radps;
-        aim.turn_rad = last ? 0 : aim.turn_rad - u_radps * m_command_s;
-        m_state.crossTrack_m = 0;
+        const double u_radps = std::clamp(aim.turn_rad / craft.command_s, -craft.motion.limit_radps,
+                                          craft.motion.limit_radps);
+        const bool last = std::abs(u_radps) < craft.motion.limit_radps;
+        aim.turn_rad = last ? 0 : aim.turn_rad - u_radps * craft.command_s;
+        me.crossTrack_m = 0;
         return u_radps;
     }
     const LosGuidance::Command command =
-        m_state.guidance.steer(m_state.uav, aim.abeam_m, m_motion, m_command_s);
-    m_state.crossTrack_m = command.crossTrack_m;
+        me.guidance.steer(me.pose, aim.abeam_m, craft.motion, craft.command_s);
+    me.crossTrack_m = command.crossTrack_m;
     return command.u_radps;
 }
 
-double Simulation::steerRunOut()
+double Simulation::steerRunOut(int uav)
 {
-    m_state.crossTrack_m = 0;
-    m_state.runOut_m -= m_motion.airspeed_mps * m_command_s;
-    if (m_state.runOut_m <= 0) {
-        m_state.mode = FlightMode::Leg;
-        m_state.guidance.startLeg(m_state.uav.position_m);
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    me.crossTrack_m = 0;
+    me.runOut_m -= craft.motion.airspeed_mps * craft.command_s;
+    if (me.runOut_m <= 0) {
+        me.mode = FlightMode::Leg;
+        me.guidance.startLeg(me.pose.position_m);
     }
     return 0;
 }
 
-double Simulation::steerCircle()
+double Simulation::steerCircle(int uav)
 {
-    m_state.crossTrack_m = 0;
-    const Point from_m = m_state.uav.position_m - estimate_m(m_state.lastReached);
-    const double wind_mps = m_motion.wind_mps.norm();
+    UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    me.crossTrack_m = 0;
+    const Point from_m = me.pose.position_m - estimate_m(me.lastReached);
+    const double wind_mps = craft.motion.wind_mps.norm();
     const double radius_m =
-        kCircleMargin * (m_motion.airspeed_mps + wind_mps) / m_motion.limit_radps;
+        kCircleMargin * (craft.motion.airspeed_mps + wind_mps) / craft.motion.limit_radps;
     // Counter-clockwise tangent, turned inwards outside the circle and outwards inside it.
     const double bearing_rad = std::atan2(from_m.y(), from_m.x());
     const double course_rad =
         bearing_rad + kPi / 2 + std::atan((from_m.norm() - radius_m) / (radius_m / 2));
-    return turnRateForCourse(m_state.uav.psi_rad, course_rad, m_motion,
-                             m_state.guidance.gains.turn_1ps);
+    return turnRateForCourse(me.pose.psi_rad, course_rad, craft.motion, me.guidance.gains.turn_1ps);
 }
 
 } // namespace berg

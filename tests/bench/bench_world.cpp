@@ -20,12 +20,17 @@ struct Part
     void (*run)(int scenarios);
 };
 
-constexpr std::array kParts{
-    Part{"clusters", bench::clusters},   Part{"observer", bench::observer},
-    Part{"lost", bench::lost},           Part{"wind", bench::wind},
-    Part{"asset", bench::asset},         Part{"area", bench::area},
-    Part{"autopilot", bench::autopilot}, Part{"endurance", bench::endurance},
-    Part{"geofence", bench::geofence}};
+constexpr std::array kParts{Part{"clusters", bench::clusters},
+                            Part{"observer", bench::observer},
+                            Part{"lost", bench::lost},
+                            Part{"wind", bench::wind},
+                            Part{"asset", bench::asset},
+                            Part{"area", bench::area},
+                            Part{"autopilot", bench::autopilot},
+                            Part{"endurance", bench::endurance},
+                            Part{"geofence", bench::geofence},
+                            Part{"fleet", bench::fleet},
+                            Part{"fleet-coverage", bench::fleetCoverage}};
 
 } // namespace
 

@@ -21,6 +21,8 @@ void autopilot(int scenarios);
 void clusters(int scenarios);
 void endurance(int scenarios);
 void geofence(int scenarios);
+void fleet(int scenarios);
+void fleetCoverage(int scenarios);
 
 inline int countOf(const Mission& mission, EventKind kind)
 {

@@ -37,7 +37,8 @@ Flight fly(const Scenario& scenario)
                                                             (event.time_s - start_s));
     }
     for (const Sample& sample : mission.recorder().samples())
-        if (!scenario.area_m.empty() && !insidePolygon(scenario.area_m, sample.uav.position_m))
+        if (!scenario.area_m.empty() &&
+            !insidePolygon(scenario.area_m, sample.uavs[0].pose.position_m))
             ++flight.outside;
     return flight;
 }

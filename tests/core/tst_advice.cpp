@@ -47,6 +47,16 @@ Iceberg& tracked(Scenario& s, double begin_m, double end_s)
     return s.icebergs[0];
 }
 
+/** As the first, so far ahead of it and so much higher. */
+Uav& addUav(Scenario& s, double ahead_m, double above_m)
+{
+    Uav uav = s.uavs[0];
+    uav.id = "uav-2";
+    uav.position_m.x() += ahead_m;
+    uav.spec.altitude_m += above_m;
+    return s.uavs.emplace_back(uav);
+}
+
 void addManyIcebergs(Scenario& s, int count)
 {
     while (static_cast<int>(s.icebergs.size()) < count)
@@ -61,12 +71,49 @@ const std::vector<Case>& cases()
     static const std::vector<Case> all = {
         {"unknown member", [](S& s) { s.icebergs[1].extraJson = R"({"shape":"tabular"})"; }, kHint,
          "", advised::kUnknownMembers, [](S& s) { s.icebergs[1].name = "tabular"; }},
-        {"second UAV",
+        {"one altitude layer", [](S& s) { addUav(s, 199, 29); }, kHint, "uavs[1].altitude_m",
+         advised::kSameLayer, [](S& s) { addUav(s, 199, 30); }},
+        {"one altitude layer, far apart",
          [](S& s) {
-             s.uavs.push_back(s.uavs[0]);
-             s.uavs[1].id = "uav-2";
+             addUav(s, 300, 0);
+             s.separation_m = 301;
          },
-         kHint, "uavs[1]", advised::kFirstUavOnly, [](S&) {}},
+         kHint, "uavs[1].altitude_m", advised::kSameLayer, [](S& s) { addUav(s, 201, 0); }},
+        {"one altitude layer, never warned of", [](S& s) { addUav(s, 0, 0); }, kHint,
+         "uavs[1].altitude_m", advised::kSameLayer,
+         [](S& s) {
+             addUav(s, 0, 0);
+             s.separation_m = 0;
+         }},
+        {"wide turn of the second UAV",
+         [](S& s) {
+             addUav(s, 1000, 0).fov_m = {600, 200};
+         },
+         kHint, "uavs[1].fov_m", advised::kWideTurn, [](S& s) { addUav(s, 1000, 0); }},
+        {"home of the second UAV without endurance",
+         [](S& s) { addUav(s, 1000, 0).home_m = Point(0, 0); }, kHint, "uavs[1].home_m",
+         advised::kHomeUnused, [](S& s) { addUav(s, 1000, 0); }},
+        {"second UAV cannot come home", [](S& s) { addUav(s, 40000, 0).spec.endurance_s = 600; },
+         kWarning, "uavs[1].endurance_s", advised::kNoRoundTrip,
+         [](S& s) { addUav(s, 3000, 0).spec.endurance_s = 600; }},
+        // 20 km from the first UAV, 2 from the second.
+        {"out of reach of the UAV that is to visit it",
+         [](S& s) {
+             addUav(s, 25000, 0);
+             s.icebergs[1].position_m = {23000, 0};
+             s.icebergs[1].uav = s.uavs[0].id;
+         },
+         kWarning, "icebergs[1].position_m", advised::kOutOfReach,
+         [](S& s) {
+             addUav(s, 25000, 0);
+             s.icebergs[1].position_m = {23000, 0};
+         }},
+        {"clusters of several UAVs",
+         [](S& s) {
+             addUav(s, 1000, 0);
+             s.clusters = true;
+         },
+         kWarning, "planner.clusters", advised::kClustersOneUav, [](S& s) { s.clusters = true; }},
         {"home without endurance", [](S& s) { s.uavs[0].home_m = Point(100, 0); }, kHint,
          "uavs[0].home_m", advised::kHomeUnused,
          [](S& s) {

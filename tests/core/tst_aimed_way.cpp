@@ -58,14 +58,14 @@ double largestMiss_m(const Scenario& scenario, const DescribedPlan& plan,
     Simulation simulation(scenario);
     double miss_m = 0;
     for (std::size_t k = 0; k < ways.size(); ++k) {
-        simulation.setTarget(plan.legs[k].iceberg, plan.legs[k]);
+        simulation.setTarget(0, plan.legs[k].iceberg, plan.legs[k]);
         while (simulation.time_s() < ways[k].points.back().time_s - simulation.dt_s() / 2) {
             simulation.advanceStep();
             miss_m = std::max(
                 miss_m,
-                (placeAt(ways, simulation.time_s()) - simulation.state().uav.position_m).norm());
+                (placeAt(ways, simulation.time_s()) - simulation.uav(0).pose.position_m).norm());
             if (simulation.planReason() != PlanReason::None)
-                simulation.setTarget(plan.legs[k].iceberg, simulation.state().aim);
+                simulation.setTarget(0, plan.legs[k].iceberg, simulation.uav(0).aim);
         }
     }
     return miss_m;
@@ -122,17 +122,17 @@ private slots:
             mission.advance(mission.simulation().time_s() + 7);
             const WorldState& world = mission.simulation().state();
             const PlanEvent& plan = mission.plans().back();
-            if (!world.aim || plan.legs.size() < 2)
+            if (!world.uavs[0].aim || plan.legs.size() < 2)
                 continue;
             std::vector<AimedLeg> legs = plan.legs;
-            legs.front() = *world.aim;
+            legs.front() = *world.uavs[0].aim;
             const Motion& motion = mission.lastRequest()->picture->motion;
             const double now_s = mission.simulation().time_s();
-            const std::vector<AimedWay> now = aimedWays(legs, world.uav, now_s, motion);
+            const std::vector<AimedWay> now = aimedWays(legs, world.uavs[0].pose, now_s, motion);
             const std::vector<AimedWay> planned =
                 aimedWays(plan.legs, mission.lastRequest()->picture->uav, plan.time_s, motion);
-            QVERIFY(now.front().points.front().position_m == world.uav.position_m);
-            QVERIFY((placeAt(planned, now_s) - world.uav.position_m).norm() < 3);
+            QVERIFY(now.front().points.front().position_m == world.uavs[0].pose.position_m);
+            QVERIFY((placeAt(planned, now_s) - world.uavs[0].pose.position_m).norm() < 3);
             for (const double later_s : {0.0, 10.0, 60.0})
                 QVERIFY((placeAt(now, now_s + later_s) - placeAt(planned, now_s + later_s)).norm() <
                         6);

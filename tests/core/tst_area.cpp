@@ -63,7 +63,7 @@ private slots:
         COMPARE_NEAR(left->time_s, 600 / 0.6, 1.01);
         const Simulation& end = mission.simulation();
         QVERIFY(!end.active(1));
-        QVERIFY(!end.available(1));
+        QVERIFY(!end.available(0, 1));
         COMPARE_NEAR(end.state().sigmaSum_m2, end.track(0).sigma_m2, 1e-12);
         bool replanned = false;
         for (const PlanEvent& plan : mission.plans()) {

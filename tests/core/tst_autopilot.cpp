@@ -207,7 +207,7 @@ private slots:
         const std::vector<Sample>& samples = mission.recorder().samples();
         int changes = 0;
         for (std::size_t i = 2; i < samples.size(); ++i) {
-            if (samples[i].u_radps == samples[i - 1].u_radps)
+            if (samples[i].uavs[0].u_radps == samples[i - 1].uavs[0].u_radps)
                 continue;
             QCOMPARE((i - 1) % 5, 0U); // commands come with steps 1, 6, 11, ...
             ++changes;

@@ -49,7 +49,7 @@ const RunFile& recorded()
 std::size_t keyframeWithMembers(const RunFile& run)
 {
     const auto found = std::ranges::find_if(
-        run.keyframes, [](const WorldState& state) { return !state.members.empty(); });
+        run.keyframes, [](const WorldState& state) { return !state.uavs[0].members.empty(); });
     return static_cast<std::size_t>(found - run.keyframes.begin());
 }
 
@@ -163,14 +163,14 @@ private slots:
         const std::size_t k = keyframeWithMembers(recorded());
         const std::string path = "keyframes[" + std::to_string(k) + "].members";
         RunFile other = recorded();
-        other.keyframes[k].members.push_back(other.keyframes[k].members.front());
+        other.keyframes[k].uavs[0].members.push_back(other.keyframes[k].uavs[0].members.front());
         QCOMPARE(compareRun(recorded(), other).front().field, path);
         other = recorded();
-        ++other.keyframes[k].members.back();
+        ++other.keyframes[k].uavs[0].members.back();
         QCOMPARE(compareRun(recorded(), other).front().field,
-                 path + '[' + std::to_string(other.keyframes[k].members.size() - 1) + ']');
+                 path + '[' + std::to_string(other.keyframes[k].uavs[0].members.size() - 1) + ']');
         other = recorded();
-        other.keyframes[k].membersBy_s += 1;
+        other.keyframes[k].uavs[0].membersBy_s += 1;
         QCOMPARE(compareRun(recorded(), other).front().field, path + "_by_s");
         other = recorded();
         other.plans[0].clusters.pop_back();
@@ -275,7 +275,7 @@ private slots:
         const Scenario scenario = twoTogether();
         const PlanAnswer plan = planOfTwoTogether();
         const std::vector<Visit> visits = plannedVisits(scenario, plan);
-        const MavMission mission = mavMission({.scenario = scenario, .plan = plan});
+        const MavMission mission = mavMission(planContent(scenario, plan));
         std::vector<MavItem> waypoints;
         std::ranges::copy_if(mission.items, std::back_inserter(waypoints), [](const MavItem& item) {
             return item.command == MavCommand::NavWaypoint;
@@ -292,7 +292,8 @@ private slots:
 
     void tableHasARowForEach()
     {
-        const QString table = QString::fromStdString(planCsv(twoTogether(), planOfTwoTogether()));
+        const QString table =
+            QString::fromStdString(planCsv(planContent(twoTogether(), planOfTwoTogether())));
         const QStringList rows = table.split('\n', Qt::SkipEmptyParts);
         QCOMPARE(rows.size(), 6); // one name is of two lines
         QVERIFY(rows[2].startsWith("2,berg-1,"));

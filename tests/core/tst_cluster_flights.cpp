@@ -61,7 +61,7 @@ private slots:
         QCOMPARE(reached->detail, std::string("with berg-3"));
         const Simulation then = instantAt(mission, reached->time_s).simulation;
         for (const int member : {0, 2})
-            QVERIFY((then.truth_m(member) - then.state().uav.position_m).norm() <= 250);
+            QVERIFY((then.truth_m(member) - then.uav(0).pose.position_m).norm() <= 250);
     }
 
     void reachedWhenAllAreInView_data() { addShapes(); }
@@ -81,7 +81,7 @@ private slots:
             const Groups clusters = Simulation(scenario).clusteredRequest().clusters;
             for (const std::vector<int>& members : clusters) {
                 Simulation simulation(scenario);
-                simulation.setTarget(members.front(), {}, members);
+                simulation.setTarget(0, members.front(), {}, members);
                 while (simulation.planReason() == PlanReason::None)
                     simulation.advanceStep();
                 QVERIFY2(simulation.planReason() == PlanReason::TargetReached,
@@ -135,22 +135,22 @@ private slots:
         Scenario scenario = pairAhead();
         putElsewhere(scenario.icebergs[2], {2000, -700});
         Simulation simulation(scenario);
-        simulation.setTarget(0, {}, std::vector{0, 2});
+        simulation.setTarget(0, 0, {}, std::vector{0, 2});
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Overdue);
-        COMPARE_NEAR(simulation.state().uav.position_m.x(), 2000, kFlownOver_m);
+        COMPARE_NEAR(simulation.uav(0).pose.position_m.x(), 2000, kFlownOver_m);
         QVERIFY(simulation.track(0).inView);
         QCOMPARE(simulation.state().apart, std::vector<int>{2});
-        QVERIFY(simulation.available(2) && !simulation.clusterable(2));
+        QVERIFY(simulation.available(0, 2) && !simulation.clusterable(2));
 
-        simulation.setTarget(1);
+        simulation.setTarget(0, 1);
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
-        QVERIFY(simulation.available(0) && simulation.available(2));
+        QVERIFY(simulation.available(0, 0) && simulation.available(0, 2));
         QVERIFY(simulation.clusteredRequest().clusters.empty());
         simulation.reportSighting(2);
-        simulation.setTarget(2);
+        simulation.setTarget(0, 2);
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QVERIFY(simulation.track(2).inView);
@@ -173,10 +173,10 @@ private slots:
         Simulation simulation(scenario);
         QCOMPARE(simulation.clusteredRequest().clusters, (Groups{{0, 1}}));
         QVERIFY(simulation.clusteredRequest().problem.distance_m(0, 1) > 7500);
-        simulation.setTarget(0, {}, std::vector{0, 1});
+        simulation.setTarget(0, 0, {}, std::vector{0, 1});
         while (simulation.planReason() == PlanReason::None) {
             simulation.advanceStep();
-            QVERIFY(insidePolygon(scenario.area_m, simulation.state().uav.position_m));
+            QVERIFY(insidePolygon(scenario.area_m, simulation.uav(0).pose.position_m));
         }
         QCOMPARE(simulation.planReason(), PlanReason::TargetReached);
     }
@@ -189,7 +189,7 @@ private slots:
         scenario.uavs[0].heading_deg = 180;
         putElsewhere(scenario.icebergs[2], {2000, -7000});
         Simulation simulation(scenario);
-        simulation.setTarget(0, {}, std::vector{0, 2});
+        simulation.setTarget(0, 0, {}, std::vector{0, 2});
         while (simulation.planReason() == PlanReason::None && !simulation.finished())
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Overdue);
@@ -228,7 +228,7 @@ private slots:
                 for (const std::vector<int>& members : plan.clusters) {
                     QVERIFY(members.size() >= 2);
                     for (const int member : members)
-                        QVERIFY(then.available(member));
+                        QVERIFY(then.available(0, member));
                 }
             }
         }

@@ -229,16 +229,16 @@ private slots:
             Scenario scenario = pairAhead();
             scenario.uavs[0].spec.endurance_s = endurance_s;
             const Simulation simulation(scenario);
-            whole.insert(thisSortie(simulation, order, clusters).value());
-            one.insert(simulation.thisSortie(order).value());
+            whole.insert(thisSortie(simulation, 0, order, clusters).value());
+            one.insert(simulation.thisSortie(0, order).value());
             const PlanRequest request = simulation.clusteredRequest();
-            QVERIFY(request.clusters.empty() || simulation.thisSortie(clusters[0]) == 2);
+            QVERIFY(request.clusters.empty() || simulation.thisSortie(0, clusters[0]) == 2);
             isLeftToSingles = isLeftToSingles || (request.clusters.empty() && request.available[0]);
         }
         QCOMPARE(whole, (std::set<int>{0, 1, 3}));
         QCOMPARE(one, (std::set<int>{0, 1, 2, 3}));
         QVERIFY(isLeftToSingles);
-        QVERIFY(!thisSortie(Simulation(pairAhead()), order, clusters));
+        QVERIFY(!thisSortie(Simulation(pairAhead()), 0, order, clusters));
     }
 
     void policiesThatPlanSingles()
@@ -259,24 +259,26 @@ private slots:
         const ForecastStart start{.world = now.state(),
                                   .active = {true, true, true},
                                   .time_s = 0,
-                                  .airspeed_mps = now.motion().airspeed_mps};
+                                  .airspeeds_mps = {now.motion(0).airspeed_mps}};
         const std::vector<int> order{0, 2, 1};
         const Groups clusters{{0, 2}};
-        const PlanForecast forecast = forecastPlan(start, order, 1000, clusters);
-        COMPARE_NEAR(forecast.distance_m, 5000, 1e-9);
-        QCOMPARE(forecast.visits.size(), std::size_t{3});
-        COMPARE_NEAR(forecast.visits[0].leg_m, 2000, 1e-9);
-        COMPARE_NEAR(forecast.visits[1].leg_m, 0, 0);
-        COMPARE_NEAR(forecast.visits[1].arrival_s, 2000 / 22.0, 1e-9);
-        COMPARE_NEAR(forecast.visits[1].arrivalSigma_m2, 4 + 0.025 * 2000 / 22, 1e-9);
-        COMPARE_NEAR(forecast.visits[2].leg_m, 3000, 1e-9);
-        QVERIFY(forecast.distance_m < forecastPlan(start, order, 1000).distance_m);
+        const PlanForecast forecast = forecastPlan(start, {order}, 1000, clusters);
+        COMPARE_NEAR(forecast.uavs[0].distance_m, 5000, 1e-9);
+        QCOMPARE(forecast.uavs[0].visits.size(), std::size_t{3});
+        COMPARE_NEAR(forecast.uavs[0].visits[0].leg_m, 2000, 1e-9);
+        COMPARE_NEAR(forecast.uavs[0].visits[1].leg_m, 0, 0);
+        COMPARE_NEAR(forecast.uavs[0].visits[1].arrival_s, 2000 / 22.0, 1e-9);
+        COMPARE_NEAR(forecast.uavs[0].visits[1].arrivalSigma_m2, 4 + 0.025 * 2000 / 22, 1e-9);
+        COMPARE_NEAR(forecast.uavs[0].visits[2].leg_m, 3000, 1e-9);
+        QVERIFY(forecast.uavs[0].distance_m <
+                forecastPlan(start, {order}, 1000).uavs[0].distance_m);
 
-        const std::optional<PlanChange> change =
-            planChange(start, {0, 2, 1}, std::vector{1, 0, 2}, 1000, {.before = clusters});
+        const std::optional<PlanChange> change = planChanges(
+            start, {std::vector{0, 2, 1}}, {std::vector{1, 0, 2}}, 1000, {.before = clusters})[0];
         QVERIFY(change);
         COMPARE_NEAR(change->distance_m,
-                     forecastPlan(start, std::vector{1, 0, 2}, 1000).distance_m - 5000, 1e-9);
+                     forecastPlan(start, {std::vector{1, 0, 2}}, 1000).uavs[0].distance_m - 5000,
+                     1e-9);
     }
 
     void plannerNamesAllMembers()

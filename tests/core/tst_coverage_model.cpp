@@ -26,13 +26,13 @@ struct FlownPlan
 /** Flies one aimed leg until its iceberg is in view; passes over what else comes into view. */
 void flyLeg(Simulation& simulation, const AimedLeg& leg, double until_s)
 {
-    simulation.setTarget(leg.iceberg, leg);
+    simulation.setTarget(0, leg.iceberg, leg);
     while (!simulation.finished() && simulation.time_s() < until_s) {
         simulation.advanceStep();
         if (simulation.planReason() != PlanReason::None) {
             if (simulation.track(leg.iceberg).inView)
                 return;
-            simulation.setTarget(leg.iceberg, simulation.state().aim);
+            simulation.setTarget(0, leg.iceberg, simulation.uav(0).aim);
         }
     }
 }
@@ -63,7 +63,7 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
         const Point predicted_m = state.uav.position_m + scenario.wind_mps * state.time_s;
         const double late_s = simulation.time_s() - end_s;
         const Point flown_m =
-            simulation.state().uav.position_m - late_s * (22 * state.uav.ahead + scenario.wind_mps);
+            simulation.uav(0).pose.position_m - late_s * (22 * state.uav.ahead + scenario.wind_mps);
         result.largestMiss_m = std::max(result.largestMiss_m, (flown_m - predicted_m).norm());
         result.predicted_m2s += model.costSoFar_m2s(state);
         result.flown_m2s +=

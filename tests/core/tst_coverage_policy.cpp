@@ -80,7 +80,7 @@ private slots:
             const PlanAnswer answer = policy->plan(request, last, {.workLimit = kWork});
             verifyAnswer(answer, request);
             QCOMPARE(answer.outcome.hintUsed, k > 0);
-            simulation.setTarget(answer.order.front(), answer.legs.front());
+            simulation.setTarget(0, answer.order.front(), answer.legs.front());
             for (int i = 0; i < 200 && simulation.planReason() == PlanReason::None; ++i)
                 simulation.advanceStep();
             last = answer.order;
@@ -95,7 +95,7 @@ private slots:
         Simulation simulation(scenario);
         const std::unique_ptr<Policy> policy = coverage();
         const PlanAnswer first = policy->plan(simulation.planRequest(), {}, {});
-        simulation.setTarget(first.order.front(), first.legs.front());
+        simulation.setTarget(0, first.order.front(), first.legs.front());
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         const PlanRequest request = simulation.planRequest();
@@ -178,7 +178,7 @@ private slots:
         QCOMPARE(outlook.sightings_s.front(), answer.legs.front().sighting_s);
 
         Simulation simulation(scenario); // the first of the order is seen then
-        simulation.setTarget(answer.order.front(), answer.legs.front());
+        simulation.setTarget(0, answer.order.front(), answer.legs.front());
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QVERIFY(std::abs(simulation.time_s() - outlook.sightings_s.front()) < 1.5);

@@ -23,7 +23,7 @@ std::ptrdiff_t samplesOutside(const Mission& mission)
     const std::vector<Point>& area_m = mission.scenario().area_m;
     const std::vector<Sample>& samples = mission.recorder().samples();
     return std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
-        return !insidePolygon(area_m, sample.uav.position_m);
+        return !insidePolygon(area_m, sample.uavs[0].pose.position_m);
     });
 }
 
@@ -90,7 +90,7 @@ private slots:
             mission.advance(200);
             // The circle over ground grows with the wind: a little, and from well inside.
             if (distanceToEdges(mission.scenario().area_m,
-                                mission.simulation().state().uav.position_m) < 600)
+                                mission.simulation().uav(0).pose.position_m) < 600)
                 continue;
             mission.intervene({.wind_mps = Point(-6, 3)});
             mission.advance(1000);
@@ -147,7 +147,7 @@ private slots:
             int searching_s = 0;
             for (double t_s = 1; t_s <= s.duration_s; ++t_s) {
                 mission.advance(t_s);
-                const bool searches = mission.simulation().state().mode == FlightMode::Search;
+                const bool searches = mission.simulation().uav(0).mode == FlightMode::Search;
                 searching_s = searches ? searching_s + 1 : 0;
                 QVERIFY2(searching_s < 800, qPrintable(QString("%1").arg(seed)));
             }
@@ -171,7 +171,7 @@ private slots:
         const Mission mission = fly(900);
         const std::vector<Simulation>& keyframes = mission.recorder().keyframes();
         QVERIFY(std::any_of(keyframes.begin(), keyframes.end(),
-                            [](const Simulation& k) { return k.state().via_m.has_value(); }));
+                            [](const Simulation& k) { return k.uav(0).via_m.has_value(); }));
         const RunFile read = runFromJson(runToJson(runOf(mission)), "run");
         QVERIFY(read == runOf(mission));
         QVERIFY(compareRun(read, runOf(replay(read))).empty());

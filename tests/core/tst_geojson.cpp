@@ -165,7 +165,7 @@ private slots:
         QCOMPARE(line.size(), static_cast<qsizetype>(samples.size()));
         for (std::size_t i = 0; i < samples.size(); ++i)
             QVERIFY((frame.toPlane(placeOf(line[static_cast<qsizetype>(i)])) -
-                     samples[i].uav.position_m)
+                     samples[i].uavs[0].pose.position_m)
                         .norm() < 1e-4);
         QCOMPARE(track["properties"_L1]["coordinateProperties"_L1]["times"_L1][400].toString(),
                  u"2026-05-02T00:06:10Z"_s);

@@ -337,7 +337,7 @@ private slots:
         flyToEnd(mission);
         QCOMPARE(mission.metrics().zeta_m2s, 0.0);
         QCOMPARE(mission.metrics().visits, 0);
-        QVERIFY(mission.simulation().state().uav.position_m.norm() < 300); // holds where it is
+        QVERIFY(mission.simulation().uav(0).pose.position_m.norm() < 300); // holds where it is
     }
 
     void startPlanIsTheFirstPlanFlown()

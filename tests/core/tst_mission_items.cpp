@@ -40,7 +40,7 @@ private slots:
         scenario.fovShape = static_cast<FovShape>(shape);
         if (reach_m > 0)
             scenario.reachRadius_m = reach_m;
-        QCOMPARE(acceptanceRadius_m(scenario), expected_m);
+        QCOMPARE(acceptanceRadius_m(planContent(scenario).uavs[0]), expected_m);
     }
 
     void loiterRadius_data()
@@ -67,7 +67,7 @@ private slots:
         scenario.uavs[0].spec.airspeed_mps = airspeed_mps;
         scenario.uavs[0].spec.maxBank_deg = bank_deg;
         scenario.wind_mps = Point(0, wind_mps);
-        QCOMPARE(loiterRadius_m(scenario), expected_m);
+        QCOMPARE(loiterRadius_m(planContent(scenario).uavs[0]), expected_m);
     }
 
     /** The last item of a plan with endurance loiters at home, which the file names as such. */
@@ -77,7 +77,7 @@ private slots:
         scenario.uavs[0].spec.endurance_s = 1e6;
         scenario.uavs[0].home_m = Point(500, -700);
         const PlanAnswer plan = planFromStart(scenario);
-        const MavMission mission = mavMission({.scenario = scenario, .plan = plan});
+        const MavMission mission = mavMission(planContent(scenario, plan));
         QCOMPARE(mission.items.size(), plan.order.size() + 2);
         QCOMPARE(mission.items.back().command, MavCommand::NavLoiterUnlimited);
         QVERIFY(mission.items.back().place == mission.home);
@@ -85,7 +85,7 @@ private slots:
         QVERIFY((home_m - Point(500, -700)).norm() < 0.1);
 
         scenario.uavs[0].spec.endurance_s = 60; // not enough for any
-        const MavMission none = mavMission({.scenario = scenario, .plan = plan});
+        const MavMission none = mavMission(planContent(scenario, plan));
         QCOMPARE(none.items.size(), std::size_t{2});
     }
 };

@@ -117,7 +117,7 @@ private slots:
         addIceberg(scenario, 100, 0, 50).q_m2ps = 1;
         Simulation simulation(scenario);
         QVERIFY(simulation.track(0).inView);
-        simulation.setTarget(-1);
+        simulation.setTarget(0, -1);
         double last_m2 = simulation.track(0).sigma_m2;
         for (int step = 1; step <= 120; ++step) {
             simulation.advanceStep();
@@ -163,7 +163,7 @@ private slots:
         const Simulation& end = mission.simulation();
         QCOMPARE(end.track(0).status, TrackStatus::GivenUp);
         QVERIFY(end.active(0));
-        QVERIFY(!end.available(0));
+        QVERIFY(!end.available(0, 0));
         QVERIFY(end.track(0).sigma_m2 > 300 * 300 / 2); // it is outside what was seen
         QVERIFY(mission.metrics().visits >= 1);         // the other one
         for (const PlanEvent& plan : mission.plans())

@@ -18,7 +18,7 @@ constexpr double kAirspeed_mps = 20;
 /** Standing icebergs with sigma and q of their own, the UAV at the origin. */
 struct World
 {
-    WorldState state;
+    WorldState state{.uavs = std::vector<UavState>(1)};
     std::vector<bool> active;
 
     World& add(const Point& at_m, double sigma_m2, double q_m2ps)
@@ -32,7 +32,7 @@ struct World
         return {.world = state,
                 .active = active,
                 .time_s = 100,
-                .airspeed_mps = kAirspeed_mps,
+                .airspeeds_mps = {kAirspeed_mps},
                 .wind_mps = wind_mps};
     }
 };
@@ -58,10 +58,10 @@ double integratedZeta(const World& world, const PlanForecast& forecast, double h
     std::size_t next = 0;
     const auto steps = static_cast<int>(std::lround(horizon_s / kStep_s));
     for (int step = 0; step < steps; ++step) {
-        for (; next < forecast.visits.size() &&
-               forecast.visits[next].arrival_s <= (step + 0.5) * kStep_s;
+        for (; next < forecast.uavs[0].visits.size() &&
+               forecast.uavs[0].visits[next].arrival_s <= (step + 0.5) * kStep_s;
              ++next)
-            sigma_m2[static_cast<std::size_t>(forecast.visits[next].iceberg)] = 0;
+            sigma_m2[static_cast<std::size_t>(forecast.uavs[0].visits[next].iceberg)] = 0;
         for (std::size_t i = 0; i < sigma_m2.size(); ++i) {
             if (!world.active[i])
                 continue;
@@ -90,7 +90,7 @@ ForecastStart startOf(const Mission& mission)
     const Simulation& simulation = mission.simulation();
     ForecastStart start{.world = simulation.state(),
                         .time_s = simulation.time_s(),
-                        .airspeed_mps = mission.scenario().uavs.front().spec.airspeed_mps,
+                        .airspeeds_mps = {mission.scenario().uavs.front().spec.airspeed_mps},
                         .wind_mps = mission.scenario().wind_mps};
     for (int i = 0; i < simulation.icebergCount(); ++i)
         start.active.push_back(simulation.active(i));
@@ -110,12 +110,12 @@ private slots:
         world.add({300, 400}, 6, 0.05).add({-1000, 0}, 2, 0.01);
         const std::vector<int> order{0};
         const double horizon_s = 200;
-        const PlanForecast forecast = forecastPlan(world.start(), order, horizon_s);
-        QCOMPARE(forecast.visits.size(), std::size_t{1});
-        COMPARE_NEAR(forecast.visits[0].leg_m, 500, 1e-9);
-        COMPARE_NEAR(forecast.visits[0].arrival_s, 25, 1e-9);
-        COMPARE_NEAR(forecast.visits[0].arrivalSigma_m2, 6 + 0.05 * 25, 1e-9);
-        COMPARE_NEAR(forecast.distance_m, 500, 1e-9);
+        const PlanForecast forecast = forecastPlan(world.start(), {order}, horizon_s);
+        QCOMPARE(forecast.uavs[0].visits.size(), std::size_t{1});
+        COMPARE_NEAR(forecast.uavs[0].visits[0].leg_m, 500, 1e-9);
+        COMPARE_NEAR(forecast.uavs[0].visits[0].arrival_s, 25, 1e-9);
+        COMPARE_NEAR(forecast.uavs[0].visits[0].arrivalSigma_m2, 6 + 0.05 * 25, 1e-9);
+        COMPARE_NEAR(forecast.uavs[0].distance_m, 500, 1e-9);
         const double visited_m2s =
             6 * horizon_s + 0.05 * horizon_s * horizon_s / 2 - (6 + 0.05 * 25) * (horizon_s - 25);
         const double other_m2s = 2 * horizon_s + 0.01 * horizon_s * horizon_s / 2;
@@ -138,7 +138,7 @@ private slots:
         World world = randomWorld(static_cast<std::uint64_t>(seed), 7);
         world.active[6] = false;
         std::vector<int> order{3, 0, 5, 1, 2, 0}; // one of them twice, 4 not at all
-        const PlanForecast forecast = forecastPlan(world.start({3, -8}), order, horizon_s);
+        const PlanForecast forecast = forecastPlan(world.start({3, -8}), {order}, horizon_s);
         const double integrated_m2s = integratedZeta(world, forecast, horizon_s);
         // An arrival is found to half a step: sigma, 100 m^2 at most, times 5 ms for each of six.
         COMPARE_NEAR(forecast.zeta_m2s, integrated_m2s, 6 * 100 * 0.005 + 1e-6 * integrated_m2s);
@@ -150,7 +150,8 @@ private slots:
         world.add({0, 600}, 1, 0);
         const std::vector<int> order{0};
         const Point wind_mps(0, 10);
-        COMPARE_NEAR(forecastPlan(world.start(wind_mps), order, 1).visits[0].arrival_s, 20, 1e-9);
+        COMPARE_NEAR(forecastPlan(world.start(wind_mps), {order}, 1).uavs[0].visits[0].arrival_s,
+                     20, 1e-9);
     }
 
     void driftIsThatOfTheStart()
@@ -159,14 +160,14 @@ private slots:
         world.add({0, 0}, 1, 0);
         world.state.tracks[0].velocity_mps = {2, 0}; // 100 s after its anchor
         const std::vector<int> order{0};
-        COMPARE_NEAR(forecastPlan(world.start(), order, 1).distance_m, 200, 1e-9);
+        COMPARE_NEAR(forecastPlan(world.start(), {order}, 1).uavs[0].distance_m, 200, 1e-9);
     }
 
     void anUnknownIcebergIsABug()
     {
         const World world = randomWorld(1, 2);
         const std::vector<int> order{2};
-        QVERIFY_EXCEPTION_THROWN(static_cast<void>(forecastPlan(world.start(), order, 10)),
+        QVERIFY_EXCEPTION_THROWN(static_cast<void>(forecastPlan(world.start(), {order}, 10)),
                                  std::logic_error);
     }
 
@@ -178,7 +179,7 @@ private slots:
         mission.advance(0);
         const std::vector<int> order = mission.plans().front().order;
         QCOMPARE(order, (std::vector<int>{0, 1, 2, 3}));
-        const PlanForecast forecast = forecastPlan(startOf(mission), order, duration_s);
+        const PlanForecast forecast = forecastPlan(startOf(mission), {order}, duration_s);
         mission.advance(duration_s);
         QCOMPARE(mission.metrics().visits, 4);
         // Each is seen 40 m early and for 80 m, that is 1.8 and 3.6 s of some hundreds.
@@ -200,7 +201,8 @@ private slots:
         QFETCH(QList<int>, before);
         QFETCH(QList<int>, after);
         const World world = randomWorld(2, 3);
-        QVERIFY(!planChange(world.start(), {before.begin(), before.end()}, after, 1000));
+        QVERIFY(!planChanges(world.start(), {{before.begin(), before.end()}},
+                             {{after.begin(), after.end()}}, 1000)[0]);
     }
 
     /** Both orders from one instant, those that only the new one visits last in the old one. */
@@ -211,15 +213,16 @@ private slots:
         const std::vector<int> flownBefore{0, 1, 3, 2};
         const double horizon_s = 2000;
         const std::optional<PlanChange> change =
-            planChange(world.start(), {0, 1}, after, horizon_s);
+            planChanges(world.start(), {std::vector{0, 1}}, {after}, horizon_s)[0];
         QVERIFY(change);
         QCOMPARE(change->before, (std::vector<int>{0, 1}));
-        const PlanForecast old = forecastPlan(world.start(), flownBefore, horizon_s);
-        const PlanForecast now = forecastPlan(world.start(), after, horizon_s);
-        COMPARE_NEAR(change->distance_m, now.distance_m - old.distance_m, 1e-9);
+        const PlanForecast old = forecastPlan(world.start(), {flownBefore}, horizon_s);
+        const PlanForecast now = forecastPlan(world.start(), {after}, horizon_s);
+        COMPARE_NEAR(change->distance_m, now.uavs[0].distance_m - old.uavs[0].distance_m, 1e-9);
         COMPARE_NEAR(change->zeta_m2s, now.zeta_m2s - old.zeta_m2s, 1e-9);
         const std::optional<PlanChange> back =
-            planChange(world.start(), after, flownBefore, horizon_s);
+            planChanges(world.start(), {after}, {flownBefore}, horizon_s)[0];
+        QVERIFY(back);
         COMPARE_NEAR(back->zeta_m2s, -change->zeta_m2s, 1e-9);
     }
 

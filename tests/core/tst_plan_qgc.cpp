@@ -35,6 +35,12 @@ QStringList brokenRules(const PlanText& plan)
     return broken;
 }
 
+/** With the area as a geofence. */
+Scenario fenced()
+{
+    return changed([](Scenario& s) { s.geofence = true; });
+}
+
 Scenario withoutIcebergs()
 {
     Scenario scenario = fourIcebergs();
@@ -44,19 +50,23 @@ Scenario withoutIcebergs()
 
 QByteArray planText(const Scenario& scenario, const PlanAnswer& plan = fourIcebergPlan())
 {
-    return bytes(qgcPlan({.scenario = scenario, .plan = plan}));
+    return bytes(qgcPlan(planContent(scenario, plan)));
 }
 
 QByteArray runText(const Scenario& scenario, double until_s = 1e9)
 {
     const Mission mission = flown(scenario, until_s);
-    const PlanAnswer plan;
-    return bytes(qgcPlan({.scenario = scenario, .plan = plan, .mission = &mission}));
+    return bytes(qgcPlan(runContent(mission)));
 }
 
 std::vector<std::pair<const char*, QByteArray>> documents()
 {
+    ExportOptions path{.what = ExportWhat::Path};
+    ExportOptions loiter{.altitude_m = 80.5, .loiterTurns = 3, .returnHome = true};
     return {{"plan", planText(fourIcebergs())},
+            {"geofence", planText(fenced())},
+            {"path", bytes(qgcPlan(planContent(fourIcebergs(), fourIcebergPlan(), path)))},
+            {"loiter", bytes(qgcPlan(planContent(fourIcebergs(), fourIcebergPlan(), loiter)))},
             {"no icebergs", planText(withoutIcebergs(), planOf({}))},
             {"no area", planText(changed([](Scenario& s) { s.area_m.clear(); }))},
             {"closed route", planText(changed([](Scenario& s) {
@@ -120,7 +130,7 @@ private slots:
     {
         QFETCH(int, index);
         const Mutation mutation = mutations()[static_cast<std::size_t>(index)];
-        QJsonObject root = berg::test::planText(planText(fourIcebergs())).root;
+        QJsonObject root = berg::test::planText(planText(fenced())).root;
         mutation.edit(root);
         const QByteArray text = QJsonDocument(root).toJson();
         QStringList expected = mutation.broken;
@@ -274,7 +284,7 @@ private slots:
 
     void areaIsTheFence()
     {
-        const Scenario scenario = fourIcebergs();
+        const Scenario scenario = fenced();
         const QJsonObject fence =
             berg::test::planText(planText(scenario)).root["geoFence"_L1].toObject();
         const QJsonArray corners = fence["polygons"_L1][0]["polygon"_L1].toArray();
@@ -286,13 +296,21 @@ private slots:
                                                   .longitude_deg = corners[i][1].toDouble()});
             QVERIFY((corner_m - scenario.area_m[static_cast<std::size_t>(i)]).norm() < 1e-4);
         }
-        const QByteArray open = planText(changed([](Scenario& s) { s.area_m.clear(); }));
+        const QByteArray open = planText(fourIcebergs()); // an area, but no fence
         QVERIFY(berg::test::planText(open).root["geoFence"_L1]["polygons"_L1].toArray().isEmpty());
+    }
+
+    void homeIsTheRallyPoint()
+    {
+        const QJsonObject root = berg::test::planText(planText(fourIcebergs())).root;
+        const QJsonArray home = root["mission"_L1]["plannedHomePosition"_L1].toArray();
+        QCOMPARE(root["rallyPoints"_L1]["points"_L1].toArray(),
+                 (QJsonArray{QJsonArray{home[0], home[1], 120}}));
     }
 
     void golden()
     {
-        const QByteArray actual = planText(fourIcebergs());
+        const QByteArray actual = planText(fenced());
         const QByteArray expected = berg::test::golden(u"four_icebergs.plan"_s, actual);
         // 1e-9 of 47 degrees is 5 mm: rounding of another processor, not another place.
         const QString found = difference(QJsonDocument::fromJson(actual).object(),

@@ -16,14 +16,13 @@ namespace {
 
 QByteArray planText(const Scenario& scenario, const PlanAnswer& plan = fourIcebergPlan())
 {
-    return bytes(wplText({.scenario = scenario, .plan = plan}));
+    return bytes(wplText(planContent(scenario, plan)));
 }
 
 QByteArray runText(const Scenario& scenario)
 {
     const Mission mission = flown(scenario);
-    const PlanAnswer plan;
-    return bytes(wplText({.scenario = scenario, .plan = plan, .mission = &mission}));
+    return bytes(wplText(runContent(mission)));
 }
 
 /** German numbers: comma for the decimals, point for the thousands. */
@@ -55,6 +54,13 @@ private slots:
         scenario.uavs[0].spec.airspeed_mps = 22.5;
         scenario.uavs[0].spec.altitude_m = 99.9;
         QTest::newRow("fractions") << planText(scenario) << 6;
+        QTest::newRow("loiter, and home at the end")
+            << bytes(wplText(planContent(scenario, fourIcebergPlan(),
+                                         {.loiterTurns = 2, .returnHome = true})))
+            << 6;
+        QTest::newRow("first leg") << bytes(wplText(planContent(scenario, fourIcebergPlan(),
+                                                                {.what = ExportWhat::FirstLeg})))
+                                   << 3;
         scenario.icebergs.clear();
         QTest::newRow("no icebergs") << planText(scenario, planOf({})) << 2;
     }

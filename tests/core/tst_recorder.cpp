@@ -27,7 +27,7 @@ void recordAll(Simulation& simulation, Recorder& recorder,
     recorder.record(simulation);
     while (!simulation.finished()) {
         if (simulation.planReason() != PlanReason::None)
-            simulation.setTarget(simulation.available(0) ? 0 : -1);
+            simulation.setTarget(0, simulation.available(0, 0) ? 0 : -1);
         simulation.advanceStep();
         if (afterStep)
             afterStep(simulation);
@@ -91,7 +91,7 @@ private slots:
         Simulation simulation(scenario);
         Recorder recorder(0.7, 25, scenario.dt_s);
         std::vector<Simulation> history{Simulation(scenario)};
-        history[0].setTarget(0);
+        history[0].setTarget(0, 0);
         recordAll(simulation, recorder, [&](Simulation& s) { history.push_back(s); });
 
         std::size_t row = 0;
@@ -100,12 +100,12 @@ private slots:
                 history[static_cast<std::size_t>(std::llround(sample.time_s * 10))];
             const WorldState& state = then.state();
             QCOMPARE(sample.time_s, then.time_s());
-            QVERIFY(sample.uav == state.uav);
-            QCOMPARE(sample.u_radps, state.u_radps);
-            QCOMPARE(sample.crossTrack_m, state.crossTrack_m);
+            QVERIFY(sample.uavs[0].pose == state.uavs[0].pose);
+            QCOMPARE(sample.uavs[0].u_radps, state.uavs[0].u_radps);
+            QCOMPARE(sample.uavs[0].crossTrack_m, state.uavs[0].crossTrack_m);
             QCOMPARE(sample.sigmaSum_m2, state.sigmaSum_m2);
             QCOMPARE(sample.zeta_m2s, state.zeta_m2s);
-            QCOMPARE(sample.flown_m, state.flown_m);
+            QCOMPARE(sample.flown_m, state.flown_m());
             QCOMPARE(recorder.icebergs(row).size(), std::size_t{2});
             for (int i = 0; i < 2; ++i) {
                 const IcebergSample& one = recorder.icebergs(row)[static_cast<std::size_t>(i)];
@@ -117,8 +117,8 @@ private slots:
             ++row;
         }
         QVERIFY(row > 100);
-        QCOMPARE(recorder.samples()[0].target, -1); // no plan yet at time 0
-        QCOMPARE(recorder.samples()[1].target, 0);
+        QCOMPARE(recorder.samples()[0].uavs[0].target, -1); // no plan yet at time 0
+        QCOMPARE(recorder.samples()[1].uavs[0].target, 0);
         QVERIFY(recorder.icebergs(0)[1].inView);
         QVERIFY(!recorder.icebergs(row - 1)[1].inView); // left behind
     }
@@ -203,7 +203,7 @@ private slots:
     {
         const Scenario scenario = emptySea(3);
         Simulation simulation(scenario);
-        simulation.setTarget(-1);
+        simulation.setTarget(0, -1);
         Recorder recorder(1, 60, scenario.dt_s);
         recorder.record(simulation);
         while (!simulation.finished()) {

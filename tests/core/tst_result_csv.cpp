@@ -2,6 +2,7 @@
 #include "core/io/plan_csv.h"
 #include "core/io/result_csv.h"
 #include "core/io/visits.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/golden.h"
 #include "tests/support/mission_builder.h"
 
@@ -145,16 +146,16 @@ private slots:
             QCOMPARE(record.size(), 9);
             QCOMPARE(record[0].toDouble(), samples[i].time_s);
             QCOMPARE(record[1], QByteArray("uav-1"));
-            QCOMPARE(record[2].toDouble(), samples[i].uav.position_m.x());
-            QCOMPARE(record[3].toDouble(), samples[i].uav.position_m.y());
+            QCOMPARE(record[2].toDouble(), samples[i].uavs[0].pose.position_m.x());
+            QCOMPARE(record[3].toDouble(), samples[i].uavs[0].pose.position_m.y());
             const Point back_m = frame.toPlane(
                 {.latitude_deg = record[4].toDouble(), .longitude_deg = record[5].toDouble()});
             // Rounding of degrees in a double, 1e-14 x 6.4e6 m, some times over.
-            QVERIFY((back_m - samples[i].uav.position_m).norm() < 1e-6);
+            QVERIFY((back_m - samples[i].uavs[0].pose.position_m).norm() < 1e-6);
             QVERIFY(std::abs(wrapPi(psiFromHeading(record[6].toDouble()) -
-                                    samples[i].uav.psi_rad)) < 1e-12);
-            QCOMPARE(record[7].toDouble(), samples[i].u_radps);
-            QCOMPARE(record[8].toDouble(), samples[i].crossTrack_m);
+                                    samples[i].uavs[0].pose.psi_rad)) < 1e-12);
+            QCOMPARE(record[7].toDouble(), samples[i].uavs[0].u_radps);
+            QCOMPARE(record[8].toDouble(), samples[i].uavs[0].crossTrack_m);
         }
         // Heading 45 degrees at the start.
         QVERIFY(std::abs(records[1][6].toDouble() - 45) < 1e-12);
@@ -255,17 +256,18 @@ private slots:
     {
         const Scenario scenario = fourIcebergs();
         const PlanAnswer plan = fourIcebergPlan();
-        const QList<Record> records = csvRecords(planCsv(scenario, plan));
+        const QList<Record> records = csvRecords(planCsv(planContent(scenario, plan)));
         QCOMPARE(records[0].join(','),
                  QByteArray("sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,"
-                            "east_m,north_m,sigma_now_m2,sigma_at_arrival_m2"));
+                            "east_m,north_m,sigma_now_m2,sigma_at_arrival_m2,uav"));
         QCOMPARE(records.size(), 5);
         const std::vector<Visit> visits = plannedVisits(scenario, plan);
         Point from_m = scenario.uavs[0].position_m;
         for (std::size_t i = 0; i < visits.size(); ++i) {
             const Record& record = records[static_cast<qsizetype>(i) + 1];
             const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(visits[i].iceberg)];
-            QCOMPARE(record.size(), 11);
+            QCOMPARE(record.size(), 12);
+            QCOMPARE(record[11], QByteArray("uav-1"));
             QCOMPARE(record[0].toInt(), static_cast<int>(i) + 1);
             QCOMPARE(record[1], bytes(iceberg.id));
             QCOMPARE(record[2], bytes(iceberg.name));
@@ -287,18 +289,17 @@ private slots:
         const PlanAnswer plan = fourIcebergPlan();
         const ExportFormat* csv = findExportFormat("csv");
         QVERIFY(csv != nullptr);
-        QCOMPARE(csv->write({.scenario = scenario, .plan = plan}), planCsv(scenario, plan));
+        QCOMPARE(csv->write({.scenario = scenario, .plan = plan}),
+                 planCsv(planContent(scenario, plan)));
         QCOMPARE(csv->write({.scenario = scenario, .plan = plan, .mission = &mission}),
                  trajectoryCsv(mission));
-        QStringList ids;
-        for (const ExportFormat& format : exportFormats()) {
-            ids << QString::fromLatin1(format.id.data(), static_cast<qsizetype>(format.id.size()));
-            QCOMPARE(findExportFormat(format.id), &format);
-            QVERIFY(!format.extension.empty() && !format.reader.empty());
-            QVERIFY(!format.write({.scenario = scenario, .plan = plan}).empty());
-        }
-        QCOMPARE(ids, (QStringList{QStringLiteral("plan"), QStringLiteral("wpl"),
-                                   QStringLiteral("geojson"), QStringLiteral("csv")}));
+        const ExportFormat* zeta = findExportFormat("zeta-csv");
+        QVERIFY(zeta != nullptr);
+        QCOMPARE(zeta->write({.scenario = scenario, .plan = plan, .mission = &mission}),
+                 zetaCsv(mission));
+        const std::optional<Error> error =
+            errorOf([&] { (void)zeta->write({.scenario = scenario, .plan = plan}); });
+        QVERIFY(error && error->code() == ErrorCode::InvalidInput);
     }
 
     void localeDoesNotMatter()
@@ -316,7 +317,7 @@ private slots:
 
     void golden()
     {
-        const QByteArray actual = bytes(planCsv(fourIcebergs(), fourIcebergPlan()));
+        const QByteArray actual = bytes(planCsv(planContent(fourIcebergs())));
         const QByteArray expected = berg::test::golden(QStringLiteral("four_icebergs.csv"), actual);
         // Rounding of another processor.
         const QString found = tableDifference(actual, expected, ',', 1e-9);

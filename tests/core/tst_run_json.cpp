@@ -101,7 +101,7 @@ private slots:
     {
         const RunFile run = coverageRun();
         QVERIFY(!run.plans.front().legs.empty());
-        QVERIFY(run.keyframes.back().aim.has_value());
+        QVERIFY(run.keyframes.back().uavs[0].aim.has_value());
         const std::string text = runToJson(run);
         const RunFile read = runFromJson(text, "text");
         QVERIFY(read == run);
@@ -119,7 +119,7 @@ private slots:
         std::vector<Issue> issues = compareRun(run, other);
         QCOMPARE(issues.size(), std::size_t{1});
         QCOMPARE(issues[0].field, std::string("plans[2].legs"));
-        std::vector<AimedLeg> changed(7, *run.keyframes.back().aim);
+        std::vector<AimedLeg> changed(7, *run.keyframes.back().uavs[0].aim);
         changed[0].iceberg += 1;
         changed[1].turn_rad += 1;
         changed[2].from_m.x() += 1;
@@ -130,12 +130,12 @@ private slots:
         const std::string path = "keyframes[" + std::to_string(run.keyframes.size() - 1) + "].aim";
         for (std::size_t i = 0; i < changed.size(); ++i) {
             other = run;
-            other.keyframes.back().aim = changed[i];
+            other.keyframes.back().uavs[0].aim = changed[i];
             issues = compareRun(run, other);
             QCOMPARE(issues.size(), std::size_t{1});
             QCOMPARE(issues[0].field, path + '[' + std::to_string(i) + ']');
         }
-        other.keyframes.back().aim.reset();
+        other.keyframes.back().uavs[0].aim.reset();
         QCOMPARE(compareRun(run, other)[0].field, path);
     }
 
@@ -184,20 +184,20 @@ private slots:
     {
         RunFile run = recorded();
         WorldState& state = run.keyframes[3];
-        state.mode = FlightMode::RunOut;
-        state.target = 12;
-        state.lastReached = 0;
-        state.runOut_m = 211.6;
-        state.misses = 3;
-        state.u_radps = -std::numeric_limits<double>::denorm_min();
-        state.guidance.gains.lookahead_m = std::nextafter(150.0, 0);
+        state.uavs[0].mode = FlightMode::RunOut;
+        state.uavs[0].target = 12;
+        state.uavs[0].lastReached = 0;
+        state.uavs[0].runOut_m = 211.6;
+        state.uavs[0].misses = 3;
+        state.uavs[0].u_radps = -std::numeric_limits<double>::denorm_min();
+        state.uavs[0].guidance.gains.lookahead_m = std::nextafter(150.0, 0);
         state.tracks[5].inView = !state.tracks[5].inView;
-        state.uav.psi_rad = -0.0;
-        run.keyframes[4].mode = FlightMode::Idle;
-        run.keyframes[5].mode = FlightMode::Circle;
+        state.uavs[0].pose.psi_rad = -0.0;
+        run.keyframes[4].uavs[0].mode = FlightMode::Idle;
+        run.keyframes[5].uavs[0].mode = FlightMode::Circle;
         const RunFile read = again(run);
         QVERIFY(read == run);
-        QVERIFY(std::signbit(read.keyframes[3].uav.psi_rad));
+        QVERIFY(std::signbit(read.keyframes[3].uavs[0].pose.psi_rad));
     }
 
     void savedAndLoaded()
@@ -289,14 +289,15 @@ private slots:
         WorldState& state = run.keyframes[4];
         switch (change) {
         case 0: // the last bit
-            state.uav.position_m.y() = std::nextafter(state.uav.position_m.y(), 1e9);
+            state.uavs[0].pose.position_m.y() =
+                std::nextafter(state.uavs[0].pose.position_m.y(), 1e9);
             run.keyframes[8].zeta_m2s += 1; // later ones are not told
             break;
         case 1:
             run.keyframes[2].tracks[7].sigma_m2 += 1e-12;
             break;
         case 2:
-            run.keyframes[6].target = -1;
+            run.keyframes[6].uavs[0].target = -1;
             break;
         case 3:
             run.keyframes[9].tracks.pop_back();
@@ -341,31 +342,39 @@ private slots:
     {
         // Whatever field of the text is changed, the comparison names one.
         const WorldState& state = recorded().keyframes[1];
-        std::vector<WorldState> changed(24, state);
-        changed[0].uav.position_m.x() += 1;
-        changed[1].uav.position_m.y() += 1;
-        changed[2].uav.psi_rad += 1;
-        changed[3].u_radps += 1;
-        changed[4].crossTrack_m += 1;
+        std::vector<WorldState> changed(32, state);
+        changed[0].uavs[0].pose.position_m.x() += 1;
+        changed[1].uavs[0].pose.position_m.y() += 1;
+        changed[2].uavs[0].pose.psi_rad += 1;
+        changed[3].uavs[0].u_radps += 1;
+        changed[4].uavs[0].crossTrack_m += 1;
         changed[5].sigmaSum_m2 += 1;
         changed[6].zeta_m2s += 1;
-        changed[7].flown_m += 1;
-        changed[8].mode = FlightMode::Circle;
-        changed[9].target += 1;
-        changed[10].lastReached += 1;
-        changed[11].guidance.gains.lookahead_m += 1;
-        changed[12].guidance.gains.integral_mps += 1;
-        changed[13].guidance.gains.turn_1ps += 1;
-        changed[14].guidance.start_m.x() += 1;
-        changed[15].guidance.integral_s += 1;
-        changed[16].runOut_m += 1;
-        changed[17].misses += 1;
+        changed[7].uavs[0].flown_m += 1;
+        changed[8].uavs[0].mode = FlightMode::Circle;
+        changed[9].uavs[0].target += 1;
+        changed[10].uavs[0].lastReached += 1;
+        changed[11].uavs[0].guidance.gains.lookahead_m += 1;
+        changed[12].uavs[0].guidance.gains.integral_mps += 1;
+        changed[13].uavs[0].guidance.gains.turn_1ps += 1;
+        changed[14].uavs[0].guidance.start_m.x() += 1;
+        changed[15].uavs[0].guidance.integral_s += 1;
+        changed[16].uavs[0].runOut_m += 1;
+        changed[17].uavs[0].misses += 1;
         changed[18].tracks[0].anchor_m.x() += 1;
         changed[19].tracks[1].anchor_s += 1;
         changed[20].tracks[2].velocity_mps.y() += 1;
         changed[21].tracks[3].sigma_m2 += 1;
         changed[22].tracks[4].q_m2ps += 1;
         changed[23].tracks[5].inView = !state.tracks[5].inView;
+        changed[24].tracks[6].mixed_m2ps += 1;
+        changed[25].tracks[6].presence = 0.5;
+        changed[26].tracks[6].status = TrackStatus::Lost;
+        changed[27].tracks[6].left = true;
+        changed[28].uavs[0].aloft_s += 1;
+        changed[29].uavs[0].ground_s += 1;
+        changed[30].closest_m = 5;
+        changed[31].uavs[0].via_m = Point(1, 2);
         for (const WorldState& other : changed) {
             RunFile run = recorded();
             run.keyframes[1] = other;

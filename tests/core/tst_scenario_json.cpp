@@ -82,6 +82,7 @@ private slots:
         QCOMPARE(s.uavs[0].spec.endurance_s, 0.0);
         QCOMPARE(s.uavs[0].turnaround_s, 600.0);
         QVERIFY(!s.uavs[0].home_m && !s.geofence);
+        QCOMPARE(s.separation_m, 200.0);
         QVERIFY(s.planner.policy == PolicyKind::Visitation);
         QVERIFY(!s.asset && !s.reachRadius_m && s.area_m.empty() && s.noise);
     }
@@ -102,6 +103,7 @@ private slots:
         QCOMPARE(s.area_m.size(), std::size_t{5});
         QVERIFY(s.area_m[3] == Point(2000, 2000));
         QVERIFY(s.geofence);
+        QCOMPARE(s.separation_m, 350.0);
         QVERIFY(s.planner == (PlannerSettings{.policy = PolicyKind::Tour,
                                               .tau = 0.75,
                                               .route = Route::Closed,
@@ -140,6 +142,7 @@ private slots:
         iceberg.observed_s = 600;
         iceberg.appears_s = 30;
         iceberg.radius_m = 90;
+        iceberg.uav = "alpha";
         iceberg.track = {.time_s = {-60, 0, 90.5},
                          .position_m = {{1190, 3400}, {1200, 3390}, {1210.25, 3380}}};
         iceberg.trackExtraJson = R"({"beacon":"7001"})";

@@ -38,7 +38,7 @@ struct Feature
     bool (*shows)(const Scenario&);
 };
 
-constexpr std::array<Feature, 13> kFeatures = {{
+constexpr std::array<Feature, 14> kFeatures = {{
     {"grand-banks-12", 12, [](const Scenario& s) { return s == defaultScenario(); }},
     {"disko-bay-4", 4,
      [](const Scenario& s) {
@@ -51,6 +51,11 @@ constexpr std::array<Feature, 13> kFeatures = {{
     {"hibernia-asset", 10,
      [](const Scenario& s) {
          return s.asset && s.origin == LatLon{.latitude_deg = 46.75, .longitude_deg = -48.78};
+     }},
+    {"melville-bay-three-uavs", 40,
+     [](const Scenario& s) {
+         return s.uavs.size() == 3 && s.uavs[1].spec.altitude_m >= s.uavs[0].spec.altitude_m + 30 &&
+                s.uavs[2].spec.altitude_m >= s.uavs[1].spec.altitude_m + 30;
      }},
     {"svalbard-two-uavs", 16, [](const Scenario& s) { return s.uavs.size() == 2; }},
     {"fram-strait-endurance", 14,
@@ -130,6 +135,17 @@ private slots:
     {
         const Mission mission = start("twillingate-clusters");
         QVERIFY(!mission.plans().front().clusters.empty());
+    }
+
+    /** Each flies its own part, and no two are near one altitude. */
+    void threeUavsFly()
+    {
+        const Mission mission = start("melville-bay-three-uavs");
+        for (int uav = 0; uav < 3; ++uav)
+            QVERIFY(std::ranges::any_of(mission.events(), [uav](const MissionEvent& event) {
+                return event.kind == EventKind::Reached && event.uav == uav;
+            }));
+        QVERIFY(!mission.simulation().state().closest_m);
     }
 
     void plansComeLate()

@@ -18,7 +18,7 @@ bool flyTo(Simulation& simulation, int iceberg, const Done& done)
 {
     while (!simulation.finished()) {
         if (simulation.planReason() != PlanReason::None)
-            simulation.setTarget(simulation.available(iceberg) ? iceberg : -1);
+            simulation.setTarget(0, simulation.available(0, iceberg) ? iceberg : -1);
         simulation.advanceStep();
         if (done(simulation))
             return true;
@@ -61,24 +61,25 @@ private slots:
             const Point along(std::cos(turn_rad), std::sin(turn_rad));
             const double side = turn_rad > 0 ? 1 : -1;
             const Point exit_m = turnedTo(Pose{}, along, side, turnRadius_m(UavSpec{})).position_m;
-            simulation.setTarget(0, AimedLeg{.iceberg = 0,
-                                             .turn_rad = turn_rad,
-                                             .from_m = exit_m,
-                                             .abeam_m = exit_m + 2000 * along,
-                                             .sighting_s = 100});
-            QVERIFY(simulation.state().aim.has_value());
-            while (simulation.state().aim->turn_rad != 0) {
+            simulation.setTarget(0, 0,
+                                 AimedLeg{.iceberg = 0,
+                                          .turn_rad = turn_rad,
+                                          .from_m = exit_m,
+                                          .abeam_m = exit_m + 2000 * along,
+                                          .sighting_s = 100});
+            QVERIFY(simulation.uav(0).aim.has_value());
+            while (simulation.uav(0).aim->turn_rad != 0) {
                 simulation.advanceStep();
-                QVERIFY(simulation.state().u_radps * turn_rad > 0);
+                QVERIFY(simulation.uav(0).u_radps * turn_rad > 0);
             }
             // The step in which the turn ends goes on along the line.
-            const Point beyond_m = simulation.state().uav.position_m - exit_m;
+            const Point beyond_m = simulation.uav(0).pose.position_m - exit_m;
             QVERIFY(std::abs(cross(along, beyond_m)) < 0.1);
             QVERIFY(along.dot(beyond_m) > -0.01 && along.dot(beyond_m) < 2.21);
             for (int i = 0; i < 100; ++i)
                 simulation.advanceStep();
-            QVERIFY(std::abs(simulation.state().crossTrack_m) < 0.1);
-            QVERIFY((simulation.state().uav.position_m - exit_m - 220 * along).norm() < 2.3);
+            QVERIFY(std::abs(simulation.uav(0).crossTrack_m) < 0.1);
+            QVERIFY((simulation.uav(0).pose.position_m - exit_m - 220 * along).norm() < 2.3);
         }
     }
 
@@ -89,17 +90,17 @@ private slots:
         addIceberg(scenario, 1500, 100);
         Simulation simulation(scenario);
         const AimedLeg ahead{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 1200 / 22.0};
-        simulation.setTarget(0, ahead);
+        simulation.setTarget(0, 0, ahead);
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Sighted);
         QVERIFY(simulation.track(1).inView);
-        QCOMPARE(simulation.state().lastReached, -1);
-        simulation.setTarget(0, AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 130});
+        QCOMPARE(simulation.uav(0).lastReached, -1);
+        simulation.setTarget(0, 0, AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 130});
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::TargetReached);
-        QCOMPARE(simulation.state().lastReached, 0);
+        QCOMPARE(simulation.uav(0).lastReached, 0);
     }
 
     void overdueSightingAsksForAPlan()
@@ -107,13 +108,14 @@ private slots:
         Scenario scenario = emptySea(400);
         addIceberg(scenario, 3000, 0);
         Simulation simulation(scenario);
-        simulation.setTarget(0, AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 50.05});
+        simulation.setTarget(0, 0,
+                             AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 50.05});
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Overdue);
         QVERIFY(std::abs(simulation.time_s() - 52.1) < 1e-9); // two seconds later, the next step
-        simulation.setTarget(0);                              // without an aim nothing is overdue
-        QVERIFY(!simulation.state().aim);
+        simulation.setTarget(0, 0);                           // without an aim nothing is overdue
+        QVERIFY(!simulation.uav(0).aim);
         simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::None);
     }
@@ -134,8 +136,8 @@ private slots:
         for (int k = 1; k < kSteps; ++k)
             zeta_m2s += (4 + 0.025 * k * 0.1) * 0.1;
         QVERIFY(std::abs(simulation.state().zeta_m2s - zeta_m2s) < 1e-9 * zeta_m2s); // rounding
-        QVERIFY(std::abs(simulation.state().uav.position_m.y()) < 1e-9);
-        QVERIFY(std::abs(simulation.state().flown_m - kSteps * 2.2) < 1e-6);
+        QVERIFY(std::abs(simulation.uav(0).pose.position_m.y()) < 1e-9);
+        QVERIFY(std::abs(simulation.state().flown_m() - kSteps * 2.2) < 1e-6);
     }
 
     /** With every iceberg in view the UAV circles the last one reached and keeps it in view. */
@@ -148,13 +150,13 @@ private slots:
         const double zeta_m2s = simulation.state().zeta_m2s;
         const double radius_m = turnRadius_m(scenario.uavs[0].spec);
 
-        simulation.setTarget(-1);
+        simulation.setTarget(0, -1);
         double nearest_m = 1e9;
         double farthest_m = 0;
         while (!simulation.finished()) {
             simulation.advanceStep();
             QCOMPARE(simulation.planReason(), PlanReason::None); // nothing to re-plan, ever
-            const double r_m = (simulation.state().uav.position_m - simulation.truth_m(0)).norm();
+            const double r_m = (simulation.uav(0).pose.position_m - simulation.truth_m(0)).norm();
             if (simulation.time_s() > 300) { // settled
                 nearest_m = std::min(nearest_m, r_m);
                 farthest_m = std::max(farthest_m, r_m);
@@ -172,16 +174,16 @@ private slots:
         addIceberg(scenario, 100, 0);
         addIceberg(scenario, 0, 250).velocity_mps = {0, 1}; // drifts out of the field of view
         Simulation simulation(scenario);
-        QVERIFY(!simulation.available(0));
-        QVERIFY(!simulation.available(1));
+        QVERIFY(!simulation.available(0, 0));
+        QVERIFY(!simulation.available(0, 1));
         QCOMPARE(simulation.state().sigmaSum_m2, 0.0); // seen at t = 0
 
-        simulation.setTarget(-1);
+        simulation.setTarget(0, -1);
         while (!simulation.finished() && simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::OutOfView);
-        QVERIFY(simulation.available(1));
-        QVERIFY(!simulation.available(0));
+        QVERIFY(simulation.available(0, 1));
+        QVERIFY(!simulation.available(0, 0));
     }
 
     void seesEveryIcebergOnTheWay()
@@ -193,8 +195,8 @@ private slots:
         Simulation simulation(scenario);
         bool sawSecond = false;
         QVERIFY(flyTo(simulation, 0, [&](const Simulation& s) {
-            for (const int iceberg : s.newlySeen())
-                sawSecond = sawSecond || iceberg == 1;
+            for (const SeenIceberg& seen : s.newlySeen())
+                sawSecond = sawSecond || seen.iceberg == 1;
             return reached(s);
         }));
         QVERIFY(sawSecond);
@@ -247,10 +249,11 @@ private slots:
         while (!simulation.finished()) {
             if (simulation.planReason() != PlanReason::None) {
                 target = (target + 5) % 12;
-                simulation.setTarget(simulation.available(target) ? target : (target + 1) % 12);
+                simulation.setTarget(0,
+                                     simulation.available(0, target) ? target : (target + 1) % 12);
             }
             simulation.advanceStep();
-            QVERIFY(std::abs(simulation.state().u_radps) <= limit_radps);
+            QVERIFY(std::abs(simulation.uav(0).u_radps) <= limit_radps);
         }
     }
 
@@ -286,7 +289,7 @@ private slots:
         simulation.addIceberg(added);
         QCOMPARE(simulation.planReason(), PlanReason::Appeared);
         QVERIFY((simulation.truth_m(1) - Point(4000, 4000)).norm() < 1e-9);
-        simulation.setTarget(0);
+        simulation.setTarget(0, 0);
         for (int k = 0; k < 100; ++k)
             simulation.advanceStep();
         QVERIFY((simulation.truth_m(1) - Point(4010, 4000)).norm() < 1e-6);
@@ -314,7 +317,7 @@ private slots:
         // The turn onto the crab angle and the turned field of view cost a few seconds.
         QVERIFY2(std::abs(simulation.time_s() - expected_s) < 0.01 * expected_s,
                  qPrintable(QString("%1 against %2").arg(simulation.time_s()).arg(expected_s)));
-        QVERIFY(std::abs(simulation.state().uav.position_m.y()) < 5);
+        QVERIFY(std::abs(simulation.uav(0).pose.position_m.y()) < 5);
         // The same wind is what planning counts with: air distance U t.
         const double air_m = Simulation(scenario).planRequest().problem.distance_m(0, 1);
         QVERIFY(std::abs(air_m - 22 * flightTime_s({20000, 0}, 22, wind_mps)) < 1e-6);
@@ -387,7 +390,7 @@ private slots:
         int inView = 0;
         int wrong = 0;
         flyTo(simulation, 2, [&](const Simulation& s) {
-            const DubinsState& uav = s.state().uav;
+            const DubinsState& uav = s.uav(0).pose;
             const FieldOfView view(sensor, uav.position_m, uav.psi_rad);
             for (int i = 0; i < s.icebergCount(); ++i) {
                 inView += s.track(i).inView ? 1 : 0;

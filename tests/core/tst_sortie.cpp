@@ -140,6 +140,9 @@ private slots:
             s.dt_s = std::max(s.dt_s, 0.05);
             s.observer = {};
             s.planner = {};
+            s.uavs.resize(1);
+            for (Iceberg& iceberg : s.icebergs)
+                iceberg.uav.clear();
             Uav& uav = s.uavs[0];
             uav.position_m = {random.uniform(-100, 100), random.uniform(-100, 100)};
             uav.home_m.reset();
@@ -174,15 +177,15 @@ private slots:
         QVERIFY(tookOff_s[0] - landed_s[0] >= 250 - 1e-6);
         QVERIFY(tookOff_s[0] - landed_s[0] <= 251 + 1e-6); // on the next whole second
         const MissionInstant ground = instantAt(mission, landed_s[0] + 100);
-        const WorldState& state = ground.simulation.state();
+        const UavState& state = ground.simulation.uav(0);
         QCOMPARE(state.mode, FlightMode::Ground);
-        QVERIFY((state.uav.position_m - *s.uavs[0].home_m).norm() <= kLandingRadius_m + 3);
+        QVERIFY((state.pose.position_m - *s.uavs[0].home_m).norm() <= kLandingRadius_m + 3);
         QVERIFY(std::abs(state.ground_s - 150) < 0.2);
-        QVERIFY(!ground.simulation.homeMargin_s());
+        QVERIFY(!ground.simulation.homeMargin_s(0));
         // It does not move, and is sent off with a plan made for that.
         const MissionInstant later = instantAt(mission, tookOff_s[0] - 1);
-        QVERIFY(later.simulation.state().uav == state.uav);
-        QCOMPARE(later.simulation.state().flown_m, state.flown_m);
+        QVERIFY(later.simulation.uav(0).pose == state.pose);
+        QCOMPARE(later.simulation.uav(0).flown_m, state.flown_m);
         const auto plan = std::find_if(mission.plans().begin(), mission.plans().end(),
                                        [&](const PlanEvent& p) { return p.time_s > landed_s[0]; });
         QCOMPARE(plan->reason, PlanReason::TakeOff);
@@ -270,7 +273,7 @@ private slots:
         const Mission mission = flown(s);
         QCOMPARE(timesOf(mission, EventKind::Landed).size(), std::size_t{1});
         QVERIFY(timesOf(mission, EventKind::TookOff).empty());
-        QCOMPARE(mission.simulation().state().mode, FlightMode::Ground);
+        QCOMPARE(mission.simulation().uav(0).mode, FlightMode::Ground);
     }
 
     /** A wind that keeps it from home is said so, at once; one that does not is coped with. */
@@ -279,10 +282,10 @@ private slots:
         Scenario s = enduring(4);
         Mission late(s);
         late.advance(1000);
-        QVERIFY(*late.simulation().homeMargin_s() > 0);
+        QVERIFY(*late.simulation().homeMargin_s(0) > 0);
         late.intervene({.wind_mps = Point(20, 0)}); // home is in the west
-        QCOMPARE(late.simulation().state().mode, FlightMode::Home);
-        QVERIFY(*late.simulation().homeMargin_s() < 0);
+        QCOMPARE(late.simulation().uav(0).mode, FlightMode::Home);
+        QVERIFY(*late.simulation().homeMargin_s(0) < 0);
         late.advance(1001);
         QCOMPARE(timesOf(late, EventKind::LateHome).size(), std::size_t{1});
         QVERIFY(std::abs(timesOf(late, EventKind::HomeBound).at(0) - 1000) < 0.2);

@@ -136,7 +136,7 @@ private slots:
             return mission;
         };
         const Mission mission = fly(500);
-        QVERIFY(mission.simulation().motion().wind_mps == Point(12, -5));
+        QVERIFY(mission.simulation().motion(0).wind_mps == Point(12, -5));
         const auto changed =
             std::find_if(mission.events().begin(), mission.events().end(),
                          [](const MissionEvent& e) { return e.kind == EventKind::Intervention; });
@@ -147,7 +147,7 @@ private slots:
         QVERIFY(read == runOf(mission));
         QVERIFY(compareRun(read, runOf(replay(read))).empty());
         QVERIFY(instantAt(mission, 260).simulation.state() == fly(260).simulation().state());
-        QVERIFY(instantAt(mission, 60).simulation.motion().wind_mps == Point(0, 0));
+        QVERIFY(instantAt(mission, 60).simulation.motion(0).wind_mps == Point(0, 0));
     }
 
     /** Icebergs out of reach are left alone for long: not longer than the new wind allows. */
@@ -161,8 +161,8 @@ private slots:
             if (step % 1000 == 0)
                 mission.intervene({.wind_mps = windFrom(step / 1000, 7)});
             const Simulation& world = mission.simulation();
-            const FieldOfView view({.fov_m = scenario.uavs[0].fov_m}, world.state().uav.position_m,
-                                   world.state().uav.psi_rad);
+            const FieldOfView view({.fov_m = scenario.uavs[0].fov_m}, world.uav(0).pose.position_m,
+                                   world.uav(0).pose.psi_rad);
             for (int i = 0; i < world.icebergCount(); ++i)
                 QCOMPARE(world.track(i).inView, view.contains(world.truth_m(i)));
         }
@@ -176,7 +176,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(mission.intervene({.wind_mps = Point(22, 0)}), Error);
         QVERIFY_EXCEPTION_THROWN(mission.intervene({.wind_mps = Point(std::nan(""), 0)}), Error);
         QVERIFY(mission.interventions().empty());
-        QVERIFY(mission.simulation().motion().wind_mps == Point(0, 0));
+        QVERIFY(mission.simulation().motion(0).wind_mps == Point(0, 0));
     }
 
     void aRunFileWithSuchWindIsRefused()

@@ -3,6 +3,8 @@
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/fleet_flight.h"
 #include "tests/support/ideal_flight.h"
 #include "tests/support/scenario_builder.h"
 
@@ -114,6 +116,7 @@ private slots:
     void sameAgain();
     void stopped();
     void stoppedOnTheWay();
+    void severalUavs();
     void longRun();
 };
 
@@ -314,6 +317,19 @@ void TestZetaBound::stoppedOnTheWay()
     QCOMPARE(bound.zeta_m2s, told_m2s.back());
     QVERIFY(bound.zeta_m2s > 0);
     QVERIFY(bound.zeta_m2s < boundOf(s, 400'000'000));
+}
+
+/** Two UAVs can be below what bounds one: nothing is said of them. */
+void TestZetaBound::severalUavs()
+{
+    Scenario s = randomScenario(2, {.icebergs = 3});
+    QVERIFY(hasZetaBound(s));
+    s = test::withUavs(s, 2);
+    QVERIFY(!hasZetaBound(s));
+    const std::optional<Error> error = test::errorOf([&] { return zetaLowerBound(s).zeta_m2s; });
+    QVERIFY(error);
+    QCOMPARE(test::codeName(error->code()), "Unsupported");
+    QCOMPARE(error->subject(), "uavs");
 }
 
 void TestZetaBound::longRun()

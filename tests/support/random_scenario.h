@@ -39,8 +39,12 @@ public:
         for (std::uint64_t i = 0; i < uavs; ++i)
             s.uavs.push_back(uav(s.geofence ? 100 : 1e6));
         const std::uint64_t icebergs = m_random.below(6);
-        for (std::uint64_t i = 0; i < icebergs; ++i)
+        for (std::uint64_t i = 0; i < icebergs; ++i) {
             s.icebergs.push_back(iceberg());
+            if (often())
+                s.icebergs.back().uav = s.uavs[m_random.below(s.uavs.size())].id;
+        }
+        s.separation_m = number(0, 1e6);
         if (often())
             s.asset = asset();
         s.planner = planner();

@@ -13,7 +13,21 @@ struct SyntheticFlight
     int icebergs = 12;
     double duration_s = 1000;
     double interval_s = 1; ///< between samples
+    int uavs = 1;          ///< each turns and errs as the one before, a quarter of a minute later
 };
+
+inline std::vector<UavSample> syntheticUavs(const SyntheticFlight& flight, double time_s)
+{
+    constexpr double kLag_s = 15;
+    std::vector<UavSample> uavs;
+    for (int i = 0; i < flight.uavs; ++i) {
+        const double own_s = time_s - kLag_s * i;
+        uavs.push_back({.u_radps = 0.2 * std::sin(0.05 * own_s),
+                        .crossTrack_m = 40 * std::sin(0.013 * own_s),
+                        .flown_m = (22 - i) * time_s});
+    }
+    return uavs;
+}
 
 /**
  * Adds the samples in (from, until]: sigma of each iceberg grows and is 0 for 25 s once in a round
@@ -41,13 +55,13 @@ inline void extend(FlightRecord& record, const SyntheticFlight& flight, double u
         }
         zeta_m2s += k == 0 ? 0 : sum_m2 * flight.interval_s;
         history.rows.push_back(std::move(row));
-        history.samples.push_back({.time_s = time_s,
-                                   .uav = {},
-                                   .u_radps = 0.2 * std::sin(0.05 * time_s),
-                                   .crossTrack_m = 40 * std::sin(0.013 * time_s),
-                                   .sigmaSum_m2 = sum_m2,
-                                   .zeta_m2s = zeta_m2s,
-                                   .flown_m = 22 * time_s});
+        Sample sample{.time_s = time_s,
+                      .uavs = syntheticUavs(flight, time_s),
+                      .sigmaSum_m2 = sum_m2,
+                      .zeta_m2s = zeta_m2s};
+        for (const UavSample& uav : sample.uavs)
+            sample.flown_m += uav.flown_m;
+        history.samples.push_back(std::move(sample));
         record.now.time_s = time_s;
         record.now.metrics.zeta_m2s = zeta_m2s;
     }
@@ -57,7 +71,8 @@ inline void extend(FlightRecord& record, const SyntheticFlight& flight, double u
 inline FlightRecord syntheticRecord(const SyntheticFlight& flight, double until_s)
 {
     FlightRecord record;
-    record.scenario.uavs.push_back({});
+    for (int i = 1; i <= flight.uavs; ++i)
+        record.scenario.uavs.emplace_back().id = "uav-" + std::to_string(i);
     record.now.phase = RunPhase::Flying;
     for (int i = 0; i < flight.icebergs; ++i) {
         Iceberg iceberg;

@@ -1,0 +1,121 @@
+// Several UAVs.
+
+#include "core/plan/names.h"
+#include "core/scenario/advice.h"
+#include "core/scenario/presets.h"
+#include "tests/bench/world_parts.h"
+
+#include <cmath>
+
+namespace berg::bench {
+
+namespace {
+
+/** UAVs along the western edge, evenly, heading as the first; each in an altitude layer. */
+Scenario withUavs(Scenario scenario, int uavs)
+{
+    const Uav first = scenario.uavs.front();
+    scenario.uavs.clear();
+    for (int i = 0; i < uavs; ++i) {
+        Uav uav = first;
+        uav.id = "uav-" + std::to_string(i + 1);
+        uav.position_m.y() += 1000.0 * i;
+        uav.spec.altitude_m += kLayerHeight_m * i;
+        scenario.uavs.push_back(uav);
+    }
+    return scenario;
+}
+
+/** Each iceberg kept for the UAV that the plan of least waiting gives it to at the start: that one
+ * shares the work evenly. */
+Scenario partitioned(Scenario scenario)
+{
+    Scenario start = scenario;
+    start.planner.policy = PolicyKind::Latency;
+    const PlanAnswer plan = planFromStart(start);
+    for (std::size_t uav = 0; uav < plan.fleet.size(); ++uav)
+        for (const int iceberg : plan.fleet[uav].order)
+            scenario.icebergs[static_cast<std::size_t>(iceberg)].uav = scenario.uavs[uav].id;
+    return scenario;
+}
+
+Row fly(const Scenario& scenario)
+{
+    Mission mission(scenario, {.record = false});
+    mission.advance(scenario.duration_s);
+    const Metrics metrics = mission.metrics();
+    return {metrics.zeta_m2s, static_cast<double>(metrics.visits),
+            static_cast<double>(metrics.replans), metrics.flown_m / 1000};
+}
+
+/** Each UAV flown by itself with the icebergs kept for it: what it sees of others is lost. */
+Row flyApart(const Scenario& scenario)
+{
+    Row sum(4, 0.0);
+    for (const Uav& uav : scenario.uavs) {
+        Scenario alone = scenario;
+        alone.uavs = {uav};
+        std::erase_if(alone.icebergs, [&](const Iceberg& i) { return i.uav != uav.id; });
+        const Row row = fly(alone);
+        for (std::size_t column = 0; column < row.size(); ++column)
+            sum[column] += row[column];
+    }
+    return sum;
+}
+
+void compare(int icebergs, int uavs, PolicyKind policy, int scenarios, std::vector<Row>& alone)
+{
+    std::vector<Row> together;
+    std::vector<Row> kept;
+    std::vector<Row> apart;
+    for (int seed = 1; seed <= scenarios; ++seed) {
+        // As dense with 40 as with 12.
+        const double stretch = std::sqrt(icebergs / 12.0);
+        FieldSpec field{.icebergs = icebergs};
+        field.size_m *= stretch;
+        Scenario scenario = withUavs(randomScenario(seed, field), uavs);
+        scenario.planner.policy = policy;
+        together.push_back(fly(scenario));
+        if (uavs == 1)
+            continue;
+        const Scenario parts = partitioned(scenario);
+        kept.push_back(fly(parts));
+        apart.push_back(flyApart(parts));
+    }
+    std::printf("%d icebergs, %d UAVs, %s\n", icebergs, uavs,
+                std::string(nameOf(kPolicyNames, policy)).c_str());
+    printMeans("  planned together", together);
+    if (uavs == 1) {
+        alone = together;
+        return;
+    }
+    printMeans("  fixed partition", kept);
+    printMeans("  each for itself", apart);
+    printDifference("  together / partition", kept, together);
+    printDifference("  together / for itself", apart, together);
+    printDifference("  together / one UAV", alone, together);
+}
+
+void compareFleets(PolicyKind policy, int scenarios)
+{
+    std::printf("%-24s %11s %11s %11s %11s\n", "", "zeta", "visits", "plans", "km flown");
+    for (const int icebergs : {12, 40}) {
+        std::vector<Row> alone;
+        for (const int uavs : {1, 2, 3, 5})
+            compare(icebergs, uavs, policy, scenarios, alone);
+    }
+}
+
+} // namespace
+
+void fleet(int scenarios)
+{
+    compareFleets(PolicyKind::Visitation, scenarios);
+}
+
+void fleetCoverage(int scenarios)
+{
+    compareFleets(PolicyKind::Coverage, scenarios);
+}
+
+} // namespace berg::bench

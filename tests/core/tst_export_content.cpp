@@ -1,0 +1,242 @@
+#include "core/io/export_content.h"
+#include "core/io/plan_csv.h"
+#include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/mission_builder.h"
+
+#include <QTest>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+ExportUav only(const ExportContent& content)
+{
+    return content.uavs.at(0);
+}
+
+ExportUav planned(const ExportOptions& options, const Scenario& scenario = fourIcebergs())
+{
+    return only(planContent(scenario, fourIcebergPlan(), options));
+}
+
+std::vector<int> visited(const ExportUav& uav)
+{
+    std::vector<int> icebergs;
+    for (const Visit& visit : uav.visits)
+        icebergs.push_back(visit.iceberg);
+    return icebergs;
+}
+
+Scenario twoUavs()
+{
+    return changed([](Scenario& s) {
+        s.uavs.push_back(s.uavs[0]);
+        s.uavs[1].id = "uav-2";
+        s.uavs[1].position_m = Point(100, 200);
+    });
+}
+
+} // namespace
+
+class TestExportContent : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void theOrderUnlessSomethingWasFlown()
+    {
+        const ExportContent plan = planContent(fourIcebergs());
+        QCOMPARE(plan.what, ExportWhat::Order);
+        QCOMPARE(plan.now_s, 0.0);
+        QVERIFY(visited(only(plan)) == fourIcebergPlan().order);
+        QVERIFY(only(plan).track.empty());
+        const Mission mission = flown(fourIcebergs(), 100);
+        const ExportContent run = runContent(mission);
+        QCOMPARE(run.what, ExportWhat::Track);
+        QCOMPARE(run.now_s, 100.0);
+        QCOMPARE(only(run).track.size(), mission.recorder().samples().size());
+        QCOMPARE(only(run).visits.size(), flownVisits(mission).size());
+    }
+
+    void firstLegIsOneVisit()
+    {
+        QCOMPARE(visited(planned({.what = ExportWhat::FirstLeg})), std::vector<int>{0});
+        const std::vector<int> home =
+            visited(planned({.what = ExportWhat::FirstLeg, .returnHome = true}));
+        QCOMPARE(home, (std::vector<int>{0, -1}));
+    }
+
+    void homeAtTheEnd()
+    {
+        Scenario scenario = fourIcebergs();
+        QVERIFY(planned({}).visits.back().iceberg >= 0);
+        const ExportUav away = planned({.returnHome = true}, scenario);
+        QCOMPARE(away.visits.back().iceberg, -1);
+        const Visit& last = away.visits[away.visits.size() - 2];
+        const double leg_m = (last.position_m - away.home_m).norm();
+        COMPARE_NEAR(away.visits.back().time_s - last.time_s, leg_m / 22, 1e-9);
+        scenario.uavs[0].spec.endurance_s = 1e5;
+        scenario.uavs[0].home_m = Point(10, 20);
+        QCOMPARE(planned({}, scenario).visits.back().iceberg, -1);
+        QCOMPARE(planned({.returnHome = true}, scenario).visits.size(), std::size_t{5});
+        QVERIFY(planned({.returnHome = false}, scenario).visits.back().iceberg >= 0);
+        QVERIFY(planned({.returnHome = true}, scenario).visits.back().position_m == Point(10, 20));
+    }
+
+    /** The path has the turns that straight legs lack: no sharper than the aircraft's. */
+    void pathIsFlyable()
+    {
+        const Scenario scenario = changed([](Scenario& s) { s.wind_mps = Point(3, -5); });
+        const ExportUav uav = planned({.what = ExportWhat::Path}, scenario);
+        QVERIFY(visited(uav) == fourIcebergPlan().order);
+        const double limit_radps = maxTurnRate_radps(scenario.uavs[0].spec);
+        double turned_radps = 0;
+        for (std::size_t i = 1; i < uav.track.size(); ++i) {
+            const TrackPoint& from = uav.track[i - 1];
+            const TrackPoint& to = uav.track[i];
+            const double dt_s = to.time_s - from.time_s;
+            QVERIFY(dt_s > 0);
+            const double rate_radps =
+                std::remainder(to.state.psi_rad - from.state.psi_rad, 2 * M_PI) / dt_s;
+            turned_radps = std::max(turned_radps, std::abs(rate_radps));
+            const Point air_m =
+                to.state.position_m - from.state.position_m - scenario.wind_mps * dt_s;
+            QVERIFY(air_m.norm() < 22 * dt_s + 1e-6);
+        }
+        QVERIFY(turned_radps < limit_radps + 1e-9);
+        QVERIFY(turned_radps > limit_radps / 2);
+        QVERIFY(uav.track.front().state.position_m == scenario.uavs[0].position_m);
+    }
+
+    /** In view, 300 m before the middle, the next leg begins. */
+    void pathReachesEachIceberg()
+    {
+        const ExportUav uav = planned({.what = ExportWhat::Path, .returnHome = true});
+        QCOMPARE(visited(uav), (std::vector<int>{0, 3, 1, 2, -1}));
+        for (const Visit& visit : uav.visits) {
+            const auto at =
+                std::ranges::lower_bound(uav.track, visit.time_s - 1e-6, {}, &TrackPoint::time_s);
+            QVERIFY(at != uav.track.end());
+            const double distance_m = (at->state.position_m - visit.position_m).norm();
+            QVERIFY2(distance_m < 300 * std::sqrt(2.0) + 22,
+                     qPrintable(QString::number(distance_m)));
+        }
+        QVERIFY(uav.track.back().state.position_m == uav.home_m);
+    }
+
+    void pathWithEnduranceEndsAtHome()
+    {
+        const Scenario scenario = changed([](Scenario& s) { s.uavs[0].spec.endurance_s = 250; });
+        const ExportUav uav = planned({.what = ExportWhat::Path}, scenario);
+        QVERIFY(uav.visits.size() < 5);
+        QCOMPARE(uav.visits.back().iceberg, -1);
+        QVERIFY(uav.visits.back().time_s <= 250);
+        QVERIFY((uav.track.back().state.position_m - uav.home_m).norm() < 50);
+    }
+
+    /** In flight the order starts here and now, from where icebergs are believed to be. */
+    void presentOrderOfAMission()
+    {
+        const Mission mission = flown(fourIcebergs(), 100);
+        const ExportContent content = runContent(mission, {.what = ExportWhat::Order});
+        const ExportUav uav = only(content);
+        QVERIFY(visited(uav) == mission.plans().back().order);
+        QVERIFY(uav.uav.position_m == mission.simulation().uav(0).pose.position_m);
+        QCOMPARE(uav.start_s, 100.0);
+        QVERIFY(uav.visits.front().time_s > 100);
+        QVERIFY(uav.home_m == mission.scenario().uavs[0].position_m);
+        for (std::size_t i = 0; i < content.icebergs.size(); ++i)
+            QVERIFY(content.icebergs[i].position_m ==
+                    mission.simulation().estimate_m(static_cast<int>(i)));
+        const ExportUav path = only(runContent(mission, {.what = ExportWhat::Path}));
+        QCOMPARE(path.track.front().time_s, 100.0);
+        QVERIFY(path.track.front().state.position_m == uav.uav.position_m);
+        QVERIFY(visited(path) == mission.plans().back().order);
+    }
+
+    void choicesOfTheUser()
+    {
+        const ExportUav uav = planned({.altitude_m = 80, .airspeed_mps = 11, .acceptance_m = 42.5});
+        QCOMPARE(uav.uav.spec.altitude_m, 80.0);
+        QCOMPARE(uav.reach_m, 42.5);
+        QVERIFY(uav.reachChosen);
+        // Half the speed: later, and a quarter of the circle.
+        QVERIFY(uav.visits.front().time_s > 1.9 * planned({}).visits.front().time_s);
+        COMPARE_NEAR(uav.circle_m * 4, planned({}).circle_m, 1e-9);
+    }
+
+    void severalUavs()
+    {
+        const ExportContent all = planContent(twoUavs());
+        QCOMPARE(all.uavs.size(), std::size_t{2});
+        QCOMPARE(all.uavs[1].row, std::size_t{1});
+        QVERIFY(all.uavs[1].home_m == Point(100, 200));
+        const ExportContent one = planContent(twoUavs(), fourIcebergPlan(), {.uav = "uav-2"});
+        QCOMPARE(one.uavs.size(), std::size_t{1});
+        QCOMPARE(only(one).uav.id, std::string("uav-2"));
+    }
+
+    /** Each flies its own part of the plan, and is exported with what it flew. */
+    void fleetHasAWayEach()
+    {
+        Scenario scenario = twoUavs();
+        scenario.planner.policy = PolicyKind::Visitation;
+        const PlanAnswer plan = planFromStart(scenario);
+        QCOMPARE(plan.fleet.size(), std::size_t{2});
+        const ExportContent order = planContent(scenario, plan);
+        const ExportContent path = planContent(scenario, plan, {.what = ExportWhat::Path});
+        for (std::size_t row = 0; row < 2; ++row) {
+            QVERIFY(visited(order.uavs[row]) == plan.fleet[row].order);
+            QVERIFY(visited(path.uavs[row]) == plan.fleet[row].order);
+            QVERIFY(path.uavs[row].track.front().state.position_m == scenario.uavs[row].position_m);
+        }
+        const Mission mission = flown(scenario);
+        const ExportContent run = runContent(mission);
+        std::size_t visits = 0;
+        for (const ExportUav& uav : run.uavs) {
+            QVERIFY(uav.track.back().state.position_m ==
+                    mission.simulation().uav(static_cast<int>(uav.row)).pose.position_m);
+            visits += uav.visits.size();
+        }
+        QCOMPARE(visits, static_cast<std::size_t>(mission.metrics().visits));
+        QVERIFY(trackCsv(run) == trajectoryCsv(mission));
+        const ExportContent now = runContent(mission, {.what = ExportWhat::Order});
+        for (const ExportUav& uav : now.uavs)
+            QVERIFY(visited(uav) == lastPlanOf(mission.plans(), static_cast<int>(uav.row))->order);
+    }
+
+    void refusals_data()
+    {
+        QTest::addColumn<QString>("option");
+        QTest::addColumn<int>("row");
+        int row = 0;
+        for (const char* option :
+             {"what", "uav", "altitude", "speed", "speed", "acceptance", "loiter", "loiter"})
+            QTest::addRow("%s %d", option, row) << QString::fromLatin1(option) << row, ++row;
+    }
+
+    void refusals()
+    {
+        QFETCH(QString, option);
+        QFETCH(int, row);
+        const Scenario windy = changed([](Scenario& s) { s.wind_mps = Point(10, 0); });
+        const std::vector<ExportOptions> options{
+            {.what = ExportWhat::Track}, {.uav = "uav-9"},
+            {.altitude_m = 0},           {.airspeed_mps = std::nan("")},
+            {.airspeed_mps = 10},        {.acceptance_m = -1},
+            {.loiterTurns = -1},         {.loiterTurns = 256}};
+        const std::optional<Error> error = errorOf([&] {
+            (void)planContent(windy, fourIcebergPlan(), options[static_cast<std::size_t>(row)]);
+        });
+        QVERIFY(error.has_value());
+        QCOMPARE(error->code(), ErrorCode::InvalidInput);
+        QCOMPARE(QString::fromStdString(error->subject()), option);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExportContent)
+#include "tst_export_content.moc"

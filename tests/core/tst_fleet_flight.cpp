@@ -1,0 +1,388 @@
+#include "core/io/run_json.h"
+#include "core/plan/names.h"
+#include "core/scenario/advice.h"
+#include "core/scenario/presets.h"
+#include "core/sim/mission_instant.h"
+#include "core/sim/policy_forecast.h"
+#include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <set>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+/** A random field with UAVs that start 1.5 km apart, each in an altitude layer. */
+Scenario fleetScenario(std::int64_t seed, int uavs, int icebergs = 12)
+{
+    Scenario scenario = randomScenario(seed, {.icebergs = icebergs});
+    scenario.duration_s = 400;
+    const Uav first = scenario.uavs.front();
+    for (int i = 1; i < uavs; ++i) {
+        Uav uav = first;
+        uav.id = "uav-" + std::to_string(i + 1);
+        uav.position_m.y() += 1500.0 * i;
+        uav.spec.altitude_m += kLayerHeight_m * i;
+        scenario.uavs.push_back(uav);
+    }
+    return scenario;
+}
+
+Mission flown(const Scenario& scenario, const MissionOptions& options = {})
+{
+    Mission mission(scenario, options);
+    mission.advance(scenario.duration_s);
+    return mission;
+}
+
+/** Two UAVs on opposite courses along one line, with an iceberg behind each other's start. */
+Scenario headOn(double layer_m)
+{
+    Scenario scenario = emptySea(300);
+    addIceberg(scenario, 6000, 0);
+    addIceberg(scenario, -2000, 0);
+    Uav other = scenario.uavs.front();
+    other.id = "uav-b";
+    other.position_m = {4000, 0};
+    other.heading_deg = 270;
+    other.spec.altitude_m += layer_m;
+    scenario.uavs.push_back(other);
+    scenario.icebergs[0].uav = scenario.uavs[0].id;
+    scenario.icebergs[1].uav = "uav-b";
+    return scenario;
+}
+
+std::vector<MissionEvent> eventsOf(const Mission& mission, EventKind kind)
+{
+    std::vector<MissionEvent> events;
+    std::ranges::copy_if(mission.events(), std::back_inserter(events),
+                         [kind](const MissionEvent& event) { return event.kind == kind; });
+    return events;
+}
+
+} // namespace
+
+class TestFleetFlight : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyPolicyFliesAFleet_data()
+    {
+        QTest::addColumn<PolicyKind>("policy");
+        QTest::addColumn<int>("uavs");
+        for (const Named<PolicyKind>& policy : kPolicyNames)
+            for (const int uavs : {2, 3})
+                QTest::addRow("%s, %d", std::string(policy.name).c_str(), uavs)
+                    << policy.value << uavs;
+    }
+
+    /** At each instant the targets differ, and a re-planning tells every UAV. */
+    void everyPolicyFliesAFleet()
+    {
+        QFETCH(PolicyKind, policy);
+        QFETCH(int, uavs);
+        Scenario scenario = fleetScenario(3, uavs);
+        scenario.planner.policy = policy;
+        Mission mission(scenario, {.workLimit = 300'000});
+        for (double until_s = 0; until_s <= scenario.duration_s; until_s += 0.5) {
+            mission.advance(until_s);
+            std::set<int> targets;
+            for (const UavState& uav : mission.simulation().state().uavs)
+                if (uav.target >= 0)
+                    QVERIFY2(targets.insert(uav.target).second,
+                             qPrintable(QString::number(until_s)));
+        }
+        QVERIFY(mission.metrics().visits > 5);
+        int told = 0;
+        for (const PlanEvent& plan : mission.plans()) {
+            QCOMPARE(plan.uav, plan.sameSolve ? told : 0);
+            told = plan.uav + 1;
+            QVERIFY(told <= uavs);
+        }
+        QCOMPARE(static_cast<int>(mission.plans().size()), mission.metrics().replans * uavs);
+        for (int uav = 0; uav < uavs; ++uav)
+            COMPARE_NEAR(mission.simulation().uav(uav).flown_m, 22 * scenario.duration_s, 1e-6);
+    }
+
+    void aVisitByOneIsAPlanForAll()
+    {
+        const Mission mission = flown(fleetScenario(1, 2));
+        int byOther = 0;
+        for (const MissionEvent& reached : eventsOf(mission, EventKind::Reached))
+            for (int uav = 0; uav < 2; ++uav) {
+                const auto plan = std::ranges::find_if(mission.plans(), [&](const PlanEvent& p) {
+                    return p.uav == uav && p.time_s == reached.time_s;
+                });
+                QVERIFY(plan != mission.plans().end());
+                if (uav != reached.uav && plan->reason == PlanReason::Fleet)
+                    ++byOther;
+            }
+        QVERIFY(byOther > 5);
+    }
+
+    /** Legs that a plan does not change go on as they were: the guidance does not start again. */
+    void anUnchangedLegGoesOn()
+    {
+        const Mission mission = flown(fleetScenario(1, 2));
+        int unchanged = 0;
+        for (std::size_t i = 2; i < mission.plans().size(); ++i) {
+            const PlanEvent& plan = mission.plans()[i];
+            const PlanEvent* last = lastPlanOf(std::span(mission.plans()).first(i), plan.uav);
+            if (plan.reason != PlanReason::Fleet || last->target != plan.target)
+                continue;
+            const Simulation then = instantAt(mission, plan.time_s).simulation;
+            const UavState& uav = then.uav(plan.uav);
+            QVERIFY(uav.guidance.start_m != uav.pose.position_m);
+            ++unchanged;
+        }
+        QVERIFY(unchanged > 0);
+    }
+
+    void twoSeeMoreThanOne()
+    {
+        double one_m2s = 0;
+        double two_m2s = 0;
+        for (const int seed : {1, 2, 3}) {
+            one_m2s += flown(fleetScenario(seed, 1)).metrics().zeta_m2s;
+            two_m2s += flown(fleetScenario(seed, 2)).metrics().zeta_m2s;
+        }
+        QVERIFY(two_m2s < 0.85 * one_m2s);
+    }
+
+    /** A UAV that may visit nothing and is far away changes nothing for the other one. */
+    void aBystanderChangesNothing()
+    {
+        Scenario scenario = fleetScenario(5, 2);
+        scenario.uavs[1].position_m = {90000, 90000};
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.uav = scenario.uavs[0].id;
+        Scenario alone = scenario;
+        alone.uavs.pop_back();
+        const Mission two = flown(scenario);
+        const Mission one = flown(alone);
+        QCOMPARE(two.metrics().zeta_m2s, one.metrics().zeta_m2s);
+        QCOMPARE(two.metrics().visits, one.metrics().visits);
+        QVERIFY(two.simulation().uav(0).pose == one.simulation().uav(0).pose);
+        QCOMPARE(two.simulation().uav(1).target, -1);
+    }
+
+    void keptIcebergsAreVisitedByTheirUavAlone()
+    {
+        for (const PolicyKind policy :
+             {PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage, PolicyKind::Tour,
+              PolicyKind::Nearest}) {
+            Scenario scenario = fleetScenario(2, 2);
+            scenario.planner.policy = policy;
+            for (std::size_t i = 0; i < scenario.icebergs.size(); ++i)
+                scenario.icebergs[i].uav = scenario.uavs[i % 2].id;
+            const Mission mission = flown(scenario, {.workLimit = 300'000});
+            QVERIFY2(mission.metrics().visits > 3, std::string(nameOf(kPolicyNames, policy)).c_str());
+            for (const PlanEvent& plan : mission.plans())
+                if (plan.target >= 0)
+                    QCOMPARE(plan.target % 2, plan.uav);
+        }
+    }
+
+    void anIcebergIsHandedOverInFlight()
+    {
+        const Scenario scenario = fleetScenario(4, 2);
+        Mission mission(scenario);
+        mission.advance(60);
+        const PlanEvent* first = lastPlanOf(mission.plans(), 0);
+        QVERIFY(first->order.size() > 2);
+        const int handed = first->order[1];
+        const std::string& id = scenario.icebergs[static_cast<std::size_t>(handed)].id;
+        mission.intervene({.assigned = Assignment{.iceberg = id, .uav = "uav-2"}});
+        QCOMPARE(mission.simulation().assignedTo(handed), 1);
+        mission.advance(scenario.duration_s);
+        bool isPlanned = false;
+        for (const PlanEvent& plan : mission.plans()) {
+            const bool isIn = std::ranges::find(plan.order, handed) != plan.order.end();
+            if (plan.time_s >= 60 && plan.uav == 0 && plan.reason != PlanReason::Start)
+                QVERIFY(!isIn || plan.time_s == first->time_s);
+            isPlanned = isPlanned || (isIn && plan.uav == 1 && plan.time_s >= 60);
+        }
+        QVERIFY(isPlanned);
+        // Read back and flown again it is the same flight.
+        const RunFile run = runFromJson(runToJson(runOf(mission)), "run");
+        QVERIFY(run == runOf(mission));
+        QVERIFY(runOf(replay(run)) == run);
+        QCOMPARE(instantAt(mission, 50).simulation.assignedTo(handed), -1);
+        QCOMPARE(instantAt(mission, 70).simulation.assignedTo(handed), 1);
+    }
+
+    void handingOverToNobodyIsRefused()
+    {
+        Mission mission(fleetScenario(4, 2));
+        mission.advance(10);
+        const RunFile before = runOf(mission);
+        QVERIFY_EXCEPTION_THROWN(
+            mission.intervene({.assigned = Assignment{.iceberg = "berg-1", .uav = "uav-9"}}),
+            Error);
+        QVERIFY_EXCEPTION_THROWN(
+            mission.intervene({.assigned = Assignment{.iceberg = "no", .uav = "uav-1"}}), Error);
+        QVERIFY(runOf(mission) == before);
+    }
+
+    void lookingBackAndFlyingAgainAreBitForBit_data()
+    {
+        QTest::addColumn<PolicyKind>("policy");
+        QTest::addColumn<bool>("filtered");
+        QTest::newRow("visitation") << PolicyKind::Visitation << false;
+        QTest::newRow("coverage") << PolicyKind::Coverage << false;
+        QTest::newRow("tour, lost icebergs") << PolicyKind::Tour << true;
+        QTest::newRow("latency") << PolicyKind::Latency << false;
+    }
+
+    /** Endurance, wind, measurements, an area and late plans all at once. */
+    void lookingBackAndFlyingAgainAreBitForBit()
+    {
+        QFETCH(PolicyKind, policy);
+        QFETCH(bool, filtered);
+        Scenario scenario = fleetScenario(6, 3);
+        scenario.planner.policy = policy;
+        scenario.planningTime_s = 3;
+        scenario.wind_mps = {5, -3};
+        scenario.duration_s = 900;
+        scenario.uavs[1].spec.endurance_s = 400;
+        scenario.uavs[1].turnaround_s = 60;
+        scenario.uavs[2].spec.airspeed_mps = 30;
+        scenario.uavs[2].fov_m = {400, 800};
+        if (filtered) {
+            scenario.observer.model = ObserverModel::Kalman;
+            scenario.observer.detection = 0.7;
+            for (Iceberg& iceberg : scenario.icebergs)
+                iceberg.velocitySd_mps = 0.8;
+        }
+        const Mission mission = flown(scenario, {.workLimit = 200'000});
+        QVERIFY(!eventsOf(mission, EventKind::Landed).empty());
+        QCOMPARE(!eventsOf(mission, EventKind::Lost).empty(), filtered);
+        const RunFile run = runFromJson(runToJson(runOf(mission)), "run");
+        const RunFile again = runOf(replay(run));
+        QVERIFY2(again == run, compareRun(run, again).empty()
+                                   ? "elsewhere"
+                                   : compareRun(run, again)[0].field.c_str());
+        for (const double time_s : {0.0, 123.4, 456.7, 900.0}) {
+            Mission until(scenario, {.workLimit = 200'000});
+            until.advance(time_s);
+            QVERIFY(instantAt(mission, time_s).simulation.state() == until.simulation().state());
+        }
+    }
+
+    /** Home in time, every one of them, whatever the others do. */
+    void everyUavIsHomeInTime()
+    {
+        for (const int seed : {1, 2, 3}) {
+            Scenario scenario = fleetScenario(seed, 3);
+            scenario.duration_s = 1500;
+            for (std::size_t k = 0; k < 3; ++k) {
+                scenario.uavs[k].spec.endurance_s = 350 + 70.0 * static_cast<double>(k);
+                scenario.uavs[k].turnaround_s = 120;
+            }
+            const Mission mission = flown(scenario, {.workLimit = 20'000});
+            QVERIFY(eventsOf(mission, EventKind::LateHome).empty());
+            std::array<double, 3> tookOff_s{};
+            int landings = 0;
+            for (const MissionEvent& event : mission.events()) {
+                if (event.kind == EventKind::TookOff)
+                    tookOff_s[static_cast<std::size_t>(event.uav)] = event.time_s;
+                if (event.kind != EventKind::Landed)
+                    continue;
+                const auto uav = static_cast<std::size_t>(event.uav);
+                QVERIFY(event.time_s - tookOff_s[uav] <= scenario.uavs[uav].spec.endurance_s);
+                ++landings;
+            }
+            QVERIFY(landings >= 6);
+        }
+    }
+
+    void uavsOfOneLayerThatMeetAreNamed()
+    {
+        Scenario scenario = headOn(0);
+        const Mission mission = flown(scenario);
+        const std::vector<MissionEvent> close = eventsOf(mission, EventKind::Close);
+        QCOMPARE(close.size(), std::size_t{1});
+        QCOMPARE(close[0].uav, 0);
+        QVERIFY(close[0].detail.starts_with("uav-b, 19"));
+        // 4000 m apart at 44 m/s: 200 m are left after 86.4 s.
+        COMPARE_NEAR(close[0].time_s, 3800 / 44.0, 0.2);
+        QVERIFY(mission.simulation().state().closest_m.value() < 50);
+
+        scenario.separation_m = 0; // not watched
+        QVERIFY(eventsOf(flown(scenario), EventKind::Close).empty());
+        const Mission layered = flown(headOn(kLayerHeight_m));
+        QVERIFY(eventsOf(layered, EventKind::Close).empty());
+        QVERIFY(!layered.simulation().state().closest_m);
+    }
+
+    /** An iceberg that another UAV sees by chance is not flown to any more. */
+    void aTargetSeenByAnotherIsGivenUp()
+    {
+        Scenario scenario = emptySea(200);
+        addIceberg(scenario, 3000, 0);
+        addIceberg(scenario, 3000, 3000);
+        Uav passer = scenario.uavs.front();
+        passer.id = "uav-b";
+        passer.position_m = {3000, -800}; // northwards, over the first iceberg to the second
+        passer.heading_deg = 0;
+        scenario.uavs.push_back(passer);
+        scenario.icebergs[0].uav = scenario.uavs[0].id;
+        scenario.icebergs[1].uav = "uav-b";
+        const Mission mission = flown(scenario);
+        const auto given = std::ranges::find_if(mission.plans(), [](const PlanEvent& plan) {
+            return plan.uav == 0 && plan.reason == PlanReason::SeenByOther;
+        });
+        QVERIFY(given != mission.plans().end());
+        QCOMPARE(given->target, -1);
+        // Not counted as a visit of the first UAV, which was far away.
+        const std::vector<MissionEvent> reached = eventsOf(mission, EventKind::Reached);
+        QVERIFY(std::ranges::none_of(reached, [&](const MissionEvent& event) {
+            return event.iceberg == 0 && event.time_s <= given->time_s;
+        }));
+        const std::vector<MissionEvent> sighted = eventsOf(mission, EventKind::Sighted);
+        QVERIFY(!sighted.empty() && sighted[0].iceberg == 0 && sighted[0].uav == 1);
+    }
+
+    void forecastsFlyTheFleet()
+    {
+        const Scenario scenario = fleetScenario(7, 2);
+        const std::optional<Metrics> forecast = forecastOf(scenario, PolicyKind::Visitation);
+        Scenario quiet = scenario;
+        quiet.noise = false;
+        QCOMPARE(forecast->zeta_m2s, flown(quiet).metrics().zeta_m2s);
+    }
+
+    void moreUavsThanIcebergs()
+    {
+        for (const int icebergs : {0, 1, 2}) {
+            const Mission mission = flown(fleetScenario(8, 4, icebergs));
+            QVERIFY(mission.simulation().finished());
+            QVERIFY(mission.metrics().replans < 400);
+        }
+    }
+
+    /** The fleet's change of plan: what both visit is the same, zeta that of all. */
+    void changesAreOfTheFleet()
+    {
+        const Mission mission = flown(fleetScenario(9, 2));
+        int changes = 0;
+        for (std::size_t i = 0; i + 1 < mission.plans().size(); i += 2) {
+            const auto& a = mission.plans()[i].change;
+            const auto& b = mission.plans()[i + 1].change;
+            changes += a || b ? 1 : 0;
+            if (a && b)
+                QCOMPARE(a->zeta_m2s, b->zeta_m2s);
+        }
+        QVERIFY(changes > 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFleetFlight)
+#include "tst_fleet_flight.moc"
