@@ -21,7 +21,8 @@ void addSimulateCommand(CLI::App& app, Action& action); ///< simulate
 void addSweepCommand(CLI::App& app, Action& action);    ///< sweep
 void addStudyCommand(CLI::App& app, Action& action);    ///< study
 void addBenchmarkCommand(CLI::App& app, Action& action);
-void addFileCommands(CLI::App& app, Action& action);  ///< export, validate
+void addExportCommand(CLI::App& app, Action& action);
+void addFileCommands(CLI::App& app, Action& action);  ///< validate
 void addImportCommand(CLI::App& app, Action& action); ///< import
 
 } // namespace berg::cli

@@ -2,6 +2,7 @@
 
 #include "core/io/number_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -115,6 +116,12 @@ std::string grouped(double value)
 std::string column(const std::string& text, std::size_t width)
 {
     return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+std::string rowLabel(const std::string& name)
+{
+    constexpr std::size_t kWidth = 10;
+    return name + std::string(kWidth - std::min(kWidth, name.size()), ' ');
 }
 
 std::vector<std::string> split(const std::string& text, char separator)

@@ -71,6 +71,8 @@ private:
 [[nodiscard]] std::string fixed(double value, int decimals);
 /** Filled up with blanks in front to `width`: an entry of a table. */
 [[nodiscard]] std::string column(const std::string& text, std::size_t width);
+/** A name in front of a row of words, filled up with blanks to the width of "objective ". */
+[[nodiscard]] std::string rowLabel(const std::string& name);
 /** "a,b" at ',' -> a, b; empty parts are kept, but for one at the end. */
 [[nodiscard]] std::vector<std::string> split(const std::string& text, char separator);
 /** A whole text as a finite number; `UsageError` naming the option otherwise. */

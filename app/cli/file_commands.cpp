@@ -1,7 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/cli/options.h"
 #include "core/io/atomic_file.h"
-#include "core/io/formats.h"
 #include "core/io/problem_json.h"
 #include "core/io/result_json.h"
 #include "core/io/run_json.h"
@@ -15,50 +13,6 @@
 namespace berg::cli {
 
 namespace {
-
-std::string formatIds()
-{
-    std::string ids;
-    for (const ExportFormat& format : exportFormats())
-        ids += (ids.empty() ? "" : ", ") + std::string(format.id);
-    return ids;
-}
-
-struct ExportArguments
-{
-    std::string file;
-    std::string format;
-    std::string outputFile;
-};
-
-std::string exported(const ExportFormat& format, const std::string& file, const std::string& text,
-                     const std::stop_token& stop)
-{
-    if (formatOf(text, file) != "bergwatch-run") {
-        const Scenario scenario = scenarioFromJson(text, file);
-        printWarnings(file, validate(scenario));
-        const PlanAnswer plan = planFromStart(scenario, {.stop = stop});
-        if (stop.stop_requested())
-            throw Interrupted{};
-        return format.write({.scenario = scenario, .plan = plan});
-    }
-    const RunFile run = runFromJson(text, file);
-    const Mission mission = replay(run, stop, {});
-    if (stop.stop_requested())
-        throw Interrupted{};
-    const PlanAnswer plan = planFromStart(run.scenario, {.stop = stop});
-    return format.write({.scenario = run.scenario, .plan = plan, .mission = &mission});
-}
-
-int exportFile(const ExportArguments& arguments, const std::stop_token& stop)
-{
-    const ExportFormat* format = findExportFormat(arguments.format);
-    if (format == nullptr)
-        throw UsageError{"--format: " + arguments.format + " is none of " + formatIds()};
-    const std::string text = readFile(arguments.file);
-    writeFileAtomically(arguments.outputFile, exported(*format, arguments.file, text, stop));
-    return kDone;
-}
 
 /** All findings about a file; reading stops at the first level that fails. */
 std::vector<Issue> findings(const std::string& file)
@@ -108,19 +62,6 @@ int validateFiles(const std::vector<std::string>& files, bool json, const std::s
     return bad ? kBadInput : kDone;
 }
 
-void addExport(CLI::App& app, Action& action)
-{
-    CLI::App* command = app.add_subcommand(
-        "export", "Write a scenario's plan or a run's flight in another tool's format");
-    const auto arguments = std::make_shared<ExportArguments>();
-    command->add_option("FILE", arguments->file, "Scenario (.berg) or run (.bergrun)")->required();
-    command->add_option("--format", arguments->format, formatIds())->required();
-    command->add_option("--output", arguments->outputFile, "File to write")->required();
-    command->callback([arguments, &action] {
-        action = [arguments](const std::stop_token& stop) { return exportFile(*arguments, stop); };
-    });
-}
-
 void addValidate(CLI::App& app, Action& action)
 {
     CLI::App* command = app.add_subcommand("validate", "Check files and name every fault in them");
@@ -139,7 +80,6 @@ void addValidate(CLI::App& app, Action& action)
 
 void addFileCommands(CLI::App& app, Action& action)
 {
-    addExport(app, action);
     addValidate(app, action);
 }
 

@@ -57,6 +57,7 @@ int run(int argc, char** argv, const std::stop_token& stop)
     addSweepCommand(app, action);
     addStudyCommand(app, action);
     addBenchmarkCommand(app, action);
+    addExportCommand(app, action);
     addFileCommands(app, action);
     addImportCommand(app, action);
     try {

@@ -20,6 +20,14 @@ void appendNumber(std::string& text, double value)
     text.append(buffer.data(), end.ptr);
 }
 
+std::string decimalText(double value)
+{
+    std::array<char, 400> buffer{}; // the largest double has 309 digits, the smallest 324 decimals
+    const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+                                                   value, std::chars_format::fixed);
+    return {buffer.data(), end.ptr};
+}
+
 double roundedDegrees(double angle_deg)
 {
     return std::round(angle_deg * 1e9) / 1e9 + 0.0; // + 0.0 turns -0 into 0

@@ -11,6 +11,9 @@ namespace berg {
 /** `numberText` (core/io/result_csv.h) without a string of its own, for tables of many rows. */
 void appendNumber(std::string& text, double value);
 
+/** Shortest text that reads back as the same double, never with an exponent: for XML decimals. */
+[[nodiscard]] std::string decimalText(double value);
+
 /** To nine decimals, 0.1 mm on the ground; never -0. */
 [[nodiscard]] double roundedDegrees(double angle_deg);
 

@@ -1,6 +1,10 @@
 #include "core/io/formats.h"
 
+#include "core/io/czml.h"
+#include "core/io/export_files.h"
 #include "core/io/geojson.h"
+#include "core/io/gpx.h"
+#include "core/io/kml.h"
 #include "core/io/plan_csv.h"
 #include "core/io/plan_qgc.h"
 #include "core/io/plan_wpl.h"
@@ -13,18 +17,62 @@ namespace berg {
 
 namespace {
 
-std::string csv(const ExportSource& source)
+std::string csv(const ExportContent& content)
 {
-    return source.mission ? trajectoryCsv(*source.mission) : planCsv(source.scenario, source.plan);
+    const bool line = content.what == ExportWhat::Path || content.what == ExportWhat::Track;
+    return line ? trackCsv(content) : planCsv(content);
 }
 
+/** A table of a flight. */
+template <std::string (*Table)(const Mission&)>
+std::string flightTable(const ExportContent& content)
+{
+    if (content.mission == nullptr)
+        throw Error(ErrorCode::InvalidInput, "format",
+                    "a scenario has no such table: nothing was flown");
+    return Table(*content.mission);
+}
+
+constexpr ExportHolds kMissionHolds{.order = true, .mission = true};
+constexpr ExportHolds kMapHolds{
+    .order = true, .way = true, .fleet = true, .times = true, .icebergs = true, .fence = true};
+constexpr ExportHolds kFlightTableHolds{.fleet = true, .flownOnly = true};
+
 constexpr std::array kFormats{
-    ExportFormat{"plan", "plan", "QGroundControl, Mission Planner, MAVSDK", qgcPlan},
-    ExportFormat{"wpl", "waypoints", "ArduPilot: Mission Planner, MAVProxy (home row)", wplText},
-    ExportFormat{"geojson", "geojson", "QGIS and other map programs", geoJson},
-    ExportFormat{"csv", "csv", "spreadsheets and scripts", csv}};
+    ExportFormat{"plan",
+                 "plan",
+                 "QGroundControl, Mission Planner, MAVSDK",
+                 {.order = true, .fence = true, .mission = true},
+                 qgcPlan},
+    ExportFormat{"wpl", "waypoints", "ArduPilot: Mission Planner, MAVProxy (home row)",
+                 kMissionHolds, wplText},
+    ExportFormat{"geojson", "geojson", "QGIS and other map programs", kMapHolds, geoJson},
+    ExportFormat{
+        "csv", "csv", "spreadsheets and scripts", {.order = true, .way = true, .fleet = true}, csv},
+    ExportFormat{"sigma-csv", "csv", "spreadsheets: sigma of every iceberg over time",
+                 kFlightTableHolds, flightTable<sigmaCsv>},
+    ExportFormat{"decisions-csv", "csv", "spreadsheets: plans, visits and what else happened",
+                 kFlightTableHolds, flightTable<eventsCsv>},
+    ExportFormat{"zeta-csv", "csv", "spreadsheets: zeta over time", kFlightTableHolds,
+                 flightTable<zetaCsv>},
+    ExportFormat{"gpx",
+                 "gpx",
+                 "chart plotters, Garmin devices, GPSBabel",
+                 {.order = true, .way = true, .fleet = true, .times = true, .icebergs = true},
+                 gpxText},
+    ExportFormat{"kml", "kml", "Google Earth and other globes", kMapHolds, kmlText},
+    ExportFormat{"kmz", "kmz", "Google Earth, packed", kMapHolds, kmzFile},
+    ExportFormat{"czml", "czml", "Cesium", kMapHolds, czmlText}};
 
 } // namespace
+
+std::string ExportFormat::write(const ExportSource& source, const ExportOptions& options) const
+{
+    const ExportContent content = exportContent(source, options);
+    if (fileCount(*this, content) > 1)
+        throw Error(ErrorCode::InvalidInput, "uav", std::string(id) + " holds one UAV: choose one");
+    return text(content);
+}
 
 std::span<const ExportFormat> exportFormats()
 {

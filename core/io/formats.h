@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sim/mission.h"
+#include "core/io/export_content.h"
 
 #include <span>
 #include <string>
@@ -8,24 +8,34 @@
 
 namespace berg {
 
-/**
- * What an exporter is given: the scenario, the plan from its start and, for a run, the mission
- * flown. A plan is exported as the way to fly; a run as what was flown.
- */
-struct ExportSource
+/** What a file of a format can hold. */
+struct ExportHolds
 {
-    const Scenario& scenario;
-    const PlanAnswer& plan;           ///< of `planFromStart`
-    const Mission* mission = nullptr; ///< null: nothing flown, export the plan
+    bool order = false; ///< a way as waypoints
+    bool way = false;   ///< a way as a line of any number of points
+    bool fleet = false; ///< several UAVs; else one file each
+    bool times = false; ///< dates, so only with a start time
+    bool icebergs = false;
+    bool fence = false;
+    bool flownOnly = false; ///< it is about a flight, whatever `ExportOptions::what` says
+    bool mission = false;   ///< items for an autopilot
 };
 
-/** One row of the table that the command line and the file dialog share. */
+/** One row of the table that the command line, the file dialog and the tests share. */
 struct ExportFormat
 {
     std::string_view id;        ///< e.g. "plan"
     std::string_view extension; ///< without dot
     std::string_view reader;    ///< the tool it is meant for
-    std::string (*write)(const ExportSource&);
+    ExportHolds holds;
+    std::string (*text)(const ExportContent&); ///< of one UAV unless it holds a fleet
+
+    /**
+     * One file of it. Throws as `exportContent`, and `Error{InvalidInput}` when there are more UAVs
+     * than it holds (`exportFiles` makes one for each).
+     */
+    [[nodiscard]] std::string write(const ExportSource& source,
+                                    const ExportOptions& options = {}) const;
 };
 
 [[nodiscard]] std::span<const ExportFormat> exportFormats();

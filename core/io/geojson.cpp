@@ -1,10 +1,8 @@
 #include "core/io/geojson.h"
 
+#include "core/io/export_flight.h"
 #include "core/io/export_numbers.h"
 #include "core/io/geo_shapes.h"
-#include "core/io/utc_time.h"
-#include "core/io/visits.h"
-#include "core/plan/names.h"
 
 #include <nlohmann/json.hpp>
 
@@ -24,26 +22,39 @@ Json pair(const Point& vector)
     return {vector.x(), vector.y()};
 }
 
-/** Builds the features of one source. */
+const char* kindOf(ExportWhat what)
+{
+    switch (what) {
+    case ExportWhat::FirstLeg:
+    case ExportWhat::Order:
+        return "plan";
+    case ExportWhat::Path:
+        return "path";
+    case ExportWhat::Track:
+        return "track";
+    }
+    return "";
+}
+
+/** Builds the features of one content. */
 class Collection
 {
 public:
-    explicit Collection(const ExportSource& source)
-        : m_source(source)
-        , m_icebergs(icebergsOf(source))
-        , m_visits(visitsOf(source))
-        , m_frame(source.scenario.origin)
-        , m_start(parseUtc(source.scenario.startUtc))
-    {
-    }
+    explicit Collection(const ExportContent& content) : m_content(content) {}
 
     std::string text()
     {
-        addUav();
-        addIcebergs();
-        addVisits();
-        addLine();
+        for (const ExportUav& uav : m_content.uavs)
+            addUav(uav);
+        for (const ExportIceberg& iceberg : m_content.icebergs)
+            if (isListed(m_content, iceberg))
+                addIceberg(iceberg);
+        for (const ExportUav& uav : m_content.uavs) {
+            addVisits(uav);
+            addLine(uav);
+        }
         addArea();
+        addAsset();
         return "{\"type\":\"FeatureCollection\",\"features\":[\n" + m_features + "\n]}\n";
     }
 
@@ -70,116 +81,91 @@ private:
 
     [[nodiscard]] Json point(const Point& position_m) const
     {
-        return shape("Point", coordinates(roundedPlace(m_frame.toGeographic(position_m))));
+        return shape("Point", coordinates(roundedPlace(m_content.frame.toGeographic(position_m))));
     }
 
     void addTime(Json& properties, double time_s) const
     {
         properties["time_s"] = roundedSeconds(time_s);
-        if (m_start)
-            properties["time"] = utcText(*m_start, time_s);
+        if (m_content.start)
+            properties["time"] = utcText(*m_content.start, time_s);
     }
 
-    [[nodiscard]] const Iceberg& iceberg(int index) const
+    void addUav(const ExportUav& uav)
     {
-        return m_icebergs.at(static_cast<std::size_t>(index));
-    }
-
-    /** Ids in the order of the visits. */
-    [[nodiscard]] Json order() const
-    {
-        Json ids = Json::array();
-        for (const Visit& visit : m_visits)
-            if (visit.iceberg >= 0)
-                for (const int index : icebergsOf(visit))
-                    ids.push_back(iceberg(index).id);
-        return ids;
-    }
-
-    void addUav()
-    {
-        const Uav& uav = m_source.scenario.uavs.at(0);
         Json properties;
         properties["kind"] = "uav";
-        properties["id"] = uav.id;
-        properties["name"] = uav.name;
-        addTime(properties, 0);
-        properties["heading_deg"] = uav.heading_deg;
-        properties["airspeed_mps"] = uav.spec.airspeed_mps;
-        properties["altitude_m"] = uav.spec.altitude_m;
-        add(point(uav.position_m), std::move(properties));
+        properties["id"] = uav.uav.id;
+        properties["name"] = uav.uav.name;
+        addTime(properties, uav.start_s);
+        properties["heading_deg"] = uav.uav.heading_deg;
+        properties["airspeed_mps"] = uav.uav.spec.airspeed_mps;
+        properties["altitude_m"] = uav.uav.spec.altitude_m;
+        add(point(uav.uav.position_m), std::move(properties));
+        if (uav.home_m == uav.uav.position_m)
+            return;
+        Json home;
+        home["kind"] = "home";
+        home["uav"] = uav.uav.id;
+        add(point(uav.home_m), std::move(home));
     }
 
-    void addIcebergs()
+    void addIceberg(const ExportIceberg& now)
     {
-        for (std::size_t i = 0; i < m_icebergs.size(); ++i) {
-            const Iceberg& iceberg = m_icebergs[i];
-            Json properties;
-            properties["kind"] = "iceberg";
-            properties["id"] = iceberg.id;
-            properties["name"] = iceberg.name;
-            Point position_m = iceberg.position_m;
-            if (m_source.mission) {
-                const Simulation& simulation = m_source.mission->simulation();
-                const int index = static_cast<int>(i);
-                if (!simulation.active(index))
-                    continue;
-                position_m = simulation.truth_m(index);
-                addTime(properties, simulation.time_s());
-                properties["sigma_m2"] = simulation.track(index).sigma_m2;
-            } else {
-                addTime(properties, 0);
-                properties["sigma_m2"] = initialSigma_m2(iceberg);
-            }
-            properties["q_m2ps"] = iceberg.q_m2ps;
-            properties["velocity_mps"] = pair(iceberg.velocity_mps);
-            properties["drift_mps"] = pair(iceberg.velocity_mps + m_source.scenario.current_mps);
-            properties["radius_m"] = iceberg.radius_m;
-            properties["appears_s"] = iceberg.appears_s;
-            add(point(position_m), std::move(properties));
-        }
+        Json properties;
+        properties["kind"] = "iceberg";
+        properties["id"] = now.iceberg.id;
+        properties["name"] = now.iceberg.name;
+        addTime(properties, m_content.now_s);
+        properties["sigma_m2"] = now.sigma_m2;
+        properties["q_m2ps"] = now.iceberg.q_m2ps;
+        properties["velocity_mps"] = pair(now.iceberg.velocity_mps);
+        properties["drift_mps"] = pair(now.drift_mps);
+        properties["radius_m"] = now.iceberg.radius_m;
+        properties["appears_s"] = now.iceberg.appears_s;
+        properties["state"] = nameOf(kIcebergStateNames, now.state);
+        add(point(now.position_m), std::move(properties));
     }
 
-    void addVisits()
+    void addVisits(const ExportUav& uav)
     {
         int sequence = 0;
-        for (const Visit& visit : m_visits) {
+        for (const Visit& visit : uav.visits) {
             if (visit.iceberg < 0)
                 continue;
+            const Iceberg& iceberg =
+                m_content.icebergs.at(static_cast<std::size_t>(visit.iceberg)).iceberg;
             Json properties;
             properties["kind"] = "visit";
             properties["sequence"] = ++sequence;
-            properties["iceberg"] = iceberg(visit.iceberg).id;
-            properties["name"] = iceberg(visit.iceberg).name;
-            for (const int member : visit.members)
-                properties["cluster"].push_back(iceberg(member).id);
+            properties["iceberg"] = iceberg.id;
+            properties["name"] = iceberg.name;
+            if (!visit.members.empty())
+                properties["cluster"] = idsOf(m_content, visit);
+            properties["uav"] = uav.uav.id;
             addTime(properties, visit.time_s);
             add(point(visit.position_m), std::move(properties));
         }
     }
 
-    void addLine()
+    void addLine(const ExportUav& uav)
     {
-        const Scenario& scenario = m_source.scenario;
-        std::vector<TimedPoint> points;
         Json properties;
-        properties["kind"] = m_source.mission ? "track" : "plan";
-        properties["uav"] = scenario.uavs.at(0).id;
-        properties["order"] = order();
-        if (m_source.mission) {
-            for (const Sample& sample : m_source.mission->recorder().samples())
-                points.push_back({.position_m = sample.uav.position_m, .time_s = sample.time_s});
-            const Metrics metrics = m_source.mission->metrics();
-            properties["flown_m"] = metrics.flown_m;
-            properties["zeta_m2s"] = metrics.zeta_m2s;
+        properties["kind"] = kindOf(m_content.what);
+        properties["uav"] = uav.uav.id;
+        properties["order"] = Json::array();
+        for (const Visit& visit : uav.visits)
+            for (const std::string& id : idsOf(m_content, visit))
+                properties["order"].push_back(id);
+        if (m_content.what == ExportWhat::Track) {
+            properties["flown_m"] = flown_m(*m_content.mission, uav.row);
+            properties["zeta_m2s"] = m_content.mission->metrics().zeta_m2s; // of all UAVs
         } else {
-            points.push_back({.position_m = scenario.uavs[0].position_m});
-            for (const Visit& visit : m_visits)
-                points.push_back({.position_m = visit.position_m, .time_s = visit.time_s});
-            properties["policy"] = nameOf(kPolicyNames, scenario.planner.policy);
-            properties["tau"] = scenario.planner.tau;
+            properties["policy"] = nameOf(kPolicyNames, m_content.planner.policy);
+            properties["tau"] = m_content.planner.tau;
         }
-        const std::vector<std::vector<TimedPlace>> parts = geographicLine(m_frame, points);
+        const std::vector<std::vector<TimedPlace>> parts =
+            geographicLine(m_content.frame, wayOf(uav));
         if (!parts.empty())
             addParts(parts, std::move(properties));
     }
@@ -194,14 +180,14 @@ private:
             Json lineTimes = Json::array();
             for (const TimedPlace& vertex : part) {
                 line.push_back(coordinates(vertex.place));
-                lineTimes.push_back(m_start ? Json(utcText(*m_start, vertex.time_s))
-                                            : Json(roundedSeconds(vertex.time_s)));
+                lineTimes.push_back(m_content.start ? Json(utcText(*m_content.start, vertex.time_s))
+                                                    : Json(roundedSeconds(vertex.time_s)));
             }
             lines.push_back(std::move(line));
             times.push_back(std::move(lineTimes));
         }
         const bool single = parts.size() == 1;
-        properties["coordinateProperties"][m_start ? "times" : "times_s"] =
+        properties["coordinateProperties"][m_content.start ? "times" : "times_s"] =
             single ? std::move(times[0]) : std::move(times);
         if (single)
             add(shape("LineString", std::move(lines[0])), std::move(properties));
@@ -211,11 +197,11 @@ private:
 
     void addArea()
     {
-        if (m_source.scenario.area_m.empty())
+        if (m_content.area_m.empty())
             return;
         Json polygons = Json::array();
         for (const std::vector<LatLon>& ring :
-             geographicPolygon(m_frame, m_source.scenario.area_m)) {
+             geographicPolygon(m_content.frame, m_content.area_m)) {
             Json exterior = Json::array();
             for (const LatLon& place : ring)
                 exterior.push_back(coordinates(place));
@@ -223,25 +209,36 @@ private:
         }
         Json properties;
         properties["kind"] = "area";
+        properties["geofence"] = m_content.geofence;
         if (polygons.size() == 1)
             add(shape("Polygon", std::move(polygons[0])), std::move(properties));
         else
             add(shape("MultiPolygon", std::move(polygons)), std::move(properties));
     }
 
-    const ExportSource& m_source;
-    const std::vector<Iceberg>& m_icebergs;
-    std::vector<Visit> m_visits;
-    LocalFrame m_frame;
-    std::optional<UtcTime> m_start;
+    void addAsset()
+    {
+        if (!m_content.asset)
+            return;
+        const Asset& asset = *m_content.asset;
+        Json properties;
+        properties["kind"] = "asset";
+        properties["name"] = asset.name;
+        addTime(properties, m_content.now_s);
+        properties["velocity_mps"] = pair(asset.velocity_mps);
+        properties["range_m"] = asset.range_m;
+        add(point(assetPlace_m(m_content)), std::move(properties));
+    }
+
+    const ExportContent& m_content;
     std::string m_features;
 };
 
 } // namespace
 
-std::string geoJson(const ExportSource& source)
+std::string geoJson(const ExportContent& content)
 {
-    return Collection(source).text();
+    return Collection(content).text();
 }
 
 } // namespace berg

@@ -1,8 +1,7 @@
 #include "core/io/mission_items.h"
 
 #include "core/io/export_numbers.h"
-#include "core/io/visits.h"
-#include "core/sim/clusters.h"
+#include "core/io/thinned_way.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +10,7 @@ namespace berg {
 
 namespace {
 
-/** Largest radius of 8 bits; above it ArduPlane counts in steps. */
-constexpr double kLargestByte_m = 255;
+/** Above 8 bits ArduPlane counts a loiter radius in steps. */
 constexpr double kRadiusStep_m = 10;
 
 /** p1 0: airspeed (1 is ground speed); p3 -1: throttle unchanged. */
@@ -25,51 +23,111 @@ MavItem changeSpeed(double airspeed_mps)
             .altitude_m = 0};
 }
 
-} // namespace
-
-double acceptanceRadius_m(const Scenario& scenario, double spread_m)
+/** Makes the items of one UAV. */
+class ItemMaker
 {
-    const double seen_m =
-        surelySeen_m({.fov_m = scenario.uavs.at(0).fov_m, .shape = scenario.fovShape});
-    return std::clamp(std::floor(scenario.reachRadius_m.value_or(seen_m) - spread_m), 1.0,
-                      kLargestByte_m);
+public:
+    ItemMaker(const ExportContent& content, const ExportUav& uav) : m_content(content), m_uav(uav)
+    {
+    }
+
+    [[nodiscard]] LatLon place(const Point& position_m) const
+    {
+        return roundedPlace(m_content.frame.toGeographic(position_m));
+    }
+
+    [[nodiscard]] MavItem waypoint(const Point& position_m, double acceptance_m) const
+    {
+        // Param 4, the yaw at a waypoint, is 0 and not "none": a fixed wing ignores it, and Mission
+        // Planner reads numbers only.
+        return at(position_m, MavCommand::NavWaypoint, {0, acceptance_m, 0, 0});
+    }
+
+    /** A waypoint, or the circles wanted. */
+    [[nodiscard]] MavItem visit(const Visit& visit) const
+    {
+        if (m_content.options.loiterTurns == 0)
+            return waypoint(visit.position_m, acceptanceRadius_m(m_uav, visit.spread_m));
+        return at(
+            visit.position_m, MavCommand::NavLoiterTurns,
+            {static_cast<double>(m_content.options.loiterTurns), 0, loiterRadius_m(m_uav), 0});
+    }
+
+    [[nodiscard]] MavItem lastLoiter(const Point& position_m) const
+    {
+        return at(position_m, MavCommand::NavLoiterUnlimited, {0, 0, loiterRadius_m(m_uav), 0});
+    }
+
+private:
+    [[nodiscard]] MavItem at(const Point& position_m, MavCommand command,
+                             const std::array<double, 4>& params) const
+    {
+        return {.command = command,
+                .params = params,
+                .place = place(position_m),
+                .altitude_m = m_uav.uav.spec.altitude_m};
+    }
+
+    const ExportContent& m_content;
+    const ExportUav& m_uav;
+};
+
+/** The items between the first, its speed, and the last, its loiter. */
+std::vector<MavItem> itemsOnTheWay(const ExportContent& content, const ExportUav& uav,
+                                   const ItemMaker& maker)
+{
+    std::vector<MavItem> items;
+    if (content.what == ExportWhat::Path) {
+        const double acceptance_m = uav.reachChosen ? acceptanceRadius_m(uav) : kPathAcceptance_m;
+        for (const TimedPoint& corner : pathCorners(uav))
+            items.push_back(maker.waypoint(corner.position_m, acceptance_m));
+        return items;
+    }
+    for (const Visit& visit : uav.visits)
+        if (visit.iceberg >= 0)
+            items.push_back(maker.visit(visit));
+    return items;
 }
 
-double loiterRadius_m(const Scenario& scenario)
+} // namespace
+
+std::vector<TimedPoint> pathCorners(const ExportUav& uav)
 {
-    const UavSpec& spec = scenario.uavs.at(0).spec;
-    const double faster = 1 + scenario.wind_mps.norm() / spec.airspeed_mps;
-    const double least_m = std::ceil(turnRadius_m(spec) * faster * faster);
+    std::vector<TimedPoint> corners = thinnedWay(wayOf(uav), kPathTolerance_m);
+    corners.erase(corners.begin());
+    return corners;
+}
+
+double acceptanceRadius_m(const ExportUav& uav, double spread_m)
+{
+    const double radius_m = uav.reachChosen ? uav.reach_m : uav.reach_m - spread_m;
+    return std::clamp(std::floor(radius_m), 1.0, kLargestByte_m);
+}
+
+double loiterRadius_m(const ExportUav& uav)
+{
+    const double least_m = std::ceil(uav.circle_m);
     return least_m <= kLargestByte_m ? std::max(1.0, least_m)
                                      : std::ceil(least_m / kRadiusStep_m) * kRadiusStep_m;
 }
 
-MavMission mavMission(const ExportSource& source)
+MavMission mavMission(const ExportContent& content)
 {
-    const Uav& uav = source.scenario.uavs.at(0);
-    const LocalFrame frame(source.scenario.origin);
-    const auto place = [&](const Point& position_m) {
-        return roundedPlace(frame.toGeographic(position_m));
-    };
-    MavMission mission{.home = place(uav.home_m.value_or(uav.position_m)),
-                       .airspeed_mps = uav.spec.airspeed_mps,
-                       .items = {changeSpeed(uav.spec.airspeed_mps)}};
-    // Param 4, the yaw at a waypoint, is 0 and not "none": a fixed wing ignores it, and Mission
-    // Planner reads numbers only.
-    MavItem loiter{.command = MavCommand::NavLoiterUnlimited,
-                   .params = {0, 0, loiterRadius_m(source.scenario), 0},
-                   .place = mission.home,
-                   .altitude_m = uav.spec.altitude_m};
-    for (const Visit& visit : visitsOf(source)) {
-        loiter.place = place(visit.position_m);
-        if (visit.iceberg >= 0)
-            mission.items.push_back(
-                {.command = MavCommand::NavWaypoint,
-                 .params = {0, acceptanceRadius_m(source.scenario, visit.spread_m), 0, 0},
-                 .place = loiter.place,
-                 .altitude_m = uav.spec.altitude_m});
-    }
-    mission.items.push_back(loiter);
+    require(content.uavs.size() == 1, "mavMission: one UAV for each file");
+    const ExportUav& uav = content.uavs.front();
+    const ItemMaker maker(content, uav);
+    MavMission mission{.home = maker.place(uav.home_m),
+                       .airspeed_mps = uav.uav.spec.airspeed_mps,
+                       .altitude_m = uav.uav.spec.altitude_m,
+                       .items = {changeSpeed(uav.uav.spec.airspeed_mps)}};
+    for (MavItem& item : itemsOnTheWay(content, uav, maker))
+        mission.items.push_back(item);
+    Point end_m = uav.home_m;
+    if (content.what == ExportWhat::Path)
+        end_m = wayOf(uav).back().position_m;
+    else if (!uav.visits.empty())
+        end_m = uav.visits.back().position_m;
+    mission.items.push_back(maker.lastLoiter(end_m));
     return mission;
 }
 

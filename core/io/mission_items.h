@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/formats.h"
+#include "core/io/export_content.h"
 
 #include <array>
 #include <vector>
@@ -12,6 +12,7 @@ enum class MavCommand
 {
     NavWaypoint = 16,
     NavLoiterUnlimited = 17,
+    NavLoiterTurns = 18,
     DoChangeSpeed = 178
 };
 
@@ -40,32 +41,45 @@ struct MavMission
 {
     LatLon home; ///< or the start of the UAV; the sea, so 0 m above mean sea level
     double airspeed_mps = 0;
+    double altitude_m = 0;
     std::vector<MavItem> items; ///< never empty; the last one loiters
 };
 
 /**
- * The visits of the source as a mission: airspeed, a waypoint per iceberg, then an unlimited
- * loiter where the last one was met (at home when there is none, or with a limited endurance; at
- * the start for a closed route). There is
- * no take-off item: a scenario starts with the UAV in the air, and ArduPlane flies the mission from
- * its first item when it is put into AUTO there.
+ * The way of the only UAV of the content as a mission: airspeed, a waypoint for each visit (with
+ * `loiterTurns` that many circles over it), then an unlimited loiter where the last one was (at
+ * home when there is none, or when the way ends there). Of a path its corners: the points of its
+ * track that keep within `kPathTolerance_m` of it. There is no take-off item: a scenario starts
+ * with the UAV in the air, and ArduPlane flies the mission from its first item when it is put into
+ * AUTO there.
  */
-[[nodiscard]] MavMission mavMission(const ExportSource& source);
+[[nodiscard]] MavMission mavMission(const ExportContent& content);
+
+/** How far a path through the waypoints of a mission may be from the one flown. */
+inline constexpr double kPathTolerance_m = 5;
+/** Acceptance radius of those waypoints: they follow each other closely. */
+inline constexpr double kPathAcceptance_m = 30;
+
+/** Waypoints that stand for the path of a UAV: the corners of its track, without its start. */
+[[nodiscard]] std::vector<TimedPoint> pathCorners(const ExportUav& uav);
+
+/** Largest radius of 8 bits, in which ArduPlane keeps whole metres. */
+inline constexpr double kLargestByte_m = 255;
 
 /**
- * Acceptance radius of a waypoint, whole metres: the reach radius, or half the smaller extent of
- * the field of view, within which an iceberg is seen whatever the heading. ArduPlane keeps 8 bits
- * of whole metres, so it is cut to 255 m (the default field of view would give 300 m) and not below
- * 1 m (0 would mean the autopilot's own default). At the middle of a cluster whose members are up
- * to `spread_m` away, smaller by that: all of them are in view there.
+ * Acceptance radius of a waypoint, whole metres: the one chosen, or the reach radius, or half the
+ * smaller extent of the field of view, within which an iceberg is seen whatever the heading. Cut to
+ * 255 m (the default field of view would give 300 m) and not below 1 m (0 would mean the
+ * autopilot's own default). At the middle of a cluster whose members are up to `spread_m` away,
+ * smaller by that unless it was chosen: all of them are in view there.
  */
-[[nodiscard]] double acceptanceRadius_m(const Scenario& scenario, double spread_m = 0);
+[[nodiscard]] double acceptanceRadius_m(const ExportUav& uav, double spread_m = 0);
 
 /**
- * Radius of the final loiter, whole metres, multiples of 10 above 255 m (ArduPlane's storage):
- * never below the tightest turn, 106 m by default. A circle over ground in wind W is flown at up to
- * U + W over ground and so needs (1 + W/U)^2 times the turn radius.
+ * Radius of a loiter, whole metres, multiples of 10 above 255 m (ArduPlane's storage): never below
+ * the tightest turn, 106 m by default. A circle over ground in wind W is flown at up to U + W over
+ * ground and so needs (1 + W/U)^2 times the turn radius.
  */
-[[nodiscard]] double loiterRadius_m(const Scenario& scenario);
+[[nodiscard]] double loiterRadius_m(const ExportUav& uav);
 
 } // namespace berg

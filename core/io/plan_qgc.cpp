@@ -80,14 +80,13 @@ Json jsonMission(const MavMission& mission)
     return json;
 }
 
-Json jsonFence(const Scenario& scenario)
+Json jsonFence(const ExportContent& content)
 {
     Json polygons = Json::array();
-    if (!scenario.area_m.empty()) {
-        const LocalFrame frame(scenario.origin);
+    if (content.geofence && !content.area_m.empty()) {
         Json corners = Json::array();
-        for (const Point& corner_m : scenario.area_m) {
-            const LatLon place = roundedPlace(frame.toGeographic(corner_m));
+        for (const Point& corner_m : content.area_m) {
+            const LatLon place = roundedPlace(content.frame.toGeographic(corner_m));
             corners.push_back({number(place.latitude_deg), number(place.longitude_deg)});
         }
         Json polygon;
@@ -103,20 +102,29 @@ Json jsonFence(const Scenario& scenario)
     return json;
 }
 
+/** Home, at the altitude of the mission: where ArduPilot goes when it gives up. */
+Json jsonRally(const MavMission& mission)
+{
+    Json json;
+    json["version"] = 2;
+    json["points"] = Json::array(
+        {Json::array({number(mission.home.latitude_deg), number(mission.home.longitude_deg),
+                      number(mission.altitude_m)})});
+    return json;
+}
+
 } // namespace
 
-std::string qgcPlan(const ExportSource& source)
+std::string qgcPlan(const ExportContent& content)
 {
-    Json rally;
-    rally["version"] = 2;
-    rally["points"] = Json::array();
+    const MavMission mission = mavMission(content);
     Json plan;
     plan["fileType"] = "Plan";
     plan["version"] = 1;
     plan["groundStation"] = "Bergwatch";
-    plan["mission"] = jsonMission(mavMission(source));
-    plan["geoFence"] = jsonFence(source.scenario);
-    plan["rallyPoints"] = std::move(rally);
+    plan["mission"] = jsonMission(mission);
+    plan["geoFence"] = jsonFence(content);
+    plan["rallyPoints"] = jsonRally(mission);
     return plan.dump(4) + '\n';
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/io/formats.h"
+#include "core/io/export_content.h"
 
 namespace berg {
 
 /**
- * QGroundControl `.plan` (JSON) that QGroundControl, MAVSDK and Mission Planner all read. The area
- * of the scenario becomes an inclusion fence, whether or not start and icebergs lie within it.
+ * QGroundControl `.plan` (JSON) of the only UAV of the content that QGroundControl, MAVSDK and
+ * Mission Planner all read. The geofence of the scenario becomes an inclusion fence, whether or not
+ * start and icebergs lie within it; home is the rally point.
  */
-[[nodiscard]] std::string qgcPlan(const ExportSource& source);
+[[nodiscard]] std::string qgcPlan(const ExportContent& content);
 
 } // namespace berg

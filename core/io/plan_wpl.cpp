@@ -40,9 +40,9 @@ void addRow(std::string& text, std::size_t index, const MavItem& item)
 
 } // namespace
 
-std::string wplText(const ExportSource& source)
+std::string wplText(const ExportContent& content)
 {
-    const MavMission mission = mavMission(source);
+    const MavMission mission = mavMission(content);
     std::string text = "QGC WPL 110\n";
     addRow(text, 0, {.frame = MavFrame::Global, .place = mission.home, .altitude_m = 0});
     std::size_t index = 1;

@@ -32,6 +32,15 @@ std::vector<std::string> idFields(const Mission& mission)
     return fields;
 }
 
+/** The same of the UAVs. */
+std::vector<std::string> uavFields(const Mission& mission)
+{
+    std::vector<std::string> fields;
+    for (const Uav& uav : mission.scenario().uavs)
+        fields.push_back(csvField(uav.id));
+    return fields;
+}
+
 } // namespace
 
 std::string_view eventName(EventKind kind)
@@ -67,6 +76,8 @@ std::string_view eventName(EventKind kind)
         return "took off";
     case EventKind::LateHome:
         return "late home";
+    case EventKind::Close:
+        return "close";
     }
     throw std::logic_error("eventName: unknown kind");
 }
@@ -91,26 +102,47 @@ std::string csvField(const std::string& text)
     return quoted + '"';
 }
 
+std::string_view trajectoryHeader()
+{
+    return "time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,turn_rate_radps,"
+           "cross_track_m\n";
+}
+
+void appendTrajectoryRow(std::string& text, const LocalFrame& frame, const std::string& uav,
+                         const TrackPoint& point)
+{
+    const LatLon place = frame.toGeographic(point.state.position_m);
+    add(text, point.time_s, ',');
+    text += uav;
+    text += ',';
+    add(text, point.state.position_m.x(), ',');
+    add(text, point.state.position_m.y(), ',');
+    add(text, place.latitude_deg, ',');
+    add(text, place.longitude_deg, ',');
+    add(text, headingFromPsi(point.state.psi_rad), ',');
+    add(text, point.u_radps, ',');
+    add(text, point.crossTrack_m, '\n');
+}
+
+TrackPoint trackPointOf(const Sample& sample, std::size_t row)
+{
+    const UavSample& uav = sample.uavs.at(row);
+    return {.time_s = sample.time_s,
+            .state = uav.pose,
+            .u_radps = uav.u_radps,
+            .crossTrack_m = uav.crossTrack_m};
+}
+
 std::string trajectoryCsv(const Mission& mission)
 {
     const LocalFrame frame(mission.scenario().origin);
-    const std::string uav = csvField(mission.scenario().uavs.at(0).id) + ',';
+    const std::vector<std::string> uavs = uavFields(mission);
     const std::vector<Sample>& samples = mission.recorder().samples();
-    std::string text = "time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,"
-                       "turn_rate_radps,cross_track_m\n";
-    text.reserve((samples.size() + 1) * kRowBytes);
-    for (const Sample& sample : samples) {
-        const LatLon place = frame.toGeographic(sample.uav.position_m);
-        add(text, sample.time_s, ',');
-        text += uav;
-        add(text, sample.uav.position_m.x(), ',');
-        add(text, sample.uav.position_m.y(), ',');
-        add(text, place.latitude_deg, ',');
-        add(text, place.longitude_deg, ',');
-        add(text, headingFromPsi(sample.uav.psi_rad), ',');
-        add(text, sample.u_radps, ',');
-        add(text, sample.crossTrack_m, '\n');
-    }
+    std::string text(trajectoryHeader());
+    text.reserve((samples.size() * uavs.size() + 1) * kRowBytes);
+    for (const Sample& sample : samples)
+        for (std::size_t i = 0; i < sample.uavs.size(); ++i)
+            appendTrajectoryRow(text, frame, uavs[i], trackPointOf(sample, i));
     return text;
 }
 
@@ -141,12 +173,15 @@ std::string sigmaCsv(const Mission& mission)
 std::string eventsCsv(const Mission& mission)
 {
     const std::vector<std::string> ids = idFields(mission);
-    const std::string uav = csvField(mission.scenario().uavs.at(0).id);
+    const std::vector<std::string> uavs = uavFields(mission);
     std::string text = "time_s,event,uav,iceberg,detail\n";
     for (const MissionEvent& event : mission.events()) {
         add(text, event.time_s, ',');
         text += eventName(event.kind);
-        text += ',' + uav + ',';
+        text += ',';
+        if (event.uav >= 0 || uavs.size() == 1) // with one UAV all events are its own
+            text += uavs.at(static_cast<std::size_t>(std::max(0, event.uav)));
+        text += ',';
         if (event.iceberg >= 0)
             text += ids.at(static_cast<std::size_t>(event.iceberg));
         text += ',' + csvField(event.detail) + '\n';

@@ -3,6 +3,7 @@
 #include "core/sim/mission.h"
 
 #include <string>
+#include <string_view>
 
 namespace berg {
 
@@ -21,6 +22,24 @@ namespace berg {
 [[nodiscard]] std::string eventsCsv(const Mission& mission);
 /** `time_s,sigma_sum_m2,zeta_m2s`, and `weighted_sigma_sum_m2` where there is an asset */
 [[nodiscard]] std::string zetaCsv(const Mission& mission);
+
+/** One point of a way that is or was flown. */
+struct TrackPoint
+{
+    double time_s = 0;
+    DubinsState state;
+    double u_radps = 0;
+    double crossTrack_m = 0;
+};
+
+/** Of UAV `row` of the scenario. */
+[[nodiscard]] TrackPoint trackPointOf(const Sample& sample, std::size_t row);
+
+/** Header of `trajectoryCsv`, with its line end. */
+[[nodiscard]] std::string_view trajectoryHeader();
+/** One row of it; `uav` is a CSV field. */
+void appendTrajectoryRow(std::string& text, const LocalFrame& frame, const std::string& uav,
+                         const TrackPoint& point);
 
 /** Shortest text that reads back as the same double, C locale; for CSV and XML. */
 [[nodiscard]] std::string numberText(double value);

@@ -110,8 +110,9 @@ std::span<const int> clusterReached(const Mission& mission, const MissionEvent& 
 {
     const std::vector<PlanEvent>& plans = mission.plans();
     const auto after = std::ranges::lower_bound(plans, reached.time_s, {}, &PlanEvent::time_s);
-    return after == plans.begin() ? std::span<const int>()
-                                  : clusterWith(std::prev(after)->clusters, reached.iceberg);
+    const auto before = std::span(plans).first(static_cast<std::size_t>(after - plans.begin()));
+    const PlanEvent* plan = lastPlanOf(before, reached.uav);
+    return plan == nullptr ? std::span<const int>() : clusterWith(plan->clusters, reached.iceberg);
 }
 
 } // namespace
@@ -122,8 +123,8 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& pla
     std::vector<Visit> visits;
     const bool endures = scenario.uavs.at(0).spec.endurance_s == 0;
     const auto count = endures ? plan.order.size()
-                               : static_cast<std::size_t>(
-                                     *thisSortie(Simulation(scenario), plan.order, plan.clusters));
+                               : static_cast<std::size_t>(*thisSortie(Simulation(scenario), 0,
+                                                                      plan.order, plan.clusters));
     for (const int index : std::span(plan.order).first(count)) {
         const std::span<const int> members = clusterWith(plan.clusters, index);
         if (!members.empty()) {
@@ -149,7 +150,7 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& pla
     return visits;
 }
 
-std::vector<Visit> flownVisits(const Mission& mission)
+std::vector<Visit> flownVisits(const Mission& mission, int uav)
 {
     // Drift is drawn anew rather than read between samples, which may be far apart.
     std::vector<DriftModel> drift;
@@ -157,7 +158,7 @@ std::vector<Visit> flownVisits(const Mission& mission)
         drift.push_back(driftOf(mission, i));
     std::vector<Visit> visits;
     for (const MissionEvent& event : mission.events()) {
-        if (event.kind != EventKind::Reached)
+        if (event.kind != EventKind::Reached || event.uav != uav)
             continue;
         const auto truth_m = [&](int iceberg) {
             return drift.at(static_cast<std::size_t>(iceberg)).position_m(event.time_s);
@@ -174,20 +175,9 @@ std::vector<Visit> flownVisits(const Mission& mission)
     return visits;
 }
 
-std::vector<Visit> visitsOf(const ExportSource& source)
-{
-    return source.mission ? flownVisits(*source.mission)
-                          : plannedVisits(source.scenario, source.plan);
-}
-
 std::vector<int> icebergsOf(const Visit& visit)
 {
     return visit.members.empty() ? std::vector{visit.iceberg} : visit.members;
-}
-
-const std::vector<Iceberg>& icebergsOf(const ExportSource& source)
-{
-    return source.mission ? source.mission->icebergs() : source.scenario.icebergs;
 }
 
 } // namespace berg

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/formats.h"
+#include "core/sim/mission.h"
 
 #include <vector>
 
@@ -28,17 +28,11 @@ struct Visit
  */
 [[nodiscard]] std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& plan);
 
-/** Targets reached, in order, at their true positions, clusters at the middle of theirs. Empty when
- * the mission kept no record. */
-[[nodiscard]] std::vector<Visit> flownVisits(const Mission& mission);
-
-/** `flownVisits` of a run, else `plannedVisits`. */
-[[nodiscard]] std::vector<Visit> visitsOf(const ExportSource& source);
+/** Targets that UAV `uav` of the scenario reached, in order, at their true positions, clusters at
+ * the middle of theirs. Empty when the mission kept no record. */
+[[nodiscard]] std::vector<Visit> flownVisits(const Mission& mission, int uav = 0);
 
 /** Those in view at a visit that is one of icebergs: the iceberg, or the members of the cluster. */
 [[nodiscard]] std::vector<int> icebergsOf(const Visit& visit);
-
-/** Icebergs that the indices of `visitsOf` speak of, those added in flight included. */
-[[nodiscard]] const std::vector<Iceberg>& icebergsOf(const ExportSource& source);
 
 } // namespace berg

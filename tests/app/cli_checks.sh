@@ -225,6 +225,57 @@ for scenario in "$source_dir"/resources/scenarios/*.berg; do
     check "simulate $(basename "$scenario")" exits 0 "$cli" simulate "$scenario" --json
 done
 
+# --- several UAVs ----------------------------------------------------------------------------
+fleet="$source_dir/resources/scenarios/svalbard-two-uavs.berg"
+check "fleet: plan" exits 0 "$cli" plan "$fleet" --json
+check "fleet: plan: members" json 'list(d) == ["status","objective","bound","gap","order","distance_m","mu","seconds","backend","icebergs","uavs"] and list(d["uavs"][0]) == ["id","order","icebergs","distance_m"]'
+check "fleet: plan: each iceberg once" json 'sorted(d["order"]) == list(range(1, 17)) and [u["id"] for u in d["uavs"]] == ["uav-1","uav-2"]'
+check "fleet: plan: one order after the other" json 'd["order"] == d["uavs"][0]["order"] + d["uavs"][1]["order"] and d["icebergs"] == ["berg-%d" % k for k in d["order"]]'
+check "fleet: plan: distances" python3 -c '
+import json, math
+d = json.load(open("stdout.txt")); s = json.load(open("'"$fleet"'"))
+place = [b["position_m"] for b in s["icebergs"]]
+def way(k):
+    stops = [s["uavs"][k]["position_m"]] + [place[i - 1] for i in d["uavs"][k]["order"]]
+    return sum(math.dist(a, b) for a, b in zip(stops, stops[1:]))
+ok = all(abs(way(k) - d["uavs"][k]["distance_m"]) < 1e-6 for k in (0, 1)) and abs(way(0) + way(1) - d["distance_m"]) < 1e-6
+sigma = [b["sigma0_m2"] for b in s["icebergs"]]
+reward = sum(sigma[i - 1] * (17 - t) for u in d["uavs"] for t, i in enumerate(u["order"], 2))
+raise SystemExit(0 if ok and abs(-reward + d["mu"] * d["distance_m"] - d["objective"]) < 1e-6 else 1)'
+check "fleet: plan: gap" json '0 <= d["gap"] < 0.01 and d["bound"] <= d["objective"]'
+check "fleet: plan in words" exits 0 "$cli" plan "$fleet"
+check "fleet: plan in words: a line each" grep -q "^uav-2  *berg-[0-9 berg-]*(.* m)" stdout.txt
+check "fleet: plan by coverage" exits 0 "$cli" plan "$fleet" --policy coverage --json
+check "fleet: coverage has no objective" json 'd["objective"] is None and d["mu"] is None and len(d["uavs"]) == 2'
+check "fleet: --verify" exits 2 "$cli" plan "$fleet" --verify
+check "fleet: --verify: says why" says "--verify is for one UAV; this scenario has 2"
+check "fleet: curve" exits 3 "$cli" curve "$fleet"
+check "fleet: curve: says why" says "uavs: the curve is for one UAV, there are 2"
+check "fleet: --bound" exits 3 "$cli" simulate "$fleet" --bound
+check "fleet: --bound: says why" says "uavs: --bound is for one UAV, there are 2"
+check "fleet: simulate" exits 0 "$cli" simulate "$fleet" --json --output fleet
+check "fleet: simulate: members" json 'list(d) == ["zeta_m2s","visits","replans","flown_m","lower_bound_m2s","seconds","uavs","closest_m"] and d["lower_bound_m2s"] is None'
+check "fleet: simulate: sums" json 'sum(u["visits"] for u in d["uavs"]) == d["visits"] and abs(sum(u["flown_m"] for u in d["uavs"]) - d["flown_m"]) < 1e-6 and all(u["visits"] > 0 for u in d["uavs"])'
+check "fleet: simulate: separation" json 'd["closest_m"] > 0'
+grep -v '"seconds"' stdout.txt >fleet.json
+check "fleet: simulate without tables" exits 0 "$cli" simulate "$fleet" --json
+check "fleet: simulate without tables: the same" cmp -s fleet.json <(grep -v '"seconds"' stdout.txt)
+check "fleet: replay" exits 0 "$cli" simulate fleet/run.bergrun --json
+check "fleet: replay: the same" cmp -s fleet.json <(grep -v '"seconds"' stdout.txt)
+check "fleet: tables" python3 -c '
+import csv
+rows = list(csv.DictReader(open("fleet/trajectory.csv")))
+two = [r["uav"] for r in rows[:4]] == ["uav-1", "uav-2"] * 2 and len(rows) == 2 * 1501
+reached = [e["uav"] for e in csv.DictReader(open("fleet/events.csv")) if e["event"] == "reached"]
+raise SystemExit(0 if two and set(reached) == {"uav-1", "uav-2"} else 1)'
+check "fleet: simulate in words" exits 0 "$cli" simulate "$fleet"
+check "fleet: simulate in words: a line each" grep -q "^uav-2  *[0-9]* visits, " stdout.txt
+check "fleet: sweep" exits 0 "$cli" sweep "$fleet" --tau 0,1 --policies visitation,tour --runs 2 --threads 1 --output fleet1.csv
+check "fleet: sweep on three threads" exits 0 "$cli" sweep "$fleet" --tau 0,1 --policies visitation,tour --runs 2 --threads 3 --output fleet3.csv
+check "fleet: sweep: threads do not matter" cmp -s fleet1.csv fleet3.csv
+check "one UAV has no list of them" exits 0 "$cli" simulate "$default" --duration 60 --json
+check "one UAV has no list of them: none" json '"uavs" not in d and "closest_m" not in d'
+
 # --- sweep -----------------------------------------------------------------------------------
 check "sweep" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 1 --json --output sweep.csv
 check "sweep: rows" json '[(r["policy"], r["tau"]) for r in d["rows"]] == [("visitation",0),("visitation",0.5),("visitation",1),("tour",None)]'
@@ -332,13 +383,49 @@ check "no report of nothing" exits 3 "$cli" study one.csv --report no.html
 check "no report of nothing is left" test ! -e no.html
 
 # --- export ----------------------------------------------------------------------------------
-for format in plan wpl geojson csv; do
+for format in plan wpl geojson csv gpx kml kmz czml; do
     check "export $format" exits 0 "$cli" export "$default" --format $format --output plan.$format
     check "export $format of a run" exits 0 "$cli" export out/run.bergrun --format $format --output run.$format
     check "export $format: not empty" test -s plan.$format -a -s run.$format
 done
 check "plan is JSON" python3 -c 'import json; assert json.load(open("plan.plan"))["fileType"] == "Plan"'
 check "wpl head" grep -qx 'QGC WPL 110' <(head -1 plan.wpl)
+for format in sigma-csv decisions-csv zeta-csv; do
+    check "export $format of a run" exits 0 "$cli" export out/run.bergrun --format $format --output run.$format
+    check "no $format of a plan" exits 2 "$cli" export "$default" --format $format --output none.$format
+    check "no $format of a plan: no file" test ! -e none.$format
+done
+check "export zeta-csv: the run's table" cmp -s run.zeta-csv out/zeta.csv
+cp plan.plan before.plan
+check "export does not write over a file" exits 2 "$cli" export "$default" --format plan --altitude 90 --output plan.plan
+check "export does not write over a file: says so" says "plan.plan: exists"
+check "export does not write over a file: as before" cmp -s plan.plan before.plan
+check "export --force" exits 0 "$cli" export "$default" --format plan --altitude 90 --output plan.plan --force
+plan_is() { python3 -c 'import json, sys; m=json.load(open(sys.argv[1]))["mission"]["items"]; sys.exit(0 if eval(sys.argv[2]) else 1)' "$@"; }
+check "export --altitude" plan_is plan.plan 'all(i["params"][6] == 90 for i in m[1:])'
+check "export first leg" exits 0 "$cli" export "$default" --format plan --what first-leg --speed 18.5 --acceptance 40 --output leg.plan
+check "export first leg: one waypoint" plan_is leg.plan '[i["command"] for i in m] == [178, 16, 17]'
+check "export --speed, --acceptance" plan_is leg.plan 'm[0]["params"][1] == 18.5 and m[1]["params"][1] == 40'
+check "export notes" says "note: Mission Planner reads the cruise speed as a whole number"
+check "export --loiter --return-home" exits 0 "$cli" export "$default" --format plan --loiter 2 --return-home --output home.plan
+check "export --loiter: turns" plan_is home.plan '{i["command"] for i in m[1:-1]} == {18} and m[1]["params"][0] == 2'
+check "export --return-home" python3 -c 'import json; m=json.load(open("home.plan"))["mission"]; assert m["items"][-1]["params"][4:6] == m["plannedHomePosition"][:2]'
+check "export path" exits 0 "$cli" export "$default" --format csv --what path --output path.csv
+check "export path: a row a second" test "$(wc -l <path.csv)" -gt 500
+check "export of an unknown UAV" exits 2 "$cli" export "$default" --format plan --uav nobody --output nobody.plan
+check "export of a track of a plan" exits 2 "$cli" export "$default" --format gpx --what track --output none.gpx
+check "export with a bad number" exits 2 "$cli" export "$default" --format plan --altitude -3 --output none.plan
+check "refused exports leave nothing" test ! -e nobody.plan -a ! -e none.gpx -a ! -e none.plan
+python3 - "$default" two.berg <<'EDIT'
+import json, sys
+scenario = json.load(open(sys.argv[1]))
+scenario["uavs"] = [dict(scenario["uavs"][0], id=name) for name in ("uav-1", "uav-2")]
+json.dump(scenario, open(sys.argv[2], "w"))
+EDIT
+check "export of two UAVs" exits 0 "$cli" export two.berg --format plan --output two.plan
+check "export of two UAVs: a file each" test -s two-uav-1.plan -a -s two-uav-2.plan -a ! -e two.plan
+check "export of one of them" exits 0 "$cli" export two.berg --format plan --uav uav-2 --output two.plan
+check "export of both in one file" exits 0 "$cli" export two.berg --format kml --output two.kml
 
 # --- import ----------------------------------------------------------------------------------
 data="$source_dir/tests/data/import"

@@ -12,39 +12,7 @@ rm -rf "$work"
 mkdir -p "$work"
 cd "$work" || exit 1
 export LC_ALL=C.UTF-8
-checks=0
-failures=0
-
-# same NAME EXPECTED ACTUAL: counts, and names what differs.
-same() {
-    checks=$((checks + 1))
-    [ "$2" = "$3" ] && return
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n  expected: %s\n  actual:   %s\n' "$1" "$2" "$3"
-}
-
-# near NAME EXPECTED ACTUAL TOLERANCE: numbers.
-near() {
-    checks=$((checks + 1))
-    awk -v a="$2" -v b="$3" -v t="$4" \
-        'BEGIN { d = a - b; exit !(a != "" && b != "" && d <= t && d >= -t) }' && return
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n  expected: %s\n  actual:   %s\n' "$1" "$2" "$3"
-}
-
-# run COMMAND...: one that must succeed.
-run() {
-    "$@" >stdout.txt 2>stderr.txt && return
-    checks=$((checks + 1))
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-    sed 's/^/  /' stderr.txt | head -5
-}
-
-# ask FILE SQL: the values of the only column of a query, one a line. The layer has the file's name.
-ask() {
-    "$ogrinfo" -q -dialect SQLite -sql "$2" "$1" | sed -n 's/^  [^=]* ([^)]*) = //p'
-}
+. "$2/tests/app/reader_checks.sh"
 
 # kinds FILE: how many features of each kind and geometry.
 kinds() {
@@ -52,17 +20,6 @@ kinds() {
               FROM $(basename "$1" .geojson) GROUP BY kind, GeometryType(geometry) ORDER BY kind" |
         tr '\n' ';'
 }
-
-# number FILE EXPRESSION: of the scenario file, as `d`.
-number() {
-    python3 -c 'import json, sys; d = json.load(open(sys.argv[1])); print(eval(sys.argv[2]))' "$1" "$2"
-}
-
-# rows FILE: of a table with one header line and no line ends in its fields.
-rows() { echo $(($(wc -l <"$1") - 1)); }
-
-# field FILE ROW COLUMN: row 1 is the first below the header.
-field() { sed -n "$(($2 + 1))p" "$1" | cut -d, -f"$3"; }
 
 # check_plan NAME SCENARIO AREA LINE: exports and reads the plan; AREA and LINE are the kinds
 # expected of those two.
@@ -170,5 +127,4 @@ same "flown: track points in gpsbabel" "$(rows flown.csv)" "$(rows track.csv)"
 near "flown: last longitude in gpsbabel" "$(tail -1 flown.csv | cut -d, -f6)" \
     "$(tail -1 track.csv | cut -d, -f3)" 1e-6
 
-echo "$checks checks, $failures failures"
-[ "$failures" -eq 0 ]
+all_checked

@@ -18,7 +18,7 @@ public:
     Overwrite overwrite = Overwrite::Cancel;
     bool reload = false;
     std::vector<RecoveryAnswer> recoveryAnswers; ///< one after the other, then Later
-    std::optional<ExportChoice> exportChoice;
+    std::optional<ExportRequest> exportChoice;
     std::optional<OriginChoice> originChoice;
     std::optional<Point> wind_mps; ///< answered
     /** Answers a question about an import; null: cancelled. */
@@ -53,8 +53,8 @@ public:
         suggested << suggestion;
         return path;
     }
-    [[nodiscard]] std::optional<ExportChoice> chooseExport(QWidget*,
-                                                           const ExportOffer& offer) override
+    [[nodiscard]] std::optional<ExportRequest> chooseExport(QWidget*, MissionRunner&,
+                                                            const ExportOffer& offer) override
     {
         offers.push_back(offer);
         return exportChoice;

@@ -19,13 +19,12 @@ using namespace Qt::StringLiterals;
 
 inline QByteArray planText(const Scenario& scenario, const PlanAnswer& plan = fourIcebergPlan())
 {
-    return bytes(geoJson({.scenario = scenario, .plan = plan}));
+    return bytes(geoJson(planContent(scenario, plan)));
 }
 
 inline QByteArray runText(const Mission& mission)
 {
-    const PlanAnswer plan;
-    return bytes(geoJson({.scenario = mission.scenario(), .plan = plan, .mission = &mission}));
+    return bytes(geoJson(runContent(mission)));
 }
 
 /** `fourIcebergs` elsewhere. */

@@ -70,6 +70,22 @@ inline PlanAnswer fourIcebergPlan()
     return planOf({0, 3, 1, 2});
 }
 
+/** What is exported of a plan. The scenario may go. */
+inline ExportContent planContent(const Scenario& scenario,
+                                 const PlanAnswer& plan = fourIcebergPlan(),
+                                 const ExportOptions& options = {})
+{
+    return exportContent({.scenario = scenario, .plan = plan}, options);
+}
+
+/** What is exported of a run, which must stay. */
+inline ExportContent runContent(const Mission& mission, const ExportOptions& options = {})
+{
+    const PlanAnswer plan;
+    return exportContent({.scenario = mission.scenario(), .plan = plan, .mission = &mission},
+                         options);
+}
+
 /** The mission flown until `until_s`, or to its end. */
 inline Mission flown(const Scenario& scenario, double until_s = 1e9)
 {

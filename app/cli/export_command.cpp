@@ -1,0 +1,131 @@
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+#include "core/io/atomic_file.h"
+#include "core/io/export_files.h"
+#include "core/io/export_notes.h"
+#include "core/io/run_json.h"
+#include "core/io/scenario_json.h"
+#include "core/scenario/validate.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace berg::cli {
+
+namespace {
+
+std::string formatIds()
+{
+    std::string ids;
+    for (const ExportFormat& format : exportFormats())
+        ids += (ids.empty() ? "" : ", ") + std::string(format.id);
+    return ids;
+}
+
+struct ExportArguments
+{
+    std::string file;
+    std::string format;
+    std::string outputFile;
+    ExportOptions options;
+    bool force = false;
+};
+
+void printNotes(const ExportFormat& format, const ExportContent& content)
+{
+    for (const ExportNote& note : exportNotes(format, content))
+        std::fprintf(stderr, "note: %s\n", noteText(note).c_str());
+}
+
+/** Of `source`, with what the user should know told. Options that cannot be met are wrong usage. */
+std::vector<ExportFile> exported(const ExportSource& source, const ExportArguments& arguments,
+                                 const ExportFormat& format)
+try {
+    const ExportContent content = exportContent(source, arguments.options);
+    std::vector<ExportFile> files = exportFiles(format, content, arguments.outputFile);
+    printNotes(format, content);
+    return files;
+} catch (const Error& error) {
+    if (error.code() != ErrorCode::InvalidInput)
+        throw;
+    throw UsageError{std::string("--") + error.what()};
+}
+
+std::vector<ExportFile> filesOf(const ExportArguments& arguments, const ExportFormat& format,
+                                const std::stop_token& stop)
+{
+    const std::string text = readFile(arguments.file);
+    const auto planned = [&stop](const Scenario& scenario) {
+        PlanAnswer plan = planFromStart(scenario, {.stop = stop});
+        if (stop.stop_requested())
+            throw Interrupted{};
+        return plan;
+    };
+    if (formatOf(text, arguments.file) != "bergwatch-run") {
+        const Scenario scenario = scenarioFromJson(text, arguments.file);
+        printWarnings(arguments.file, validate(scenario));
+        const PlanAnswer plan = planned(scenario);
+        return exported({.scenario = scenario, .plan = plan}, arguments, format);
+    }
+    const RunFile run = runFromJson(text, arguments.file);
+    const Mission mission = replay(run, stop, {});
+    if (stop.stop_requested())
+        throw Interrupted{};
+    const PlanAnswer plan = planned(run.scenario);
+    return exported({.scenario = run.scenario, .plan = plan, .mission = &mission}, arguments,
+                    format);
+}
+
+int exportFile(const ExportArguments& arguments, const std::stop_token& stop)
+{
+    const ExportFormat* format = findExportFormat(arguments.format);
+    if (format == nullptr)
+        throw UsageError{"--format: " + arguments.format + " is none of " + formatIds()};
+    const std::vector<ExportFile> files = filesOf(arguments, *format, stop);
+    for (const ExportFile& file : files)
+        if (!arguments.force && std::filesystem::exists(file.path))
+            throw UsageError{file.path + ": exists; --force writes over it"};
+    for (const ExportFile& file : files)
+        writeFileAtomically(file.path, file.content);
+    return kDone;
+}
+
+void addOptions(CLI::App& command, ExportArguments& arguments)
+{
+    ExportOptions& options = arguments.options;
+    command.add_option("FILE", arguments.file, "Scenario (.berg) or run (.bergrun)")->required();
+    command.add_option("--format", arguments.format, formatIds())->required();
+    command
+        .add_option("--output", arguments.outputFile,
+                    "File to write; of formats that hold one UAV, for several, one each with its "
+                    "id in the name")
+        ->required();
+    addNamed(command, "--what", options.what, kExportWhatNames,
+             "What to export (a run: track, a scenario: order)");
+    command.add_option("--uav", options.uav, "Id of one UAV (all of them)");
+    command.add_option("--altitude", options.altitude_m, "Flight altitude, m (the scenario's)");
+    command.add_option("--speed", options.airspeed_mps, "Airspeed, m/s (the scenario's)");
+    command.add_option("--acceptance", options.acceptance_m,
+                       "Radius within which a waypoint counts as reached, m (the field of view's)");
+    command.add_option("--loiter", options.loiterTurns, "Turns over each iceberg (0)");
+    command.add_flag("--return-home,!--no-return-home", options.returnHome,
+                     "End at home, or not (with limited endurance or a closed route)");
+    command.add_flag("--force", arguments.force, "Write over files that exist");
+}
+
+} // namespace
+
+void addExportCommand(CLI::App& app, Action& action)
+{
+    CLI::App* command = app.add_subcommand(
+        "export", "Write a scenario's plan or a run's flight in another tool's format");
+    const auto arguments = std::make_shared<ExportArguments>();
+    addOptions(*command, *arguments);
+    command->callback([arguments, &action] {
+        action = [arguments](const std::stop_token& stop) { return exportFile(*arguments, stop); };
+    });
+}
+
+} // namespace berg::cli

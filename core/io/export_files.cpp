@@ -1,0 +1,56 @@
+#include "core/io/export_files.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace berg {
+
+namespace {
+
+/** Letters of any script, digits, and marks that every file system and shell takes. */
+std::string fileNamePart(std::string_view id)
+{
+    std::string part;
+    for (const char c : id) {
+        const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+                           (c >= 'a' && c <= 'z') || c == '-' || c == '.' || c == '_';
+        part += plain || static_cast<unsigned char>(c) >= 0x80U ? c : '_';
+    }
+    return part;
+}
+
+std::string withId(const std::string& path, const std::string& id)
+{
+    const std::size_t slash = path.rfind('/');
+    const std::size_t nameAt = slash == std::string::npos ? 0 : slash + 1;
+    const std::size_t dot = path.rfind('.');
+    const bool hasEnding = dot != std::string::npos && dot > nameAt;
+    const std::size_t end = hasEnding ? dot : path.size();
+    return path.substr(0, end) + '-' + id + path.substr(end);
+}
+
+} // namespace
+
+std::size_t fileCount(const ExportFormat& format, const ExportContent& content)
+{
+    return format.holds.fleet ? 1 : content.uavs.size();
+}
+
+std::vector<ExportFile> exportFiles(const ExportFormat& format, const ExportContent& content,
+                                    const std::string& path)
+{
+    if (fileCount(format, content) == 1)
+        return {{.path = path, .content = format.text(content)}};
+    std::vector<ExportFile> files;
+    ExportContent one = content;
+    for (const ExportUav& uav : content.uavs) {
+        one.uavs = {uav};
+        std::string name = withId(path, fileNamePart(uav.uav.id));
+        if (std::ranges::find(files, name, &ExportFile::path) != files.end())
+            name = withId(name, std::to_string(uav.row + 1));
+        files.push_back({.path = std::move(name), .content = format.text(one)});
+    }
+    return files;
+}
+
+} // namespace berg

@@ -1,0 +1,157 @@
+#pragma once
+
+#include "core/io/formats.h"
+#include "tests/support/czml_rules.h"
+#include "tests/support/geojson_rules.h"
+#include "tests/support/golden.h"
+#include "tests/support/mission_builder.h"
+#include "tests/support/plan_rules.h"
+#include "tests/support/wpl_readers.h"
+
+#include <QTest>
+#include <QXmlStreamReader>
+
+// What exports are tried with, and whether what came out is what its readers take.
+
+namespace berg::test {
+
+/** Names that break files: markup, quotes, line ends, controls, both directions, broken UTF-8. */
+inline Scenario hostile()
+{
+    return changed([](Scenario& s) {
+        s.name = "<name>&amp;\"'\n\x01]]>";
+        s.uavs[0].name = "\xE2\x80\xAE"
+                         "desrever, \xF0\x9F\x9B\xA9 <b>";
+        s.icebergs[0].name = "a,b;\"c\"\r\n\t</kml>";
+        s.icebergs[1].name = "\xF0\x9F\xA7\x8A \xD7\xA7\xD7\xA8\xD7\x97\xD7\x95\xD7\x9F";
+        s.icebergs[2].name = "\xFF\xFE broken, \xC2\x85 and \x7F";
+        s.icebergs[3].id = "<&>\"'\n";
+        s.asset = Asset{.name = "]]><!--", .position_m = Point(100, 100), .extraJson = {}};
+        s.geofence = true;
+    });
+}
+
+/** `fourIcebergs` with the antimeridian through the middle of its area. */
+inline Scenario at180()
+{
+    return changed([](Scenario& s) {
+        s.origin = {.latitude_deg = 70, .longitude_deg = 179.95};
+        s.geofence = true;
+    });
+}
+
+inline Scenario fiveHundred()
+{
+    return changed([](Scenario& s) {
+        s.icebergs.resize(500, s.icebergs[0]);
+        for (std::size_t i = 4; i < s.icebergs.size(); ++i) {
+            const double row = double(i / 25);
+            const double column = double(i % 25);
+            s.icebergs[i].id = "berg-" + std::to_string(i + 1);
+            s.icebergs[i].position_m = Point(700 * column, 700 * row);
+        }
+    });
+}
+
+/** Rows of every format that writes plans, scenario and choice. */
+inline void exportRows()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<Scenario>("scenario");
+    QTest::addColumn<ExportOptions>("options");
+    const Scenario north =
+        changed([](Scenario& s) { s.origin = {.latitude_deg = 90, .longitude_deg = 0}; });
+    const Scenario south =
+        changed([](Scenario& s) { s.origin = {.latitude_deg = -89.99, .longitude_deg = 180}; });
+    const Scenario timeless = changed([](Scenario& s) { s.startUtc.clear(); });
+    const Scenario empty = changed([](Scenario& s) { s.icebergs.clear(); });
+    const std::vector<std::pair<const char*, Scenario>> scenarios{
+        {"hostile names", hostile()},   {"across 180", at180()}, {"North Pole", north},
+        {"South Pole", south},          {"no start", timeless},  {"no icebergs", empty},
+        {"500 icebergs", fiveHundred()}};
+    for (const ExportFormat& row : exportFormats()) {
+        if (row.holds.flownOnly)
+            continue;
+        const QString id = QString::fromLatin1(row.id.data(), qsizetype(row.id.size()));
+        for (const auto& [name, scenario] : scenarios) {
+            QTest::addRow("%s, %s", qPrintable(id), name) << id << scenario << ExportOptions{};
+            QTest::addRow("%s, %s, path", qPrintable(id), name)
+                << id << scenario << ExportOptions{.what = ExportWhat::Path, .returnHome = true};
+        }
+    }
+}
+
+/** Well-formed, and every latitude and longitude of its attributes within range. */
+inline QString xmlFault(const QByteArray& text)
+{
+    QXmlStreamReader xml(text);
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (!xml.isStartElement() || !xml.attributes().hasAttribute("lat"_L1))
+            continue;
+        const double latitude_deg = xml.attributes().value("lat"_L1).toDouble();
+        const double longitude_deg = xml.attributes().value("lon"_L1).toDouble();
+        if (std::abs(latitude_deg) > 90 || longitude_deg < -180 || longitude_deg >= 180)
+            return u"place out of range in line %1"_s.arg(xml.lineNumber());
+    }
+    return xml.hasError() ? xml.errorString() : QString();
+}
+
+inline QString planFault(const QByteArray& text)
+{
+    const PlanText plan = planText(text);
+    for (const std::vector<PlanRule>& rules :
+         {qgroundcontrolRules(), mavsdkRules(), missionPlannerRules()})
+        for (const PlanRule& rule : rules)
+            if (const QString fault = rule.fault(plan); !fault.isEmpty())
+                return QLatin1StringView(rule.name) + u": "_s + fault;
+    return {};
+}
+
+inline QString wplFault(const QByteArray& text)
+{
+    for (const WplReader& reader : readers())
+        if (const WplMission mission = reader.read(text); !mission.fault.isEmpty())
+            return reader.name + u": "_s + mission.fault;
+    return {};
+}
+
+/** What the readers of the format would refuse, empty when nothing. */
+inline QString faultOf(const QString& id, const std::string& text)
+{
+    const QByteArray file = bytes(text);
+    if (id == "plan"_L1)
+        return planFault(file);
+    if (id == "wpl"_L1)
+        return wplFault(file);
+    if (id == "geojson"_L1)
+        return geojsonFault(file);
+    if (id == "gpx"_L1 || id == "kml"_L1)
+        return xmlFault(file);
+    if (id == "czml"_L1)
+        return czmlFault(file);
+    if (id == "kmz"_L1) // the shell test unpacks it
+        return file.startsWith("PK\x03\x04") ? QString() : u"no zip"_s;
+    return file.contains('\0') || !file.endsWith('\n') ? u"no table"_s : QString();
+}
+
+/** First difference of two texts whose numbers may differ by `tolerance`. */
+inline QString numbersDifference(const QByteArray& a, const QByteArray& b, double tolerance)
+{
+    static const QRegularExpression number(u"-?\\d+(\\.\\d+)?"_s);
+    const QString left = QString::fromUtf8(a);
+    const QString right = QString::fromUtf8(b);
+    if (QString(left).replace(number, u"#"_s) != QString(right).replace(number, u"#"_s))
+        return u"texts differ"_s;
+    QRegularExpressionMatchIterator ours = number.globalMatch(left);
+    QRegularExpressionMatchIterator theirs = number.globalMatch(right);
+    while (ours.hasNext() && theirs.hasNext()) {
+        const QString x = ours.next().captured();
+        const QString y = theirs.next().captured();
+        if (!near(x.toDouble(), y.toDouble(), tolerance))
+            return x + u" and "_s + y;
+    }
+    return {};
+}
+
+} // namespace berg::test
