@@ -13,6 +13,8 @@ namespace berg {
 
 namespace {
 
+constexpr double kFastest_mps = 50;
+
 /** What tables write where there is no value. */
 bool isAbsent(std::string_view text)
 {
@@ -213,7 +215,6 @@ std::variant<Sighting, RejectedRow> sightingOf(const FieldTexts& texts, const Ro
         return rejected(RowFault::IdTooLong, sighting.id);
     sighting.name = cleanText(texts.text(SightingField::Name), kLongestName);
 
-    constexpr double kFastest_mps = 50;
     Numbers numbers(texts);
     sighting.speed_mps = numbers.read(SightingField::Speed, {.low = 0, .high = kFastest_mps});
     sighting.direction_deg = numbers.read(SightingField::Direction, {.low = -360, .high = 360});
@@ -233,6 +234,26 @@ std::variant<Sighting, RejectedRow> sightingOf(const FieldTexts& texts, const Ro
         sighting.radius_m = radiusOfClass(texts.text(SightingField::SizeClass));
     sighting.grounded = saysGrounded(texts.text(SightingField::Remarks));
     return sighting;
+}
+
+std::variant<Sighting, RejectedRow> withDrift(std::variant<Sighting, RejectedRow> row,
+                                              const DriftTexts& drift)
+{
+    auto* const sighting = std::get_if<Sighting>(&row);
+    if (sighting == nullptr || (drift.east.empty() && drift.north.empty()))
+        return row;
+    const auto component = [](const std::string& text) {
+        const std::optional<double> value = decimalOf(trimmed(text));
+        return value && std::abs(*value) <= kFastest_mps ? value : std::nullopt;
+    };
+    const std::optional<double> east_mps = component(drift.east);
+    const std::optional<double> north_mps = component(drift.north);
+    if (!east_mps || !north_mps)
+        return RejectedRow{.line = sighting->line,
+                           .fault = RowFault::NumberWrong,
+                           .detail = cleanText(east_mps ? drift.north : drift.east, 60)};
+    sighting->drift_mps = Point(*east_mps, *north_mps);
+    return row;
 }
 
 void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row,

@@ -47,6 +47,7 @@ public:
     /** Taken unless a column that fits better has given one that is not blank. */
     void set(const FieldUse& use, std::string_view text);
     void set(SightingField field, std::string_view text) { set(FieldUse{.field = field}, text); }
+    void drop(SightingField field) { m_entries[static_cast<std::size_t>(field)] = {}; }
     [[nodiscard]] const std::string& text(SightingField field) const { return at(field).text; }
     [[nodiscard]] double factor(SightingField field) const { return at(field).factor; }
 
@@ -76,6 +77,16 @@ struct RowRules
 /** The sighting that the texts describe, or why there is none; `line` is set in both. */
 [[nodiscard]] std::variant<Sighting, RejectedRow>
 sightingOf(const FieldTexts& texts, const RowRules& rules, std::size_t line);
+
+/** Components of a drift over ground in the plane, m/s, as exports of our own write them. */
+struct DriftTexts
+{
+    std::string east;
+    std::string north;
+};
+/** A row with its drift; rejected when that is out of range. Without either text as it is. */
+[[nodiscard]] std::variant<Sighting, RejectedRow> withDrift(std::variant<Sighting, RejectedRow> row,
+                                                            const DriftTexts& drift);
 
 /** Date and time of day from one text, or from two; with `timeApart` neither may be missing. */
 [[nodiscard]] std::string timeText(const FieldTexts& texts, bool timeApart);

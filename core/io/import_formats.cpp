@@ -5,6 +5,7 @@
 #include "core/io/import_csv.h"
 #include "core/io/import_fields.h"
 #include "core/io/import_geojson.h"
+#include "core/io/import_mission.h"
 #include "core/io/import_xml.h"
 #include "core/scenario/checks.h"
 
@@ -16,7 +17,10 @@ namespace {
 
 constexpr std::array kFormats{
     ImportFormat{"kml", "Google Earth and other map programs", true, isKml, readKml},
-    ImportFormat{"gpx", "satellite navigation: waypoints and tracks", false, isGpx, readGpx},
+    ImportFormat{"gpx", "satellite navigation: waypoints, routes and tracks", false, isGpx,
+                 readGpx},
+    ImportFormat{"plan", "QGroundControl: the places of a mission", false, isPlan, readPlan},
+    ImportFormat{"wpl", "ArduPilot: the places of a mission (QGC WPL)", false, isWpl, readWpl},
     ImportFormat{"metno", "MET Norway and Copernicus: icebergs seen by radar", true, isMetno,
                  readMetno},
     ImportFormat{"geojson", "QGIS and other map programs: points and tracks", true, isGeoJson,

@@ -4,6 +4,7 @@
 #include "core/io/json_reader.h"
 
 #include <algorithm>
+#include <span>
 
 namespace berg {
 
@@ -18,10 +19,15 @@ const Json* memberOf(const Json* value, const char* name)
     return it == value->end() ? nullptr : &*it;
 }
 
+/** Empty when it is no text. */
+std::string textOf(const Json* value)
+{
+    return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
+}
+
 std::string typeOf(const Json* object)
 {
-    const Json* type = memberOf(object, "type");
-    return type != nullptr && type->is_string() ? type->get<std::string>() : std::string();
+    return textOf(memberOf(object, "type"));
 }
 
 /** A value as a cell of a table would have it. */
@@ -73,6 +79,45 @@ const Json* timesOf(const Json* properties)
     return nullptr;
 }
 
+std::string kindOf(const Json* properties)
+{
+    return textOf(memberOf(properties, "kind"));
+}
+
+bool isAircraft(const Json* properties)
+{
+    return kindOf(properties) == "uav" && memberOf(properties, "airspeed_mps") != nullptr;
+}
+
+/** Of an export of our own; empty texts without it. */
+DriftTexts driftOf(const Json* properties)
+{
+    const Json* drift = memberOf(properties, "drift_mps");
+    if (drift == nullptr || !drift->is_array() || drift->size() != 2)
+        return {};
+    return {.east = cellText((*drift)[0]), .north = cellText((*drift)[1])};
+}
+
+/** Seconds from the time of an iceberg of such an export until it appears. */
+std::optional<double> appearsIn_s(const Json* properties)
+{
+    const Json* appears_s = memberOf(properties, "appears_s");
+    const Json* time_s = memberOf(properties, "time_s");
+    if (appears_s == nullptr || time_s == nullptr || !appears_s->is_number() ||
+        !time_s->is_number())
+        return std::nullopt;
+    return appears_s->get<double>() - time_s->get<double>();
+}
+
+/** The features of a collection, or the one that the file is. */
+std::span<const Json> featuresOf(const Json& root)
+{
+    const Json* features = memberOf(&root, "features");
+    if (typeOf(&root) != "FeatureCollection" || features == nullptr || !features->is_array())
+        return {&root, 1};
+    return features->get_ref<const Json::array_t&>();
+}
+
 /** Gathers the sightings of one file. */
 class GeoJsonSightings
 {
@@ -84,14 +129,14 @@ public:
     SightingTable take()
     {
         const ParsedJson file = parseJson(m_source.text, m_source.subject);
-        const Json* features = memberOf(&file.root, "features");
-        if (typeOf(&file.root) == "FeatureCollection" && features != nullptr &&
-            features->is_array()) {
-            for (const Json& feature : *features)
-                addFeature(feature);
-        } else {
-            addFeature(file.root);
+        const std::span<const Json> features = featuresOf(file.root);
+        for (const Json& feature : features) {
+            const std::string type = typeOf(memberOf(&feature, "geometry"));
+            m_isRoute = m_isRoute && type != "Point" && type != "Polygon";
+            m_isOwn = m_isOwn || isAircraft(memberOf(&feature, "properties"));
         }
+        for (const Json& feature : features)
+            addFeature(feature);
         return std::move(m_table);
     }
 
@@ -111,6 +156,10 @@ private:
         const Json* properties = bare ? nullptr : memberOf(&feature, "properties");
         const Json* coordinates = memberOf(geometry, "coordinates");
         const std::string type = typeOf(geometry);
+        if (m_isOwn && !kindOf(properties).empty() && kindOf(properties) != "iceberg") {
+            readOwn(properties, coordinates);
+            return;
+        }
         FieldTexts texts;
         readProperties(properties, texts);
         if (const Json* id = bare ? nullptr : memberOf(&feature, "id"))
@@ -118,11 +167,13 @@ private:
         if (coordinates == nullptr)
             reject(RowFault::PositionMissing);
         else if (type == "Point")
-            addPoint(texts, *coordinates);
+            addPoint(texts, *coordinates, properties);
         else if (type == "Polygon")
-            addPoint(texts, middleOf(*coordinates));
+            addPoint(texts, middleOf(*coordinates), properties);
         else if (const Json* times = timesOf(properties); times && type == "LineString")
             addTrack(texts, *coordinates, *times);
+        else if (m_isRoute && type == "LineString")
+            addRoute(*coordinates);
         else
             reject(RowFault::NotAPoint, type);
     }
@@ -140,12 +191,50 @@ private:
         }
     }
 
-    void addPoint(FieldTexts& texts, const Json& position)
+    /** Of an export of our own where the first aircraft starts and lands; the rest is no iceberg.
+     */
+    void readOwn(const Json* properties, const Json* coordinates)
     {
-        if (!setPlace(texts, position))
+        FieldTexts texts;
+        if (coordinates == nullptr || !setPlace(texts, *coordinates))
+            return;
+        const std::variant<Sighting, RejectedRow> row = sightingOf(texts, {}, m_feature);
+        const auto* const sighting = std::get_if<Sighting>(&row);
+        if (sighting == nullptr)
+            return;
+        if (isAircraft(properties) && !m_table.aircraft) {
+            m_table.aircraft = {
+                .line = m_feature, .start = sighting->place, .home = sighting->place};
+            m_aircraft = textOf(memberOf(properties, "id"));
+        } else if (kindOf(properties) == "home" && m_table.aircraft &&
+                   textOf(memberOf(properties, "uav")) == m_aircraft) {
+            m_table.aircraft->home = sighting->place;
+        }
+    }
+
+    void addPoint(FieldTexts& texts, const Json& position, const Json* properties)
+    {
+        if (!setPlace(texts, position)) {
             reject(RowFault::PositionMissing);
-        else
-            addRow(m_table, sightingOf(texts, {}, m_feature), m_source.subject);
+            return;
+        }
+        std::variant<Sighting, RejectedRow> row =
+            withDrift(sightingOf(texts, {}, m_feature), driftOf(properties));
+        if (auto* const sighting = std::get_if<Sighting>(&row))
+            sighting->appearsIn_s = appearsIn_s(properties);
+        addRow(m_table, std::move(row), m_source.subject);
+    }
+
+    /** Corners of a line are places without a name of their own. */
+    void addRoute(const Json& corners)
+    {
+        for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
+            FieldTexts texts;
+            if (setPlace(texts, corners[i]))
+                addRow(m_table, sightingOf(texts, {}, m_feature), m_source.subject);
+            else
+                reject(RowFault::PositionMissing);
+        }
     }
 
     void addTrack(const FieldTexts& common, const Json& corners, const Json& times)
@@ -166,16 +255,18 @@ private:
     const ImportText& m_source;
     FieldNames m_names;
     SightingTable m_table;
+    bool m_isOwn = false;   ///< an export of our own
+    bool m_isRoute = true;  ///< no feature has a place of its own
+    std::string m_aircraft; ///< id of the one whose places are known
     std::size_t m_feature = 0;
 };
 
-/** Whether the text begins as a JSON object. */
-bool isObject(std::string_view text)
+} // namespace
+
+bool isJsonObject(std::string_view text)
 {
     return text.substr(0, 16).find('{') != std::string_view::npos && trimmed(text)[0] != '<';
 }
-
-} // namespace
 
 SightingTable readGeoJson(const ImportText& source)
 {
@@ -184,7 +275,7 @@ SightingTable readGeoJson(const ImportText& source)
 
 bool isGeoJson(std::string_view text)
 {
-    return isObject(text) && text.find("\"coordinates\"") != std::string_view::npos;
+    return isJsonObject(text) && text.find("\"coordinates\"") != std::string_view::npos;
 }
 
 SightingTable readMetno(const ImportText& source)

@@ -16,12 +16,6 @@ bool onPlane(const Point& position_m)
     return position_m.allFinite() && position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
 }
 
-/** To a centimetre: the noise of further digits would only be hard to read. */
-Point rounded(const Point& position_m)
-{
-    return (position_m * 100).array().round() / 100;
-}
-
 /** To 1e-5, for velocities and q. */
 double rounded(double value)
 {
@@ -101,7 +95,7 @@ private:
         setMotion();
         setRest();
         const Point drift_mps = m_iceberg.velocity_mps + m_setting.current_mps;
-        m_iceberg.position_m = rounded(m_last->fix.position_m + drift_mps * m_report.age_s);
+        m_iceberg.position_m = toCentimetre(m_last->fix.position_m + drift_mps * m_report.age_s);
         if (!onPlane(m_iceberg.position_m)) {
             leaveOut(ImportNote::DriftedAway);
             return;
@@ -118,17 +112,15 @@ private:
     void setMotion()
     {
         const Sighting& last = *m_last->sighting;
-        const bool given = last.speed_mps && (last.direction_deg || *last.speed_mps == 0);
+        const std::optional<Point> given_mps = givenDrift();
         const bool aground = last.grounded || m_estimate.stationary;
         if (aground) {
             note(ImportNote::Stationary);
             m_iceberg.q_m2ps = 0;
             setDrift(Point::Zero());
-        } else if (given) {
+        } else if (given_mps) {
             note(ImportNote::VelocityGiven);
-            setDrift(*last.speed_mps == 0
-                         ? Point(Point::Zero())
-                         : velocityOf(last, m_last->fix.position_m, m_setting.frame));
+            setDrift(*given_mps);
         } else if (m_estimate.velocity_mps) {
             m_clamped = m_estimate.velocityClamped;
             setDrift(*m_estimate.velocity_mps);
@@ -148,6 +140,19 @@ private:
         }
     }
 
+    /** Over ground, as the last sighting tells it. */
+    [[nodiscard]] std::optional<Point> givenDrift() const
+    {
+        const Sighting& last = *m_last->sighting;
+        if (last.drift_mps)
+            return last.drift_mps;
+        if (last.speed_mps && *last.speed_mps == 0)
+            return Point(Point::Zero());
+        if (last.speed_mps && last.direction_deg)
+            return velocityOf(last, m_last->fix.position_m, m_setting.frame);
+        return std::nullopt;
+    }
+
     /** `total_mps` over ground; the scenario adds its current to the iceberg's own velocity. */
     void setDrift(const Point& total_mps)
     {
@@ -164,6 +169,9 @@ private:
         m_iceberg.observed_s = std::min(m_report.age_s, kLargestTime_s);
         if (last.sigma_m2)
             m_iceberg.sigma0_m2 = *last.sigma_m2;
+        if (last.appearsIn_s)
+            m_iceberg.appears_s =
+                std::clamp(*last.appearsIn_s - m_report.age_s, 0.0, kLargestTime_s);
         // Name and size need not be told at each sighting: the latest word counts.
         double radiusFrom_s = -std::numeric_limits<double>::infinity();
         for (const PlacedSighting* placed : m_pastSightings) {
@@ -191,11 +199,11 @@ private:
             note(ImportNote::NoTrack);
             return;
         }
-        RecordedTrack track{.time_s = {0}, .position_m = {rounded(whole.at(0))}};
+        RecordedTrack track{.time_s = {0}, .position_m = {toCentimetre(whole.at(0))}};
         for (std::size_t i = 0; i < whole.time_s.size(); ++i)
             if (whole.time_s[i] > 0) {
                 track.time_s.push_back(whole.time_s[i]);
-                track.position_m.push_back(rounded(whole.position_m[i]));
+                track.position_m.push_back(toCentimetre(whole.position_m[i]));
             }
         double tolerance_m = m_setting.options.tolerance_m;
         m_iceberg.track = thinned(track, tolerance_m);
@@ -219,6 +227,11 @@ private:
 };
 
 } // namespace
+
+Point toCentimetre(const Point& position_m)
+{
+    return (position_m * 100).array().round() / 100;
+}
 
 IcebergEntry entryOf(const SightedIceberg& sighted, const Iceberg* known,
                      const IcebergSetting& setting)

@@ -6,6 +6,9 @@
 
 namespace berg {
 
+/** To a centimetre: the noise of further digits would only be hard to read. */
+[[nodiscard]] Point toCentimetre(const Point& position_m);
+
 /** A sighting in the scenario's plane. */
 struct PlacedSighting
 {

@@ -114,6 +114,27 @@ std::vector<IcebergEntry> entriesOf(const std::vector<SightedIceberg>& icebergs,
     return entries;
 }
 
+/** The first aircraft starts and lands where the file says, unless that is off the plane. */
+void placeAircraft(const AircraftPlaces& places, ImportResult& result)
+{
+    const LocalFrame frame(result.scenario.origin);
+    const Point start_m = toCentimetre(frame.toPlane(places.start));
+    const Point home_m = toCentimetre(frame.toPlane(places.home));
+    const double farthest_m = std::max(start_m.cwiseAbs().maxCoeff(), home_m.cwiseAbs().maxCoeff());
+    if (farthest_m > kLargestCoordinate_m) {
+        result.rejected.add({.line = places.line,
+                             .fault = RowFault::TooFar,
+                             .detail = shortText(places.home.latitude_deg) + ' ' +
+                                       shortText(places.home.longitude_deg)});
+        return;
+    }
+    Uav& uav = result.scenario.uavs.front();
+    uav.position_m = start_m;
+    uav.home_m.reset();
+    if (home_m != start_m)
+        uav.home_m = home_m;
+}
+
 /** Puts the entries into the scenario and counts them. */
 void takeIn(std::vector<IcebergEntry> entries, ImportResult& result)
 {
@@ -213,6 +234,8 @@ ImportResult importSightings(const Scenario& base, const SightingTable& table,
     if (options.moveOrigin.value_or(!holdsPlaces(base)))
         result.scenario.origin = middleOf(icebergs).value_or(base.origin);
     place(icebergs, LocalFrame(result.scenario.origin), result.rejected);
+    if (table.aircraft && !holdsPlaces(base) && !base.uavs.empty())
+        placeAircraft(*table.aircraft, result);
     takeIn(entriesOf(icebergs, result.scenario, options), result);
 
     std::vector<Issue> issues = validate(result.scenario);

@@ -113,7 +113,8 @@ struct ImportResult
  * scenario's plane; or what the file gives) carries it on to t = 0, and `observed_s` is the age of
  * that sighting, which adds q x age to sigma. The current of the scenario is taken off the
  * velocity, because the simulation adds it. An iceberg that is there already keeps its name and
- * whatever the sightings do not tell. Without ids each place is an iceberg named by it, or all rows
+ * whatever the sightings do not tell. In a scenario without places yet the first aircraft starts
+ * and lands where the file says. Without ids each place is an iceberg named by it, or all rows
  * are one (`SightingTable::oneIceberg`) named by its first time.
  *
  * When the start of the scenario moves, what was in it is carried along: positions by their

@@ -1,0 +1,253 @@
+#include "core/io/geojson.h"
+#include "core/io/gpx.h"
+#include "core/io/kml.h"
+#include "core/io/plan_qgc.h"
+#include "core/io/plan_wpl.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/export_fixtures.h"
+#include "tests/support/import_fixtures.h"
+
+#include <QtTest>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+// Places are exported to 1e-9 degrees and taken in to a centimetre, drift to 1e-5 m/s.
+constexpr double kPlace_m = 0.011;
+constexpr double kDrift_mps = 1.1e-5;
+
+/** A format that holds icebergs, and what it can hold of them and of the aircraft. */
+struct IcebergFormat
+{
+    const char* name;
+    std::string (*write)(const ExportContent&);
+    bool growth;
+    bool appearance;
+    bool start;
+};
+
+constexpr std::array kIcebergFormats{
+    IcebergFormat{"geojson", geoJson, true, true, true},
+    IcebergFormat{"kml", kmlText, true, false, false},
+    IcebergFormat{"gpx", gpxText, false, false, true},
+};
+
+/** An empty scenario of the same place and current: what the files of icebergs do not hold. */
+ImportResult back(const std::string& text, const Scenario& scenario)
+{
+    Scenario base = openSea();
+    base.origin = scenario.origin;
+    base.current_mps = scenario.current_mps;
+    return importSightings(base, readSightings(text, "export"), {.moveOrigin = false});
+}
+
+/** Line ends and controls come back as blanks. */
+QString cleaned(const std::string& text)
+{
+    return QString::fromStdString(text).simplified();
+}
+
+bool isNear(const Point& a, const Point& b, double tolerance)
+{
+    return (a - b).cwiseAbs().maxCoeff() <= tolerance;
+}
+
+/** What was lost of an iceberg, empty when nothing. */
+QString lossOf(const ExportIceberg& now, const Iceberg& found, const IcebergFormat& format,
+               const Point& current_mps)
+{
+    if (cleaned(now.iceberg.id) != cleaned(found.id))
+        return u"id "_s + cleaned(found.id);
+    if (cleaned(now.iceberg.name) != cleaned(found.name))
+        return u"name "_s + cleaned(found.name);
+    if (!isNear(now.position_m, found.position_m, kPlace_m))
+        return u"position"_s;
+    if (!isNear(now.drift_mps, found.velocity_mps + current_mps, kDrift_mps))
+        return u"drift"_s;
+    if (now.sigma_m2 != found.sigma0_m2 || now.iceberg.radius_m != found.radius_m)
+        return u"sigma or radius"_s;
+    if (format.growth && now.iceberg.q_m2ps != found.q_m2ps)
+        return u"q"_s;
+    if (format.appearance && now.iceberg.appears_s != found.appears_s)
+        return u"appearance"_s;
+    return {};
+}
+
+/** Names that `cleanText` leaves readable, an asset, a home of its own and a late iceberg. */
+Scenario full()
+{
+    Scenario scenario = hostile();
+    scenario.icebergs[2].name.clear();
+    scenario.icebergs[2].appears_s = 150;
+    scenario.icebergs[2].radius_m = 120.5;
+    scenario.icebergs[1].q_m2ps = 0.125;
+    scenario.uavs[0].home_m = Point(-700, -300);
+    return scenario;
+}
+
+Scenario with(Scenario scenario, const LatLon& origin)
+{
+    scenario.origin = origin;
+    return scenario;
+}
+
+} // namespace
+
+/** Exports read back: nothing is lost that the format can hold, nothing is taken for an iceberg. */
+class TestImportBack : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void icebergs_data()
+    {
+        QTest::addColumn<int>("format");
+        QTest::addColumn<Scenario>("scenario");
+        Scenario timeless = full();
+        timeless.startUtc.clear();
+        Scenario fleet = full();
+        fleet.uavs.push_back(fleet.uavs[0]);
+        fleet.uavs[1].id = "uav-2";
+        fleet.uavs[1].position_m = Point(3000, 0);
+        const std::vector<std::pair<const char*, Scenario>> scenarios{
+            {"hostile names", full()},
+            {"across 180", with(full(), {.latitude_deg = 70, .longitude_deg = 179.95})},
+            {"North Pole", with(full(), {.latitude_deg = 90, .longitude_deg = 0})},
+            {"South Pole", with(full(), {.latitude_deg = -89.99, .longitude_deg = 180})},
+            {"no start", timeless},
+            {"fleet", fleet},
+            {"500 icebergs", fiveHundred()}};
+        for (int i = 0; i < int(kIcebergFormats.size()); ++i)
+            for (const auto& [name, scenario] : scenarios)
+                QTest::addRow("%s, %s", kIcebergFormats[std::size_t(i)].name, name)
+                    << i << scenario;
+    }
+
+    void icebergs()
+    {
+        QFETCH(int, format);
+        QFETCH(Scenario, scenario);
+        compare(kIcebergFormats[std::size_t(format)], scenario, planContent(scenario));
+    }
+
+    void icebergsOfARun_data()
+    {
+        QTest::addColumn<int>("format");
+        QTest::addColumn<int>("what");
+        for (int i = 0; i < int(kIcebergFormats.size()); ++i)
+            for (const ExportWhat what : {ExportWhat::Track, ExportWhat::Order})
+                QTest::addRow("%s, %s", kIcebergFormats[std::size_t(i)].name,
+                              std::string(nameOf(kExportWhatNames, what)).c_str())
+                    << i << int(what);
+    }
+
+    /** Later than the start, with a track and with icebergs that are not there yet. */
+    void icebergsOfARun()
+    {
+        QFETCH(int, format);
+        QFETCH(int, what);
+        const Mission mission = flown(full(), 100);
+        compare(kIcebergFormats[std::size_t(format)], full(),
+                runContent(mission, {.what = ExportWhat(what)}));
+    }
+
+    void missions_data()
+    {
+        QTest::addColumn<bool>("isPlan");
+        QTest::addColumn<Scenario>("scenario");
+        QTest::addColumn<ExportOptions>("options");
+        const std::vector<std::pair<const char*, ExportOptions>> choices{
+            {"order", {}},
+            {"first leg", {.what = ExportWhat::FirstLeg}},
+            {"circles", {.loiterTurns = 3}},
+            {"return home", {.returnHome = true}}};
+        for (const bool isPlan : {true, false})
+            for (const auto& [name, options] : choices) {
+                const char* const format = isPlan ? "plan" : "wpl";
+                QTest::addRow("%s, %s", format, name) << isPlan << full() << options;
+                QTest::addRow("%s, %s, across 180", format, name)
+                    << isPlan << with(full(), {.latitude_deg = 70, .longitude_deg = 179.95})
+                    << options;
+            }
+    }
+
+    /** The places visited and the home, and no more. */
+    void missions()
+    {
+        QFETCH(bool, isPlan);
+        QFETCH(Scenario, scenario);
+        QFETCH(ExportOptions, options);
+        const ExportContent content = planContent(scenario, fourIcebergPlan(), options);
+        const ImportResult result = back(isPlan ? qgcPlan(content) : wplText(content), scenario);
+        std::vector<Visit> visits = content.uavs.front().visits;
+        std::erase_if(visits, [](const Visit& visit) { return visit.iceberg < 0; });
+        QCOMPARE(result.rejected.count, std::size_t{0});
+        QCOMPARE(result.scenario.icebergs.size(), visits.size());
+        for (std::size_t i = 0; i < visits.size(); ++i)
+            QVERIFY(isNear(result.scenario.icebergs[i].position_m, visits[i].position_m, kPlace_m));
+        QVERIFY(
+            isNear(result.scenario.uavs.front().position_m, content.uavs.front().home_m, kPlace_m));
+    }
+
+    /** A waypoint that somebody adds to an export is one more iceberg. */
+    void additionsAreTaken()
+    {
+        std::string gpx = gpxText(planContent(full()));
+        gpx.insert(gpx.find("<rte>"), "<wpt lat=\"47.01\" lon=\"-48.01\"><name>new</name></wpt>\n");
+        std::string kml = kmlText(planContent(full()));
+        kml.insert(kml.find("</Document>"), "<Placemark><name>new</name><Point><coordinates>"
+                                            "-48.01,47.01</coordinates></Point></Placemark>");
+        std::string json = geoJson(planContent(full()));
+        json.insert(json.rfind("\n]}"), R"(,{"type": "Feature", "id": "new", "properties": {},
+            "geometry": {"type": "Point", "coordinates": [-48.01, 47.01]}})");
+        for (const std::string& text : {gpx, kml, json}) {
+            const ImportResult result = back(text, full());
+            QCOMPARE(result.added, std::size_t{5});
+            QVERIFY(std::any_of(result.scenario.icebergs.begin(), result.scenario.icebergs.end(),
+                                [](const Iceberg& iceberg) { return iceberg.id == "new"; }));
+        }
+    }
+
+    void driftOutOfRangeIsRejected()
+    {
+        const auto json = [](const char* drift) {
+            return R"({"type": "Feature", "properties": {"drift_mps": )" + std::string(drift) +
+                   R"(}, "geometry": {"type": "Point", "coordinates": [-48, 47]}})";
+        };
+        const SightingTable table = readSightings(json("[0.25, -0.5]"), "export");
+        QVERIFY(table.sightings.at(0).drift_mps == Point(0.25, -0.5));
+        for (const char* drift : {"[51, 0]", "[0, -51]", R"(["fast", 0])"})
+            QCOMPARE(codeOf([&] { (void)readSightings(json(drift), "export"); }),
+                     std::string("InvalidInput"));
+    }
+
+private:
+    static void compare(const IcebergFormat& format, const Scenario& scenario,
+                        const ExportContent& content)
+    {
+        const ImportResult result = back(format.write(content), scenario);
+        QCOMPARE(result.rejected.count, std::size_t{0});
+        std::vector<ExportIceberg> listed = content.icebergs;
+        std::erase_if(listed,
+                      [&](const ExportIceberg& iceberg) { return !isListed(content, iceberg); });
+        QCOMPARE(result.scenario.icebergs.size(), listed.size());
+        for (std::size_t i = 0; i < listed.size(); ++i) {
+            const QString loss =
+                lossOf(listed[i], result.scenario.icebergs[i], format, scenario.current_mps);
+            QVERIFY2(loss.isEmpty(), qPrintable(QString::number(i) + u": "_s + loss));
+        }
+        QCOMPARE(result.at.has_value(), content.start.has_value());
+        if (result.at)
+            QCOMPARE(utcText(*result.at, 0), utcText(*content.start, content.now_s));
+        const ExportUav& exported = content.uavs.front();
+        const Uav& uav = result.scenario.uavs.front();
+        QVERIFY(isNear(uav.home_m.value_or(uav.position_m), exported.home_m, kPlace_m));
+        if (format.start && content.what != ExportWhat::Track)
+            QVERIFY(isNear(uav.position_m, exported.uav.position_m, kPlace_m));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImportBack)
+#include "tst_import_back.moc"

@@ -1,0 +1,257 @@
+#include "core/io/import_formats.h"
+#include "core/io/import_scenario.h"
+#include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/import_fixtures.h"
+
+#include <QtTest>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+std::string faultAt(const SightingTable& table, std::size_t line)
+{
+    for (const RejectedRow& row : table.rejected.first)
+        if (row.line == line)
+            return rowFaultText(row);
+    return "not rejected";
+}
+
+bool isAt(const LatLon& place, double latitude_deg, double longitude_deg)
+{
+    return place.latitude_deg == latitude_deg && place.longitude_deg == longitude_deg;
+}
+
+/** A plan with these members of its mission. */
+std::string plan(const std::string& mission)
+{
+    return R"({"fileType": "Plan", "version": 1, "groundStation": "x", "mission": {)" + mission +
+           "}}";
+}
+
+/** A plan with one more item behind one that is in order. */
+std::string planWith(const std::string& item)
+{
+    return plan(R"("items": [{"type": "SimpleItem", "command": 16, "frame": 3,
+                    "params": [0, 0, 0, null, 60, -50, 0]}, )" +
+                item + "]");
+}
+
+std::string simple(const char* command, const char* frame, const char* params)
+{
+    return std::string(R"({"type": "SimpleItem", "command": )") + command + R"(, "frame": )" +
+           frame + R"(, "params": )" + params + "}";
+}
+
+/** A mission of ArduPilot: its home and these rows. */
+std::string wpl(const std::string& rows)
+{
+    return "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t60\t-50\t0\t1\n" + rows;
+}
+
+SightingTable read(const std::string& text)
+{
+    return readSightings(text, "mission");
+}
+
+} // namespace
+
+/** Missions and routes of ground stations: what is flown to becomes icebergs. */
+class TestImportMissions : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void planOfQGroundControl()
+    {
+        const SightingTable table = readFixture("qgc.plan");
+        QVERIFY(isAt(table.sightings[0].place, 69.25, -51.2));
+        QVERIFY(isAt(table.sightings[1].place, 69.3, -51.35));
+        QVERIFY(isAt(table.sightings[2].place, 69.35, -51.1));
+        QCOMPARE(table.sightings[2].line, std::size_t{9});
+        QCOMPARE(faultAt(table, 5), std::string("is no point: \"survey\""));
+        QCOMPARE(faultAt(table, 7), std::string("has no position"));
+        QCOMPARE(faultAt(table, 8), std::string("has no position: \"frame 1\""));
+        QVERIFY(table.aircraft && isAt(table.aircraft->home, 69.22, -51.1));
+    }
+
+    void rowsOfArduPilot()
+    {
+        const SightingTable table = readFixture("ardupilot.waypoints");
+        QVERIFY(isAt(table.sightings[0].place, 69.25, -51.2));
+        QCOMPARE(table.sightings[0].name, std::string("Tabular \"B\""));
+        QVERIFY(isAt(table.sightings[1].place, 69.3, -51.35));
+        QCOMPARE(table.sightings[1].name, std::string("two, \xC3\x85rn"));
+        QVERIFY(isAt(table.sightings[2].place, 69.35, -51.1));
+        QCOMPARE(table.sightings[2].name, std::string());
+        QVERIFY(faultAt(table, 13).starts_with("latitude is no number from -90 to 90"));
+        QCOMPARE(faultAt(table, 14), std::string("has no position"));
+        QCOMPARE(faultAt(table, 15), std::string("has no position: \"frame 1\""));
+        QVERIFY(table.aircraft && isAt(table.aircraft->start, 69.22, -51.1));
+    }
+
+    /** 120 has no home row, and neither have some files that say 110. */
+    void rowsWithoutHome()
+    {
+        const std::string row = "0\t1\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n";
+        QCOMPARE(read("QGC WPL 120\n" + row).sightings.size(), std::size_t{1});
+        QVERIFY(!read("QGC WPL 120\n" + row).aircraft);
+        const SightingTable one = read("QGC WPL 110\n1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n");
+        QCOMPARE(one.sightings.size(), std::size_t{1});
+        QVERIFY(!one.aircraft);
+        const SightingTable takeOff =
+            read("\xEF\xBB\xBFQGC WPL 110\n0\t1\t3\t22\t0\t0\t0\t0\t60\t-50\t0\t1\n" +
+                 std::string("1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"));
+        QCOMPARE(takeOff.sightings.size(), std::size_t{1});
+        QVERIFY(!takeOff.aircraft);
+    }
+
+    /** Mission Planner writes 0, 0 where it knows no home; the return to a home is no iceberg. */
+    void homes()
+    {
+        const std::string nowhere = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t0\t0\t0\t1\n";
+        const std::string row = "1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n";
+        QVERIFY(!read(nowhere + row).aircraft);
+        const SightingTable back = read(wpl(row + "2\t0\t3\t17\t0\t0\t0\t0\t60\t-50\t0\t1\n"));
+        QCOMPARE(back.sightings.size(), std::size_t{1});
+        QCOMPARE(back.rejected.count, std::size_t{0});
+    }
+
+    void homeBecomesTheStartOfTheAircraft()
+    {
+        const Scenario scenario =
+            importSightings(newScenarioForImport("new"), readFixture("qgc.plan")).scenario;
+        const LatLon start =
+            LocalFrame(scenario.origin).toGeographic(scenario.uavs.front().position_m);
+        COMPARE_NEAR(start.latitude_deg, 69.22, 1e-6); // a centimetre is 1e-7 degrees
+        COMPARE_NEAR(start.longitude_deg, -51.1, 1e-6);
+        QVERIFY(!scenario.uavs.front().home_m);
+        QCOMPARE(scenario.icebergs.size(), std::size_t{3});
+        QCOMPARE(scenario.icebergs[0].id, std::string("69.25N 51.2W"));
+    }
+
+    /** What a scenario in use has is moved by nobody. */
+    void homeIsNotTakenIntoAScenarioInUse()
+    {
+        const Scenario used = importSightings(openSea(), readFixture("points.geojson")).scenario;
+        const ImportResult result = importSightings(used, readFixture("qgc.plan"));
+        QCOMPARE(result.added, std::size_t{3});
+        QVERIFY(result.scenario.uavs == used.uavs);
+    }
+
+    void homeFarAwayIsRejected()
+    {
+        const std::string text = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t-60\t-50\t0\t1\n"
+                                 "1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n";
+        const ImportResult result = importSightings(openSea(), read(text));
+        QCOMPARE(result.rejected.count, std::size_t{1});
+        QVERIFY(result.rejected.first[0].fault == RowFault::TooFar);
+        QVERIFY(result.scenario.uavs == openSea().uavs);
+    }
+
+    void routes()
+    {
+        for (const char* file : {"route.gpx", "route.geojson"}) {
+            const SightingTable table = readFixture(file);
+            QVERIFY(isAt(table.sightings[0].place, 69.25, -51.2));
+            QVERIFY(isAt(table.sightings[1].place, 69.3, -51.35));
+            QVERIFY(isAt(table.sightings[2].place, 69.35, -51.1));
+            QVERIFY(!table.sightings[0].time && !table.oneIceberg);
+            QCOMPARE(importSightings(openSea(), table).added, std::size_t{3});
+        }
+        QCOMPARE(readFixture("route.gpx").sightings[0].id, std::string("North <1>"));
+    }
+
+    void refused_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("code");
+        QTest::addColumn<QByteArray>("says");
+        const auto row = [](const char* name, const std::string& text, const char* code,
+                            const char* says) {
+            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(code)
+                                << QByteArray(says);
+        };
+        const std::string params = "[0, 0, 0, 0, 61, -50, 0]";
+        row("old mission", R"({"fileType": "Mission", "groundStation": ""})", "WrongFormat",
+            "fileType");
+        row("newer plan", R"({"fileType": "Plan", "groundStation": "", "version": 2})",
+            "UnsupportedVersion", "version");
+        row("no mission", R"({"fileType": "Plan", "groundStation": "", "version": 1})",
+            "InvalidInput", "mission");
+        row("no items", plan(""), "InvalidInput", "mission.items");
+        row("items are no array", plan(R"("items": {})"), "InvalidInput", "mission.items");
+        row("empty mission", plan(R"("items": [])"), "InvalidInput", "holds no sightings");
+        row("short home", plan(R"("items": [], "plannedHomePosition": [1])"), "InvalidInput",
+            "mission.plannedHomePosition");
+        row("home in words", plan(R"("items": [], "plannedHomePosition": ["N", 2, 0])"),
+            "InvalidInput", "mission.plannedHomePosition[0]");
+        row("item is a number", planWith("7"), "InvalidInput", "mission.items[1]");
+        row("unknown item", planWith(R"({"type": "Odd"})"), "InvalidInput",
+            "mission.items[1].type");
+        row("six params", planWith(simple("16", "3", "[0, 0, 0, 0, 61, -50]")), "InvalidInput",
+            "mission.items[1].params");
+        row("param in words", planWith(simple("16", "3", R"([0, 0, 0, 0, "61", -50, 0])")),
+            "InvalidInput", "mission.items[1].params[4]");
+        row("half a command", planWith(simple("16.5", "3", params.c_str())), "InvalidInput",
+            "mission.items[1].command");
+        row("frame out of range", planWith(simple("16", "-1", params.c_str())), "InvalidInput",
+            "mission.items[1].frame");
+        row("only a survey",
+            plan(R"("items": [{"type": "ComplexItem", "complexItemType": "survey"}])"),
+            "InvalidInput", "survey");
+        row("half a plan", plan("").substr(0, 70), "SyntaxError", "line 1");
+        row(
+            "hundred thousand faults",
+            [] {
+                std::string items = "7";
+                for (int i = 0; i < 100000; ++i)
+                    items += ",7";
+                return planWith(items);
+            }(),
+            "InvalidInput", "mission.items[1]");
+
+        row("old rows", "QGC WPL 100\n", "UnsupportedVersion", "line 1");
+        row("no version", "QGC WPL\n", "UnsupportedVersion", "line 1");
+        row("home only", wpl(""), "InvalidInput", "holds no sightings");
+        row("eleven columns", wpl("1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\n"), "SyntaxError",
+            "line 3: has 11 columns");
+        row("thirteen columns", wpl("1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\t2\n"), "SyntaxError",
+            "line 3: has 13 columns");
+        row("decimal commas", wpl("1\t0\t3\t16\t0\t0\t0\t0\t60,5\t-50\t0\t1\n"), "SyntaxError",
+            "line 3: \"60,5\" is no number: decimals follow a point");
+        row("words", wpl("\n1\t0\t3\tWAYPOINT\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"), "SyntaxError",
+            "line 4: \"WAYPOINT\" is no number");
+        row("command out of range", wpl("1\t0\t3\t16e9\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"),
+            "SyntaxError", "line 3: \"16e9\" is no whole number");
+        row("number without end", wpl("1\t0\t3\t16\t0\t0\t0\t0\t" + std::string(5000, '9') + "x\n"),
+            "SyntaxError", "line 3: has 9 columns");
+        row("no place in order", wpl("1\t0\t3\t16\t0\t0\t0\t0\t91\t-50\t0\t1\n"), "InvalidInput",
+            "line 3: latitude");
+    }
+
+    void refused()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, code);
+        QFETCH(QByteArray, says);
+        const std::optional<Error> error = errorOf([&] { (void)read(text.toStdString()); });
+        QVERIFY(error);
+        QCOMPARE(QByteArray::fromStdString(codeName(error->code())), code);
+        QCOMPARE(error->subject(), std::string("mission"));
+        QVERIFY2(QByteArray(error->what()).contains(says), error->what());
+    }
+
+    void tooManyItems()
+    {
+        std::string rows;
+        for (std::size_t i = 0; i <= kMostSightings; ++i)
+            rows += "1 0 3 16 0 0 0 0 0 0 0 1\n";
+        QCOMPARE(codeOf([&] { (void)read(wpl(rows)); }), std::string("FileTooLarge"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImportMissions)
+#include "tst_import_missions.moc"
