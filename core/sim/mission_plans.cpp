@@ -1,0 +1,318 @@
+// How plans are made and put in force: the part of `Mission` that asks the planner.
+
+#include "core/sim/clusters.h"
+#include "core/sim/mission.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** What the log keeps of an answer, of all its UAVs; time, order and reason are the caller's. */
+PlanEvent planEvent(const PlanAnswer& answer)
+{
+    const SolveOutcome& outcome = answer.outcome;
+    PlanEvent event{.clusters = answer.clusters,
+                    .predictedZeta_m2s = answer.predictedZeta_m2s,
+                    .status = outcome.status,
+                    .stop = outcome.reason,
+                    .backend = outcome.backend,
+                    .criterion = answer.problem.criterion,
+                    .mu = answer.problem.mu,
+                    .objective = outcome.objective,
+                    .bound = outcome.bound,
+                    .gap = answer.gap,
+                    .distance_m = answer.distance_m,
+                    .elapsed_s = outcome.elapsed_s,
+                    .warmStarted = outcome.hintUsed,
+                    .fellBack = answer.fellBack};
+    if (!outcome.order.empty())
+        event.distance_m = flownDistance(answer.problem, outcome.order);
+    if (outcome.bound && outcome.status != SolveStatus::None)
+        event.gap = relativeGap(answer.problem, outcome.objective, *outcome.bound);
+    return event;
+}
+
+/** The answer for one UAV alone as that for a fleet of one. */
+UavAnswer onlyAnswer(const PlanAnswer& answer)
+{
+    return {.order = answer.order, .legs = answer.legs, .outlook = answer.outlook};
+}
+
+/** One event for each UAV of the request; time and reasons are the caller's. */
+std::vector<PlanEvent> planEvents(const PlanAnswer& answer, const PlanRequest& request)
+{
+    const bool isFleet = !request.fleet.empty();
+    std::vector<PlanEvent> events;
+    for (std::size_t k = 0; k < (isFleet ? answer.fleet.size() : 1); ++k) {
+        UavAnswer own = isFleet ? answer.fleet[k] : onlyAnswer(answer);
+        PlanEvent event = planEvent(answer);
+        event.uav = isFleet ? request.fleet[k].uav : 0;
+        event.sameSolve = k > 0;
+        event.target = own.order.empty() ? -1 : own.order.front();
+        event.order = std::move(own.order);
+        event.legs = std::move(own.legs);
+        event.outlook = std::move(own.outlook);
+        if (!isFleet && event.outlook && !event.outlook->sightings_s.empty())
+            event.distance_m =
+                request.speed_mps * (event.outlook->sightings_s.back() - request.picture->time_s);
+        events.push_back(std::move(event));
+    }
+    return events;
+}
+
+/** Of the clusters, what can still be flown to as one point. */
+std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> clusters,
+                                            const Simulation& simulation)
+{
+    for (std::vector<int>& members : clusters)
+        std::erase_if(members, [&](int i) { return !simulation.clusterable(i); });
+    std::erase_if(clusters, [](const std::vector<int>& members) { return members.size() < 2; });
+    return clusters;
+}
+
+} // namespace
+
+/** Puts a pending plan in force and asks for one where it is needed. False: cancelled. */
+bool Mission::planWhenDue(const std::stop_token& stop)
+{
+    if (m_simulation.plannedUavs().empty()) { // what is flown next is planned at take-off
+        m_pending.reset();
+        m_missed = PlanReason::None;
+        return true;
+    }
+    if (m_pending && m_simulation.state().step >= m_pending->step) {
+        const bool isTimely = putPendingInForce();
+        if (std::exchange(m_missed, PlanReason::None) != PlanReason::None || !isTimely)
+            m_simulation.requestPlan();
+    }
+    if (m_simulation.planReason() == PlanReason::None)
+        return true;
+    if (!m_pending)
+        return planNow(stop);
+    m_missed = m_simulation.planReason();
+    flyOn();
+    return true;
+}
+
+bool Mission::putPendingInForce()
+{
+    Round plans = std::exchange(m_pending, std::nullopt)->plans;
+    std::erase_if(plans,
+                  [this](const PlanEvent& plan) { return m_simulation.uav(plan.uav).homeward(); });
+    bool isTimely = true;
+    for (PlanEvent& plan : plans) {
+        // What has come into view since is not flown to.
+        const auto isGone = [&](int i) { return !m_simulation.available(plan.uav, i); };
+        std::erase_if(plan.order, isGone);
+        plan.clusters = stillClusters(std::move(plan.clusters), m_simulation);
+        plan.time_s = m_simulation.time_s();
+        if (plan.target < 0 || !isGone(plan.target))
+            continue;
+        isTimely = false;
+        plan.target = plan.order.empty() ? -1 : plan.order.front();
+        plan.legs.clear();
+    }
+    putInForce(std::move(plans));
+    return isTimely;
+}
+
+bool Mission::planNow(const std::stop_token& stop)
+{
+    SolveOptions options;
+    options.timeLimit_s = m_options.timeLimit_s;
+    options.workLimit = m_options.workLimit;
+    options.gap = m_options.gap;
+    options.stop = stop;
+    const auto request =
+        std::make_shared<const PlanRequest>(requestFor(m_simulation, m_planner.settings().policy));
+    if (m_incumbentListener)
+        options.onProgress = [&](const SolveProgress& progress) {
+            tellIncumbent(progress, *request);
+        };
+    const PlanAnswer answer = m_planner.plan(*request, options, m_options.warmStart);
+    if (answer.outcome.reason == StopReason::Cancelled)
+        return false;
+
+    m_lastRequest = request;
+    if (!answer.failure.empty())
+        note(EventKind::PlannerFailed, -1, -1, answer.failure);
+    Round plans = planEvents(answer, *request);
+    bool isTakeOff = false;
+    for (PlanEvent& plan : plans) {
+        plan.time_s = m_simulation.time_s();
+        plan.reason = m_simulation.planReason(plan.uav);
+        isTakeOff = isTakeOff || plan.reason == PlanReason::TakeOff;
+    }
+    // The first plan of a sortie is made before take-off.
+    const std::int64_t wait = std::llround(m_scenario.planningTime_s / m_simulation.dt_s());
+    if (wait == 0 || m_plans.empty() || isTakeOff) {
+        putInForce(std::move(plans));
+        return true;
+    }
+    m_pending = {.plans = std::move(plans), .step = m_simulation.state().step + wait};
+    flyOn();
+    return true;
+}
+
+void Mission::putInForce(Round plans)
+{
+    for (PlanEvent& plan : plans) {
+        plan.zeta_m2s = m_simulation.state().zeta_m2s;
+        plan.thisSortie = thisSortie(m_simulation, plan.uav, plan.order, plan.clusters);
+    }
+    if (m_options.record) // two forecasts: dear where missions are flown by the thousand
+        compareWithLast(plans);
+    for (PlanEvent& plan : plans)
+        tell(std::move(plan));
+}
+
+/** The autopilot of its UAV flies by the plan from now on. */
+void Mission::tell(PlanEvent plan)
+{
+    m_simulation.setTarget(plan.uav, plan.target, firstAim(plan),
+                           clusterWith(plan.clusters, plan.target));
+    if (!plan.interim)
+        note(EventKind::Planned, plan.target, plan.uav,
+             plan.fellBack ? "last plan kept" : plan.backend);
+    noteNews();
+    m_plans.push_back(std::move(plan));
+}
+
+/** The autopilots' part while a plan is pending. */
+void Mission::flyOn()
+{
+    for (const int uav : m_simulation.plannedUavs())
+        if (m_simulation.planReason(uav) != PlanReason::None)
+            flyOn(uav);
+}
+
+/** The leg under way, or the next of the last plan. */
+void Mission::flyOn(int uav)
+{
+    const PlanReason reason = m_simulation.planReason(uav);
+    PlanEvent plan{.time_s = m_simulation.time_s(),
+                   .uav = uav,
+                   .reason = reason,
+                   .zeta_m2s = m_simulation.state().zeta_m2s,
+                   .interim = true};
+    plan.order = restOfPlan(uav, reason);
+    std::erase_if(plan.order, [&](int i) {
+        return !m_simulation.available(uav, i) || isTargetOfOther(uav, i);
+    });
+    if (plan.order.empty())
+        if (const int nearest = m_simulation.nearestAvailable(uav);
+            nearest >= 0 && !isTargetOfOther(uav, nearest))
+            plan.order = {nearest};
+    if (const PlanEvent* last = lastPlanOf(m_plans, uav))
+        plan.clusters = stillClusters(last->clusters, m_simulation);
+    plan.thisSortie = thisSortie(m_simulation, uav, plan.order, plan.clusters);
+    plan.target = plan.order.empty() ? -1 : plan.order.front();
+    const UavState& now = m_simulation.uav(uav);
+    if (plan.target >= 0 && plan.target == now.target && now.aim) {
+        AimedLeg leg = *now.aim;
+        leg.sighting_s = std::max(leg.sighting_s, plan.time_s + m_scenario.planningTime_s);
+        plan.legs = {leg};
+    }
+    tell(std::move(plan));
+}
+
+bool Mission::isTargetOfOther(int uav, int iceberg) const
+{
+    for (int other = 0; other < m_simulation.uavCount(); ++other)
+        if (other != uav && m_simulation.uav(other).target == iceberg)
+            return true;
+    return false;
+}
+
+std::vector<int> Mission::restOfPlan(int uav, PlanReason reason) const
+{
+    const PlanEvent* last = lastPlanOf(m_plans, uav);
+    std::vector<int> rest = last ? last->order : std::vector<int>();
+    if (reason == PlanReason::TargetReached && !rest.empty())
+        rest.erase(rest.begin());
+    return rest;
+}
+
+ForecastStart Mission::forecastStart() const
+{
+    ForecastStart start{.world = m_simulation.state(),
+                        .time_s = m_simulation.time_s(),
+                        .wind_mps = m_simulation.motion(0).wind_mps};
+    for (int uav = 0; uav < m_simulation.uavCount(); ++uav)
+        start.airspeeds_mps.push_back(m_simulation.motion(uav).airspeed_mps);
+    for (int i = 0; i < m_simulation.icebergCount(); ++i)
+        start.active.push_back(m_simulation.active(i));
+    return start;
+}
+
+/** What the plans change about those in force, seen from here. */
+void Mission::compareWithLast(Round& plans) const
+{
+    if (m_plans.empty())
+        return;
+    FleetOrders before(static_cast<std::size_t>(m_simulation.uavCount()));
+    FleetOrders after = before;
+    // Of both what can be flown.
+    const auto ofSortie = [this](int uav, std::vector<int> order,
+                                 std::span<const std::vector<int>> together) {
+        if (const std::optional<int> visits = thisSortie(m_simulation, uav, order, together))
+            order.resize(static_cast<std::size_t>(*visits));
+        return order;
+    };
+    const auto isPlanned = [&plans](int iceberg) {
+        return std::ranges::any_of(plans, [iceberg](const PlanEvent& plan) {
+            return std::ranges::find(plan.order, iceberg) != plan.order.end();
+        });
+    };
+    ChangedClusters clusters{.after = plans.front().clusters};
+    for (const PlanEvent& next : plans) {
+        const PlanEvent* last = lastPlanOf(m_plans, next.uav);
+        if (last == nullptr)
+            continue;
+        clusters.before = last->clusters;
+        std::vector<int> rest =
+            restOfPlan(next.uav, last->interim ? PlanReason::None : next.reason);
+        // Those in view are passed over, unless the new order keeps them, as fixed routes do.
+        std::erase_if(rest, [&](int iceberg) {
+            return !m_simulation.available(next.uav, iceberg) && !isPlanned(iceberg);
+        });
+        const auto k = static_cast<std::size_t>(next.uav);
+        before[k] = ofSortie(next.uav, std::move(rest), last->clusters);
+        after[k] = ofSortie(next.uav, next.order, next.clusters);
+    }
+    const double left_s =
+        static_cast<double>(m_simulation.lastStep()) * m_simulation.dt_s() - m_simulation.time_s();
+    std::vector<std::optional<PlanChange>> changes =
+        planChanges(forecastStart(), before, after, left_s, clusters);
+    for (PlanEvent& plan : plans)
+        plan.change = std::move(changes[static_cast<std::size_t>(plan.uav)]);
+}
+
+void Mission::tellIncumbent(const SolveProgress& progress, const PlanRequest& request)
+{
+    PlanEvent event{.time_s = m_simulation.time_s(),
+                    .clusters = request.clusters,
+                    .status = SolveStatus::Feasible,
+                    .objective = progress.objective,
+                    .bound = progress.bound,
+                    .elapsed_s = progress.elapsed_s};
+    const bool isFleet = !request.fleet.empty();
+    for (std::size_t k = 0; k < (isFleet ? progress.fleet.size() : 1); ++k) {
+        event.uav = isFleet ? request.fleet[k].uav : 0;
+        event.sameSolve = k > 0;
+        event.order = isFleet ? progress.fleet[k] : progress.order;
+        if (event.order.empty() && !isFleet)
+            return;
+        event.reason = m_simulation.planReason(event.uav);
+        event.target = event.order.empty() ? -1 : event.order.front();
+        event.thisSortie = thisSortie(m_simulation, event.uav, event.order, event.clusters);
+        event.legs = isFleet ? std::vector<AimedLeg>() : progress.legs;
+        m_incumbentListener(event);
+    }
+}
+
+} // namespace berg
