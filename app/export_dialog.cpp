@@ -1,6 +1,8 @@
 #include "app/export_dialog.h"
 
-#include "core/io/formats.h"
+#include "app/export_options_view.h"
+#include "widgets/model/export_text.h"
+#include "widgets/model/mission_runner.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -9,6 +11,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -16,58 +19,13 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr int kFormatsWidth_px = 200;
-constexpr int kAboutWidth_px = 360;
+constexpr QSize kSize_px(1120, 700);
+constexpr int kChoices_px = 340;
+constexpr int kNotes_px = 84;
 
 QString stringOf(std::string_view text)
 {
     return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
-
-/** What one format is for, in the words of the dialog. */
-struct FormatText
-{
-    QString tool;
-    QString plan; ///< what the file holds
-    QString run;  ///< once something was flown, if that is something else
-};
-
-FormatText textOf(const ExportFormat& format)
-{
-    if (format.id == "plan")
-        return {.tool = u"QGroundControl"_s,
-                .plan = ExportDialog::tr(
-                    "Mission plan (.plan): one waypoint for each iceberg in the planned order, "
-                    "then a loiter; home, speed and altitude. Also read by Mission Planner and "
-                    "MAVSDK."),
-                .run = ExportDialog::tr(
-                    "Mission plan (.plan): one waypoint for each iceberg in the order they were "
-                    "reached, then a loiter. Also read by Mission Planner and MAVSDK.")};
-    if (format.id == "wpl")
-        return {.tool = u"ArduPilot"_s,
-                .plan = ExportDialog::tr(
-                    "Waypoint list (.waypoints, QGC WPL 110) of the planned order, its first row "
-                    "home, for Mission Planner and MAVProxy."),
-                .run = ExportDialog::tr(
-                    "Waypoint list (.waypoints, QGC WPL 110) of the icebergs in the order they "
-                    "were reached, its first row home.")};
-    if (format.id == "geojson")
-        return {.tool = ExportDialog::tr("Maps (QGIS)"),
-                .plan = ExportDialog::tr(
-                    "GeoJSON with icebergs, UAV and planned legs as layers, WGS 84 longitude and "
-                    "latitude."),
-                .run = ExportDialog::tr(
-                    "GeoJSON with icebergs, UAV and the track that was flown, WGS 84 longitude "
-                    "and latitude.")};
-    if (format.id == "csv")
-        return {.tool = ExportDialog::tr("Spreadsheets"),
-                .plan = ExportDialog::tr(
-                    "Table (.csv) of the planned order: leg, distance, arrival and uncertainty of "
-                    "each iceberg. Decimal points, UTF-8."),
-                .run = ExportDialog::tr(
-                    "Table (.csv) of the flown track: time, position, heading, turn rate and "
-                    "cross-track error at each sample. Decimal points, UTF-8.")};
-    return {.tool = stringOf(format.id), .plan = stringOf(format.reader), .run = {}};
 }
 
 QString withEnding(const QString& path, std::string_view extension)
@@ -80,130 +38,247 @@ QString withEnding(const QString& path, std::string_view extension)
     return path + u'.' + stringOf(extension);
 }
 
-} // namespace
-
-ExportDialog::ExportDialog(const ExportOffer& offer, QWidget* parent)
-    : QDialog(parent), m_offer(offer)
+/** A kind of effect and what it is about, as one line of rich text. */
+QString noteLine(const QString& effect, const QString& sentence)
 {
-    setWindowTitle(tr("Export"));
-    new QVBoxLayout(this);
-    addFormats();
-    addFile();
-    addButtons();
-    connect(m_formats, &QListWidget::currentRowChanged, this, &ExportDialog::showFormat);
-    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::showFile);
-    m_formats->setCurrentRow(0);
-    for (int row = 0; row < m_formats->count(); ++row)
-        if (m_formats->item(row)->data(Qt::UserRole).toString() == offer.formatId)
-            m_formats->setCurrentRow(row);
+    return u"<b>%1:</b> %2"_s.arg(effect.toHtmlEscaped(), sentence.toHtmlEscaped());
 }
 
-void ExportDialog::addFormats()
+} // namespace
+
+ExportDialog::ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWidget* parent)
+    : QDialog(parent), m_runner(runner), m_offer(offer)
 {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(16);
+    setWindowTitle(tr("Export"));
+    setSizeGripEnabled(true);
+    auto* sides = new QHBoxLayout;
+    sides->setSpacing(12);
+    sides->addWidget(makeChoices());
+    sides->addLayout(makeResult(), 1);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(sides, 1);
+    column->addLayout(makeFile());
+    column->addWidget(makeButtons());
+    // The map, too, would take it.
+    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QDialog::reject);
+    connect(&m_runner, &MissionRunner::exportPreviewReady, this, &ExportDialog::take);
+    connect(m_formats, &QListWidget::currentRowChanged, this, &ExportDialog::showFormat);
+    connect(m_options, &ExportOptionsView::edited, this, &ExportDialog::request);
+    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::request);
+    resize(kSize_px);
+    chooseFormat(offer.suggested.formatId);
+    m_export->setDefault(true); // of the dialog, now that it has its buttons
+    m_formats->setFocus();
+}
+
+QWidget* ExportDialog::makeChoices()
+{
+    auto* side = new QWidget;
+    side->setFixedWidth(kChoices_px);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
     m_formats = new QListWidget;
     m_formats->setObjectName(u"formatList"_s);
-    m_formats->setAccessibleName(tr("Tool that reads the file"));
-    m_formats->setFixedWidth(kFormatsWidth_px);
-    for (const ExportFormat& format : exportFormats()) {
-        auto* item = new QListWidgetItem(
-            u"%1  (.%2)"_s.arg(textOf(format).tool, stringOf(format.extension)), m_formats);
-        item->setData(Qt::UserRole, stringOf(format.id));
+    m_formats->setAccessibleName(tr("Format of the file"));
+    m_formats->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // ends in an ellipsis
+    addFormats();
+    m_options = new ExportOptionsView(*m_offer.scenario, m_offer.flown, m_offer.suggested.options);
+    column->addWidget(m_formats, 1);
+    column->addSpacing(4);
+    column->addWidget(m_options);
+    return side;
+}
+
+/** Those for what there is, below the name of their group. */
+void ExportDialog::addFormats()
+{
+    for (const ExportGroup group :
+         {ExportGroup::Autopilots, ExportGroup::Maps, ExportGroup::Tables}) {
+        auto* head = new QListWidgetItem(exportGroupText(group), m_formats);
+        head->setFlags(Qt::NoItemFlags);
+        for (const ExportFormat& format : exportFormats()) {
+            const ExportFormatText text = exportFormatText(format);
+            if (text.group != group || (format.holds.flownOnly && !m_offer.flown))
+                continue;
+            auto* item = new QListWidgetItem(
+                u"    %1 (.%2) · %3"_s.arg(text.name, stringOf(format.extension), text.tool),
+                m_formats);
+            item->setData(Qt::UserRole, stringOf(format.id));
+        }
     }
+}
+
+QVBoxLayout* ExportDialog::makeResult()
+{
+    auto* column = new QVBoxLayout;
     m_about = new QLabel;
     m_about->setObjectName(u"formatAbout"_s);
     m_about->setWordWrap(true);
-    m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_about->setMinimumSize(kAboutWidth_px, 120);
-    row->addWidget(m_formats);
-    row->addWidget(m_about, 1);
-    qobject_cast<QVBoxLayout*>(layout())->addLayout(row);
+    m_view = new ExportPreviewView(m_offer.theme);
+    m_notes = new QLabel;
+    m_notes->setObjectName(u"exportNotes"_s);
+    m_notes->setWordWrap(true);
+    m_notes->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_notes->setMinimumHeight(kNotes_px); // so that the map does not jump
+    m_notes->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    column->addWidget(m_about);
+    column->addWidget(m_view, 1);
+    column->addWidget(m_notes);
+    return column;
 }
 
-void ExportDialog::addFile()
+QLayout* ExportDialog::makeFile()
 {
-    auto* row = new QHBoxLayout;
-    m_path = new QLineEdit(m_offer.path);
+    auto* grid = new QGridLayout;
+    m_path = new QLineEdit(m_offer.suggested.path);
     m_path->setObjectName(u"exportPath"_s);
     auto* label = new QLabel(tr("&File"));
     label->setBuddy(m_path);
     auto* browseButton = new QPushButton(tr("&Browse..."));
     browseButton->setAutoDefault(false);
     connect(browseButton, &QPushButton::clicked, this, &ExportDialog::browse);
-    row->addWidget(label);
-    row->addWidget(m_path, 1);
-    row->addWidget(browseButton);
-    qobject_cast<QVBoxLayout*>(layout())->addLayout(row);
-    m_note = new QLabel;
-    m_note->setObjectName(u"exportNote"_s);
-    m_note->setWordWrap(true);
-    layout()->addWidget(m_note);
+    m_fileNote = new QLabel;
+    m_fileNote->setObjectName(u"exportFileNote"_s);
+    m_fileNote->setWordWrap(true);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(m_path, 0, 1);
+    grid->addWidget(browseButton, 0, 2);
+    grid->addWidget(m_fileNote, 1, 1, 1, 2);
+    return grid;
 }
 
-void ExportDialog::addButtons()
+QWidget* ExportDialog::makeButtons()
 {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
     m_export->setObjectName(u"exportButton"_s);
-    m_export->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    layout()->addWidget(buttons);
+    return buttons;
 }
 
-QString ExportDialog::formatId() const
+/** The first of all when there is none of that name. */
+void ExportDialog::chooseFormat(const std::string& id)
+{
+    int chosen = 1; // below the first head
+    for (int row = 0; row < m_formats->count(); ++row)
+        if (m_formats->item(row)->data(Qt::UserRole).toString().toStdString() == id && !id.empty())
+            chosen = row;
+    m_formats->setCurrentRow(chosen);
+}
+
+const ExportFormat& ExportDialog::format() const
 {
     const QListWidgetItem* item = m_formats->currentItem();
-    return item == nullptr ? QString() : item->data(Qt::UserRole).toString();
+    const ExportFormat* chosen =
+        item == nullptr ? nullptr
+                        : findExportFormat(item->data(Qt::UserRole).toString().toStdString());
+    return chosen == nullptr ? exportFormats().front() : *chosen;
 }
 
 void ExportDialog::showFormat()
 {
-    const ExportFormat* format = findExportFormat(formatId().toStdString());
-    if (format == nullptr)
-        return;
-    const FormatText text = textOf(*format);
-    m_about->setText(u"<p><b>%1</b></p><p>%2</p>"_s.arg(
-        text.tool.toHtmlEscaped(),
-        (m_offer.flown && !text.run.isEmpty() ? text.run : text.plan).toHtmlEscaped()));
-    m_path->setText(withEnding(m_path->text(), format->extension));
-    showFile();
+    const ExportFormatText text = exportFormatText(format());
+    m_about->setText(u"<b>%1 · %2</b><br>%3"_s.arg(
+        text.name.toHtmlEscaped(), text.tool.toHtmlEscaped(), text.about.toHtmlEscaped()));
+    m_options->showFormat(format());
+    m_path->setText(withEnding(m_path->text(), format().extension));
+    request();
 }
 
-void ExportDialog::showFile()
+void ExportDialog::request()
+{
+    m_runner.requestExportPreview(choice());
+    showState();
+}
+
+void ExportDialog::take(const ExportPreviewPointer& preview)
+{
+    if (preview->request != choice())
+        return; // a newer one is on its way
+    m_preview = preview;
+    if (!preview->error)
+        m_view->showPreview(preview);
+    showNotes(*preview);
+    showState();
+}
+
+/** Changes first. */
+void ExportDialog::showNotes(const ExportPreview& preview)
+{
+    QStringList lines;
+    if (preview.error)
+        lines << noteLine(tr("Not possible"), exportRefusalText(*preview.error));
+    for (const ExportEffect effect :
+         {ExportEffect::Changed, ExportEffect::LeftOut, ExportEffect::Told})
+        for (const ExportNote& note : preview.notes)
+            if (effectOf(note.kind) == effect)
+                lines << noteLine(exportEffectText(effect), exportNoteText(note, locale()));
+    m_notes->setText(lines.isEmpty() ? tr("Everything that was asked for is in the file.")
+                                     : lines.join(u"<br>"_s));
+}
+
+/** Why nothing can be written there; empty: it can. */
+QString ExportDialog::fileFault() const
 {
     const QFileInfo file(m_path->text());
-    const bool folderThere = file.dir().exists();
-    const bool named = !m_path->text().isEmpty() && !file.isDir();
-    m_export->setEnabled(named && folderThere);
-    m_export->setText(named && file.exists() ? tr("Replace") : tr("Export"));
-    if (!named)
-        m_note->setText(tr("Name the file."));
-    else if (!folderThere)
-        m_note->setText(tr("There is no folder %1.").arg(file.dir().path()));
-    else if (file.exists())
-        m_note->setText(tr("The file exists and will be replaced."));
+    if (m_path->text().isEmpty() || file.isDir())
+        return tr("Name the file.");
+    if (!file.dir().exists())
+        return tr("There is no folder %1.").arg(file.dir().path());
+    return {};
+}
+
+/** Where it goes, and what is there already. */
+QString ExportDialog::filesText() const
+{
+    QStringList names;
+    bool anyThere = false;
+    for (const QString& path : m_preview->paths) {
+        const QFileInfo file(path);
+        anyThere = anyThere || file.exists();
+        names << file.fileName();
+    }
+    const QString folder = QFileInfo(m_path->text()).absolutePath();
+    const QString size = locale().formattedDataSize(static_cast<qint64>(m_preview->bytes));
+    QString text = tr("%1, %2, to %3").arg(names.join(u", "_s), size, folder);
+    if (anyThere)
+        text += u". "_s + tr("There already: you will be asked before anything is lost.");
+    return text;
+}
+
+/** What can be done now: a preview of an earlier request is not to be taken for this one. */
+void ExportDialog::showState()
+{
+    const QString fault = fileFault();
+    const bool isCurrent = m_preview && m_preview->request == choice();
+    const bool isUsable = isCurrent && !m_preview->error;
+    m_view->setEnabled(isUsable);
+    m_export->setEnabled(isUsable && fault.isEmpty());
+    if (!fault.isEmpty())
+        m_fileNote->setText(fault);
+    else if (!isCurrent)
+        m_fileNote->setText(tr("Working ..."));
     else
-        m_note->setText(tr("Goes to %1").arg(file.dir().absolutePath()));
+        m_fileNote->setText(isUsable ? filesText() : QString());
 }
 
 void ExportDialog::browse()
 {
-    const ExportFormat* format = findExportFormat(formatId().toStdString());
-    if (format == nullptr)
-        return;
-    const QString filter = u"%1 (*.%2)"_s.arg(textOf(*format).tool, stringOf(format->extension));
-    // The dialog here says itself when a file would be replaced.
+    const ExportFormatText text = exportFormatText(format());
+    const QString filter = u"%1 (*.%2)"_s.arg(text.name, stringOf(format().extension));
+    // The window asks itself before a file is replaced.
     const QString path = QFileDialog::getSaveFileName(this, tr("Export to"), m_path->text(), filter,
                                                       nullptr, QFileDialog::DontConfirmOverwrite);
     if (!path.isEmpty())
-        m_path->setText(withEnding(path, format->extension));
+        m_path->setText(withEnding(path, format().extension));
 }
 
-ExportChoice ExportDialog::choice() const
+ExportRequest ExportDialog::choice() const
 {
-    return {.formatId = formatId(), .path = m_path->text()};
+    return {.formatId = std::string(format().id),
+            .options = m_options->options(),
+            .path = m_path->text()};
 }
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/export_preview_view.h"
 #include "app/interaction.h"
 
 #include <QDialog>
@@ -8,34 +9,54 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
+class QVBoxLayout;
 
 namespace berg {
 
-/** Chooses the tool an export is for, says what that tool is given, and where the file goes. */
+class ExportOptionsView;
+class MissionRunner;
+
+/**
+ * Chooses the tool an export is for, what of the mission it is given and where the file goes, and
+ * shows what comes of it. All work is the runner's, which is borrowed. Writes nothing itself.
+ */
 class ExportDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    explicit ExportDialog(const ExportOffer& offer, QWidget* parent = nullptr);
+    ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWidget* parent = nullptr);
 
     /** As it stands in the dialog. */
-    [[nodiscard]] ExportChoice choice() const;
+    [[nodiscard]] ExportRequest choice() const;
 
 private:
+    [[nodiscard]] QWidget* makeChoices();
+    [[nodiscard]] QVBoxLayout* makeResult();
+    [[nodiscard]] QLayout* makeFile();
+    [[nodiscard]] QWidget* makeButtons();
     void addFormats();
-    void addFile();
-    void addButtons();
+    void chooseFormat(const std::string& id);
     void showFormat();
-    void showFile();
+    void request();
+    void take(const ExportPreviewPointer& preview);
+    void showNotes(const ExportPreview& preview);
+    void showState();
     void browse();
-    [[nodiscard]] QString formatId() const;
+    [[nodiscard]] const ExportFormat& format() const;
+    [[nodiscard]] QString fileFault() const;
+    [[nodiscard]] QString filesText() const;
 
+    MissionRunner& m_runner;
     ExportOffer m_offer;
+    ExportPreviewPointer m_preview; ///< newest; null: none yet
     QListWidget* m_formats;
+    ExportOptionsView* m_options;
     QLabel* m_about;
+    ExportPreviewView* m_view;
+    QLabel* m_notes;
     QLineEdit* m_path;
-    QLabel* m_note;
+    QLabel* m_fileNote;
     QPushButton* m_export;
 };
 

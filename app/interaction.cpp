@@ -77,10 +77,10 @@ std::optional<Point> DialogInteraction::askWind(QWidget* parent, const Point& wi
     return dialog.wind_mps();
 }
 
-std::optional<ExportChoice> DialogInteraction::chooseExport(QWidget* parent,
-                                                            const ExportOffer& offer)
+std::optional<ExportRequest> DialogInteraction::chooseExport(QWidget* parent, MissionRunner& runner,
+                                                             const ExportOffer& offer)
 {
-    ExportDialog dialog(offer, parent);
+    ExportDialog dialog(runner, offer, parent);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     return dialog.choice();

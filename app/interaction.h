@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scenario/move_origin.h"
+#include "widgets/model/export_preview.h"
 #include "widgets/theme/theme.h"
 
 #include <QString>
@@ -14,20 +15,15 @@ class QWidget;
 namespace berg {
 
 class ImportRunner;
+class MissionRunner;
 
 /** What can be exported, and what to suggest. */
 struct ExportOffer
 {
-    QString path;       ///< suggested file
-    QString formatId;   ///< chosen at first; unknown: the first of the table
-    bool flown = false; ///< what was flown is exported, not the plan from the start
-};
-
-/** What the user wants exported. */
-struct ExportChoice
-{
-    QString formatId; ///< of `exportFormats`
-    QString path;
+    ExportRequest suggested; ///< an unknown format: the first of the table
+    bool flown = false;      ///< there is a flight to export, not only the plan from the start
+    std::shared_ptr<const Scenario> scenario; ///< on screen
+    Theme theme;
 };
 
 /** A file of sightings, and what they can be added to. */
@@ -111,8 +107,8 @@ public:
     [[nodiscard]] virtual QString savePath(QWidget* parent, const QString& suggested,
                                            const QString& filter) = 0;
     /** None: cancelled. */
-    [[nodiscard]] virtual std::optional<ExportChoice> chooseExport(QWidget* parent,
-                                                                   const ExportOffer& offer) = 0;
+    [[nodiscard]] virtual std::optional<ExportRequest>
+    chooseExport(QWidget* parent, MissionRunner& runner, const ExportOffer& offer) = 0;
     /** None: cancelled. */
     [[nodiscard]] virtual std::optional<ImportChoice>
     chooseImport(QWidget* parent, ImportRunner& runner, const ImportOffer& offer) = 0;
@@ -147,8 +143,8 @@ public:
     [[nodiscard]] QString openPath(QWidget* parent, const QString& filter) override;
     [[nodiscard]] QString savePath(QWidget* parent, const QString& suggested,
                                    const QString& filter) override;
-    [[nodiscard]] std::optional<ExportChoice> chooseExport(QWidget* parent,
-                                                           const ExportOffer& offer) override;
+    [[nodiscard]] std::optional<ExportRequest> chooseExport(QWidget* parent, MissionRunner& runner,
+                                                            const ExportOffer& offer) override;
     [[nodiscard]] std::optional<ImportChoice> chooseImport(QWidget* parent, ImportRunner& runner,
                                                            const ImportOffer& offer) override;
     [[nodiscard]] std::optional<OriginChoice> askOrigin(QWidget* parent, const Scenario& scenario,

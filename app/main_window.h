@@ -152,6 +152,8 @@ private:
 
     // main_window_menu.cpp
     void showContextMenu(const QPoint& globalPos, const Point& position_m, const std::string& id);
+    void showPlanMenu(const QPoint& globalPos, const std::string& id);
+    void addHandOverActions(QMenu& menu, const std::string& id);
     void addObjectActions(QMenu& menu, const std::string& id);
     void addWaterActions(QMenu& menu, const Point& position_m);
 
@@ -184,7 +186,7 @@ private:
     bool saveTo(const QString& path);
     void saveRun();
     void exportPlan();
-    void writeExport(const QString& path, const std::string& content);
+    void writeExport(const std::vector<ExportFile>& files);
     void writeRun(const QString& path, const RunFile& run);
     void saveTable(const std::string& csv);
     void exportChart(const ChartPanel& chart);
@@ -285,6 +287,7 @@ private:
     Tour* m_tour = nullptr;           ///< while it goes on
 
     std::optional<ComparedPair> m_compared; ///< awaited
+    ExportOptions m_exportOptions;          ///< last chosen
     bool m_closesWhenSaved = false;         ///< as soon as the study is in its file
     bool m_endAgreed = false;  ///< with leaving when the user logs out, and nothing changed since
     bool m_asksReload = false; ///< the question is on screen

@@ -134,6 +134,9 @@ void MainWindow::buildEditMenu()
         addAction(menu, {"deleteAction", tr("&Delete"), QKeySequence::Delete, std::nullopt},
                   [this] { m_map->deleteSelected(); });
     m_editActions = {undo, redo, cut, paste, duplicate, remove};
+    m_editActions.push_back(addAction(
+        menu, {"addUavAction", tr("Add UA&V"), QKeySequence(Qt::CTRL | Qt::Key_U), std::nullopt},
+        [this] { m_map->addUav(); }));
     m_editActions.push_back(
         addAction(menu, {"generateAction", tr("&Generate icebergs..."), {}, std::nullopt},
                   [this] { generateIcebergs(); }));
@@ -377,12 +380,14 @@ void MainWindow::updateActions()
     findChild<QAction*>(u"deleteAction"_s)
         ->setEnabled(!locked && !m_workspace.selection().isEmpty());
     const std::vector<std::string>& ids = m_workspace.selection().ids();
-    const bool hasIcebergs = !icebergsOf(m_workspace.document().scenario(), ids).empty();
+    const Scenario& scenario = m_workspace.document().scenario();
+    const bool hasIcebergs = !icebergsOf(scenario, ids).empty();
     findChild<QAction*>(u"copyAction"_s)->setEnabled(hasIcebergs);
     findChild<QAction*>(u"seenAction"_s)
         ->setEnabled(locked && !m_workspace.flownAmong(ids).empty());
-    for (const QString& name : {u"cutAction"_s, u"duplicateAction"_s})
-        findChild<QAction*>(name)->setEnabled(!locked && hasIcebergs);
+    findChild<QAction*>(u"cutAction"_s)->setEnabled(!locked && hasIcebergs);
+    findChild<QAction*>(u"duplicateAction"_s)
+        ->setEnabled(!locked && (hasIcebergs || !uavsOf(scenario, ids).empty()));
 }
 
 void MainWindow::showShortcuts()

@@ -39,6 +39,11 @@ QString holderText(const LockHolder& holder)
                : MainWindow::tr("Bergwatch, process %1 on %2").arg(holder.pid).arg(holder.host);
 }
 
+QString pathOf(const ExportFile& file)
+{
+    return QFile::decodeName(QByteArray::fromStdString(file.path));
+}
+
 } // namespace
 
 /** What is being typed counts as if Return had been pressed. */
@@ -211,22 +216,48 @@ void MainWindow::exportPlan()
     const ScenarioDocument& document = m_workspace.document();
     const QString folder = m_settings.value("export/folder", QDir::homePath()).toString();
     const QString name = fileNameOf(QString::fromStdString(document.scenario().name));
-    const std::optional<ExportChoice> choice =
-        m_interaction.chooseExport(this, {.path = QDir(folder).filePath(name),
-                                          .formatId = m_settings.value("export/format").toString(),
-                                          .flown = m_workspace.inFlight()});
+    const ExportOffer offer{
+        .suggested = {.formatId = m_settings.value("export/format").toString().toStdString(),
+                      .options = m_exportOptions,
+                      .path = QDir(folder).filePath(name)},
+        .flown = m_workspace.inFlight(),
+        .scenario = std::make_shared<const Scenario>(document.scenario()),
+        .theme = m_theme};
+    const std::optional<ExportRequest> choice =
+        m_interaction.chooseExport(this, m_workspace.runner(), offer);
     if (!choice)
         return;
     m_settings.setValue("export/folder", QFileInfo(choice->path).absolutePath());
-    m_settings.setValue("export/format", choice->formatId);
-    m_workspace.runner().requestExport(choice->formatId.toStdString(), choice->path);
+    m_settings.setValue("export/format", QString::fromStdString(choice->formatId));
+    m_exportOptions = choice->options;
+    m_workspace.runner().requestExport(*choice);
 }
 
-void MainWindow::writeExport(const QString& path, const std::string& content)
+/** Asks once about all files that are there already. */
+void MainWindow::writeExport(const std::vector<ExportFile>& files)
 {
+    QStringList present;
+    for (const ExportFile& file : files)
+        if (const QFileInfo info(pathOf(file)); info.exists())
+            present << info.fileName();
+    const auto answer =
+        present.isEmpty()
+            ? Interaction::Overwrite::Overwrite
+            : m_interaction.askOverwrite(
+                  this, present.join(u", "_s),
+                  tr("%n files of these names are there. What is in them would be lost.", nullptr,
+                     static_cast<int>(present.size())));
+    if (answer == Interaction::Overwrite::SaveAs)
+        exportPlan();
+    if (answer != Interaction::Overwrite::Overwrite)
+        return;
     try {
-        writeFileAtomically(QFile::encodeName(path).toStdString(), content);
-        statusBar()->showMessage(tr("Exported %1").arg(path), 4000);
+        for (const ExportFile& file : files)
+            writeFileAtomically(file.path, file.content);
+        statusBar()->showMessage(
+            files.size() == 1 ? tr("Exported %1").arg(pathOf(files.front()))
+                              : tr("Exported %n files", nullptr, static_cast<int>(files.size())),
+            kMessage_ms);
     } catch (const Error& error) {
         m_interaction.showError(this, errorReport(error));
     }

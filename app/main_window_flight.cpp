@@ -96,7 +96,8 @@ void MainWindow::showFlight()
     const FlightRecord& record = m_workspace.record();
     MapPicture picture = missionPicture(record, locale());
     if (!m_sweptAction->isChecked())
-        picture.swept.clear();
+        for (MapRoute& route : picture.routes)
+            route.swept.clear();
     if (!m_truthAction->isChecked())
         hideTruth(picture);
     if (const RunPointer other = m_workspace.runs().otherIn(record.scenario))
@@ -110,9 +111,7 @@ void MainWindow::showFlight()
     m_map->setPicture(std::move(picture));
     m_map->setMayIntervene(m_workspace.mayIntervene());
     const QString fault = planFault();
-    m_tradeoff->showPlan({.plan = record.shown().plan,
-                          .solving = record.now.phase == RunPhase::Planning,
-                          .fault = fault});
+    m_tradeoff->showPlan(readoutOf(record, fault));
     const bool playing = m_workspace.isPlaying();
     if (!playing) // else at the pace of the tables
         showPlan();
@@ -144,9 +143,7 @@ void MainWindow::showChartsSoon()
 void MainWindow::showPlan()
 {
     const FlightRecord& record = m_workspace.record();
-    const FlightMode mode = record.shown().world.mode;
-    m_plan->showPlan(planRows(record.shown(), record.scenario),
-                     mode == FlightMode::Home || mode == FlightMode::Ground);
+    m_plan->showPlan(planSections(record.shown(), record.scenario));
     m_plan->showOutlook(planOutlook(record));
 }
 
@@ -215,9 +212,10 @@ void MainWindow::showEvents()
     if (events.size() > m_markedEvents) {
         for (; m_markedEvents < events.size(); ++m_markedEvents) {
             const MissionEvent& event = events[m_markedEvents];
-            m_marks.push_back({.time_s = event.time_s,
-                               .kind = event.kind,
-                               .text = eventText(event, record.now.icebergs)});
+            m_marks.push_back(
+                {.time_s = event.time_s,
+                 .kind = event.kind,
+                 .text = eventText(event, record.now.icebergs, record.scenario.uavs)});
         }
         m_playback->setMarks(m_marks);
     }
@@ -233,6 +231,7 @@ void MainWindow::showPlanner()
 void MainWindow::showCurve()
 {
     m_tradeoff->showCurve(m_workspace.curve().curve());
+    m_pareto->setOfFleet(m_workspace.curve().isOfFleet());
     m_pareto->setCurve(m_workspace.curve().curve());
 }
 

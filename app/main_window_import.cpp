@@ -17,7 +17,8 @@ constexpr int kMessage_ms = 4000;
 /** Files that hold sightings rather than a scenario or a run, by their endings. */
 const QStringList& sightingEndings()
 {
-    static const QStringList kEndings{u"csv"_s, u"geojson"_s, u"json"_s, u"kml"_s, u"gpx"_s};
+    static const QStringList kEndings{u"csv"_s, u"geojson"_s, u"json"_s,     u"kml"_s,
+                                      u"gpx"_s, u"plan"_s,    u"waypoints"_s};
     return kEndings;
 }
 
@@ -38,7 +39,8 @@ void MainWindow::chooseSightings()
     if (!mayImport())
         return;
     const QString path = m_interaction.openPath(
-        this, tr("Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx);;All files (*)"));
+        this, tr("Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;"
+                 "All files (*)"));
     if (!path.isEmpty())
         importSightings(path);
 }

@@ -1,7 +1,8 @@
-// The context menu of the map: what can be done with what is under the cursor.
+// The context menus of map and plan: what can be done with what is under the cursor.
 
 #include "app/main_window.h"
 #include "widgets/map/map_view.h"
+#include "widgets/model/object_names.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/panels/inspector_panel.h"
 
@@ -37,6 +38,34 @@ void MainWindow::showContextMenu(const QPoint& globalPos, const Point& position_
     menu->popup(globalPos);
 }
 
+void MainWindow::showPlanMenu(const QPoint& globalPos, const std::string& id)
+{
+    auto* menu = new QMenu(this);
+    menu->setObjectName(u"planMenu"_s);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    addObjectActions(*menu, id);
+    menu->popup(globalPos);
+}
+
+/** Of several UAVs: which of them is to visit what is selected. */
+void MainWindow::addHandOverActions(QMenu& menu, const std::string& id)
+{
+    const std::vector<Uav>& uavs = m_workspace.document().scenario().uavs;
+    if (uavs.size() < 2)
+        return;
+    const std::string keeper = m_workspace.keeperOf(id);
+    const auto add = [&](const QString& text, const std::string& uav) {
+        QAction* action = menu.addAction(
+            text, this, [this, uav] { m_workspace.assign(m_workspace.selection().ids(), uav); });
+        action->setCheckable(true);
+        action->setChecked(uav == keeper);
+    };
+    menu.addSeparator();
+    for (const Uav& uav : uavs)
+        add(tr("Give to %1").arg(shownName(uav).replace(u'&', u"&&"_s)), uav.id);
+    add(tr("Any UAV may visit it"), {});
+}
+
 void MainWindow::addObjectActions(QMenu& menu, const std::string& id)
 {
     const bool locked = m_workspace.inFlight();
@@ -49,10 +78,15 @@ void MainWindow::addObjectActions(QMenu& menu, const std::string& id)
              {u"cutAction"_s, u"copyAction"_s, u"duplicateAction"_s, u"deleteAction"_s})
             menu.addAction(findChild<QAction*>(name));
         menu.addAction(findChild<QAction*>(u"seenAction"_s));
+        addHandOverActions(menu, id);
         return;
     }
-    if (isUav)
-        return; // it stays
+    if (isUav) {
+        menu.addAction(findChild<QAction*>(u"duplicateAction"_s));
+        if (m_workspace.document().scenario().uavs.size() > 1) // the last one stays
+            menu.addAction(findChild<QAction*>(u"deleteAction"_s));
+        return;
+    }
     const QString text = id == kAssetKey ? tr("Remove asset") : tr("Remove area");
     menu.addAction(text, this,
                    [this, id, text] {
@@ -68,6 +102,8 @@ void MainWindow::addWaterActions(QMenu& menu, const Point& position_m)
     const bool locked = m_workspace.inFlight();
     menu.addAction(tr("New iceberg here"), this,
                    [this, position_m] { m_map->addIcebergAt(position_m); });
+    menu.addAction(tr("New UAV here"), this, [this, position_m] { m_map->addUavAt(position_m); })
+        ->setEnabled(!locked);
     menu.addAction(findChild<QAction*>(u"windAction"_s));
     menu.addAction(findChild<QAction*>(u"generateAction"_s));
     menu.addAction(tr("Paste here"), this, [this, position_m] { m_map->pasteAt(position_m); })

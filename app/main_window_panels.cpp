@@ -248,6 +248,11 @@ void MainWindow::connectPanels()
     });
     connect(m_plan, &PlanPanel::activated, this,
             [this](const std::string& id) { m_workspace.selection().set({id}); });
+    connect(m_plan, &PlanPanel::menuRequested, this, &MainWindow::showPlanMenu);
+    connect(m_plan, &PlanPanel::handedOver, this,
+            [this](const std::string& iceberg, const std::string& uav) {
+                m_workspace.assign({iceberg}, uav);
+            });
     connect(m_map, &MapView::outlineChanged, this, &MainWindow::showOverview);
     connect(m_overview, &OverviewInset::placePicked, m_map, &MapView::centreOn);
     connect(m_map, &MapView::followUavChanged, m_followAction, &QAction::setChecked);

@@ -38,7 +38,11 @@ RecentFile readRecentFile(const QString& path)
 QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio)
 {
     MapPicture picture = withScenario({}, scenario);
-    picture.plan = planFromStart(scenario).order;
+    const PlanAnswer answer = planFromStart(scenario);
+    if (!picture.routes.empty())
+        picture.routes.front().plan = answer.order;
+    for (std::size_t uav = 0; uav < answer.fleet.size(); ++uav)
+        picture.routes[uav].plan = answer.fleet[uav].order;
     const MapStyle style{.theme = theme, .locale = QLocale()};
     const QRectF rect(QPointF(0, 0), QSizeF(kExamplePicture_px) / kReduction);
     const MapLayout layout = arrangeMap(picture, style, rect);
@@ -80,6 +84,7 @@ QStringList examplePaths()
             u":/scenarios/fram-strait-endurance.berg"_s,
             u":/scenarios/jones-sound-late-plans.berg"_s,
             u":/scenarios/svalbard-two-uavs.berg"_s,
+            u":/scenarios/melville-bay-three-uavs.berg"_s,
             u":/scenarios/labrador-20.berg"_s,
             u":/scenarios/scoresby-sund-40.berg"_s};
 }

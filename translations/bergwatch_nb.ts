@@ -178,6 +178,18 @@
         <source>Flown, %1</source>
         <translation>Fløyet, %1</translation>
     </message>
+    <message>
+        <source>%1, visits</source>
+        <translation>%1, besøk</translation>
+    </message>
+    <message>
+        <source>Icebergs that %1 reached.</source>
+        <translation>Isfjell som %1 har nådd.</translation>
+    </message>
+    <message>
+        <source>What %1 has flown through the air.</source>
+        <translation>Det %1 har fløyet gjennom lufta.</translation>
+    </message>
 </context>
 <context>
     <name>CurveText</name>
@@ -492,6 +504,209 @@
         <source>next sortie</source>
         <translation>neste tokt</translation>
     </message>
+    <message>
+        <source>Any UAV may visit %1</source>
+        <translation>Enhver UAV kan besøke %1</translation>
+    </message>
+    <message>
+        <source>Close to another UAV: %1</source>
+        <translation>Nær en annen UAV: %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are %3 apart</source>
+        <translation>%1 og %2 er %3 fra hverandre</translation>
+    </message>
+    <message>
+        <source>%1 has nothing to visit: circling</source>
+        <translation>%1 har ingenting å besøke: sirkler</translation>
+    </message>
+    <message>
+        <source>%1 flies to %2 next</source>
+        <translation>%1 flyr til %2 som neste</translation>
+    </message>
+    <message>
+        <source>%1 given to %2</source>
+        <translation>%1 gitt til %2</translation>
+    </message>
+    <message>
+        <source>seen by another UAV</source>
+        <translation>sett av en annen UAV</translation>
+    </message>
+    <message>
+        <source>another UAV needed a plan</source>
+        <translation>en annen UAV trengte en plan</translation>
+    </message>
+</context>
+<context>
+    <name>ExportPicture</name>
+    <message>
+        <source>No icebergs</source>
+        <translation>Ingen isfjell</translation>
+    </message>
+</context>
+<context>
+    <name>ExportText</name>
+    <message>
+        <source>Mission plan</source>
+        <translation>Oppdragsplan</translation>
+    </message>
+    <message>
+        <source>Take-off to home as mission items with altitude, speed and radii, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
+        <translation>Oppdraget fra start til hjem med høyde, fart og radier, geogjerdet og et samlingspunkt hjemme. Leses også av Mission Planner og MAVSDK. Én UAV per fil.</translation>
+    </message>
+    <message>
+        <source>Waypoint list</source>
+        <translation>Veipunktliste</translation>
+    </message>
+    <message>
+        <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One UAV a file.</source>
+        <translation>Oppdraget som QGC WPL 110, første rad er hjem, for Mission Planner og MAVProxy. Uten geogjerde. Én UAV per fil.</translation>
+    </message>
+    <message>
+        <source>QGIS and other map programs</source>
+        <translation>QGIS og andre kartprogrammer</translation>
+    </message>
+    <message>
+        <source>Icebergs, UAVs, ways and area as features with their numbers, longitude and latitude of WGS 84.</source>
+        <translation>Isfjell, UAV-er, veier og område som objekter med sine tall, lengde og bredde i WGS 84.</translation>
+    </message>
+    <message>
+        <source>Chart plotters, Garmin</source>
+        <translation>Kartplottere, Garmin</translation>
+    </message>
+    <message>
+        <source>Icebergs as waypoints, the order as a route, a path or what was flown as a track with times.</source>
+        <translation>Isfjell som veipunkter, rekkefølgen som rute, en bane eller det som er fløyet som spor med tider.</translation>
+    </message>
+    <message>
+        <source>UAVs and icebergs moving in time over the globe, with ways, area and asset.</source>
+        <translation>UAV-er og isfjell som beveger seg i tid over kloden, med veier, område og objekt.</translation>
+    </message>
+    <message>
+        <source>The same as KML, packed into one small file.</source>
+        <translation>Det samme som KML, pakket i én liten fil.</translation>
+    </message>
+    <message>
+        <source>Ways in the colours of the UAVs, with times if the scenario has a start; icebergs with their numbers.</source>
+        <translation>Veier i UAV-enes farger, med tider hvis scenarioet har en start; isfjell med sine tall.</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Usikkerhet</translation>
+    </message>
+    <message>
+        <source>Spreadsheets</source>
+        <translation>Regneark</translation>
+    </message>
+    <message>
+        <source>Table with the uncertainty of every iceberg over the time of the flight.</source>
+        <translation>Tabell med usikkerheten til hvert isfjell gjennom flygingen.</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>Avgjørelser</translation>
+    </message>
+    <message>
+        <source>Table with plans, visits and what else happened in the flight.</source>
+        <translation>Tabell med planer, besøk og hva ellers som skjedde under flygingen.</translation>
+    </message>
+    <message>
+        <source>Zeta</source>
+        <translation>Zeta-kurve</translation>
+    </message>
+    <message>
+        <source>Table with zeta over the time of the flight.</source>
+        <translation>Tabell med zeta gjennom flygingen.</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Vei</translation>
+    </message>
+    <message>
+        <source>Table of the order with legs, coordinates and arrivals; of a path or what was flown one row for each point.</source>
+        <translation>Tabell over rekkefølgen med etapper, koordinater og ankomster; for en bane eller det som er fløyet én rad per punkt.</translation>
+    </message>
+    <message>
+        <source>%1 shows the cruise speed as a whole number: %2 m/s becomes %3 m/s. The speed in the mission is exact.</source>
+        <translation>%1 viser marsjfarten som heltall: %2 m/s blir %3 m/s. Farten i oppdraget er nøyaktig.</translation>
+    </message>
+    <message>
+        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m.</source>
+        <translation>%1 lagrer sirkelradier over 255 m i trinn på 10 m: %2 m blir %3 m.</translation>
+    </message>
+    <message>
+        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m.</source>
+        <translation>%1 lagrer passeringsradier opp til %3 m: %2 m blir %3 m.</translation>
+    </message>
+    <message>
+        <source>Autopilots</source>
+        <translation>Autopiloter</translation>
+    </message>
+    <message>
+        <source>Maps and globes</source>
+        <translation>Kart og kloder</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabeller</translation>
+    </message>
+    <message>
+        <source>Good to know</source>
+        <translation>Verdt å vite</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Endret</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Utelatt</translation>
+    </message>
+    <message numerus="yes">
+        <source>A file holds one UAV: %n files are written, named after the UAVs.</source>
+        <translation>
+            <numerusform>En fil rommer én UAV: %n fil skrives, oppkalt etter UAV-en.</numerusform>
+            <numerusform>En fil rommer én UAV: %n filer skrives, oppkalt etter UAV-ene.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scenario has no start time, so the file has no dates.</source>
+        <translation>Scenarioet har ingen starttid, så filen har ingen datoer.</translation>
+    </message>
+    <message>
+        <source>The format has no place for the geofence.</source>
+        <translation>Formatet har ikke plass til geogjerdet.</translation>
+    </message>
+    <message>
+        <source>%1 may draw the fence the long way round: it crosses the antimeridian.</source>
+        <translation>%1 kan tegne gjerdet den lange veien rundt: det krysser datolinjen.</translation>
+    </message>
+    <message>
+        <source>The places where icebergs were reached are written, not the track.</source>
+        <translation>Stedene der isfjell ble nådd skrives, ikke sporet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The path becomes %n waypoints close to it.</source>
+        <translation>
+            <numerusform>Banen blir %n veipunkt tett ved den.</numerusform>
+            <numerusform>Banen blir %n veipunkter tett ved den.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The table is about the whole flight, whatever is chosen.</source>
+        <translation>Tabellen gjelder hele flygingen, uansett valg.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs have no iceberg to visit.</source>
+        <translation>
+            <numerusform>%n UAV har ingen isfjell å besøke.</numerusform>
+            <numerusform>%n UAV-er har ingen isfjell å besøke.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The airspeed must be above the speed of the wind.</source>
+        <translation>Flyfarten må være høyere enn vindhastigheten.</translation>
+    </message>
 </context>
 <context>
     <name>FlightDrag</name>
@@ -552,6 +767,14 @@
     <message>
         <source>The wind has changed on the way.</source>
         <translation>Vinden har endret seg underveis.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are %3 apart</source>
+        <translation>%1 og %2 er %3 fra hverandre</translation>
+    </message>
+    <message>
+        <source>They fly at about the same altitude and are to stay %1 apart.</source>
+        <translation>De flyr i omtrent samme høyde og skal holde %1 avstand.</translation>
     </message>
 </context>
 <context>
@@ -854,6 +1077,14 @@
         <source>It still comes nearer in an hour, to this distance by then.</source>
         <translation>Det kommer fortsatt nærmere om en time, til denne avstanden da.</translation>
     </message>
+    <message>
+        <source>target of %1</source>
+        <translation>mål for %1</translation>
+    </message>
+    <message>
+        <source>number %1 of %2</source>
+        <translation>nummer %1 for %2</translation>
+    </message>
 </context>
 <context>
     <name>ImportCells</name>
@@ -1125,10 +1356,6 @@
         <translation>KML (Google Earth)</translation>
     </message>
     <message>
-        <source>GPX (waypoints and tracks)</source>
-        <translation>GPX (veipunkter og spor)</translation>
-    </message>
-    <message>
         <source>GeoJSON (QGIS)</source>
         <translation>GeoJSON (QGIS)</translation>
     </message>
@@ -1223,6 +1450,18 @@
     <message>
         <source>Canadian Ice Service (CSV)</source>
         <translation>Canadian Ice Service (CSV)</translation>
+    </message>
+    <message>
+        <source>GPX (waypoints, routes and tracks)</source>
+        <translation>GPX (veipunkter, ruter og spor)</translation>
+    </message>
+    <message>
+        <source>QGroundControl plan</source>
+        <translation>QGroundControl-plan</translation>
+    </message>
+    <message>
+        <source>ArduPilot mission (QGC WPL)</source>
+        <translation>ArduPilot-oppdrag (QGC WPL)</translation>
     </message>
 </context>
 <context>
@@ -1519,10 +1758,6 @@
     <message>
         <source>Altitude</source>
         <translation>Høyde</translation>
-    </message>
-    <message>
-        <source>Height above the sea, for exports.</source>
-        <translation>Høyde over havet, for eksport.</translation>
     </message>
     <message>
         <source>Change altitude</source>
@@ -1942,13 +2177,45 @@
         <source>Longest flight: it is home before that; at 0 it never lands.</source>
         <translation>Lengste flytur: den er hjemme før det; ved 0 lander den aldri.</translation>
     </message>
+    <message>
+        <source>Visited by</source>
+        <translation>Besøkes av</translation>
+    </message>
+    <message>
+        <source>The UAV that alone is to visit it.</source>
+        <translation>UAV-en som alene skal besøke det.</translation>
+    </message>
+    <message>
+        <source>Change UAV of an iceberg</source>
+        <translation>Endre UAV for et isfjell</translation>
+    </message>
+    <message>
+        <source>any UAV</source>
+        <translation>hvilken som helst</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Avstand mellom UAV-er</translation>
+    </message>
+    <message>
+        <source>UAVs that come nearer to each other than this are warned of, unless their altitudes are 30 m apart.</source>
+        <translation>Det varsles om UAV-er som kommer nærmere hverandre enn dette, med mindre høydene deres skiller seg med 30 m.</translation>
+    </message>
+    <message>
+        <source>Change separation</source>
+        <translation>Endre avstand mellom UAV-er</translation>
+    </message>
+    <message>
+        <source>never warned of</source>
+        <translation>varsles aldri</translation>
+    </message>
+    <message>
+        <source>Height above the sea: UAVs that are 30 m apart in it pass each other.</source>
+        <translation>Høyde over havet: UAV-er som skiller seg med 30 m i den, går klar av hverandre.</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
-    <message>
-        <source>This version flies the first UAV only; the others are kept.</source>
-        <translation>Denne versjonen flyr bare den første UAV-en; de andre beholdes.</translation>
-    </message>
     <message>
         <source>Drifts so fast that the UAV may not catch up with it.</source>
         <translation>Driver så fort at UAV-en kanskje ikke tar det igjen.</translation>
@@ -2121,6 +2388,14 @@
     <message>
         <source>So near the geofence that the UAV cannot come as near as it has to.</source>
         <translation>Så nær geogjerdet at dronen ikke kan komme så nær som den må.</translation>
+    </message>
+    <message>
+        <source>Starts near another UAV in the same altitude layer: let their altitudes differ by 30 m.</source>
+        <translation>Starter nær en annen UAV i samme høydelag: la høydene deres skille seg med 30 m.</translation>
+    </message>
+    <message>
+        <source>Icebergs are planned as one point for one UAV only; with several each is planned by itself.</source>
+        <translation>Isfjell planlegges som ett punkt bare for én UAV; med flere planlegges hvert for seg.</translation>
     </message>
 </context>
 <context>
@@ -2384,6 +2659,22 @@
         <source>Search</source>
         <translation>Leting</translation>
     </message>
+    <message>
+        <source>UAVs too close to each other</source>
+        <translation>UAV-er for nær hverandre</translation>
+    </message>
+    <message>
+        <source>Too close</source>
+        <translation>For nær</translation>
+    </message>
+    <message>
+        <source>Kept for the UAV of this colour</source>
+        <translation>Holdt av for UAV-en med denne fargen</translation>
+    </message>
+    <message>
+        <source>Kept for one</source>
+        <translation>Holdt av for én</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -2622,6 +2913,22 @@
         <source>Weighted by priority the sum is %1 m².</source>
         <translation>Vektet etter prioritet er summen %1 m².</translation>
     </message>
+    <message>
+        <source>All %1</source>
+        <translation>Alle %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>At %1 the turn rates are: %2.</source>
+        <translation>Ved %1 er svinghastighetene: %2.</translation>
+    </message>
+    <message>
+        <source>At %1 the cross-track errors are: %2.</source>
+        <translation>Ved %1 er avvikene fra etappene: %2.</translation>
+    </message>
 </context>
 <context>
     <name>MissionPicture</name>
@@ -2648,6 +2955,10 @@
     <message>
         <source>Endurance left</source>
         <translation>Flytid igjen</translation>
+    </message>
+    <message>
+        <source>Closest so far</source>
+        <translation>Nærmest hittil</translation>
     </message>
 </context>
 <context>
@@ -2847,10 +3158,6 @@
         <translation>Slipp for å beholde denne kursen. Esc angrer.</translation>
     </message>
     <message>
-        <source>Click places the UAV, drag on to turn it. Esc leaves the tool.</source>
-        <translation>Klikk plasserer UAV-en, dra videre for å dreie den. Esc forlater verktøyet.</translation>
-    </message>
-    <message>
         <source>Move asset</source>
         <translation>Flytt objektet</translation>
     </message>
@@ -2873,6 +3180,18 @@
     <message>
         <source>Click adds an iceberg that appears here and now, drag on to set its drift. In flight that cannot be undone.</source>
         <translation>Klikk legger til et isfjell som dukker opp her og nå, dra videre for å sette driften. Under flyging kan det ikke angres.</translation>
+    </message>
+    <message>
+        <source>Add UAV</source>
+        <translation>Legg til UAV</translation>
+    </message>
+    <message>
+        <source>Click places the UAV, drag on to turn it. With Ctrl it is another one. Esc leaves the tool.</source>
+        <translation>Klikk plasserer UAV-en, dra videre for å dreie den. Med Ctrl blir det en ny. Esc forlater verktøyet.</translation>
+    </message>
+    <message>
+        <source>Click places %1, drag on to turn it. With Ctrl it is another UAV. Esc leaves the tool.</source>
+        <translation>Klikk plasserer %1, dra videre for å dreie den. Med Ctrl blir det en ny UAV. Esc forlater verktøyet.</translation>
     </message>
 </context>
 <context>
@@ -3073,6 +3392,25 @@
     <message>
         <source>Predicts zeta for ways that pass icebergs at an offset and see several at once.</source>
         <translation>Forutsier zeta for veier som passerer isfjell på avstand og ser flere på én gang.</translation>
+    </message>
+    <message>
+        <source>by assignment</source>
+        <comment>solver</comment>
+        <translation>ved tilordning</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n UAV</numerusform>
+            <numerusform>%n UAV-er</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n isfjell</numerusform>
+            <numerusform>%n isfjell</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3586,32 +3924,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 <context>
     <name>berg::ExportDialog</name>
     <message>
-        <source>Maps (QGIS)</source>
-        <translation>Kart (QGIS)</translation>
-    </message>
-    <message>
-        <source>GeoJSON with icebergs, UAV and planned legs as layers, WGS 84 longitude and latitude.</source>
-        <translation>GeoJSON med isfjell, UAV og planlagte etapper som lag, lengde og bredde i WGS 84.</translation>
-    </message>
-    <message>
-        <source>GeoJSON with icebergs, UAV and the track that was flown, WGS 84 longitude and latitude.</source>
-        <translation>GeoJSON med isfjell, UAV og sporet som ble fløyet, lengde og bredde i WGS 84.</translation>
-    </message>
-    <message>
-        <source>Spreadsheets</source>
-        <translation>Regneark</translation>
-    </message>
-    <message>
-        <source>Table (.csv) of the planned order: leg, distance, arrival and uncertainty of each iceberg. Decimal points, UTF-8.</source>
-        <translation>Tabell (.csv) over planlagt rekkefølge: etappe, avstand, ankomst og usikkerhet for hvert isfjell. Desimalpunktum, UTF-8.</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Eksporter</translation>
-    </message>
-    <message>
-        <source>Tool that reads the file</source>
-        <translation>Programmet som leser filen</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -3622,10 +3936,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Bla gjennom …</translation>
     </message>
     <message>
-        <source>Replace</source>
-        <translation>Erstatt</translation>
-    </message>
-    <message>
         <source>Name the file.</source>
         <translation>Gi filen et navn.</translation>
     </message>
@@ -3634,36 +3944,150 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Mappen %1 finnes ikke.</translation>
     </message>
     <message>
-        <source>The file exists and will be replaced.</source>
-        <translation>Filen finnes og blir erstattet.</translation>
-    </message>
-    <message>
-        <source>Goes to %1</source>
-        <translation>Lagres i %1</translation>
-    </message>
-    <message>
         <source>Export to</source>
         <translation>Eksporter til</translation>
     </message>
     <message>
-        <source>Mission plan (.plan): one waypoint for each iceberg in the planned order, then a loiter; home, speed and altitude. Also read by Mission Planner and MAVSDK.</source>
-        <translation>Oppdragsplan (.plan): ett veipunkt for hvert isfjell i planlagt rekkefølge, deretter sirkling; hjem, fart og høyde. Leses også av Mission Planner og MAVSDK.</translation>
+        <source>Format of the file</source>
+        <translation>Filens format</translation>
     </message>
     <message>
-        <source>Mission plan (.plan): one waypoint for each iceberg in the order they were reached, then a loiter. Also read by Mission Planner and MAVSDK.</source>
-        <translation>Oppdragsplan (.plan): ett veipunkt for hvert isfjell i rekkefølgen de ble nådd, deretter sirkling. Leses også av Mission Planner og MAVSDK.</translation>
+        <source>Not possible</source>
+        <translation>Ikke mulig</translation>
     </message>
     <message>
-        <source>Waypoint list (.waypoints, QGC WPL 110) of the planned order, its first row home, for Mission Planner and MAVProxy.</source>
-        <translation>Veipunktliste (.waypoints, QGC WPL 110) for planlagt rekkefølge, med hjem som første rad, for Mission Planner og MAVProxy.</translation>
+        <source>Everything that was asked for is in the file.</source>
+        <translation>Alt det ble bedt om, er i filen.</translation>
     </message>
     <message>
-        <source>Waypoint list (.waypoints, QGC WPL 110) of the icebergs in the order they were reached, its first row home.</source>
-        <translation>Veipunktliste (.waypoints, QGC WPL 110) over isfjellene i rekkefølgen de ble nådd, med hjem som første rad.</translation>
+        <source>%1, %2, to %3</source>
+        <translation>%1, %2, til %3</translation>
     </message>
     <message>
-        <source>Table (.csv) of the flown track: time, position, heading, turn rate and cross-track error at each sample. Decimal points, UTF-8.</source>
-        <translation>Tabell (.csv) over sporet som ble fløyet: tid, posisjon, kurs, svinghastighet og avvik fra etappen ved hver prøve. Desimalpunktum, UTF-8.</translation>
+        <source>There already: you will be asked before anything is lost.</source>
+        <translation>Finnes fra før: du blir spurt før noe går tapt.</translation>
+    </message>
+    <message>
+        <source>Working ...</source>
+        <translation>Arbeider …</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExportOptionsView</name>
+    <message>
+        <source>What was flown</source>
+        <translation>Det som er fløyet</translation>
+    </message>
+    <message>
+        <source>The whole order</source>
+        <translation>Hele rekkefølgen</translation>
+    </message>
+    <message>
+        <source>The first leg</source>
+        <translation>Første etappe</translation>
+    </message>
+    <message>
+        <source>The path with turns</source>
+        <translation>Banen med svinger</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>&amp;Hva</translation>
+    </message>
+    <message>
+        <source>All UAVs</source>
+        <translation>Alle UAV-er</translation>
+    </message>
+    <message>
+        <source>&amp;UAV</source>
+        <translation>&amp;UAV</translation>
+    </message>
+    <message>
+        <source>As in the scenario</source>
+        <translation>Som i scenarioet</translation>
+    </message>
+    <message>
+        <source>&amp;Altitude</source>
+        <translation>Hø&amp;yde</translation>
+    </message>
+    <message>
+        <source>Air&amp;speed</source>
+        <translation>Flyfa&amp;rt</translation>
+    </message>
+    <message>
+        <source>A&amp;cceptance radius</source>
+        <translation>&amp;Passeringsradius</translation>
+    </message>
+    <message>
+        <source>None: fly over</source>
+        <translation>Ingen: fly over</translation>
+    </message>
+    <message>
+        <source>&amp;Loiter turns</source>
+        <translation>&amp;Sirkler over isfjellet</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nei</translation>
+    </message>
+    <message>
+        <source>&amp;Return home</source>
+        <translation>Fly h&amp;jem</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ExportPreviewView</name>
+    <message>
+        <source>Home</source>
+        <translation>Hjem</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posisjon</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
+    </message>
+    <message>
+        <source>Waypoints of the file</source>
+        <translation>Filens veipunkter</translation>
+    </message>
+    <message>
+        <source>Map of what is exported</source>
+        <translation>Kart over det som eksporteres</translation>
+    </message>
+    <message>
+        <source>How the file begins</source>
+        <translation>Hvordan filen begynner</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Kart</translation>
+    </message>
+    <message>
+        <source>Waypoints</source>
+        <translation>Veipunkter</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
     </message>
 </context>
 <context>
@@ -3954,10 +4378,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Id</source>
         <translation>Id</translation>
     </message>
-    <message>
-        <source>Names the iceberg in files and lists; each id is there once.</source>
-        <translation>Navngir isfjellet i filer og lister; hver id finnes bare én gang.</translation>
-    </message>
 </context>
 <context>
     <name>berg::ImportColumnsView</name>
@@ -4238,6 +4658,18 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Drag its corners on the map to change it.</source>
         <translation>Dra hjørnene på kartet for å endre det.</translation>
+    </message>
+    <message>
+        <source>Names the iceberg in files and lists; each id is there once.</source>
+        <translation>Navngir isfjellet i filer og lister; hver id finnes bare én gang.</translation>
+    </message>
+    <message>
+        <source>Names the UAV in files and lists; each id is there once.</source>
+        <translation>Navngir UAV-en i filer og lister; hver id finnes bare én gang.</translation>
+    </message>
+    <message>
+        <source>A UAV needs an id.</source>
+        <translation>En UAV må ha en id.</translation>
     </message>
 </context>
 <context>
@@ -4833,10 +5265,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Under flygingen kan ingen observasjoner importeres. Nullstill flygingen for å importere dem.</translation>
     </message>
     <message>
-        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx);;All files (*)</source>
-        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.gpx);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>Import 1 iceberg from %1</source>
         <translation>Importer 1 isfjell fra %1</translation>
     </message>
@@ -4966,6 +5394,40 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Win&amp;d...</source>
         <translation>&amp;Vind...</translation>
     </message>
+    <message>
+        <source>Add UA&amp;V</source>
+        <translation>Legg &amp;til UAV</translation>
+    </message>
+    <message>
+        <source>New UAV here</source>
+        <translation>Ny UAV her</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of these names are there. What is in them would be lost.</source>
+        <translation>
+            <numerusform>%n fil med dette navnet finnes. Innholdet går tapt.</numerusform>
+            <numerusform>%n filer med disse navnene finnes. Innholdet går tapt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n files</source>
+        <translation>
+            <numerusform>Eksporterte %n fil</numerusform>
+            <numerusform>Eksporterte %n filer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Give to %1</source>
+        <translation>Gi til %1</translation>
+    </message>
+    <message>
+        <source>Any UAV may visit it</source>
+        <translation>Enhver UAV kan besøke det</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;All files (*)</source>
+        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
+    </message>
 </context>
 <context>
     <name>berg::MapView</name>
@@ -5069,6 +5531,36 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>drifting %1 towards %2</source>
         <translation>driver %1 mot %2</translation>
+    </message>
+    <message>
+        <source>Delete UAV</source>
+        <translation>Slett UAV</translation>
+    </message>
+    <message>
+        <source>The last UAV stays: a scenario has at least one.</source>
+        <translation>Den siste UAV-en blir: et scenario har minst én.</translation>
+    </message>
+    <message>
+        <source>Duplicate UAV</source>
+        <translation>Dupliser UAV</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n UAVs</source>
+        <translation>
+            <numerusform>Dupliser %n UAV</numerusform>
+            <numerusform>Dupliser %n UAV-er</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario holds at most %n UAVs.</source>
+        <translation>
+            <numerusform>Et scenario har høyst %n UAV.</numerusform>
+            <numerusform>Et scenario har høyst %n UAV-er.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add UAV</source>
+        <translation>Legg til UAV</translation>
     </message>
 </context>
 <context>
@@ -5185,6 +5677,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Distance, %1</source>
         <translation>Avstand, %1</translation>
     </message>
+    <message>
+        <source>The plans for every τ are those of one UAV</source>
+        <translation>Planene for hver τ gjelder én UAV</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlaceField</name>
@@ -5254,6 +5750,30 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>The plan ends before this iceberg is seen.</source>
         <translation>Planen slutter før dette isfjellet blir sett.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n visits</source>
+        <translation>
+            <numerusform>%n besøk</numerusform>
+            <numerusform>%n besøk</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is on its way home or on the ground: its next sortie is planned at take-off.</source>
+        <translation>Den er på vei hjem eller på bakken: neste tur planlegges når den tar av.</translation>
+    </message>
+    <message>
+        <source>There is nothing for it to visit.</source>
+        <translation>Den har ingenting å besøke.</translation>
+    </message>
+    <message>
+        <source>%1, flown %2</source>
+        <comment>length and end of a way</comment>
+        <translation>%1, fløyet %2</translation>
+    </message>
+    <message>
+        <source>Kept for %1</source>
+        <translation>Holdt av for %1</translation>
     </message>
 </context>
 <context>
@@ -5642,6 +6162,17 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>Compare this run with A</source>
         <translation>Sammenlign denne flygingen med A</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n UAV</numerusform>
+            <numerusform>%n UAV-er</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>one UAV</source>
+        <translation>én UAV</translation>
     </message>
 </context>
 <context>
@@ -6542,6 +7073,10 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>Change wind</source>
         <translation>Endre vind</translation>
+    </message>
+    <message>
+        <source>Hand over iceberg</source>
+        <translation>Overlat isfjell</translation>
     </message>
 </context>
 </TS>

@@ -429,7 +429,8 @@ check "export of both in one file" exits 0 "$cli" export two.berg --format kml -
 
 # --- import ----------------------------------------------------------------------------------
 data="$source_dir/tests/data/import"
-for file in iip.csv cis-beacon.csv usnic.csv metno.geojson points.geojson places.kml waypoints.gpx table.csv; do
+for file in iip.csv cis-beacon.csv usnic.csv metno.geojson points.geojson places.kml waypoints.gpx \
+            qgc.plan ardupilot.waypoints route.gpx route.geojson table.csv; do
     check "import $file" exits 0 "$cli" import "$data/$file" --output imported.berg
     check "import $file: names each rejected row" says "$file: line "
     check "import $file: valid" exits 0 "$cli" validate imported.berg

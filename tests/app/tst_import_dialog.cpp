@@ -47,7 +47,7 @@ private slots:
     {
         QTest::addColumn<int>("fixture");
         for (std::size_t i = 0; i < test::kImportFixtures.size(); ++i)
-            QTest::newRow(test::kImportFixtures[i].format) << static_cast<int>(i);
+            QTest::newRow(test::kImportFixtures[i].file) << static_cast<int>(i);
     }
 
     void everyFormatComesOutAsFromTheCore()

@@ -17,6 +17,14 @@ Scenario three()
     return randomScenario(31, {.icebergs = 3});
 }
 
+ExportRequest requestFor(const char* format, const QString& path)
+{
+    ExportRequest request;
+    request.formatId = format;
+    request.path = path;
+    return request;
+}
+
 } // namespace
 
 /** Plans and runs as files of other programs. */
@@ -33,6 +41,8 @@ private slots:
         QTest::addColumn<bool>("flown");
         for (const ExportFormat& format : exportFormats())
             for (const bool flown : {false, true}) {
+                if (format.holds.flownOnly && !flown)
+                    continue;
                 const QString id =
                     QString::fromLatin1(format.id.data(), qsizetype(format.id.size()));
                 QTest::addRow("%s, %s", qPrintable(id), flown ? "flown" : "plan") << id << flown;
@@ -51,7 +61,7 @@ private slots:
             QVERIFY(w.until([&] { return w.record().now.time_s > 39.95; }));
         }
         const QString path = w.file(u"plan.out"_s);
-        w.interaction.exportChoice = ExportChoice{.formatId = format, .path = path};
+        w.interaction.exportChoice = requestFor(qPrintable(format), path);
         w.trigger(u"exportAction"_s);
         QVERIFY(w.until([&] { return QFile::exists(path); }));
         QCOMPARE(w.interaction.offers.size(), 1U);
@@ -75,9 +85,9 @@ private slots:
         WindowFixture w(scenario);
         const QString plan = w.file(u"a.plan"_s);
         const QString table = w.file(u"b.csv"_s);
-        w.interaction.exportChoice = ExportChoice{.formatId = u"plan"_s, .path = plan};
+        w.interaction.exportChoice = requestFor("plan", plan);
         w.trigger(u"exportAction"_s);
-        w.interaction.exportChoice = ExportChoice{.formatId = u"csv"_s, .path = table};
+        w.interaction.exportChoice = requestFor("csv", table);
         w.trigger(u"exportAction"_s);
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(table); }, 2000));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(plan); }, 500));
@@ -94,6 +104,73 @@ private slots:
         QCOMPARE(QDir(w.folder.path()).entryList({u"*.plan"_s, u"*.csv"_s}).size(), 0);
     }
 
+    /** One file for each UAV, and one question about all that are there already. */
+    void filesOfAFleetAreAskedAboutOnce()
+    {
+        using Overwrite = Interaction::Overwrite;
+        Scenario scenario = three();
+        scenario.uavs.push_back(scenario.uavs.front());
+        scenario.uavs.back().id = "uav/2";
+        scenario.uavs.back().position_m += Point(900, 0);
+        WindowFixture w(scenario);
+        const QString first =
+            w.file(u"fleet-"_s + QString::fromStdString(scenario.uavs.front().id) + u".plan"_s);
+        const QString second = w.file(u"fleet-uav_2.plan"_s);
+        w.interaction.exportChoice = requestFor("plan", w.file(u"fleet.plan"_s));
+        w.trigger(u"exportAction"_s);
+        QVERIFY(w.until([&] { return QFile::exists(first) && QFile::exists(second); }));
+        QVERIFY(!QFile::exists(w.file(u"fleet.plan"_s)));
+        QVERIFY(w.interaction.overwriteReasons.isEmpty());
+
+        for (const Overwrite answer : {Overwrite::Cancel, Overwrite::Overwrite}) {
+            for (const QString& path : {first, second})
+                writeFileAtomically(path.toStdString(), "old");
+            w.interaction.overwrite = answer;
+            w.interaction.overwriteReasons.clear();
+            w.trigger(u"exportAction"_s);
+            QVERIFY(w.until([&] { return !w.interaction.overwriteReasons.isEmpty(); }));
+            const bool isKept = answer == Overwrite::Cancel;
+            QCOMPARE(readFile(first.toStdString()) == "old", isKept);
+            QCOMPARE(readFile(second.toStdString()) == "old", isKept);
+            QCOMPARE(w.interaction.overwriteReasons.size(), 1);
+        }
+    }
+
+    /** Under another name is another choice. */
+    void saveAsChoosesAnew()
+    {
+        WindowFixture w(three());
+        const QString path = w.file(u"old.csv"_s);
+        writeFileAtomically(path.toStdString(), "old");
+        w.interaction.overwrite = Interaction::Overwrite::SaveAs;
+        w.interaction.exportChoice = requestFor("csv", path);
+        QObject::connect(&w.workspace.runner(), &MissionRunner::exportReady, &w.window(), [&] {
+            w.interaction.overwrite = Interaction::Overwrite::Cancel; // the second time
+        });
+        w.trigger(u"exportAction"_s);
+        QVERIFY(w.until([&] { return w.interaction.overwriteReasons.size() == 2; }));
+        QCOMPARE(w.interaction.offers.size(), 2U);
+        QCOMPARE(readFile(path.toStdString()), std::string("old"));
+    }
+
+    void optionsReachTheFileAndAreRemembered()
+    {
+        WindowFixture w(three());
+        const QString path = w.file(u"high.waypoints"_s);
+        w.interaction.exportChoice = requestFor("wpl", path);
+        w.interaction.exportChoice->options.altitude_m = 321;
+        w.interaction.exportChoice->options.loiterTurns = 2;
+        w.trigger(u"exportAction"_s);
+        QVERIFY(w.until([&] { return QFile::exists(path); }));
+        const QString text = QString::fromStdString(readFile(path.toStdString()));
+        QVERIFY(text.contains(u"\t321"_s));
+        QVERIFY(text.contains(u"\t18\t2"_s)); // NAV_LOITER_TURNS, twice round
+        w.trigger(u"exportAction"_s);
+        const ExportRequest& suggested = w.interaction.offers.back().suggested;
+        QVERIFY(suggested.options == w.interaction.exportChoice->options);
+        QCOMPARE(suggested.formatId, std::string("wpl"));
+    }
+
     /** What could not be exported is not written with the next one. */
     void refusedExportIsForgotten()
     {
@@ -103,7 +180,7 @@ private slots:
         w.document().reset(scenario);
         QVERIFY(w.until(RunPhase::Failed));
         const QString refused = w.file(u"refused.csv"_s);
-        w.interaction.exportChoice = ExportChoice{.formatId = u"csv"_s, .path = refused};
+        w.interaction.exportChoice = requestFor("csv", refused);
         w.trigger(u"exportAction"_s);
         w.interaction.path = w.file(u"refused.bergrun"_s);
         w.trigger(u"saveRunAction"_s);

@@ -134,7 +134,8 @@ private slots:
     void droppedFilesAreImported_data()
     {
         QTest::addColumn<QString>("ending");
-        for (const char* ending : {"csv", "geojson", "json", "kml", "gpx", "CSV"})
+        for (const char* ending :
+             {"csv", "geojson", "json", "kml", "gpx", "plan", "waypoints", "CSV"})
             QTest::newRow(ending) << QString::fromLatin1(ending);
     }
 

@@ -95,11 +95,13 @@ private slots:
         const std::vector<Sample>& samples = w.record().history.samples;
         QCOMPARE(samples.size(), std::size_t{24 * 3600 / 5 + 1});
         const MapPicture picture = missionPicture(w.record(), QLocale::c());
-        QVERIFY2(picture.track.size() < 4000, QByteArray::number(qulonglong(picture.track.size())));
-        QVERIFY(picture.track.front().position_m == samples.front().uav.position_m);
+        QVERIFY2(picture.routes[0].track.size() < 4000,
+                 QByteArray::number(qulonglong(picture.routes[0].track.size())));
+        QVERIFY(picture.routes[0].track.front().position_m ==
+                samples.front().uavs[0].pose.position_m);
         for (std::size_t i = 0; i < 500; ++i) // the last stretch is all there
-            QVERIFY(picture.track.rbegin()[static_cast<std::ptrdiff_t>(i)].position_m ==
-                    samples.rbegin()[static_cast<std::ptrdiff_t>(i)].uav.position_m);
+            QVERIFY(picture.routes[0].track.rbegin()[static_cast<std::ptrdiff_t>(i)].position_m ==
+                    samples.rbegin()[static_cast<std::ptrdiff_t>(i)].uavs[0].pose.position_m);
     }
 };
 

@@ -72,7 +72,7 @@ private slots:
                                  << QStringList{edit, u"Cut"_s, u"Copy"_s, u"Duplicate"_s,
                                                 u"Delete"_s}
                                  << QStringList{u"Paste here"_s, u"Remove area"_s};
-        QTest::newRow("UAV") << Point(0, 0) << QStringList{edit}
+        QTest::newRow("UAV") << Point(0, 0) << QStringList{edit, u"Duplicate"_s}
                              << QStringList{u"Cut"_s, u"Delete"_s};
         QTest::newRow("asset") << Point(2500, 2600) << QStringList{edit, u"Remove asset"_s}
                                << QStringList{u"Cut"_s, u"Remove area"_s};
@@ -108,6 +108,24 @@ private slots:
         QCOMPARE(w.scenario().icebergs.size(), 6U);
         QVERIFY((w.scenario().icebergs[5].position_m - Point(2000, 2200)).norm() < kPixel_m);
         QCOMPARE(w.document().undoStack()->count(), 2);
+    }
+
+    void uavsAreAddedAndDeleted()
+    {
+        WindowFixture w(withEverything());
+        choose(menuAt(w, kWater_m), u"New UAV here"_s);
+        QCOMPARE(w.scenario().uavs.size(), 2U);
+        QVERIFY((w.scenario().uavs[1].position_m - kWater_m).norm() < kPixel_m);
+        QCOMPARE(w.workspace.selection().ids(), (Ids{"uav-2"}));
+        w.trigger(u"duplicateAction"_s);
+        w.trigger(u"addUavAction"_s);
+        QCOMPARE(w.scenario().uavs.size(), 4U);
+        choose(menuAt(w, {0, 0}), u"Delete"_s);
+        QCOMPARE(w.scenario().uavs.size(), 3U);
+        QCOMPARE(w.scenario().uavs.front().id, std::string("uav-2"));
+        for (int i = 0; i < 4; ++i)
+            w.trigger(u"undoAction"_s);
+        QVERIFY(w.scenario() == withEverything());
     }
 
     void assetAndAreaAreRemoved()

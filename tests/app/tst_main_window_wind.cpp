@@ -48,7 +48,7 @@ QPoint windTipOf(WindowFixture& w)
 
 Point windShown_mps(WindowFixture& w)
 {
-    return w.record().shown().motion.wind_mps;
+    return w.record().shown().motions.front().wind_mps;
 }
 
 /** So many seconds into the flight, paused. */

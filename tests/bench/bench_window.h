@@ -27,7 +27,10 @@ public:
     Unsaved askUnsaved(QWidget*, const QString&) override { return Unsaved::Discard; }
     QString openPath(QWidget*, const QString&) override { return {}; }
     QString savePath(QWidget*, const QString&, const QString&) override { return {}; }
-    std::optional<ExportChoice> chooseExport(QWidget*, const ExportOffer&) override { return {}; }
+    std::optional<ExportRequest> chooseExport(QWidget*, MissionRunner&, const ExportOffer&) override
+    {
+        return {};
+    }
     std::optional<ImportChoice> chooseImport(QWidget*, ImportRunner&, const ImportOffer&) override
     {
         return {};

@@ -20,13 +20,17 @@ struct ImportFixture
     std::size_t rejected;
 };
 
-inline constexpr std::array<ImportFixture, 7> kImportFixtures = {{
+inline constexpr std::array<ImportFixture, 11> kImportFixtures = {{
     {"iip.csv", "iip", 7, 7},
     {"cis-beacon.csv", "cis-beacon", 9, 3},
     {"usnic.csv", "usnic", 3, 3},
     {"metno.geojson", "metno", 3, 4},
     {"points.geojson", "geojson", 5, 3},
+    {"route.geojson", "geojson", 3, 1},
     {"places.kml", "kml", 5, 4},
+    {"route.gpx", "gpx", 3, 1},
+    {"qgc.plan", "plan", 3, 3},
+    {"ardupilot.waypoints", "wpl", 3, 3},
     {"table.csv", "csv", 3, 6},
 }};
 

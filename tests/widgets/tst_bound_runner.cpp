@@ -1,4 +1,5 @@
 #include "core/scenario/presets.h"
+#include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/bound_runner.h"
 
@@ -151,6 +152,20 @@ private slots:
         runner.setScenario(scenario);
         QVERIFY(completes(runner));
         QVERIFY(runner.known().whole == nullptr);
+    }
+
+    /** Not even begun; with one UAV again it is. */
+    void severalUavsHaveNone()
+    {
+        BoundRunner runner(nullptr, kLittleWork);
+        runner.setScenario(smallField());
+        QVERIFY(!runner.isComplete());
+        runner.setScenario(test::withUavs(smallField(), 2));
+        QVERIFY(runner.isComplete() && runner.known().whole == nullptr);
+        runner.setScenario(smallField());
+        QVERIFY(!runner.isComplete());
+        QVERIFY(completes(runner));
+        QVERIFY(isBoundOf(runner, smallField()));
     }
 
     void endsWhileSearching()

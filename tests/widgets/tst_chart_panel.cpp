@@ -5,6 +5,7 @@
 #include "tests/support/synthetic_flight.h"
 #include "widgets/charts/time_chart.h"
 #include "widgets/panels/chart_panel.h"
+#include "widgets/theme/palette.h"
 
 #include <QComboBox>
 #include <QImage>
@@ -15,6 +16,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace berg;
@@ -24,6 +26,9 @@ using berg::test::child;
 namespace {
 
 constexpr test::SyntheticFlight kFlight{.icebergs = 5, .duration_s = 1000, .interval_s = 1};
+
+constexpr test::SyntheticFlight kFleet{
+    .icebergs = 5, .duration_s = 1000, .interval_s = 1, .uavs = 3};
 
 /** A panel with a flight of 1000 s. */
 struct Shown
@@ -89,8 +94,9 @@ private slots:
         *row(ChartKind::MeanSigma) << 1 << 2 << u"mean_sigma_sum_m2"_s << last.zeta_m2s / 1000;
         *row(ChartKind::Sigma) << 2 << 5 << u"B1"_s << record.history.rows.back()[0].sigma_m2;
         *row(ChartKind::Distance) << 3 << 1 << u"flown_km"_s << 22.0;
-        *row(ChartKind::TurnRate) << 4 << 1 << u"turn_rate_degps"_s << last.u_radps * kDegrees;
-        *row(ChartKind::CrossTrack) << 5 << 1 << u"cross_track_m"_s << last.crossTrack_m;
+        *row(ChartKind::TurnRate) << 4 << 1 << u"turn_rate_degps"_s
+                                  << last.uavs[0].u_radps * kDegrees;
+        *row(ChartKind::CrossTrack) << 5 << 1 << u"cross_track_m"_s << last.uavs[0].crossTrack_m;
     }
 
     void everyKindShowsItsLines()
@@ -112,6 +118,62 @@ private slots:
         QCOMPARE(whole.lines.size(), content.lines.size());
         QCOMPARE(whole.lines[0].points.size(), 1001);
         QCOMPARE(whole.lines[0].points.back(), content.lines[0].points.back());
+    }
+
+    void severalUavsHaveALineEach_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QString>("column");
+        QTest::addColumn<QList<double>>("last"); // of each line
+        const std::vector<UavSample> last = test::syntheticUavs(kFleet, 1000);
+        const double kDegrees = 180 / std::acos(-1.0);
+        QTest::newRow("distance") << 3 << u"flown_km"_s << QList<double>{63, 22, 21, 20};
+        QTest::newRow("turn rate")
+            << 4 << u"turn_rate_degps"_s
+            << QList<double>{last[0].u_radps * kDegrees, last[1].u_radps * kDegrees,
+                             last[2].u_radps * kDegrees};
+        QTest::newRow("cross-track error")
+            << 5 << u"cross_track_m"_s
+            << QList<double>{last[0].crossTrack_m, last[1].crossTrack_m, last[2].crossTrack_m};
+    }
+
+    /** In the colours of the UAVs and named by them; the distance of all of them as well. */
+    void severalUavsHaveALineEach()
+    {
+        QFETCH(int, kind);
+        QFETCH(QString, column);
+        QFETCH(QList<double>, last);
+        FlightRecord record = test::syntheticRecord(kFleet, 1000);
+        record.scenario.uavs[1].name = "Gannet";
+        ChartPanel panel(kChartKinds.at(static_cast<std::size_t>(kind)), Theme::dark());
+        panel.resize(600, 300);
+        panel.show();
+        panel.showRecord(record);
+        const auto& chart = child<TimeChart>(panel, u"timeChart"_s);
+        const std::vector<TimeLine>& lines = chart.content().lines;
+        QCOMPARE(static_cast<qsizetype>(lines.size()), last.size());
+        const auto first = lines.size() - 3;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            COMPARE_NEAR(lines[i].points.back().y(), last[static_cast<qsizetype>(i)], 1e-9);
+        QCOMPARE(lines[first].label, u"uav-1"_s);
+        QCOMPARE(lines[first + 1].label, u"Gannet"_s);
+        QVERIFY(chart.content().summary.contains(u"Gannet "_s));
+        for (std::size_t i = 0; i < 3; ++i) {
+            QCOMPARE(lines[first + i].key, u"uav-%1_"_s.arg(i + 1) + column);
+            const auto& labels = chart.frame().labels;
+            const auto label = std::ranges::find(labels, lines[first + i].key, &ChartLabel::key);
+            QVERIFY(label != labels.end());
+            QCOMPARE(label->colour, uavColour(Theme::dark(), static_cast<int>(i)));
+        }
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"chart.csv"_s);
+        panel.exportChart(path);
+        const std::vector<std::string> rows = linesOf(readFile(path.toStdString()));
+        QCOMPARE(rows.size(), std::size_t{1002});
+        const std::string header =
+            (kind == 3 ? "time_s,flown_km," : "time_s,") + lines[first].key.toStdString() + ',' +
+            lines[first + 1].key.toStdString() + ',' + lines[first + 2].key.toStdString();
+        QCOMPARE(rows[0], header);
     }
 
     void turnRateHasItsLimits()

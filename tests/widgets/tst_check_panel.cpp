@@ -130,7 +130,7 @@ private slots:
     void everyAdviceHasItsWords()
     {
         for (const std::string_view message :
-             {advised::kUnknownMembers, advised::kAreaNoFence,      advised::kFirstUavOnly,
+             {advised::kUnknownMembers, advised::kAreaNoFence,      advised::kSameLayer,
               advised::kNoWayHome,      advised::kHomeUnused,       advised::kHomeNearFence,
               advised::kStartNearFence, advised::kFenceUnplanned,   advised::kNoRoundTrip,
               advised::kShutOff,        advised::kFenceNoArea,      advised::kOutsideFence,
@@ -139,7 +139,8 @@ private slots:
               advised::kOutOfReach,     advised::kTooShort,         advised::kFast,
               advised::kTrackShort,     advised::kTrackFar,         advised::kAssetInIce,
               advised::kNoSigma,        advised::kBeyondProof,      advised::kSolverUnable,
-              advised::kLongProof,      advised::kVelocitySdUnused, advised::kClustersIgnored}) {
+              advised::kLongProof,      advised::kVelocitySdUnused, advised::kClustersIgnored,
+              advised::kClustersOneUav}) {
             const Issue issue{Severity::Hint, "field", std::string(message)};
             QVERIFY2(!issueText(issue).startsWith(u"field: "), issue.message.c_str());
         }

@@ -1,7 +1,9 @@
 #include "tests/support/comparison_builder.h"
+#include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
 #include "widgets/map/comparison_track.h"
 #include "widgets/model/compared_run.h"
+#include "widgets/panels/comparison_tables.h"
 
 using namespace berg;
 using namespace test;
@@ -170,17 +172,68 @@ private slots:
         QCOMPARE(runName(run, QLocale::c()), name);
     }
 
+    /** What each UAV did adds up to what all did, also between samples. */
+    void figuresOfAFleet_data()
+    {
+        QTest::addColumn<double>("until_s");
+        QTest::newRow("start") << 0.0;
+        QTest::newRow("between samples") << 210.5;
+        QTest::newRow("end") << 300.0;
+    }
+
+    void figuresOfAFleet()
+    {
+        QFETCH(double, until_s);
+        const Mission mission =
+            flownWith(withUavs(shortScenario(), 3), policy(PolicyKind::Visitation));
+        const ComparedRun run = comparedRun(recordOf(mission));
+        const RunFigures figures = figuresAt(run, until_s);
+        QCOMPARE(figures.uavs.size(), std::size_t{3});
+        UavTotals all;
+        for (const UavTotals& uav : figures.uavs) {
+            all.visits += uav.visits;
+            all.flown_m += uav.flown_m;
+            QVERIFY(std::abs(uav.flown_m - 22 * until_s) < 1e-6);
+        }
+        QCOMPARE(all.visits, figures.visits);
+        QVERIFY(std::abs(all.flown_m - figures.flown_m) < 1e-6);
+        if (until_s == 300) {
+            QCOMPARE(figures.visits, mission.metrics().visits);
+            QCOMPARE(figures.plans, mission.metrics().replans); // one solve for all
+            QVERIFY(static_cast<int>(mission.plans().size()) > figures.plans);
+        }
+    }
+
+    void rowsOfAFleet()
+    {
+        Scenario two = withUavs(shortScenario(), 2);
+        two.uavs[0].name = "Fulmar";
+        const ComparedRun a = comparedRun(flownRecord(two, policy(PolicyKind::Visitation), 60));
+        const ComparedRun b = comparedRun(flownRecord(two, policy(PolicyKind::Nearest), 60));
+        const auto rows = figureRows(a, &b, QLocale::c());
+        const ComparedRun one =
+            comparedRun(flownRecord(shortScenario(), policy(PolicyKind::Tour), 60));
+        const auto alone = figureRows(one, nullptr, QLocale::c());
+        QCOMPARE(rows.size(), alone.size() + 4);
+        const auto row = std::ranges::find(rows, u"Fulmar, km"_s, &ComparisonRow::label);
+        QVERIFY(row != rows.end());
+        QCOMPARE(row->reference, u"1.32"_s); // 60 s at 22 m/s
+        QCOMPARE(row->other, u"1.32"_s);
+        QVERIFY(std::ranges::find(rows, u"uav-1-2, visits"_s, &ComparisonRow::label) != rows.end());
+    }
+
     void trackForTheMap()
     {
         const ComparedRun run =
             comparedRun(recordOf(flownWith(shortScenario(), policy(PolicyKind::Nearest), 90)));
         MapPicture picture;
         addComparison(picture, run, 1e9, QLocale::c());
-        QCOMPARE(picture.comparisonTrack.size(), run.samples.size());
+        QCOMPARE(picture.comparisonTracks[0].size(), run.samples.size());
         QCOMPARE(picture.comparisonName, u"Nearest first, to 01:30"_s);
         addComparison(picture, run, 30, QLocale::c());
-        QCOMPARE(picture.comparisonTrack.size(), std::size_t{31});
-        QVERIFY(picture.comparisonTrack.back().position_m == run.samples[30].uav.position_m);
+        QCOMPARE(picture.comparisonTracks[0].size(), std::size_t{31});
+        QVERIFY(picture.comparisonTracks[0].back().position_m ==
+                run.samples[30].uavs[0].pose.position_m);
     }
 };
 

@@ -1,5 +1,6 @@
 #include "core/base/solving_guard.h"
 #include "tests/support/comparison_builder.h"
+#include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
 #include "widgets/panels/comparison_panel.h"
 #include "widgets/panels/comparison_tables.h"
@@ -176,6 +177,18 @@ private slots:
         f.tour.click();
         QVERIFY(f.state.isHidden());
         QVERIFY(f.finished.wait(kPatience_ms));
+    }
+
+    /** Runs of fleets of different sizes are told apart by how many UAVs there are. */
+    void namesSayHowManyUavsThereAre()
+    {
+        Fixture f;
+        f.add(PolicyKind::Nearest, 60);
+        QCOMPARE(f.runs.item(0, RunName)->text(), u"Nearest first, to 01:00"_s);
+        f.list.add(test::flownRecord(test::withUavs(test::shortScenario(), 2),
+                                     policy(PolicyKind::Nearest), 60));
+        QCOMPARE(f.runs.item(0, RunName)->text(), u"Nearest first, to 01:00, one UAV"_s);
+        QCOMPARE(f.runs.item(1, RunName)->text(), u"Nearest first, to 01:00, 2 UAVs"_s);
     }
 
     void clicksAndKeysChoose()

@@ -1,6 +1,7 @@
 #include "core/base/solving_guard.h"
 #include "core/scenario/presets.h"
 #include "core/sim/simulation.h"
+#include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/curve_runner.h"
 
@@ -174,6 +175,29 @@ private slots:
         runner.setRequest(std::make_shared<const PlanRequest>(request), Route::Open);
         QVERIFY(completes(runner));
         QVERIFY(runner.curve() == tauCurve(visitationProblem(request, Route::Open).problem, {}));
+    }
+
+    /** Neither at the start nor in flight; with one UAV again there is one. */
+    void severalUavsHaveNone()
+    {
+        const Scenario alone = randomScenario(10);
+        const Scenario two = test::withUavs(alone, 2);
+        CurveRunner runner;
+        runner.setScenario(alone);
+        QVERIFY(completes(runner));
+        QVERIFY(!runner.isOfFleet() && !runner.curve().intervals.empty());
+        const QSignalSpy updated(&runner, &CurveRunner::updated);
+        runner.setScenario(two);
+        QVERIFY(updated.count() > 0);
+        QVERIFY(runner.isOfFleet());
+        QVERIFY(runner.curve().complete && runner.curve().intervals.empty());
+        runner.setRequest(std::make_shared<const PlanRequest>(Simulation(alone).planRequest()),
+                          Route::Open);
+        QVERIFY(runner.curve().complete && runner.curve().intervals.empty());
+        runner.setScenario(alone);
+        QVERIFY(!runner.isOfFleet());
+        QVERIFY(completes(runner));
+        QVERIFY(runner.curve() == expectedCurve(alone));
     }
 
     /** Closing does not wait for proofs: the stop token ends them. */

@@ -43,7 +43,7 @@ private slots:
         const FlightRecord record = flown(400);
         EventModel model{QLocale::c()};
         const QAbstractItemModelTester tester(&model);
-        model.setHistory(record.history, record.now.icebergs);
+        model.setHistory(record.history, record.now.icebergs, record.scenario.uavs);
         QCOMPARE(model.rowCount(), static_cast<int>(record.history.events.size()));
         std::size_t plans = 0;
         for (int row = 0; row < model.rowCount(); ++row) {
@@ -65,6 +65,25 @@ private slots:
         QVERIFY(cell(model, 0, EventModel::Details).startsWith(u"take-off"_s));
     }
 
+    /** A re-planning has a row for each UAV; how it was solved is said in the first. */
+    void fleetsTellOfEachSolveOnce()
+    {
+        Scenario scenario = randomScenario(6, {.icebergs = 7});
+        scenario.duration_s = 200;
+        scenario.uavs.push_back(scenario.uavs.front());
+        scenario.uavs[1].id = "uav-2";
+        scenario.uavs[1].position_m += Point(3000, 3000);
+        Mission mission(scenario);
+        mission.advance(200);
+        const FlightRecord record = recordOf(mission);
+        EventModel model{QLocale::c()};
+        model.setHistory(record.history, record.now.icebergs, record.scenario.uavs);
+        QVERIFY(cell(model, 0, EventModel::What).startsWith(u"uav-1 flies to "_s));
+        QVERIFY(cell(model, 1, EventModel::What).startsWith(u"uav-2 flies to "_s));
+        QVERIFY(cell(model, 0, EventModel::Details).contains(u" · "_s));
+        QVERIFY(!cell(model, 1, EventModel::Details).contains(u" · "_s));
+    }
+
     /** Grown step by step, or cut and grown another way, it is as if told at once. */
     void growsAndShrinks()
     {
@@ -74,9 +93,9 @@ private slots:
         for (FlightRecord record :
              {flown(100), flown(250), flown(250), flown(400, 3), flown(60), FlightRecord()}) {
             record.history.rewrites = ++rewrites; // each is another run
-            model.setHistory(record.history, record.now.icebergs);
+            model.setHistory(record.history, record.now.icebergs, record.scenario.uavs);
             EventModel fresh{QLocale::c()};
-            fresh.setHistory(record.history, record.now.icebergs);
+            fresh.setHistory(record.history, record.now.icebergs, record.scenario.uavs);
             QCOMPARE(model.rowCount(), fresh.rowCount());
             for (int row = 0; row < model.rowCount(); ++row)
                 for (int column = 0; column < model.columnCount(); ++column)
@@ -88,7 +107,7 @@ private slots:
     {
         const FlightRecord record = flown(400);
         EventModel model{QLocale::c()};
-        model.setHistory(record.history, record.now.icebergs);
+        model.setHistory(record.history, record.now.icebergs, record.scenario.uavs);
         QSignalSpy changed(&model, &EventModel::dataChanged);
         model.setShown(3);
         model.setShown(3);

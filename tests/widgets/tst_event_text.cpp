@@ -55,14 +55,52 @@ private slots:
         icebergs[0].id = "berg-1";
         icebergs[1].id = "berg-2";
         icebergs[1].name = "Storberget";
-        QCOMPARE(eventText({.time_s = time_s, .kind = kind, .iceberg = iceberg}, icebergs), text);
+        QCOMPARE(eventText({.time_s = time_s, .kind = kind, .iceberg = iceberg}, icebergs, {}),
+                 text);
+    }
+
+    void severalUavsAreNamed_data()
+    {
+        QTest::addColumn<MissionEvent>("event");
+        QTest::addColumn<QString>("text");
+        const auto row = [](const char* name, const MissionEvent& event, const QString& text) {
+            QTest::newRow(name) << event << text;
+        };
+        row("reached", {.kind = EventKind::Reached, .iceberg = 0, .uav = 1},
+            u"uav-2: berg-1 reached"_s);
+        row("by name", {.kind = EventKind::Landed, .uav = 0}, u"West: Landed"_s);
+        row("planned", {.kind = EventKind::Planned, .iceberg = 0, .uav = 0},
+            u"West flies to berg-1 next"_s);
+        row("idle", {.kind = EventKind::Planned, .uav = 1},
+            u"uav-2 has nothing to visit: circling"_s);
+        row("close", {.kind = EventKind::Close, .uav = 1, .detail = "uav-1, 143 m"},
+            u"uav-2 and West are 143 m apart"_s);
+        row("close to an odd id", {.kind = EventKind::Close, .uav = 1, .detail = "a, b, 9 m"},
+            u"uav-2 and a, b are 9 m apart"_s);
+        row("given", {.kind = EventKind::Intervention, .iceberg = 0, .uav = 1, .detail = kAssigned},
+            u"berg-1 given to uav-2"_s);
+        row("given back", {.kind = EventKind::Intervention, .iceberg = 0, .detail = kAssigned},
+            u"Any UAV may visit berg-1"_s);
+        row("of none", {.kind = EventKind::Appeared, .iceberg = 0}, u"berg-1 appeared"_s);
+        row("unknown UAV", {.kind = EventKind::Reached, .iceberg = 0, .uav = 7},
+            u"berg-1 reached"_s);
+    }
+
+    void severalUavsAreNamed()
+    {
+        QFETCH(MissionEvent, event);
+        QFETCH(QString, text);
+        std::vector<Iceberg> icebergs(1);
+        icebergs[0].id = "berg-1";
+        const std::vector<Uav> uavs{{.id = "uav-1", .name = "West"}, {.id = "uav-2"}};
+        QCOMPARE(eventSentence(event, icebergs, uavs), text);
     }
 
     /** Every plan but none at all has a reason, and each its own. */
     void reasonsAreWords()
     {
         QSet<QString> texts;
-        const int last = static_cast<int>(PlanReason::TakeOff);
+        const int last = static_cast<int>(PlanReason::Fleet);
         for (int reason = static_cast<int>(PlanReason::Start); reason <= last; ++reason)
             texts << planReasonText(static_cast<PlanReason>(reason));
         QCOMPARE(texts.size(), last);
@@ -87,8 +125,9 @@ private slots:
         icebergs[0].id = "berg-1";
         for (const EventKind kind : {EventKind::Planned, EventKind::Reached, EventKind::Sighted,
                                      EventKind::Appeared, EventKind::Intervention})
-            QVERIFY(!eventText({.kind = kind, .iceberg = iceberg}, icebergs).contains(u"berg-1"_s));
-        QVERIFY(!eventText({.kind = EventKind::Planned, .iceberg = iceberg}, {}).isEmpty());
+            QVERIFY(
+                !eventText({.kind = kind, .iceberg = iceberg}, icebergs, {}).contains(u"berg-1"_s));
+        QVERIFY(!eventText({.kind = EventKind::Planned, .iceberg = iceberg}, {}, {}).isEmpty());
     }
 
     void namesAreTakenAsTheyAre()
@@ -96,7 +135,7 @@ private slots:
         std::vector<Iceberg> icebergs(1);
         icebergs[0].id = "a";
         icebergs[0].name = "%1 <b>Å</b> & %2";
-        QCOMPARE(eventText({.time_s = 1, .kind = EventKind::Reached, .iceberg = 0}, icebergs),
+        QCOMPARE(eventText({.time_s = 1, .kind = EventKind::Reached, .iceberg = 0}, icebergs, {}),
                  u"00:01  %1 <b>Å</b> & %2 reached"_s);
     }
 };

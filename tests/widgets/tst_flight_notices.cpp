@@ -47,7 +47,18 @@ FlightRecord inMode(FlightMode mode)
     record.scenario.asset.reset();
     record.now.asset.reset();
     record.now.phase = RunPhase::Paused;
-    record.now.world.mode = mode;
+    record.now.world.uavs.front().mode = mode;
+    return record;
+}
+
+/** uav-1 and, so far east of it, "East". */
+FlightRecord twoUavs(double apart_m)
+{
+    Scenario scenario = test::emptySea();
+    scenario.uavs.push_back({.id = "uav-2", .name = "East", .position_m = Point(apart_m, 0)});
+    const Mission mission(scenario);
+    FlightRecord record = recordOf(mission);
+    record.now.phase = RunPhase::Paused;
     return record;
 }
 
@@ -173,10 +184,10 @@ private slots:
         QFETCH(FlightMode, mode);
         QFETCH(QStringList, texts);
         FlightRecord record = inMode(mode);
-        record.now.world.ground_s = 530;
+        record.now.world.uavs.front().ground_s = 530;
         Search search;
         search.iceberg = 1;
-        record.now.world.search = search;
+        record.now.world.uavs.front().search = search;
         QCOMPARE(textsOf(record), texts);
         record.now.phase = RunPhase::Ready; // nothing is flown yet
         QVERIFY(textsOf(record).isEmpty());
@@ -185,10 +196,37 @@ private slots:
     void lateForHomeIsToldUntilLanding()
     {
         FlightRecord record = inMode(FlightMode::Home);
-        record.history.events = {{.time_s = 0, .kind = EventKind::LateHome}};
+        record.history.events = {{.time_s = 0, .kind = EventKind::LateHome, .uav = 0}};
         QCOMPARE(textsOf(record).front(), u"Home cannot be reached in time any more"_s);
-        record.history.events.push_back({.time_s = 0, .kind = EventKind::Landed});
+        record.history.events.push_back({.time_s = 0, .kind = EventKind::Landed, .uav = 0});
         QCOMPARE(textsOf(record), QStringList{u"Returning home"_s});
+    }
+
+    void severalUavsAreNamed()
+    {
+        FlightRecord record = twoUavs(5000);
+        record.now.world.uavs[1].mode = FlightMode::Home;
+        record.history.events = {{.time_s = 0, .kind = EventKind::LateHome, .uav = 1},
+                                 {.time_s = 0, .kind = EventKind::Landed, .uav = 0}};
+        QCOMPARE(textsOf(record), (QStringList{u"East: Home cannot be reached in time any more"_s,
+                                               u"East: Returning home"_s}));
+    }
+
+    /** In one layer, both aloft, nearer than the separation of 200 m. */
+    void closeUavsAreAWarning()
+    {
+        const QStringList close{u"uav-1 and East are 150 m apart"_s};
+        QCOMPARE(textsOf(twoUavs(150)), close);
+        QVERIFY(textsOf(twoUavs(250)).isEmpty());
+        QVERIFY(flightNotices(twoUavs(150), kLocale).front().icon == IconName::Warning);
+        FlightRecord layers = twoUavs(150);
+        layers.scenario.uavs[1].spec.altitude_m += 30;
+        QVERIFY(textsOf(layers).isEmpty());
+        layers.scenario.uavs[1].spec.altitude_m -= 1;
+        QCOMPARE(textsOf(layers), close);
+        FlightRecord landed = twoUavs(150);
+        landed.now.world.uavs[0].mode = FlightMode::Ground;
+        QVERIFY(!textsOf(landed).contains(close.front()));
     }
 
     void bannerShowsEachInALine()

@@ -217,8 +217,8 @@ private slots:
         track.left = hasLeft;
         track.inView = false;
         if (isSearched) {
-            world.search.emplace();
-            world.search->iceberg = 1;
+            world.uavs[0].search.emplace();
+            world.uavs[0].search->iceberg = 1;
         }
         Fixture f(withAsset());
         f.model.showRecord(record);

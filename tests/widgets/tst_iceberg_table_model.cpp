@@ -108,22 +108,43 @@ private slots:
             QCOMPARE(*row.value(IcebergColumn::East), track.estimate_m(time_s).x());
             QCOMPARE(*row.value(IcebergColumn::North), track.estimate_m(time_s).y());
             QCOMPARE(*row.value(IcebergColumn::Speed), track.velocity_mps.norm());
-            QCOMPARE(row.state == IcebergState::InView, track.inView);
-            if (row.state == IcebergState::Planned)
+            QCOMPARE(row.state == IcebergStanding::InView, track.inView);
+            if (row.state == IcebergStanding::Planned)
                 ++planned;
         }
-        for (const PlanRow& plan : planRows(shown, record.scenario))
+        const std::vector<PlanSection> sections = planSections(shown, record.scenario);
+        for (const PlanRow& plan : sections.front().rows)
             QCOMPARE(*f.model.rowAt(f.model.rowOf(plan.id)).value(IcebergColumn::Arrival),
                      plan.arrival_s);
-        if (shown.world.target >= 0 &&
-            !shown.world.tracks[static_cast<std::size_t>(shown.world.target)].inView)
-            QCOMPARE(f.cell(shown.world.target, IcebergColumn::State), u"target"_s);
+        const int target = shown.world.uavs.front().target;
+        if (target >= 0 && !shown.world.tracks[static_cast<std::size_t>(target)].inView)
+            QCOMPARE(f.cell(target, IcebergColumn::State), u"target"_s);
         if (time_s == 0)
             QCOMPARE(planned, 2); // of three that are there one is flown to
         double visits = 0;
         for (int i = 0; i < 4; ++i)
             visits += f.model.rowAt(i).value(IcebergColumn::Visits).value_or(0);
         QCOMPARE(visits, static_cast<double>(shown.metrics.visits));
+    }
+
+    /** Who flies to it, as which of its own, and when that one is there. */
+    void severalUavsAreNamed()
+    {
+        Scenario scenario = test::fourIcebergs();
+        scenario.planner.policy = PolicyKind::Visitation;
+        scenario.uavs.push_back({.id = "uav-2", .name = "East", .position_m = Point(5000, 3000)});
+        const FlightRecord record = recordAt(test::flown(scenario, 5), 5);
+        const std::vector<IcebergTableRow> rows = flightRows(record);
+        for (const PlanEvent& plan : record.shown().plans)
+            for (std::size_t k = 0; k < plan.order.size(); ++k) {
+                const IcebergTableRow& row = rows[static_cast<std::size_t>(plan.order[k])];
+                const QString uav = plan.uav == 0 ? u"uav-1"_s : u"East"_s;
+                QCOMPARE(stateText(row), k == 0 ? u"target of %1"_s.arg(uav)
+                                                : u"number %1 of %2"_s.arg(k + 1).arg(uav));
+                QVERIFY(*row.value(IcebergColumn::Arrival) > 0);
+            }
+        QCOMPARE(record.shown().plans.size(), std::size_t{2});
+        QVERIFY(!record.shown().plans[1].order.empty());
     }
 
     /** Against the recorded rows: since the last sample in view, or since it is known. */

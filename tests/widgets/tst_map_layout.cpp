@@ -102,13 +102,14 @@ private slots:
         QFETCH(Point, at_m);
         QFETCH(double, psi_rad);
         MapPicture picture = test::randomPicture(4);
-        picture.track.clear();
-        picture.uav->position_m = at_m;
-        picture.uav->psi_rad = psi_rad;
-        picture.uav->sensor.fov_m = {1500, 1500};
+        picture.routes[0].track.clear();
+        picture.uavs[0].position_m = at_m;
+        picture.uavs[0].psi_rad = psi_rad;
+        picture.uavs[0].sensor.fov_m = {1500, 1500};
         for (const QSize& size : {QSize(960, 445), QSize(1280, 800)}) {
             const MapLayout layout = layoutOf(picture, size);
-            QVERIFY(layout.rect.contains(fieldOutline(*picture.uav, layout.view).boundingRect()));
+            QVERIFY(
+                layout.rect.contains(fieldOutline(picture.uavs[0], layout.view).boundingRect()));
         }
     }
 
@@ -116,8 +117,8 @@ private slots:
     void legendOfALowMapIsCompact()
     {
         MapPicture picture = test::randomPicture(12);
-        picture.plan = {0, 1, 2};
-        picture.planWays = twoWays(picture.uav->position_m);
+        picture.routes[0].plan = {0, 1, 2};
+        picture.routes[0].planWays = twoWays(picture.uavs[0].position_m);
         const MapLayout high = layoutOf(picture, {960, 800});
         const MapLayout low = layoutOf(picture, {960, 445});
         QVERIFY(!high.isLegendCompact && low.isLegendCompact);
@@ -143,17 +144,19 @@ private slots:
     {
         const MapPicture picture = test::randomPicture(5);
         const MapLayout layout = layoutOf(picture, {1280, 800});
-        const std::vector<QLineF> legs = linesOf(planLegs(picture, layout));
-        QCOMPARE(legs.size(), picture.plan.size());
-        const QPointF uav = layout.view.toPixel(picture.uav->position_m);
+        const std::vector<QLineF> legs = linesOf(planLegs(picture, layout, 0));
+        QCOMPARE(legs.size(), picture.routes[0].plan.size());
+        const QPointF uav = layout.view.toPixel(picture.uavs[0].position_m);
         COMPARE_NEAR(QLineF(legs[0].p1(), uav).length(), 0, 1e-6);
         for (std::size_t k = 0; k < legs.size(); ++k) {
-            const LabelDisk& target = layout.icebergs[static_cast<std::size_t>(picture.plan[k])];
+            const LabelDisk& target =
+                layout.icebergs[static_cast<std::size_t>(picture.routes[0].plan[k])];
             if (!legs[k].isNull())
                 COMPARE_NEAR(QLineF(legs[k].p2(), target.centre_px).length(), target.radius_px,
                              1e-6);
         }
-        QCOMPARE(layout.order, (std::vector<int>{1, 2, 3, 4, 5}));
+        for (int k = 0; k < 5; ++k)
+            QCOMPARE(layout.stops[static_cast<std::size_t>(k)].order, k + 1);
     }
 
     void driftArrowsAreTrueToTheMap()

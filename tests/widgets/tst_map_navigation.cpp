@@ -271,16 +271,16 @@ private slots:
         map.view.setLocked(true);
         MapPicture picture = test::MapFixture::plainPicture();
         for (int i = 1; i <= 100; ++i) {
-            picture.uav = MapUav{.position_m = {100.0 * i, 60.0 * i}};
+            picture.uavs = {MapUav{.position_m = {100.0 * i, 60.0 * i}}};
             map.view.setPicture(picture);
-            const QPointF at = map.view.toScreen(picture.uav->position_m);
+            const QPointF at = map.view.toScreen(picture.uavs[0].position_m);
             QVERIFY(QRectF(299, 209, 402, 282).contains(at));
         }
         map.view.panBy({5, 5}); // by hand: no longer following
         QCOMPARE(follows.count(), 2);
         QVERIFY(!map.view.followsUav());
         const MapViewTransform before = map.view.view();
-        picture.uav->position_m = {-90000, 0};
+        picture.uavs[0].position_m = {-90000, 0};
         map.view.setPicture(picture);
         QVERIFY(map.view.view() == before);
     }

@@ -116,7 +116,8 @@ private slots:
         const MapLayout layout = layoutOf(picture, size);
         const QColor colour = theme.sigma.colour(18, picture.sigmaFull_m2);
         QVERIFY(hasColourNear(image, layout.icebergs[0].centre_px, 12, colour));
-        QVERIFY(hasColourNear(image, layout.view.toPixel(picture.uav->position_m), 12, theme.uav));
+        QVERIFY(
+            hasColourNear(image, layout.view.toPixel(picture.uavs[0].position_m), 12, theme.uav));
     }
 
     /** Another run's track: seen, in the legend, taken into account, below the flown one. */
@@ -130,19 +131,21 @@ private slots:
         const MapLayout before = layoutOf(picture, size);
         picture.comparisonName = u"Tour"_s;
         QCOMPARE(layoutOf(picture, size).legend, before.legend); // a name alone is no track
+        picture.comparisonTracks.resize(1);
         for (int k = 0; k <= 100; ++k)
-            picture.comparisonTrack.push_back(
+            picture.comparisonTracks[0].push_back(
                 {.position_m = {500.0 + 60.0 * k, 600}, .time_s = 1.0 * k});
         const MapLayout layout = layoutOf(picture, size);
         QVERIFY(layout.legend.height() > before.legend.height());
         const QRectF inside = layout.rect;
-        QVERIFY(inside.contains(layout.view.toPixel(picture.comparisonTrack.back().position_m)));
+        QVERIFY(
+            inside.contains(layout.view.toPixel(picture.comparisonTracks[0].back().position_m)));
         const QImage image = mapImage(picture, style, size, 1);
         const QPointF at = layout.view.toPixel({5300, 600});
         QVERIFY(hasColourNear(image, at, 90, theme.comparison)); // an arrow head is near
         QVERIFY(hasColourNear(image, layout.legend.center(), 130, theme.comparison));
         // A track over all of it hides all but the arrow heads.
-        picture.track = picture.comparisonTrack;
+        picture.routes[0].track = picture.comparisonTracks[0];
         const QImage both = mapImage(picture, style, size, 1);
         const MapViewTransform view = layoutOf(picture, size).view;
         int red = 0;
@@ -160,14 +163,14 @@ private slots:
         const MapStyle style{.theme = theme, .locale = kLocale};
         const QSize size(1280, 800);
         MapPicture picture = test::randomPicture(4);
-        picture.track.clear();
+        picture.routes[0].track.clear();
         const QSizeF legend = layoutOf(picture, size).legend.size();
-        QVERIFY(formerLegs(picture, layoutOf(picture, size)).empty());
-        picture.formerPlan = {3, 1};
-        picture.formerFrom_m = Point(500, 600);
+        QVERIFY(formerLegs(picture, layoutOf(picture, size), 0).empty());
+        picture.routes[0].formerPlan = {3, 1};
+        picture.routes[0].formerFrom_m = Point(500, 600);
         const MapLayout layout = layoutOf(picture, size);
         QVERIFY(layout.legend.height() > legend.height());
-        const std::vector<QLineF> legs = linesOf(formerLegs(picture, layout));
+        const std::vector<QLineF> legs = linesOf(formerLegs(picture, layout, 0));
         QCOMPARE(legs.size(), std::size_t{2});
         COMPARE_NEAR(QLineF(legs[0].p1(), layout.view.toPixel({500, 600})).length(), 0, 1e-6);
         COMPARE_NEAR(QLineF(legs[1].p2(), layout.icebergs[1].centre_px).length(),
@@ -180,9 +183,9 @@ private slots:
             drawn += hasColourNear(image, place, 1, theme.formerPlan) ? 1 : 0;
         }
         QVERIFY2(drawn > probes / 4 && drawn < 0.95 * probes, QByteArray::number(drawn)); // dashes
-        picture.formerFrom_m.reset();
-        const QPointF uav = layout.view.toPixel(picture.uav->position_m);
-        COMPARE_NEAR(QLineF(formerLegs(picture, layout)[0].front(), uav).length(), 0, 1e-6);
+        picture.routes[0].formerFrom_m.reset();
+        const QPointF uav = layout.view.toPixel(picture.uavs[0].position_m);
+        COMPARE_NEAR(QLineF(formerLegs(picture, layout, 0)[0].front(), uav).length(), 0, 1e-6);
     }
 
     /** Turns and lines in place of lines from symbol to symbol; the aims are marked. */
@@ -192,14 +195,14 @@ private slots:
         const MapStyle style{.theme = theme, .locale = kLocale};
         const QSize size(1280, 800);
         MapPicture picture = test::randomPicture(4);
-        picture.track.clear();
-        picture.plan = {0, 2};
-        QVERIFY(planLegs(picture, layoutOf(picture, size))[0].size() == 2);
+        picture.routes[0].track.clear();
+        picture.routes[0].plan = {0, 2};
+        QVERIFY(planLegs(picture, layoutOf(picture, size), 0)[0].size() == 2);
         const double legend_px = layoutOf(picture, size).legend.height();
-        picture.planWays = twoWays(picture.uav->position_m);
+        picture.routes[0].planWays = twoWays(picture.uavs[0].position_m);
         const MapLayout layout = layoutOf(picture, size);
         QVERIFY(layout.legend.height() > legend_px); // a row for the aims
-        const std::vector<QPolygonF> legs = planLegs(picture, layout);
+        const std::vector<QPolygonF> legs = planLegs(picture, layout, 0);
         QCOMPARE(legs.size(), std::size_t{2});
         QCOMPARE(legs[0].size(), qsizetype{12});
         QCOMPARE(legs[0].back(), legs[1].front());
@@ -207,16 +210,16 @@ private slots:
         const auto isDrawn = [&](const Point& at_m) {
             return hasColourNear(image, layout.view.toPixel(at_m), 4, theme.plan);
         };
-        for (const MapWay& way : picture.planWays)
+        for (const MapWay& way : picture.routes[0].planWays)
             QVERIFY(isDrawn(way.aim_m));
-        const Point from_m = picture.uav->position_m;
+        const Point from_m = picture.uavs[0].position_m;
         QVERIFY(isDrawn(from_m + Point(1000, 1700)));
         QVERIFY(isDrawn(from_m + Point(2000, 2000)));
         QVERIFY(isDrawn(from_m + 1000 * Point(std::sin(1.2), 1 - std::cos(1.2))));
 
-        picture.formerPlan = {2, 0};
-        picture.formerWays = twoWays(picture.uav->position_m - Point(300, 0));
-        QCOMPARE(formerLegs(picture, layout)[0].size(), qsizetype{12});
+        picture.routes[0].formerPlan = {2, 0};
+        picture.routes[0].formerWays = twoWays(picture.uavs[0].position_m - Point(300, 0));
+        QCOMPARE(formerLegs(picture, layout, 0)[0].size(), qsizetype{12});
     }
 
     /** The water passed is tinted once, below everything; the rest of the sea is not. */
@@ -227,8 +230,8 @@ private slots:
         const QRectF rect(0, 0, 1280, 800);
         const MapViewTransform view({2500, 3000}, rect.center(), 0.2);
         MapPicture picture = test::randomPicture(1);
-        picture.plan.clear();
-        picture.track.clear();
+        picture.routes[0].plan.clear();
+        picture.routes[0].track.clear();
         const auto layout = [&] { return arrangeMap(picture, style, rect, view); };
         const auto drawn = [&] {
             QImage image(rect.size().toSize(), QImage::Format_RGB32);
@@ -238,9 +241,10 @@ private slots:
         };
         const auto fly = [&](double from_m, double to_m) {
             for (double east_m = from_m; east_m != to_m; east_m += from_m < to_m ? 100 : -100)
-                picture.swept.push_back({.position_m = {east_m, 3500},
-                                         .psi_rad = from_m < to_m ? 0 : kPi,
-                                         .time_s = 5.0 * double(picture.swept.size())});
+                picture.routes[0].swept.push_back(
+                    {.position_m = {east_m, 3500},
+                     .psi_rad = from_m < to_m ? 0 : kPi,
+                     .time_s = 5.0 * double(picture.routes[0].swept.size())});
         };
         const QSizeF legend = layout().legend.size();
         fly(1000, 4000);
@@ -259,7 +263,7 @@ private slots:
         QCOMPARE(once.pixelColor(beside), theme.sea);
         fly(4000, 1000); // back over the same water
         QCOMPARE(drawn().pixelColor(passed), shown);
-        picture.uav.reset();
+        picture.routes.clear();
         QVERIFY(!picture.showsSwept());
     }
 

@@ -141,7 +141,7 @@ private slots:
     {
         test::MapFixture map;
         MapPicture old = withScenario(test::MapFixture::plainPicture(), map.scenario());
-        old.plan = {2, 0, 3};
+        old.routes[0].plan = {2, 0, 3};
         map.view.setPicture(old);
         map.document.edit(u"Move"_s, [](Scenario& s) { s.icebergs[2].position_m = {2500, 2000}; });
         map.click(map.pixelOf({2500, 2000}));
@@ -156,12 +156,12 @@ private slots:
     {
         Scenario scenario = test::MapFixture::fourIcebergs();
         MapPicture picture = withScenario({}, scenario);
-        picture.plan = {2, 0, 3};
+        picture.routes[0].plan = {2, 0, 3};
         scenario.icebergs.erase(scenario.icebergs.begin());
         scenario.icebergs[0].appears_s = 90;
         const MapPicture shown = withScenario(picture, scenario);
         QCOMPARE(shown.icebergs.size(), std::size_t{3});
-        QCOMPARE(shown.plan, (std::vector<int>{1, 2})); // berg-3 and berg-4
+        QCOMPARE(shown.routes[0].plan, (std::vector<int>{1, 2})); // berg-3 and berg-4
         COMPARE_NEAR(shown.icebergs[0].appears_s, 90, 0);
     }
 
@@ -220,12 +220,12 @@ private slots:
         MapScene scene;
         scene.setRect({0, 0, 1000, 700});
         MapPicture picture = withScenario({}, test::MapFixture::fourIcebergs());
-        picture.uav->position_m = {-500, 2000};
+        picture.uavs[0].position_m = {-500, 2000};
         scene.setPicture(picture);
         scene.fit();
         const std::vector<PlacedLabel> before = scene.layout().labels;
         for (int i = 1; i <= 20; ++i) {
-            picture.uav->position_m += Point(20, 0);
+            picture.uavs[0].position_m += Point(20, 0);
             scene.setPicture(picture);
             for (std::size_t k = 0; k < before.size(); ++k)
                 QCOMPARE(scene.layout().labels[k].rect, before[k].rect);

@@ -79,7 +79,7 @@ private slots:
             QVERIFY(!iceberg.truth_m);
             QVERIFY(!iceberg.ringEntry_s);
         }
-        QVERIFY(!picture.home_m);
+        QVERIFY(!picture.uavs[0].home_m);
         QVERIFY(!picture.isFenced);
     }
 
@@ -148,26 +148,26 @@ private slots:
     void searchPatternIsDrawn()
     {
         FlightRecord record = recordOfStart(kalmanScenario());
-        WorldState& world = record.now.world;
+        UavState& world = record.now.world.uavs[0];
         world.search =
             Search{.iceberg = 1, .way = LostSearch(record.scenario.observer, SensorSpec(), 200, 0)};
-        QVERIFY(missionPicture(record, kLocale).search_m.empty()); // not flown
+        QVERIFY(missionPicture(record, kLocale).routes[0].search_m.empty()); // not flown
         world.mode = FlightMode::Search;
         const LostSearch& way = world.search->way;
         const MapPicture picture = missionPicture(record, kLocale);
-        QCOMPARE(picture.search_m.size(), way.corners_m().size() - way.next());
-        QVERIFY(picture.search_m.front() == record.estimate_m(1) + way.corner_m());
+        QCOMPARE(picture.routes[0].search_m.size(), way.corners_m().size() - way.next());
+        QVERIFY(picture.routes[0].search_m.front() == record.estimate_m(1) + way.corner_m());
         QVERIFY(legendOf(picture).contains(u"Search pattern"_s));
         MapPicture without = picture;
-        without.search_m.clear();
+        without.routes[0].search_m.clear();
         const MapLayout layout = layoutOf(picture, kSize_px);
-        const QPointF along =
-            (layout.view.toPixel(picture.search_m[0]) + layout.view.toPixel(picture.search_m[1])) /
-            2;
+        const QPointF along = (layout.view.toPixel(picture.routes[0].search_m[0]) +
+                               layout.view.toPixel(picture.routes[0].search_m[1])) /
+                              2;
         const Theme theme = Theme::light();
         QVERIFY(differenceNear(painted(picture, layout, theme), painted(without, layout, theme),
                                along, 6) > 5);
-        QVERIFY(withScenario(picture, record.scenario).search_m.empty());
+        QVERIFY(withScenario(picture, record.scenario).routes[0].search_m.empty());
     }
 
     void truthIsPaintedWhereItIs()
@@ -210,21 +210,21 @@ private slots:
                 s.uavs.front().home_m = Point(100, 200);
         });
         const MapPicture picture = withScenario({}, scenario);
-        QCOMPARE(picture.home_m.has_value(), isShown);
+        QCOMPARE(picture.uavs[0].home_m.has_value(), isShown);
         QCOMPARE(legendOf(picture).contains(u"Home"_s), isShown);
         if (isShown)
-            QVERIFY(*picture.home_m == (hasOwn ? Point(100, 200) : Point(-500, 500)));
+            QVERIFY(*picture.uavs[0].home_m == (hasOwn ? Point(100, 200) : Point(-500, 500)));
     }
 
     void enduranceLeftIsAReadout()
     {
         FlightRecord record =
             recordOfStart(changed([](Scenario& s) { s.uavs.front().spec.endurance_s = 900; }));
-        record.now.world.aloft_s = 185;
+        record.now.world.uavs[0].aloft_s = 185;
         const MapReadout aloft = missionPicture(record, kLocale).readouts.back();
         QCOMPARE(aloft.caption, u"Endurance left"_s);
         QCOMPARE(aloft.value, u"11:55"_s);
-        record.now.world.mode = FlightMode::Ground; // made ready again
+        record.now.world.uavs[0].mode = FlightMode::Ground; // made ready again
         QCOMPARE(missionPicture(record, kLocale).readouts.back().value, u"15:00"_s);
         QCOMPARE(missionPicture(recordOfStart(fourIcebergs()), kLocale).readouts.size(),
                  std::size_t{3});
@@ -292,8 +292,8 @@ private slots:
     void clustersFollowTheIcebergs()
     {
         FlightRecord record = recordOfStart(fourIcebergs());
-        record.now.plan->order = {2, 0, 3, 1};
-        record.now.plan->clusters = {{0, 3}};
+        record.now.plans[0].order = {2, 0, 3, 1};
+        record.now.plans[0].clusters = {{0, 3}};
         MapPicture picture = missionPicture(record, kLocale);
         QCOMPARE(picture.clusters, (std::vector<std::vector<int>>{{0, 3}}));
         QVERIFY(legendOf(picture).contains(u"Planned as one point"_s));
@@ -310,10 +310,10 @@ private slots:
         picture.icebergs[0].position_m = {1000, 1000};
         picture.icebergs[1].position_m = {1400, 1000};
         picture.icebergs[2].position_m = {4000, 3000};
-        picture.plan = {0, 1, 2};
+        picture.routes[0].plan = {0, 1, 2};
         picture.clusters = {{0, 1}};
         const MapLayout layout = layoutOf(picture, kSize_px);
-        const std::vector<QPolygonF> legs = planLegs(picture, layout);
+        const std::vector<QPolygonF> legs = planLegs(picture, layout, 0);
         QCOMPARE(legs.size(), std::size_t{3});
         const QPointF middle = layout.view.toPixel({1200, 1000});
         COMPARE_NEAR(QLineF(legs[0].back(), middle).length(), 0, 1e-6);
@@ -335,11 +335,11 @@ private slots:
             s.current_mps = {0, 0};
         });
         const MapPicture picture = missionPicture(recordOfStart(scenario), kLocale);
-        QCOMPARE(picture.planCorners.size(), std::size_t{1});
-        QVERIFY(!picture.planCorners[0].empty());
+        QCOMPARE(picture.routes[0].planCorners.size(), std::size_t{1});
+        QVERIFY(!picture.routes[0].planCorners[0].empty());
         const MapLayout layout = layoutOf(picture, kSize_px);
-        const QPolygonF leg = planLegs(picture, layout)[0];
-        QCOMPARE(leg.size(), static_cast<qsizetype>(picture.planCorners[0].size()) + 2);
+        const QPolygonF leg = planLegs(picture, layout, 0)[0];
+        QCOMPARE(leg.size(), static_cast<qsizetype>(picture.routes[0].planCorners[0].size()) + 2);
         QPolygonF fence;
         for (const Point& corner_m : scenario.area_m)
             fence << layout.view.toPixel(corner_m);
@@ -348,28 +348,29 @@ private slots:
                 QVERIFY(fence.containsPoint(QLineF(leg[i - 1], leg[i]).pointAt(share),
                                             Qt::OddEvenFill));
         // Corners are places: they go with the first edit that moves something.
-        QCOMPARE(withScenario(picture, scenario).planCorners.size(), std::size_t{1});
+        QCOMPARE(withScenario(picture, scenario).routes[0].planCorners.size(), std::size_t{1});
         scenario.icebergs.front().position_m.y() += 100;
-        QVERIFY(withScenario(picture, scenario).planCorners.empty());
+        QVERIFY(withScenario(picture, scenario).routes[0].planCorners.empty());
     }
 
     void planEndsWithTheWayHome()
     {
         MapPicture picture = randomPicture(4);
-        picture.home_m = Point(0, 0);
+        picture.uavs[0].home_m = Point(0, 0);
         const MapLayout layout = layoutOf(picture, kSize_px);
-        QCOMPARE(planLegs(picture, layout).size(), std::size_t{4});
-        QVERIFY(homeLeg(picture, layout).isEmpty());
-        picture.thisSortie = 2;
-        QCOMPARE(planLegs(picture, layout).size(), std::size_t{2});
-        COMPARE_NEAR(QLineF(homeLeg(picture, layout).back(), layout.view.toPixel({0, 0})).length(),
-                     0, 1e-6);
-        picture.thisSortie = 0; // straight home from where it is
-        QVERIFY(planLegs(picture, layout).empty());
+        QCOMPARE(planLegs(picture, layout, 0).size(), std::size_t{4});
+        QVERIFY(homeLeg(picture, layout, 0).isEmpty());
+        picture.routes[0].thisSortie = 2;
+        QCOMPARE(planLegs(picture, layout, 0).size(), std::size_t{2});
         COMPARE_NEAR(
-            QLineF(homeLeg(picture, layout).front(), layout.view.toPixel(picture.uav->position_m))
-                .length(),
-            0, 1e-6);
+            QLineF(homeLeg(picture, layout, 0).back(), layout.view.toPixel({0, 0})).length(), 0,
+            1e-6);
+        picture.routes[0].thisSortie = 0; // straight home from where it is
+        QVERIFY(planLegs(picture, layout, 0).empty());
+        COMPARE_NEAR(QLineF(homeLeg(picture, layout, 0).front(),
+                            layout.view.toPixel(picture.uavs[0].position_m))
+                         .length(),
+                     0, 1e-6);
     }
 };
 

@@ -32,6 +32,23 @@ Mission flown(double time_s)
     return mission;
 }
 
+/** Nine icebergs and three UAVs, flown for `time_s`. */
+Mission fleetFlown(double time_s)
+{
+    Scenario scenario = randomScenario(7, {.icebergs = 9});
+    scenario.duration_s = 300;
+    for (const char* name : {"two", "three"}) {
+        Uav uav = scenario.uavs.front();
+        uav.id = uav.name = name;
+        uav.position_m += 3000.0 * static_cast<double>(scenario.uavs.size()) * Point(1, 0.3);
+        uav.spec.altitude_m += 50.0 * static_cast<double>(scenario.uavs.size());
+        scenario.uavs.push_back(uav);
+    }
+    Mission mission(scenario);
+    mission.advance(time_s);
+    return mission;
+}
+
 } // namespace
 
 class TestMissionPicture : public QObject
@@ -57,7 +74,7 @@ private slots:
             const Point expected_mps = mission.scenario().icebergs[i].velocity_mps + Point(0.2, 0);
             QVERIFY(shown.velocity_mps == expected_mps);
         }
-        QVERIFY(picture.uav->position_m == mission.simulation().state().uav.position_m);
+        QVERIFY(picture.uavs[0].position_m == mission.simulation().state().uavs[0].pose.position_m);
         QCOMPARE(picture.readouts[0].value, u"05:00"_s);
         QCOMPARE(picture.readouts[2].value, QString::number(mission.metrics().visits));
     }
@@ -66,18 +83,18 @@ private slots:
     {
         const Mission mission = flown(300);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
-        QCOMPARE(picture.track.size(), mission.recorder().samples().size());
-        COMPARE_NEAR(picture.track.front().time_s, 0, 0);
-        COMPARE_NEAR(picture.track.back().time_s, 300, 1e-9);
+        QCOMPARE(picture.routes[0].track.size(), mission.recorder().samples().size());
+        COMPARE_NEAR(picture.routes[0].track.front().time_s, 0, 0);
+        COMPARE_NEAR(picture.routes[0].track.back().time_s, 300, 1e-9);
     }
 
     void planIsTheOneInForce()
     {
         const Mission mission = flown(300);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
-        QCOMPARE(picture.plan, mission.plans().back().order);
-        const std::set<int> once(picture.plan.begin(), picture.plan.end());
-        QCOMPARE(once.size(), picture.plan.size());
+        QCOMPARE(picture.routes[0].plan, mission.plans().back().order);
+        const std::set<int> once(picture.routes[0].plan.begin(), picture.routes[0].plan.end());
+        QCOMPARE(once.size(), picture.routes[0].plan.size());
     }
 
     void icebergsToComeAreNotShown()
@@ -85,8 +102,83 @@ private slots:
         const Mission mission = flown(50);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
         QCOMPARE(picture.icebergs.size(), std::size_t{4});
-        for (const int index : picture.plan)
+        for (const int index : picture.routes[0].plan)
             QVERIFY(index < 4);
+    }
+
+    void eachUavHasItsRoute()
+    {
+        const Mission mission = fleetFlown(120);
+        const FlightRecord record = recordOf(mission);
+        const MapPicture picture = missionPicture(record, kLocale);
+        QCOMPARE(picture.uavs.size(), std::size_t{3});
+        QCOMPARE(picture.routes.size(), std::size_t{3});
+        std::set<int> planned;
+        std::size_t count = 0;
+        for (std::size_t uav = 0; uav < 3; ++uav) {
+            const MapRoute& route = picture.routes[uav];
+            const DubinsState& pose = mission.simulation().state().uavs[uav].pose;
+            QVERIFY(picture.uavs[uav].position_m == pose.position_m);
+            QCOMPARE(route.plan, planOf(record.now, static_cast<int>(uav))->order);
+            QVERIFY(route.track.front().position_m == mission.scenario().uavs[uav].position_m);
+            QVERIFY(route.track.back().position_m == pose.position_m);
+            QCOMPARE(route.swept.size(), mission.recorder().samples().size());
+            QCOMPARE(route.swept.back().psi_rad, pose.psi_rad);
+            planned.insert(route.plan.begin(), route.plan.end());
+            count += route.plan.size();
+        }
+        QVERIFY(count > 0);
+        QCOMPARE(planned.size(), count); // no iceberg in two plans
+        QCOMPARE(picture.uavs[1].label, u"two"_s);
+    }
+
+    void onTheGroundNothingIsTooClose()
+    {
+        FlightRecord record = recordOf(fleetFlown(0));
+        QVERIFY(missionPicture(record, kLocale).uavs[1].isAloft);
+        record.now.world.uavs[1].mode = FlightMode::Ground;
+        QVERIFY(!missionPicture(record, kLocale).uavs[1].isAloft);
+        QVERIFY(missionPicture(record, kLocale).uavs[2].isAloft);
+    }
+
+    /** The one that has to land first, with its name. */
+    void leastEnduranceIsShown()
+    {
+        FlightRecord record = recordOf(fleetFlown(0));
+        QCOMPARE(missionPicture(record, kLocale).readouts.size(), std::size_t{3});
+        record.scenario.uavs[0].spec.endurance_s = 900;
+        record.scenario.uavs[1].spec.endurance_s = 1800; // the third flies on for ever
+        record.now.world.uavs[0].aloft_s = 300;
+        record.now.world.uavs[1].aloft_s = 1500;
+        record.now.world.uavs[2].aloft_s = 5000;
+        const MapReadout& left = missionPicture(record, kLocale).readouts.back();
+        QCOMPARE(left.caption, u"Endurance left"_s);
+        QCOMPARE(left.value, u"05:00"_s);
+        QCOMPARE(left.unit, u"two"_s);
+    }
+
+    void nearMissesAreShown()
+    {
+        FlightRecord record = recordOf(fleetFlown(0));
+        record.scenario.separation_m = 150;
+        record.now.world.closest_m = 301;
+        QCOMPARE(missionPicture(record, kLocale).readouts.size(), std::size_t{3});
+        record.now.world.closest_m = 142.6;
+        const MapReadout& closest = missionPicture(record, kLocale).readouts.back();
+        QCOMPARE(closest.caption, u"Closest so far"_s);
+        QCOMPARE(closest.value, u"143"_s);
+        QCOMPARE(closest.unit, u"m"_s);
+        record.scenario.separation_m = 0; // not watched
+        QCOMPARE(missionPicture(record, kLocale).readouts.size(), std::size_t{3});
+    }
+
+    void whoIcebergsAreKeptFor()
+    {
+        FlightRecord record = recordOf(fleetFlown(0));
+        record.now.assigned[1] = 2;
+        const MapPicture picture = missionPicture(record, kLocale);
+        QCOMPARE(picture.icebergs[0].keptFor, -1);
+        QCOMPARE(picture.icebergs[1].keptFor, 2);
     }
 
     void zetaChartEndsAtTheMetrics()

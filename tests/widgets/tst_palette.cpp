@@ -103,6 +103,28 @@ private slots:
         }
     }
 
+    void uavsAreToldApart_data() { sigmaAndMutedTextOnPanels_data(); }
+
+    void uavsAreToldApart()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = themeOf(isDark);
+        QCOMPARE(uavColour(theme, 0), theme.uav);
+        QCOMPARE(uavColour(theme, kUavColours), theme.uav); // they begin anew
+        for (int i = 0; i < kUavColours; ++i) {
+            const QColor colour = uavColour(theme, i);
+            for (const QColor& ground : {theme.sea, theme.land, theme.panel, theme.chart})
+                QVERIFY2(contrastRatio(colour, ground) >= kLineContrast, qPrintable(colour.name()));
+            for (int k = 0; k < i; ++k) {
+                const QColor other = uavColour(theme, k);
+                // Neighbours in lightness differ in hue by far.
+                const int hue = std::abs(colour.hslHue() - other.hslHue());
+                QVERIFY2(contrastRatio(colour, other) > 1.5 || std::min(hue, 360 - hue) > 25,
+                         qPrintable(colour.name() + other.name()));
+            }
+        }
+    }
+
     void themesDiffer()
     {
         const auto luminance = [](bool isDark) {

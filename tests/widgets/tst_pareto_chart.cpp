@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 
 using namespace berg;
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -47,6 +48,16 @@ class TestParetoChart : public QObject
 
 private slots:
     void init() { test::failOnWarnings(); }
+
+    void saysThatThereIsNoneOfSeveralUavs()
+    {
+        Fixture fixture;
+        fixture.chart.setOfFleet(true);
+        fixture.chart.setCurve({.intervals = {}, .complete = true});
+        QVERIFY(fixture.chart.accessibleDescription().contains(u"one UAV"_s));
+        fixture.chart.setOfFleet(false);
+        QVERIFY(fixture.chart.accessibleDescription().contains(u"No icebergs"_s));
+    }
 
     void plansAreInsideAndInOrder_data()
     {

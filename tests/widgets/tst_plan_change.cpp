@@ -82,7 +82,7 @@ struct Desk
 
     [[nodiscard]] const FlightRecord& record() const { return workspace.record(); }
     [[nodiscard]] MapPicture picture() const { return missionPicture(record(), QLocale::c()); }
-    [[nodiscard]] std::vector<int> former() const { return picture().formerPlan; }
+    [[nodiscard]] std::vector<int> former() const { return picture().routes[0].formerPlan; }
 };
 
 } // namespace
@@ -96,15 +96,16 @@ private slots:
     void tauBeforeTakeOff()
     {
         Desk desk;
-        QCOMPARE(desk.picture().plan, kShortest);
+        QCOMPARE(desk.picture().routes[0].plan, kShortest);
         QVERIFY(desk.former().empty());
         desk.setTau(40); // the same order
         QVERIFY(desk.former().empty());
         desk.setTau(0);
-        QCOMPARE(desk.picture().plan, kUncertainFirst);
+        QCOMPARE(desk.picture().routes[0].plan, kUncertainFirst);
         QCOMPARE(desk.former(), kShortest);
-        QVERIFY(!desk.picture().formerFrom_m); // from where the UAV is, wherever it is put
-        desk.setTau(0.001);                    // the drag goes on, the order stays
+        QVERIFY(
+            !desk.picture().routes[0].formerFrom_m); // from where the UAV is, wherever it is put
+        desk.setTau(0.001);                          // the drag goes on, the order stays
         QCOMPARE(desk.former(), kShortest);
         desk.setTau(50);
         QCOMPARE(desk.former(), kUncertainFirst);
@@ -116,7 +117,8 @@ private slots:
         Desk desk;
         desk.open(aimed());
         const PlanEvent plan = *desk.record().now.plan;
-        const std::vector<PlanRow> rows = planRows(desk.record().now, desk.record().scenario);
+        const std::vector<PlanRow> rows =
+            planSections(desk.record().now, desk.record().scenario).front().rows;
         QCOMPARE(rows.size(), plan.order.size());
         double way_m = 0;
         for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -132,7 +134,8 @@ private slots:
 
         desk.flyTo(60); // the same, nearer by what is flown
         COMPARE_NEAR(planOutlook(desk.record())->zeta_m2s, outlook.zeta_m2s, 1e-9);
-        const std::vector<PlanRow> later = planRows(desk.record().now, desk.record().scenario);
+        const std::vector<PlanRow> later =
+            planSections(desk.record().now, desk.record().scenario).front().rows;
         COMPARE_NEAR(later[0].arrival_s, rows[0].arrival_s - 60, 1e-9);
         COMPARE_NEAR(later[0].leg_m, rows[0].leg_m - 60 * 22, 3);
     }
@@ -151,26 +154,27 @@ private slots:
     void waysOnTheMap()
     {
         Desk desk;
-        QVERIFY(desk.picture().planWays.empty());
+        QVERIFY(desk.picture().routes[0].planWays.empty());
         desk.open(aimed());
         const MapPicture picture = desk.picture();
-        QVERIFY(!picture.planWays.empty());
-        QVERIFY(picture.planWays.front().path_m.front() == Point(0, 0));
-        for (std::size_t k = 1; k < picture.planWays.size(); ++k)
-            COMPARE_NEAR(
-                (picture.planWays[k].path_m.front() - picture.planWays[k - 1].path_m.back()).norm(),
-                0, 1e-6);
-        QVERIFY(!withScenario(picture, desk.record().scenario).planWays.empty());
+        QVERIFY(!picture.routes[0].planWays.empty());
+        QVERIFY(picture.routes[0].planWays.front().path_m.front() == Point(0, 0));
+        for (std::size_t k = 1; k < picture.routes[0].planWays.size(); ++k)
+            COMPARE_NEAR((picture.routes[0].planWays[k].path_m.front() -
+                          picture.routes[0].planWays[k - 1].path_m.back())
+                             .norm(),
+                         0, 1e-6);
+        QVERIFY(!withScenario(picture, desk.record().scenario).routes[0].planWays.empty());
         Scenario moved = desk.record().scenario;
         moved.icebergs[1].position_m.x() += 100; // they are of another place
-        QVERIFY(withScenario(picture, moved).planWays.empty());
-        QCOMPARE(withScenario(picture, moved).plan, picture.plan);
+        QVERIFY(withScenario(picture, moved).routes[0].planWays.empty());
+        QCOMPARE(withScenario(picture, moved).routes[0].plan, picture.routes[0].plan);
 
         desk.workspace.setPolicy(PolicyKind::Uncertainty);
         desk.wait();
-        QCOMPARE(desk.picture().plan, kUncertainFirst);
-        QVERIFY(desk.picture().planWays.empty());
-        QCOMPARE(desk.picture().formerWays.size(), picture.planWays.size());
+        QCOMPARE(desk.picture().routes[0].plan, kUncertainFirst);
+        QVERIFY(desk.picture().routes[0].planWays.empty());
+        QCOMPARE(desk.picture().routes[0].formerWays.size(), picture.routes[0].planWays.size());
         QVERIFY(!planOutlook(desk.record())->change); // nothing to be compared with
     }
 
@@ -178,20 +182,20 @@ private slots:
     {
         Desk desk;
         desk.open(aimed());
-        const std::size_t count = desk.picture().planWays.size();
+        const std::size_t count = desk.picture().routes[0].planWays.size();
         desk.flyTo(20);
         QCOMPARE(desk.record().now.planCount, std::size_t{1}); // on its first leg
         MapPicture picture = desk.picture();
-        QCOMPARE(picture.planWays.size(), count);
-        QVERIFY(picture.planWays.front().path_m.front() == picture.uav->position_m);
-        const Point turn_m = picture.uav->position_m;
+        QCOMPARE(picture.routes[0].planWays.size(), count);
+        QVERIFY(picture.routes[0].planWays.front().path_m.front() == picture.uavs[0].position_m);
+        const Point turn_m = picture.uavs[0].position_m;
         const std::size_t plans = desk.record().now.planCount;
         desk.workspace.setPolicy(PolicyKind::Uncertainty);
         QTRY_VERIFY(desk.record().now.planCount > plans);
         picture = desk.picture();
-        QVERIFY(picture.planWays.empty());
-        QVERIFY(!picture.formerWays.empty()); // from where it was left
-        COMPARE_NEAR((picture.formerWays.front().path_m.front() - turn_m).norm(), 0, 3);
+        QVERIFY(picture.routes[0].planWays.empty());
+        QVERIFY(!picture.routes[0].formerWays.empty()); // from where it was left
+        COMPARE_NEAR((picture.routes[0].formerWays.front().path_m.front() - turn_m).norm(), 0, 3);
     }
 
     void figuresBeforeTakeOff()
@@ -204,8 +208,34 @@ private slots:
         const PlanChange change = outlook.change.value();
         COMPARE_NEAR(change.distance_m, 9000, 1e-6); // and back to the first of the row
         COMPARE_NEAR(outlook.zeta_m2s - shortest_m2s, change.zeta_m2s, 1e-6);
-        QCOMPARE(outlook.before, (QStringList{QStringLiteral("berg-1"), QStringLiteral("berg-2"),
-                                              QStringLiteral("berg-3"), QStringLiteral("berg-4")}));
+        QCOMPARE(outlook.before, QStringLiteral("berg-1, berg-2, berg-3, berg-4"));
+    }
+
+    /** Of two UAVs the change is told in sum, with what was left of each. */
+    void changeOfAFleet()
+    {
+        Desk desk;
+        Scenario scenario = rowOfIcebergs();
+        scenario.uavs.push_back(scenario.uavs.front());
+        scenario.uavs[1].id = "uav-2";
+        scenario.uavs[1].position_m.x() += 20000;
+        desk.open(scenario);
+        const double shortest_m2s = planOutlook(desk.record())->zeta_m2s;
+        desk.setTau(0);
+        const PlanOutlook outlook = planOutlook(desk.record()).value();
+        double distance_m = 0;
+        QStringList before;
+        for (const int uav : {0, 1})
+            if (const std::optional<ShownChange> change = desk.record().changeShown(uav)) {
+                distance_m += change->change.distance_m;
+                before << QStringLiteral("uav-%1: ").arg(uav + 1);
+                COMPARE_NEAR(outlook.zeta_m2s - shortest_m2s, change->change.zeta_m2s, 1e-6);
+            }
+        QVERIFY(!before.isEmpty());
+        COMPARE_NEAR(outlook.change->distance_m, distance_m, 1e-9);
+        for (const QString& part : before)
+            QVERIFY2(outlook.before.contains(part), qPrintable(outlook.before));
+        QCOMPARE(outlook.before.count(QStringLiteral("; ")), before.size() - 1);
     }
 
     void anotherWorldForgets()
@@ -243,7 +273,7 @@ private slots:
         const double shortest_m2s = planOutlook(desk.record())->zeta_m2s;
         desk.intervene(0);
         QCOMPARE(desk.former(), kShortest);
-        const Point turn_m = desk.record().now.world.uav.position_m;
+        const Point turn_m = desk.record().now.world.uavs[0].pose.position_m;
         const PlanOutlook outlook = planOutlook(desk.record()).value();
         const PlanChange change = outlook.change.value();
         COMPARE_NEAR(change.distance_m, 9000, 1e-6);
@@ -253,7 +283,7 @@ private slots:
         desk.intervene(0.001); // plans again, the same
         desk.flyTo(100);
         QCOMPARE(desk.former(), kShortest);
-        COMPARE_NEAR((*desk.picture().formerFrom_m - turn_m).norm(), 0, 1e-6);
+        COMPARE_NEAR((*desk.picture().routes[0].formerFrom_m - turn_m).norm(), 0, 1e-6);
         COMPARE_NEAR(planOutlook(desk.record())->change->zeta_m2s, change.zeta_m2s, 1e-9);
         desk.flyTo(530); // past the first three of the row, the last is still to be seen
         QCOMPARE(desk.former(), kShortest);
@@ -280,11 +310,11 @@ private slots:
         far.sigma0_m2 = 100;
         mission.intervene({.appears = far});
         mission.advance(400); // past two of the three
-        QCOMPARE(missionPicture(recordOf(mission), QLocale::c()).formerPlan,
+        QCOMPARE(missionPicture(recordOf(mission), QLocale::c()).routes[0].formerPlan,
                  (std::vector<int>{0, 1, 2}));
         mission.advance(430); // past the third
         QCOMPARE(mission.plans().size(), std::size_t{2});
-        QVERIFY(missionPicture(recordOf(mission), QLocale::c()).formerPlan.empty());
+        QVERIFY(missionPicture(recordOf(mission), QLocale::c()).routes[0].formerPlan.empty());
     }
 
     void lookingBack()
@@ -332,13 +362,13 @@ private slots:
         Desk desk;
         QVERIFY(!desk.picture().showsSwept());
         desk.flyTo(20);
-        QCOMPARE(desk.picture().swept.size(), std::size_t{21});
+        QCOMPARE(desk.picture().routes[0].swept.size(), std::size_t{21});
         desk.workspace.lookAt(10.4);
         desk.waitFor(10.4);
-        const std::vector<MapPose> poses = desk.picture().swept;
+        const std::vector<MapPose> poses = desk.picture().routes[0].swept;
         QCOMPARE(poses.size(), std::size_t{12});
         COMPARE_NEAR(poses.back().time_s, 10.4, 1e-9);
-        QVERIFY(poses.back().position_m == desk.record().shown().world.uav.position_m);
+        QVERIFY(poses.back().position_m == desk.record().shown().world.uavs[0].pose.position_m);
     }
 };
 

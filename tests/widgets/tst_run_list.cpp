@@ -31,7 +31,7 @@ void compareRuns(const ComparedRun& run, const Mission& mission)
     QCOMPARE(run.samples.size(), samples.size());
     for (std::size_t k = 0; k < samples.size(); ++k) {
         QCOMPARE(run.samples[k].zeta_m2s, samples[k].zeta_m2s);
-        QVERIFY(run.samples[k].uav.position_m == samples[k].uav.position_m);
+        QVERIFY(run.samples[k].uavs[0].pose.position_m == samples[k].uavs[0].pose.position_m);
     }
     const RunFigures figures = figuresAt(run, run.flown_s);
     QCOMPARE(figures.zeta_m2s, mission.metrics().zeta_m2s);

@@ -17,21 +17,19 @@ namespace {
 constexpr QSize kSize(400, 300);
 const QColor kTint(0, 120, 110, 40);
 
-SweptLook lookAt(const Point& centre_m, double scale_pxpm, const SensorSpec& sensor = {})
+SweptLook lookAt(const Point& centre_m, double scale_pxpm)
 {
     const QRectF rect(QPointF(0, 0), QSizeF(kSize));
-    return {.view = MapViewTransform(centre_m, rect.center(), scale_pxpm),
-            .rect = rect,
-            .sensor = sensor,
-            .tint = kTint};
+    return {
+        .view = MapViewTransform(centre_m, rect.center(), scale_pxpm), .rect = rect, .tint = kTint};
 }
 
 std::vector<MapPose> posesOf(const Mission& mission)
 {
     std::vector<MapPose> poses;
     for (const Sample& sample : mission.recorder().samples())
-        poses.push_back({.position_m = sample.uav.position_m,
-                         .psi_rad = sample.uav.psi_rad,
+        poses.push_back({.position_m = sample.uavs[0].pose.position_m,
+                         .psi_rad = sample.uavs[0].pose.psi_rad,
                          .time_s = sample.time_s});
     return poses;
 }
@@ -91,12 +89,12 @@ private slots:
     void aStraightWay()
     {
         const SensorSpec sensor{.fov_m = {600, 200}};
-        const SweptLook look = lookAt({1000, 0}, 0.1, sensor);
+        const SweptLook look = lookAt({1000, 0}, 0.1);
         const std::vector<MapPose> poses{{.position_m = {0, 0}},
                                          {.position_m = {700, 0}, .time_s = 30},
                                          {.position_m = {2000, 0}, .time_s = 90}};
         SweptMask mask;
-        const QImage& image = mask.updated(poses, look);
+        const QImage& image = mask.updated({{poses, sensor}}, look);
         QCOMPARE(image.size(), kSize);
         for (int y = 0; y < image.height(); ++y)
             for (int x = 0; x < image.width(); ++x) {
@@ -133,9 +131,9 @@ private slots:
         const SensorSpec sensor{.fov_m = {500, 300}, .shape = static_cast<FovShape>(shape)};
         const std::vector<MapPose> steps = posesOf(flown(0.2));
         const std::vector<MapPose> poses = posesOf(flown(interval_s));
-        const SweptLook look = lookAt(steps[steps.size() / 2].position_m, scale_pxpm, sensor);
+        const SweptLook look = lookAt(steps[steps.size() / 2].position_m, scale_pxpm);
         SweptMask mask;
-        const QImage& image = mask.updated(poses, look);
+        const QImage& image = mask.updated({{poses, sensor}}, look);
         const double slack_m = slack_px / scale_pxpm;
         const Point ring_m = Point::Constant(2 * slack_m);
         const std::vector<FieldOfView> smaller =
@@ -158,7 +156,7 @@ private slots:
     {
         const std::vector<MapPose> poses = posesOf(flown(1));
         SweptMask mask;
-        const QImage& image = mask.updated(poses, lookAt(poses.front().position_m, 0.1));
+        const QImage& image = mask.updated({{poses}}, lookAt(poses.front().position_m, 0.1));
         const QRgb tint = qPremultiply(kTint.rgba());
         int tinted = 0;
         for (int y = 0; y < image.height(); ++y)
@@ -185,12 +183,12 @@ private slots:
                 last.position_m = 0.5 * (last.position_m + before.position_m);
                 last.time_s = 0.5 * (last.time_s + before.time_s);
             }
-            static_cast<void>(grown.updated(known, look));
+            static_cast<void>(grown.updated({{known}}, look));
         }
         SweptMask whole;
-        const QImage& all = whole.updated(poses, look);
+        const QImage& all = whole.updated({{poses}}, look);
         // Joined pieces are half a pixel off at most; the edges are thousands of pixels long.
-        QVERIFY(differences(grown.updated(poses, look), all) < 300);
+        QVERIFY(differences(grown.updated({{poses}}, look), all) < 300);
     }
 
     /** Looking back there is only what was seen until then, and nothing of what came after. */
@@ -199,11 +197,11 @@ private slots:
         const std::vector<MapPose> poses = posesOf(flown(1));
         const SweptLook look = lookAt(poses.front().position_m, 0.1);
         SweptMask mask;
-        static_cast<void>(mask.updated(poses, look));
+        static_cast<void>(mask.updated({{poses}}, look));
         for (const std::size_t count : {std::size_t{300}, std::size_t{299}, std::size_t{2}}) {
             const std::span<const MapPose> known(poses.data(), count);
             SweptMask fresh;
-            QCOMPARE(differences(mask.updated(known, look), fresh.updated(known, look)), 0);
+            QCOMPARE(differences(mask.updated({{known}}, look), fresh.updated({{known}}, look)), 0);
         }
     }
 
@@ -211,22 +209,23 @@ private slots:
     {
         const std::vector<MapPose> poses = posesOf(flown(1));
         SweptLook look = lookAt(poses.front().position_m, 0.1);
+        SensorSpec sensor;
         SweptMask mask;
-        static_cast<void>(mask.updated(poses, look));
+        static_cast<void>(mask.updated({{poses, sensor}}, look));
         const auto isFresh = [&] {
             SweptMask fresh;
-            return mask.updated(poses, look) == fresh.updated(poses, look);
+            return mask.updated({{poses, sensor}}, look) == fresh.updated({{poses, sensor}}, look);
         };
         look.view = look.view.moved({40, -25});
         QVERIFY(isFresh());
-        look.sensor.shape = FovShape::Disk;
+        sensor.shape = FovShape::Disk;
         QVERIFY(isFresh());
         look.tint = QColor(200, 100, 0, 60);
         QVERIFY(isFresh());
         look.ratio = 2;
         QVERIFY(isFresh());
-        QCOMPARE(mask.updated(poses, look).size(), 2 * kSize);
-        QCOMPARE(mask.updated(poses, look).devicePixelRatio(), 2.0);
+        QCOMPARE(mask.updated({{poses}}, look).size(), 2 * kSize);
+        QCOMPARE(mask.updated({{poses}}, look).devicePixelRatio(), 2.0);
         look.rect.setSize(QSizeF(120, 80));
         QVERIFY(isFresh());
     }
@@ -237,14 +236,14 @@ private slots:
         const std::vector<MapPose> poses = posesOf(flown(1));
         const SweptLook look = lookAt(poses.front().position_m, 0.1);
         SweptMask mask;
-        QVERIFY(!mask.advance(poses, look, 0));
-        QVERIFY(mask.isOf(poses));
+        QVERIFY(!mask.advance({{poses}}, look, 0));
+        QVERIFY(mask.isOf({{poses}}));
         int parts = 1;
-        while (!mask.advance(poses, look, 0))
+        while (!mask.advance({{poses}}, look, 0))
             ++parts;
         QVERIFY(parts > 5 && parts < 20); // of 64 poses
         SweptMask whole;
-        QVERIFY(differences(mask.image(), whole.updated(poses, look)) < 100);
+        QVERIFY(differences(mask.image(), whole.updated({{poses}}, look)) < 100);
     }
 
     /** After a long flight the last view stands in until the new one is painted. */
@@ -259,7 +258,7 @@ private slots:
             QImage image(kSize, QImage::Format_ARGB32_Premultiplied);
             image.fill(Qt::transparent);
             QPainter painter(&image);
-            layer.paint(painter, poses, look);
+            layer.paint(painter, {{poses}}, look);
             return image;
         };
         SweptLayer layer;
@@ -268,22 +267,54 @@ private slots:
         while (!layer.isDone())
             shown = frame(layer, look);
         SweptMask whole;
-        QVERIFY(differences(shown, whole.updated(poses, look)) < 100);
+        QVERIFY(differences(shown, whole.updated({{poses}}, look)) < 100);
         look.view = look.view.moved({0, 50});
         shown = frame(layer, look);
         SweptMask moved;
-        QVERIFY(differences(shown, moved.updated(poses, look)) < 1000); // the old one, moved
+        QVERIFY(differences(shown, moved.updated({{poses}}, look)) < 1000); // the old one, moved
         while (!layer.isDone())
             shown = frame(layer, look);
-        QVERIFY(differences(shown, moved.updated(poses, look)) < 100);
+        QVERIFY(differences(shown, moved.updated({{poses}}, look)) < 100);
         for (int k = 0; k < 400 && !(k > 3 && layer.isDone()); ++k) { // always on the move
             look.view = look.view.moved({0, k % 2 == 0 ? 1.0 : -1.0});
             shown = frame(layer, look);
         }
-        QVERIFY(differences(shown, moved.updated(poses, look)) < 2000);
+        QVERIFY(differences(shown, moved.updated({{poses}}, look)) < 2000);
         poses.resize(30); // looking back it would show what is not seen yet
         SweptMask early;
-        QVERIFY(differences(frame(layer, look), early.updated(poses, look)) < 100);
+        QVERIFY(differences(frame(layer, look), early.updated({{poses}}, look)) < 100);
+    }
+
+    /** Where their ways cross the water is not darker, and each goes on by itself. */
+    void severalUavsInOneTint()
+    {
+        const std::vector<MapPose> east{{.position_m = {0, 0}},
+                                        {.position_m = {1000, 0}, .time_s = 50},
+                                        {.position_m = {2000, 0}, .time_s = 100}};
+        const std::vector<MapPose> north{
+            {.position_m = {1000, -800}, .psi_rad = kPi / 2},
+            {.position_m = {1000, 0}, .psi_rad = kPi / 2, .time_s = 50},
+            {.position_m = {1000, 800}, .psi_rad = kPi / 2, .time_s = 100}};
+        const SensorSpec narrow{.fov_m = {600, 200}};
+        const SweptLook look = lookAt({1000, 0}, 0.1);
+        SweptMask both;
+        SweptMask first;
+        SweptMask second;
+        const QImage& image = both.updated({{east, narrow}, {north}}, look);
+        const QImage& ofEast = first.updated({{east, narrow}}, look);
+        const QImage& ofNorth = second.updated({{north}}, look);
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                QCOMPARE(image.pixel(x, y),
+                         isTinted(ofEast, x, y) ? ofEast.pixel(x, y) : ofNorth.pixel(x, y));
+        SweptMask grown;
+        const auto until = [](const std::vector<MapPose>& poses, std::size_t count) {
+            return std::span(poses).first(count);
+        };
+        static_cast<void>(grown.updated({{until(east, 2), narrow}, {until(north, 2)}}, look));
+        QCOMPARE(grown.updated({{east, narrow}, {north}}, look), image);
+        // Back to one of them, the other's water is gone.
+        QCOMPARE(grown.updated({{east, narrow}}, look), ofEast);
     }
 
     void farFromTheMapNothingIsPainted()
@@ -291,7 +322,7 @@ private slots:
         const std::vector<MapPose> poses = posesOf(flown(1));
         const SweptLook look = lookAt({500e3, 500e3}, 10);
         SweptMask mask;
-        const QImage& image = mask.updated(poses, look);
+        const QImage& image = mask.updated({{poses}}, look);
         QImage empty(kSize, QImage::Format_ARGB32_Premultiplied);
         empty.fill(Qt::transparent);
         QCOMPARE(image, empty);

@@ -323,6 +323,15 @@ private slots:
             u"Too windy."_s);
         row("all in view", {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); })},
             PlanVerdict::None, u"Nothing to visit now"_s);
+        row("fleet", {.plan = provenPlan(), .others = {{7, 8}, {}}}, PlanVerdict::Proven,
+            u"Proven optimal, 4 ms (exact) · 3 UAVs, %1 icebergs"_s.arg(provenPlan().order.size() +
+                                                                        2));
+        row("first of a fleet has nothing",
+            {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); }), .others = {{3, 1}}},
+            PlanVerdict::Proven, u"Proven optimal, 4 ms (exact) · 2 UAVs, 2 icebergs"_s);
+        row("fleet with nothing",
+            {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); }), .others = {{}}},
+            PlanVerdict::None, u"Nothing to visit now"_s);
         row("greedy", {.plan = planWith([](PlanEvent& plan) { plan.backend = "greedy"; })},
             PlanVerdict::None, u"Chosen one iceberg at a time"_s);
     }
@@ -368,6 +377,9 @@ private slots:
                                               })},
                                              PolicyKind::Visitation);
         QVERIFY(!none.distance_m && !none.reward_m2);
+        const PlanFigures fleet =
+            planFigures({.plan = provenPlan(), .others = {{1}}}, PolicyKind::Visitation);
+        QVERIFY(fleet.distance_m && fleet.objective_m2 && !fleet.reward_m2 && !fleet.mu_m);
     }
 
     void longTextsFitTheDock()

@@ -228,8 +228,8 @@ private slots:
     {
         MapPicture picture = windyPicture(airOf(8, 250));
         const MapLayout layout = layoutOf(picture, {1600, 1200});
-        const std::vector<QLineF> marks = headingMarks(picture, layout);
-        const std::vector<QPolygonF> legs = planLegs(picture, layout);
+        const std::vector<QLineF> marks = headingMarks(picture, layout, 0);
+        const std::vector<QPolygonF> legs = planLegs(picture, layout, 0);
         QVERIFY(!marks.empty() && marks.size() <= 3);
         std::size_t found = 0;
         for (const QLineF& mark : marks) {
@@ -248,7 +248,7 @@ private slots:
         }
         QCOMPARE(found, marks.size());
         picture.air.wind_mps = Point::Zero();
-        QVERIFY(headingMarks(picture, layout).empty());
+        QVERIFY(headingMarks(picture, layout, 0).empty());
     }
 
     void dragFromCalmIsOneUndoStep()

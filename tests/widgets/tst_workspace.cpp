@@ -139,6 +139,39 @@ private slots:
             QVERIFY(!change.tau);
     }
 
+    /** Before take-off an edit, in flight an intervention for each; the planner keeps to it. */
+    void icebergsAreHandedOver()
+    {
+        Scenario scenario = small();
+        scenario.uavs.push_back(scenario.uavs.front());
+        scenario.uavs[1].id = "uav-2";
+        scenario.uavs[1].position_m += Point(2000, 500);
+        Workspace workspace;
+        workspace.document().reset(scenario);
+        const std::string first = scenario.icebergs[0].id;
+        const std::string second = scenario.icebergs[1].id;
+        workspace.assign({first}, "uav-2");
+        workspace.assign({first, "no iceberg"}, "uav-2"); // as it is
+        QCOMPARE(workspace.document().undoStack()->count(), 1);
+        QCOMPARE(workspace.keeperOf(first), "uav-2");
+        QVERIFY(untilPhase(workspace, RunPhase::Ready));
+        QCOMPARE(workspace.record().now.assigned[0], 1);
+        workspace.document().undoStack()->undo();
+        QVERIFY(workspace.document().scenario() == scenario);
+        QVERIFY(untilPhase(workspace, RunPhase::Ready));
+        QVERIFY(takeOff(workspace));
+        workspace.assign({first, second}, "uav-2");
+        QVERIFY(until([&] { return workspace.keeperOf(second) == "uav-2"; }));
+        QCOMPARE(workspace.keeperOf(first), "uav-2"); // the later one has not taken its place
+        QVERIFY(workspace.document().scenario() == scenario);
+        for (const PlanEvent& plan : workspace.record().now.plans)
+            if (plan.uav == 0)
+                for (const int iceberg : plan.order)
+                    QVERIFY(iceberg > 1);
+        workspace.assign({first}, {});
+        QVERIFY(until([&] { return workspace.keeperOf(first).empty(); }));
+    }
+
     /** Before take-off there is no flight to be told. */
     void onlyAFlightCanBeTold()
     {
@@ -253,7 +286,7 @@ private slots:
         QVERIFY(!workspace.inFlight());
         QSignalSpy refused(&workspace, &Workspace::refused);
         workspace.runner().requestRun();
-        workspace.runner().requestExport("csv");
+        workspace.runner().requestExport({.formatId = "csv"});
         QVERIFY(until([&] { return refused.count() == 2; }));
         workspace.document().edit(u"Mend"_s, [](Scenario& s) { s.icebergs[0].q_m2ps = 0.1; });
         QVERIFY(untilPhase(workspace, RunPhase::Ready));
@@ -298,7 +331,7 @@ private slots:
         workspace->setTau(3);
         workspace->setTau(4);
         workspace->runner().requestRun();
-        workspace->runner().requestExport("csv");
+        workspace->runner().requestExport({.formatId = "csv"});
         QSignalSpy changed(workspace.get(), &Workspace::flightChanged);
         workspace.reset();
         const auto told = changed.count();

@@ -17,7 +17,8 @@ enum class LineRole
     Weighted,    ///< the same with weights, dashed
     Signed,      ///< a reading with sign, such as the turn rate
     Sigma,       ///< sigma of one iceberg, coloured by its value
-    Bound        ///< what no other line gets below
+    Bound,       ///< what no other line gets below
+    Uav          ///< one of several, in its colour
 };
 
 /** Beside the other lines. */
@@ -37,6 +38,7 @@ struct TimeLine
     QString name{}; ///< in lists and read-outs; empty: `label`
     QString unit{}; ///< of its values, for read-outs
     QString key{};  ///< tells lines apart whatever the language: id of the iceberg, column
+    int uav = 0;    ///< place in the scenario, for `LineRole::Uav`
     LineEmphasis emphasis = LineEmphasis::None;
     bool hidden = false;
 };

@@ -1,8 +1,8 @@
 #include "widgets/charts/mission_charts.h"
 
-#include "core/base/angles.h"
-#include "core/vehicle/dubins.h"
+#include "widgets/charts/uav_charts.h"
 #include "widgets/map/mission_picture.h"
+#include "widgets/model/shown_name.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
@@ -28,12 +28,6 @@ std::vector<double> visitTimes_s(const FlightRecord& record)
         if (event.kind == EventKind::Reached)
             times_s.push_back(event.time_s);
     return times_s;
-}
-
-/** The instant of take-off alone is no line yet. */
-bool hasFlown(const FlightRecord& record)
-{
-    return record.history.samples.size() > 1;
 }
 
 /** `sigmaScaleEnd_m2`, of a long record by every so many rows of it. */
@@ -173,12 +167,11 @@ void fillSigma(TimeChartContent& content, const FlightRecord& record, const QLoc
     if (!hasFlown(record))
         return;
     for (const Iceberg& iceberg : record.now.icebergs)
-        content.lines.push_back(
-            {.label = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name),
-             .points = {},
-             .role = LineRole::Sigma,
-             .unit = squareMetres(),
-             .key = QString::fromStdString(iceberg.id)});
+        content.lines.push_back({.label = shownName(iceberg),
+                                 .points = {},
+                                 .role = LineRole::Sigma,
+                                 .unit = squareMetres(),
+                                 .key = QString::fromStdString(iceberg.id)});
     const std::vector<IcebergSample>& last = record.history.rows.back();
     const auto most = std::max_element(last.begin(), last.end(), [](const auto& a, const auto& b) {
         return (a.active ? a.sigma_m2 : -1) < (b.active ? b.sigma_m2 : -1);
@@ -195,67 +188,12 @@ void fillSigma(TimeChartContent& content, const FlightRecord& record, const QLoc
                  significantText(most->sigma_m2, 3, locale));
 }
 
-void fillDistance(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
-{
-    content.title = MissionCharts::tr("Distance flown");
-    const QString unit = longDistanceUnit().name;
-    content.leftTitle = MissionCharts::tr("Distance through the air, %1").arg(unit);
-    if (!hasFlown(record))
-        return;
-    const QString flown = distanceText(record.history.samples.back().flown_m, locale);
-    content.lines.push_back(
-        {.label = flown,
-         .points = {},
-         .role = LineRole::Accumulated,
-         .name = MissionCharts::tr("Flown"),
-         .unit = unit,
-         .key = shownUnits().distance == DistanceUnit::Nautical ? u"flown_nmi"_s : u"flown_km"_s});
-    content.summary = MissionCharts::tr("At %1 %2 are flown.").arg(atTime(record), flown);
-}
-
-void fillTurnRate(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
-{
-    content.title = MissionCharts::tr("Turn rate");
-    content.leftTitle = MissionCharts::tr("Turn rate, °/s, positive to the left");
-    if (!hasFlown(record) || record.scenario.uavs.empty())
-        return;
-    const QString unit = MissionCharts::tr("°/s");
-    content.lines.push_back({.label = MissionCharts::tr("Turn rate"),
-                             .points = {},
-                             .role = LineRole::Signed,
-                             .unit = unit,
-                             .key = u"turn_rate_degps"_s});
-    const double limit_degps = degFromRad(maxTurnRate_radps(record.scenario.uavs[0].spec));
-    const QString limit = significantText(limit_degps, 3, locale);
-    content.references = {
-        {.value = limit_degps, .label = MissionCharts::tr("Limit %1 °/s").arg(limit)},
-        {.value = -limit_degps, .label = {}}};
-    content.summary =
-        MissionCharts::tr("At %1 the turn rate is %2 °/s; the limit is %3 °/s.")
-            .arg(atTime(record),
-                 significantText(degFromRad(record.history.samples.back().u_radps), 3, locale),
-                 limit);
-}
-
-void fillCrossTrack(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
-{
-    content.title = MissionCharts::tr("Cross-track error");
-    content.leftTitle = MissionCharts::tr("Cross-track error, m, positive to the left");
-    if (!hasFlown(record))
-        return;
-    content.lines.push_back({.label = MissionCharts::tr("Cross-track error"),
-                             .points = {},
-                             .role = LineRole::Signed,
-                             .unit = MissionCharts::tr("m"),
-                             .key = u"cross_track_m"_s});
-    content.references = {{.value = 0, .label = {}}};
-    content.summary =
-        MissionCharts::tr("At %1 the cross-track error is %2 m.")
-            .arg(atTime(record),
-                 significantText(record.history.samples.back().crossTrack_m, 3, locale));
-}
-
 } // namespace
+
+bool hasFlown(const FlightRecord& record)
+{
+    return record.history.samples.size() > 1;
+}
 
 QString chartKindName(ChartKind kind)
 {
@@ -351,11 +289,9 @@ std::optional<double> chartValue(ChartKind kind, const FlightRecord& record, std
         return icebergs[line].sigma_m2;
     }
     case ChartKind::Distance:
-        return longDistanceUnit().fromSi(sample.flown_m);
     case ChartKind::TurnRate:
-        return degFromRad(sample.u_radps);
     case ChartKind::CrossTrack:
-        return sample.crossTrack_m;
+        return uavChartValue(kind, sample, line);
     }
     return std::nullopt;
 }

@@ -15,13 +15,16 @@ enum class ChartKind
     Zeta,       ///< zeta and the sum of sigma, with an asset that by priority too
     MeanSigma,  ///< sum of sigma, which is the rate of zeta (Eq. (24)), and its mean since take-off
     Sigma,      ///< of each iceberg
-    Distance,   ///< through the air
-    TurnRate,   ///< with its limits
-    CrossTrack, ///< error of the path following
+    Distance,   ///< through the air; of several UAVs in all, and of each
+    TurnRate,   ///< of each UAV, with its limits
+    CrossTrack, ///< error of the path following, of each UAV
 };
 inline constexpr std::array kChartKinds = {ChartKind::Zeta,     ChartKind::MeanSigma,
                                            ChartKind::Sigma,    ChartKind::Distance,
                                            ChartKind::TurnRate, ChartKind::CrossTrack};
+
+/** The instant of take-off alone is no line yet. */
+[[nodiscard]] bool hasFlown(const FlightRecord& record);
 
 /** In lists of charts. */
 [[nodiscard]] QString chartKindName(ChartKind kind);

@@ -58,6 +58,14 @@ void ParetoChart::setCurve(const TauCurve& curve)
     setHovered(-1);
 }
 
+void ParetoChart::setOfFleet(bool isOfFleet)
+{
+    if (isOfFleet == m_isOfFleet)
+        return;
+    m_isOfFleet = isOfFleet;
+    refresh();
+}
+
 void ParetoChart::setTau(double tau)
 {
     if (tau == m_tau)
@@ -106,8 +114,9 @@ void ParetoChart::layOut()
     if (plans.empty()) {
         m_frame.plot =
             QRectF(kChartSide_px, top_px, std::max(10.0, width() - 2 * kChartSide_px), height_px);
-        m_frame.emptyText = m_curve.complete ? tr("No icebergs to plan for")
-                                             : tr("Computing the plans for every τ");
+        m_frame.emptyText = m_isOfFleet        ? tr("The plans for every τ are those of one UAV")
+                            : m_curve.complete ? tr("No icebergs to plan for")
+                                               : tr("Computing the plans for every τ");
         return;
     }
     m_frame.timeTitle = tr("Distance, %1").arg(longDistanceUnit().name);

@@ -27,6 +27,8 @@ public:
     /** Without it the plot has its room: for a chart inside something that has a title. */
     void setTitleShown(bool shown);
     void setCurve(const TauCurve& curve);
+    /** With several UAVs there is no curve: the chart says so. */
+    void setOfFleet(bool isOfFleet);
     void setTau(double tau);
 
     /** Places of the plans, in the order of the curve's intervals; device-independent pixels. */
@@ -63,6 +65,7 @@ private:
 
     Theme m_theme;
     TauCurve m_curve{.intervals = {}, .complete = true};
+    bool m_isOfFleet = false;
     double m_tau = 1;
     bool m_titleShown = true;
     int m_present = -1;

@@ -1,5 +1,7 @@
 #include "widgets/charts/time_chart.h"
 
+#include "widgets/theme/palette.h"
+
 #include <QAreaSeries>
 #include <QChart>
 #include <QLineSeries>
@@ -30,6 +32,7 @@ double penWidth(LineRole role)
     case LineRole::Weighted:
     case LineRole::Signed:
     case LineRole::Sigma:
+    case LineRole::Uav:
         return 1.5;
     case LineRole::Bound:
         return 1.2;
@@ -169,6 +172,8 @@ QColor TimeChart::lineColour(const TimeLine& line) const
                                     m_content.sigmaFull_m2);
     case LineRole::Bound:
         return m_theme.mutedText;
+    case LineRole::Uav:
+        return uavColour(m_theme, line.uav);
     }
     return {};
 }

@@ -34,6 +34,12 @@ bool isShown(const TimeLine& line)
     return !line.hidden && !line.points.empty();
 }
 
+/** Has its name in the margin, and a colour that is not that of the axis. */
+bool isOneOfMany(const TimeLine& line)
+{
+    return line.role == LineRole::Sigma || line.role == LineRole::Uav;
+}
+
 /** Cuts lines at the edges of the view: not every paint device clips, SVG does not. */
 void cutToView(QList<QPointF>& points, const TimeWindow& view)
 {
@@ -63,7 +69,7 @@ bool TimeChart::hasPoints() const
 bool TimeChart::labelsInMargin() const
 {
     return std::any_of(m_content.lines.begin(), m_content.lines.end(),
-                       [](const TimeLine& line) { return line.role == LineRole::Sigma; });
+                       [](const TimeLine& line) { return isOneOfMany(line); });
 }
 
 bool TimeChart::hasRightAxis() const
@@ -215,7 +221,7 @@ void TimeChart::fillFrame(const NiceTicks& left, const NiceTicks& right)
 {
     const auto colourOf = [&](bool onRightAxis) {
         for (const TimeLine& line : m_content.lines)
-            if (line.onRightAxis == onRightAxis && line.role != LineRole::Sigma && !line.hidden)
+            if (line.onRightAxis == onRightAxis && !isOneOfMany(line) && !line.hidden)
                 return lineColour(line);
         return m_theme.mutedText;
     };

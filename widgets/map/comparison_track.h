@@ -7,7 +7,7 @@
 
 namespace berg {
 
-/** Lays the track of another run over the map, up to `until_s`. */
+/** Lays the tracks of another run over the map, up to `until_s`. */
 void addComparison(MapPicture& picture, const ComparedRun& run, double until_s,
                    const QLocale& locale);
 

@@ -5,6 +5,7 @@
 #include "widgets/map/scenario_picture.h"
 #include "widgets/map/wind_panel.h"
 #include "widgets/model/selection.h"
+#include "widgets/theme/palette.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,15 +47,17 @@ void addIcebergHandles(std::vector<MapHandle>& handles, MapScene& scene, const S
                 {.kind = HandleKind::Drift, .id = id, .at_px = driftHandle(scene, i)});
 }
 
-void addUavHandle(std::vector<MapHandle>& handles, MapScene& scene, const Selection& selection)
+void addUavHandles(std::vector<MapHandle>& handles, MapScene& scene, const Selection& selection)
 {
-    const std::optional<MapUav>& uav = scene.picture().uav;
-    if (!uav || uav->key.empty() || !selection.contains(uav->key))
-        return;
-    const QPointF along(std::cos(uav->psi_rad), -std::sin(uav->psi_rad));
-    handles.push_back({.kind = HandleKind::Heading,
-                       .id = uav->key,
-                       .at_px = scene.view().toPixel(uav->position_m) + along * kHeading_px});
+    for (const MapUav& uav : scene.picture().uavs) {
+        if (uav.key.empty() || !selection.contains(uav.key))
+            continue;
+        const QPointF along(std::cos(uav.psi_rad), -std::sin(uav.psi_rad));
+        handles.push_back({.kind = HandleKind::Heading,
+                           .id = uav.key,
+                           .uav = uav.place,
+                           .at_px = scene.view().toPixel(uav.position_m) + along * kHeading_px});
+    }
 }
 
 void dropHidden(std::vector<MapHandle>& handles, MapScene& scene)
@@ -68,7 +71,8 @@ void paintHandle(QPainter& painter, const MapHandle& handle, bool isHovered, boo
                  const Theme& theme)
 {
     const double larger_px = isHovered ? 1.5 : 0;
-    const QColor ink = handle.kind == HandleKind::Heading ? theme.uav : theme.plan;
+    const QColor ink =
+        handle.kind == HandleKind::Heading ? uavColour(theme, handle.uav) : theme.plan;
     painter.setPen(QPen(ink, 1.8));
     painter.setBrush(isHovered || isCurrent ? ink : theme.panel);
     if (handle.kind == HandleKind::Corner) {
@@ -114,7 +118,7 @@ std::vector<MapHandle> handlesOf(MapScene& scene, const Selection& selection)
     if (selection.isEmpty())
         return handles;
     addIcebergHandles(handles, scene, selection);
-    addUavHandle(handles, scene, selection);
+    addUavHandles(handles, scene, selection);
     dropHidden(handles, scene);
     if (selection.contains(kAreaKey))
         for (MapHandle& handle : areaHandles(scene))

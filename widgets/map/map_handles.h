@@ -25,6 +25,7 @@ struct MapHandle
     HandleKind kind = HandleKind::Drift;
     std::string id;        ///< of the iceberg or UAV; the key of the area
     std::size_t index = 0; ///< of the corner, or of the one the edge begins at
+    int uav = 0;           ///< `MapUav::place`
     QPointF at_px;
 
     /** The same handle, wherever it is now. */

@@ -1,6 +1,7 @@
 #include "widgets/map/map_layout.h"
 
 #include "widgets/map/footprint.h"
+#include "widgets/map/map_content.h"
 #include "widgets/map/map_legs.h"
 #include "widgets/map/map_symbols.h"
 #include "widgets/map/wind_panel.h"
@@ -24,10 +25,8 @@ struct MapLayoutText
     Q_DECLARE_TR_FUNCTIONS(MapLayoutText)
 };
 
-constexpr double kMargin_px = 12;       // of overlays from the edge and from each other
-constexpr double kSymbolMargin_px = 44; // of the outermost symbols from the edge
-constexpr double kFieldMargin_px = 6;   // of the field of view
-constexpr double kRingAtFull_px = 12;   // ring of the largest sigma beyond its symbol
+constexpr double kMargin_px = 12;     // of overlays from the edge and from each other
+constexpr double kRingAtFull_px = 12; // ring of the largest sigma beyond its symbol
 constexpr double kLongestArrow_px = 44;
 constexpr double kLabelHeight_px = 19;
 constexpr double kUavClearance_px = 17;
@@ -43,44 +42,6 @@ constexpr double kLowMap_px = 600; // whose legend is compact
 // Times a drift arrow may stand for.
 constexpr std::array<double, 11> kDriftTimes_s = {60,   120,  300,   600,   1200, 1800,
                                                   3600, 7200, 21600, 43200, 86400};
-
-/** Corners of the field of view that may lie nearer to the edge than symbols, by `slack_m`. */
-void addField(std::vector<Point>& points_m, const MapUav& uav, double slack_m)
-{
-    const auto nearer = [slack_m](double d_m) {
-        return std::copysign(std::max(0.0, std::abs(d_m) - slack_m), d_m);
-    };
-    for (const Point& corner_m : fieldCorners(uav)) {
-        const Point d_m = corner_m - uav.position_m;
-        points_m.emplace_back(uav.position_m + Point(nearer(d_m.x()), nearer(d_m.y())));
-    }
-}
-
-/** Everything to be shown, the tips of the drift arrows included; `scale_pxpm` is about right. */
-std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, double scale_pxpm)
-{
-    std::vector<Point> points_m = picture.area_m;
-    for (const MapIceberg& iceberg : picture.icebergs) {
-        points_m.push_back(iceberg.position_m);
-        points_m.emplace_back(iceberg.position_m + iceberg.velocity_mps * driftTime_s);
-    }
-    for (const auto* track : {&picture.track, &picture.comparisonTrack})
-        for (const MapTrackPoint& point : *track)
-            points_m.push_back(point.position_m);
-    if (picture.asset)
-        points_m.push_back(picture.asset->position_m);
-    if (picture.home_m)
-        points_m.push_back(*picture.home_m);
-    for (const MapWay& way : picture.planWays) {
-        points_m.insert(points_m.end(), way.path_m.begin(), way.path_m.end());
-        points_m.push_back(way.aim_m);
-    }
-    if (picture.uav) {
-        points_m.push_back(picture.uav->position_m);
-        addField(points_m, *picture.uav, (kSymbolMargin_px - kFieldMargin_px) / scale_pxpm);
-    }
-    return points_m;
-}
 
 bool fits(const QSizeF& size, const QRectF& rect)
 {
@@ -160,9 +121,46 @@ void placeIcebergs(MapLayout& layout, const MapPicture& picture)
         layout.icebergs.push_back({.centre_px = layout.view.toPixel(iceberg.position_m),
                                    .radius_px = std::max(symbol_px + 1.5, ring_px + 1)});
     }
-    layout.order.assign(picture.icebergs.size(), 0);
-    for (std::size_t k = 0; k < picture.plan.size(); ++k)
-        layout.order[static_cast<std::size_t>(picture.plan[k])] = static_cast<int>(k) + 1;
+}
+
+/** Where two plans have an iceberg, one of them being old, the sooner visit counts. */
+void placeStops(MapLayout& layout, const MapPicture& picture)
+{
+    layout.stops.assign(picture.icebergs.size(), {});
+    for (std::size_t uav = 0; uav < picture.routes.size(); ++uav) {
+        int order = 0;
+        for (const int iceberg : picture.routes[uav].plan) {
+            MapStop& stop = layout.stops[static_cast<std::size_t>(iceberg)];
+            ++order;
+            if (stop.order == 0 || order < stop.order)
+                stop = {.order = order, .uav = uav};
+        }
+    }
+}
+
+/** Below the symbols, where the nose of none that flies north is; below each other if need be. */
+void placeUavLabels(MapLayout& layout, const MapPicture& picture, const Theme& theme)
+{
+    const QFontMetricsF metrics(labelFont(theme));
+    layout.uavLabels.clear();
+    for (const MapUav& uav : picture.uavs) {
+        if (uav.label.isEmpty()) {
+            layout.uavLabels.emplace_back();
+            continue;
+        }
+        const QPointF at = layout.view.toPixel(uav.position_m);
+        const double width_px = std::ceil(metrics.horizontalAdvance(uav.label)) + 2;
+        QRectF label(at.x() - width_px / 2, at.y() + kUavClearance_px + 1, width_px,
+                     kLabelHeight_px);
+        const auto covered = [&] {
+            return std::ranges::find_if(layout.uavLabels, [&label](const QRectF& other) {
+                return other.intersects(label);
+            });
+        };
+        for (auto other = covered(); other != layout.uavLabels.end(); other = covered())
+            label.moveTop(other->bottom());
+        layout.uavLabels.push_back(label);
+    }
 }
 
 /** A view and how well it keeps things clear of the overlays. */
@@ -181,17 +179,19 @@ double viewScore(const MapLayout& layout, const MapPicture& picture)
     };
     for (const MapIceberg& iceberg : picture.icebergs)
         halve(iceberg.position_m, 26);
-    if (picture.uav)
-        halve(picture.uav->position_m, 20);
+    for (const MapUav& uav : picture.uavs)
+        halve(uav.position_m, 20);
     if (picture.asset)
         halve(picture.asset->position_m, 20);
     for (const Point& corner_m : picture.area_m)
         if (covered(layout.view.toPixel(corner_m), 4))
             score *= 0.9;
-    const std::size_t stride = picture.track.size() / kTrackProbes + 1;
-    for (std::size_t i = 0; i < picture.track.size(); i += stride)
-        if (covered(layout.view.toPixel(picture.track[i].position_m), 2))
-            score *= 0.97;
+    for (const MapRoute& route : picture.routes) {
+        const std::size_t stride = route.track.size() * picture.routes.size() / kTrackProbes + 1;
+        for (std::size_t i = 0; i < route.track.size(); i += stride)
+            if (covered(layout.view.toPixel(route.track[i].position_m), 2))
+                score *= 0.97;
+    }
     return score;
 }
 
@@ -254,21 +254,25 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
     around.area = layout.rect.adjusted(3, 3, -3, -3);
     around.solids = layout.overlays();
     around.disks = layout.icebergs;
-    for (const QPolygonF& leg : planLegs(picture, layout))
-        for (qsizetype i = 1; i < leg.size(); ++i)
-            around.lines.emplace_back(leg[i - 1], leg[i]);
+    for (std::size_t uav = 0; uav < picture.routes.size(); ++uav)
+        for (const QPolygonF& leg : planLegs(picture, layout, uav))
+            for (qsizetype i = 1; i < leg.size(); ++i)
+                around.lines.emplace_back(leg[i - 1], leg[i]);
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
         const QLineF arrow = driftArrow(picture, layout, i);
         if (!arrow.isNull())
             around.lines.push_back(arrow);
     }
-    if (picture.uav) {
-        around.disks.push_back({.centre_px = layout.view.toPixel(picture.uav->position_m),
-                                .radius_px = kUavClearance_px});
-        const QPolygonF field = fieldOutline(*picture.uav, layout.view);
+    for (const MapUav& uav : picture.uavs) {
+        around.disks.push_back(
+            {.centre_px = layout.view.toPixel(uav.position_m), .radius_px = kUavClearance_px});
+        const QPolygonF field = fieldOutline(uav, layout.view);
         for (int i = 0; i + 1 < field.size(); ++i)
             around.lines.emplace_back(field[i], field[i + 1]);
     }
+    for (const QRectF& label : layout.uavLabels)
+        if (!label.isNull())
+            around.solids.push_back(label);
     if (picture.asset)
         around.disks.push_back({.centre_px = layout.view.toPixel(picture.asset->position_m),
                                 .radius_px = kUavClearance_px});
@@ -309,7 +313,7 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
         if (!mayLook)
             continue;
         double width_px = std::ceil(metrics.horizontalAdvance(labelText(picture.icebergs[i]))) + 2;
-        if (layout.order[i] > 0)
+        if (layout.stops[i].order > 0)
             width_px += 2 * kOrderDisk_px + kOrderGap_px;
         request.size_px = QSizeF(width_px, kLabelHeight_px);
         requests.push_back(request);
@@ -382,6 +386,8 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
         layout.symbols.driftTime_s = *continuity.driftTime_s;
     placeOverlays(layout, picture, style);
     placeIcebergs(layout, picture);
+    placeStops(layout, picture);
+    placeUavLabels(layout, picture, style.theme);
     layout.labels = labelsOf(layout, picture, style, continuity);
     return layout;
 }

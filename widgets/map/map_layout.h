@@ -10,6 +10,13 @@
 
 namespace berg {
 
+/** An iceberg's place in the plans. */
+struct MapStop
+{
+    int order = 0; ///< 1-based; 0: not planned
+    std::size_t uav = 0;
+};
+
 /** Where everything of one picture goes, device-independent pixels. */
 struct MapLayout
 {
@@ -24,7 +31,8 @@ struct MapLayout
     QRectF wind;
     QRectF inset;                    ///< kept free, not painted
     std::vector<LabelDisk> icebergs; ///< symbol with its ring, by index
-    std::vector<int> order;          ///< 1-based position in the plan by iceberg; 0: not planned
+    std::vector<MapStop> stops;      ///< by iceberg
+    std::vector<QRectF> uavLabels;   ///< names of the UAVs; null: it has none
     std::vector<PlacedLabel> labels; ///< id with order number, by iceberg; null: out of sight
 
     [[nodiscard]] std::vector<QRectF> overlays() const;

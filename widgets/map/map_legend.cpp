@@ -1,3 +1,4 @@
+#include "widgets/map/legend_uavs.h"
 #include "widgets/map/map_legend_rows.h"
 #include "widgets/map/map_symbols.h"
 #include "widgets/map/painter_state.h"
@@ -236,8 +237,10 @@ QSizeF legendSize(const MapPicture& picture, const MapStyle& style, const Symbol
     const SignGrid signs(legendRows(picture, style, scale), QFontMetricsF(style.theme.small()),
                          compact);
     const double width_px = std::max(kLegendBar_px + kLegendUnits_px, signs.width_px());
+    const LegendUavs uavs(picture, style.theme, width_px);
     return {std::ceil(width_px) + 2 * kPadding_px,
-            std::ceil(sigma.height_px + kGap_px + signs.height_px()) + 2 * kPadding_px - 6};
+            std::ceil(sigma.height_px + kGap_px + uavs.height_px() + signs.height_px()) +
+                2 * kPadding_px - 6};
 }
 
 void paintLegend(QPainter& painter, const QRectF& rect, const MapPicture& picture,
@@ -255,8 +258,11 @@ void paintLegend(QPainter& painter, const QRectF& rect, const MapPicture& pictur
                          MapLegend::tr("Uncertainty σ"));
     }
     paintSigma(painter, at, sigma, picture, style, scale);
+    const LegendUavs uavs(picture, theme, rect.width() - 2 * kPadding_px);
+    const double uavs_y = sigma.height_px + kGap_px;
+    uavs.paint(painter, at + QPointF(0, uavs_y), theme);
     const SignGrid signs(legendRows(picture, style, scale), QFontMetricsF(theme.small()), compact);
-    signs.paint(painter, at + QPointF(0, sigma.height_px + kGap_px), theme);
+    signs.paint(painter, at + QPointF(0, uavs_y + uavs.height_px()), theme);
 }
 
 } // namespace berg

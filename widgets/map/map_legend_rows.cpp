@@ -1,6 +1,8 @@
 #include "widgets/map/map_legend_rows.h"
 
 #include "widgets/map/map_symbols.h"
+#include "widgets/map/map_world.h"
+#include "widgets/map/route_colours.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
@@ -20,31 +22,31 @@ struct MapLegend
     Q_DECLARE_TR_FUNCTIONS(MapLegend)
 };
 
-void drawPlanSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+void drawPlanSwatch(QPainter& painter, const QRectF& swatch, const RouteColours& colours,
+                    const Theme& theme)
 {
     const double y = swatch.center().y();
-    painter.setPen(QPen(theme.plan, 3, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(colours.plan, 3, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(swatch.left(), y), QPointF(swatch.center().x(), y));
-    painter.setPen(QPen(theme.plan, 1.5));
+    painter.setPen(QPen(colours.plan, 1.5));
     painter.drawLine(QPointF(swatch.center().x(), y), QPointF(swatch.right(), y));
-    drawOrderDisk(painter, {swatch.center().x(), y}, 7.5, 1, theme);
+    drawOrderDisk(painter, {swatch.center().x(), y}, 7.5, 1, theme, colours.plan);
 }
 
-void drawFormerSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+void drawLineSwatch(QPainter& painter, const QRectF& swatch, const QPen& pen)
 {
-    painter.setPen(formerPlanPen(theme));
+    painter.setPen(pen);
     painter.drawLine(QPointF(swatch.left(), swatch.center().y()),
                      QPointF(swatch.right(), swatch.center().y()));
 }
 
-void drawTrackSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+void drawTrackSwatch(QPainter& painter, const QRectF& swatch, const RouteColours& colours,
+                     const Theme& theme)
 {
     QLinearGradient fade(swatch.topLeft(), swatch.topRight());
-    fade.setColorAt(0, mixed(theme.panel, theme.track, 0.15));
-    fade.setColorAt(1, theme.track);
-    painter.setPen(QPen(fade, 2));
-    painter.drawLine(QPointF(swatch.left(), swatch.center().y()),
-                     QPointF(swatch.right(), swatch.center().y()));
+    fade.setColorAt(0, mixed(theme.panel, colours.track, 0.15));
+    fade.setColorAt(1, colours.track);
+    drawLineSwatch(painter, swatch, QPen(fade, 2));
 }
 
 void drawComparisonSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
@@ -56,12 +58,12 @@ void drawComparisonSwatch(QPainter& painter, const QRectF& swatch, const Theme& 
     drawDirectionMark(painter, QLineF(line.p1() - beyond, line.p2() + beyond), theme.comparison, 9);
 }
 
-void drawFieldSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+void drawFieldSwatch(QPainter& painter, const QRectF& swatch, const QColor& colour)
 {
     const QRectF box(swatch.left() + 8, swatch.center().y() - 6, 18, 12);
-    QColor fill = theme.uav;
+    QColor fill = colour;
     fill.setAlphaF(0.12F);
-    painter.setPen(QPen(theme.uav, 1.5));
+    painter.setPen(QPen(colour, 1.5));
     painter.setBrush(fill);
     painter.drawRect(box);
 }
@@ -90,20 +92,14 @@ void drawFenceSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme
     drawFence(painter, QLineF(swatch.left(), y, swatch.right(), y), theme);
 }
 
-void drawClusterSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+void drawClusterSwatch(QPainter& painter, const QRectF& swatch, const QColor& plan,
+                       const Theme& theme)
 {
-    painter.setPen(clusterPen(theme));
+    painter.setPen(clusterPen(plan));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(QRectF(swatch.center().x() - 13, swatch.center().y() - 7, 26, 14), 7,
                             7);
-    drawAim(painter, swatch.center(), theme);
-}
-
-void drawSearchSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
-{
-    painter.setPen(searchPen(theme));
-    painter.drawLine(QPointF(swatch.left(), swatch.center().y()),
-                     QPointF(swatch.right(), swatch.center().y()));
+    drawAim(painter, swatch.center(), plan, theme);
 }
 
 /** Gathers the rows in their order. */
@@ -148,13 +144,15 @@ private:
     std::vector<LegendRow> m_rows;
 };
 
-void addIcebergRows(RowList& rows, const Theme& theme)
+void addIcebergRows(RowList& rows, const MapPicture& picture, const Theme& theme)
 {
     const bool isCertain =
         !rows.any([](const MapIceberg& iceberg) { return iceberg.inView && iceberg.sigma_m2 > 0; });
-    rows.addIceberg([](const MapIceberg& iceberg) { return iceberg.inView; },
-                    isCertain ? MapLegend::tr("In view now: σ is 0") : MapLegend::tr("In view now"),
-                    MapLegend::tr("In view"), {.radius_px = 6, .sigma = {}, .inView = true});
+    rows.addIceberg(
+        [](const MapIceberg& iceberg) { return iceberg.inView; },
+        isCertain ? MapLegend::tr("In view now: σ is 0") : MapLegend::tr("In view now"),
+        MapLegend::tr("In view"),
+        {.radius_px = 6, .sigma = {}, .inView = true, .bracket = bracketColour(picture, theme)});
     rows.addIceberg([](const MapIceberg& iceberg) { return iceberg.appears_s > 0; },
                     MapLegend::tr("Still to come, with its time"), MapLegend::tr("To come"),
                     {.radius_px = 6, .ring_px = 10, .sigma = theme.sigma.at(0.3), .later = true});
@@ -176,41 +174,69 @@ void addIcebergRows(RowList& rows, const Theme& theme)
              [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
 }
 
+void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
+{
+    rows.add(!pairsTooClose(picture).empty(), MapLegend::tr("UAVs too close to each other"),
+             MapLegend::tr("Too close"),
+             [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
+    rows.add(picture.isFleet() &&
+                 rows.any([](const MapIceberg& iceberg) { return iceberg.keptFor >= 0; }),
+             MapLegend::tr("Kept for the UAV of this colour"), MapLegend::tr("Kept for one"),
+             [&](QPainter& p, const QRectF& r) {
+                 drawPin(p, r.center() + QPointF(0, 7), theme.ink, theme);
+             });
+}
+
 void addWayRows(RowList& rows, const MapPicture& picture, const Theme& theme)
 {
-    rows.add(!picture.plan.empty(), MapLegend::tr("Plan, next leg thicker"), MapLegend::tr("Plan"),
-             [&](QPainter& p, const QRectF& r) { drawPlanSwatch(p, r, theme); });
-    rows.add(!picture.search_m.empty(), MapLegend::tr("Search pattern"), MapLegend::tr("Search"),
-             [&](QPainter& p, const QRectF& r) { drawSearchSwatch(p, r, theme); });
+    const RouteColours colours = legendColours(picture, theme);
+    rows.add(
+        picture.anyRoute([](const MapRoute& route) { return !route.plan.empty(); }),
+        MapLegend::tr("Plan, next leg thicker"), MapLegend::tr("Plan"),
+        [&theme, colours](QPainter& p, const QRectF& r) { drawPlanSwatch(p, r, colours, theme); });
+    rows.add(
+        picture.anyRoute([](const MapRoute& route) { return !route.search_m.empty(); }),
+        MapLegend::tr("Search pattern"), MapLegend::tr("Search"),
+        [colours](QPainter& p, const QRectF& r) { drawLineSwatch(p, r, searchPen(colours.uav)); });
     rows.add(std::any_of(picture.clusters.begin(), picture.clusters.end(),
                          [](const std::vector<int>& members) { return members.size() > 1; }),
              MapLegend::tr("Planned as one point"), MapLegend::tr("One point"),
-             [&](QPainter& p, const QRectF& r) { drawClusterSwatch(p, r, theme); });
-    rows.add(!picture.planWays.empty(), MapLegend::tr("Point aimed at"), MapLegend::tr("Aim point"),
-             [&](QPainter& p, const QRectF& r) { drawAim(p, r.center(), theme); });
-    rows.add(!picture.formerPlan.empty(), MapLegend::tr("Plan before the change"),
-             MapLegend::tr("Former plan"),
-             [&](QPainter& p, const QRectF& r) { drawFormerSwatch(p, r, theme); });
-    rows.add(picture.track.size() > 1, MapLegend::tr("Flown, older parts fainter"),
-             MapLegend::tr("Flown"),
-             [&](QPainter& p, const QRectF& r) { drawTrackSwatch(p, r, theme); });
+             [&theme, colours](QPainter& p, const QRectF& r) {
+                 drawClusterSwatch(p, r, colours.plan, theme);
+             });
+    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.planWays.empty(); }),
+             MapLegend::tr("Point aimed at"), MapLegend::tr("Aim point"),
+             [&theme, colours](QPainter& p, const QRectF& r) {
+                 drawAim(p, r.center(), colours.plan, theme);
+             });
+    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.formerPlan.empty(); }),
+             MapLegend::tr("Plan before the change"), MapLegend::tr("Former plan"),
+             [colours](QPainter& p, const QRectF& r) {
+                 drawLineSwatch(p, r, formerPlanPen(colours.former));
+             });
+    rows.add(
+        picture.anyRoute([](const MapRoute& route) { return route.track.size() > 1; }),
+        MapLegend::tr("Flown, older parts fainter"), MapLegend::tr("Flown"),
+        [&theme, colours](QPainter& p, const QRectF& r) { drawTrackSwatch(p, r, colours, theme); });
     const QFontMetricsF small(theme.small());
-    rows.add(picture.comparisonTrack.size() > 1,
+    rows.add(std::any_of(picture.comparisonTracks.begin(), picture.comparisonTracks.end(),
+                         [](const std::vector<MapTrackPoint>& track) { return track.size() > 1; }),
              small.elidedText(MapLegend::tr("Compared: %1").arg(picture.comparisonName),
                               Qt::ElideRight, kLegendBar_px + kLegendUnits_px),
              small.elidedText(picture.comparisonName, Qt::ElideRight, kLegendBar_px / 2),
              [&](QPainter& p, const QRectF& r) { drawComparisonSwatch(p, r, theme); });
-    rows.add(picture.uav.has_value(), MapLegend::tr("Field of view"),
-             MapLegend::tr("Field of view"),
-             [&](QPainter& p, const QRectF& r) { drawFieldSwatch(p, r, theme); });
+    rows.add(!picture.uavs.empty(), MapLegend::tr("Field of view"), MapLegend::tr("Field of view"),
+             [colours](QPainter& p, const QRectF& r) { drawFieldSwatch(p, r, colours.uav); });
     rows.add(picture.showsSwept(), MapLegend::tr("Seen so far"), MapLegend::tr("Seen so far"),
              [&](QPainter& p, const QRectF& r) { drawSweptSwatch(p, r, theme); });
 }
 
 void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme)
 {
-    rows.add(picture.home_m.has_value(), MapLegend::tr("Home"), MapLegend::tr("Home"),
-             [&](QPainter& p, const QRectF& r) { drawHome(p, r.center(), theme); });
+    rows.add(std::any_of(picture.uavs.begin(), picture.uavs.end(),
+                         [](const MapUav& uav) { return uav.home_m.has_value(); }),
+             MapLegend::tr("Home"), MapLegend::tr("Home"),
+             [&](QPainter& p, const QRectF& r) { drawHome(p, r.center(), theme.ink, theme); });
     rows.add(picture.isFenced && !picture.area_m.empty(),
              MapLegend::tr("Geofence: flown inside only"), MapLegend::tr("Geofence"),
              [&](QPainter& p, const QRectF& r) { drawFenceSwatch(p, r, theme); });
@@ -229,7 +255,8 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
 {
     const Theme& theme = style.theme;
     RowList rows(picture, theme);
-    addIcebergRows(rows, theme);
+    addIcebergRows(rows, picture, theme);
+    addFleetRows(rows, picture, theme);
     addWayRows(rows, picture, theme);
     addPlaceRows(rows, picture, theme);
     const QString drift =

@@ -46,11 +46,11 @@ QPolygonF legBetween(const LabelDisk& from, const QPolygonF& corners, const Labe
 }
 
 /** That leg `k` of the plan goes round. */
-QPolygonF cornersOf(const MapPicture& picture, const MapLayout& layout, std::size_t k)
+QPolygonF cornersOf(const MapRoute& route, const MapLayout& layout, std::size_t k)
 {
     QPolygonF corners;
-    if (k < picture.planCorners.size())
-        for (const Point& corner_m : picture.planCorners[k])
+    if (k < route.planCorners.size())
+        for (const Point& corner_m : route.planCorners[k])
             corners << layout.view.toPixel(corner_m);
     return corners;
 }
@@ -66,16 +66,16 @@ std::vector<QPolygonF> legsAlong(const std::vector<MapWay>& ways, const MapViewT
     return legs;
 }
 
-LabelDisk uavStop(const MapPicture& picture, const MapLayout& layout)
+LabelDisk pointAt(const Point& place_m, const MapLayout& layout)
 {
-    return {.centre_px = layout.view.toPixel(picture.uav->position_m), .radius_px = 0};
+    return {.centre_px = layout.view.toPixel(place_m), .radius_px = 0};
 }
 
-std::span<const int> thisSortie(const MapPicture& picture)
+std::span<const int> thisSortie(const MapRoute& route)
 {
-    const std::span<const int> all(picture.plan);
+    const std::span<const int> all(route.plan);
     const auto wanted = static_cast<std::size_t>(
-        std::max(0, picture.thisSortie.value_or(static_cast<int>(all.size()))));
+        std::max(0, route.thisSortie.value_or(static_cast<int>(all.size()))));
     return all.first(std::min(wanted, all.size()));
 }
 
@@ -89,60 +89,60 @@ Point middleOf_m(const MapPicture& picture, const std::vector<int>& members)
     return enclosingCircle(places_m).centre_m;
 }
 
-std::vector<Point> planStops_m(const MapPicture& picture)
+std::vector<Point> planStops_m(const MapPicture& picture, std::size_t uav)
 {
+    const MapRoute& route = picture.routes[uav];
     std::vector<Point> stops_m;
-    for (const int iceberg : thisSortie(picture)) {
+    for (const int iceberg : thisSortie(route)) {
         const std::vector<int>* members = clusterOf(picture, iceberg);
         stops_m.push_back(members != nullptr
                               ? middleOf_m(picture, *members)
                               : picture.icebergs[static_cast<std::size_t>(iceberg)].position_m);
     }
-    if (picture.home_m && picture.thisSortie)
-        stops_m.push_back(*picture.home_m);
+    if (const std::optional<Point>& home_m = picture.uavs[uav].home_m; home_m && route.thisSortie)
+        stops_m.push_back(*home_m);
     return stops_m;
 }
 
-std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layout)
+std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layout, std::size_t uav)
 {
-    if (!picture.uav)
-        return {};
-    if (!picture.planWays.empty())
-        return legsAlong(picture.planWays, layout.view);
+    const MapRoute& route = picture.routes[uav];
+    if (!route.planWays.empty())
+        return legsAlong(route.planWays, layout.view);
     std::vector<QPolygonF> legs;
-    LabelDisk from = uavStop(picture, layout);
-    for (const int iceberg : thisSortie(picture)) {
+    LabelDisk from = pointAt(picture.uavs[uav].position_m, layout);
+    for (const int iceberg : thisSortie(route)) {
         const LabelDisk to = stopAt(picture, layout, iceberg);
-        legs.push_back(legBetween(from, cornersOf(picture, layout, legs.size()), to));
+        legs.push_back(legBetween(from, cornersOf(route, layout, legs.size()), to));
         from = to;
     }
     return legs;
 }
 
-QPolygonF homeLeg(const MapPicture& picture, const MapLayout& layout)
+QPolygonF homeLeg(const MapPicture& picture, const MapLayout& layout, std::size_t uav)
 {
-    if (!picture.uav || !picture.home_m || !picture.thisSortie)
+    const MapRoute& route = picture.routes[uav];
+    const std::optional<Point>& home_m = picture.uavs[uav].home_m;
+    if (!home_m || !route.thisSortie)
         return {};
-    const std::span<const int> flown = thisSortie(picture);
-    LabelDisk from = uavStop(picture, layout);
-    if (!picture.planWays.empty())
-        from.centre_px = layout.view.toPixel(picture.planWays.back().path_m.back());
+    const std::span<const int> flown = thisSortie(route);
+    LabelDisk from = pointAt(picture.uavs[uav].position_m, layout);
+    if (!route.planWays.empty())
+        from = pointAt(route.planWays.back().path_m.back(), layout);
     else if (!flown.empty())
         from = stopAt(picture, layout, flown.back());
-    return legBetween(from, cornersOf(picture, layout, flown.size()),
-                      {.centre_px = layout.view.toPixel(*picture.home_m), .radius_px = 0});
+    return legBetween(from, cornersOf(route, layout, flown.size()), pointAt(*home_m, layout));
 }
 
-std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& layout)
+std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& layout,
+                                  std::size_t uav)
 {
-    if (!picture.uav)
-        return {};
-    if (!picture.formerWays.empty())
-        return legsAlong(picture.formerWays, layout.view);
-    const Point from_m = picture.formerFrom_m.value_or(picture.uav->position_m);
+    const MapRoute& route = picture.routes[uav];
+    if (!route.formerWays.empty())
+        return legsAlong(route.formerWays, layout.view);
     std::vector<QPolygonF> legs;
-    LabelDisk from{.centre_px = layout.view.toPixel(from_m), .radius_px = 0};
-    for (const int iceberg : picture.formerPlan) {
+    LabelDisk from = pointAt(route.formerFrom_m.value_or(picture.uavs[uav].position_m), layout);
+    for (const int iceberg : route.formerPlan) {
         const LabelDisk to = stopAt(picture, layout, iceberg);
         legs.push_back(legBetween(from, {}, to));
         from = to;

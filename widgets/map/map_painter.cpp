@@ -9,7 +9,9 @@
 #include "widgets/map/map_ways.h"
 #include "widgets/map/map_world.h"
 #include "widgets/map/painter_state.h"
+#include "widgets/map/route_colours.h"
 #include "widgets/map/wind_panel.h"
+#include "widgets/theme/palette.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QFontMetricsF>
@@ -45,6 +47,7 @@ void paintGraticuleLabels(const MapPaint& p)
     std::vector<QRectF> taken = p.layout.overlays();
     for (const PlacedLabel& label : p.layout.labels)
         taken.push_back(label.rect);
+    taken.insert(taken.end(), p.layout.uavLabels.begin(), p.layout.uavLabels.end());
     for (const LabelDisk& disk : p.layout.icebergs)
         taken.emplace_back(disk.centre_px.x() - disk.radius_px, disk.centre_px.y() - disk.radius_px,
                            2 * disk.radius_px, 2 * disk.radius_px);
@@ -87,15 +90,17 @@ void paintIcebergs(const MapPaint& p)
                                .ring_px = ring_px,
                                .sigma = p.theme.sigma.at(sigma),
                                .inView = iceberg.inView,
+                               .bracket = bracketColour(p.picture, p.theme),
                                .later = iceberg.appears_s > 0,
                                .status = iceberg.status,
                                .variant = variant};
         const QString key =
-            u"ice %1 %2 %3 %4 %5"_s.arg(symbol_px)
+            u"ice %1 %2 %3 %4 %5 %6"_s.arg(symbol_px)
                 .arg(ring_px)
                 .arg(sigma)
                 .arg(int(look.inView) + 2 * int(look.later) + 4 * static_cast<int>(look.status))
-                .arg(variant);
+                .arg(variant)
+                .arg(look.bracket.rgb());
         const double reach_px = std::max(symbol_px + 7, ring_px) + 2;
         paintKept(p, key, QRectF(-reach_px, -reach_px, 2 * reach_px, 2 * reach_px), disk.centre_px,
                   [&](QPainter& painter) {
@@ -121,21 +126,33 @@ void paintLabel(const MapPaint& p, std::size_t i)
         p.painter.drawLine(way.pointAt(std::min(1.0, disk.radius_px / way.length())), near);
     }
     const QString text = labelText(p.picture.icebergs[i]);
-    const int order = p.layout.order[i];
+    const MapStop& stop = p.layout.stops[i];
+    const QColor ground =
+        stop.order > 0 ? routeColours(p.picture, p.theme, stop.uav).plan : QColor();
     const QSizeF size = label.rect.size();
     const auto draw = [&](QPainter& painter) {
         QRectF box(QPointF(0, 0), size);
-        if (order > 0) {
-            drawOrderDisk(painter, {kOrderDisk_px, box.center().y()}, kOrderDisk_px, order,
-                          p.theme);
+        if (stop.order > 0) {
+            drawOrderDisk(painter, {kOrderDisk_px, box.center().y()}, kOrderDisk_px, stop.order,
+                          p.theme, ground);
             box.setLeft(2 * kOrderDisk_px + kOrderGap_px);
         }
         painter.setFont(labelFont(p.theme));
         drawHaloText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, text, p.theme.text,
                      p.theme.sea);
     };
-    paintKept(p, u"label %1 "_s.arg(order) + text, QRectF(QPointF(-3, -3), size + QSizeF(8, 6)),
-              label.rect.topLeft(), draw);
+    paintKept(p, u"label %1 %2 "_s.arg(stop.order).arg(ground.rgb()) + text,
+              QRectF(QPointF(-3, -3), size + QSizeF(8, 6)), label.rect.topLeft(), draw);
+}
+
+/** Below handles, which are dragged in the direction that they are on. */
+void paintUavLabels(const MapPaint& p)
+{
+    p.painter.setFont(labelFont(p.theme));
+    for (std::size_t i = 0; i < p.picture.uavs.size(); ++i)
+        if (const QRectF& label = p.layout.uavLabels[i]; !label.isNull())
+            drawHaloText(p.painter, label, Qt::AlignCenter, p.picture.uavs[i].label, p.theme.text,
+                         p.theme.sea);
 }
 
 /** What the look of the legend depends on. */
@@ -147,6 +164,8 @@ QString legendKey(const MapPaint& p)
                       .arg(p.style.locale.name());
     for (const LegendRow& row : legendRows(p.picture, p.style, p.layout.symbols))
         key += u'\n' + row.text;
+    for (const MapUav& uav : p.picture.uavs)
+        key += u"\n%1 "_s.arg(uav.place) + uav.label;
     return key;
 }
 
@@ -208,21 +227,24 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     paintArea(p);
     paintSwept(p);
     paintComparison(p);
-    paintTrack(p);
-    paintFieldOfView(p);
-    paintFormerPlan(p);
+    paintTracks(p);
+    paintFieldsOfView(p);
+    paintFormerPlans(p);
     paintClusters(p);
-    paintPlan(p);
-    paintSearch(p);
+    paintPlans(p);
+    paintSearches(p);
     paintCircles(p);
     paintIcebergs(p);
     paintTruths(p);
     paintAlarms(p);
-    paintHome(p);
+    paintPins(p);
+    paintHomes(p);
     paintAsset(p);
-    if (p.picture.uav)
-        drawUav(painter, p.layout.view.toPixel(p.picture.uav->position_m), p.picture.uav->psi_rad,
-                p.theme);
+    paintTooClose(p);
+    for (const MapUav& uav : p.picture.uavs)
+        drawUav(painter, p.layout.view.toPixel(uav.position_m), uav.psi_rad,
+                uavColour(p.theme, uav.place), p.theme);
+    paintUavLabels(p);
 }
 
 void paintMapLabels(QPainter& painter, const MapFrame& frame)

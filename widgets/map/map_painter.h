@@ -28,7 +28,7 @@ struct MapFrame
 
 /** Sea, land and graticule: the same as long as the view is. */
 void paintMapGround(QPainter& painter, const MapFrame& frame);
-/** Area, water seen, track, plan, icebergs, UAV. */
+/** Area, water seen, track, plan, icebergs, UAVs with their names. */
 void paintMapContent(QPainter& painter, const MapFrame& frame);
 /** Names of the icebergs with their order, numbers of the graticule. */
 void paintMapLabels(QPainter& painter, const MapFrame& frame);

@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct MapIceberg
     double circle_m = 0;            ///< it is within this of the estimate with 95 %; 0: not shown
     std::optional<Point> truth_m{}; ///< where it is in truth; none: not shown
     std::optional<double> ringEntry_s{}; ///< from now, into the inner ring of the asset; 0: inside
+    int keptFor = -1; ///< place of the UAV that alone is to visit it; -1: any may
 };
 
 struct MapUav
@@ -35,6 +37,11 @@ struct MapUav
     SensorSpec sensor;
     std::string key; ///< id in the scenario; empty: cannot be selected
     double airspeed_mps = 22;
+    QString label{};               ///< beside its symbol; empty: it is the only one
+    int place = 0;                 ///< among the UAVs of the scenario: decides its colour
+    std::optional<Point> home_m{}; ///< where it lands; none: it never does
+    double altitude_m = 100;
+    bool isAloft = true;
 };
 
 /** What moves the air and the water of the whole map. */
@@ -85,20 +92,13 @@ struct MapWay
     Point aim_m = Point::Zero();
 };
 
-/** Everything one picture of the map shows, as plain values. */
-struct MapPicture
+/** What one UAV has flown and is going to fly. */
+struct MapRoute
 {
-    QString title;
-    QString subtitle;
-    std::vector<MapReadout> readouts;
-    LatLon origin{47, -48}; ///< of the local plane
-    std::optional<MapUav> uav;
-    std::vector<MapIceberg> icebergs;
-    std::vector<int> plan;             ///< indices of `icebergs` in the order to be visited
+    std::vector<int> plan;             ///< indices of the icebergs in the order to be visited
     std::vector<int> formerPlan;       ///< what `plan` took the place of; empty: nothing to tell
     std::optional<Point> formerFrom_m; ///< where the UAV was then; none: where it is
     std::optional<int> thisSortie; ///< so many of `plan` are flown to before going home; none: all
-    std::vector<std::vector<int>> clusters; ///< indices of `icebergs` planned as one point each
     std::vector<std::vector<Point>> planCorners; ///< of the geofence that the legs go round, by
                                                  ///< leg, the way home last; empty: none do
     std::vector<MapWay> planWays;   ///< how `plan` is flown; empty: straight from symbol to symbol
@@ -106,11 +106,25 @@ struct MapPicture
     std::vector<Point> search_m;    ///< corners flown to find a lost iceberg; empty: no search
     std::vector<MapPose> swept;     ///< by time; round and between them the UAV has seen the water
     std::vector<MapTrackPoint> track;
-    std::vector<MapTrackPoint> comparisonTrack; ///< of another run in the same world
-    QString comparisonName;                     ///< what that run is, for the legend
-    std::vector<Point> area_m;                  ///< corners; empty: unbounded
-    bool isFenced = false;                      ///< the UAV stays inside the area
-    std::optional<Point> home_m;                ///< where it lands; none: it never does
+};
+
+/** Everything one picture of the map shows, as plain values. */
+struct MapPicture
+{
+    QString title;
+    QString subtitle;
+    std::vector<MapReadout> readouts;
+    LatLon origin{47, -48}; ///< of the local plane
+    std::vector<MapUav> uavs;
+    std::vector<MapRoute> routes; ///< by place in `uavs`, as many
+    std::vector<MapIceberg> icebergs;
+    std::vector<std::vector<int>> clusters; ///< indices of `icebergs` planned as one point each
+    /** Of another run in the same world, by UAV. */
+    std::vector<std::vector<MapTrackPoint>> comparisonTracks;
+    QString comparisonName;    ///< what that run is, for the legend
+    std::vector<Point> area_m; ///< corners; empty: unbounded
+    bool isFenced = false;     ///< the UAVs stay inside the area
+    double separation_m = 0;   ///< UAVs of one altitude layer keep so far apart; 0: not watched
     std::optional<MapAsset> asset;
     MapAir air;
     bool hidesTruth = false;  ///< nothing is shown that the observer does not know
@@ -118,8 +132,19 @@ struct MapPicture
     QString emptyTitle;       ///< shown when there is no iceberg
     QString emptyHint;        ///< what to do about it
 
+    /** Colours tell the UAVs apart. */
+    [[nodiscard]] bool isFleet() const { return uavs.size() > 1; }
+    /** A UAV has such a route. */
+    template <class Test>
+    [[nodiscard]] bool anyRoute(const Test& test) const
+    {
+        return std::any_of(routes.begin(), routes.end(), test);
+    }
     /** There is water seen to be shown. */
-    [[nodiscard]] bool showsSwept() const { return uav.has_value() && swept.size() > 1; }
+    [[nodiscard]] bool showsSwept() const
+    {
+        return anyRoute([](const MapRoute& route) { return route.swept.size() > 1; });
+    }
 };
 
 /** Smallest "round" end of a sigma scale at or above `sigma_m2`: 1, 2, 5, 10, 15, 20, 30, ... */

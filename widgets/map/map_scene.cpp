@@ -19,6 +19,7 @@ constexpr double kAssetReach_px = 14;
 constexpr double kOutlineReach_px = 5;
 constexpr double kSmallestReach_px = 13; // symbols are at least this easy to hit
 constexpr double kReachMargin_px = 2;
+constexpr double kUnderName_px = 1e6; // any symbol under a name comes first
 
 /** Labels that can be placed anew in every frame, a few milliseconds. */
 constexpr std::size_t kLabelsPerFrame = 60;
@@ -153,10 +154,15 @@ std::string MapScene::objectAt(const QPointF& at)
         nearest_px = distance_px;
         nearest = key;
     };
-    if (m_picture.uav && !m_picture.uav->key.empty()) {
-        const QLineF way(at, map.view.toPixel(m_picture.uav->position_m));
+    for (std::size_t i = 0; i < m_picture.uavs.size(); ++i) {
+        const MapUav& uav = m_picture.uavs[i];
+        const QLineF way(at, map.view.toPixel(uav.position_m));
+        if (uav.key.empty())
+            continue;
         if (way.length() <= kUavReach_px)
-            offer(m_picture.uav->key, way.length());
+            offer(uav.key, way.length());
+        else if (map.uavLabels[i].contains(at))
+            offer(uav.key, kUnderName_px);
     }
     if (m_picture.asset) {
         const QLineF way(at, map.view.toPixel(m_picture.asset->position_m));
@@ -170,7 +176,7 @@ std::string MapScene::objectAt(const QPointF& at)
         if (way.length() <= reach_px)
             offer(keyOf(m_picture.icebergs[i]), way.length());
         else if (nearest.empty() && map.labels[i].rect.contains(at))
-            offer(keyOf(m_picture.icebergs[i]), 1e6); // any symbol under the name comes first
+            offer(keyOf(m_picture.icebergs[i]), kUnderName_px);
     }
     return nearest.empty() && isOnAreaOutline(at) ? kAreaKey : nearest;
 }
@@ -205,9 +211,9 @@ std::vector<std::string> MapScene::objectsIn(const QRectF& rect)
     for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i)
         if (rect.contains(map.icebergs[i].centre_px))
             keys.push_back(keyOf(m_picture.icebergs[i]));
-    if (m_picture.uav && !m_picture.uav->key.empty() &&
-        rect.contains(map.view.toPixel(m_picture.uav->position_m)))
-        keys.push_back(m_picture.uav->key);
+    for (const MapUav& uav : m_picture.uavs)
+        if (!uav.key.empty() && rect.contains(map.view.toPixel(uav.position_m)))
+            keys.push_back(uav.key);
     if (m_picture.asset && rect.contains(map.view.toPixel(m_picture.asset->position_m)))
         keys.emplace_back(kAssetKey);
     return keys;
@@ -217,9 +223,10 @@ std::vector<std::string> MapScene::objectsIn(const QRectF& rect)
 std::optional<LabelDisk> MapScene::singleSymbolOf(const std::string& key)
 {
     const MapLayout& map = layout();
-    if (m_picture.uav && m_picture.uav->key == key && !key.empty())
-        return LabelDisk{.centre_px = map.view.toPixel(m_picture.uav->position_m),
-                         .radius_px = kUavReach_px};
+    for (const MapUav& uav : m_picture.uavs)
+        if (uav.key == key && !key.empty())
+            return LabelDisk{.centre_px = map.view.toPixel(uav.position_m),
+                             .radius_px = kUavReach_px};
     if (key == kAssetKey && m_picture.asset)
         return LabelDisk{.centre_px = map.view.toPixel(m_picture.asset->position_m),
                          .radius_px = kAssetReach_px};

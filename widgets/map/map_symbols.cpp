@@ -4,6 +4,7 @@
 #include "widgets/map/painter_state.h"
 
 #include <QFontMetricsF>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <array>
@@ -137,7 +138,8 @@ void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& lo
     if (look.later)
         painter.setOpacity(0.6);
     if (look.inView) {
-        drawBrackets(painter, centre, look.radius_px + 5, theme.uav);
+        drawBrackets(painter, centre, look.radius_px + 5,
+                     look.bracket.isValid() ? look.bracket : theme.uav);
     } else if (look.ring_px > 0) {
         QColor fill = look.sigma;
         fill.setAlphaF(0.16F);
@@ -165,7 +167,8 @@ void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& lo
     painter.drawPolygon(form.outline);
 }
 
-void drawUav(QPainter& painter, const QPointF& centre, double direction_rad, const Theme& theme)
+void drawUav(QPainter& painter, const QPointF& centre, double direction_rad, const QColor& colour,
+             const Theme& theme)
 {
     const PainterState saved(painter);
     painter.translate(centre);
@@ -175,7 +178,7 @@ void drawUav(QPainter& painter, const QPointF& centre, double direction_rad, con
     painter.drawPolygon(dart);
     painter.setPen(QPen(theme.isDark ? theme.sea : theme.ink, 1.2, Qt::SolidLine, Qt::RoundCap,
                         Qt::RoundJoin));
-    painter.setBrush(theme.uav);
+    painter.setBrush(colour);
     painter.drawPolygon(dart);
 }
 
@@ -192,14 +195,14 @@ void drawAsset(QPainter& painter, const QPointF& centre, const Theme& theme)
     painter.drawLine(QPointF(3, -7), QPointF(3, -13));
 }
 
-void drawHome(QPainter& painter, const QPointF& centre, const Theme& theme)
+void drawHome(QPainter& painter, const QPointF& centre, const QColor& colour, const Theme& theme)
 {
     const PainterState saved(painter);
     painter.translate(centre);
-    painter.setPen(QPen(theme.ink, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
     painter.setBrush(theme.panel);
     painter.drawPolygon(QPolygonF{{-7.5, 8}, {-7.5, -1}, {0, -8.5}, {7.5, -1}, {7.5, 8}});
-    painter.setBrush(theme.ink);
+    painter.setBrush(colour);
     painter.drawRect(QRectF(-2, 2, 4, 6));
 }
 
@@ -245,14 +248,31 @@ void drawFence(QPainter& painter, const QLineF& line, const Theme& theme)
     }
 }
 
-QPen searchPen(const Theme& theme)
+void drawPin(QPainter& painter, const QPointF& tip, const QColor& colour, const Theme& theme)
 {
-    return {theme.uav, 1.6, Qt::DashDotLine, Qt::FlatCap, Qt::MiterJoin};
+    const PainterState saved(painter);
+    painter.translate(tip);
+    QPainterPath pin;
+    pin.moveTo(0, 0);
+    pin.cubicTo(-1.5, -4, -5, -5.5, -5, -9);
+    pin.arcTo(QRectF(-5, -14, 10, 10), 180, -180);
+    pin.cubicTo(5, -5.5, 1.5, -4, 0, 0);
+    painter.setPen(QPen(theme.sea, 2.6, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPath(pin);
+    painter.fillPath(pin, colour);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.sea);
+    painter.drawEllipse(QPointF(0, -9), 1.8, 1.8);
 }
 
-QPen clusterPen(const Theme& theme)
+QPen searchPen(const QColor& uav)
 {
-    return {theme.plan, 1.5, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin};
+    return {uav, 1.6, Qt::DashDotLine, Qt::FlatCap, Qt::MiterJoin};
+}
+
+QPen clusterPen(const QColor& plan)
+{
+    return {plan, 1.5, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin};
 }
 
 QPen circlePen(const Theme& theme)
@@ -265,9 +285,9 @@ QPen rangeRingPen(const Theme& theme)
     return {theme.mutedText, 1, Qt::DashLine};
 }
 
-QPen alarmRingPen(const Theme& theme)
+QPen alarmRingPen(const Theme& theme, double width_px)
 {
-    return {theme.uav, 1.4};
+    return {theme.uav, width_px};
 }
 
 void drawArrow(QPainter& painter, const QLineF& line, const QPen& pen, double head_px)
@@ -302,18 +322,18 @@ void drawDirectionMark(QPainter& painter, const QLineF& line, const QColor& colo
                                   tip - along * size_px - across * (0.5 * size_px)});
 }
 
-QPen formerPlanPen(const Theme& theme)
+QPen formerPlanPen(const QColor& colour)
 {
-    QPen pen(theme.formerPlan, 1.4, Qt::CustomDashLine, Qt::FlatCap);
+    QPen pen(colour, 1.4, Qt::CustomDashLine, Qt::FlatCap);
     pen.setDashPattern({5, 3.5});
     return pen;
 }
 
-void drawAim(QPainter& painter, const QPointF& centre, const Theme& theme)
+void drawAim(QPainter& painter, const QPointF& centre, const QColor& colour, const Theme& theme)
 {
     constexpr double kArm_px = 3.5;
     const PainterState saved(painter);
-    for (const QPen& pen : {QPen(theme.sea, 3.4), QPen(theme.plan, 1.6)}) {
+    for (const QPen& pen : {QPen(theme.sea, 3.4), QPen(colour, 1.6)}) {
         painter.setPen(pen);
         painter.drawLine(centre + QPointF(-kArm_px, -kArm_px), centre + QPointF(kArm_px, kArm_px));
         painter.drawLine(centre + QPointF(-kArm_px, kArm_px), centre + QPointF(kArm_px, -kArm_px));
@@ -321,13 +341,16 @@ void drawAim(QPainter& painter, const QPointF& centre, const Theme& theme)
 }
 
 void drawOrderDisk(QPainter& painter, const QPointF& centre, double radius_px, int number,
-                   const Theme& theme)
+                   const Theme& theme, const QColor& colour)
 {
     const PainterState saved(painter);
+    const QColor ground = colour.isValid() ? colour : theme.plan;
     painter.setPen(QPen(theme.sea, 1.5));
-    painter.setBrush(theme.plan);
+    painter.setBrush(ground);
     painter.drawEllipse(centre, radius_px, radius_px);
-    painter.setPen(theme.planText);
+    const bool isNearerText =
+        contrastRatio(ground, theme.text) > contrastRatio(ground, theme.planText);
+    painter.setPen(isNearerText ? theme.text : theme.planText);
     QFont font = theme.small();
     font.setWeight(QFont::Bold);
     if (number > 99)

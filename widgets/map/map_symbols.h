@@ -20,6 +20,7 @@ struct IcebergLook
     double ring_px = 0;                        ///< radius of the sigma ring; 0: none
     QColor sigma;                              ///< colour of sigma
     bool inView = false;                       ///< seen now: pure ice, no ring
+    QColor bracket{};                          ///< of one seen now; invalid: the UAV's
     bool later = false;                        ///< still to come: faint and dashed
     TrackStatus status = TrackStatus::Tracked; ///< lost: an empty dashed form with a question mark
     unsigned variant = 0;                      ///< which of the forms
@@ -34,13 +35,14 @@ void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& lo
                  const Theme& theme);
 
 /** UAV as a swept dart; `direction_rad` counter-clockwise from the right of the screen. */
-void drawUav(QPainter& painter, const QPointF& centre, double direction_rad, const Theme& theme);
+void drawUav(QPainter& painter, const QPointF& centre, double direction_rad, const QColor& colour,
+             const Theme& theme);
 
 /** Platform to protect: a square on four legs. */
 void drawAsset(QPainter& painter, const QPointF& centre, const Theme& theme);
 
-/** Where the UAV lands: a house. */
-void drawHome(QPainter& painter, const QPointF& centre, const Theme& theme);
+/** Where a UAV lands: a house of this colour. */
+void drawHome(QPainter& painter, const QPointF& centre, const QColor& colour, const Theme& theme);
 
 /** Where an iceberg is in truth: a small diamond. */
 void drawTruth(QPainter& painter, const QPointF& centre, const Theme& theme);
@@ -51,15 +53,18 @@ void drawAlarm(QPainter& painter, const QPointF& centre, const Theme& theme);
 /** Straight piece of a fence; its posts are on the right-hand side of who walks along it. */
 void drawFence(QPainter& painter, const QLineF& line, const Theme& theme);
 
+/** A UAV alone is to visit this iceberg: a pin of its colour. */
+void drawPin(QPainter& painter, const QPointF& tip, const QColor& colour, const Theme& theme);
+
 /** Of the pattern that is flown to find a lost iceberg. */
-[[nodiscard]] QPen searchPen(const Theme& theme);
+[[nodiscard]] QPen searchPen(const QColor& uav);
 /** Line round icebergs that are planned as one point. */
-[[nodiscard]] QPen clusterPen(const Theme& theme);
+[[nodiscard]] QPen clusterPen(const QColor& plan);
 /** Of the circle that holds 95 %. */
 [[nodiscard]] QPen circlePen(const Theme& theme);
 /** Of the rings of what is to be protected. */
 [[nodiscard]] QPen rangeRingPen(const Theme& theme);
-[[nodiscard]] QPen alarmRingPen(const Theme& theme);
+[[nodiscard]] QPen alarmRingPen(const Theme& theme, double width_px = 1.4);
 
 /** Line with a filled head at its end. */
 void drawArrow(QPainter& painter, const QLineF& line, const QPen& pen, double head_px);
@@ -68,14 +73,14 @@ void drawArrow(QPainter& painter, const QLineF& line, const QPen& pen, double he
 void drawDirectionMark(QPainter& painter, const QLineF& line, const QColor& colour, double size_px);
 
 /** A point that a leg aims at: a small cross. */
-void drawAim(QPainter& painter, const QPointF& centre, const Theme& theme);
+void drawAim(QPainter& painter, const QPointF& centre, const QColor& colour, const Theme& theme);
 
-/** The line of what the plan took the place of: thin and dashed. */
-[[nodiscard]] QPen formerPlanPen(const Theme& theme);
+/** The line of what a plan took the place of: thin and dashed. */
+[[nodiscard]] QPen formerPlanPen(const QColor& colour);
 
-/** Number in a filled disk. */
+/** Number in a disk of this colour; invalid: that of a plan. */
 void drawOrderDisk(QPainter& painter, const QPointF& centre, double radius_px, int number,
-                   const Theme& theme);
+                   const Theme& theme, const QColor& colour = {});
 
 /** Text over the map with a halo of the background's colour. */
 void drawHaloText(QPainter& painter, const QRectF& rect, Qt::Alignment alignment,

@@ -177,8 +177,8 @@ void MapView::zoomBy(double factor, const QPointF& at)
     if (wanted_pxpm == scale_pxpm)
         return;
     // A followed UAV stays where it is; else the place under the cursor does.
-    const bool staysAtUav = m_followsUav && m_scene.picture().uav;
-    const QPointF fixed = staysAtUav ? toScreen(m_scene.picture().uav->position_m) : at;
+    const MapUav* uav = m_followsUav ? followedUav() : nullptr;
+    const QPointF fixed = uav != nullptr ? toScreen(uav->position_m) : at;
     setView(view().zoomed(wanted_pxpm / scale_pxpm, fixed));
 }
 
@@ -202,9 +202,8 @@ void MapView::setFollowUav(bool follow)
     if (m_followsUav == follow)
         return;
     m_followsUav = follow;
-    if (follow && m_scene.picture().uav)
-        setView(
-            view().moved(m_scene.rect().center() - toScreen(m_scene.picture().uav->position_m)));
+    if (const MapUav* uav = followedUav(); follow && uav != nullptr)
+        setView(view().moved(m_scene.rect().center() - toScreen(uav->position_m)));
     emit followUavChanged(follow);
 }
 
@@ -213,6 +212,17 @@ void MapView::showAs(const MapView& other)
     if (!other.m_isFitted)
         setView(other.view());
     setFollowUav(other.m_followsUav);
+}
+
+/** The one selected, else the first; null: there is none. */
+const MapUav* MapView::followedUav() const
+{
+    const std::vector<MapUav>& uavs = m_scene.picture().uavs;
+    const auto selected = std::find_if(
+        uavs.begin(), uavs.end(), [&](const MapUav& uav) { return m_selection.contains(uav.key); });
+    if (selected != uavs.end())
+        return &*selected;
+    return uavs.empty() ? nullptr : &uavs.front();
 }
 
 void MapView::stopFollowing()
@@ -235,11 +245,12 @@ void MapView::setView(const MapViewTransform& view)
 
 void MapView::keepUavInSight()
 {
-    if (!m_followsUav || !m_scene.picture().uav)
+    const MapUav* uav = followedUav();
+    if (!m_followsUav || uav == nullptr)
         return;
     const QRectF rect = m_scene.rect();
     const QPointF half(kFollowShare * rect.width(), kFollowShare * rect.height());
-    const QPointF at = toScreen(m_scene.picture().uav->position_m);
+    const QPointF at = toScreen(uav->position_m);
     const QPointF middle = rect.center();
     const QPointF inside(std::clamp(at.x(), middle.x() - half.x(), middle.x() + half.x()),
                          std::clamp(at.y(), middle.y() - half.y(), middle.y() + half.y()));
@@ -270,8 +281,9 @@ void MapView::refreshPicture()
     MapPicture shown = m_isLocked ? m_picture : withScenario(m_picture, scenario);
     if (m_isLocked && m_draft)
         m_draft(shown);
-    if (shown.uav && shown.uav->key.empty() && !scenario.uavs.empty())
-        shown.uav->key = scenario.uavs.front().id;
+    for (std::size_t i = 0; i < std::min(shown.uavs.size(), scenario.uavs.size()); ++i)
+        if (shown.uavs[i].key.empty())
+            shown.uavs[i].key = scenario.uavs[i].id;
     const bool isOtherCount = shown.icebergs.size() != m_scene.picture().icebergs.size();
     const bool isElsewhere = !(shown.origin == m_scene.picture().origin);
     m_scene.setPicture(std::move(shown));
@@ -306,6 +318,7 @@ void MapView::scenarioChanged()
 void MapView::selectionChanged()
 {
     endNudges(); // those of another selection are another step
+    keepUavInSight();
     update();
 }
 

@@ -85,7 +85,7 @@ public:
     [[nodiscard]] bool isDrawing() const;
 
 public slots:
-    /** Icebergs, asset and area that are selected, or the part that a tool has current. */
+    /** What is selected, but the last UAV; or the part that a tool has current. */
     void deleteSelected();
     void selectAll();
     /** Moves the selection, metres east and north; calls that follow each other are one undo step.
@@ -100,9 +100,14 @@ public slots:
     /** Icebergs of the clipboard round the cursor; beside where they were when it is elsewhere. */
     void paste();
     void pasteAt(const std::optional<Point>& place_m);
+    /** Icebergs; when none is selected, UAVs. */
     void duplicateSelected();
     /** In flight it is told to the flight. */
     void addIcebergAt(const Point& place_m);
+    /** One more, as the first, in an altitude layer of its own. */
+    void addUavAt(const Point& place_m);
+    /** Where the cursor is, else in the middle. */
+    void addUav();
 
 signals:
     /** Another part of the Earth is shown. */
@@ -154,6 +159,7 @@ private:
     void setView(const MapViewTransform& view);
     void placeInset();
     void stopFollowing();
+    [[nodiscard]] const MapUav* followedUav() const;
     void endNudges();
     void toolActed();
     void setHovered(const std::string& id);
@@ -164,6 +170,9 @@ private:
     [[nodiscard]] QString removalText(const std::vector<std::string>& ids) const;
     void addCopiesOf(const std::vector<Iceberg>& icebergs, const std::optional<Point>& place_m,
                      const QString& undoText);
+    void duplicateUavs(const std::vector<Uav>& uavs);
+    [[nodiscard]] bool hasRoomForUavs(std::size_t count);
+    [[nodiscard]] double copyStep_m() const;
     bool nativeGesture(const QNativeGestureEvent& event);
     bool gesture(QGestureEvent& event);
     bool showToolTip(const QHelpEvent& event);

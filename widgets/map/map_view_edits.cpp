@@ -36,11 +36,14 @@ QString MapView::removalText(const std::vector<std::string>& ids) const
     const auto icebergs = static_cast<int>(icebergsOf(scenario, ids).size());
     const bool hasAsset = scenario.asset && m_selection.contains(kAssetKey);
     const bool hasArea = !scenario.area_m.empty() && m_selection.contains(kAreaKey);
-    const int count = icebergs + int(hasAsset) + int(hasArea);
+    const auto uavs = static_cast<int>(removableUavs(scenario, ids));
+    const int count = icebergs + uavs + int(hasAsset) + int(hasArea);
     if (count == 0)
         return {};
     if (count > icebergs && count > 1)
         return tr("Delete %n objects", nullptr, count);
+    if (uavs == 1)
+        return tr("Delete UAV");
     if (hasAsset)
         return tr("Remove asset");
     if (hasArea)
@@ -60,6 +63,8 @@ void MapView::deleteSelected()
     const std::vector<std::string> ids = m_selection.ids();
     if (const QString text = removalText(ids); !text.isEmpty())
         m_document.edit(text, [&](Scenario& scenario) { removeObjects(scenario, ids); });
+    else if (!uavsOf(m_document.scenario(), ids).empty())
+        emit refused(tr("The last UAV stays: a scenario has at least one."));
 }
 
 void MapView::selectAll()
@@ -149,8 +154,58 @@ void MapView::duplicateSelected()
         return;
     const std::vector<Iceberg> icebergs = icebergsOf(m_document.scenario(), m_selection.ids());
     const auto count = static_cast<int>(icebergs.size());
+    if (icebergs.empty())
+        duplicateUavs(uavsOf(m_document.scenario(), m_selection.ids()));
     addCopiesOf(icebergs, std::nullopt,
                 count == 1 ? tr("Duplicate iceberg") : tr("Duplicate %n icebergs", nullptr, count));
+}
+
+/** About this far beside the original, along both axes. */
+double MapView::copyStep_m() const
+{
+    return roundDown125(kCopyOffset_px / view().scale_pxpm());
+}
+
+void MapView::duplicateUavs(const std::vector<Uav>& uavs)
+{
+    if (uavs.empty() || !hasRoomForUavs(uavs.size()))
+        return;
+    const Point step_m(copyStep_m(), -copyStep_m());
+    std::vector<std::string> ids;
+    const auto count = static_cast<int>(uavs.size());
+    m_document.edit(count == 1 ? tr("Duplicate UAV") : tr("Duplicate %n UAVs", nullptr, count),
+                    [&](Scenario& scenario) {
+                        for (const Uav& uav : uavs) {
+                            scenario.uavs.push_back(
+                                anotherUav(scenario, uav, uav.position_m + step_m));
+                            ids.push_back(scenario.uavs.back().id);
+                        }
+                    });
+    m_selection.set(std::move(ids));
+}
+
+/** Says so when there is none. */
+bool MapView::hasRoomForUavs(std::size_t count)
+{
+    if (m_document.scenario().uavs.size() + count <= kMostUavs)
+        return true;
+    emit refused(tr("A scenario holds at most %n UAVs.", nullptr, static_cast<int>(kMostUavs)));
+    return false;
+}
+
+void MapView::addUavAt(const Point& place_m)
+{
+    m_tool->cancel();
+    if (m_isLocked || !hasRoomForUavs(1))
+        return;
+    const Uav uav = anotherUav(m_document.scenario(), roundedTo(place_m, kPositionStep_m));
+    m_document.edit(tr("Add UAV"), [&](Scenario& scenario) { scenario.uavs.push_back(uav); });
+    m_selection.set({uav.id});
+}
+
+void MapView::addUav()
+{
+    addUavAt(m_cursor ? toWorld(*m_cursor) : toWorld(m_scene.rect().center()));
 }
 
 /** Round `place_m`, or beside the originals where no copy hides another iceberg. */
@@ -165,9 +220,9 @@ void MapView::addCopiesOf(const std::vector<Iceberg>& icebergs, const std::optio
             tr("A scenario holds at most %n icebergs.", nullptr, static_cast<int>(kMostIcebergs)));
         return;
     }
-    const double step_m = roundDown125(kCopyOffset_px / view().scale_pxpm());
+    const Point step_m(copyStep_m(), -copyStep_m());
     const Point offset_m = place_m ? roundedTo(*place_m - middleOf(icebergs), kPositionStep_m)
-                                   : freeOffset(scenario, icebergs, {step_m, -step_m});
+                                   : freeOffset(scenario, icebergs, step_m);
     std::vector<std::string> ids;
     m_document.edit(undoText, [&](Scenario& after) { ids = addCopies(after, icebergs, offset_m); });
     m_selection.set(std::move(ids));

@@ -4,7 +4,9 @@
 #include "widgets/map/map_legs.h"
 #include "widgets/map/map_paint.h"
 #include "widgets/map/map_symbols.h"
+#include "widgets/map/route_colours.h"
 #include "widgets/map/swept_layer.h"
+#include "widgets/theme/palette.h"
 
 #include <Eigen/Geometry>
 
@@ -39,50 +41,30 @@ Point headingOn(const Point& course, const Point& wind_mps, double airspeed_mps)
     return Eigen::Rotation2Dd(std::asin(across)) * course;
 }
 
-void paintHeadingMarks(const MapPaint& p)
+void paintHeadingMarks(const MapPaint& p, std::size_t uav, const QColor& colour)
 {
-    for (const QLineF& mark : headingMarks(p.picture, p.layout))
+    for (const QLineF& mark : headingMarks(p.picture, p.layout, uav))
         for (const QPen& pen : {QPen(p.theme.sea, 3.6, Qt::SolidLine, Qt::RoundCap),
-                                QPen(p.theme.uav, 1.6, Qt::SolidLine, Qt::RoundCap)}) {
+                                QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap)}) {
             p.painter.setPen(pen);
             p.painter.drawLine(mark);
         }
 }
 
 /** Legs end when their iceberg comes into view; their lines point on at these. */
-void paintAims(const MapPaint& p)
+void paintAims(const MapPaint& p, const MapRoute& route, const QColor& colour)
 {
-    for (const MapWay& way : p.picture.planWays) {
+    for (const MapWay& way : route.planWays) {
         const QPointF aim = p.layout.view.toPixel(way.aim_m);
-        p.painter.setPen(QPen(p.theme.plan, 1, Qt::DotLine, Qt::FlatCap));
+        p.painter.setPen(QPen(colour, 1, Qt::DotLine, Qt::FlatCap));
         p.painter.drawLine(p.layout.view.toPixel(way.path_m.back()), aim);
-        drawAim(p.painter, aim, p.theme);
+        drawAim(p.painter, aim, colour, p.theme);
     }
-}
-
-} // namespace
-
-void paintSwept(const MapPaint& p)
-{
-    if (!p.picture.showsSwept())
-        return;
-    const SweptLook look{.view = p.layout.view,
-                         .rect = p.layout.rect,
-                         .ratio = p.painter.device()->devicePixelRatioF(),
-                         .sensor = p.picture.uav->sensor,
-                         .tint = p.theme.swept};
-    if (p.swept != nullptr) {
-        p.swept->paint(p.painter, p.picture.swept, look);
-        return;
-    }
-    SweptMask mask;
-    p.painter.drawImage(p.layout.rect.topLeft(), mask.updated(p.picture.swept, look));
 }
 
 /** One colour and arrow heads along the way: told from the flown track by shape too. */
-void paintComparison(const MapPaint& p)
+void paintComparisonTrack(const MapPaint& p, const std::vector<MapTrackPoint>& track)
 {
-    const std::vector<MapTrackPoint>& track = p.picture.comparisonTrack;
     if (track.size() < 2)
         return;
     QPolygonF line{p.layout.view.toPixel(track.front().position_m)};
@@ -109,9 +91,8 @@ void paintComparison(const MapPaint& p)
         drawDirectionMark(p.painter, mark, p.theme.comparison, kComparisonMark_px);
 }
 
-void paintTrack(const MapPaint& p)
+void paintTrack(const MapPaint& p, const std::vector<MapTrackPoint>& track, const QColor& colour)
 {
-    const std::vector<MapTrackPoint>& track = p.picture.track;
     if (track.size() < 2)
         return;
     const double from_s = track.front().time_s;
@@ -127,8 +108,8 @@ void paintTrack(const MapPaint& p)
         // look the same on so thin a line, but take most of the time of a frame.
         const double share =
             kOldestTrack + (1 - kOldestTrack) * static_cast<double>(shade) / (kTrackShades - 1);
-        p.painter.setPen(QPen(mixed(p.theme.sea, p.theme.track, share), 1.6, Qt::SolidLine,
-                              Qt::FlatCap, Qt::BevelJoin));
+        p.painter.setPen(QPen(mixed(p.theme.sea, colour, share), 1.6, Qt::SolidLine, Qt::FlatCap,
+                              Qt::BevelJoin));
         p.painter.drawPolyline(piece);
     };
     for (const MapTrackPoint& point : track) {
@@ -146,66 +127,32 @@ void paintTrack(const MapPaint& p)
     flush();
 }
 
-void paintFieldOfView(const MapPaint& p)
+void paintSearch(const MapPaint& p, std::size_t uav)
 {
-    if (!p.picture.uav)
+    const MapRoute& route = p.picture.routes[uav];
+    if (route.search_m.empty())
         return;
-    QColor fill = p.theme.uav;
-    fill.setAlphaF(0.09F);
-    p.painter.setPen(QPen(p.theme.uav, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-    p.painter.setBrush(fill);
-    p.painter.drawPolygon(fieldOutline(*p.picture.uav, p.layout.view));
-}
-
-void paintFormerPlan(const MapPaint& p)
-{
-    p.painter.setPen(formerPlanPen(p.theme));
-    p.painter.setBrush(Qt::NoBrush);
-    for (const QPolygonF& leg : formerLegs(p.picture, p.layout))
-        p.painter.drawPolyline(leg);
-}
-
-std::vector<QLineF> headingMarks(const MapPicture& picture, const MapLayout& layout)
-{
-    if (!picture.uav || picture.air.wind_mps.isZero(0))
-        return {};
-    std::vector<QLineF> marks;
-    std::vector<QPolygonF> legs = planLegs(picture, layout);
-    legs.resize(std::min(legs.size(), kHeadingLegs));
-    for (const QPolygonF& leg : legs) {
-        const QLineF piece = longestPiece(leg);
-        if (piece.length() < 2 * kHeading_px)
-            continue;
-        const Point course(piece.dx() / piece.length(), -piece.dy() / piece.length());
-        const Point nose = headingOn(course, picture.air.wind_mps, picture.uav->airspeed_mps);
-        marks.emplace_back(piece.center(),
-                           piece.center() + QPointF(nose.x(), -nose.y()) * kHeading_px);
-    }
-    return marks;
-}
-
-void paintSearch(const MapPaint& p)
-{
-    if (p.picture.search_m.empty() || !p.picture.uav)
-        return;
-    QPolygonF way{p.layout.view.toPixel(p.picture.uav->position_m)};
-    for (const Point& corner_m : p.picture.search_m)
+    const QColor colour = routeColours(p.picture, p.theme, uav).uav;
+    QPolygonF way{p.layout.view.toPixel(p.picture.uavs[uav].position_m)};
+    for (const Point& corner_m : route.search_m)
         way << p.layout.view.toPixel(corner_m);
     p.painter.setBrush(Qt::NoBrush);
-    p.painter.setPen(searchPen(p.theme));
+    p.painter.setPen(searchPen(colour));
     p.painter.drawPolyline(way);
-    drawDirectionMark(p.painter, QLineF(way[0], way[1]), p.theme.uav, 10);
+    drawDirectionMark(p.painter, QLineF(way[0], way[1]), colour, 10);
 }
 
-void paintPlan(const MapPaint& p)
+void paintPlan(const MapPaint& p, std::size_t uav)
 {
-    paintAims(p);
-    const std::vector<QPolygonF> legs = planLegs(p.picture, p.layout);
+    const MapRoute& route = p.picture.routes[uav];
+    const RouteColours colours = routeColours(p.picture, p.theme, uav);
+    paintAims(p, route, colours.plan);
+    const std::vector<QPolygonF> legs = planLegs(p.picture, p.layout, uav);
     p.painter.setBrush(Qt::NoBrush);
-    p.painter.setPen(QPen(p.theme.plan, 1.6, Qt::DashLine, Qt::FlatCap));
-    p.painter.drawPolyline(homeLeg(p.picture, p.layout));
+    p.painter.setPen(QPen(colours.plan, 1.6, Qt::DashLine, Qt::FlatCap));
+    p.painter.drawPolyline(homeLeg(p.picture, p.layout, uav));
     for (std::size_t k = legs.size(); k-- > 0;) {
-        const bool isNext = k == 0 && p.picture.search_m.empty();
+        const bool isNext = k == 0 && route.search_m.empty();
         const double width_px = isNext ? 3.2 : 1.6;
         if (legs[k].size() < 2)
             continue;
@@ -213,11 +160,99 @@ void paintPlan(const MapPaint& p)
         p.painter.setPen(
             QPen(p.theme.sea, width_px + 2.4, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
         p.painter.drawPolyline(legs[k]);
-        p.painter.setPen(QPen(p.theme.plan, width_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+        p.painter.setPen(QPen(colours.plan, width_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
         p.painter.drawPolyline(legs[k]);
-        drawDirectionMark(p.painter, longestPiece(legs[k]), p.theme.plan, isNext ? 13 : 10);
+        drawDirectionMark(p.painter, longestPiece(legs[k]), colours.plan, isNext ? 13 : 10);
     }
-    paintHeadingMarks(p);
+    paintHeadingMarks(p, uav, colours.uav);
+}
+
+} // namespace
+
+void paintSwept(const MapPaint& p)
+{
+    if (!p.picture.showsSwept())
+        return;
+    const SweptLook look{.view = p.layout.view,
+                         .rect = p.layout.rect,
+                         .ratio = p.painter.device()->devicePixelRatioF(),
+                         .tint = p.theme.swept};
+    std::vector<SweptTrail> trails;
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
+        trails.push_back(
+            {.poses = p.picture.routes[uav].swept, .sensor = p.picture.uavs[uav].sensor});
+    if (p.swept != nullptr) {
+        p.swept->paint(p.painter, trails, look);
+        return;
+    }
+    SweptMask mask;
+    p.painter.drawImage(p.layout.rect.topLeft(), mask.updated(trails, look));
+}
+
+void paintComparison(const MapPaint& p)
+{
+    for (const std::vector<MapTrackPoint>& track : p.picture.comparisonTracks)
+        paintComparisonTrack(p, track);
+}
+
+void paintTracks(const MapPaint& p)
+{
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
+        paintTrack(p, p.picture.routes[uav].track, routeColours(p.picture, p.theme, uav).track);
+}
+
+void paintFieldsOfView(const MapPaint& p)
+{
+    for (const MapUav& uav : p.picture.uavs) {
+        const QColor line = uavColour(p.theme, uav.place);
+        QColor fill = line;
+        fill.setAlphaF(0.09F);
+        p.painter.setPen(QPen(line, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+        p.painter.setBrush(fill);
+        p.painter.drawPolygon(fieldOutline(uav, p.layout.view));
+    }
+}
+
+void paintFormerPlans(const MapPaint& p)
+{
+    p.painter.setBrush(Qt::NoBrush);
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav) {
+        p.painter.setPen(formerPlanPen(routeColours(p.picture, p.theme, uav).former));
+        for (const QPolygonF& leg : formerLegs(p.picture, p.layout, uav))
+            p.painter.drawPolyline(leg);
+    }
+}
+
+std::vector<QLineF> headingMarks(const MapPicture& picture, const MapLayout& layout,
+                                 std::size_t uav)
+{
+    if (picture.air.wind_mps.isZero(0))
+        return {};
+    std::vector<QLineF> marks;
+    std::vector<QPolygonF> legs = planLegs(picture, layout, uav);
+    legs.resize(std::min(legs.size(), kHeadingLegs));
+    for (const QPolygonF& leg : legs) {
+        const QLineF piece = longestPiece(leg);
+        if (piece.length() < 2 * kHeading_px)
+            continue;
+        const Point course(piece.dx() / piece.length(), -piece.dy() / piece.length());
+        const Point nose = headingOn(course, picture.air.wind_mps, picture.uavs[uav].airspeed_mps);
+        marks.emplace_back(piece.center(),
+                           piece.center() + QPointF(nose.x(), -nose.y()) * kHeading_px);
+    }
+    return marks;
+}
+
+void paintSearches(const MapPaint& p)
+{
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
+        paintSearch(p, uav);
+}
+
+void paintPlans(const MapPaint& p)
+{
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
+        paintPlan(p, uav);
 }
 
 } // namespace berg

@@ -1,9 +1,12 @@
 #include "widgets/map/map_world.h"
 
 #include "core/base/geometry.h"
+#include "core/scenario/advice.h"
 #include "widgets/map/map_legs.h"
 #include "widgets/map/map_paint.h"
 #include "widgets/map/map_symbols.h"
+#include "widgets/map/route_colours.h"
+#include "widgets/theme/palette.h"
 
 #include <QPainterPath>
 #include <QPainterPathStroker>
@@ -60,6 +63,31 @@ QPainterPath outlineOf(const MapLayout& layout, const std::vector<int>& members)
     return stroker.createStroke(outline).simplified();
 }
 
+/** Of the plan that the first of them is in. */
+QColor clusterColour(const MapPaint& p, const std::vector<int>& members)
+{
+    const MapStop& stop = p.layout.stops[static_cast<std::size_t>(members.front())];
+    return stop.order > 0 ? routeColours(p.picture, p.theme, stop.uav).plan : p.theme.plan;
+}
+
+/** Round both, as a string would lie, with a sign in the middle. */
+void paintPairTooClose(const MapPaint& p, const QLineF& way)
+{
+    constexpr double kReach_px = 22;
+    QPainterPath line(way.p1());
+    line.lineTo(way.p2() + QPointF(0.01, 0)); // two in one place still have an outline
+    QPainterPathStroker stroker;
+    stroker.setWidth(2 * kReach_px);
+    stroker.setCapStyle(Qt::RoundCap);
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(QPen(p.theme.sea, 4.4));
+    p.painter.drawPath(stroker.createStroke(line));
+    p.painter.setPen(alarmRingPen(p.theme, 2.2));
+    p.painter.drawPath(stroker.createStroke(line));
+    p.painter.drawLine(way);
+    drawAlarm(p.painter, way.center() - QPointF(0, kReach_px), p.theme);
+}
+
 } // namespace
 
 void paintArea(const MapPaint& p)
@@ -78,10 +106,12 @@ void paintArea(const MapPaint& p)
     p.painter.drawPolygon(outline);
 }
 
-void paintHome(const MapPaint& p)
+void paintHomes(const MapPaint& p)
 {
-    if (p.picture.home_m)
-        drawHome(p.painter, p.layout.view.toPixel(*p.picture.home_m), p.theme);
+    for (const MapUav& uav : p.picture.uavs)
+        if (uav.home_m)
+            drawHome(p.painter, p.layout.view.toPixel(*uav.home_m),
+                     p.picture.isFleet() ? uavColour(p.theme, uav.place) : p.theme.ink, p.theme);
 }
 
 void paintAsset(const MapPaint& p)
@@ -101,12 +131,13 @@ void paintClusters(const MapPaint& p)
     for (const std::vector<int>& members : p.picture.clusters) {
         if (members.size() < 2)
             continue;
-        QColor fill = p.theme.plan;
+        const QColor colour = clusterColour(p, members);
+        QColor fill = colour;
         fill.setAlphaF(0.07F);
         p.painter.setBrush(fill);
-        p.painter.setPen(clusterPen(p.theme));
+        p.painter.setPen(clusterPen(colour));
         p.painter.drawPath(outlineOf(p.layout, members));
-        drawAim(p.painter, p.layout.view.toPixel(middleOf_m(p.picture, members)), p.theme);
+        drawAim(p.painter, p.layout.view.toPixel(middleOf_m(p.picture, members)), colour, p.theme);
     }
 }
 
@@ -148,6 +179,42 @@ void paintAlarms(const MapPaint& p)
         drawAlarm(p.painter, p.layout.icebergs[i].centre_px + QPointF(beside_px, -beside_px),
                   p.theme);
     }
+}
+
+void paintPins(const MapPaint& p)
+{
+    if (!p.picture.isFleet())
+        return;
+    for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
+        const MapIceberg& iceberg = p.picture.icebergs[i];
+        if (iceberg.keptFor < 0)
+            continue;
+        const double beside_px = 0.7 * icebergSymbolRadius_px(iceberg.radius_m);
+        drawPin(p.painter, p.layout.icebergs[i].centre_px - QPointF(beside_px, beside_px),
+                uavColour(p.theme, iceberg.keptFor), p.theme);
+    }
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> pairsTooClose(const MapPicture& picture)
+{
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t a = 0; a < picture.uavs.size(); ++a)
+        for (std::size_t b = a + 1; b < picture.uavs.size(); ++b) {
+            const MapUav& one = picture.uavs[a];
+            const MapUav& other = picture.uavs[b];
+            if (one.isAloft && other.isAloft &&
+                std::abs(one.altitude_m - other.altitude_m) < kLayerHeight_m &&
+                (one.position_m - other.position_m).norm() < picture.separation_m)
+                pairs.emplace_back(a, b);
+        }
+    return pairs;
+}
+
+void paintTooClose(const MapPaint& p)
+{
+    for (const auto& [a, b] : pairsTooClose(p.picture))
+        paintPairTooClose(p, {p.layout.view.toPixel(p.picture.uavs[a].position_m),
+                              p.layout.view.toPixel(p.picture.uavs[b].position_m)});
 }
 
 } // namespace berg

@@ -22,18 +22,45 @@ struct MissionPicture
     Q_DECLARE_TR_FUNCTIONS(MissionPicture)
 };
 
-/** At the time shown; none: it is unlimited. */
-std::optional<double> enduranceLeft_s(const FlightRecord& record)
+/** Of the UAV at the time shown. */
+double enduranceLeft_s(const FlightRecord& record, std::size_t uav)
 {
-    const std::vector<Uav>& uavs = record.scenario.uavs;
-    if (uavs.empty() || uavs.front().spec.endurance_s <= 0)
-        return std::nullopt;
-    const WorldState& world = record.shown().world;
-    const bool isOnGround = world.mode == FlightMode::Ground; // made ready for the next sortie
-    return uavs.front().spec.endurance_s - (isOnGround ? 0 : world.aloft_s);
+    const UavState& state = record.shown().world.uavs[uav];
+    const bool isOnGround = state.mode == FlightMode::Ground; // made ready for the next sortie
+    return record.scenario.uavs[uav].spec.endurance_s - (isOnGround ? 0 : state.aloft_s);
 }
 
-std::vector<MapReadout> readoutsOf(const FlightRecord& record, const QLocale& locale)
+/** Of the UAV that has the least, with its name if there are others; none: it is unlimited. */
+std::optional<MapReadout> enduranceReadout(const FlightRecord& record,
+                                           const std::vector<MapUav>& uavs)
+{
+    std::optional<std::size_t> least;
+    for (std::size_t uav = 0; uav < uavs.size(); ++uav)
+        if (record.scenario.uavs[uav].spec.endurance_s > 0 &&
+            (!least || enduranceLeft_s(record, uav) < enduranceLeft_s(record, *least)))
+            least = uav;
+    if (!least)
+        return std::nullopt;
+    return MapReadout{.caption = MissionPicture::tr("Endurance left"),
+                      .value = clockText(enduranceLeft_s(record, *least)),
+                      .unit = uavs[*least].label};
+}
+
+/** None: UAVs in one altitude layer have kept well apart. */
+std::optional<MapReadout> closestReadout(const FlightRecord& record, const QLocale& locale)
+{
+    constexpr double kNear = 2; // times the distance they are to keep
+    const std::optional<double> closest_m = record.shown().world.closest_m;
+    if (!closest_m || *closest_m >= kNear * record.scenario.separation_m)
+        return std::nullopt;
+    const ShownUnit unit = distanceUnit();
+    return MapReadout{.caption = MissionPicture::tr("Closest so far"),
+                      .value = significantText(unit.fromSi(*closest_m), 3, locale),
+                      .unit = unit.name};
+}
+
+std::vector<MapReadout> readoutsOf(const FlightRecord& record, const std::vector<MapUav>& uavs,
+                                   const QLocale& locale)
 {
     const Metrics& metrics = record.shown().metrics;
     std::vector<MapReadout> readouts{{.caption = MissionPicture::tr("Time"),
@@ -45,10 +72,10 @@ std::vector<MapReadout> readoutsOf(const FlightRecord& record, const QLocale& lo
                                      {.caption = MissionPicture::tr("Visits"),
                                       .value = fixedText(metrics.visits, 0, locale),
                                       .unit = {}}};
-    if (const std::optional<double> left_s = enduranceLeft_s(record))
-        readouts.push_back({.caption = MissionPicture::tr("Endurance left"),
-                            .value = clockText(*left_s),
-                            .unit = {}});
+    for (const std::optional<MapReadout>& more :
+         {enduranceReadout(record, uavs), closestReadout(record, locale)})
+        if (more)
+            readouts.push_back(*more);
     return readouts;
 }
 
@@ -64,7 +91,8 @@ MapIceberg icebergOf(const FlightRecord& record, std::size_t i)
                      .radius_m = iceberg.radius_m,
                      .inView = track.inView,
                      .key = iceberg.id,
-                     .status = track.status};
+                     .status = track.status,
+                     .keptFor = shown.assigned[i]};
     if (record.scenario.observer.model == ObserverModel::Kalman) {
         drawn.circle_m = likelyRadius_m(track.sigma_m2);
         drawn.truth_m = shown.truth_m[i];
@@ -93,7 +121,7 @@ std::vector<MapIceberg> icebergsOf(const FlightRecord& record, std::vector<int>&
  * ... of each twice as long one before. Which samples are left depends on their places alone, so
  * that the line stands still while it grows.
  */
-std::vector<MapTrackPoint> trackOf(const FlightRecord& record)
+std::vector<MapTrackPoint> trackOf(const FlightRecord& record, std::size_t uav)
 {
     constexpr std::size_t kDetailed = 500;
     const MissionSnapshot& shown = record.shown();
@@ -103,18 +131,25 @@ std::vector<MapTrackPoint> trackOf(const FlightRecord& record)
     const auto count = static_cast<std::size_t>(end - samples.begin());
     std::vector<MapTrackPoint> track;
     for (std::size_t i = 0; i < count;) {
-        track.push_back({.position_m = samples[i].uav.position_m, .time_s = samples[i].time_s});
+        track.push_back(
+            {.position_m = samples[i].uavs[uav].pose.position_m, .time_s = samples[i].time_s});
         const std::size_t stride =
             std::bit_floor(std::max<std::size_t>(1, (count - i) / kDetailed));
         i += stride - i % stride;
     }
     if (!track.empty() && track.back().time_s < shown.time_s)
-        track.push_back({.position_m = shown.world.uav.position_m, .time_s = shown.time_s});
+        track.push_back(
+            {.position_m = shown.world.uavs[uav].pose.position_m, .time_s = shown.time_s});
     return track;
 }
 
+MapPose mapPose(const DubinsState& pose, double time_s)
+{
+    return {.position_m = pose.position_m, .psi_rad = pose.psi_rad, .time_s = time_s};
+}
+
 /** Where the UAV was at each sample until the time shown, and is. */
-std::vector<MapPose> posesOf(const FlightRecord& record)
+std::vector<MapPose> posesOf(const FlightRecord& record, std::size_t uav)
 {
     const MissionSnapshot& shown = record.shown();
     std::vector<MapPose> poses;
@@ -122,14 +157,10 @@ std::vector<MapPose> posesOf(const FlightRecord& record)
     for (const Sample& sample : record.history.samples) {
         if (sample.time_s > shown.time_s)
             break;
-        poses.push_back({.position_m = sample.uav.position_m,
-                         .psi_rad = sample.uav.psi_rad,
-                         .time_s = sample.time_s});
+        poses.push_back(mapPose(sample.uavs[uav].pose, sample.time_s));
     }
     if (!poses.empty() && poses.back().time_s < shown.time_s)
-        poses.push_back({.position_m = shown.world.uav.position_m,
-                         .psi_rad = shown.world.uav.psi_rad,
-                         .time_s = shown.time_s});
+        poses.push_back(mapPose(shown.world.uavs[uav].pose, shown.time_s));
     return poses;
 }
 
@@ -144,37 +175,44 @@ std::vector<int> placesOf(const std::vector<int>& order, const std::vector<int>&
 }
 
 /** What is left of the pattern, which drifts with the iceberg's estimate. */
-std::vector<Point> searchOf_m(const FlightRecord& record)
+std::vector<Point> searchOf_m(const FlightRecord& record, std::size_t uav)
 {
-    const WorldState& world = record.shown().world;
-    if (world.mode != FlightMode::Search || !world.search)
+    const UavState& state = record.shown().world.uavs[uav];
+    if (state.mode != FlightMode::Search || !state.search)
         return {};
-    const Point datum_m = record.estimate_m(static_cast<std::size_t>(world.search->iceberg));
-    const std::vector<Point>& offsets_m = world.search->way.corners_m();
+    const Point datum_m = record.estimate_m(static_cast<std::size_t>(state.search->iceberg));
+    const std::vector<Point>& offsets_m = state.search->way.corners_m();
     std::vector<Point> corners_m;
-    for (std::size_t k = world.search->way.next(); k < offsets_m.size(); ++k)
+    for (std::size_t k = state.search->way.next(); k < offsets_m.size(); ++k)
         corners_m.emplace_back(datum_m + offsets_m[k]);
     return corners_m;
 }
 
 /** Of the straight legs of the plan; none without a geofence. */
-std::vector<std::vector<Point>> cornersOf(const MapPicture& picture, const MissionSnapshot& shown)
+std::vector<std::vector<Point>> cornersOf(const MapPicture& picture, const MissionSnapshot& shown,
+                                          std::size_t uav)
 {
     std::vector<std::vector<Point>> corners_m;
-    if (!shown.fence)
+    const Geofence* fence = shown.fences[uav].get();
+    if (fence == nullptr)
         return corners_m;
-    Point from_m = shown.world.uav.position_m;
-    for (const Point& to_m : planStops_m(picture)) {
-        corners_m.push_back(shown.fence->cornersBetween(from_m, to_m));
+    Point from_m = shown.world.uavs[uav].pose.position_m;
+    for (const Point& to_m : planStops_m(picture, uav)) {
+        corners_m.push_back(fence->cornersBetween(from_m, to_m));
         from_m = to_m;
     }
     return corners_m;
 }
 
-std::vector<std::vector<int>> clustersOf(const PlanEvent& plan, const std::vector<int>& shown)
+/** Of the plans in force the newest tells. */
+std::vector<std::vector<int>> clustersOf(const std::vector<PlanEvent>& plans,
+                                         const std::vector<int>& shown)
 {
     std::vector<std::vector<int>> clusters;
-    for (const std::vector<int>& members : plan.clusters)
+    const auto newest = std::ranges::max_element(plans, {}, &PlanEvent::time_s);
+    if (newest == plans.end())
+        return clusters;
+    for (const std::vector<int>& members : newest->clusters)
         clusters.push_back(placesOf(members, shown));
     return clusters;
 }
@@ -188,6 +226,37 @@ std::vector<MapWay> mapWays(const std::vector<AimedWay>& ways)
             next.path_m.push_back(point.position_m);
     }
     return drawn;
+}
+
+MapUav uavOf(const FlightRecord& record, std::size_t uav)
+{
+    const UavState& state = record.shown().world.uavs[uav];
+    MapUav drawn = mapUav(record.scenario, uav);
+    drawn.position_m = state.pose.position_m;
+    drawn.psi_rad = state.pose.psi_rad;
+    drawn.isAloft = state.mode != FlightMode::Ground;
+    return drawn;
+}
+
+/** Without the corners of the fence, which depend on the other parts. */
+MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<int>& shown)
+{
+    const int place = static_cast<int>(uav);
+    MapRoute route;
+    if (const PlanEvent* plan = planOf(record.shown(), place)) {
+        route.plan = placesOf(plan->order, shown);
+        route.thisSortie = plan->thisSortie;
+    }
+    route.planWays = mapWays(waysAhead(record.shown(), place));
+    if (const std::optional<ShownChange> change = record.changeShown(place)) {
+        route.formerPlan = placesOf(change->change.before, shown);
+        route.formerFrom_m = change->from_m;
+        route.formerWays = mapWays(change->ways);
+    }
+    route.search_m = searchOf_m(record, uav);
+    route.track = trackOf(record, uav);
+    route.swept = posesOf(record, uav);
+    return route;
 }
 
 } // namespace
@@ -228,42 +297,28 @@ void hideTruth(MapPicture& picture)
 MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
 {
     const Scenario& scenario = record.scenario;
-    const WorldState& state = record.shown().world;
     MapPicture picture;
     picture.title = QString::fromStdString(scenario.name);
     picture.subtitle = policyText(record.shown().planner, locale);
-    picture.readouts = readoutsOf(record, locale);
     picture.origin = scenario.origin;
-    if (!scenario.uavs.empty())
-        picture.uav =
-            MapUav{.position_m = state.uav.position_m,
-                   .psi_rad = state.uav.psi_rad,
-                   .sensor = {.fov_m = scenario.uavs.front().fov_m, .shape = scenario.fovShape},
-                   .key = scenario.uavs.front().id,
-                   .airspeed_mps = scenario.uavs.front().spec.airspeed_mps};
     std::vector<int> shown;
     picture.icebergs = icebergsOf(record, shown);
-    if (const std::optional<PlanEvent>& plan = record.shown().plan) {
-        picture.plan = placesOf(plan->order, shown);
-        picture.thisSortie = plan->thisSortie;
-        picture.clusters = clustersOf(*plan, shown);
+    picture.clusters = clustersOf(record.shown().plans, shown);
+    // Until it is planned a scenario just edited may have others than the mission.
+    const std::size_t uavs = std::min(scenario.uavs.size(), record.shown().world.uavs.size());
+    for (std::size_t uav = 0; uav < uavs; ++uav) {
+        picture.uavs.push_back(uavOf(record, uav));
+        picture.routes.push_back(routeOf(record, uav, shown));
+        picture.routes[uav].planCorners = cornersOf(picture, record.shown(), uav);
     }
-    picture.planWays = mapWays(waysAhead(record.shown()));
-    if (const std::optional<ShownChange> change = record.changeShown()) {
-        picture.formerPlan = placesOf(change->change.before, shown);
-        picture.formerFrom_m = change->from_m;
-        picture.formerWays = mapWays(change->ways);
-    }
-    picture.search_m = searchOf_m(record);
-    picture.track = trackOf(record);
-    picture.swept = posesOf(record);
+    picture.readouts = readoutsOf(record, picture.uavs, locale);
     picture.area_m = scenario.area_m;
     picture.isFenced = scenario.geofence;
-    picture.home_m = homeOf(scenario);
-    picture.planCorners = cornersOf(picture, record.shown());
+    picture.separation_m = scenario.separation_m;
     picture.asset = assetOf(record.shown().asset, record.shown().time_s);
     picture.air = airOf(scenario);
-    picture.air.wind_mps = record.shown().motion.wind_mps;
+    if (!record.shown().motions.empty())
+        picture.air.wind_mps = record.shown().motions.front().wind_mps;
     picture.sigmaFull_m2 = sigmaScaleEnd_m2(record);
     picture.emptyTitle = MissionPicture::tr("No icebergs yet");
     picture.emptyHint =

@@ -8,9 +8,9 @@
 namespace berg {
 
 /**
- * The map of a mission at the time shown: the way flown, of long flights the older the coarser, the
- * plan in force, the estimates of the icebergs that have appeared. Cost: linear in the icebergs and
- * in the few thousand points of the way.
+ * The map of a mission at the time shown: the ways flown, of long flights the older the coarser,
+ * the plans in force, the estimates of the icebergs that have appeared. Cost: linear in the
+ * icebergs and in the few thousand points of the way.
  */
 [[nodiscard]] MapPicture missionPicture(const FlightRecord& record, const QLocale& locale);
 

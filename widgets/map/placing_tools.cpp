@@ -31,7 +31,8 @@ bool PlacingTool::key(const QKeyEvent& event)
 {
     if (!isEnter(event))
         return false;
-    const MapPointer middle = middleOf(context().scene);
+    MapPointer middle = middleOf(context().scene);
+    middle.modifiers = event.modifiers();
     press(middle);
     release(middle);
     return true;
@@ -206,26 +207,41 @@ void UavTool::press(const MapPointer& pointer)
     m_press = pointer;
     m_now = pointer;
     const Scenario& scenario = context().document.scenario();
-    if (scenario.uavs.empty()) {
-        m_uav = {};
-        m_uav.id = freshUavId(scenario);
+    const Uav* grabbed = findUav(scenario, scene.objectAt(pointer.at_px));
+    const Uav* meant = meantUav();
+    const bool adds =
+        meant == nullptr || (grabbed == nullptr && pointer.modifiers.testFlag(Qt::ControlModifier));
+    if (adds && scenario.uavs.size() >= kMostUavs)
+        return;
+    if (adds)
+        m_uav = anotherUav(scenario, placeOf(pointer));
+    else
+        m_uav = grabbed != nullptr ? *grabbed : *meant;
+    if (grabbed == nullptr)
         m_uav.position_m = placeOf(pointer);
-    } else {
-        m_uav = scenario.uavs.front();
-        if (scene.objectAt(pointer.at_px) != m_uav.id)
-            m_uav.position_m = placeOf(pointer);
-    }
-    m_gesture = newGesture(PlacingTools::tr("Place UAV"));
+    m_gesture = newGesture(adds ? PlacingTools::tr("Add UAV") : PlacingTools::tr("Place UAV"));
     apply();
+}
+
+/** Which one a click moves: the first selected, else the first there is; null: none. */
+const Uav* UavTool::meantUav() const
+{
+    const Scenario& scenario = context().document.scenario();
+    for (const std::string& id : context().selection.ids())
+        if (const Uav* uav = findUav(scenario, id))
+            return uav;
+    return scenario.uavs.empty() ? nullptr : &scenario.uavs.front();
 }
 
 void UavTool::apply()
 {
     m_gesture->apply([this](Scenario& scenario) {
-        if (scenario.uavs.empty())
-            scenario.uavs.push_back(m_uav);
+        const auto present = std::find_if(scenario.uavs.begin(), scenario.uavs.end(),
+                                          [&](const Uav& uav) { return uav.id == m_uav.id; });
+        if (present != scenario.uavs.end())
+            *present = m_uav;
         else
-            scenario.uavs.front() = m_uav;
+            scenario.uavs.push_back(m_uav);
     });
 }
 
@@ -290,7 +306,13 @@ QString UavTool::status() const
 {
     if (m_isTurning)
         return PlacingTools::tr("Let go to keep this heading. Esc takes it back.");
-    return PlacingTools::tr("Click places the UAV, drag on to turn it. Esc leaves the tool.");
+    const Uav* uav = meantUav();
+    if (uav == nullptr || context().document.scenario().uavs.size() == 1)
+        return PlacingTools::tr("Click places the UAV, drag on to turn it. With Ctrl it is another "
+                                "one. Esc leaves the tool.");
+    return PlacingTools::tr("Click places %1, drag on to turn it. With Ctrl it is another UAV. "
+                            "Esc leaves the tool.")
+        .arg(QString::fromStdString(uav->name.empty() ? uav->id : uav->name));
 }
 
 void AssetTool::press(const MapPointer& pointer)

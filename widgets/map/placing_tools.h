@@ -52,8 +52,8 @@ private:
 };
 
 /**
- * A click places the UAV, dragging on turns it towards the cursor. Dragging from the UAV itself
- * turns it where it is.
+ * A click places the UAV selected, else the first one, with Ctrl another one; dragging on turns it
+ * towards the cursor. Dragging from a UAV turns that one where it is.
  */
 class UavTool final : public PlacingTool
 {
@@ -71,6 +71,7 @@ public:
     [[nodiscard]] QString status() const override;
 
 private:
+    [[nodiscard]] const Uav* meantUav() const;
     void apply();
     void end(bool takeBack);
 

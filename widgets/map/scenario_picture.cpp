@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace berg {
 
@@ -24,25 +25,20 @@ MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario)
         drawn.circle_m = likelyRadius_m(drawn.sigma_m2);
     if (const std::optional<AssetApproach> approach = approachOf(scenario, iceberg))
         drawn.ringEntry_s = approach->entry_s;
+    const auto uav = std::ranges::find(scenario.uavs, iceberg.uav, &Uav::id);
+    if (!iceberg.uav.empty() && uav != scenario.uavs.end())
+        drawn.keptFor = static_cast<int>(uav - scenario.uavs.begin());
     return drawn;
 }
 
 namespace {
 
-std::vector<std::string> keysOf(const std::vector<int>& order, const MapPicture& picture)
+std::vector<std::string> keysOf(const std::vector<int>& order,
+                                const std::vector<MapIceberg>& icebergs)
 {
     std::vector<std::string> keys;
     for (const int place : order)
-        keys.push_back(keyOf(picture.icebergs[static_cast<std::size_t>(place)]));
-    return keys;
-}
-
-std::vector<std::vector<std::string>> keysOf(const std::vector<std::vector<int>>& clusters,
-                                             const MapPicture& picture)
-{
-    std::vector<std::vector<std::string>> keys;
-    for (const std::vector<int>& members : clusters)
-        keys.push_back(keysOf(members, picture));
+        keys.push_back(keyOf(icebergs[static_cast<std::size_t>(place)]));
     return keys;
 }
 
@@ -57,28 +53,38 @@ std::vector<int> placesOf(const std::vector<std::string>& keys,
     return order;
 }
 
-/** What the UAV sees at t = 0 is certain, unless it is measured with noise. */
+/** What the UAVs see at t = 0 is certain, unless it is measured with noise. */
 void markInView(MapPicture& picture)
 {
-    if (!picture.uav)
-        return;
-    const FieldOfView field(picture.uav->sensor, picture.uav->position_m, picture.uav->psi_rad);
+    std::vector<FieldOfView> fields;
+    for (const MapUav& uav : picture.uavs)
+        fields.emplace_back(uav.sensor, uav.position_m, uav.psi_rad);
     for (MapIceberg& iceberg : picture.icebergs) {
-        iceberg.inView = iceberg.appears_s <= 0 && field.contains(iceberg.position_m);
+        iceberg.inView = iceberg.appears_s <= 0 &&
+                         std::any_of(fields.begin(), fields.end(), [&](const FieldOfView& field) {
+                             return field.contains(iceberg.position_m);
+                         });
         if (iceberg.inView && iceberg.circle_m == 0)
             iceberg.sigma_m2 = 0;
     }
 }
 
-/** UAV and icebergs are where the picture has them, as far as it has any, in the same wind. */
+bool isAt(const MapUav& drawn, const Uav& uav)
+{
+    return drawn.position_m == uav.position_m && drawn.psi_rad == psiFromHeading(uav.heading_deg);
+}
+
+/** UAVs and icebergs are where the picture has them, as far as it has any, in the same wind. */
 bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
 {
-    if (picture.planWays.empty() && picture.formerWays.empty() && picture.planCorners.empty())
+    if (!picture.anyRoute([](const MapRoute& route) {
+            return !route.planWays.empty() || !route.formerWays.empty() ||
+                   !route.planCorners.empty();
+        }))
         return true;
-    if (!picture.uav || scenario.uavs.empty() || picture.air.wind_mps != scenario.wind_mps ||
-        picture.area_m != scenario.area_m ||
-        picture.uav->position_m != scenario.uavs.front().position_m ||
-        picture.uav->psi_rad != psiFromHeading(scenario.uavs.front().heading_deg))
+    if (picture.uavs.empty() || picture.uavs.size() > scenario.uavs.size() ||
+        picture.air.wind_mps != scenario.wind_mps || picture.area_m != scenario.area_m ||
+        !std::equal(picture.uavs.begin(), picture.uavs.end(), scenario.uavs.begin(), isAt))
         return false;
     std::unordered_map<std::string, Point> places_m;
     for (const Iceberg& iceberg : scenario.icebergs)
@@ -88,6 +94,26 @@ bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
                            const auto place = places_m.find(keyOf(iceberg));
                            return place != places_m.end() && place->second == iceberg.position_m;
                        });
+}
+
+/** Those of the UAVs of the scenario, by its order; of new ones empty. */
+std::vector<MapRoute> routesFor(const Scenario& scenario, const MapPicture& picture)
+{
+    std::vector<MapRoute> routes;
+    for (const Uav& uav : scenario.uavs) {
+        const auto known = std::ranges::find(picture.uavs, uav.id, &MapUav::key);
+        const auto place = static_cast<std::size_t>(known - picture.uavs.begin());
+        routes.push_back(known == picture.uavs.end() ? MapRoute() : picture.routes[place]);
+    }
+    return routes;
+}
+
+/** Only what holds wherever the UAV is. */
+void forgetPlaces(MapRoute& route)
+{
+    route.planWays.clear();
+    route.formerWays.clear();
+    route.planCorners.clear();
 }
 
 } // namespace
@@ -115,14 +141,23 @@ MapAir airOf(const Scenario& scenario)
             .limit_mps = slowestAirspeed_mps(scenario)};
 }
 
-std::optional<Point> homeOf(const Scenario& scenario)
+MapUav mapUav(const Scenario& scenario, std::size_t i)
 {
-    if (scenario.uavs.empty())
-        return std::nullopt;
-    const Uav& uav = scenario.uavs.front();
-    if (uav.home_m || uav.spec.endurance_s <= 0)
-        return uav.home_m;
-    return uav.position_m;
+    const Uav& uav = scenario.uavs[i];
+    MapUav drawn{.position_m = uav.position_m,
+                 .psi_rad = psiFromHeading(uav.heading_deg),
+                 .sensor = {.fov_m = uav.fov_m, .shape = scenario.fovShape},
+                 .key = uav.id,
+                 .airspeed_mps = uav.spec.airspeed_mps,
+                 .label = {},
+                 .place = static_cast<int>(i),
+                 .home_m = uav.home_m,
+                 .altitude_m = uav.spec.altitude_m};
+    if (scenario.uavs.size() > 1)
+        drawn.label = QString::fromStdString(uav.name.empty() ? uav.id : uav.name);
+    if (!uav.home_m && uav.spec.endurance_s > 0)
+        drawn.home_m = uav.position_m;
+    return drawn;
 }
 
 double likelyRadius_m(double sigma_m2)
@@ -133,43 +168,35 @@ double likelyRadius_m(double sigma_m2)
 
 MapPicture withScenario(MapPicture picture, const Scenario& scenario)
 {
-    if (!isAsPlanned(picture, scenario)) { // ways are places, an order holds until the next plan
-        picture.planWays.clear();
-        picture.formerWays.clear();
-        picture.planCorners.clear();
-    }
-    const std::vector<std::string> planned = keysOf(picture.plan, picture);
-    const std::vector<std::string> former = keysOf(picture.formerPlan, picture);
-
-    const std::vector<std::vector<std::string>> clustered = keysOf(picture.clusters, picture);
+    if (!isAsPlanned(picture, scenario)) // ways are places, an order holds until the next plan
+        std::for_each(picture.routes.begin(), picture.routes.end(), forgetPlaces);
+    picture.routes = routesFor(scenario, picture);
+    const std::vector<MapIceberg> before = std::exchange(picture.icebergs, {});
 
     std::unordered_map<std::string, int> places;
-    picture.icebergs.clear();
     for (const Iceberg& iceberg : scenario.icebergs) {
         places.emplace(iceberg.id, static_cast<int>(picture.icebergs.size()));
         picture.icebergs.push_back(mapIceberg(iceberg, scenario));
     }
-    picture.plan = placesOf(planned, places);
-    picture.formerPlan = placesOf(former, places);
-    for (std::size_t k = 0; k < clustered.size(); ++k)
-        picture.clusters[k] = placesOf(clustered[k], places);
-
-    picture.search_m.clear();
-    picture.uav.reset();
-    if (!scenario.uavs.empty()) {
-        const Uav& uav = scenario.uavs.front();
-        picture.uav = MapUav{.position_m = uav.position_m,
-                             .psi_rad = psiFromHeading(uav.heading_deg),
-                             .sensor = {.fov_m = uav.fov_m, .shape = scenario.fovShape},
-                             .key = uav.id,
-                             .airspeed_mps = uav.spec.airspeed_mps};
+    const auto follow = [&](std::vector<int>& order) {
+        order = placesOf(keysOf(order, before), places);
+    };
+    std::for_each(picture.clusters.begin(), picture.clusters.end(), follow);
+    for (MapRoute& route : picture.routes) {
+        follow(route.plan);
+        follow(route.formerPlan);
+        route.search_m.clear();
     }
+
+    picture.uavs.clear();
+    for (std::size_t i = 0; i < scenario.uavs.size(); ++i)
+        picture.uavs.push_back(mapUav(scenario, i));
     markInView(picture);
 
     picture.origin = scenario.origin;
     picture.area_m = scenario.area_m;
     picture.isFenced = scenario.geofence;
-    picture.home_m = homeOf(scenario);
+    picture.separation_m = scenario.separation_m;
     picture.asset = assetOf(scenario.asset, 0);
     picture.air = airOf(scenario);
     for (const MapIceberg& iceberg : picture.icebergs)

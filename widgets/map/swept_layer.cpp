@@ -11,19 +11,20 @@ constexpr double kFrame_ms = 5; ///< of painting in one frame
 
 } // namespace
 
-void SweptLayer::paint(QPainter& painter, std::span<const MapPose> poses, const SweptLook& look)
+void SweptLayer::paint(QPainter& painter, const std::vector<SweptTrail>& trails,
+                       const SweptLook& look)
 {
-    if (m_shown.look() == look && m_shown.isOf(poses)) {
-        m_isDone = m_shown.advance(poses, look, kFrame_ms);
+    if (m_shown.look() == look && m_shown.isOf(trails)) {
+        m_isDone = m_shown.advance(trails, look, kFrame_ms);
     } else {
         const auto isAlike = [&](const SweptMask& mask) {
             const SweptLook& other = mask.look();
-            return mask.isOf(poses) && other.sensor == look.sensor && other.tint == look.tint &&
-                   other.rect == look.rect && other.ratio == look.ratio;
+            return mask.isOf(trails) && other.tint == look.tint && other.rect == look.rect &&
+                   other.ratio == look.ratio;
         };
         // A view under way is painted to its end, else one that moves on and on would never be.
         const SweptLook target = m_isUnderWay && isAlike(m_next) ? m_next.look() : look;
-        const bool isWhole = m_next.advance(poses, target, kFrame_ms);
+        const bool isWhole = m_next.advance(trails, target, kFrame_ms);
         m_isUnderWay = !isWhole && isAlike(m_shown);
         if (!m_isUnderWay)
             std::swap(m_shown, m_next);

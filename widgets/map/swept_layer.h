@@ -13,7 +13,7 @@ namespace berg {
 class SweptLayer
 {
 public:
-    void paint(QPainter& painter, std::span<const MapPose> poses, const SweptLook& look);
+    void paint(QPainter& painter, const std::vector<SweptTrail>& trails, const SweptLook& look);
 
     /** False: painting again shows more. */
     [[nodiscard]] bool isDone() const { return m_isDone; }

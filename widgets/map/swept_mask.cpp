@@ -75,13 +75,14 @@ struct Cone
 class SweptMask::Brush
 {
 public:
-    Brush(QImage& image, std::vector<PaintedRun>& rows, const SweptLook& look)
+    Brush(QImage& image, std::vector<PaintedRun>& rows, const SweptLook& look,
+          const SensorSpec& sensor)
         : m_rows(rows)
         , m_pixels(reinterpret_cast<QRgb*>(image.bits()))
         , m_stride(image.bytesPerLine() / static_cast<qsizetype>(sizeof(QRgb)))
         , m_width(image.width())
         , m_height(image.height())
-        , m_look(look)
+        , m_sensor(sensor)
         , m_scale_pxpm(look.view.scale_pxpm() * look.ratio)
         , m_origin_px(
               pointOf((look.view.toPixel(Point::Zero()) - look.rect.topLeft()) * look.ratio))
@@ -90,7 +91,7 @@ public:
         , m_right(rows.size(), -kNowhere)
     {
         m_corners_px =
-            footprintCorners(look.sensor, diskCornersFor(look.sensor.fov_m.x() / 2 * m_scale_pxpm));
+            footprintCorners(sensor, diskCornersFor(sensor.fov_m.x() / 2 * m_scale_pxpm));
         for (Point& corner : m_corners_px) {
             corner = Point(corner.x(), -corner.y()) * m_scale_pxpm;
             m_reach_px = std::max(m_reach_px, corner.norm());
@@ -131,7 +132,7 @@ private:
     }
     [[nodiscard]] double turnOf(const PixelPose& pose) const
     {
-        return -footprintTurn_rad(m_look.sensor, -pose.heading_rad);
+        return -footprintTurn_rad(m_sensor, -pose.heading_rad);
     }
 
     void start(const PixelPose& pose)
@@ -155,7 +156,7 @@ private:
             start(next);
             return;
         }
-        const bool turns = m_look.sensor.shape == FovShape::Body;
+        const bool turns = m_sensor.shape == FovShape::Body;
         const double wanted = std::max(turns ? std::abs(bend_rad) / m_largestTurn_rad : 0.0,
                                        std::sqrt(sagitta.norm() / kSlack_px));
         const int pieces = std::clamp(static_cast<int>(std::ceil(wanted)), 1, kMostPieces);
@@ -287,7 +288,7 @@ private:
     qsizetype m_stride;
     int m_width;
     int m_height;
-    const SweptLook& m_look;
+    const SensorSpec& m_sensor;
     double m_scale_pxpm;
     Point m_origin_px;
     QRgb m_tint;
@@ -310,34 +311,49 @@ private:
     int m_bottom = -1;
 };
 
-const QImage& SweptMask::updated(std::span<const MapPose> poses, const SweptLook& look)
+const QImage& SweptMask::updated(const std::vector<SweptTrail>& trails, const SweptLook& look)
 {
-    advance(poses, look, std::numeric_limits<double>::infinity());
+    advance(trails, look, std::numeric_limits<double>::infinity());
     return m_image;
 }
 
-bool SweptMask::advance(std::span<const MapPose> poses, const SweptLook& look, double budget_ms)
+bool SweptMask::advance(const std::vector<SweptTrail>& trails, const SweptLook& look,
+                        double budget_ms)
 {
-    if (!(look == m_look) || !isOf(poses))
-        startAnew(look);
-    if (poses.empty())
-        return true;
-    const std::size_t known = m_count > 0 ? m_count - 1 : 0;
-    const std::size_t painted =
-        known + Brush(m_image, m_rows, m_look).paint(poses.subspan(known), budget_ms);
-    m_until_s = poses[painted - 1].time_s;
-    // The last of all may be an instant between two samples, which later poses do not hold.
-    const bool isAll = painted == poses.size();
-    m_count = isAll ? painted - 1 : painted;
-    if (m_count > 0)
-        m_anchor = poses[m_count - 1];
+    if (!(look == m_look) || !isOf(trails))
+        startAnew(trails, look);
+    QElapsedTimer clock;
+    clock.start();
+    bool isAll = true;
+    for (std::size_t k = 0; k < trails.size() && isAll; ++k)
+        isAll = advance(trails[k], m_progress[k],
+                        budget_ms - static_cast<double>(clock.nsecsElapsed()) * 1e-6);
     return isAll;
 }
 
-void SweptMask::startAnew(const SweptLook& look)
+bool SweptMask::advance(const SweptTrail& trail, Progress& progress, double budget_ms)
+{
+    const std::span<const MapPose> poses = trail.poses;
+    if (poses.empty())
+        return true;
+    const std::size_t known = progress.count > 0 ? progress.count - 1 : 0;
+    const std::size_t painted =
+        known + Brush(m_image, m_rows, m_look, trail.sensor).paint(poses.subspan(known), budget_ms);
+    progress.until_s = poses[painted - 1].time_s;
+    // The last of all may be an instant between two samples, which later poses do not hold.
+    const bool isAll = painted == poses.size();
+    progress.count = isAll ? painted - 1 : painted;
+    if (progress.count > 0)
+        progress.anchor = poses[progress.count - 1];
+    return isAll;
+}
+
+void SweptMask::startAnew(const std::vector<SweptTrail>& trails, const SweptLook& look)
 {
     m_look = look;
-    m_count = 0;
+    m_progress.clear();
+    for (const SweptTrail& trail : trails)
+        m_progress.push_back({.sensor = trail.sensor, .anchor = {}});
     const QSizeF size = look.rect.size() * look.ratio;
     const QSize size_px(std::max(1, static_cast<int>(std::ceil(size.width()))),
                         std::max(1, static_cast<int>(std::ceil(size.height()))));
@@ -348,10 +364,22 @@ void SweptMask::startAnew(const SweptLook& look)
     m_rows.assign(static_cast<std::size_t>(size_px.height()), {});
 }
 
-bool SweptMask::isOf(std::span<const MapPose> poses) const
+bool SweptMask::isOf(const std::vector<SweptTrail>& trails) const
 {
-    return m_count > 0 && poses.size() >= m_count && poses[m_count - 1] == m_anchor &&
-           poses.back().time_s >= m_until_s;
+    const auto isBegun = [](const Progress& progress) { return progress.count > 0; };
+    return std::any_of(m_progress.begin(), m_progress.end(), isBegun) &&
+           std::equal(m_progress.begin(), m_progress.end(), trails.begin(), trails.end(),
+                      [](const Progress& progress, const SweptTrail& trail) {
+                          return progress.isOf(trail);
+                      });
+}
+
+bool SweptMask::Progress::isOf(const SweptTrail& trail) const
+{
+    if (!(sensor == trail.sensor))
+        return false;
+    return count == 0 || (trail.poses.size() >= count && trail.poses[count - 1] == anchor &&
+                          trail.poses.back().time_s >= until_s);
 }
 
 } // namespace berg

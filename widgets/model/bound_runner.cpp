@@ -68,8 +68,11 @@ void BoundRunner::setScenario(const Scenario& scenario)
     m_stop.request_stop();
     ++m_generation;
     m_known = {};
-    m_complete = false;
-    m_pause.start();
+    m_complete = !hasZetaBound(*m_scenario);
+    if (m_complete)
+        m_pause.stop();
+    else
+        m_pause.start();
     emit updated();
 }
 

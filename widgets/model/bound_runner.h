@@ -27,7 +27,7 @@ public:
     /** Stops a search under way and waits for the thread: some milliseconds. */
     ~BoundRunner() override;
 
-    /** None is known of a scenario with errors. */
+    /** None is known of a scenario with errors, or with several UAVs. */
     void setScenario(const Scenario& scenario);
 
     /** Of the present scenario only. */

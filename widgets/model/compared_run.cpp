@@ -21,13 +21,10 @@ Sample sampleOf(const MissionSnapshot& now)
 {
     const WorldState& world = now.world;
     return {.time_s = now.time_s,
-            .uav = world.uav,
-            .u_radps = world.u_radps,
-            .crossTrack_m = world.crossTrack_m,
+            .uavs = uavSamples(world),
             .sigmaSum_m2 = world.sigmaSum_m2,
             .zeta_m2s = world.zeta_m2s,
-            .flown_m = world.flown_m,
-            .target = world.target};
+            .flown_m = world.flown_m()};
 }
 
 std::vector<IcebergSample> rowOf(const MissionSnapshot& now)
@@ -75,13 +72,18 @@ ComparedRun comparedRun(const FlightRecord& record)
         run.unseen = unseenIntervals(run.samples, record.history.rows);
     }
     for (const PlanEvent& plan : record.history.plans)
-        run.plans_s.push_back(plan.time_s);
+        if (isReplan(plan))
+            run.plans_s.push_back(plan.time_s);
+    run.uavVisits_s.resize(record.scenario.uavs.size());
     for (const MissionEvent& event : record.history.events) {
-        if (event.kind == EventKind::Reached)
+        if (event.kind == EventKind::Reached) {
             run.visits_s.push_back(event.time_s);
-        else if (event.kind == EventKind::Intervention)
+            if (event.uav >= 0)
+                run.uavVisits_s[static_cast<std::size_t>(event.uav)].push_back(event.time_s);
+        } else if (event.kind == EventKind::Intervention) {
             run.wasChanged =
                 run.wasChanged || (event.detail != kWindChanged && event.detail != kAssetChanged);
+        }
     }
     return run;
 }
@@ -160,8 +162,14 @@ RunFigures figuresAt(const ComparedRun& run, double until_s)
         const double span_s = to.time_s - from.time_s;
         const double part =
             span_s > 0 && to.time_s > until_s + kRounding_s ? (until_s - from.time_s) / span_s : 1;
-        figures.zeta_m2s = part == 1 ? to.zeta_m2s : std::lerp(from.zeta_m2s, to.zeta_m2s, part);
-        figures.flown_m = part == 1 ? to.flown_m : std::lerp(from.flown_m, to.flown_m, part);
+        const auto between = [part](double a, double b) {
+            return part == 1 ? b : std::lerp(a, b, part);
+        };
+        figures.zeta_m2s = between(from.zeta_m2s, to.zeta_m2s);
+        figures.flown_m = between(from.flown_m, to.flown_m);
+        for (std::size_t i = 0; i < to.uavs.size(); ++i)
+            figures.uavs.push_back({.visits = countUntil(run.uavVisits_s.at(i), until_s),
+                                    .flown_m = between(from.uavs[i].flown_m, to.uavs[i].flown_m)});
     }
     if (until_s > 0)
         figures.meanSigmaSum_m2 = figures.zeta_m2s / until_s;

@@ -11,17 +11,18 @@ namespace berg {
 /** What is kept of a run that was flown, to be set beside others. */
 struct ComparedRun
 {
-    Scenario scenario;                      ///< as flown, with the planner chosen at take-off
-    PlannerSettings planner;                ///< at the end
-    bool wasChanged = false;                ///< tau or policy, in flight
-    std::vector<Intervention> worldChanges; ///< in flight: wind, asset, icebergs added
-    QString file;                           ///< it was opened from; empty: flown here
-    Metrics metrics;                        ///< at the end
-    double flown_s = 0;                     ///< up to here
-    std::vector<Sample> samples;            ///< the last one at `flown_s`
-    std::vector<double> visits_s;           ///< when a target was reached
-    std::vector<double> plans_s;            ///< when a plan was made
-    std::vector<Iceberg> icebergs;          ///< those added in flight at the end
+    Scenario scenario;                            ///< as flown, with the planner chosen at take-off
+    PlannerSettings planner;                      ///< at the end
+    bool wasChanged = false;                      ///< tau or policy, in flight
+    std::vector<Intervention> worldChanges;       ///< in flight: wind, asset, icebergs added
+    QString file;                                 ///< it was opened from; empty: flown here
+    Metrics metrics;                              ///< at the end
+    double flown_s = 0;                           ///< up to here
+    std::vector<Sample> samples;                  ///< the last one at `flown_s`
+    std::vector<double> visits_s;                 ///< when a target was reached
+    std::vector<std::vector<double>> uavVisits_s; ///< the same by UAV
+    std::vector<double> plans_s;   ///< when a plan was made, of several UAVs one for all
+    std::vector<Iceberg> icebergs; ///< those added in flight at the end
     std::vector<std::vector<UnseenInterval>> unseen; ///< by iceberg
 };
 
@@ -42,6 +43,13 @@ struct ComparedRun
 /** Comparable, flown in the same way as far, with the same result. */
 [[nodiscard]] bool isSameRun(const ComparedRun& a, const ComparedRun& b);
 
+/** What one UAV has done. */
+struct UavTotals
+{
+    int visits = 0;
+    double flown_m = 0; ///< through the air
+};
+
 /** The numbers of a run at one instant. */
 struct RunFigures
 {
@@ -50,6 +58,7 @@ struct RunFigures
     int visits = 0;
     int plans = 0;
     double flown_m = 0;
+    std::vector<UavTotals> uavs;    ///< by UAV
     std::vector<UnseenTime> unseen; ///< by iceberg
     int longestUnseen = -1;         ///< index of the one that was out of view longest; -1: none
 };

@@ -48,7 +48,14 @@ void CurveRunner::setScenario(const Scenario& scenario)
     if (m_scenario && isSameWorld(*m_scenario, scenario) &&
         m_scenario->planner.route == scenario.planner.route)
         return;
+    if (const bool isOfFleet = scenario.uavs.size() > 1; isOfFleet != m_isOfFleet) {
+        m_isOfFleet = isOfFleet;
+        clear();
+        emit updated();
+    }
     m_scenario = scenario;
+    if (m_isOfFleet)
+        return;
     ask([this]() -> std::optional<VisitationProblem> {
         if (hasErrors(validate(*m_scenario)))
             return std::nullopt;
@@ -59,6 +66,8 @@ void CurveRunner::setScenario(const Scenario& scenario)
 
 void CurveRunner::setRequest(std::shared_ptr<const PlanRequest> request, Route route)
 {
+    if (m_isOfFleet)
+        return;
     m_scenario.reset();
     ask([request = std::move(request), route] { return visitationProblem(*request, route); });
 }

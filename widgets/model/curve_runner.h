@@ -28,20 +28,28 @@ public:
     /** Stops a computation under way and waits for the thread: well under a second. */
     ~CurveRunner() override;
 
-    /** The curve of the plan from the scenario's start; none when the scenario has errors. */
+    /**
+     * The curve of the plan from the scenario's start; none when the scenario has errors or several
+     * UAVs.
+     */
     void setScenario(const Scenario& scenario);
-    /** The curve of any other instant, `ids` being icebergs of the caller. */
+    /**
+     * The curve of any other instant, `ids` being icebergs of the caller; none when the scenario
+     * set last has several UAVs.
+     */
     void setRequest(std::shared_ptr<const PlanRequest> request, Route route);
     /** No curve wanted. */
     void clear();
 
     /** Newest known, of the present problem only; grows until it is `complete`. */
     [[nodiscard]] const TauCurve& curve() const { return m_curve; }
+    /** There is none, as the scenario has several UAVs. */
+    [[nodiscard]] bool isOfFleet() const { return m_isOfFleet; }
     /** What its orders are about. */
     [[nodiscard]] const VisitationProblem& problem() const { return m_problem; }
 
 signals:
-    /** The curve has changed, also to none. */
+    /** The curve, also to none, or why there is none has changed. */
     void updated();
 
 private:
@@ -68,6 +76,7 @@ private:
     void compute(const Request& request);
     void publish(const Request& request, const TauCurve& curve);
 
+    bool m_isOfFleet = false;
     std::optional<Scenario> m_scenario; ///< what was asked for last; none: a request
     MakeProblem m_next; ///< asked for since the last change came: made when they are at rest
     VisitationProblem m_problem;

@@ -1,8 +1,11 @@
 #include "widgets/model/event_text.h"
 
+#include "widgets/model/object_names.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -37,6 +40,8 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
             return EventText::tr("Wind changed");
         if (event.detail == kAssetChanged)
             return EventText::tr("What is to be protected has changed");
+        if (event.detail == kAssigned)
+            return EventText::tr("Any UAV may visit %1").arg(iceberg);
         return EventText::tr("Trade-off or policy changed");
     case EventKind::Left:
         return EventText::tr("%1 has left the area").arg(iceberg);
@@ -54,28 +59,57 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
         return EventText::tr("Took off");
     case EventKind::LateHome:
         return EventText::tr("The wind has changed: home cannot be reached in time");
+    case EventKind::Close:
+        return EventText::tr("Close to another UAV: %1").arg(QString::fromStdString(event.detail));
     }
     return {};
+}
+
+/** `detail` is the id of the other one and the distance: "uav-2, 143 m". */
+QString closeSentence(const QString& uav, const QString& detail, const std::vector<Uav>& uavs)
+{
+    const qsizetype comma = detail.lastIndexOf(u", "_s);
+    const QString id = detail.left(comma);
+    const auto other = std::ranges::find(uavs, id.toStdString(), &Uav::id);
+    return EventText::tr("%1 and %2 are %3 apart")
+        .arg(uav, other == uavs.end() ? id : shownName(*other), detail.mid(comma + 2));
+}
+
+/** Of several UAVs, what this one did. */
+QString fleetSentence(const MissionEvent& event, const QString& iceberg, const QString& uav,
+                      const std::vector<Uav>& uavs)
+{
+    if (event.kind == EventKind::Planned)
+        return iceberg.isEmpty() ? EventText::tr("%1 has nothing to visit: circling").arg(uav)
+                                 : EventText::tr("%1 flies to %2 next").arg(uav, iceberg);
+    if (event.kind == EventKind::Close)
+        return closeSentence(uav, QString::fromStdString(event.detail), uavs);
+    if (event.kind == EventKind::Intervention && event.detail == kAssigned)
+        return EventText::tr("%1 given to %2").arg(iceberg, uav);
+    return u"%1: %2"_s.arg(uav, sentence(event, iceberg));
 }
 
 QString nameOf(int index, const std::vector<Iceberg>& icebergs)
 {
     if (index < 0 || static_cast<std::size_t>(index) >= icebergs.size())
         return {};
-    const Iceberg& iceberg = icebergs[static_cast<std::size_t>(index)];
-    return QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name);
+    return shownName(icebergs[static_cast<std::size_t>(index)]);
 }
 
 } // namespace
 
-QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& icebergs)
+QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
+                      const std::vector<Uav>& uavs)
 {
-    return sentence(event, nameOf(event.iceberg, icebergs));
+    const QString iceberg = nameOf(event.iceberg, icebergs);
+    const QString uav = nameInFleet(uavs, event.uav);
+    return uav.isEmpty() ? sentence(event, iceberg) : fleetSentence(event, iceberg, uav, uavs);
 }
 
-QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs)
+QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
+                  const std::vector<Uav>& uavs)
 {
-    return u"%1  %2"_s.arg(clockText(event.time_s), eventSentence(event, icebergs));
+    return u"%1  %2"_s.arg(clockText(event.time_s), eventSentence(event, icebergs, uavs));
 }
 
 QString planReasonText(PlanReason reason)
@@ -107,6 +141,10 @@ QString planReasonText(PlanReason reason)
         return EventText::tr("search given up");
     case PlanReason::TakeOff:
         return EventText::tr("next sortie");
+    case PlanReason::SeenByOther:
+        return EventText::tr("seen by another UAV");
+    case PlanReason::Fleet:
+        return EventText::tr("another UAV needed a plan");
     }
     return {};
 }

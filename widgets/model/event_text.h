@@ -6,12 +6,16 @@
 
 namespace berg {
 
-/** One line of the event list, e.g. "03:21  berg-7 reached". `icebergs` by index. */
-[[nodiscard]] QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs);
+/**
+ * One line of the event list, e.g. "03:21  berg-7 reached". Icebergs and UAVs by index; of several
+ * UAVs it is said which one it was.
+ */
+[[nodiscard]] QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
+                                const std::vector<Uav>& uavs);
 
 /** The same without the time. */
-[[nodiscard]] QString eventSentence(const MissionEvent& event,
-                                    const std::vector<Iceberg>& icebergs);
+[[nodiscard]] QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
+                                    const std::vector<Uav>& uavs);
 
 /** Why a plan was made, e.g. "iceberg reached". */
 [[nodiscard]] QString planReasonText(PlanReason reason);

@@ -10,33 +10,46 @@ namespace berg {
 
 namespace {
 
-/** On the track as it is drawn, straight between its samples. */
-Point placeAt(const FlightRecord& record, double time_s)
+/** On the track of the UAV as it is drawn, straight between its samples. */
+Point placeAt(const FlightRecord& record, std::size_t uav, double time_s)
 {
     const std::vector<Sample>& samples = record.history.samples;
     const auto after = std::lower_bound(samples.begin(), samples.end(), time_s,
                                         [](const Sample& s, double t) { return s.time_s < t; });
     const bool isLast = after == samples.end();
-    const Point to_m = isLast ? record.now.world.uav.position_m : after->uav.position_m;
+    const Point to_m = isLast ? record.now.world.uavs.at(uav).pose.position_m
+                              : after->uavs.at(uav).pose.position_m;
     if (after == samples.begin())
         return to_m;
     const Sample& before = *std::prev(after);
     const double length_s = (isLast ? record.now.time_s : after->time_s) - before.time_s;
     const double share = length_s > 0 ? (time_s - before.time_s) / length_s : 1;
-    return before.uav.position_m + share * (to_m - before.uav.position_m);
+    const Point& from_m = before.uavs.at(uav).pose.position_m;
+    return from_m + share * (to_m - from_m);
 }
 
-/** The plan that changed the order last, the plans after it being the same again; null: none. */
-const PlanEvent* lastChange(const FlightRecord& record)
+/** The plans of the UAV that were made by the time shown, the last one first. */
+std::vector<const PlanEvent*> plansBackwards(const FlightRecord& record, int uav)
 {
     const std::vector<PlanEvent>& plans = record.history.plans;
-    for (std::size_t k = std::min(record.shown().planCount, plans.size()); k-- > 0;) {
-        if (plans[k].change)
-            return &plans[k];
-        if (plans[k].reason != PlanReason::Intervention)
+    std::vector<const PlanEvent*> own;
+    for (std::size_t k = std::min(record.shown().planCount, plans.size()); k-- > 0;)
+        if (plans[k].uav == uav)
+            own.push_back(&plans[k]);
+    return own;
+}
+
+/** Place of the plan that changed the order last, those after it being the same again; the end:
+ * there is none. */
+std::size_t lastChange(const std::vector<const PlanEvent*>& backwards)
+{
+    for (std::size_t k = 0; k < backwards.size(); ++k) {
+        if (backwards[k]->change)
+            return k;
+        if (backwards[k]->reason != PlanReason::Intervention)
             break;
     }
-    return nullptr;
+    return backwards.size();
 }
 
 /** The part of ways that comes after that time. */
@@ -63,8 +76,9 @@ std::vector<AimedWay> after(std::vector<AimedWay> ways, double time_s)
 /** How a plan would have gone on from that time. */
 std::vector<AimedWay> waysAfter(const FlightRecord& record, const PlanEvent& plan, double time_s)
 {
-    const DubinsState uav{.position_m = placeAt(record, plan.time_s)};
-    return after(waysOf(plan, uav, plan.time_s, record.shown().motion), time_s);
+    const auto k = static_cast<std::size_t>(plan.uav);
+    const DubinsState uav{.position_m = placeAt(record, k, plan.time_s)};
+    return after(waysOf(plan, uav, plan.time_s, record.shown().motions.at(k)), time_s);
 }
 
 } // namespace
@@ -93,41 +107,52 @@ void FlightRecord::noteStartPlan()
 {
     if (startPlan && !isSameWorld(startPlan->scenario, scenario))
         startPlan.reset();
-    if (now.phase != RunPhase::Ready || !now.plan)
+    if (now.phase != RunPhase::Ready || now.plans.empty())
         return;
-    const std::vector<int>& order = now.plan->order;
-    StartPlan next{.scenario = scenario, .plan = *now.plan};
-    if (startPlan && startPlan->plan.order == order) {
-        next.change = startPlan->change;
+    const auto orders = [](const std::vector<PlanEvent>& plans) {
+        FleetOrders own;
+        for (const PlanEvent& plan : plans)
+            own.push_back(plan.order);
+        return own;
+    };
+    StartPlan next{.scenario = scenario, .plans = now.plans};
+    next.changes.resize(now.plans.size());
+    const bool isComparable = startPlan && startPlan->plans.size() == now.plans.size();
+    if (isComparable && orders(startPlan->plans) == orders(now.plans)) {
+        next.changes = startPlan->changes;
         next.former = startPlan->former;
-    } else if (startPlan) {
-        next.change =
-            planChange(forecastStart(now), startPlan->plan.order, order, scenario.duration_s,
-                       {.before = startPlan->plan.clusters, .after = now.plan->clusters});
-        next.former = startPlan->plan;
+    } else if (isComparable) {
+        next.changes = planChanges(
+            forecastStart(now), orders(startPlan->plans), orders(now.plans), scenario.duration_s,
+            {.before = startPlan->plans.front().clusters, .after = now.plans.front().clusters});
+        next.former = startPlan->plans;
     }
     startPlan = std::move(next);
 }
 
-std::optional<ShownChange> FlightRecord::changeShown() const
+std::optional<ShownChange> FlightRecord::changeShown(int uav) const
 {
-    if (!inFlight() && startPlan && startPlan->change && now.plan)
-        return ShownChange{.change = *startPlan->change,
-                           .ways = waysAfter(*this, startPlan->former, 0)};
-    const PlanEvent* plan = lastChange(*this);
-    if (plan == nullptr)
+    const auto u = static_cast<std::size_t>(uav);
+    if (!inFlight() && startPlan && u < startPlan->changes.size() && startPlan->changes[u] &&
+        now.plan)
+        return ShownChange{.change = *startPlan->changes[u],
+                           .ways = waysAfter(*this, startPlan->former[u], 0)};
+    const std::vector<const PlanEvent*> backwards = plansBackwards(*this, uav);
+    const std::size_t k = lastChange(backwards);
+    if (k == backwards.size())
         return std::nullopt;
-    const std::vector<int>& before = plan->change->before;
+    const PlanEvent& plan = *backwards[k];
+    const std::vector<int>& before = plan.change->before;
     const bool isLeft = std::any_of(before.begin(), before.end(), [&](int iceberg) {
         const Track& track = shown().world.tracks[static_cast<std::size_t>(iceberg)];
-        return !track.inView && track.anchor_s <= plan->time_s;
+        return !track.inView && track.anchor_s <= plan.time_s;
     });
     if (!isLeft)
         return std::nullopt;
     ShownChange shownChange{
-        .change = *plan->change, .time_s = plan->time_s, .from_m = placeAt(*this, plan->time_s)};
-    if (plan != history.plans.data())
-        shownChange.ways = waysAfter(*this, *std::prev(plan), plan->time_s);
+        .change = *plan.change, .time_s = plan.time_s, .from_m = placeAt(*this, u, plan.time_s)};
+    if (k + 1 < backwards.size())
+        shownChange.ways = waysAfter(*this, *backwards[k + 1], plan.time_s);
     return shownChange;
 }
 

@@ -11,10 +11,11 @@ namespace berg {
 struct StartPlan
 {
     Scenario scenario;
-    PlanEvent plan;
-    /** The last of the order, since only the planner is changed, and what it took the place of. */
-    std::optional<PlanChange> change;
-    PlanEvent former;
+    std::vector<PlanEvent> plans; ///< by UAV, as are the others
+    /** The last of the orders, since only the planner is changed, and what they took the place of.
+     */
+    std::vector<std::optional<PlanChange>> changes;
+    std::vector<PlanEvent> former;
 };
 
 /** What the plan shown took the place of. */
@@ -63,11 +64,12 @@ struct FlightRecord
     /** At the time shown. */
     [[nodiscard]] Point estimate_m(std::size_t iceberg) const;
     /**
-     * In flight that of the last plan at the time shown, or of one before it when all that came
-     * after were changes of the planner that left the order as it was. Before take-off that of the
-     * last other order in this world. None: no order was changed, or all of the old one are seen.
+     * What was changed for the UAV. In flight that of the last plan at the time shown, or of one
+     * before it when all that came after were changes of the planner that left the order as it was.
+     * Before take-off that of the last other order in this world. None: no order was changed, or
+     * all of the old one are seen.
      */
-    [[nodiscard]] std::optional<ShownChange> changeShown() const;
+    [[nodiscard]] std::optional<ShownChange> changeShown(int uav = 0) const;
     /** So many events had come by the time shown. */
     [[nodiscard]] std::size_t eventsShown() const;
 

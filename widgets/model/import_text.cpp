@@ -179,7 +179,11 @@ QString importFormatName(std::string_view id)
     if (id == "kml")
         return ImportWords::tr("KML (Google Earth)");
     if (id == "gpx")
-        return ImportWords::tr("GPX (waypoints and tracks)");
+        return ImportWords::tr("GPX (waypoints, routes and tracks)");
+    if (id == "plan")
+        return ImportWords::tr("QGroundControl plan");
+    if (id == "wpl")
+        return ImportWords::tr("ArduPilot mission (QGC WPL)");
     if (id == "metno")
         return ImportWords::tr("MET Norway (GeoJSON)");
     if (id == "geojson")

@@ -8,12 +8,18 @@ namespace berg {
 
 namespace {
 
+/** Of one iceberg: the next one may be of another. */
+bool isOfIceberg(const Intervention& change)
+{
+    return change.appears || change.seen || change.assigned;
+}
+
 /** A drag in flight: only the newest of the values that wait is flown. */
 void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
 {
     for (Intervention& change : next) {
         Intervention& last = waiting.back();
-        if (last.appears || change.appears || last.seen || change.seen) {
+        if (isOfIceberg(last) || isOfIceberg(change)) {
             waiting.push_back(std::move(change));
             continue;
         }
@@ -28,8 +34,8 @@ void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
 
 MissionRunner::MissionRunner(QObject* parent)
     : QObject(parent)
-    , m_worker(new MissionWorker(
-          {m_requests, m_interventions, m_snapshots, m_instantRequests, m_instants}))
+    , m_worker(new MissionWorker({m_requests, m_interventions, m_snapshots, m_instantRequests,
+                                  m_instants, m_previewRequests}))
 {
     m_thread.setObjectName(u"mission"_s);
     m_worker->moveToThread(&m_thread);
@@ -38,6 +44,7 @@ MissionRunner::MissionRunner(QObject* parent)
     connect(m_worker, &MissionWorker::instantPublished, this, &MissionRunner::instantUpdated);
     connect(m_worker, &MissionWorker::refused, this, &MissionRunner::commandRefused);
     connect(m_worker, &MissionWorker::exportReady, this, &MissionRunner::exportReady);
+    connect(m_worker, &MissionWorker::exportPreviewReady, this, &MissionRunner::exportPreviewReady);
     connect(m_worker, &MissionWorker::runReady, this, &MissionRunner::runReady);
     m_thread.start();
 }
@@ -128,9 +135,15 @@ void MissionRunner::requestRun(const QString& path)
     post([path](MissionWorker& worker) { worker.sendRun(path); });
 }
 
-void MissionRunner::requestExport(const std::string& formatId, const QString& path)
+void MissionRunner::requestExport(const ExportRequest& request)
 {
-    post([formatId, path](MissionWorker& worker) { worker.sendExport(formatId, path); });
+    post([request](MissionWorker& worker) { worker.sendExport(request); });
+}
+
+void MissionRunner::requestExportPreview(const ExportRequest& request)
+{
+    if (m_previewRequests.put(request))
+        post([](MissionWorker& worker) { worker.sendExportPreview(); });
 }
 
 std::optional<MissionSnapshot> MissionRunner::takeSnapshot()

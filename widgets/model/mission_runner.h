@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/run_json.h"
+#include "widgets/model/export_preview.h"
 #include "widgets/model/mailbox.h"
 #include "widgets/model/mission_snapshot.h"
 
@@ -61,10 +62,12 @@ public:
     void intervene(const Intervention& intervention);
 
     /**
-     * Asks for the plan from the start, or in flight for what was flown, in a format of
-     * `exportFormats`: `exportReady` with the same `path` or `commandRefused` follows.
+     * Asks for the plan from the start, or in flight for the mission as it stands, as files:
+     * `exportReady` or `commandRefused` follows.
      */
-    void requestExport(const std::string& formatId, const QString& path = {});
+    void requestExport(const ExportRequest& request);
+    /** Asks how these would begin: `exportPreviewReady` follows; the newest request wins. */
+    void requestExportPreview(const ExportRequest& request);
 
     /** The newest snapshot of the present generation, with all samples since the last one taken. */
     [[nodiscard]] std::optional<MissionSnapshot> takeSnapshot();
@@ -82,7 +85,8 @@ signals:
     void instantUpdated();
     /** Something could not be done, or not as asked: why. */
     void commandRefused(const QString& message);
-    void exportReady(const QString& path, const std::string& content);
+    void exportReady(const std::vector<berg::ExportFile>& files);
+    void exportPreviewReady(const std::shared_ptr<const berg::ExportPreview>& preview);
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
 
 private:
@@ -95,6 +99,7 @@ private:
     Mailbox<MissionSnapshot> m_snapshots;
     Mailbox<MissionSnapshot> m_instants;
     Mailbox<double> m_instantRequests;
+    Mailbox<ExportRequest> m_previewRequests;
     Mailbox<MissionRequest> m_requests;
     Mailbox<std::vector<Intervention>> m_interventions;
     QThread m_thread;

@@ -17,19 +17,38 @@ void join(std::vector<Entry>& known, std::size_t first, std::vector<Entry> news)
     std::move(news.begin(), news.end(), std::back_inserter(known));
 }
 
+/** The place of the event that tells the solve behind that one: of its first UAV. */
+std::size_t firstOfSolve(std::span<const PlanEvent> plans, std::size_t place)
+{
+    while (place > 0 && plans[place].sameSolve)
+        --place;
+    return place;
+}
+
+std::vector<double> airspeedsOf(const std::vector<Motion>& motions)
+{
+    std::vector<double> airspeeds_mps;
+    for (const Motion& motion : motions)
+        airspeeds_mps.push_back(motion.airspeed_mps);
+    return airspeeds_mps;
+}
+
 MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
 {
     MissionSnapshot snapshot{.time_s = simulation.time_s(),
                              .world = simulation.state(),
                              .icebergs = mission.icebergs(),
-                             .motion = simulation.motion(),
-                             .asset = simulation.asset(),
-                             .fence = simulation.fence()};
+                             .asset = simulation.asset()};
+    for (int uav = 0; uav < simulation.uavCount(); ++uav) {
+        snapshot.motions.push_back(simulation.motion(uav));
+        snapshot.fences.push_back(simulation.fence(uav));
+    }
     // At an earlier instant some have not been added yet.
     snapshot.icebergs.resize(static_cast<std::size_t>(simulation.icebergCount()));
     for (int i = 0; i < simulation.icebergCount(); ++i) {
         snapshot.truth_m.push_back(simulation.truth_m(i));
         snapshot.active.push_back(simulation.active(i));
+        snapshot.assigned.push_back(simulation.assignedTo(i));
     }
     return snapshot;
 }
@@ -37,8 +56,12 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
 void setPlan(MissionSnapshot& snapshot, const Mission& mission, std::size_t count)
 {
     snapshot.planCount = count;
+    const std::span<const PlanEvent> made(mission.plans().data(), count);
+    for (std::size_t uav = 0; uav < snapshot.world.uavs.size(); ++uav)
+        if (const PlanEvent* plan = lastPlanOf(made, static_cast<int>(uav)))
+            snapshot.plans.push_back(*plan);
     if (count > 0)
-        snapshot.plan = mission.plans()[count - 1];
+        snapshot.plan = made[firstOfSolve(made, count - 1)];
 }
 
 std::vector<Intervention> worldChangesOf(const Mission& mission)
@@ -70,8 +93,22 @@ ForecastStart forecastStart(const MissionSnapshot& snapshot)
     return {.world = snapshot.world,
             .active = snapshot.active,
             .time_s = snapshot.time_s,
-            .airspeed_mps = snapshot.motion.airspeed_mps,
-            .wind_mps = snapshot.motion.wind_mps};
+            .airspeeds_mps = airspeedsOf(snapshot.motions),
+            .wind_mps = snapshot.motions.front().wind_mps};
+}
+
+const PlanEvent* planOf(const MissionSnapshot& snapshot, int uav)
+{
+    const auto it = std::ranges::find(snapshot.plans, uav, &PlanEvent::uav);
+    return it == snapshot.plans.end() ? nullptr : &*it;
+}
+
+FleetOrders ordersOf(const MissionSnapshot& snapshot)
+{
+    FleetOrders orders(snapshot.world.uavs.size());
+    for (const PlanEvent& plan : snapshot.plans)
+        orders.at(static_cast<std::size_t>(plan.uav)) = plan.order;
+    return orders;
 }
 
 std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav, double time_s,
@@ -90,14 +127,17 @@ std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav, doub
     return ways;
 }
 
-std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot)
+std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot, int uav)
 {
-    if (!snapshot.plan)
+    const PlanEvent* inForce = planOf(snapshot, uav);
+    if (inForce == nullptr)
         return {};
-    PlanEvent plan = *snapshot.plan;
-    if (snapshot.world.aim && !plan.legs.empty())
-        plan.legs.front() = *snapshot.world.aim; // what is left of its turn
-    return waysOf(plan, snapshot.world.uav, snapshot.time_s, snapshot.motion);
+    PlanEvent plan = *inForce;
+    const auto k = static_cast<std::size_t>(uav);
+    const UavState& state = snapshot.world.uavs[k];
+    if (state.aim && !plan.legs.empty())
+        plan.legs.front() = *state.aim; // what is left of its turn
+    return waysOf(plan, state.pose, snapshot.time_s, snapshot.motions[k]);
 }
 
 MissionSnapshot snapshotOf(const Mission& mission)

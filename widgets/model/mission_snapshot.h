@@ -47,13 +47,16 @@ struct MissionSnapshot
     std::vector<Iceberg> icebergs; ///< those added in flight at the end
     std::vector<Point> truth_m;
     std::vector<bool> active;
-    std::optional<PlanEvent> plan;              ///< in force
+    std::optional<PlanEvent> plan;              ///< the last one made, of the first UAV it tells
+    std::vector<PlanEvent> plans;               ///< in force, one for each UAV, by UAV
     std::shared_ptr<const PlanRequest> request; ///< what `plan` answers; null without a plan
     std::size_t planCount = 0;                  ///< made until then, `plan` the last of them
     PlannerSettings planner;                    ///< in force, interventions applied
-    Motion motion;                              ///< of the UAV, in the wind in force
+    std::vector<Motion> motions;                ///< by UAV, in the wind in force
     std::optional<Asset> asset;                 ///< in force; its position is that at time 0
-    std::shared_ptr<const Geofence> fence;      ///< what the UAV stays inside; null: nothing
+    /** By UAV, what it stays inside; null: nothing. */
+    std::vector<std::shared_ptr<const Geofence>> fences;
+    std::vector<int> assigned; ///< by iceberg: the UAV that alone is to visit it, -1: any
     /** Until then, of the world: wind, asset and icebergs, without what else came with them. */
     std::vector<Intervention> worldChanges;
     Metrics metrics;
@@ -70,8 +73,14 @@ struct MissionSnapshot
  */
 [[nodiscard]] std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav,
                                            double time_s, const Motion& motion);
-/** The same of the plan in force, from the instant of the snapshot on. */
-[[nodiscard]] std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot);
+/** The same of the plan in force of the UAV, from the instant of the snapshot on. */
+[[nodiscard]] std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot, int uav);
+
+/** In force for the UAV; null: none yet. */
+[[nodiscard]] const PlanEvent* planOf(const MissionSnapshot& snapshot, int uav);
+
+/** Orders of the plans in force, by UAV. */
+[[nodiscard]] FleetOrders ordersOf(const MissionSnapshot& snapshot);
 
 /** The mission as it is now, without generation, phase and news. */
 [[nodiscard]] MissionSnapshot snapshotOf(const Mission& mission);

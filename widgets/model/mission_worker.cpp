@@ -1,6 +1,5 @@
 #include "widgets/model/mission_worker.h"
 
-#include "core/io/formats.h"
 #include "widgets/model/error_text.h"
 
 #include <algorithm>
@@ -59,6 +58,7 @@ void MissionWorker::start()
     m_timer.stop();
     m_request = std::move(*request);
     m_mission.reset();
+    m_startPlan.reset();
     m_error.reset();
     m_published = {};
     m_phase = RunPhase::Planning;
@@ -237,24 +237,43 @@ void MissionWorker::sendRun(const QString& path)
         emit refused(tr("There is no run to save: the scenario cannot be planned."));
 }
 
-void MissionWorker::sendExport(const std::string& formatId, const QString& path)
+ExportSource MissionWorker::exportSource()
+{
+    if (!m_startPlan)
+        m_startPlan = planFromStart(m_mission->scenario(), {.stop = m_request.stop});
+    return {.scenario = m_mission->scenario(),
+            .plan = *m_startPlan,
+            .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
+}
+
+void MissionWorker::sendExport(const ExportRequest& request)
 {
     if (!m_mission) {
         emit refused(tr("There is no plan to export: the scenario cannot be planned."));
         return;
     }
     try {
-        const bool flown = m_phase != RunPhase::Ready;
-        const Scenario& scenario = m_mission->scenario();
-        const PlanAnswer plan = planFromStart(scenario, {.stop = m_request.stop});
-        const ExportFormat* format = findExportFormat(formatId);
-        require(format != nullptr, "sendExport: no such format");
-        emit exportReady(path, format->write({.scenario = scenario,
-                                              .plan = plan,
-                                              .mission = flown ? m_mission.get() : nullptr}));
+        emit exportReady(exportedFiles(exportSource(), request));
     } catch (const Error& error) {
         emit refused(errorReport(error));
     }
+}
+
+void MissionWorker::sendExportPreview()
+{
+    const std::optional<ExportRequest> request = m_mail.previewRequests.take();
+    if (!request)
+        return; // an earlier call has taken a newer one
+    ExportPreview preview;
+    try {
+        if (!m_mission)
+            throw Error(ErrorCode::InvalidInput, "plan", "the scenario cannot be planned");
+        preview = exportPreview(exportSource(), *request);
+    } catch (const Error& error) {
+        preview.request = *request;
+        preview.error = error;
+    }
+    emit exportPreviewReady(std::make_shared<const ExportPreview>(std::move(preview)));
 }
 
 void MissionWorker::fail(const Error& error)
@@ -291,8 +310,14 @@ void MissionWorker::publishIncumbent(const PlanEvent& plan)
 {
     if (m_phase != RunPhase::Planning)
         return; // in flight the picture is that of the last plan until the next one is made
+    if (!plan.sameSolve)
+        m_incumbents.clear();
+    m_incumbents.push_back(plan);
+    if (plan.uav + 1 < m_mission->simulation().uavCount())
+        return; // those of the other UAVs follow
     MissionSnapshot snapshot = present();
-    snapshot.plan = plan;
+    snapshot.plans = m_incumbents;
+    snapshot.plan = m_incumbents.front();
     if (m_mail.snapshots.put(std::move(snapshot), amend))
         emit published();
 }

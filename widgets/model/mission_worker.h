@@ -16,6 +16,7 @@ struct MissionMail
     Mailbox<MissionSnapshot>& snapshots;
     Mailbox<double>& instantRequests; ///< times, s
     Mailbox<MissionSnapshot>& instants;
+    Mailbox<ExportRequest>& previewRequests;
 };
 
 /** The mission thread's side of `MissionRunner`: owns the mission, flies it in short slices. */
@@ -37,13 +38,15 @@ public:
     void flyOnFrom(double time_s);
     void sendInstant();
     void sendRun(const QString& path);
-    void sendExport(const std::string& formatId, const QString& path);
+    void sendExport(const ExportRequest& request);
+    void sendExportPreview();
 
 signals:
     void published();
     void instantPublished();
     void refused(const QString& message);
-    void exportReady(const QString& path, const std::string& content);
+    void exportReady(const std::vector<berg::ExportFile>& files);
+    void exportPreviewReady(const std::shared_ptr<const berg::ExportPreview>& preview);
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
 
 private:
@@ -58,17 +61,21 @@ private:
     void flyAgain(const RunFile& run);
     void listenToIncumbents();
     [[nodiscard]] HistoryNews takeNews();
+    /** Of the mission there is. */
+    [[nodiscard]] ExportSource exportSource();
 
     MissionMail m_mail;
     MissionRequest m_request;
     std::unique_ptr<Mission> m_mission;
+    std::optional<PlanAnswer> m_startPlan; ///< for exports; none: not asked for yet
     std::optional<Error> m_error;
     RunPhase m_phase = RunPhase::Planning;
     QTimer m_timer;
     QElapsedTimer m_clock;
     double m_rate = 1;
-    double m_target_s = 0;   ///< simulated time that the wall clock asks for
-    HistoryNews m_published; ///< how much of each was sent; nothing in it
+    double m_target_s = 0;               ///< simulated time that the wall clock asks for
+    std::vector<PlanEvent> m_incumbents; ///< of one solve so far, by UAV
+    HistoryNews m_published;             ///< how much of each was sent; nothing in it
 };
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #include "widgets/model/scenario_edits.h"
 
+#include "core/scenario/advice.h"
 #include "widgets/model/selection.h"
 
 #include <algorithm>
@@ -91,6 +92,30 @@ private:
 
 using IdSet = std::unordered_set<std::string_view>;
 
+/** Those with these ids, in their order. */
+template <class Object>
+std::vector<Object> objectsOf(const std::vector<Object>& objects, std::span<const std::string> ids)
+{
+    const IdSet wanted(ids.begin(), ids.end());
+    std::vector<Object> found;
+    std::copy_if(objects.begin(), objects.end(), std::back_inserter(found),
+                 [&](const Object& object) { return wanted.contains(object.id); });
+    return found;
+}
+
+void removeUavs(Scenario& scenario, std::span<const std::string> ids)
+{
+    std::vector<Uav> removed = objectsOf(scenario.uavs, ids);
+    if (!removed.empty() && removed.size() == scenario.uavs.size())
+        removed.erase(removed.begin());
+    for (const Uav& gone : removed) {
+        std::erase_if(scenario.uavs, [&](const Uav& uav) { return uav.id == gone.id; });
+        for (Iceberg& iceberg : scenario.icebergs)
+            if (iceberg.uav == gone.id)
+                iceberg.uav.clear();
+    }
+}
+
 /** Positions of the objects with these ids. */
 std::vector<Point*> positionsOf(Scenario& scenario, std::span<const std::string> ids)
 {
@@ -143,6 +168,40 @@ std::string freshUavId(const Scenario& scenario)
     return freshId(scenario, "uav-", 1);
 }
 
+Uav anotherUav(const Scenario& scenario, const Uav& pattern, const Point& place_m)
+{
+    Uav uav = pattern;
+    uav.id = freshUavId(scenario);
+    uav.name.clear();
+    uav.extraJson.clear();
+    uav.position_m = clampedPosition(place_m);
+    if (uav.home_m)
+        uav.home_m = clampedPosition(*uav.home_m + uav.position_m - pattern.position_m);
+    for (const Uav& present : scenario.uavs)
+        uav.spec.altitude_m =
+            std::max(uav.spec.altitude_m, present.spec.altitude_m + kLayerHeight_m);
+    uav.spec.altitude_m = std::min(uav.spec.altitude_m, kLargestLength_m);
+    return uav;
+}
+
+Uav anotherUav(const Scenario& scenario, const Point& place_m)
+{
+    return anotherUav(scenario, scenario.uavs.empty() ? Uav() : scenario.uavs.front(), place_m);
+}
+
+void renameObject(Scenario& scenario, const std::string& before, const std::string& after)
+{
+    for (Uav& uav : scenario.uavs)
+        if (uav.id == before)
+            uav.id = after;
+    for (Iceberg& iceberg : scenario.icebergs) {
+        if (iceberg.id == before)
+            iceberg.id = after;
+        if (iceberg.uav == before)
+            iceberg.uav = after;
+    }
+}
+
 const Iceberg* findIceberg(const Scenario& scenario, const std::string& id)
 {
     return findById(scenario.icebergs, id);
@@ -179,9 +238,16 @@ void removeIcebergs(Scenario& scenario, std::span<const std::string> ids)
                   [&](const Iceberg& iceberg) { return removed.contains(iceberg.id); });
 }
 
+std::size_t removableUavs(const Scenario& scenario, std::span<const std::string> ids)
+{
+    const std::size_t among = uavsOf(scenario, ids).size();
+    return among == scenario.uavs.size() && among > 0 ? among - 1 : among;
+}
+
 void removeObjects(Scenario& scenario, std::span<const std::string> ids)
 {
     removeIcebergs(scenario, ids);
+    removeUavs(scenario, ids);
     if (std::find(ids.begin(), ids.end(), kAssetKey) != ids.end())
         scenario.asset.reset();
     if (std::find(ids.begin(), ids.end(), kAreaKey) != ids.end()) {
@@ -192,11 +258,12 @@ void removeObjects(Scenario& scenario, std::span<const std::string> ids)
 
 std::vector<Iceberg> icebergsOf(const Scenario& scenario, std::span<const std::string> ids)
 {
-    const IdSet wanted(ids.begin(), ids.end());
-    std::vector<Iceberg> icebergs;
-    std::copy_if(scenario.icebergs.begin(), scenario.icebergs.end(), std::back_inserter(icebergs),
-                 [&](const Iceberg& iceberg) { return wanted.contains(iceberg.id); });
-    return icebergs;
+    return objectsOf(scenario.icebergs, ids);
+}
+
+std::vector<Uav> uavsOf(const Scenario& scenario, std::span<const std::string> ids)
+{
+    return objectsOf(scenario.uavs, ids);
 }
 
 std::vector<std::string> addCopies(Scenario& scenario, std::span<const Iceberg> icebergs,
@@ -207,6 +274,8 @@ std::vector<std::string> addCopies(Scenario& scenario, std::span<const Iceberg> 
     for (Iceberg copy : icebergs) {
         copy.id = fresh.id();
         copy.name = fresh.name(copy.name);
+        if (findUav(scenario, copy.uav) == nullptr)
+            copy.uav.clear();
         ids.push_back(copy.id);
         scenario.icebergs.push_back(std::move(copy));
     }

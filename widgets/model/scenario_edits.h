@@ -19,6 +19,17 @@ namespace berg {
 /** "uav-K" for the smallest K that is no id yet. */
 [[nodiscard]] std::string freshUavId(const Scenario& scenario);
 
+/**
+ * One more UAV at that place: as `pattern`, an altitude layer above all there are, with a fresh id
+ * and no name. A home of its own moves along. The caller sees to it that there is room for it.
+ */
+[[nodiscard]] Uav anotherUav(const Scenario& scenario, const Uav& pattern, const Point& place_m);
+/** As the first UAV. */
+[[nodiscard]] Uav anotherUav(const Scenario& scenario, const Point& place_m);
+
+/** Gives an iceberg or UAV another id, which is free, also where icebergs are kept for that UAV. */
+void renameObject(Scenario& scenario, const std::string& before, const std::string& after);
+
 /** nullptr when there is none. */
 [[nodiscard]] const Iceberg* findIceberg(const Scenario& scenario, const std::string& id);
 [[nodiscard]] Iceberg* findIceberg(Scenario& scenario, const std::string& id);
@@ -38,17 +49,25 @@ void moveObjects(Scenario& scenario, std::span<const std::string> ids, const Poi
 
 /** Removes icebergs; ids of other things are ignored. */
 void removeIcebergs(Scenario& scenario, std::span<const std::string> ids);
-/** Removes icebergs, asset and area; UAVs stay. */
+/** How many UAVs `removeObjects` removes of these. */
+[[nodiscard]] std::size_t removableUavs(const Scenario& scenario, std::span<const std::string> ids);
+/**
+ * Removes icebergs, UAVs, asset and area. One UAV always stays, the first of those that would have
+ * gone; icebergs that were kept for one that is gone are anybody's.
+ */
 void removeObjects(Scenario& scenario, std::span<const std::string> ids);
 
 /** The icebergs with these ids, in the order of the scenario. */
 [[nodiscard]] std::vector<Iceberg> icebergsOf(const Scenario& scenario,
                                               std::span<const std::string> ids);
+/** The UAVs with these ids, in the order of the scenario. */
+[[nodiscard]] std::vector<Uav> uavsOf(const Scenario& scenario, std::span<const std::string> ids);
 
 /**
  * Adds copies moved by `offset_m`, as far as the largest coordinate lets the group keep its form.
- * Each gets a fresh id; a name that is taken gets a number behind it: "Big", "Big 2". Returns the
- * ids. The caller sees to it that there is room for them.
+ * Each gets a fresh id; a name that is taken gets a number behind it: "Big", "Big 2"; one that is
+ * kept for a UAV that is not there becomes anybody's. Returns the ids. The caller sees to it that
+ * there is room for them.
  */
 std::vector<std::string> addCopies(Scenario& scenario, std::span<const Iceberg> icebergs,
                                    const Point& offset_m);

@@ -43,7 +43,21 @@ const PlannerSettings& Workspace::planner() const
 
 Point Workspace::wind_mps() const
 {
-    return inFlight() ? m_record.shown().motion.wind_mps : m_document.scenario().wind_mps;
+    return inFlight() ? m_record.shown().motions.front().wind_mps : m_document.scenario().wind_mps;
+}
+
+std::string Workspace::keeperOf(const std::string& iceberg) const
+{
+    if (!inFlight()) {
+        const Iceberg* found = findIceberg(m_document.scenario(), iceberg);
+        return found == nullptr ? std::string() : found->uav;
+    }
+    const MissionSnapshot& shown = m_record.shown();
+    const auto it = std::ranges::find(shown.icebergs, iceberg, &Iceberg::id);
+    if (it == shown.icebergs.end())
+        return {};
+    const int uav = shown.assigned[static_cast<std::size_t>(it - shown.icebergs.begin())];
+    return uav < 0 ? std::string() : m_record.scenario.uavs[static_cast<std::size_t>(uav)].id;
 }
 
 bool Workspace::mayIntervene() const
@@ -156,6 +170,22 @@ void Workspace::reportSeen(const std::vector<std::string>& ids)
         return;
     for (const std::string& id : flownAmong(ids))
         m_runner.intervene({.seen = id});
+}
+
+void Workspace::assign(const std::vector<std::string>& icebergs, const std::string& uav)
+{
+    if (!inFlight()) {
+        m_document.edit(tr("Hand over iceberg"), [&](Scenario& scenario) {
+            for (const std::string& id : icebergs)
+                if (Iceberg* iceberg = findIceberg(scenario, id))
+                    iceberg->uav = uav;
+        });
+        return;
+    }
+    if (refuseWhileLookingBack())
+        return;
+    for (const std::string& id : flownAmong(icebergs))
+        m_runner.intervene({.assigned = Assignment{.iceberg = id, .uav = uav}});
 }
 
 void Workspace::setWind(const Point& wind_mps)

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] const PlannerSettings& planner() const;
     /** In force, likewise. */
     [[nodiscard]] Point wind_mps() const;
+    /** The UAV that alone is to visit the iceberg, in force; empty: any may. */
+    [[nodiscard]] std::string keeperOf(const std::string& iceberg) const;
     /** The newest of a flight that has not ended is shown: wind, asset and icebergs can change. */
     [[nodiscard]] bool mayIntervene() const;
     /** Those that are icebergs of the flight, added ones too. */
@@ -67,6 +69,8 @@ public:
     void setPolicy(PolicyKind policy);
     /** In flight: somebody else sees those of them now that are icebergs. */
     void reportSeen(const std::vector<std::string>& ids);
+    /** They are to be visited by this UAV alone; empty: by any. */
+    void assign(const std::vector<std::string>& icebergs, const std::string& uav);
     void setWind(const Point& wind_mps);
     /** In flight: what is to be protected is here now. */
     void moveAsset(const Point& position_m);

@@ -1,5 +1,6 @@
 #include "widgets/panels/comparison_tables.h"
 
+#include "widgets/model/shown_name.h"
 #include "widgets/panels/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -98,8 +99,12 @@ QString icebergName(const ComparedRun& run, int iceberg)
 {
     if (iceberg < 0)
         return noFigure();
-    const Iceberg& named = run.icebergs[static_cast<std::size_t>(iceberg)];
-    return QString::fromStdString(named.name.empty() ? named.id : named.name);
+    return shownName(run.icebergs[static_cast<std::size_t>(iceberg)]);
+}
+
+UavTotals totalsOf(const RunFigures& figures, std::size_t uav)
+{
+    return uav < figures.uavs.size() ? figures.uavs[uav] : UavTotals();
 }
 
 double longest_s(const RunFigures& figures)
@@ -150,15 +155,16 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
     maker.add(
         ComparisonText::tr("Plans"), [](const RunFigures& f) { return f.plans; }, Good::Neither,
         whole, wholeDifference, ComparisonText::tr("Times the visiting order was planned."));
+    const QString unit = longDistanceUnit().name;
+    const auto distance = [&](double value) { return significantText(value, 3, locale); };
+    const auto distanceDifference = [&](double value, double of) {
+        const double difference = std::round(10 * (value - of)) / 10;
+        return signedText(difference, fixedText(std::abs(difference), 1, locale));
+    };
     maker.add(
-        ComparisonText::tr("Flown, %1").arg(longDistanceUnit().name),
+        ComparisonText::tr("Flown, %1").arg(unit),
         [](const RunFigures& f) { return longDistanceUnit().fromSi(f.flown_m); }, Good::Neither,
-        [&](double value) { return significantText(value, 3, locale); },
-        [&](double value, double of) {
-            const double difference = std::round(10 * (value - of)) / 10;
-            return signedText(difference, fixedText(std::abs(difference), 1, locale));
-        },
-        ComparisonText::tr("Distance flown through the air."));
+        distance, distanceDifference, ComparisonText::tr("Distance flown through the air."));
     maker.add(
         ComparisonText::tr("Unseen up to"), longest_s, Good::Less,
         [](double value) { return clockText(value); }, clockDifference,
@@ -169,6 +175,19 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
                           .difference = {},
                           .toolTip = ComparisonText::tr("The iceberg that was out of view for the "
                                                         "longest time.")});
+    const std::vector<Uav>& uavs = reference.scenario.uavs;
+    for (std::size_t i = 0; uavs.size() > 1 && i < uavs.size(); ++i) {
+        const QString name = shownName(uavs[i]);
+        maker.add(
+            ComparisonText::tr("%1, visits").arg(name),
+            [i](const RunFigures& f) { return totalsOf(f, i).visits; }, Good::Neither, whole,
+            wholeDifference, ComparisonText::tr("Icebergs that %1 reached.").arg(name));
+        maker.add(
+            u"%1, %2"_s.arg(name, unit),
+            [i](const RunFigures& f) { return longDistanceUnit().fromSi(totalsOf(f, i).flown_m); },
+            Good::Neither, distance, distanceDifference,
+            ComparisonText::tr("What %1 has flown through the air.").arg(name));
+    }
     return maker.rows;
 }
 

@@ -23,7 +23,8 @@ void EventModel::clear()
     endResetModel();
 }
 
-void EventModel::setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs)
+void EventModel::setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs,
+                            const std::vector<Uav>& uavs)
 {
     if (history.rewrites != m_rewrites || history.events.size() < m_rows.size())
         clear();
@@ -35,23 +36,29 @@ void EventModel::setHistory(const MissionHistory& history, const std::vector<Ice
     for (std::size_t i = kept; i < history.events.size(); ++i) {
         const MissionEvent& event = history.events[i];
         const PlanEvent* plan = nullptr;
-        if (event.kind == EventKind::Planned && m_plans < history.plans.size())
-            plan = &history.plans[m_plans++];
-        m_rows.push_back(rowOf(event, plan, icebergs));
+        if (event.kind == EventKind::Planned) {
+            while (m_plans < history.plans.size() && history.plans[m_plans].interim)
+                ++m_plans; // nothing is told of those
+            if (m_plans < history.plans.size())
+                plan = &history.plans[m_plans++];
+        }
+        m_rows.push_back(rowOf(event, plan, icebergs, uavs));
     }
     endInsertRows();
 }
 
 EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* plan,
-                                  const std::vector<Iceberg>& icebergs) const
+                                  const std::vector<Iceberg>& icebergs,
+                                  const std::vector<Uav>& uavs) const
 {
-    Row row{.event = event, .what = eventSentence(event, icebergs), .details = {}, .toolTip = {}};
+    Row row{
+        .event = event, .what = eventSentence(event, icebergs, uavs), .details = {}, .toolTip = {}};
     if (plan != nullptr) {
         const PlanState state = planState({.plan = *plan}, m_locale);
         row.details = planReasonText(plan->reason);
-        if (!state.text.isEmpty())
+        if (!state.text.isEmpty() && !plan->sameSolve) // else it is in the row above
             row.details += u" · "_s + state.text;
-        if (plan->warmStarted)
+        if (plan->warmStarted && !plan->sameSolve)
             row.details += u" · "_s + tr("warm start");
         if (plan->fellBack)
             row.details += u" · "_s + tr("last plan kept");

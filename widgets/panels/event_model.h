@@ -32,7 +32,8 @@ public:
     explicit EventModel(const QLocale& locale, QObject* parent = nullptr);
 
     /** The log now; what was told of it before is not told again. */
-    void setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs);
+    void setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs,
+                    const std::vector<Uav>& uavs);
     /** So many events had come at the instant shown. */
     void setShown(std::size_t shown);
 
@@ -55,12 +56,13 @@ private:
     };
     void clear();
     [[nodiscard]] Row rowOf(const MissionEvent& event, const PlanEvent* plan,
-                            const std::vector<Iceberg>& icebergs) const;
+                            const std::vector<Iceberg>& icebergs,
+                            const std::vector<Uav>& uavs) const;
 
     QLocale m_locale;
     std::vector<Row> m_rows;
     std::uint64_t m_rewrites = 0;
-    std::size_t m_plans = 0; ///< rows that tell of a plan
+    std::size_t m_plans = 0; ///< that the rows have come to
     std::size_t m_shown = 0;
 };
 

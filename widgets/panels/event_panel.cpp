@@ -81,7 +81,7 @@ void EventPanel::setTheme(const Theme& theme)
 
 void EventPanel::showRecord(const FlightRecord& record)
 {
-    m_model->setHistory(record.history, record.now.icebergs);
+    m_model->setHistory(record.history, record.now.icebergs, record.scenario.uavs);
     const std::size_t shown = record.eventsShown();
     m_model->setShown(shown);
     if (record.instant && shown > 0)

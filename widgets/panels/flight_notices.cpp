@@ -1,12 +1,18 @@
 #include "widgets/panels/flight_notices.h"
 
+#include "core/scenario/advice.h"
 #include "widgets/model/asset_approach.h"
+#include "widgets/model/object_names.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
+
+using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
@@ -15,11 +21,6 @@ struct FlightNotices
 {
     Q_DECLARE_TR_FUNCTIONS(FlightNotices)
 };
-
-QString nameOf(const Iceberg& iceberg)
-{
-    return QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name);
-}
 
 /** The event log until the instant shown. */
 std::span<const MissionEvent> eventsOf(const FlightRecord& record)
@@ -40,13 +41,59 @@ bool isPlannerFailing(const FlightRecord& record)
     return false;
 }
 
-bool isLateForHome(const FlightRecord& record)
+/** What one UAV does; of several it is named. */
+QString ofUav(const FlightRecord& record, int uav, const QString& text)
+{
+    const QString name = nameInFleet(record.scenario.uavs, uav);
+    return name.isEmpty() ? text : u"%1: %2"_s.arg(name, text);
+}
+
+bool isLateForHome(const FlightRecord& record, int uav)
 {
     const std::span<const MissionEvent> events = eventsOf(record);
-    const auto last = std::find_if(events.rbegin(), events.rend(), [](const MissionEvent& event) {
-        return event.kind == EventKind::LateHome || event.kind == EventKind::Landed;
-    });
+    const auto last =
+        std::find_if(events.rbegin(), events.rend(), [uav](const MissionEvent& event) {
+            return event.uav == uav &&
+                   (event.kind == EventKind::LateHome || event.kind == EventKind::Landed);
+        });
     return last != events.rend() && last->kind == EventKind::LateHome;
+}
+
+void addLate(std::vector<FlightNotice>& notices, const FlightRecord& record)
+{
+    for (int uav = 0; uav < static_cast<int>(record.scenario.uavs.size()); ++uav)
+        if (isLateForHome(record, uav))
+            notices.push_back(
+                {.icon = IconName::Warning,
+                 .text = ofUav(record, uav,
+                               FlightNotices::tr("Home cannot be reached in time any more")),
+                 .toolTip = FlightNotices::tr("The wind has changed on the way.")});
+}
+
+/** UAVs aloft in one altitude layer that are nearer to each other than they are to come. */
+void addClose(std::vector<FlightNotice>& notices, const FlightRecord& record, const QLocale& locale)
+{
+    const std::vector<Uav>& uavs = record.scenario.uavs;
+    const std::vector<UavState>& states = record.shown().world.uavs;
+    const std::size_t count = std::min(uavs.size(), states.size());
+    const auto isAloft = [&](std::size_t k) { return states[k].mode != FlightMode::Ground; };
+    for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = a + 1; b < count; ++b) {
+            const double distance_m =
+                (states[a].pose.position_m - states[b].pose.position_m).norm();
+            const double layers_m = std::abs(uavs[a].spec.altitude_m - uavs[b].spec.altitude_m);
+            if (!isAloft(a) || !isAloft(b) || layers_m >= kLayerHeight_m ||
+                distance_m >= record.scenario.separation_m)
+                continue;
+            notices.push_back(
+                {.icon = IconName::Warning,
+                 .text = FlightNotices::tr("%1 and %2 are %3 apart")
+                             .arg(shownName(uavs[a]), shownName(uavs[b]),
+                                  distanceText(distance_m, locale)),
+                 .toolTip = FlightNotices::tr("They fly at about the same altitude and are to stay "
+                                              "%1 apart.")
+                                .arg(distanceText(record.scenario.separation_m, locale))});
+        }
 }
 
 /** An iceberg on its way into the inner ring. */
@@ -92,7 +139,7 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
     if (entries.empty())
         return std::nullopt;
     const auto sentence = [&](const Entry& entry) {
-        return ringEntryText(nameOf(shown.icebergs[entry.iceberg]), entry.entry_s, locale);
+        return ringEntryText(shownName(shown.icebergs[entry.iceberg]), entry.entry_s, locale);
     };
     FlightNotice notice{.icon = IconName::Warning,
                         .text = sentence(newestOf(entries, eventsOf(record))),
@@ -109,19 +156,19 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
     return notice;
 }
 
-QString modeText(const MissionSnapshot& shown, const QLocale& locale)
+QString modeText(const MissionSnapshot& shown, const UavState& uav, const QLocale& locale)
 {
-    switch (shown.world.mode) {
+    switch (uav.mode) {
     case FlightMode::Search:
-        if (!shown.world.search)
+        if (!uav.search)
             return {};
         return FlightNotices::tr("Searching for %1")
-            .arg(nameOf(shown.icebergs[static_cast<std::size_t>(shown.world.search->iceberg)]));
+            .arg(shownName(shown.icebergs[static_cast<std::size_t>(uav.search->iceberg)]));
     case FlightMode::Home:
         return FlightNotices::tr("Returning home");
     case FlightMode::Ground:
         return FlightNotices::tr("On the ground, takes off in %1")
-            .arg(roughDurationText(shown.world.ground_s, locale));
+            .arg(roughDurationText(uav.ground_s, locale));
     case FlightMode::Idle:
     case FlightMode::Leg:
     case FlightMode::RunOut:
@@ -143,14 +190,16 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
              .toolTip = FlightNotices::tr("It is asked again when the next plan is needed.")});
     if (!record.inFlight())
         return notices;
-    if (isLateForHome(record))
-        notices.push_back({.icon = IconName::Warning,
-                           .text = FlightNotices::tr("Home cannot be reached in time any more"),
-                           .toolTip = FlightNotices::tr("The wind has changed on the way.")});
+    addClose(notices, record, locale);
+    addLate(notices, record);
     if (std::optional<FlightNotice> alarm = alarmNotice(record, locale))
         notices.push_back(*std::move(alarm));
-    if (const QString mode = modeText(record.shown(), locale); !mode.isEmpty())
-        notices.push_back({.icon = IconName::Hint, .text = mode, .toolTip = {}});
+    const std::vector<UavState>& uavs = record.shown().world.uavs;
+    for (std::size_t k = 0; k < uavs.size(); ++k)
+        if (const QString mode = modeText(record.shown(), uavs[k], locale); !mode.isEmpty())
+            notices.push_back({.icon = IconName::Hint,
+                               .text = ofUav(record, static_cast<int>(k), mode),
+                               .toolTip = {}});
     return notices;
 }
 

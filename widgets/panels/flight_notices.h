@@ -20,8 +20,9 @@ struct FlightNotice
 
 /**
  * Of the instant shown, warnings first: that the planner has failed and no later plan has come,
- * that home cannot be reached in time, icebergs on their way into the inner ring of the asset, and
- * what else the UAV does than visit icebergs. Cost: linear in icebergs and the last events.
+ * UAVs of one altitude layer that are close to each other, that home cannot be reached in time,
+ * icebergs on their way into the inner ring of the asset, and what else the UAVs do than visit
+ * icebergs. Cost: linear in icebergs and the last events.
  */
 [[nodiscard]] std::vector<FlightNotice> flightNotices(const FlightRecord& record,
                                                       const QLocale& locale);

@@ -100,6 +100,35 @@ std::vector<InspectorRow> uncertaintyRows()
     return {sigma, InfoRow{.key = u"icebergDeviation"_s, .text = deviation}, growth};
 }
 
+PickRow visitorRow()
+{
+    return {.words = {.key = u"icebergUav"_s,
+                      .label = InspectorRows::tr("Visited by"),
+                      .toolTip = InspectorRows::tr("The UAV that alone is to visit it."),
+                      .undoText = InspectorRows::tr("Change UAV of an iceberg"),
+                      .isShown = isFleet},
+            .options =
+                [](const Scenario& scenario) {
+                    std::vector<PickRow::Option> options{
+                        {.value = {}, .text = InspectorRows::tr("any UAV")}};
+                    for (const Uav& uav : scenario.uavs)
+                        options.push_back(
+                            {.value = uav.id,
+                             .text = QString::fromStdString(uav.name.empty() ? uav.id : uav.name)});
+                    return options;
+                },
+            .read =
+                [](const Scenario& scenario, const std::string& id) {
+                    const Iceberg* iceberg = objectOf(scenario.icebergs, id);
+                    return iceberg == nullptr ? std::string() : iceberg->uav;
+                },
+            .write =
+                [](Scenario& scenario, const std::string& id, const std::string& uav) {
+                    if (Iceberg* iceberg = objectOf(scenario.icebergs, id))
+                        iceberg->uav = uav;
+                }};
+}
+
 PartRow trackRow()
 {
     return {.words = {.key = u"icebergTrackClear"_s,
@@ -159,6 +188,7 @@ std::vector<InspectorRow> icebergRows()
                    u" m"_s, &Iceberg::radius_m, kRadius_m);
     radius.step = 5;
     rows.emplace_back(radius);
+    rows.emplace_back(visitorRow());
     rows.emplace_back(trackRow());
     return rows;
 }

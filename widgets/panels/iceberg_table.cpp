@@ -38,7 +38,7 @@ QString widestText(IcebergColumn column, double sigmaFull_m2, const QLocale& loc
     case IcebergColumn::Name:
         return u"berg-100"_s;
     case IcebergColumn::State:
-        return stateText({.id = {}, .name = {}, .state = IcebergState::Planned, .values = {}}) +
+        return stateText({.id = {}, .name = {}, .state = IcebergStanding::Planned, .values = {}}) +
                u"0"_s;
     case IcebergColumn::Arrival:
         return PlanModel::arrivalText(3599);

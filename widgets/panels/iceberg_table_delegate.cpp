@@ -62,8 +62,9 @@ bool isNumber(const QModelIndex& index)
 /** Not there yet, or not there any more. */
 bool isAbsent(const QModelIndex& index)
 {
-    const auto state = static_cast<IcebergState>(index.data(IcebergTableModel::StateRole).toInt());
-    return state == IcebergState::Later || state == IcebergState::Left;
+    const auto state =
+        static_cast<IcebergStanding>(index.data(IcebergTableModel::StateRole).toInt());
+    return state == IcebergStanding::Later || state == IcebergStanding::Left;
 }
 
 } // namespace

@@ -22,7 +22,7 @@ public:
     enum Role
     {
         SigmaRole = Qt::UserRole, ///< sigma, m^2
-        StateRole,                ///< int of `IcebergState`
+        StateRole,                ///< int of `IcebergStanding`
         AlarmRole,                ///< bool: on its way into the inner ring of the asset
         HighlightRole             ///< bool
     };

@@ -1,6 +1,7 @@
 #include "widgets/panels/iceberg_table_rows.h"
 
 #include "widgets/model/asset_approach.h"
+#include "widgets/model/object_names.h"
 #include "widgets/panels/plan_model.h"
 #include "widgets/panels/plan_rows.h"
 #include "widgets/theme/quantity_text.h"
@@ -39,12 +40,13 @@ void putApproach(IcebergTableRow& row, const std::optional<AssetApproach>& appro
     row.ringEntry_s = approach->entry_s;
 }
 
-/** Of the whole order: when the UAV is there. */
+/** Of all orders: when the UAV is there. */
 std::unordered_map<std::string, double> arrivalsOf(const FlightRecord& record)
 {
     std::unordered_map<std::string, double> arrivals_s;
-    for (const PlanRow& row : planRows(record.shown(), record.scenario))
-        arrivals_s.emplace(row.id, row.arrival_s);
+    for (const PlanSection& section : planSections(record.shown(), record.scenario))
+        for (const PlanRow& row : section.rows)
+            arrivals_s.emplace(row.id, row.arrival_s);
     return arrivals_s;
 }
 
@@ -62,60 +64,73 @@ std::vector<int> visitsOf(const FlightRecord& record)
     return visits;
 }
 
-/** By index: place in the visiting order, from 1; 0: not in it. */
-std::vector<int> placesOf(const MissionSnapshot& shown)
+/** Where an iceberg is in the orders. */
+struct PlaceInOrder
 {
-    std::vector<int> places(shown.icebergs.size());
-    int place = 0;
-    if (shown.plan)
-        for (const int iceberg : shown.plan->order)
-            places[static_cast<std::size_t>(iceberg)] = ++place;
+    int place = 0; ///< from 1; 0: in none
+    int uav = -1;  ///< whose order
+};
+
+/** By index. */
+std::vector<PlaceInOrder> placesOf(const MissionSnapshot& shown)
+{
+    std::vector<PlaceInOrder> places(shown.icebergs.size());
+    for (const PlanEvent& plan : shown.plans)
+        for (std::size_t k = 0; k < plan.order.size(); ++k)
+            places[static_cast<std::size_t>(plan.order[k])] = {.place = static_cast<int>(k) + 1,
+                                                               .uav = plan.uav};
     return places;
 }
 
-IcebergState stateOf(const MissionSnapshot& shown, std::size_t iceberg, int place)
+IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, int place)
 {
     const Track& track = shown.world.tracks[iceberg];
     if (track.left)
-        return IcebergState::Left;
+        return IcebergStanding::Left;
     if (!shown.active[iceberg])
-        return IcebergState::Later;
+        return IcebergStanding::Later;
     if (track.inView)
-        return IcebergState::InView;
+        return IcebergStanding::InView;
     if (track.status == TrackStatus::GivenUp)
-        return IcebergState::GivenUp;
+        return IcebergStanding::GivenUp;
     if (track.status == TrackStatus::Lost)
-        return shown.world.search && shown.world.search->iceberg == static_cast<int>(iceberg)
-                   ? IcebergState::Searched
-                   : IcebergState::Lost;
-    const bool isFlownTo = shown.world.target == static_cast<int>(iceberg);
-    if (isFlownTo && shown.world.mode != FlightMode::Search)
-        return IcebergState::Target;
-    return place > 0 ? IcebergState::Planned : IcebergState::Unplanned;
+        return std::ranges::any_of(shown.world.uavs,
+                                   [&](const UavState& uav) {
+                                       return uav.search &&
+                                              uav.search->iceberg == static_cast<int>(iceberg);
+                                   })
+                   ? IcebergStanding::Searched
+                   : IcebergStanding::Lost;
+    const bool isFlownTo = std::ranges::any_of(shown.world.uavs, [&](const UavState& uav) {
+        return uav.target == static_cast<int>(iceberg) && uav.mode != FlightMode::Search;
+    });
+    if (isFlownTo)
+        return IcebergStanding::Target;
+    return place > 0 ? IcebergStanding::Planned : IcebergStanding::Unplanned;
 }
 
 /** Smaller stands further up when sorted. */
-double stateOrder(IcebergState state, int place)
+double stateOrder(IcebergStanding state, int place)
 {
     constexpr double kBehindAll = 1e6;
     switch (state) {
-    case IcebergState::InView:
+    case IcebergStanding::InView:
         return -1;
-    case IcebergState::Target:
+    case IcebergStanding::Target:
         return 0;
-    case IcebergState::Planned:
+    case IcebergStanding::Planned:
         return place;
-    case IcebergState::Searched:
+    case IcebergStanding::Searched:
         return kBehindAll;
-    case IcebergState::Lost:
+    case IcebergStanding::Lost:
         return kBehindAll + 1;
-    case IcebergState::GivenUp:
+    case IcebergStanding::GivenUp:
         return kBehindAll + 2;
-    case IcebergState::Unplanned:
+    case IcebergStanding::Unplanned:
         return kBehindAll + 3;
-    case IcebergState::Later:
+    case IcebergStanding::Later:
         return kBehindAll + 4;
-    case IcebergState::Left:
+    case IcebergStanding::Left:
         return kBehindAll + 5;
     }
     return 0;
@@ -207,7 +222,7 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
     const MissionSnapshot& shown = record.shown();
     const std::unordered_map<std::string, double> arrivals_s = arrivalsOf(record);
     const std::vector<int> visits = visitsOf(record);
-    const std::vector<int> places = placesOf(shown);
+    const std::vector<PlaceInOrder> places = placesOf(shown);
     std::vector<IcebergTableRow> rows;
     rows.reserve(shown.icebergs.size());
     for (std::size_t i = 0; i < shown.icebergs.size(); ++i) {
@@ -216,9 +231,10 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
         IcebergTableRow& row = rows.emplace_back();
         row.id = iceberg.id;
         row.name = QString::fromStdString(iceberg.name);
-        row.state = stateOf(shown, i, places[i]);
-        put(row, IcebergColumn::State, stateOrder(row.state, places[i]));
-        if (row.state == IcebergState::Later)
+        row.state = stateOf(shown, i, places[i].place);
+        row.uav = nameInFleet(record.scenario.uavs, places[i].uav);
+        put(row, IcebergColumn::State, stateOrder(row.state, places[i].place));
+        if (row.state == IcebergStanding::Later)
             put(row, IcebergColumn::Appears, iceberg.appears_s);
         if (!shown.active[i] || track.left)
             continue;
@@ -241,24 +257,27 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
 QString stateText(const IcebergTableRow& row)
 {
     switch (row.state) {
-    case IcebergState::InView:
+    case IcebergStanding::InView:
         return IcebergRowText::tr("in view");
-    case IcebergState::Target:
-        return IcebergRowText::tr("target");
-    case IcebergState::Planned:
-        return IcebergRowText::tr("number %1 in the order")
-            .arg(row.value(IcebergColumn::State).value_or(0));
-    case IcebergState::Searched:
+    case IcebergStanding::Target:
+        return row.uav.isEmpty() ? IcebergRowText::tr("target")
+                                 : IcebergRowText::tr("target of %1").arg(row.uav);
+    case IcebergStanding::Planned: {
+        const QString place = QString::number(row.value(IcebergColumn::State).value_or(0));
+        return row.uav.isEmpty() ? IcebergRowText::tr("number %1 in the order").arg(place)
+                                 : IcebergRowText::tr("number %1 of %2").arg(place, row.uav);
+    }
+    case IcebergStanding::Searched:
         return IcebergRowText::tr("lost, searched for");
-    case IcebergState::Lost:
+    case IcebergStanding::Lost:
         return IcebergRowText::tr("lost");
-    case IcebergState::GivenUp:
+    case IcebergStanding::GivenUp:
         return IcebergRowText::tr("given up");
-    case IcebergState::Left:
+    case IcebergStanding::Left:
         return IcebergRowText::tr("left the area");
-    case IcebergState::Unplanned:
+    case IcebergStanding::Unplanned:
         return IcebergRowText::tr("not in the order");
-    case IcebergState::Later:
+    case IcebergStanding::Later:
         return IcebergRowText::tr("not there yet");
     }
     return {};
@@ -288,7 +307,7 @@ QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLoc
                          "It still comes nearer in an hour, to this distance by then.")
                    : QString();
     case IcebergColumn::State:
-        return row.state == IcebergState::Later
+        return row.state == IcebergStanding::Later
                    ? IcebergRowText::tr("Appears at %1")
                          .arg(clockText(row.value(IcebergColumn::Appears).value_or(0)))
                    : QString();

@@ -9,7 +9,7 @@
 namespace berg {
 
 /** How an iceberg stands in the mission. */
-enum class IcebergState
+enum class IcebergStanding
 {
     InView,
     Target,
@@ -27,8 +27,9 @@ struct IcebergTableRow
 {
     std::string id;
     QString name; ///< empty: it has none
-    IcebergState state = IcebergState::Unplanned;
+    IcebergStanding state = IcebergStanding::Unplanned;
     std::array<std::optional<double>, kIcebergColumns> values; ///< by column; none: nothing there
+    QString uav; ///< of several UAVs the one that has it in its order; empty: none has
     std::optional<double> ringEntry_s; ///< from now, into the inner ring of the asset, 0: inside
     bool operator==(const IcebergTableRow&) const = default;
 
@@ -53,7 +54,7 @@ struct IcebergTableRow
  */
 [[nodiscard]] std::vector<IcebergTableRow> flightRows(const FlightRecord& record);
 
-/** "in view", "number 3 in the order". */
+/** "in view", "number 3 in the order", of several UAVs "number 3 of uav-2". */
 [[nodiscard]] QString stateText(const IcebergTableRow& row);
 
 /** What a cell shows; metres without decimals in flight, where they run. */

@@ -8,16 +8,17 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 
-IdField::IdField(std::function<QString(const QString&)> whyNot, QWidget* parent)
+IdField::IdField(const IdWords& words, std::function<QString(const QString&)> whyNot,
+                 QWidget* parent)
     : QWidget(parent)
     , m_whyNot(std::move(whyNot))
     , m_line(new QLineEdit(this))
     , m_fault(new QLabel(this))
 {
-    m_line->setObjectName(u"icebergId"_s);
+    m_line->setObjectName(words.key + u"Id"_s);
     m_line->setAccessibleName(tr("Id"));
-    m_line->setToolTip(tr("Names the iceberg in files and lists; each id is there once."));
-    m_fault->setObjectName(u"icebergIdFault"_s);
+    m_line->setToolTip(words.toolTip);
+    m_fault->setObjectName(words.key + u"IdFault"_s);
     m_fault->setWordWrap(true);
     m_fault->hide();
     setFocusProxy(m_line);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <QWidget>
 
 #include <functional>
@@ -9,9 +10,16 @@ class QLineEdit;
 
 namespace berg {
 
+/** What an id is of: begins the names of the inputs, and its tool tip. */
+struct IdWords
+{
+    QString key;
+    QString toolTip;
+};
+
 /**
- * The id of one iceberg. Says at once when what is typed cannot be an id, and goes back to the id
- * there is when typing ends with such a text.
+ * The id of one iceberg or UAV. Says at once when what is typed cannot be an id, and goes back to
+ * the id there is when typing ends with such a text.
  */
 class IdField : public QWidget
 {
@@ -19,7 +27,8 @@ class IdField : public QWidget
 
 public:
     /** `whyNot(id)` is a sentence for an id that cannot be given, empty for one that can. */
-    explicit IdField(std::function<QString(const QString& id)> whyNot, QWidget* parent = nullptr);
+    IdField(const IdWords& words, std::function<QString(const QString& id)> whyNot,
+            QWidget* parent = nullptr);
 
     void showId(const QString& id);
     void setLocked(bool locked);

@@ -249,6 +249,40 @@ void InspectorForm::add(const ChoiceRow& row)
          .lock = [combo](bool locked) { combo->setEnabled(!locked); }});
 }
 
+void InspectorForm::add(const PickRow& row)
+{
+    auto* combo = new QComboBox;
+    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    combo->setPlaceholderText(tr("mixed"));
+    guardWheel(*combo);
+    addInput(row.words, combo);
+    connect(combo, &QComboBox::activated, this, [this, row](int choice) {
+        const std::string value =
+            row.options(m_document.scenario())[static_cast<std::size_t>(choice)].value;
+        edit(row.words,
+             [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, value); });
+        m_document.endGesture();
+    });
+    m_inputs.push_back(
+        {.show =
+             [this, row, combo, shown = std::vector<PickRow::Option>()]() mutable {
+                 const std::vector<PickRow::Option> options = row.options(m_document.scenario());
+                 if (options != shown) {
+                     combo->clear();
+                     for (const PickRow::Option& option : options)
+                         combo->addItem(option.text);
+                     shown = options;
+                 }
+                 const std::optional<std::string> value = common(row.read);
+                 const auto chosen = std::find_if(
+                     options.begin(), options.end(),
+                     [&](const PickRow::Option& option) { return option.value == value; });
+                 combo->setCurrentIndex(
+                     chosen == options.end() ? -1 : static_cast<int>(chosen - options.begin()));
+             },
+         .lock = [combo](bool locked) { combo->setEnabled(!locked); }});
+}
+
 void InspectorForm::add(const ActionRow& row)
 {
     auto* button = new QPushButton(row.words.undoText);

@@ -45,6 +45,7 @@ private:
     void add(const TextRow& row);
     void add(const FlagRow& row);
     void add(const ChoiceRow& row);
+    void add(const PickRow& row);
     void add(const ActionRow& row);
     void add(const PartRow& row);
     void add(const InfoRow& row);

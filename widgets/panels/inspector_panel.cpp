@@ -1,10 +1,12 @@
 #include "widgets/panels/inspector_panel.h"
 
+#include "widgets/model/scenario_edits.h"
 #include "widgets/panels/id_field.h"
 #include "widgets/panels/inspector_form.h"
 #include "widgets/panels/issue_text.h"
 #include "widgets/panels/panel_labels.h"
 #include "widgets/theme/icons.h"
+#include "widgets/theme/palette.h"
 
 #include <QFormLayout>
 #include <QScrollArea>
@@ -22,6 +24,7 @@ namespace {
 constexpr int kMargin_px = 10;
 constexpr int kGap_px = 6;
 constexpr int kMark_px = 16;
+constexpr int kChip_px = 12;
 
 /** The ids that are among `objects`, in the order selected. */
 template <class Object>
@@ -61,7 +64,13 @@ InspectorPanel::InspectorPanel(ScenarioDocument& document, Selection& selection,
     m_title->setObjectName(u"inspectorTitle"_s);
     m_subtitle = new CaptionLabel;
     m_subtitle->setObjectName(u"inspectorSubtitle"_s);
-    column->addWidget(m_title);
+    m_chip = new QLabel;
+    m_chip->setObjectName(u"inspectorChip"_s);
+    auto* heading = new QHBoxLayout;
+    heading->setSpacing(kGap_px);
+    heading->addWidget(m_chip);
+    heading->addWidget(m_title, 1);
+    column->addLayout(heading);
     column->addWidget(m_subtitle);
     m_lock = addNotice(*column, u"inspectorLock"_s);
     m_lock.text->setText(tr("Locked in flight. Reset the flight to edit."));
@@ -126,15 +135,35 @@ void InspectorPanel::addForms(QVBoxLayout& column)
     m_areaForm = new InspectorForm(m_document, areaRows());
     m_scenarioForm = new InspectorForm(m_document, scenarioRows());
     m_forms = {m_icebergForm, m_uavForm, m_assetForm, m_areaForm, m_scenarioForm};
-    m_id = new IdField([this](const QString& id) { return whyNotId(id); });
-    m_icebergForm->addOnTop(tr("Id"), m_id);
-    connect(m_id, &IdField::edited, this, &InspectorPanel::rename);
+    m_icebergId = addIdField(*m_icebergForm, u"iceberg"_s,
+                             tr("Names the iceberg in files and lists; each id is there once."),
+                             tr("An iceberg needs an id."), m_icebergs);
+    m_uavId = addIdField(*m_uavForm, u"uav"_s,
+                         tr("Names the UAV in files and lists; each id is there once."),
+                         tr("A UAV needs an id."), m_uavs);
     for (InspectorForm* form : m_forms)
         column.addWidget(form);
 }
 
+/** On top of its form: of the one object of `shown`, which changes with the selection. */
+IdField* InspectorPanel::addIdField(InspectorForm& form, const QString& key, const QString& toolTip,
+                                    const QString& missing, const std::vector<std::string>& shown)
+{
+    auto* field = new IdField({.key = key, .toolTip = toolTip}, [this, missing](const QString& id) {
+        return id.isEmpty() ? missing : whyTaken(id);
+    });
+    form.addOnTop(tr("Id"), field);
+    connect(field, &IdField::edited, this, [this, &shown](const QString& id) {
+        const std::string before = shown.front(); // which is another one while it is renamed
+        rename(before, id.toStdString());
+    });
+    return field;
+}
+
 void InspectorPanel::setTheme(const Theme& theme)
 {
+    m_theme = theme;
+    showChip();
     setCaptionTheme(*this, theme);
     m_title->setFont(theme.strong());
     m_lock.mark->setPixmap(
@@ -155,7 +184,8 @@ void InspectorPanel::setLocked(bool locked)
 
 void InspectorPanel::lockInputs()
 {
-    m_id->setLocked(m_locked);
+    for (IdField* id : {m_icebergId, m_uavId})
+        id->setLocked(m_locked);
     for (InspectorForm* form : m_forms)
         form->setLocked(m_locked);
 }
@@ -164,8 +194,9 @@ void InspectorPanel::finishTyping()
 {
     if (m_locked)
         return;
-    if (m_id->isVisible())
-        m_id->finishTyping();
+    for (IdField* id : {m_icebergId, m_uavId})
+        if (id->isVisible())
+            id->finishTyping();
     for (InspectorForm* form : m_forms)
         form->finishTyping();
 }
@@ -185,10 +216,12 @@ void InspectorPanel::refresh()
     m_uavForm->showObjects(m_uavs);
     for (InspectorForm* form : {m_assetForm, m_areaForm, m_scenarioForm})
         form->showObjects({std::string()});
-    const bool hasId = m_icebergs.size() == 1;
-    m_icebergForm->setTopVisible(hasId);
-    if (hasId)
-        m_id->showId(QString::fromStdString(m_icebergs.front()));
+    m_icebergForm->setTopVisible(m_icebergs.size() == 1);
+    if (m_icebergs.size() == 1)
+        m_icebergId->showId(QString::fromStdString(m_icebergs.front()));
+    m_uavForm->setTopVisible(m_uavs.size() == 1);
+    if (m_uavs.size() == 1)
+        m_uavId->showId(QString::fromStdString(m_uavs.front()));
     const InspectorForm* shown = formInUse();
     for (InspectorForm* form : m_forms)
         form->setVisible(form == shown);
@@ -236,6 +269,23 @@ void InspectorPanel::showTitle()
     m_title->setText(title);
     m_subtitle->setText(subtitle);
     m_subtitle->setVisible(!subtitle.isEmpty());
+    showChip();
+}
+
+/** The colour that the UAV has on the map; where there is one only there is nothing to tell. */
+void InspectorPanel::showChip()
+{
+    const std::vector<Uav>& uavs = m_document.scenario().uavs;
+    const bool isOne = formInUse() == m_uavForm && m_uavs.size() == 1 && uavs.size() > 1;
+    m_chip->setVisible(isOne);
+    if (!isOne)
+        return;
+    const auto place = std::find_if(uavs.begin(), uavs.end(),
+                                    [&](const Uav& uav) { return uav.id == m_uavs.front(); });
+    QPixmap chip(QSize(kChip_px, kChip_px) * devicePixelRatioF());
+    chip.setDevicePixelRatio(devicePixelRatioF());
+    chip.fill(uavColour(m_theme, static_cast<int>(place - uavs.begin())));
+    m_chip->setPixmap(chip);
 }
 
 void InspectorPanel::showIssues()
@@ -265,10 +315,8 @@ bool InspectorPanel::isConcerned(const Issue& issue) const
     return issueIndex(issue, "icebergs") < 0 && issueIndex(issue, "uavs") < 0;
 }
 
-QString InspectorPanel::whyNotId(const QString& id) const
+QString InspectorPanel::whyTaken(const QString& id) const
 {
-    if (id.isEmpty())
-        return tr("An iceberg needs an id.");
     const Scenario& scenario = m_document.scenario();
     const std::vector<std::string> ids{id.toStdString()};
     if (idsAmong(scenario.icebergs, ids).empty() && idsAmong(scenario.uavs, ids).empty())
@@ -276,17 +324,12 @@ QString InspectorPanel::whyNotId(const QString& id) const
     return tr("The id \"%1\" is taken. Every iceberg and UAV needs one of its own.").arg(id);
 }
 
-void InspectorPanel::rename(const QString& id)
+void InspectorPanel::rename(const std::string& before, const std::string& after)
 {
-    const std::string before = m_icebergs.front();
-    const std::string after = id.toStdString();
     // Both are selected while the document changes, so that the selection is never empty between.
     m_selection.set({before, after});
-    m_document.edit(tr("Change id"), [&](Scenario& scenario) {
-        for (Iceberg& iceberg : scenario.icebergs)
-            if (iceberg.id == before)
-                iceberg.id = after;
-    });
+    m_document.edit(tr("Change id"),
+                    [&](Scenario& scenario) { renameObject(scenario, before, after); });
     m_selection.set({after});
 }
 

@@ -55,11 +55,17 @@ private:
     void showTitle();
     void showIssues();
     [[nodiscard]] bool isConcerned(const Issue& issue) const;
-    [[nodiscard]] QString whyNotId(const QString& id) const;
-    void rename(const QString& id);
+    [[nodiscard]] IdField* addIdField(InspectorForm& form, const QString& key,
+                                      const QString& toolTip, const QString& missing,
+                                      const std::vector<std::string>& shown);
+    void showChip();
+    [[nodiscard]] QString whyTaken(const QString& id) const;
+    void rename(const std::string& before, const std::string& after);
 
     ScenarioDocument& m_document;
     Selection& m_selection;
+    Theme m_theme = Theme::light();
+    QLabel* m_chip; ///< colour of the UAV
     QLabel* m_title;
     CaptionLabel* m_subtitle;
     Notice m_lock;
@@ -70,7 +76,8 @@ private:
     InspectorForm* m_areaForm;
     InspectorForm* m_scenarioForm;
     std::vector<InspectorForm*> m_forms; ///< all of them
-    IdField* m_id;
+    IdField* m_icebergId;
+    IdField* m_uavId;
     std::vector<std::string> m_icebergs; ///< selected, in the scenario
     std::vector<std::string> m_uavs;
     bool m_locked = false;

@@ -110,6 +110,12 @@ inline bool isFiltered(const Scenario& scenario, const std::string& /*id*/)
     return scenario.observer.model == ObserverModel::Kalman;
 }
 
+/** Whether there are several UAVs. */
+inline bool isFleet(const Scenario& scenario, const std::string& /*id*/)
+{
+    return scenario.uavs.size() > 1;
+}
+
 /** Where a UAV lands and how long it stands there; part of `uavRows`. */
 [[nodiscard]] std::vector<InspectorRow> homeRows();
 

@@ -70,6 +70,21 @@ struct ChoiceRow
     std::function<void(Scenario&, int)> write;
 };
 
+/** One of several that depend on the scenario; of objects that differ none is shown. */
+struct PickRow
+{
+    struct Option
+    {
+        std::string value;
+        QString text;
+        bool operator==(const Option&) const = default;
+    };
+    RowWords words;
+    std::function<std::vector<Option>(const Scenario&)> options;
+    std::function<std::string(const Scenario&, const std::string& id)> read;
+    std::function<void(Scenario&, const std::string& id, const std::string&)> write;
+};
+
 /** A button. */
 struct ActionRow
 {
@@ -95,7 +110,7 @@ struct InfoRow
 };
 
 using InspectorRow =
-    std::variant<NumberRow, TextRow, FlagRow, ChoiceRow, ActionRow, PartRow, InfoRow>;
+    std::variant<NumberRow, TextRow, FlagRow, ChoiceRow, PickRow, ActionRow, PartRow, InfoRow>;
 
 [[nodiscard]] std::vector<InspectorRow> icebergRows();
 [[nodiscard]] std::vector<InspectorRow> uavRows();

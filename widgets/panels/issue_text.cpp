@@ -49,8 +49,9 @@ constexpr AdviceText kAdviceTexts[] = {
     {advised::kVelocitySdUnused,
      QT_TRANSLATE_NOOP("IssueText",
                        "The velocity's deviation counts with the Kalman filter only.")},
-    {advised::kFirstUavOnly,
-     QT_TRANSLATE_NOOP("IssueText", "This version flies the first UAV only; the others are kept.")},
+    {advised::kSameLayer,
+     QT_TRANSLATE_NOOP("IssueText", "Starts near another UAV in the same altitude layer: let their "
+                                    "altitudes differ by 30 m.")},
     {advised::kNoWayHome,
      QT_TRANSLATE_NOOP("IssueText", "The endurance is too short for the way home from the start.")},
     {advised::kHomeUnused,
@@ -80,6 +81,9 @@ constexpr AdviceText kAdviceTexts[] = {
     {advised::kClustersIgnored,
      QT_TRANSLATE_NOOP("IssueText", "This policy plans icebergs one by one: several in one field "
                                     "of view are not planned as one point.")},
+    {advised::kClustersOneUav,
+     QT_TRANSLATE_NOOP("IssueText", "Icebergs are planned as one point for one UAV only; with "
+                                    "several each is planned by itself.")},
     {advised::kReachInsideTurn,
      QT_TRANSLATE_NOOP("IssueText", "The radius that counts as reached is smaller than the turn "
                                     "radius, so that the UAV flies on and comes back.")},

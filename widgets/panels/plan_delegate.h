@@ -6,7 +6,10 @@
 
 namespace berg {
 
-/** Draws the plan table: the order in disks as on the map, sigma with its colour. */
+/**
+ * Draws the plan table: the order in disks as on the map, sigma with its colour, UAVs on a ground
+ * of their own with their colour, a pin beside icebergs that are kept for one.
+ */
 class PlanDelegate : public QStyledItemDelegate
 {
     Q_OBJECT
@@ -23,8 +26,21 @@ public:
     /** Room that the colour takes left of the text of sigma. */
     [[nodiscard]] static int swatchWidth();
 
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+
 private:
-    void paintNumber(QPainter& painter, const QRect& cell, int number) const;
+    void paintGround(QPainter& painter, const QStyleOptionViewItem& option,
+                     const QModelIndex& index) const;
+    void paintEmpty(QPainter& painter, const QStyleOptionViewItem& option,
+                    const QModelIndex& index) const;
+    void paintMark(QPainter& painter, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) const;
+    void paintUav(QPainter& painter, const QStyleOptionViewItem& option,
+                  const QModelIndex& index) const;
+    void paintChip(QPainter& painter, const QRect& cell, int uav) const;
+    /** `uav` -1: there is but one. */
+    void paintNumber(QPainter& painter, const QRect& cell, int number, int uav) const;
     void paintSwatch(QPainter& painter, const QStyleOptionViewItem& option, double sigma_m2) const;
 
     Theme m_theme = Theme::light();

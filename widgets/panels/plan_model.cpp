@@ -3,6 +3,8 @@
 #include "widgets/panels/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
 
+#include <QMimeData>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +12,32 @@
 using namespace Qt::StringLiterals;
 
 namespace berg {
+namespace {
+
+constexpr auto kIcebergType = "application/x-bergwatch-planned-iceberg"_L1;
+
+std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
+{
+    const bool isFleet = sections.size() > 1;
+    std::vector<PlanLine> lines;
+    for (const PlanSection& section : sections) {
+        const int uav = isFleet ? section.place : -1;
+        if (isFleet)
+            lines.push_back({.row = {.id = section.uav,
+                                     .name = section.name,
+                                     .leg_m = section.length_m(),
+                                     .arrival_s = section.lastArrival_s(),
+                                     .isSeen = !section.isHomeward},
+                             .uav = uav,
+                             .visits = static_cast<int>(section.rows.size())});
+        for (std::size_t k = 0; k < section.rows.size(); ++k)
+            lines.push_back(
+                {.row = section.rows[k], .uav = uav, .number = static_cast<int>(k) + 1});
+    }
+    return lines;
+}
+
+} // namespace
 
 PlanModel::PlanModel(const QLocale& locale, QObject* parent)
     : QAbstractTableModel(parent), m_locale(locale)
@@ -21,39 +49,46 @@ QString PlanModel::arrivalText(double arrival_s)
     return tr("in %1").arg(clockText(arrival_s));
 }
 
-void PlanModel::setRows(std::vector<PlanRow> rows)
+void PlanModel::setPlan(const std::vector<PlanSection>& sections)
 {
-    if (rows == m_rows)
+    setLines(linesOf(sections));
+}
+
+void PlanModel::setLines(std::vector<PlanLine> lines)
+{
+    if (lines == m_lines)
         return;
     const int before = rowCount();
-    const int after = static_cast<int>(rows.size());
+    const int after = static_cast<int>(lines.size());
 
-    // Rows come and go at the end, so that the ones above stay where the view has them.
+    // Lines come and go at the end, so that the ones above stay where the view has them.
     if (after < before) {
         beginRemoveRows({}, after, before - 1);
-        m_rows.resize(static_cast<std::size_t>(after));
+        m_lines.resize(static_cast<std::size_t>(after));
         endRemoveRows();
     } else if (after > before) {
         beginInsertRows({}, before, after - 1);
-        m_rows.insert(m_rows.end(), rows.begin() + before, rows.end());
+        m_lines.insert(m_lines.end(), lines.begin() + before, lines.end());
         endInsertRows();
     }
-    m_rows = std::move(rows);
-    takeTexts(std::min(before, after));
+    m_lines = std::move(lines);
+    takeLooks(std::min(before, after));
 }
 
-/** Tells which of the first `kept` rows read otherwise than before, as one span. */
-void PlanModel::takeTexts(int kept)
+/** Tells which of the first `kept` lines look otherwise than before, as one span. */
+void PlanModel::takeLooks(int kept)
 {
-    const std::vector<Texts> before = std::exchange(m_texts, {});
-    m_texts.reserve(m_rows.size());
+    const std::vector<Look> before = std::exchange(m_looks, {});
+    m_looks.reserve(m_lines.size());
     int first = kept;
     int last = -1;
     for (int row = 0; row < rowCount(); ++row) {
-        Texts& texts = m_texts.emplace_back();
+        Look& look = m_looks.emplace_back();
+        look.uav = line(row).uav;
+        look.isKept = line(row).row.isKept;
         for (int column = 0; column < ColumnCount; ++column)
-            texts[static_cast<std::size_t>(column)] = text(row, static_cast<Column>(column));
-        if (row < kept && texts != before[static_cast<std::size_t>(row)]) {
+            look.texts[static_cast<std::size_t>(column)] = text(row, static_cast<Column>(column));
+        if (row < kept && look != before[static_cast<std::size_t>(row)]) {
             first = std::min(first, row);
             last = row;
         }
@@ -73,16 +108,48 @@ void PlanModel::setHighlight(const std::string& id)
             emit dataChanged(index(row, 0), index(row, ColumnCount - 1), {HighlightRole});
 }
 
+void PlanModel::setDropUav(int uav)
+{
+    if (uav == m_dropUav)
+        return;
+    m_dropUav = uav;
+    if (!m_lines.empty())
+        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {DropRole});
+}
+
+const PlanLine& PlanModel::line(int row) const
+{
+    return m_lines.at(static_cast<std::size_t>(row));
+}
+
+const std::string& PlanModel::idOf(int row) const
+{
+    return line(row).row.id;
+}
+
 int PlanModel::rowOf(const std::string& id) const
 {
-    const auto it = std::find_if(m_rows.begin(), m_rows.end(),
-                                 [&](const PlanRow& row) { return row.id == id; });
-    return it == m_rows.end() ? -1 : static_cast<int>(it - m_rows.begin());
+    const auto it = std::find_if(m_lines.begin(), m_lines.end(),
+                                 [&](const PlanLine& line) { return line.row.id == id; });
+    return it == m_lines.end() ? -1 : static_cast<int>(it - m_lines.begin());
+}
+
+bool PlanModel::isFleet() const
+{
+    return !m_lines.empty() && m_lines.front().isUav();
+}
+
+/** The line of the UAV that visits it, itself if it is one; of a fleet only. */
+const PlanLine& PlanModel::uavOf(int row) const
+{
+    while (!line(row).isUav())
+        --row;
+    return line(row);
 }
 
 int PlanModel::rowCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
 }
 
 int PlanModel::columnCount(const QModelIndex& parent) const
@@ -92,14 +159,16 @@ int PlanModel::columnCount(const QModelIndex& parent) const
 
 QString PlanModel::text(int row, Column column) const
 {
-    const PlanRow& planned = m_rows[static_cast<std::size_t>(row)];
+    if (line(row).isUav())
+        return uavText(line(row), column);
+    const PlanRow& planned = line(row).row;
     if (!planned.isSeen && column == Arrival)
         return tr("later");
     if (!planned.isSeen && (column == Leg || column == ArrivalSigma))
         return noFigure();
     switch (column) {
     case Number:
-        return fixedText(row + 1, 0, m_locale);
+        return fixedText(line(row).number, 0, m_locale);
     case Name:
         return planned.name;
     case Leg:
@@ -117,11 +186,51 @@ QString PlanModel::text(int row, Column column) const
     return {};
 }
 
+QString PlanModel::uavText(const PlanLine& line, Column column) const
+{
+    const bool hasVisits = line.visits > 0;
+    switch (column) {
+    case Name:
+        return line.row.name;
+    case Leg:
+        return hasVisits ? distanceText(line.row.leg_m, m_locale) : noFigure();
+    case Arrival:
+        if (!line.row.isSeen)
+            return tr("later");
+        return hasVisits ? arrivalText(line.row.arrival_s) : noFigure();
+    case Sigma:
+        return tr("%n visits", nullptr, line.visits);
+    case Number:
+    case ArrivalSigma:
+    case ColumnCount:
+        break;
+    }
+    return {};
+}
+
+QString PlanModel::uavToolTip(const PlanLine& line) const
+{
+    const QString name = tr("%1 (id %2)").arg(line.row.name, QString::fromStdString(line.row.id));
+    if (!line.row.isSeen)
+        return name + u'\n' +
+               tr("It is on its way home or on the ground: its next sortie is planned at "
+                  "take-off.");
+    if (line.visits == 0)
+        return name + u'\n' + tr("There is nothing for it to visit.");
+    return name + u'\n' +
+           tr("%1, flown %2", "length and end of a way")
+               .arg(distanceText(line.row.leg_m, m_locale), arrivalText(line.row.arrival_s));
+}
+
 QString PlanModel::toolTip(int row, Column column) const
 {
-    const PlanRow& planned = m_rows[static_cast<std::size_t>(row)];
-    if (column == Name)
-        return tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
+    if (line(row).isUav())
+        return uavToolTip(line(row));
+    const PlanRow& planned = line(row).row;
+    if (column == Name) {
+        const QString name = tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
+        return planned.isKept ? name + u'\n' + tr("Kept for %1").arg(uavOf(row).row.name) : name;
+    }
     if (!planned.isSeen && column != Sigma)
         return tr("The plan ends before this iceberg is seen.");
     if (column != Sigma && column != ArrivalSigma)
@@ -138,7 +247,7 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const
     if (!index.isValid())
         return {};
     const auto column = static_cast<Column>(index.column());
-    const PlanRow& planned = m_rows[static_cast<std::size_t>(index.row())];
+    const PlanLine& line = this->line(index.row());
     switch (role) {
     case Qt::DisplayRole:
         return text(index.row(), column);
@@ -148,9 +257,17 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const
         return QVariant::fromValue((column == Name ? Qt::AlignLeft : Qt::AlignRight) |
                                    Qt::AlignVCenter);
     case SigmaRole:
-        return planned.sigma_m2;
+        return line.row.sigma_m2;
     case HighlightRole:
-        return planned.id == m_highlight;
+        return line.row.id == m_highlight;
+    case UavRole:
+        return line.uav;
+    case NumberRole:
+        return line.number;
+    case KeptRole:
+        return line.row.isKept;
+    case DropRole:
+        return line.uav >= 0 && line.uav == m_dropUav;
     default:
         return {};
     }
@@ -185,6 +302,40 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
         break;
     }
     return {};
+}
+
+Qt::ItemFlags PlanModel::flags(const QModelIndex& index) const
+{
+    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    if (!isFleet())
+        return flags;
+    flags |= Qt::ItemIsDropEnabled; // of the root as well: else a view without an indicator refuses
+    flags.setFlag(Qt::ItemIsDragEnabled, index.isValid() && !line(index.row()).isUav());
+    return flags;
+}
+
+QStringList PlanModel::mimeTypes() const
+{
+    return {kIcebergType};
+}
+
+QMimeData* PlanModel::mimeData(const QModelIndexList& indexes) const
+{
+    if (indexes.isEmpty())
+        return nullptr;
+    auto* data = new QMimeData; // the caller's
+    data->setData(kIcebergType, QByteArray::fromStdString(idOf(indexes.front().row())));
+    return data;
+}
+
+bool PlanModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int /*row*/,
+                             int /*column*/, const QModelIndex& parent)
+{
+    if (action != Qt::MoveAction || !isFleet() || !parent.isValid() || data == nullptr ||
+        !data->hasFormat(kIcebergType))
+        return false;
+    emit handedOver(data->data(kIcebergType).toStdString(), uavOf(parent.row()).row.id);
+    return true;
 }
 
 } // namespace berg

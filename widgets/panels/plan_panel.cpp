@@ -4,6 +4,8 @@
 #include "widgets/panels/plan_model.h"
 #include "widgets/theme/quantity_text.h"
 
+#include <QContextMenuEvent>
+#include <QDragMoveEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -32,13 +34,26 @@ QString signedText(double value, const QString& size)
     return (value < 0 ? u"−"_s : u"+"_s) + size;
 }
 
+double length_m(const std::vector<PlanSection>& sections)
+{
+    double length_m = 0;
+    for (const PlanSection& section : sections)
+        length_m += section.length_m();
+    return length_m;
+}
+
 /** From now; 0 without rows. */
-double lastArrival_s(const std::vector<PlanRow>& rows)
+double lastArrival_s(const std::vector<PlanSection>& sections)
 {
     double last_s = 0;
-    for (const PlanRow& row : rows)
-        last_s = std::max(last_s, row.arrival_s); // 0 of those that are not seen
+    for (const PlanSection& section : sections)
+        last_s = std::max(last_s, section.lastArrival_s());
     return last_s;
+}
+
+bool hasRows(const std::vector<PlanSection>& sections)
+{
+    return std::ranges::any_of(sections, [](const PlanSection& s) { return !s.rows.empty(); });
 }
 
 } // namespace
@@ -70,19 +85,19 @@ PlanPanel::PlanPanel(QWidget* parent)
     column->addWidget(m_table, 1);
     column->addWidget(m_summary);
 
-    connect(m_table, &QTableView::entered, this, [this](const QModelIndex& index) {
-        setHovered(m_model->rows()[static_cast<std::size_t>(index.row())].id);
-    });
+    connect(m_table, &QTableView::entered, this,
+            [this](const QModelIndex& index) { setHovered(m_model->idOf(index.row())); });
     connect(m_table, &QTableView::viewportEntered, this, [this] { setHovered({}); });
     connect(m_table, &QTableView::clicked, this, &PlanPanel::choose);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& current) {
                 if (!current.isValid())
                     return;
-                m_chosen = m_model->rows()[static_cast<std::size_t>(current.row())].id;
+                m_chosen = m_model->idOf(current.row());
                 m_table->selectionModel()->select(current, QItemSelectionModel::ClearAndSelect |
                                                                QItemSelectionModel::Rows);
             });
+    connect(m_model, &PlanModel::handedOver, this, &PlanPanel::handedOver);
     setTheme(Theme::light());
     showPlan({});
 }
@@ -103,6 +118,9 @@ void PlanPanel::setUpTable()
     m_table->setMouseTracking(true);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setDragDropMode(QAbstractItemView::DragDrop); // the model says what can be dragged
+    m_table->setDragDropOverwriteMode(true);               // onto lines, not between them
+    m_table->setDropIndicatorShown(false);                 // all lines of the UAV show it
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->verticalHeader()->setDefaultSectionSize(kRow_px);
@@ -178,14 +196,10 @@ void PlanPanel::updateSummary()
 QStringList PlanPanel::summaryLines() const
 {
     QStringList lines;
-    if (!m_model->rows().empty()) {
-        double length_m = 0;
-        for (const PlanRow& row : m_model->rows())
-            length_m += row.leg_m;
+    if (hasRows(m_sections))
         lines << tr("%1, flown %2")
-                     .arg(distanceText(length_m, locale()),
-                          PlanModel::arrivalText(lastArrival_s(m_model->rows())));
-    }
+                     .arg(distanceText(length_m(m_sections), locale()),
+                          PlanModel::arrivalText(lastArrival_s(m_sections)));
     if (!m_outlook)
         return lines;
     const QString zeta = significantText(m_outlook->zeta_m2s, 4, locale());
@@ -221,7 +235,7 @@ QString PlanPanel::summaryToolTip() const
         return lines.join(u'\n');
     if (m_outlook->change)
         lines << tr("Order before the change at %1: %2")
-                     .arg(clockText(m_outlook->changed_s), m_outlook->before.join(u", "_s));
+                     .arg(clockText(m_outlook->changed_s), m_outlook->before);
     lines << (m_outlook->isAimed
                   ? tr("Predicted for the way on the map, with every iceberg that comes into view\n"
                        "on it, and nothing planned again.")
@@ -256,19 +270,42 @@ void PlanPanel::setSigmaFull(double full_m2)
     m_table->viewport()->update();
 }
 
-void PlanPanel::showPlan(std::vector<PlanRow> rows, bool isHomeward)
+/** The line of a UAV is one cell beside its colour. */
+void PlanPanel::updateSpans()
 {
+    std::vector<int> rows;
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        if (m_model->line(row).isUav())
+            rows.push_back(row);
+    if (rows == m_spannedRows)
+        return;
+    m_table->clearSpans();
+    for (const int row : rows)
+        m_table->setSpan(row, PlanModel::Name, 1, PlanModel::ColumnCount - PlanModel::Name);
+    m_spannedRows = std::move(rows);
+}
+
+void PlanPanel::updateEmpty()
+{
+    const bool isHomeward = !m_sections.empty() && m_sections.front().isHomeward;
     m_empty->setText(isHomeward ? tr("The UAV is on its way home or on the ground: the next sortie "
                                      "is planned at take-off.")
                                 : tr("Nothing to visit: there are no icebergs yet, or all of them "
                                      "are in view."));
+    m_empty->setVisible(m_model->rowCount() == 0);
+}
+
+void PlanPanel::showPlan(std::vector<PlanSection> sections)
+{
+    m_sections = std::move(sections);
     if (m_sigmaFull_m2 == 0) {
         double largest_m2 = 0;
-        for (const PlanRow& row : rows)
-            largest_m2 = std::max(largest_m2, row.sigma_m2);
+        for (const PlanSection& section : m_sections)
+            for (const PlanRow& row : section.rows)
+                largest_m2 = std::max(largest_m2, row.sigma_m2);
         m_delegate->setSigmaFull(largest_m2);
     }
-    const bool hasHours = lastArrival_s(rows) >= kHour_s - 0.5;
+    const bool hasHours = lastArrival_s(m_sections) >= kHour_s - 0.5;
     if (hasHours != m_hasHours) {
         m_hasHours = hasHours;
         setColumnWidths();
@@ -276,9 +313,10 @@ void PlanPanel::showPlan(std::vector<PlanRow> rows, bool isHomeward)
     QScrollBar* bar = m_table->verticalScrollBar();
     const int scroll_px = bar->value();
     const std::string chosen = m_chosen;
-    m_model->setRows(std::move(rows));
+    m_model->setPlan(m_sections);
+    updateSpans();
     m_chosen = chosen; // when the current row goes, Qt makes a neighbour the current one
-    m_empty->setVisible(m_model->rowCount() == 0);
+    updateEmpty();
     updateSummary();
 
     const int row = m_model->rowOf(m_chosen);
@@ -310,14 +348,42 @@ void PlanPanel::choose(const QModelIndex& index)
 {
     if (!index.isValid())
         return;
-    m_chosen = m_model->rows()[static_cast<std::size_t>(index.row())].id;
+    m_chosen = m_model->idOf(index.row());
     emit activated(m_chosen);
+}
+
+void PlanPanel::requestMenu(const QContextMenuEvent& event)
+{
+    const bool isByKey = event.reason() == QContextMenuEvent::Keyboard;
+    const QModelIndex index = isByKey ? m_table->currentIndex() : m_table->indexAt(event.pos());
+    if (!index.isValid())
+        return;
+    choose(index);
+    const QPoint at = m_table->visualRect(index).center();
+    emit menuRequested(isByKey ? m_table->viewport()->mapToGlobal(at) : event.globalPos(),
+                       m_chosen);
+}
+
+void PlanPanel::showDropUav(const QPoint& at)
+{
+    const QModelIndex index = m_table->indexAt(at);
+    m_model->setDropUav(index.isValid() ? m_model->line(index.row()).uav : -1);
 }
 
 bool PlanPanel::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == m_table->viewport() && event->type() == QEvent::Leave)
-        setHovered({});
+    if (watched == m_table->viewport()) {
+        if (event->type() == QEvent::Leave)
+            setHovered({});
+        else if (event->type() == QEvent::DragMove)
+            showDropUav(static_cast<QDragMoveEvent*>(event)->position().toPoint());
+        else if (event->type() == QEvent::DragLeave || event->type() == QEvent::Drop)
+            m_model->setDropUav(-1);
+    }
+    if (event->type() == QEvent::ContextMenu) {
+        requestMenu(*static_cast<QContextMenuEvent*>(event));
+        return true;
+    }
     if (watched == m_table && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Return || key == Qt::Key_Enter) {

@@ -1,35 +1,42 @@
 #include "widgets/panels/plan_rows.h"
 
+#include "widgets/model/object_names.h"
+
+#include <QStringList>
+
 #include <algorithm>
 #include <utility>
+
+using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
 
-QString nameOf(const Iceberg& iceberg)
-{
-    return QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name);
-}
-
 PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
 {
-    return forecastPlan(forecastStart(now), now.plan->order,
-                        std::max(0.0, scenario.duration_s - now.time_s), now.plan->clusters);
+    FleetOrders orders = ordersOf(now);
+    for (std::size_t uav = 0; uav < orders.size(); ++uav)
+        if (now.world.uavs[uav].homeward())
+            orders[uav].clear();
+    return forecastPlan(forecastStart(now), orders, std::max(0.0, scenario.duration_s - now.time_s),
+                        now.plan->clusters);
 }
 
 /** What the row says of the iceberg as it is now. */
 PlanRow rowOf(const MissionSnapshot& now, int iceberg)
 {
     const auto index = static_cast<std::size_t>(iceberg);
+    const bool isFleet = now.world.uavs.size() > 1;
     return {.id = now.icebergs[index].id,
-            .name = nameOf(now.icebergs[index]),
-            .sigma_m2 = now.world.tracks[index].sigma_m2};
+            .name = shownName(now.icebergs[index]),
+            .sigma_m2 = now.world.tracks[index].sigma_m2,
+            .isKept = isFleet && index < now.assigned.size() && now.assigned[index] >= 0};
 }
 
-std::vector<PlanRow> straightRows(const MissionSnapshot& now, const Scenario& scenario)
+std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecast& route)
 {
     std::vector<PlanRow> rows;
-    for (const ForecastVisit& visit : forecastOf(now, scenario).visits) {
+    for (const ForecastVisit& visit : route.visits) {
         PlanRow& row = rows.emplace_back(rowOf(now, visit.iceberg));
         row.leg_m = visit.leg_m;
         row.arrival_s = visit.arrival_s;
@@ -50,14 +57,14 @@ void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
     }
 }
 
-std::vector<PlanRow> aimedRows(const MissionSnapshot& now)
+std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan)
 {
-    const std::vector<AimedWay> ways = waysAhead(now);
-    const std::vector<double>& sightings_s = now.plan->outlook->sightings_s;
+    const std::vector<AimedWay> ways = waysAhead(now, plan.uav);
+    const std::vector<double>& sightings_s = plan.outlook->sightings_s;
     std::vector<PlanRow> rows;
     double before_m = 0;
-    for (std::size_t k = 0; k < now.plan->order.size(); ++k) {
-        const int iceberg = now.plan->order[k];
+    for (std::size_t k = 0; k < plan.order.size(); ++k) {
+        const int iceberg = plan.order[k];
         PlanRow& row = rows.emplace_back(rowOf(now, iceberg));
         row.isSeen = k < sightings_s.size();
         if (!row.isSeen)
@@ -92,6 +99,42 @@ void addBound(PlanOutlook& outlook, const KnownBound& bound)
     outlook.boundShare = bound.share;
 }
 
+QString namesOf(const std::vector<int>& order, const std::vector<Iceberg>& icebergs)
+{
+    QStringList names;
+    for (const int iceberg : order)
+        names << shownName(icebergs[static_cast<std::size_t>(iceberg)]);
+    return names.join(u", "_s);
+}
+
+/** The latest one; of several UAVs whose plans it changed, in sum. */
+void addChange(PlanOutlook& outlook, const FlightRecord& record)
+{
+    const std::vector<Uav>& uavs = record.scenario.uavs;
+    QStringList before;
+    for (int uav = 0; uav < static_cast<int>(uavs.size()); ++uav) {
+        const std::optional<ShownChange> change = record.changeShown(uav);
+        if (!change || (outlook.change && change->time_s < outlook.changed_s))
+            continue;
+        if (!change->ways.empty()) {
+            outlook.change.reset(); // straight legs are no measure of the plan before
+            return;
+        }
+        QString names = namesOf(change->change.before, record.shown().icebergs);
+        if (const QString name = nameInFleet(uavs, uav); !name.isEmpty())
+            names = u"%1: %2"_s.arg(name, names);
+        if (outlook.change && change->time_s == outlook.changed_s) {
+            outlook.change->distance_m += change->change.distance_m;
+        } else {
+            outlook.change = change->change;
+            outlook.changed_s = change->time_s;
+            before.clear();
+        }
+        before << names;
+    }
+    outlook.before = before.join(u"; "_s);
+}
+
 std::optional<PlanOutlook> predictedOutlook(const FlightRecord& record)
 {
     const MissionSnapshot& shown = record.shown();
@@ -99,29 +142,52 @@ std::optional<PlanOutlook> predictedOutlook(const FlightRecord& record)
         return std::nullopt;
     if (shown.plan->outlook)
         return aimedOutlook(shown, record.scenario);
-    if (!shown.plan->legs.empty())
+    if (std::ranges::any_of(shown.plans, [](const PlanEvent& plan) { return !plan.legs.empty(); }))
         return std::nullopt; // straight legs would foretell too much
     PlanOutlook outlook{.zeta_m2s =
                             shown.metrics.zeta_m2s + forecastOf(shown, record.scenario).zeta_m2s};
-    const std::optional<ShownChange> change = record.changeShown();
-    if (change && change->ways.empty()) { // else straight legs are no measure of the plan before
-        outlook.change = change->change;
-        outlook.changed_s = change->time_s;
-        for (const int iceberg : change->change.before)
-            outlook.before << nameOf(shown.icebergs[static_cast<std::size_t>(iceberg)]);
-    }
+    addChange(outlook, record);
     return outlook;
 }
 
 } // namespace
 
-std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenario)
+double PlanSection::length_m() const
 {
-    if (!now.plan || scenario.uavs.empty())
-        return {};
-    std::vector<PlanRow> rows = now.plan->outlook ? aimedRows(now) : straightRows(now, scenario);
-    leaveForNextSortie(rows, *now.plan);
-    return rows;
+    double length_m = 0;
+    for (const PlanRow& row : rows)
+        length_m += row.leg_m;
+    return length_m;
+}
+
+double PlanSection::lastArrival_s() const
+{
+    double last_s = 0;
+    for (const PlanRow& row : rows)
+        last_s = std::max(last_s, row.arrival_s); // 0 of those that are not seen
+    return last_s;
+}
+
+std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario& scenario)
+{
+    std::vector<PlanSection> sections;
+    const PlanForecast forecast =
+        now.plan && !scenario.uavs.empty() ? forecastOf(now, scenario) : PlanForecast{};
+    const std::size_t uavs = std::min(scenario.uavs.size(), now.world.uavs.size());
+    for (std::size_t u = 0; u < uavs; ++u) {
+        const int place = static_cast<int>(u);
+        PlanSection& section = sections.emplace_back();
+        section.uav = scenario.uavs[u].id;
+        section.name = shownName(scenario.uavs[u]);
+        section.place = place;
+        section.isHomeward = now.world.uavs[u].homeward();
+        const PlanEvent* plan = planOf(now, place);
+        if (plan == nullptr || section.isHomeward || u >= forecast.uavs.size())
+            continue;
+        section.rows = plan->outlook ? aimedRows(now, *plan) : straightRows(now, forecast.uavs[u]);
+        leaveForNextSortie(section.rows, *plan);
+    }
+    return sections;
 }
 
 std::optional<PlanOutlook> planOutlook(const FlightRecord& record)

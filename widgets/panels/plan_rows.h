@@ -2,7 +2,7 @@
 
 #include "widgets/model/flight_record.h"
 
-#include <QStringList>
+#include <QString>
 
 #include <string>
 #include <vector>
@@ -19,14 +19,31 @@ struct PlanRow
     double sigma_m2 = 0;        ///< now
     double arrivalSigma_m2 = 0; ///< when the UAV is there, unless it is seen on the way
     bool isSeen = true;         ///< false: the plan ends before, legs and arrivals are not known
+    bool isKept = false;        ///< of several UAVs this one alone is to visit it
     bool operator==(const PlanRow&) const = default;
 };
 
+/** What one UAV is to visit. */
+struct PlanSection
+{
+    std::string uav;         ///< id
+    QString name;            ///< never empty, likewise
+    int place = 0;           ///< in the scenario: it gives the colour
+    bool isHomeward = false; ///< on its way home or on the ground, where nothing is planned
+    std::vector<PlanRow> rows;
+
+    /** Of all legs that are known. */
+    [[nodiscard]] double length_m() const;
+    /** At the last iceberg that is known, from now; 0 without any. */
+    [[nodiscard]] double lastArrival_s() const;
+};
+
 /**
- * The present plan as it is forecast from this instant (`forecastPlan`); of a plan with aim points
- * the sightings that it predicts, and the ways to them. Empty without a plan.
+ * The present plan as it is forecast from this instant (`forecastPlan`), a section for each UAV; of
+ * plans with aim points the sightings that they predict, and the ways to them.
  */
-[[nodiscard]] std::vector<PlanRow> planRows(const MissionSnapshot& now, const Scenario& scenario);
+[[nodiscard]] std::vector<PlanSection> planSections(const MissionSnapshot& now,
+                                                    const Scenario& scenario);
 
 /** What is told of the plan as a whole. */
 struct PlanOutlook
@@ -35,9 +52,9 @@ struct PlanOutlook
         0; ///< at the end of the mission: what it is and what is predicted to be added
     std::optional<double> until_s;    ///< the zeta is that of this time, before the end
     bool isAimed = false;             ///< predicted for legs with aim points
-    std::optional<PlanChange> change; ///< what the plan shown changed
+    std::optional<PlanChange> change; ///< what the plan shown changed, of all UAVs
     double changed_s = 0;             ///< when
-    QStringList before;               ///< icebergs left in the order before
+    QString before;                   ///< icebergs left in the order before, of each UAV changed
     std::optional<double> bound_m2s;  ///< zeta of no flight is below, at the same time
     double boundShare = 1;            ///< of the work for the bound that is done
 };

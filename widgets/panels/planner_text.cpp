@@ -39,6 +39,8 @@ QString solverText(const std::string& backend)
         return PlannerText::tr("exact", "solver");
     if (backend == "heuristic")
         return PlannerText::tr("local search", "solver");
+    if (backend == "assignment") // of several UAVs by uncertainty alone
+        return PlannerText::tr("by assignment", "solver");
     if (backend.starts_with("cbc"))
         return PlannerText::tr("COIN-OR CBC", "solver");
     return QString::fromStdString(backend);
@@ -99,6 +101,14 @@ PlanState stateOfSolve(const PlanReadout& readout, const QLocale& locale)
     return {PlanVerdict::Estimate, PlannerText::tr("Best order found, %1").arg(time), {}};
 }
 
+/** "2 UAVs, 16 icebergs". */
+QString fleetText(const PlanReadout& readout)
+{
+    return u"%1, %2"_s.arg(
+        PlannerText::tr("%n UAVs", nullptr, static_cast<int>(readout.others.size()) + 1),
+        PlannerText::tr("%n icebergs", nullptr, static_cast<int>(readout.icebergs())));
+}
+
 PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
 {
     if (!readout.fault.isEmpty())
@@ -108,7 +118,7 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
                 readout.solving ? PlannerText::tr("Planning…") : PlannerText::tr("No plan yet"),
                 {}};
     const PlanEvent& plan = *readout.plan;
-    if (plan.order.empty())
+    if (readout.icebergs() == 0)
         return {PlanVerdict::None, PlannerText::tr("Nothing to visit now"), {}};
     if (plan.stop == StopReason::Unable)
         return {PlanVerdict::Warning,
@@ -124,10 +134,35 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
         return {PlanVerdict::None, PlannerText::tr("Chosen one iceberg at a time"), {}};
     if (plan.backend == kKeptRoute)
         return {PlanVerdict::None, PlannerText::tr("Following the route made before"), {}};
-    return stateOfSolve(readout, locale);
+    PlanState state = stateOfSolve(readout, locale);
+    if (!readout.others.empty())
+        state.text += u" · "_s + fleetText(readout);
+    return state;
 }
 
 } // namespace
+
+std::size_t PlanReadout::icebergs() const
+{
+    std::size_t count = plan ? plan->order.size() : 0;
+    for (const std::vector<int>& order : others)
+        count += order.size();
+    return count;
+}
+
+PlanReadout readoutOf(const FlightRecord& record, const QString& fault)
+{
+    const MissionSnapshot& shown = record.shown();
+    PlanReadout readout{.plan = shown.plan,
+                        .solving = record.now.phase == RunPhase::Planning,
+                        .fault = fault,
+                        .others = {}};
+    for (const PlanEvent& plan : shown.plans)
+        if (shown.plan && plan.uav != shown.plan->uav && plan.sameSolve &&
+            plan.time_s == shown.plan->time_s)
+            readout.others.push_back(plan.order);
+    return readout;
+}
 
 QString policyName(PolicyKind policy)
 {
@@ -211,7 +246,7 @@ PlanState planState(const PlanReadout& readout, const QLocale& locale)
 PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
 {
     PlanFigures figures;
-    if (!readout.plan || readout.plan->order.empty())
+    if (!readout.plan || readout.icebergs() == 0)
         return figures;
     const PlanEvent& plan = *readout.plan;
     if (plan.status == SolveStatus::None || plan.backend == kKeptRoute)
@@ -222,11 +257,14 @@ PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
     if (policy == PolicyKind::Path || policy == PolicyKind::Tour || policy == PolicyKind::Latency ||
         policy == PolicyKind::Coverage)
         return figures;
-    figures.reward_m2 = plan.mu * plan.distance_m - plan.objective;
+    const bool isFleet = !readout.others.empty(); // what distance costs it is not on record
+    if (!isFleet)
+        figures.reward_m2 = plan.mu * plan.distance_m - plan.objective;
     if (!isSolved(plan))
         return figures;
     figures.objective_m2 = plan.objective;
-    figures.mu_m = plan.mu;
+    if (!isFleet)
+        figures.mu_m = plan.mu;
     return figures;
 }
 

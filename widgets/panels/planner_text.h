@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/plan/policy.h"
-#include "core/sim/recorder.h"
+#include "widgets/model/flight_record.h"
 
 #include <QLocale>
 #include <QString>
@@ -20,10 +20,17 @@ namespace berg {
 /** The plan there is, and whether another one is being made. */
 struct PlanReadout
 {
-    std::optional<PlanEvent> plan;
+    std::optional<PlanEvent> plan; ///< of several UAVs that of one of them
     bool solving = false;
-    QString fault; ///< why nothing can be planned; empty: nothing stands in the way
+    QString fault;      ///< why nothing can be planned; empty: nothing stands in the way
+    FleetOrders others; ///< of the UAVs that were planned together with it
+
+    /** In the orders of all of them. */
+    [[nodiscard]] std::size_t icebergs() const;
 };
+
+/** Of the instant shown, with the plans of the last solve. */
+[[nodiscard]] PlanReadout readoutOf(const FlightRecord& record, const QString& fault);
 
 /** How much is known about a plan. */
 enum class PlanVerdict

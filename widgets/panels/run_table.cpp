@@ -22,6 +22,14 @@ constexpr int kCellMargins_px = 10;
 constexpr int kZetaFrom_px = 250; ///< width from which there is room for zeta
 constexpr double kMark_px = 8.5;  ///< radius
 
+/** Not all of them have the same number of UAVs. */
+bool fleetsDiffer(const std::vector<RunPointer>& runs)
+{
+    return std::ranges::any_of(runs, [&](const RunPointer& run) {
+        return run->scenario.uavs.size() != runs.front()->scenario.uavs.size();
+    });
+}
+
 } // namespace
 
 RunTable::RunTable(RunList& list, QWidget* parent)
@@ -101,7 +109,11 @@ void RunTable::showRun(int row)
         cell->setForeground(comparable ? QBrush() : QBrush(m_theme.mutedText));
         return cell;
     };
-    const QString name = runName(*run, locale());
+    QString name = runName(*run, locale());
+    if (fleetsDiffer(m_list.runs())) {
+        const int uavs = static_cast<int>(run->scenario.uavs.size());
+        name += u", "_s + (uavs == 1 ? tr("one UAV") : tr("%n UAVs", nullptr, uavs));
+    }
     QString toolTip = u"%1\n%2"_s.arg(name, QString::fromStdString(run->scenario.name));
     if (!run->file.isEmpty())
         toolTip += u'\n' + QFileInfo(run->file).fileName();

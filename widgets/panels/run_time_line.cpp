@@ -45,6 +45,7 @@ bool isMarked(EventKind kind)
     case EventKind::Landed:
     case EventKind::TookOff:
     case EventKind::LateHome:
+    case EventKind::Close:
         return true;
     }
     return false;

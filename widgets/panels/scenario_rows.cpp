@@ -122,6 +122,22 @@ std::vector<InspectorRow> runRows()
     return {duration, timeStep, seed, noise};
 }
 
+NumberRow separationRow()
+{
+    NumberRow row = scenarioRow(
+        {.key = u"scenarioSeparation"_s,
+         .label = InspectorRows::tr("Separation"),
+         .toolTip = InspectorRows::tr("UAVs that come nearer to each other than this are warned "
+                                      "of, unless their altitudes are 30 m apart."),
+         .undoText = InspectorRows::tr("Change separation"),
+         .isShown = isFleet},
+        {}, [](auto& scenario) -> auto& { return scenario.separation_m; },
+        always({.low = 0, .high = kLargestLength_m}));
+    row.step = 50;
+    row.lowestText = InspectorRows::tr("never warned of");
+    return asDistance(row);
+}
+
 std::vector<InspectorRow> placeRows()
 {
     const auto degrees = [](const QString& key, const QString& label, const QString& toolTip,
@@ -187,6 +203,7 @@ std::vector<InspectorRow> scenarioRows()
                 .write = [](Scenario& scenario, const std::string&,
                             const std::string& notes) { scenario.notes = notes; }}};
     append(rows, runRows());
+    rows.emplace_back(separationRow());
     append(rows, windRows());
     append(rows, currentRows());
     append(rows, observerRows());

@@ -111,11 +111,13 @@ std::vector<InspectorRow> uavRows()
                               .undoText = InspectorRows::tr("Change largest bank")},
                              u"°"_s, &UavSpec::maxBank_deg, kBank_deg));
     append(rows, fieldOfViewRows());
-    NumberRow altitude = uavRow({.key = u"uavAltitude"_s,
-                                 .label = InspectorRows::tr("Altitude"),
-                                 .toolTip = InspectorRows::tr("Height above the sea, for exports."),
-                                 .undoText = InspectorRows::tr("Change altitude")},
-                                u" m"_s, &UavSpec::altitude_m, kExtent_m);
+    NumberRow altitude =
+        uavRow({.key = u"uavAltitude"_s,
+                .label = InspectorRows::tr("Altitude"),
+                .toolTip = InspectorRows::tr("Height above the sea: UAVs that are 30 m "
+                                             "apart in it pass each other."),
+                .undoText = InspectorRows::tr("Change altitude")},
+               u" m"_s, &UavSpec::altitude_m, kExtent_m);
     altitude.step = 10;
     rows.emplace_back(altitude);
     NumberRow endurance =

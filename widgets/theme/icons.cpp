@@ -92,6 +92,9 @@ QString linesOf(IconName name)
     case IconName::Locked:
         return u"M 5 11 L 19 11 L 19 20.5 L 5 20.5 Z "
                "M 8 11 L 8 8 C 8 5.5 9.7 3.5 12 3.5 C 14.3 3.5 16 5.5 16 8 L 16 11"_s;
+    case IconName::Pin:
+        return u"M 8 3 L 16 3 M 9.5 3 L 9.5 10 L 6 14.5 L 18 14.5 L 14.5 10 L 14.5 3 "
+               "M 12 14.5 L 12 21.5"_s;
     }
     return {};
 }

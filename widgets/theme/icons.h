@@ -32,9 +32,10 @@ enum class IconName
     Warning,
     Fault, ///< a cross in an octagon: nothing goes on before it is mended
     Hint,  ///< an i in a circle
-    Locked
+    Locked,
+    Pin
 };
-inline constexpr int kIconCount = static_cast<int>(IconName::Locked) + 1;
+inline constexpr int kIconCount = static_cast<int>(IconName::Pin) + 1;
 
 /**
  * Line icon on a grid of 24 px in the theme's text colour, fainter when disabled; drawn anew, so

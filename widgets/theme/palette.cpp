@@ -2,6 +2,8 @@
 
 #include <QApplication>
 
+#include <array>
+
 namespace berg {
 
 QPalette paletteOf(const Theme& theme)
@@ -34,6 +36,20 @@ QPalette paletteOf(const Theme& theme)
         palette.setColor(QPalette::Disabled, role, disabled);
     palette.setColor(QPalette::Disabled, QPalette::Highlight, mixed(window, theme.text, 0.3));
     return palette;
+}
+
+QColor uavColour(const Theme& theme, int index)
+{
+    // Vermillion is the first; bluish green, reddish purple, blue, sky blue, yellow follow. Orange
+    // is left out: dark enough for a light sea it is vermillion to most colour-blind.
+    constexpr std::array<QRgb, kUavColours - 1> kOnLight = {0x00795b, 0xab4f87, 0x004a80, 0x2983ba,
+                                                            0x524c00};
+    constexpr std::array<QRgb, kUavColours - 1> kOnDark = {0x12b886, 0xe7a8d0, 0x3d8fdd, 0x9ad6f7,
+                                                           0xf0e442};
+    const auto place = static_cast<std::size_t>(index % kUavColours);
+    if (place == 0)
+        return theme.uav;
+    return {(theme.isDark ? kOnDark : kOnLight)[place - 1]};
 }
 
 bool systemPaletteIsDark()

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/io/formats.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QSpinBox;
+
+namespace berg {
+
+/** What of a mission is exported and with which numbers. */
+class ExportOptionsView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /** `flown`: there is a flight. Starts with `options` as far as they fit the scenario. */
+    ExportOptionsView(const Scenario& scenario, bool flown, const ExportOptions& options,
+                      QWidget* parent = nullptr);
+
+    /** Only what files of this format can hold can be chosen. */
+    void showFormat(const ExportFormat& format);
+
+    /** Those that the format shown can hold. */
+    [[nodiscard]] ExportOptions options() const;
+
+signals:
+    void edited();
+
+private:
+    void addWhat(bool flown);
+    void addUavs(const Scenario& scenario);
+    void addNumbers();
+    void addReturn();
+    void fill(const ExportOptions& options);
+    [[nodiscard]] QDoubleSpinBox* addNumber(const QString& label, const QString& name,
+                                            const QString& unit, double most);
+
+    QFormLayout* m_form;
+    QComboBox* m_what;
+    QComboBox* m_uav;
+    QDoubleSpinBox* m_altitude;
+    QDoubleSpinBox* m_airspeed;
+    QDoubleSpinBox* m_acceptance;
+    QSpinBox* m_loiter;
+    QComboBox* m_return;
+};
+
+} // namespace berg

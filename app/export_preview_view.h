@@ -1,0 +1,41 @@
+#pragma once
+
+#include "widgets/model/export_preview.h"
+#include "widgets/model/scenario_document.h"
+#include "widgets/model/selection.h"
+#include "widgets/panels/import_cells.h"
+
+#include <QTabWidget>
+
+class QPlainTextEdit;
+
+namespace berg {
+
+class MapView;
+struct Theme;
+
+using ExportPreviewPointer = std::shared_ptr<const ExportPreview>;
+
+/** What an export comes to: the ways on a map, the waypoints, and how the file begins. */
+class ExportPreviewView : public QTabWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ExportPreviewView(const Theme& theme, QWidget* parent = nullptr);
+    ~ExportPreviewView() override;
+
+    /** One without an error. */
+    void showPreview(const ExportPreviewPointer& preview);
+
+private:
+    ScenarioDocument m_document; ///< empty: the map shows pictures
+    Selection m_selection;
+    CellModel m_cells;
+    MapView* m_map;
+    QTableView* m_waypoints;
+    QPlainTextEdit* m_text;
+    bool m_isFitted = false;
+};
+
+} // namespace berg

@@ -1,0 +1,177 @@
+#include "core/io/run_json.h"
+#include "tests/support/map_fixture.h"
+#include "tests/support/window_fixture.h"
+#include "widgets/panels/plan_model.h"
+
+#include <QContextMenuEvent>
+#include <QDropEvent>
+#include <QMenu>
+#include <QMimeData>
+#include <QTableView>
+#include <QUndoStack>
+
+#include <algorithm>
+#include <memory>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::WindowFixture;
+
+namespace {
+
+/** West has the icebergs west of it to visit, uav-2 the others. */
+Scenario twoUavs()
+{
+    Scenario scenario = test::MapFixture::fourIcebergs();
+    scenario.planner.policy = PolicyKind::Visitation;
+    scenario.uavs.front().name = "West";
+    scenario.uavs.push_back(scenario.uavs.front());
+    scenario.uavs[1].id = "uav-2";
+    scenario.uavs[1].name.clear();
+    scenario.uavs[1].position_m += Point(6000, 2000);
+    scenario.uavs[1].spec.altitude_m += 40;
+    return scenario;
+}
+
+QTableView& planTable(WindowFixture& w)
+{
+    return test::child<QTableView>(w.window(), u"planTable"_s);
+}
+
+int rowOf(WindowFixture& w, const std::string& id)
+{
+    const auto* model = qobject_cast<PlanModel*>(planTable(w).model());
+    return model->rowOf(id);
+}
+
+/** The first iceberg below the line of that UAV. */
+std::string firstOf(WindowFixture& w, const std::string& uav)
+{
+    const auto* model = qobject_cast<PlanModel*>(planTable(w).model());
+    return model->idOf(model->rowOf(uav) + 1);
+}
+
+/** Drops the row of the iceberg onto that of the UAV, as the platform does it. */
+void dragTo(WindowFixture& w, const std::string& iceberg, const std::string& uav)
+{
+    QTableView& table = planTable(w);
+    QAbstractItemModel& model = *table.model();
+    const std::unique_ptr<QMimeData> data(model.mimeData({model.index(rowOf(w, iceberg), 0)}));
+    const QModelIndex onto = model.index(rowOf(w, uav), PlanModel::Name);
+    table.scrollTo(onto);
+    const QPoint at = table.visualRect(onto).center();
+    QDragEnterEvent enter(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+    QCoreApplication::sendEvent(table.viewport(), &enter);
+    QDragMoveEvent move(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+    QCoreApplication::sendEvent(table.viewport(), &move);
+    QDropEvent drop(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+    QCoreApplication::sendEvent(table.viewport(), &drop);
+}
+
+bool isInOrderOf(const PlanEvent& plan, int iceberg)
+{
+    return std::ranges::find(plan.order, iceberg) != plan.order.end();
+}
+
+int indexOf(const Scenario& scenario, const std::string& iceberg)
+{
+    const auto it = std::ranges::find(scenario.icebergs, iceberg, &Iceberg::id);
+    return static_cast<int>(it - scenario.icebergs.begin());
+}
+
+} // namespace
+
+/** Icebergs handed over from one UAV to another in the plan. */
+class TestMainWindowPlan : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void beforeTakeOffItIsAnEdit()
+    {
+        WindowFixture w(twoUavs());
+        const std::string iceberg = firstOf(w, "uav-1");
+        dragTo(w, iceberg, "uav-2");
+        QCOMPARE(w.document().undoStack()->count(), 1);
+        QVERIFY(w.untilReady());
+        QCOMPARE(w.workspace.keeperOf(iceberg), "uav-2");
+        QVERIFY(rowOf(w, iceberg) > rowOf(w, "uav-2"));
+        QVERIFY(planTable(w)
+                    .model()
+                    ->index(rowOf(w, iceberg), PlanModel::Name)
+                    .data(PlanModel::KeptRole)
+                    .toBool());
+        w.trigger(u"undoAction"_s);
+        QVERIFY(w.untilReady());
+        QVERIFY(w.scenario() == twoUavs());
+        QVERIFY(rowOf(w, iceberg) < rowOf(w, "uav-2"));
+    }
+
+    /** The mission keeps to it, and so does the run when it is flown again. */
+    void inFlightItIsReplayed()
+    {
+        WindowFixture w(twoUavs());
+        w.trigger(u"stepAction"_s);
+        QVERIFY(w.until(RunPhase::Paused));
+        const std::string iceberg = firstOf(w, "uav-1");
+        const int index = indexOf(w.scenario(), iceberg);
+        dragTo(w, iceberg, "uav-2");
+        QVERIFY(w.until([&] { return w.workspace.keeperOf(iceberg) == "uav-2"; }));
+        QVERIFY(w.until([&] { return rowOf(w, iceberg) > rowOf(w, "uav-2"); }));
+        QVERIFY(w.scenario() == twoUavs());
+        w.workspace.fly(0);
+        QVERIFY(w.until(RunPhase::Finished));
+
+        const std::shared_ptr<const RunFile> run = flownRun(w);
+        QCOMPARE(run->interventions.size(), std::size_t{1});
+        const double time_s = run->interventions.front().time_s;
+        const auto [differences, plans] = test::elsewhere([&] {
+            const Mission again = replay(*run);
+            return std::pair(compareRun(*run, berg::runOf(again)), again.plans());
+        });
+        QVERIFY(differences.empty());
+        bool isVisited = false;
+        for (const PlanEvent& plan : plans) {
+            isVisited = isVisited || (plan.uav == 1 && isInOrderOf(plan, index));
+            QVERIFY(plan.uav == 1 || plan.time_s < time_s || plan.reason == PlanReason::Start ||
+                    !isInOrderOf(plan, index));
+        }
+        QVERIFY(isVisited);
+    }
+
+    /** By keyboard and mouse, on the map as in the plan. */
+    void menusHandOver()
+    {
+        WindowFixture w(twoUavs());
+        const std::string iceberg = firstOf(w, "uav-1");
+        const auto choose = [&](const QString& name, const QString& text) {
+            auto& menu = test::child<QMenu>(w.window(), name);
+            const auto actions = menu.actions();
+            const auto it = std::ranges::find(actions, text, &QAction::text);
+            QVERIFY2(it != actions.end(), qPrintable(text));
+            QVERIFY((*it)->isCheckable() && !(*it)->isChecked());
+            (*it)->trigger();
+            menu.close();
+            QTest::qWait(0); // deleted
+        };
+        QTableView& table = planTable(w);
+        table.setCurrentIndex(table.model()->index(rowOf(w, iceberg), 0));
+        QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
+        QCoreApplication::sendEvent(&table, &key);
+        choose(u"planMenu"_s, u"Give to uav-2"_s);
+        QCOMPARE(w.workspace.keeperOf(iceberg), "uav-2");
+        QVERIFY(w.untilReady());
+        QTest::mouseClick(&w.map(), Qt::RightButton, {}, w.pixelOf(iceberg));
+        choose(u"mapMenu"_s, u"Give to West"_s);
+        QCOMPARE(w.workspace.keeperOf(iceberg), "uav-1");
+        QVERIFY(w.untilReady());
+        QTest::mouseClick(&w.map(), Qt::RightButton, {}, w.pixelOf(iceberg));
+        choose(u"mapMenu"_s, u"Any UAV may visit it"_s);
+        QVERIFY(w.scenario() == twoUavs());
+    }
+};
+
+QTEST_MAIN(TestMainWindowPlan)
+#include "tst_main_window_plan.moc"

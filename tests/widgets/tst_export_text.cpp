@@ -1,0 +1,91 @@
+#include "widgets/model/export_text.h"
+
+#include <QSet>
+#include <QtTest>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kNoteKinds = static_cast<int>(ExportNoteKind::NothingToFly) + 1;
+
+ExportNote note(ExportNoteKind kind)
+{
+    return {.kind = kind, .id = {}, .tool = "The tool", .value = 21.25, .limit = 7};
+}
+
+} // namespace
+
+/** Words of the export dialog. */
+class TestExportText : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyNoteHasASentenceOfItsOwn()
+    {
+        QSet<QString> sentences;
+        for (int kind = 0; kind < kNoteKinds; ++kind) {
+            const QString text =
+                exportNoteText(note(static_cast<ExportNoteKind>(kind)), QLocale::c());
+            QVERIFY2(text.endsWith(u'.'), qPrintable(text));
+            QVERIFY2(!text.contains(u'%'), qPrintable(text));
+            QVERIFY(!exportEffectText(effectOf(static_cast<ExportNoteKind>(kind))).isEmpty());
+            sentences << text;
+        }
+        QCOMPARE(sentences.size(), kNoteKinds);
+    }
+
+    void numbersAreInTheSentence_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QStringList>("parts");
+        const auto row = [](const char* name, ExportNoteKind kind, const QStringList& parts) {
+            QTest::newRow(name) << static_cast<int>(kind) << parts;
+        };
+        row("files", ExportNoteKind::OneFileEach, {u"21"_s});
+        row("acceptance", ExportNoteKind::AcceptanceCut,
+            {u"The tool"_s, u"up to 7 m"_s, u"21 m becomes 7 m"_s});
+        row("loiter", ExportNoteKind::LoiterInSteps, {u"The tool"_s, u"21 m becomes 7 m"_s});
+        row("speed", ExportNoteKind::WholeSpeed, {u"The tool"_s, u"21,25 m/s becomes 7 m/s"_s});
+        row("path", ExportNoteKind::PathAsWaypoints, {u"21"_s});
+        row("idle", ExportNoteKind::NothingToFly, {u"21"_s});
+        row("fence", ExportNoteKind::FenceAcross180, {u"The tool"_s});
+    }
+
+    void numbersAreInTheSentence()
+    {
+        QFETCH(int, kind);
+        QFETCH(QStringList, parts);
+        const QString text = exportNoteText(note(static_cast<ExportNoteKind>(kind)),
+                                            QLocale(QLocale::German, QLocale::Germany));
+        for (const QString& part : parts)
+            QVERIFY2(text.contains(part), qPrintable(text));
+    }
+
+    /** Two rows of the table never look the same to the user. */
+    void everyFormatHasWords()
+    {
+        QSet<QString> shown;
+        for (const ExportFormat& format : exportFormats()) {
+            const ExportFormatText text = exportFormatText(format);
+            QVERIFY(!text.name.isEmpty() && !text.tool.isEmpty());
+            QVERIFY2(text.about.endsWith(u'.'), qPrintable(text.about));
+            QCOMPARE(text.group == ExportGroup::Autopilots, format.holds.mission);
+            shown << text.name + text.about;
+        }
+        QCOMPARE(shown.size(), static_cast<qsizetype>(exportFormats().size()));
+    }
+
+    void refusalNamesTheReason()
+    {
+        const Error slow(ErrorCode::InvalidInput, "speed", "must be above the speed of the wind");
+        QVERIFY(exportRefusalText(slow).contains(u"wind"_s));
+        const Error other(ErrorCode::InvalidInput, "altitude", "must be above 0");
+        QVERIFY(exportRefusalText(other).contains(u"altitude"_s));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestExportText)
+#include "tst_export_text.moc"

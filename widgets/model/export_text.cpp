@@ -1,0 +1,211 @@
+#include "widgets/model/export_text.h"
+
+#include "core/base/error.h"
+#include "widgets/model/error_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <stdexcept>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+struct ExportText
+{
+    Q_DECLARE_TR_FUNCTIONS(ExportText)
+};
+
+QString stringOf(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+ExportFormatText missionText(std::string_view id)
+{
+    const ExportGroup group = ExportGroup::Autopilots;
+    if (id == "plan")
+        return {.group = group,
+                .name = ExportText::tr("Mission plan"),
+                .tool = u"QGroundControl"_s,
+                .about = ExportText::tr("Take-off to home as mission items with altitude, speed "
+                                        "and radii, the geofence and a rally point at home. Also "
+                                        "read by Mission Planner and MAVSDK. One UAV a file.")};
+    return {.group = group,
+            .name = ExportText::tr("Waypoint list"),
+            .tool = u"ArduPilot"_s,
+            .about = ExportText::tr("Mission items as QGC WPL 110, the first row home, for Mission "
+                                    "Planner and MAVProxy. No geofence. One UAV a file.")};
+}
+
+ExportFormatText mapText(std::string_view id)
+{
+    const ExportGroup group = ExportGroup::Maps;
+    if (id == "geojson")
+        return {.group = group,
+                .name = u"GeoJSON"_s,
+                .tool = ExportText::tr("QGIS and other map programs"),
+                .about = ExportText::tr("Icebergs, UAVs, ways and area as features with their "
+                                        "numbers, longitude and latitude of WGS 84.")};
+    if (id == "gpx")
+        return {.group = group,
+                .name = u"GPX"_s,
+                .tool = ExportText::tr("Chart plotters, Garmin"),
+                .about = ExportText::tr("Icebergs as waypoints, the order as a route, a path or "
+                                        "what was flown as a track with times.")};
+    if (id == "czml")
+        return {.group = group,
+                .name = u"CZML"_s,
+                .tool = u"Cesium"_s,
+                .about = ExportText::tr("UAVs and icebergs moving in time over the globe, with "
+                                        "ways, area and asset.")};
+    return {.group = group,
+            .name = id == "kmz" ? u"KMZ"_s : u"KML"_s,
+            .tool = u"Google Earth"_s,
+            .about = id == "kmz"
+                         ? ExportText::tr("The same as KML, packed into one small file.")
+                         : ExportText::tr("Ways in the colours of the UAVs, with times if the "
+                                          "scenario has a start; icebergs with their numbers.")};
+}
+
+ExportFormatText tableText(std::string_view id)
+{
+    if (id == "sigma-csv")
+        return {.name = ExportText::tr("Uncertainty"),
+                .tool = ExportText::tr("Spreadsheets"),
+                .about = ExportText::tr("Table with the uncertainty of every iceberg over the "
+                                        "time of the flight.")};
+    if (id == "decisions-csv")
+        return {.name = ExportText::tr("Decisions"),
+                .tool = ExportText::tr("Spreadsheets"),
+                .about = ExportText::tr("Table with plans, visits and what else happened in the "
+                                        "flight.")};
+    if (id == "zeta-csv")
+        return {.name = ExportText::tr("Zeta"),
+                .tool = ExportText::tr("Spreadsheets"),
+                .about = ExportText::tr("Table with zeta over the time of the flight.")};
+    return {.name = ExportText::tr("Way"),
+            .tool = ExportText::tr("Spreadsheets"),
+            .about = ExportText::tr("Table of the order with legs, coordinates and arrivals; of a "
+                                    "path or what was flown one row for each point.")};
+}
+
+QString wholeText(double value, const QLocale& locale)
+{
+    return fixedText(value, 0, locale);
+}
+
+QString autopilotSentence(const ExportNote& note, const QLocale& locale)
+{
+    const QString tool = stringOf(note.tool);
+    const QString limit = wholeText(note.limit, locale);
+    if (note.kind == ExportNoteKind::WholeSpeed)
+        return ExportText::tr("%1 shows the cruise speed as a whole number: %2 m/s becomes %3 m/s. "
+                              "The speed in the mission is exact.")
+            .arg(tool, fixedText(note.value, 2, locale), limit);
+    if (note.kind == ExportNoteKind::LoiterInSteps)
+        return ExportText::tr("%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes "
+                              "%3 m.")
+            .arg(tool, wholeText(note.value, locale), limit);
+    return ExportText::tr("%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m.")
+        .arg(tool, wholeText(note.value, locale), limit);
+}
+
+} // namespace
+
+QString exportGroupText(ExportGroup group)
+{
+    switch (group) {
+    case ExportGroup::Autopilots:
+        return ExportText::tr("Autopilots");
+    case ExportGroup::Maps:
+        return ExportText::tr("Maps and globes");
+    case ExportGroup::Tables:
+        return ExportText::tr("Tables");
+    }
+    throw std::logic_error("exportGroupText: unknown group");
+}
+
+ExportFormatText exportFormatText(const ExportFormat& format)
+{
+    if (format.holds.mission)
+        return missionText(format.id);
+    return format.holds.icebergs ? mapText(format.id) : tableText(format.id);
+}
+
+ExportEffect effectOf(ExportNoteKind kind)
+{
+    switch (kind) {
+    case ExportNoteKind::OneFileEach:
+    case ExportNoteKind::ChoiceNotUsed:
+    case ExportNoteKind::NothingToFly:
+        return ExportEffect::Told;
+    case ExportNoteKind::FenceAcross180:
+    case ExportNoteKind::PathAsWaypoints:
+    case ExportNoteKind::AcceptanceCut:
+    case ExportNoteKind::LoiterInSteps:
+    case ExportNoteKind::WholeSpeed:
+        return ExportEffect::Changed;
+    case ExportNoteKind::NoTimes:
+    case ExportNoteKind::NoFence:
+    case ExportNoteKind::VisitsOnly:
+        return ExportEffect::LeftOut;
+    }
+    throw std::logic_error("effectOf: unknown kind");
+}
+
+QString exportEffectText(ExportEffect effect)
+{
+    switch (effect) {
+    case ExportEffect::Told:
+        return ExportText::tr("Good to know");
+    case ExportEffect::Changed:
+        return ExportText::tr("Changed");
+    case ExportEffect::LeftOut:
+        return ExportText::tr("Left out");
+    }
+    throw std::logic_error("exportEffectText: unknown effect");
+}
+
+QString exportNoteText(const ExportNote& note, const QLocale& locale)
+{
+    const int count = static_cast<int>(note.value);
+    switch (note.kind) {
+    case ExportNoteKind::OneFileEach:
+        return ExportText::tr("A file holds one UAV: %n files are written, named after the UAVs.",
+                              nullptr, count);
+    case ExportNoteKind::NoTimes:
+        return ExportText::tr("The scenario has no start time, so the file has no dates.");
+    case ExportNoteKind::NoFence:
+        return ExportText::tr("The format has no place for the geofence.");
+    case ExportNoteKind::FenceAcross180:
+        return ExportText::tr("%1 may draw the fence the long way round: it crosses the "
+                              "antimeridian.")
+            .arg(stringOf(note.tool));
+    case ExportNoteKind::VisitsOnly:
+        return ExportText::tr("The places where icebergs were reached are written, not the track.");
+    case ExportNoteKind::PathAsWaypoints:
+        return ExportText::tr("The path becomes %n waypoints close to it.", nullptr, count);
+    case ExportNoteKind::AcceptanceCut:
+    case ExportNoteKind::LoiterInSteps:
+    case ExportNoteKind::WholeSpeed:
+        return autopilotSentence(note, locale);
+    case ExportNoteKind::ChoiceNotUsed:
+        return ExportText::tr("The table is about the whole flight, whatever is chosen.");
+    case ExportNoteKind::NothingToFly:
+        return ExportText::tr("%n UAVs have no iceberg to visit.", nullptr, count);
+    }
+    throw std::logic_error("exportNoteText: unknown kind");
+}
+
+QString exportRefusalText(const Error& error)
+{
+    if (error.subject() == "speed")
+        return ExportText::tr("The airspeed must be above the speed of the wind.");
+    return errorReport(error);
+}
+
+} // namespace berg

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/scenario/scenario.h"
+
+#include <QString>
+
+namespace berg {
+
+/** What an iceberg or a UAV is called on screen: its name, or the id where it has none. */
+template <class Object>
+[[nodiscard]] QString shownName(const Object& object)
+{
+    return QString::fromStdString(object.name.empty() ? object.id : object.name);
+}
+
+/** Of the UAV of that number; empty: there are not several, or none of that number. */
+[[nodiscard]] inline QString nameInFleet(const std::vector<Uav>& uavs, int uav)
+{
+    const auto place = static_cast<std::size_t>(uav);
+    return uavs.size() > 1 && uav >= 0 && place < uavs.size() ? shownName(uavs[place]) : QString();
+}
+
+} // namespace berg
