@@ -107,8 +107,10 @@ bool Simulation::somethingForIdle(int uav) const
 {
     const bool othersFly =
         std::ranges::any_of(m_state.uavs, [](const UavState& other) { return other.target >= 0; });
+    if (othersFly && m_state.step % m_stepsPerSecond != 0)
+        return false; // a planner that leaves it out is not asked at each step
     for (int i = 0; i < icebergCount(); ++i)
-        if (visitable(uav, i) && (!othersFly || assignedTo(i) == uav))
+        if (othersFly ? assignedTo(i) == uav && available(uav, i) : visitable(uav, i))
             return true;
     return false;
 }

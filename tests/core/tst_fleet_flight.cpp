@@ -183,7 +183,8 @@ private slots:
             for (std::size_t i = 0; i < scenario.icebergs.size(); ++i)
                 scenario.icebergs[i].uav = scenario.uavs[i % 2].id;
             const Mission mission = flown(scenario, {.workLimit = 300'000});
-            QVERIFY2(mission.metrics().visits > 3, std::string(nameOf(kPolicyNames, policy)).c_str());
+            QVERIFY2(mission.metrics().visits > 3,
+                     std::string(nameOf(kPolicyNames, policy)).c_str());
             for (const PlanEvent& plan : mission.plans())
                 if (plan.target >= 0)
                     QCOMPARE(plan.target % 2, plan.uav);
@@ -357,6 +358,23 @@ private slots:
         Scenario quiet = scenario;
         quiet.noise = false;
         QCOMPARE(forecast->zeta_m2s, flown(quiet).metrics().zeta_m2s);
+    }
+
+    /** A UAV waits for one kept for it that is too far away, and asks for no plan meanwhile. */
+    void whatIsOutOfReachIsNotAskedFor()
+    {
+        Scenario scenario = emptySea(300);
+        addIceberg(scenario, 3000, 0);
+        addIceberg(scenario, 0, 9000);
+        scenario.icebergs[1].uav = "uav-b";
+        Uav waiting = scenario.uavs.front();
+        waiting.id = "uav-b";
+        waiting.position_m = {-2000, 0};
+        waiting.spec.endurance_s = 700; // enough for the near one, not for its own
+        scenario.uavs.push_back(waiting);
+        const Mission mission = flown(scenario);
+        QVERIFY(!mission.simulation().available(1, 1));
+        QVERIFY(mission.metrics().replans < 40);
     }
 
     void moreUavsThanIcebergs()
