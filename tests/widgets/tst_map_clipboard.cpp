@@ -263,12 +263,25 @@ private slots:
     {
         test::MapFixture map;
         setClipboard(u"kept"_s);
-        map.selection.set({"uav-1"});
         QVERIFY(!map.view.copySelected());
         map.view.cutSelected();
         map.view.duplicateSelected();
         QCOMPARE(QApplication::clipboard()->text(), u"kept"_s);
         QCOMPARE(map.undoCount(), 0);
+    }
+
+    void uavsAreDuplicatedButNotCopied()
+    {
+        test::MapFixture map;
+        setClipboard(u"kept"_s);
+        map.selection.set({"uav-1"});
+        QVERIFY(!map.view.copySelected());
+        map.view.cutSelected();
+        QCOMPARE(QApplication::clipboard()->text(), u"kept"_s);
+        QCOMPARE(map.undoCount(), 0);
+        map.view.duplicateSelected();
+        QCOMPARE(map.undoCount(), 1);
+        QCOMPARE(map.scenario().uavs.size(), std::size_t{2});
     }
 };
 
