@@ -1,11 +1,10 @@
 #include "core/io/fleet_result.h"
 
+#include "core/io/result_parts.h"
 #include "core/plan/fleet_task.h"
 #include "core/plan/names.h"
 #include "core/sim/clusters.h"
 #include "core/sim/simulation.h"
-
-#include <nlohmann/json.hpp>
 
 #include <numeric>
 
@@ -13,13 +12,7 @@ namespace berg {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-template <class T>
-Json orNull(const std::optional<T>& value)
-{
-    return value ? Json(*value) : Json(nullptr);
-}
+using Json = ResultJson;
 
 /** Distances of a request are in the unit of the fleet: those of the UAV's own speed. */
 double ownDistance_m(const PlanRequest& request, const UavRequest& uav, const Scenario& scenario,
@@ -37,14 +30,6 @@ double ownDistance_m(const PlanRequest& request, const UavRequest& uav, const Sc
     if (scenario.planner.route == Route::Closed)
         distance_m += uav.distance_m(from, 0) * ownUnit;
     return distance_m;
-}
-
-std::optional<double> muOf(const Scenario& scenario, const PlanRequest& request)
-{
-    const FleetTask task = fleetTask(request);
-    if (scenario.planner.policy != PolicyKind::Visitation || task.uavs.empty())
-        return std::nullopt;
-    return fleetTuningWeight(task.problem, betweenStarts(request, task), scenario.planner.tau).mu;
 }
 
 Json uavJson(const UavOrder& uav)
@@ -75,7 +60,8 @@ FleetReport fleetReport(const Scenario& scenario, const PlanAnswer& answer)
     FleetReport report;
     report.outcome = answer.outcome;
     report.gap = answer.gap;
-    report.mu = muOf(scenario, request);
+    if (scenario.planner.policy == PolicyKind::Visitation)
+        report.mu = answer.problem.mu;
     if (answer.outcome.status != SolveStatus::None &&
         scenario.planner.policy != PolicyKind::Coverage)
         report.objective = answer.outcome.objective;
@@ -117,7 +103,7 @@ std::string fleetJson(const FleetReport& report)
                     {"backend", outcome.backend},
                     {"icebergs", ids},
                     {"uavs", uavs}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+    return resultText(json);
 }
 
 } // namespace berg

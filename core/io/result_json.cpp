@@ -1,9 +1,8 @@
 #include "core/io/result_json.h"
 
 #include "core/io/result_csv.h"
+#include "core/io/result_parts.h"
 #include "core/plan/names.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -11,18 +10,7 @@ namespace berg {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-template <class T>
-Json orNull(const std::optional<T>& value)
-{
-    return value ? Json(*value) : Json(nullptr);
-}
-
-std::string text(const Json& json)
-{
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
-}
+using Json = ResultJson;
 
 std::optional<double> gapOf(const TvpProblem& problem, const SolveOutcome& outcome)
 {
@@ -141,7 +129,7 @@ std::string solveJson(const SolveReport& report)
         json["this_sortie"] = *report.thisSortie;
     if (report.secondOpinion)
         json["verify"] = secondOpinionJson(*report.secondOpinion);
-    return text(json);
+    return resultText(json);
 }
 
 std::vector<UavFigures> uavFigures(const Mission& mission)
@@ -192,7 +180,7 @@ std::string simulateJson(const Mission& mission, std::optional<double> lowerBoun
     }
     for (const auto& [name, count] : worldEvents(mission))
         json["events"][name] = count;
-    return text(json);
+    return resultText(json);
 }
 
 std::string sweepJson(const Study& study, const StudySummary& summary,
@@ -211,7 +199,7 @@ std::string sweepJson(const Study& study, const StudySummary& summary,
     json["cases"] = summary.cases.size();
     if (elapsed_s)
         json["seconds"] = *elapsed_s;
-    return text(json);
+    return resultText(json);
 }
 
 std::string benchmarkJson(const std::vector<BenchmarkRow>& rows)
@@ -243,7 +231,7 @@ std::string benchmarkJson(const std::vector<BenchmarkRow>& rows)
             one["note"] = row.note;
         list.push_back(std::move(one));
     }
-    return text(Json{{"rows", list}});
+    return resultText(Json{{"rows", list}});
 }
 
 std::string findingsJson(const std::vector<FileFindings>& files)
@@ -255,7 +243,7 @@ std::string findingsJson(const std::vector<FileFindings>& files)
                             {"severity", severityName(issue.severity)},
                             {"field", issue.field},
                             {"message", issue.message}});
-    return text(list);
+    return resultText(list);
 }
 
 std::string sweepCsv(const StudySummary& summary)

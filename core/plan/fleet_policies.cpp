@@ -67,6 +67,11 @@ public:
                           .hintUsed = outcome.hintUsed,
                           .backend = outcome.backend,
                           .detail = outcome.detail};
+        answer.problem.criterion = task.problem.criterion;
+        answer.problem.mu = task.problem.mu;
+        if (outcome.status == SolveStatus::None)
+            return answer;
+        answer.distance_m = fleetDistance(task.problem, outcome.plan);
         if (outcome.bound)
             answer.gap = fleetGap(task.problem, outcome.objective, *outcome.bound);
         return answer;

@@ -92,11 +92,13 @@ struct PlanAnswer
     std::optional<AimedOutlook> outlook;     ///< of `legs`
     /**
      * One for each of `PlanRequest::fleet`, no iceberg the first one of two of them; then `order`,
-     * `legs`, `problem` and the order of `outcome` are empty.
+     * `legs` and the order of `outcome` are empty, and `problem` has criterion and mu alone.
      */
     std::vector<UavAnswer> fleet;
     std::optional<double> gap; ///< relative, of a fleet
-    double distance_m = 0;     ///< flown, of a fleet: the sum over its orders
+    /** Of a fleet: the sum over its orders, in the unit of `UavRequest::distance_m`; ways back on
+     * closed routes included. */
+    double distance_m = 0;
 };
 
 /** What the policies `visitation` and `latency` solve in answer to a request; `mu` is 0. */

@@ -31,7 +31,7 @@ PlanEvent planEvent(const PlanAnswer& answer)
                     .fellBack = answer.fellBack};
     if (!outcome.order.empty())
         event.distance_m = flownDistance(answer.problem, outcome.order);
-    if (outcome.bound && outcome.status != SolveStatus::None)
+    if (answer.fleet.empty() && outcome.bound && outcome.status != SolveStatus::None)
         event.gap = relativeGap(answer.problem, outcome.objective, *outcome.bound);
     return event;
 }

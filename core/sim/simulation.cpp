@@ -251,14 +251,6 @@ bool Simulation::visitable(int uav, int iceberg) const
            !(craft.fence && craft.needsRunOut && craft.fence->isShutOff(estimate_m(iceberg)));
 }
 
-bool Simulation::availableToAny(int iceberg) const
-{
-    for (int uav = 0; uav < uavCount(); ++uav)
-        if (available(uav, iceberg))
-            return true;
-    return false;
-}
-
 Point Simulation::truth_m(int iceberg) const
 {
     const DriftModel& drift = m_drift[index(iceberg)];

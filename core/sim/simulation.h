@@ -176,8 +176,6 @@ public:
     /** Whether it may be planned for the UAV: active, not lost, in no field of view, not within
      * reach, not kept for another one, and within its endurance. */
     [[nodiscard]] bool available(int uav, int iceberg) const;
-    /** Whether it may be for one of the UAVs. */
-    [[nodiscard]] bool availableToAny(int iceberg) const;
     [[nodiscard]] int uavCount() const { return static_cast<int>(m_crafts.size()); }
     /** The UAV that alone is to visit it; -1: any. */
     [[nodiscard]] int assignedTo(int iceberg) const { return m_assigned[index(iceberg)]; }

@@ -23,7 +23,7 @@ PlanRequest Simulation::planRequest() const
     request.speed_mps = motion(0).airspeed_mps;
     std::vector<Point> starts_m;
     for (const int uav : uavs) {
-        PlanRequest own = requestOf(uav);
+        PlanRequest own = uav == uavs.front() ? request : requestOf(uav);
         const double perOwn = request.speed_mps / motion(uav).airspeed_mps;
         request.fleet.push_back({.uav = uav,
                                  .distance_m = perOwn * own.problem.distance_m,

@@ -360,6 +360,38 @@ private slots:
         QCOMPARE(forecast->zeta_m2s, flown(quiet).metrics().zeta_m2s);
     }
 
+    /** What the solver said of the whole fleet: gap, mu and distance belong to one another. */
+    void plansTellWhatTheSolverSaid()
+    {
+        const Scenario scenario = fleetScenario(1, 3, 40);
+        Mission mission(scenario, {.workLimit = 2'000'000});
+        mission.advance(0);
+        double sum_m2 = 0;
+        for (const Iceberg& iceberg : scenario.icebergs)
+            sum_m2 += initialSigma_m2(iceberg);
+        const PlanRequest request = Simulation(scenario).planRequest();
+        double distance_m = 0;
+        double reward_m2 = 0;
+        for (const PlanEvent& plan : mission.plans()) {
+            QVERIFY(plan.bound && plan.gap && plan.mu > 0);
+            QCOMPARE(plan.status, SolveStatus::Feasible); // so the gap is worth telling
+            COMPARE_NEAR(*plan.gap, (plan.objective - *plan.bound) / (plan.objective + 41 * sum_m2),
+                         1e-9);
+            const auto k = static_cast<std::size_t>(plan.uav);
+            int from = 0;
+            double t = 2;
+            for (const int iceberg : plan.order) {
+                distance_m += request.fleet[k].distance_m(from, iceberg + 1);
+                reward_m2 += initialSigma_m2(scenario.icebergs[static_cast<std::size_t>(iceberg)]) *
+                             (41 - t++);
+                from = iceberg + 1;
+            }
+        }
+        const PlanEvent& plan = mission.plans().front();
+        COMPARE_NEAR(plan.distance_m, distance_m, 1e-6);
+        COMPARE_NEAR(plan.mu * plan.distance_m - plan.objective, reward_m2, 1e-6);
+    }
+
     /** A UAV waits for one kept for it that is too far away, and asks for no plan meanwhile. */
     void whatIsOutOfReachIsNotAskedFor()
     {

@@ -379,7 +379,10 @@ private slots:
         QVERIFY(!none.distance_m && !none.reward_m2);
         const PlanFigures fleet =
             planFigures({.plan = provenPlan(), .others = {{1}}}, PolicyKind::Visitation);
-        QVERIFY(fleet.distance_m && fleet.objective_m2 && !fleet.reward_m2 && !fleet.mu_m);
+        const PlanFigures one = planFigures({.plan = provenPlan()}, PolicyKind::Visitation);
+        QVERIFY(fleet.reward_m2 && fleet.reward_m2 == one.reward_m2);
+        QVERIFY(fleet.mu_m && fleet.mu_m == one.mu_m);
+        QVERIFY(fleet.objective_m2 == one.objective_m2);
     }
 
     void longTextsFitTheDock()

@@ -46,16 +46,6 @@ QString solverText(const std::string& backend)
     return QString::fromStdString(backend);
 }
 
-/** Per cent in steps of 0.1, from 10 on of 1, rounded up: "within" must stay true. */
-QString gapText(double gap, const QLocale& locale)
-{
-    const double percent = 100 * gap;
-    constexpr double kRounding = 1e-9; // keeps 0.8 from becoming 0.9
-    if (percent > 10)
-        return fixedText(std::ceil(percent - kRounding), 0, locale);
-    return fixedText(std::max(1.0, std::ceil(10 * percent - kRounding)) / 10, 1, locale);
-}
-
 QString detailsOf(const PlanEvent& plan, const QLocale& locale)
 {
     const auto number = [&](double value) { return significantText(value, 6, locale); };
@@ -257,15 +247,21 @@ PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
     if (policy == PolicyKind::Path || policy == PolicyKind::Tour || policy == PolicyKind::Latency ||
         policy == PolicyKind::Coverage)
         return figures;
-    const bool isFleet = !readout.others.empty(); // what distance costs it is not on record
-    if (!isFleet)
-        figures.reward_m2 = plan.mu * plan.distance_m - plan.objective;
+    figures.reward_m2 = plan.mu * plan.distance_m - plan.objective;
     if (!isSolved(plan))
         return figures;
     figures.objective_m2 = plan.objective;
-    if (!isFleet)
-        figures.mu_m = plan.mu;
+    figures.mu_m = plan.mu;
     return figures;
+}
+
+QString gapText(double gap, const QLocale& locale)
+{
+    const double percent = 100 * gap;
+    constexpr double kRounding = 1e-9; // keeps 0.8 from becoming 0.9
+    if (percent > 10)
+        return fixedText(std::ceil(percent - kRounding), 0, locale);
+    return fixedText(std::max(1.0, std::ceil(10 * percent - kRounding)) / 10, 1, locale);
 }
 
 QString solveTimeText(double elapsed_s, const QLocale& locale)

@@ -61,6 +61,10 @@ struct PlanFigures
 };
 [[nodiscard]] PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy);
 
+/** A relative gap as per cent in steps of 0.1, from 10 on of 1, rounded up: "within" must stay true.
+ */
+[[nodiscard]] QString gapText(double gap, const QLocale& locale);
+
 /** "under 1 ms", "4 ms", "1.2 s". */
 [[nodiscard]] QString solveTimeText(double elapsed_s, const QLocale& locale);
 
