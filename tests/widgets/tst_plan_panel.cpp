@@ -1,135 +1,16 @@
 #include "tests/support/approx.h"
-#include "tests/support/panel_test.h"
-#include "tests/support/scenario_builder.h"
-#include "widgets/panels/plan_model.h"
-#include "widgets/panels/plan_panel.h"
+#include "tests/support/plan_panel_fixture.h"
 
-#include <QAbstractItemModelTester>
 #include <QContextMenuEvent>
-#include <QDropEvent>
 #include <QLabel>
-#include <QMimeData>
 #include <QScrollBar>
-#include <QSignalSpy>
-#include <QTableView>
 
 #include <cmath>
-#include <memory>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-
-namespace {
-
-std::vector<PlanRow> rowsOf(const std::vector<std::string>& ids)
-{
-    std::vector<PlanRow> rows;
-    for (const std::string& id : ids)
-        rows.push_back({.id = id,
-                        .name = QString::fromStdString(id),
-                        .leg_m = 1000,
-                        .arrival_s = 60 * static_cast<double>(rows.size() + 1),
-                        .sigma_m2 = 4});
-    return rows;
-}
-
-/** The plan of the only UAV. */
-std::vector<PlanSection> planOf(std::vector<PlanRow> rows, bool isHomeward = false)
-{
-    return {
-        {.uav = "uav-1", .name = u"uav-1"_s, .isHomeward = isHomeward, .rows = std::move(rows)}};
-}
-
-std::vector<PlanSection> visiting(const std::vector<std::string>& ids)
-{
-    return planOf(rowsOf(ids));
-}
-
-/** a and b of uav-1, c of uav-2, for which it is kept. */
-std::vector<PlanSection> twoUavs()
-{
-    std::vector<PlanRow> kept = rowsOf({"c"});
-    kept.front().isKept = true;
-    return {{.uav = "uav-1", .name = u"West"_s, .place = 0, .rows = rowsOf({"a", "b"})},
-            {.uav = "uav-2", .name = u"uav-2"_s, .place = 1, .rows = std::move(kept)}};
-}
-
-std::vector<std::string> manyIds()
-{
-    std::vector<std::string> ids;
-    for (int i = 0; i < 40; ++i)
-        ids.push_back(u"b%1"_s.arg(i).toStdString());
-    return ids;
-}
-
-/** UAV at (0, 0); icebergs estimated at (300, 400) and, drifting, (300, 1000) at time 100. */
-MissionSnapshot twoIcebergs(const Scenario& scenario)
-{
-    MissionSnapshot now;
-    now.time_s = 100;
-    now.icebergs = scenario.icebergs;
-    now.world.tracks = {{.anchor_m = Point(300, 400), .sigma_m2 = 2.5, .q_m2ps = 0.02},
-                        {.anchor_m = Point(250, 900),
-                         .anchor_s = 50,
-                         .velocity_mps = Point(1, 2),
-                         .sigma_m2 = 7,
-                         .q_m2ps = 0.1}};
-    now.active = {true, true};
-    for (const Uav& uav : scenario.uavs) {
-        now.world.uavs.push_back({.pose = {.position_m = uav.position_m}});
-        now.motions.push_back(
-            {.airspeed_mps = uav.spec.airspeed_mps, .wind_mps = scenario.wind_mps});
-    }
-    now.plan = PlanEvent{.order = {0, 1}};
-    now.plans = {*now.plan};
-    now.assigned = {-1, -1};
-    return now;
-}
-
-Scenario twoIcebergScenario()
-{
-    Scenario scenario = test::emptySea();
-    scenario.uavs.front().spec.airspeed_mps = 20;
-    test::addIceberg(scenario, 0, 0);
-    test::addIceberg(scenario, 0, 0).name = "Tabular";
-    return scenario;
-}
-
-struct Fixture
-{
-    PlanPanel panel;
-    QTableView& table = test::child<QTableView>(panel, u"planTable"_s);
-    QAbstractItemModel& model = *table.model();
-    QSignalSpy hovered{&panel, &PlanPanel::hovered};
-    QSignalSpy activated{&panel, &PlanPanel::activated};
-
-    Fixture()
-    {
-        panel.setLocale(QLocale::c());
-        panel.resize(test::kDock_px, 240);
-        panel.show();
-    }
-    [[nodiscard]] QString cell(int row, int column) const
-    {
-        return model.index(row, column).data().toString();
-    }
-    [[nodiscard]] QPoint centre(int row) const
-    {
-        return table.visualRect(model.index(row, PlanModel::Name)).center();
-    }
-    [[nodiscard]] int chosenRow() const
-    {
-        const QModelIndexList rows = table.selectionModel()->selectedRows();
-        return rows.isEmpty() ? -1 : rows.front().row();
-    }
-};
-
-std::string lastId(const QSignalSpy& spy)
-{
-    return spy.back().front().value<std::string>();
-}
-
-} // namespace
+using namespace berg::test;
+using Fixture = PlanPanelFixture;
 
 class TestPlanPanel : public QObject
 {
@@ -181,33 +62,6 @@ private slots:
         now.plan.reset();
         now.plans.clear();
         QVERIFY(planSections(now, scenario).front().rows.empty());
-    }
-
-    /** Each UAV flies its own order from where it is, at its own speed. */
-    void everyUavHasItsSection()
-    {
-        Scenario scenario = twoIcebergScenario();
-        scenario.uavs.push_back({.id = "uav-2", .name = "North", .position_m = Point(300, 2000)});
-        scenario.uavs[1].spec.airspeed_mps = 10;
-        MissionSnapshot now = twoIcebergs(scenario);
-        now.plan->order = {0};
-        now.plans = {*now.plan, {.uav = 1, .sameSolve = true, .order = {1}}};
-        now.assigned = {-1, 1};
-        const std::vector<PlanSection> sections = planSections(now, scenario);
-        QCOMPARE(sections.size(), std::size_t{2});
-        QCOMPARE(sections[0].rows.size(), std::size_t{1});
-        QVERIFY(!sections[0].rows[0].isKept);
-        COMPARE_NEAR(sections[0].lastArrival_s(), 25.0, 1e-9);
-        QCOMPARE(sections[1].uav, "uav-2");
-        QCOMPARE(sections[1].name, u"North"_s);
-        QCOMPARE(sections[1].place, 1);
-        QCOMPARE(sections[1].rows[0].name, u"Tabular"_s);
-        QVERIFY(sections[1].rows[0].isKept);
-        COMPARE_NEAR(sections[1].length_m(), 1000.0, 1e-9); // due south, at 10 m/s
-        COMPARE_NEAR(sections[1].lastArrival_s(), 100.0, 1e-9);
-        now.world.uavs[1].mode = FlightMode::Home;
-        QVERIFY(planSections(now, scenario)[1].isHomeward);
-        QVERIFY(planSections(now, scenario)[1].rows.empty());
     }
 
     void cellsHaveWordsAndUnits()
@@ -441,97 +295,6 @@ private slots:
         QVERIFY(test::child<QLabel>(f.panel, u"planEmpty"_s).isVisible());
         f.panel.showPlan(visiting({"a"}));
         QVERIFY(!test::child<QLabel>(f.panel, u"planEmpty"_s).isVisible());
-    }
-
-    void severalUavsHaveALineEach()
-    {
-        Fixture f;
-        const QAbstractItemModelTester tester(&f.model);
-        f.panel.resize(600, 240);
-        f.panel.showPlan(twoUavs());
-        QCOMPARE(f.model.rowCount(), 5);
-        QCOMPARE(f.cell(0, PlanModel::Name), u"West"_s);
-        QCOMPARE(f.cell(0, PlanModel::Leg), u"2.00 km"_s);
-        QCOMPARE(f.cell(0, PlanModel::Arrival), u"in 02:00"_s);
-        QCOMPARE(f.cell(0, PlanModel::Sigma), u"2 visits"_s);
-        QCOMPARE(f.cell(2, PlanModel::Number), u"2"_s);
-        QCOMPARE(f.cell(4, PlanModel::Number), u"1"_s); // each has an order of its own
-        for (int row = 0; row < 5; ++row)
-            QCOMPARE(f.model.index(row, 0).data(PlanModel::UavRole).toInt(), row < 3 ? 0 : 1);
-        QCOMPARE(test::child<QLabel>(f.panel, u"planSummary"_s).text(),
-                 u"3.00 km, flown in 02:00"_s);
-        QTest::mouseClick(f.table.viewport(), Qt::LeftButton, {}, f.centre(3));
-        QCOMPARE(lastId(f.activated), "uav-2");
-        f.panel.showPlan(visiting({"a"})); // back to one
-        QCOMPARE(f.model.rowCount(), 1);
-        QCOMPARE(f.cell(0, PlanModel::Name), u"a"_s);
-    }
-
-    void homewardUavSaysSo()
-    {
-        Fixture f;
-        std::vector<PlanSection> sections = twoUavs();
-        sections[0].rows.clear();
-        sections[0].isHomeward = true;
-        f.panel.showPlan(sections);
-        QCOMPARE(f.cell(0, PlanModel::Arrival), u"later"_s);
-        const QString toolTip = f.model.index(0, PlanModel::Name).data(Qt::ToolTipRole).toString();
-        QVERIFY2(toolTip.contains(u"on its way home"_s), qPrintable(toolTip));
-    }
-
-    void keptIcebergsHaveAPin()
-    {
-        Fixture f;
-        f.panel.showPlan(twoUavs());
-        const QModelIndex kept = f.model.index(4, PlanModel::Name);
-        QVERIFY(kept.data(PlanModel::KeptRole).toBool());
-        QVERIFY(!f.model.index(1, PlanModel::Name).data(PlanModel::KeptRole).toBool());
-        QVERIFY(kept.data(Qt::ToolTipRole).toString().endsWith(u"Kept for uav-2"_s));
-        QSignalSpy changed(&f.model, &QAbstractItemModel::dataChanged);
-        std::vector<PlanSection> sections = twoUavs();
-        sections[1].rows[0].isKept = false; // no text says so
-        f.panel.showPlan(sections);
-        QCOMPARE(changed.count(), 1);
-        QCOMPARE(changed.front().front().toModelIndex().row(), 4);
-    }
-
-    /** Events as the platform sends them while an iceberg is dragged. */
-    void icebergIsDraggedToAUav()
-    {
-        Fixture f;
-        f.panel.showPlan(twoUavs());
-        QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDragEnabled));
-        QVERIFY(f.model.flags(f.model.index(1, 0)).testFlag(Qt::ItemIsDragEnabled));
-        QSignalSpy handedOver(&f.panel, &PlanPanel::handedOver);
-        const std::unique_ptr<QMimeData> data(f.model.mimeData({f.model.index(1, 0)}));
-        const auto isMarked = [&](int row) {
-            return f.model.index(row, 0).data(PlanModel::DropRole).toBool();
-        };
-        const QPoint at = f.centre(4); // any line of uav-2
-        QDragEnterEvent enter(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
-        QCoreApplication::sendEvent(f.table.viewport(), &enter);
-        QDragMoveEvent move(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
-        QCoreApplication::sendEvent(f.table.viewport(), &move);
-        QVERIFY(move.isAccepted());
-        QVERIFY(isMarked(3) && isMarked(4) && !isMarked(0));
-        QDropEvent drop(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
-        QCoreApplication::sendEvent(f.table.viewport(), &drop);
-        QVERIFY(!isMarked(4));
-        QCOMPARE(handedOver.count(), 1);
-        QCOMPARE(handedOver.front()[0].value<std::string>(), "a");
-        QCOMPARE(handedOver.front()[1].value<std::string>(), "uav-2");
-        QCOMPARE(f.model.rowCount(), 5);
-        QMimeData text;
-        text.setText(u"a"_s);
-        QVERIFY(!f.model.dropMimeData(&text, Qt::MoveAction, -1, -1, f.model.index(4, 0)));
-    }
-
-    void oneUavHasNothingToDrag()
-    {
-        Fixture f;
-        f.panel.showPlan(visiting({"a", "b"}));
-        QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDragEnabled));
-        QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDropEnabled));
     }
 
     /** By the mouse for the row below it, by the menu key for the current one. */

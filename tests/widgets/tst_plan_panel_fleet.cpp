@@ -1,0 +1,145 @@
+#include "tests/support/approx.h"
+#include "tests/support/plan_panel_fixture.h"
+
+#include <QAbstractItemModelTester>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+
+#include <memory>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using namespace berg::test;
+using Fixture = PlanPanelFixture;
+
+/** The plan panel with several UAVs. */
+class TestPlanPanelFleet : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { qRegisterMetaType<std::string>("std::string"); }
+    void init() { test::failOnWarnings(); }
+
+    /** Each UAV flies its own order from where it is, at its own speed. */
+    void everyUavHasItsSection()
+    {
+        Scenario scenario = twoIcebergScenario();
+        scenario.uavs.push_back({.id = "uav-2", .name = "North", .position_m = Point(300, 2000)});
+        scenario.uavs[1].spec.airspeed_mps = 10;
+        MissionSnapshot now = twoIcebergs(scenario);
+        now.plan->order = {0};
+        now.plans = {*now.plan, {.uav = 1, .sameSolve = true, .order = {1}}};
+        now.assigned = {-1, 1};
+        const std::vector<PlanSection> sections = planSections(now, scenario);
+        QCOMPARE(sections.size(), std::size_t{2});
+        QCOMPARE(sections[0].rows.size(), std::size_t{1});
+        QVERIFY(!sections[0].rows[0].isKept);
+        COMPARE_NEAR(sections[0].lastArrival_s(), 25.0, 1e-9);
+        QCOMPARE(sections[1].uav, "uav-2");
+        QCOMPARE(sections[1].name, u"North"_s);
+        QCOMPARE(sections[1].place, 1);
+        QCOMPARE(sections[1].rows[0].name, u"Tabular"_s);
+        QVERIFY(sections[1].rows[0].isKept);
+        COMPARE_NEAR(sections[1].length_m(), 1000.0, 1e-9); // due south, at 10 m/s
+        COMPARE_NEAR(sections[1].lastArrival_s(), 100.0, 1e-9);
+        now.world.uavs[1].mode = FlightMode::Home;
+        QVERIFY(planSections(now, scenario)[1].isHomeward);
+        QVERIFY(planSections(now, scenario)[1].rows.empty());
+    }
+
+    void severalUavsHaveALineEach()
+    {
+        Fixture f;
+        const QAbstractItemModelTester tester(&f.model);
+        f.panel.resize(600, 240);
+        f.panel.showPlan(twoUavs());
+        QCOMPARE(f.model.rowCount(), 5);
+        QCOMPARE(f.cell(0, PlanModel::Name), u"West"_s);
+        QCOMPARE(f.cell(0, PlanModel::Leg), u"2.00 km"_s);
+        QCOMPARE(f.cell(0, PlanModel::Arrival), u"in 02:00"_s);
+        QCOMPARE(f.cell(0, PlanModel::Sigma), u"2 visits"_s);
+        QCOMPARE(f.cell(2, PlanModel::Number), u"2"_s);
+        QCOMPARE(f.cell(4, PlanModel::Number), u"1"_s); // each has an order of its own
+        for (int row = 0; row < 5; ++row)
+            QCOMPARE(f.model.index(row, 0).data(PlanModel::UavRole).toInt(), row < 3 ? 0 : 1);
+        QCOMPARE(test::child<QLabel>(f.panel, u"planSummary"_s).text(),
+                 u"3.00 km, flown in 02:00"_s);
+        QTest::mouseClick(f.table.viewport(), Qt::LeftButton, {}, f.centre(3));
+        QCOMPARE(lastId(f.activated), "uav-2");
+        f.panel.showPlan(visiting({"a"})); // back to one
+        QCOMPARE(f.model.rowCount(), 1);
+        QCOMPARE(f.cell(0, PlanModel::Name), u"a"_s);
+    }
+
+    void homewardUavSaysSo()
+    {
+        Fixture f;
+        std::vector<PlanSection> sections = twoUavs();
+        sections[0].rows.clear();
+        sections[0].isHomeward = true;
+        f.panel.showPlan(sections);
+        QCOMPARE(f.cell(0, PlanModel::Arrival), u"later"_s);
+        const QString toolTip = f.model.index(0, PlanModel::Name).data(Qt::ToolTipRole).toString();
+        QVERIFY2(toolTip.contains(u"on its way home"_s), qPrintable(toolTip));
+    }
+
+    void keptIcebergsHaveAPin()
+    {
+        Fixture f;
+        f.panel.showPlan(twoUavs());
+        const QModelIndex kept = f.model.index(4, PlanModel::Name);
+        QVERIFY(kept.data(PlanModel::KeptRole).toBool());
+        QVERIFY(!f.model.index(1, PlanModel::Name).data(PlanModel::KeptRole).toBool());
+        QVERIFY(kept.data(Qt::ToolTipRole).toString().endsWith(u"Kept for uav-2"_s));
+        QSignalSpy changed(&f.model, &QAbstractItemModel::dataChanged);
+        std::vector<PlanSection> sections = twoUavs();
+        sections[1].rows[0].isKept = false; // no text says so
+        f.panel.showPlan(sections);
+        QCOMPARE(changed.count(), 1);
+        QCOMPARE(changed.front().front().toModelIndex().row(), 4);
+    }
+
+    /** Events as the platform sends them while an iceberg is dragged. */
+    void icebergIsDraggedToAUav()
+    {
+        Fixture f;
+        f.panel.showPlan(twoUavs());
+        QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDragEnabled));
+        QVERIFY(f.model.flags(f.model.index(1, 0)).testFlag(Qt::ItemIsDragEnabled));
+        QSignalSpy handedOver(&f.panel, &PlanPanel::handedOver);
+        const std::unique_ptr<QMimeData> data(f.model.mimeData({f.model.index(1, 0)}));
+        const auto isMarked = [&](int row) {
+            return f.model.index(row, 0).data(PlanModel::DropRole).toBool();
+        };
+        const QPoint at = f.centre(4); // any line of uav-2
+        QDragEnterEvent enter(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+        QCoreApplication::sendEvent(f.table.viewport(), &enter);
+        QDragMoveEvent move(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+        QCoreApplication::sendEvent(f.table.viewport(), &move);
+        QVERIFY(move.isAccepted());
+        QVERIFY(isMarked(3) && isMarked(4) && !isMarked(0));
+        QDropEvent drop(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+        QCoreApplication::sendEvent(f.table.viewport(), &drop);
+        QVERIFY(!isMarked(4));
+        QCOMPARE(handedOver.count(), 1);
+        QCOMPARE(handedOver.front()[0].value<std::string>(), "a");
+        QCOMPARE(handedOver.front()[1].value<std::string>(), "uav-2");
+        QCOMPARE(f.model.rowCount(), 5);
+        QMimeData text;
+        text.setText(u"a"_s);
+        QVERIFY(!f.model.dropMimeData(&text, Qt::MoveAction, -1, -1, f.model.index(4, 0)));
+    }
+
+    void oneUavHasNothingToDrag()
+    {
+        Fixture f;
+        f.panel.showPlan(visiting({"a", "b"}));
+        QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDragEnabled));
+        QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDropEnabled));
+    }
+};
+
+QTEST_MAIN(TestPlanPanelFleet)
+#include "tst_plan_panel_fleet.moc"
