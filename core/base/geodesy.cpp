@@ -8,6 +8,8 @@ namespace berg {
 
 namespace {
 
+constexpr double kArm_deg = 0.001; // short against the Earth, long against rounding
+
 const GeographicLib::AzimuthalEquidistant& projection()
 {
     static const GeographicLib::AzimuthalEquidistant instance(GeographicLib::Geodesic::WGS84());
@@ -34,6 +36,15 @@ LatLon LocalFrame::toGeographic(const Point& position_m) const
     if (place.longitude_deg >= 180)
         place.longitude_deg -= 360;
     return place;
+}
+
+double LocalFrame::trueNorth_rad(const LatLon& place) const
+{
+    const double step_deg = place.latitude_deg > 0 ? -kArm_deg : kArm_deg; // never past a pole
+    const LatLon beside{.latitude_deg = place.latitude_deg + step_deg,
+                        .longitude_deg = place.longitude_deg};
+    const Point north_m = (toPlane(beside) - toPlane(place)) * (step_deg > 0 ? 1 : -1);
+    return std::atan2(-north_m.x(), north_m.y());
 }
 
 PolarFrame::PolarFrame(Pole pole, double centralMeridian_deg)

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] Point toPlane(LatLon place) const;
     /** Longitude in [-180, 180). */
     [[nodiscard]] LatLon toGeographic(const Point& position_m) const;
+    /** Direction of true north there, radians counter-clockwise from the y axis of the plane. */
+    [[nodiscard]] double trueNorth_rad(const LatLon& place) const;
 
     bool operator==(const LocalFrame&) const = default;
 

@@ -1,6 +1,7 @@
 #include "core/base/geometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace berg {
@@ -37,6 +38,13 @@ bool segmentsMeet(const Point& a, const Point& b, const Point& c, const Point& d
         return true;
     return (abc == 0 && onSegment(a, b, c)) || (abd == 0 && onSegment(a, b, d)) ||
            (cda == 0 && onSegment(c, d, a)) || (cdb == 0 && onSegment(c, d, b));
+}
+
+Point turned(const Point& vector, double angle_rad)
+{
+    const double c = std::cos(angle_rad);
+    const double s = std::sin(angle_rad);
+    return {c * vector.x() - s * vector.y(), s * vector.x() + c * vector.y()};
 }
 
 bool insidePolygon(std::span<const Point> polygon, const Point& p)

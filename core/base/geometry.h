@@ -14,6 +14,9 @@ using Point = Eigen::Vector2d;
     return a.x() * b.y() - a.y() * b.x();
 }
 
+/** Counter-clockwise. */
+[[nodiscard]] Point turned(const Point& vector, double angle_rad);
+
 /** Even-odd test; `polygon` holds its corners once, at least three. */
 [[nodiscard]] bool insidePolygon(std::span<const Point> polygon, const Point& p);
 

@@ -40,13 +40,6 @@ private:
     LocalFrame m_to;
 };
 
-Point turned(const Point& vector, double angle_rad)
-{
-    const double c = std::cos(angle_rad);
-    const double s = std::sin(angle_rad);
-    return {c * vector.x() - s * vector.y(), s * vector.x() + c * vector.y()};
-}
-
 /** Where wind and current are taken to blow and flow: the middle of icebergs and UAVs. */
 Point middleOfScene_m(const Scenario& scenario)
 {

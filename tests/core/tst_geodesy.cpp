@@ -202,6 +202,79 @@ private slots:
         COMPARE_NEAR(beyond_m.y(), 2 * pole_m.y(), 1e-3);
     }
 
+    void trueNorthAtTheOrigin()
+    {
+        for (const double latitude_deg : {0.0, 47.0, -65.0, 89.9, -89.9})
+            for (const double longitude_deg : {-180.0, -48.0, 0.0, 179.95}) {
+                const LatLon origin{latitude_deg, longitude_deg};
+                COMPARE_NEAR(LocalFrame(origin).trueNorth_rad(origin), 0, 1e-8);
+            }
+    }
+
+    /** Meridians converge by the sine of the latitude: to the north counter-clockwise of y in the
+     * east, to the south clockwise; on the meridian of the origin north is y. */
+    void trueNorthConverges()
+    {
+        for (const double latitude_deg : {0.0, 30.0, 47.0, 78.0, -30.0, -78.0})
+            for (const double east_deg : {-0.2, -0.05, 0.0, 0.05, 0.2}) {
+                const LocalFrame frame({latitude_deg, 179.9});
+                const LatLon place{latitude_deg, 179.9 + east_deg};
+                const double first_rad = radFromDeg(east_deg) * std::sin(radFromDeg(latitude_deg));
+                COMPARE_NEAR(frame.trueNorth_rad(place), first_rad, 3e-6);
+            }
+        COMPARE_NEAR(LocalFrame({47, -48}).trueNorth_rad({52, -48}), 0, 1e-8);
+    }
+
+    /** From a pole every meridian is a ray; at it, places differ by their longitude alone. */
+    void trueNorthAtThePoles()
+    {
+        for (const double sign : {1.0, -1.0}) {
+            const LocalFrame frame({sign * 90, 0});
+            for (const double longitude_deg : {-170.0, -90.0, 0.0, 45.0, 90.0, 179.0})
+                for (const double latitude_deg : {90.0, 89.9995, 89.0, 82.0}) {
+                    const LatLon place{sign * latitude_deg, longitude_deg};
+                    const double turned_deg =
+                        degFromRad(frame.trueNorth_rad(place)) - sign * longitude_deg;
+                    COMPARE_NEAR(std::remainder(turned_deg, 360.0), 0, 1e-7);
+                }
+        }
+    }
+
+    void trueNorthFromAzimuths_data() { addOrigins(); }
+
+    /**
+     * The geodesic from the origin is a ray of the plane; across it the plane is wider by its
+     * length over its reduced length. So the azimuth at its end gives north there.
+     */
+    void trueNorthFromAzimuths()
+    {
+        QFETCH(double, latitude_deg);
+        QFETCH(double, longitude_deg);
+        const LocalFrame frame({latitude_deg, longitude_deg});
+        for (const Point& p_m : grid(300000)) {
+            const LatLon place = frame.toGeographic(p_m);
+            if (p_m.norm() < 1 || std::abs(place.latitude_deg) > 89.9)
+                continue; // the finite step to the north turns there
+            double length_m = 0;
+            double start_deg = 0;
+            double end_deg = 0;
+            double reduced_m = 0;
+            GeographicLib::Geodesic::WGS84().Inverse(latitude_deg, longitude_deg,
+                                                     place.latitude_deg, place.longitude_deg,
+                                                     length_m, start_deg, end_deg, reduced_m);
+            const Point along = p_m.normalized();
+            const Point across(along.y(), -along.x()); // to the right
+            const double end_rad = radFromDeg(end_deg);
+            const Point north =
+                std::cos(end_rad) * along - std::sin(end_rad) * length_m / reduced_m * across;
+            const double expected_rad = std::atan2(-north.x(), north.y());
+            // Its step of 111 m turns by at most half of that over the distance to the pole.
+            const double toPole_m = (90 - std::abs(place.latitude_deg)) * 111e3;
+            COMPARE_NEAR(std::remainder(frame.trueNorth_rad(place) - expected_rad, 2 * kPi), 0,
+                         1e-6 + 60 / toPole_m);
+        }
+    }
+
     void originIsKeptAndIsZero_data() { addOrigins(); }
 
     void originIsKeptAndIsZero()
