@@ -59,10 +59,13 @@ void moveOn(Scenario& scene, const Mission& mission, int row)
 UavOrder orderAtStart(const PlanAnswer& plan, std::size_t row)
 {
     if (plan.fleet.empty())
-        return row > 0 ? UavOrder{} : UavOrder{.icebergs = plan.order, .clusters = plan.clusters};
+        return row > 0
+                   ? UavOrder{}
+                   : UavOrder{.icebergs = plan.order, .clusters = plan.clusters, .legs = plan.legs};
     if (row >= plan.fleet.size()) // at the start all UAVs are planned
         return {};
-    return {.icebergs = plan.fleet[row].order, .clusters = plan.clusters};
+    return {
+        .icebergs = plan.fleet[row].order, .clusters = plan.clusters, .legs = plan.fleet[row].legs};
 }
 
 } // namespace
@@ -73,9 +76,15 @@ UavOrder presentOrder(const ExportSource& source, std::size_t row)
     const PlanEvent* plan = source.mission ? lastPlanOf(source.mission->plans(), uav) : nullptr;
     if (plan == nullptr)
         return orderAtStart(source.plan, row);
-    if (source.mission->simulation().uav(uav).homeward())
+    const Simulation& simulation = source.mission->simulation();
+    if (simulation.uav(uav).homeward())
         return {};
-    return {.icebergs = plan->order, .clusters = plan->clusters};
+    UavOrder order{.icebergs = plan->order, .clusters = plan->clusters, .legs = plan->legs};
+    if (!order.legs.empty() && simulation.uav(uav).aim)
+        order.legs.front() = *simulation.uav(uav).aim; // what is left of its turn
+    for (AimedLeg& leg : order.legs)
+        leg.sighting_s -= simulation.time_s();
+    return order;
 }
 
 Scenario presentScene(const ExportSource& source, std::size_t row)

@@ -1,6 +1,7 @@
 #include "core/io/flyable_path.h"
 
 #include "core/base/enclosing_circle.h"
+#include "core/coverage/aimed_way.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>
@@ -37,8 +38,10 @@ class OrderFlight
 public:
     OrderFlight(const Scenario& scene, const UavOrder& order)
         : m_order(order)
+        , m_rest(order.icebergs)
         , m_simulation(withTime(scene, longestFlight_s(scene, order)))
         , m_sampleSteps(std::max<std::int64_t>(1, std::llround(kSample_s / scene.dt_s)))
+        , m_ways(aimedWays(order.legs, m_simulation.uav(0).pose, 0, m_simulation.motion(0)))
     {
     }
 
@@ -65,17 +68,38 @@ private:
         if (uav().mode == FlightMode::Ground)
             return landed();
         const PlanReason reason = m_simulation.planReason(0);
-        if (reason == PlanReason::None || uav().homeward())
+        const bool hasLegs = m_leg < m_ways.size();
+        const bool isLegOver = hasLegs && m_simulation.time_s() >= wayEnd_s();
+        if ((reason == PlanReason::None && !isLegOver) || uav().homeward())
             return true;
-        if (isDone(reason))
+        if (hasLegs)
+            passOverAllVisible();
+        else if (isDone(reason))
             finishTarget();
         passOverVisible();
-        if (m_next < m_order.icebergs.size()) {
-            flyToNext();
+        if (isLegOver)
+            ++m_leg;
+        if (!m_rest.empty()) {
+            flyOn(isLegOver);
             return true;
         }
         m_simulation.setTarget(0, -1);
         return uav().homeward();
+    }
+
+    [[nodiscard]] double wayEnd_s() const { return m_ways[m_leg].points.back().time_s; }
+
+    /** Along the leg that there is, or straight to the next one. */
+    void flyOn(bool isNewLeg)
+    {
+        if (m_leg >= m_ways.size()) {
+            flyToNext();
+            return;
+        }
+        const bool goesOn = !isNewLeg && uav().aim;
+        AimedLeg leg = goesOn ? *uav().aim : m_order.legs[m_leg];
+        leg.sighting_s = wayEnd_s(); // whatever is seen before, it is flown to its end
+        m_simulation.setTarget(0, m_rest.front(), leg);
     }
 
     bool landed()
@@ -92,31 +116,39 @@ private:
 
     void finishTarget()
     {
-        const int target = m_order.icebergs.at(m_next);
+        const int target = m_rest.front();
         const std::span<const int> members = clusterWith(m_order.clusters, target);
         const std::vector<int> together =
             members.empty() ? std::vector{target} : std::vector(members.begin(), members.end());
         visit(together);
-        while (m_next < m_order.icebergs.size() &&
-               std::ranges::find(together, m_order.icebergs[m_next]) != together.end())
-            ++m_next;
+        while (!m_rest.empty() && std::ranges::find(together, m_rest.front()) != together.end())
+            m_rest.erase(m_rest.begin());
     }
 
     /** Those next in the order that are in view, or too far to be home in time after. */
     void passOverVisible()
     {
-        for (; m_next < m_order.icebergs.size(); ++m_next) {
-            const int iceberg = m_order.icebergs[m_next];
-            if (m_simulation.available(0, iceberg))
-                return;
-            if (m_simulation.track(iceberg).inView)
-                visit({iceberg});
+        while (!m_rest.empty() && !m_simulation.available(0, m_rest.front())) {
+            if (m_simulation.track(m_rest.front()).inView)
+                visit({m_rest.front()});
+            m_rest.erase(m_rest.begin());
         }
+    }
+
+    /** On legs with aims whatever comes into view is seen, in whatever order. */
+    void passOverAllVisible()
+    {
+        std::erase_if(m_rest, [this](int iceberg) {
+            const bool isSeen = m_simulation.track(iceberg).inView;
+            if (isSeen)
+                visit({iceberg});
+            return isSeen;
+        });
     }
 
     void flyToNext()
     {
-        const int target = m_order.icebergs[m_next];
+        const int target = m_rest.front();
         std::vector<int> members;
         for (const int member : clusterWith(m_order.clusters, target))
             if (m_simulation.available(0, member))
@@ -148,9 +180,11 @@ private:
     }
 
     const UavOrder& m_order;
+    std::vector<int> m_rest; ///< icebergs still to be visited
     Simulation m_simulation;
     std::int64_t m_sampleSteps;
-    std::size_t m_next = 0;
+    std::vector<AimedWay> m_ways; ///< of the legs with aims
+    std::size_t m_leg = 0;        ///< of those, the one that is flown
     FlyablePath m_path;
 };
 

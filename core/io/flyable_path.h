@@ -11,6 +11,7 @@ struct UavOrder
 {
     std::vector<int> icebergs;              ///< indices in visiting order
     std::vector<std::vector<int>> clusters; ///< visited as one; all in `icebergs`, in sequence
+    std::vector<AimedLeg> legs; ///< how it is flown to begin with; empty: straight to each
 };
 
 /** A way through an order with turns. */
@@ -24,8 +25,9 @@ struct FlyablePath
  * Flies the order with the first UAV of the scene from its start, by the very simulation that flies
  * missions, without planning anew: to each iceberg that is not in view already, and with limited
  * endurance home when the rest is too far. `home`: at the end straight home. Icebergs that cannot
- * be caught up with end it. Aims of coverage plans are not followed: it flies at each iceberg. The
- * scene is that of `presentScene`.
+ * be caught up with end it. Legs with aims are flown to their ends (`aimedWays`), and what they
+ * leave is flown to straight. The scene is that of `presentScene`, times of legs
+ * count from its start.
  */
 [[nodiscard]] FlyablePath flyOrder(const Scenario& scene, const UavOrder& order, bool home);
 

@@ -1,0 +1,109 @@
+#include "core/io/export_flight.h"
+#include "core/scenario/presets.h"
+#include "tests/support/approx.h"
+
+#include <QTest>
+
+using namespace berg;
+
+namespace {
+
+constexpr double kLate_s = 3; ///< predictions are of straight lines and whole turns
+
+Scenario coverageScenario(int seed)
+{
+    Scenario scenario = randomScenario(seed);
+    scenario.planner.policy = PolicyKind::Coverage;
+    return scenario;
+}
+
+FlyablePath pathOf(const ExportSource& source, const UavOrder& order)
+{
+    return flyOrder(presentScene(source, 0), order, false);
+}
+
+/** The first icebergs that the plan sees, at the times foretold, `now_s` after take-off. */
+void compareSightings(const FlyablePath& path, const std::vector<int>& order,
+                      const std::vector<double>& sightings_s, std::size_t count, double now_s)
+{
+    QVERIFY(sightings_s.size() >= count);
+    QVERIFY(path.visits.size() >= count);
+    for (std::size_t i = 0; i < count; ++i) {
+        QCOMPARE(path.visits[i].iceberg, order[i]);
+        COMPARE_NEAR(path.visits[i].time_s, sightings_s[i] - now_s, kLate_s);
+    }
+}
+
+} // namespace
+
+/** Orders flown for exports; those in straight legs are tested with the content of exports. */
+class TestFlyablePath : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void aimsAreFollowed_data()
+    {
+        QTest::addColumn<int>("seed");
+        for (const int seed : {1, 2, 3, 4})
+            QTest::addRow("seed %d", seed) << seed;
+    }
+
+    void aimsAreFollowed()
+    {
+        QFETCH(int, seed);
+        const Scenario scenario = coverageScenario(seed);
+        const PlanAnswer plan = planFromStart(scenario);
+        const ExportSource source{.scenario = scenario, .plan = plan};
+        const UavOrder order = presentOrder(source, 0);
+        QVERIFY(order.legs == plan.legs);
+        const FlyablePath path = pathOf(source, order);
+        compareSightings(path, plan.order, plan.outlook->sightings_s, plan.order.size(), 0);
+        for (std::size_t i = 1; i < path.track.size(); ++i) {
+            const TrackPoint& from = path.track[i - 1];
+            const TrackPoint& to = path.track[i];
+            const double step_m = (to.state.position_m - from.state.position_m).norm();
+            QVERIFY(step_m <= 22.0 * (to.time_s - from.time_s) + 1e-6);
+        }
+    }
+
+    /** Of the plan in force, from where the UAV is, the turn it is in included. */
+    void aimsAreFollowedFromNowOn()
+    {
+        Scenario scenario = coverageScenario(2);
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.q_m2ps = 0; // nothing but what is foretold
+        const PlanAnswer start = planFromStart(scenario);
+        Mission mission(scenario);
+        mission.advance(137);
+        const PlanEvent& plan = *lastPlanOf(mission.plans(), 0);
+        const ExportSource source{.scenario = scenario, .plan = start, .mission = &mission};
+        const UavOrder order = presentOrder(source, 0);
+        QVERIFY(!order.legs.empty());
+        const FlyablePath path = pathOf(source, order);
+        QVERIFY(path.track.front().state.position_m == mission.simulation().uav(0).pose.position_m);
+        // Later ones at the edge of the view may come into it a pass earlier or later.
+        compareSightings(path, plan.order, plan.outlook->sightings_s, 6, 137);
+    }
+
+    /** Planned for one speed, not for another. */
+    void anotherSpeedIsFlownStraight()
+    {
+        const Scenario scenario = coverageScenario(1);
+        const PlanAnswer plan = planFromStart(scenario);
+        const ExportSource source{.scenario = scenario, .plan = plan};
+        const ExportContent slow =
+            exportContent(source, {.what = ExportWhat::Path, .airspeed_mps = 20});
+        UavOrder order = presentOrder(source, 0);
+        order.legs.clear();
+        Scenario scene = presentScene(source, 0);
+        scene.uavs.front().spec.airspeed_mps = 20;
+        const FlyablePath straight = flyOrder(scene, order, false);
+        QCOMPARE(slow.uavs.front().track.size(), straight.track.size());
+        QVERIFY(slow.uavs.front().track.back().state.position_m ==
+                straight.track.back().state.position_m);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFlyablePath)
+#include "tst_flyable_path.moc"
