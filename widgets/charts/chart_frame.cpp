@@ -56,11 +56,11 @@ void paintTitles(QPainter& painter, const ChartFrame& frame, const Theme& theme)
         QRectF(kChartSide_px, 12, width_px, 18), flags(Qt::AlignLeft | Qt::AlignVCenter),
         QFontMetricsF(theme.strong()).elidedText(frame.title, Qt::ElideRight, width_px));
     painter.setFont(theme.small());
-    const QRectF row(kChartSide_px, chartTop(frame) - 27, frame.size.width() - 2 * kChartSide_px,
-                     16);
+    QRectF row(kChartSide_px, chartTop(frame) - 27, frame.size.width() - 2 * kChartSide_px, 16);
     painter.setPen(frame.leftColour);
     painter.drawText(row, flags(Qt::AlignLeft | Qt::AlignVCenter), frame.leftTitle);
     painter.setPen(frame.rightColour);
+    row.setRight(frame.rightEdge_px.value_or(row.right()));
     painter.drawText(row, flags(Qt::AlignRight | Qt::AlignVCenter), frame.rightTitle);
 }
 

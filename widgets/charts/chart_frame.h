@@ -62,6 +62,7 @@ struct ChartFrame
     QString title; ///< empty: what is around the chart says it, and its row is left out
     QString leftTitle;
     QString rightTitle;
+    std::optional<double> rightEdge_px; ///< where that ends; none: at the edge of the chart
     QString timeTitle;
     QColor leftColour; ///< of the axis titles: those of their lines
     QColor rightColour;

@@ -1,24 +1,14 @@
 #include "widgets/charts/chart_image.h"
 
-#include "core/base/error.h"
-#include "core/io/atomic_file.h"
+#include "widgets/theme/picture_page.h"
 
-#include <QBuffer>
-#include <QFile>
 #include <QFileInfo>
 #include <QPainter>
-#include <QPdfWriter>
-#include <QSvgGenerator>
-
-#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
-
-constexpr double kPictureScale = 2; // device pixels of a PNG for each of the layout
-constexpr int kLayout_dpi = 96;
 
 /** Lays the chart out without a window on the screen: a widget gets its size only when shown. */
 void showUnseen(TimeChart& chart, const TimeChartContent& content, const QSize& size_px)
@@ -27,36 +17,6 @@ void showUnseen(TimeChart& chart, const TimeChartContent& content, const QSize& 
     chart.setContent(content);
     chart.setAttribute(Qt::WA_DontShowOnScreen);
     chart.show();
-}
-
-void paintPage(const PicturePage& page, QPaintDevice& device)
-{
-    QPainter painter(&device);
-    painter.setRenderHint(QPainter::Antialiasing); // `render` takes the painter's hints
-    page.paint(painter);
-}
-
-void paintSvg(const PicturePage& page, QBuffer& buffer)
-{
-    QSvgGenerator svg;
-    svg.setOutputDevice(&buffer);
-    svg.setResolution(kLayout_dpi);
-    svg.setSize(page.size_px);
-    svg.setViewBox(QRect(QPoint(0, 0), page.size_px));
-    svg.setTitle(page.title);
-    svg.setDescription(page.description);
-    paintPage(page, svg);
-}
-
-void paintPdf(const PicturePage& page, QBuffer& buffer)
-{
-    constexpr double kPoints = 72.0 / kLayout_dpi;
-    QPdfWriter pdf(&buffer);
-    pdf.setResolution(kLayout_dpi);
-    pdf.setPageSize(QPageSize(QSizeF(page.size_px) * kPoints, QPageSize::Point));
-    pdf.setPageMargins({});
-    pdf.setTitle(page.title);
-    paintPage(page, pdf);
 }
 
 /** All of the chart, over `target`. */
@@ -100,30 +60,6 @@ void writeChartPicture(const TimeChartContent& content, const Theme& theme, cons
          .description = content.summary,
          .paint = [&chart](QPainter& painter) { paintChart(chart, painter, chart.rect()); }},
         path);
-}
-
-void writePicture(const PicturePage& page, const QString& path)
-{
-    const QString ending = endingOf(path);
-    if (std::none_of(kChartPictureEndings.begin(), kChartPictureEndings.end(),
-                     [&](const char* known) { return ending == QLatin1String(known); }))
-        throw Error(ErrorCode::Unsupported, path.toStdString(),
-                    "charts are written as .png, .svg or .pdf");
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    if (ending == u"svg"_s) {
-        paintSvg(page, buffer);
-    } else if (ending == u"pdf"_s) {
-        paintPdf(page, buffer);
-    } else {
-        QImage image(page.size_px * kPictureScale, QImage::Format_RGB32);
-        image.setDevicePixelRatio(kPictureScale);
-        paintPage(page, image);
-        image.save(&buffer, "PNG");
-    }
-    writeFileAtomically(QFile::encodeName(path).toStdString(),
-                        {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 } // namespace berg

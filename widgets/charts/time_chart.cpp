@@ -1,9 +1,10 @@
 #include "widgets/charts/time_chart.h"
 
-#include "widgets/theme/palette.h"
+#include "widgets/charts/line_look.h"
 
 #include <QAreaSeries>
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QLineSeries>
 #include <QLinearGradient>
 #include <QPainter>
@@ -14,44 +15,8 @@
 namespace berg {
 namespace {
 
-constexpr double kStrong_px = 3.2;
-constexpr double kFaint_px = 1;
-constexpr float kFaintInk = 0.32F;
-// More segments are drawn more plainly, or painting takes too long.
-constexpr qsizetype kRoundSegments = 700;
-constexpr qsizetype kSmoothSegments = 2500;
+constexpr qsizetype kRoundSegments = 700; // more have flat ends, or painting takes too long
 constexpr int kGradientStops = 24;
-
-double penWidth(LineRole role)
-{
-    switch (role) {
-    case LineRole::Accumulated:
-        return 2.4;
-    case LineRole::Momentary:
-        return 1.8;
-    case LineRole::Weighted:
-    case LineRole::Signed:
-    case LineRole::Sigma:
-    case LineRole::Uav:
-        return 1.5;
-    case LineRole::Bound:
-        return 1.2;
-    }
-    return 1;
-}
-
-double penWidth(const TimeLine& line)
-{
-    switch (line.emphasis) {
-    case LineEmphasis::None:
-        return penWidth(line.role);
-    case LineEmphasis::Strong:
-        return kStrong_px;
-    case LineEmphasis::Faint:
-        return kFaint_px;
-    }
-    return 1;
-}
 
 QValueAxis* makeAxis(QChart& chart, Qt::Alignment alignment)
 {
@@ -108,7 +73,7 @@ void TimeChart::setContent(const TimeChartContent& content)
     m_content = content;
     setAccessibleName(content.title);
     const QString text = content.summary.isEmpty() ? content.leftTitle : content.summary;
-    setAccessibleDescription(hasPoints() ? text : content.emptyText);
+    setAccessibleDescription(hasPoints(m_content) ? text : content.emptyText);
     if (m_zoom && m_zoom->from_s >= content.duration_s && !m_following)
         m_zoom.reset(); // another mission, which has not come that far
     if (!hasSeriesForLines())
@@ -158,45 +123,80 @@ void TimeChart::addSeries(QAbstractSeries* series, const TimeLine& line)
     series->attachAxis(line.onRightAxis ? m_right : m_left);
 }
 
-QColor TimeChart::lineColour(const TimeLine& line) const
+QColor TimeChart::colourOf(const TimeLine& line) const
 {
-    switch (line.role) {
-    case LineRole::Accumulated:
-        return m_theme.accumulated;
-    case LineRole::Momentary:
-    case LineRole::Weighted:
-    case LineRole::Signed:
-        return m_theme.momentary;
-    case LineRole::Sigma:
-        return m_theme.sigma.colour(line.points.empty() ? 0 : line.points.back().y(),
-                                    m_content.sigmaFull_m2);
-    case LineRole::Bound:
-        return m_theme.mutedText;
-    case LineRole::Uav:
-        return uavColour(m_theme, line.uav);
+    return lineColour(line, m_theme, m_content.sigmaFull_m2);
+}
+
+int TimeChart::columns() const
+{
+    return chartColumns(viewport()->width());
+}
+
+void TimeChart::layOut()
+{
+    m_isLaidOut = true;
+    m_figure = timeFigure(m_content, {.theme = m_theme,
+                                      .locale = locale(),
+                                      .size_px = viewport()->size(),
+                                      .window = window(),
+                                      .hasTitle = m_titleShown});
+    chart()->setPlotArea(m_figure.frame.plot);
+    for (std::size_t i = 0; i < m_series.size(); ++i) {
+        // Each change of an axis would lay out the points that are about to be replaced.
+        m_series[i]->clear();
+        if (m_areas[i] != nullptr)
+            m_areas[i]->upperSeries()->clear();
     }
-    return {};
+    setAxes();
+    chart()->layout()->invalidate(); // or the grid stays where the old plot was
+    chart()->layout()->activate();
+    styleLines();
+    showPoints();
+    placeLabels(m_figure, m_content, m_theme, flagsAtCursor());
+    m_picture = {};
+    viewport()->update();
+}
+
+void TimeChart::setAxes()
+{
+    m_left->setTickInterval(m_figure.left.step);
+    m_left->setRange(m_figure.left.start(), m_figure.left.end());
+    m_right->setTickInterval(m_figure.right.step);
+    m_right->setRange(m_figure.right.start(), m_figure.right.end());
+    m_time->setTickInterval(m_figure.timeStep_s);
+    m_time->setRange(m_figure.window.from_s, m_figure.window.to_s);
+}
+
+void TimeChart::showPoints()
+{
+    // Qt draws each segment by itself: fewer of them are faster and join without seams.
+    for (std::size_t i = 0; i < m_figure.drawn.size(); ++i) {
+        m_series[i]->replace(m_figure.drawn[i]);
+        if (m_areas[i] != nullptr)
+            m_areas[i]->upperSeries()->replace(m_figure.drawn[i]);
+    }
 }
 
 void TimeChart::styleLines()
 {
     // Series draw in the coordinates of the plot: the colour of sigma follows the height.
-    QLinearGradient gradient(0, m_frame.plot.height(), 0, 0);
+    QLinearGradient gradient(0, m_figure.frame.plot.height(), 0, 0);
     QLinearGradient faint = gradient;
     for (int k = 0; k <= kGradientStops; ++k) {
         const double t = static_cast<double>(k) / kGradientStops;
-        QColor colour = m_theme.sigma.colour(t * m_left->max(), m_content.sigmaFull_m2);
+        QColor colour = m_theme.sigma.colour(t * m_figure.left.end(), m_content.sigmaFull_m2);
         gradient.setColorAt(t, colour);
         colour.setAlphaF(kFaintInk);
         faint.setColorAt(t, colour);
     }
     qsizetype segments = 0;
-    for (std::size_t i = 0; i < m_drawn.size(); ++i) // an area costs as much as its line
-        segments += m_drawn[i].size() * (m_areas[i] != nullptr ? 2 : 1);
-    m_plain = segments > kSmoothSegments;
+    for (std::size_t i = 0; i < m_figure.drawn.size(); ++i) // an area costs as much as its line
+        segments += m_figure.drawn[i].size() * (m_areas[i] != nullptr ? 2 : 1);
+    m_plain = isCrowded(segments);
     // Round ends join the segments, at several times the cost; where those are short, all is one.
     const Qt::PenCapStyle cap = segments > kRoundSegments ? Qt::FlatCap : Qt::RoundCap;
-    for (std::size_t i = 0; i < m_drawn.size(); ++i) {
+    for (std::size_t i = 0; i < m_figure.drawn.size(); ++i) {
         // Where lines are that dense, single ones can only be told through one another.
         const LineEmphasis emphasis = m_content.lines[i].emphasis;
         const bool isFaint =
@@ -208,20 +208,16 @@ void TimeChart::styleLines()
 void TimeChart::styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapStyle cap)
 {
     const TimeLine& line = m_content.lines[index];
-    QColor colour = lineColour(line);
+    QColor colour = colourOf(line);
     if (line.emphasis == LineEmphasis::Faint)
         colour.setAlphaF(kFaintInk);
     const QBrush brush = line.role == LineRole::Sigma && m_gradients ? bySigma : QBrush(colour);
-    const bool isThin = m_plain && line.emphasis != LineEmphasis::Strong &&
-                        line.role != LineRole::Accumulated; // which is smooth anyway
-    m_series[index]->setPen(QPen(brush, isThin ? 1 : penWidth(line),
-                                 line.role == LineRole::Weighted ? Qt::DashLine : Qt::SolidLine,
-                                 cap, Qt::RoundJoin));
+    m_series[index]->setPen(linePen(line, brush, m_plain, cap));
     if (m_areas[index] == nullptr)
         return;
     m_areas[index]->setPen(Qt::NoPen);
-    QColor fill = lineColour(line);
-    fill.setAlphaF(0.12F);
+    QColor fill = colourOf(line);
+    fill.setAlphaF(kAreaInk);
     m_areas[index]->setBrush(fill);
 }
 
@@ -243,7 +239,7 @@ void TimeChart::paintEvent(QPaintEvent* /*event*/)
     }
     QPainter painter(viewport());
     painter.drawPixmap(0, 0, m_picture);
-    paintReadout(painter, readout(), m_frame.plot, m_theme);
+    paintReadout(painter, readout(), m_figure.frame.plot, m_theme);
     if (hasFocus()) {
         painter.setPen(QPen(m_theme.plan, 1));
         painter.drawRect(QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5));
@@ -257,7 +253,7 @@ void TimeChart::drawBackground(QPainter* painter, const QRectF& rect)
 
 void TimeChart::drawForeground(QPainter* painter, const QRectF& /*rect*/)
 {
-    paintChartFrame(*painter, m_frame, m_theme);
+    paintChartFrame(*painter, m_figure.frame, m_theme);
 }
 
 } // namespace berg

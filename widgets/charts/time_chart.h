@@ -1,9 +1,6 @@
 #pragma once
 
-#include "core/base/nice_ticks.h"
-#include "widgets/charts/chart_content.h"
-#include "widgets/charts/chart_frame.h"
-#include "widgets/charts/time_window.h"
+#include "widgets/charts/time_figure.h"
 #include "widgets/theme/theme.h"
 
 #include <QChartView>
@@ -60,9 +57,9 @@ public:
     /** Direct labels in their places, for tests; empty rectangles: not shown. */
     [[nodiscard]] std::vector<QRectF> labelRects() const;
     /** Series as drawn, after decimation, in the order of `content().lines`. */
-    [[nodiscard]] const std::vector<QList<QPointF>>& drawnPoints() const { return m_drawn; }
+    [[nodiscard]] const std::vector<QList<QPointF>>& drawnPoints() const { return m_figure.drawn; }
     /** Everything around the lines as drawn, for tests. */
-    [[nodiscard]] const ChartFrame& frame() const { return m_frame; }
+    [[nodiscard]] const ChartFrame& frame() const { return m_figure.frame; }
     /** Values at the pointer, or at the cursor; without flags where there is nothing to read. */
     [[nodiscard]] ChartReadout readout() const;
 
@@ -91,12 +88,6 @@ protected:
     void drawForeground(QPainter* painter, const QRectF& rect) override;
 
 private:
-    struct ValueRange
-    {
-        double lowest = 0;
-        double highest = 0;
-    };
-
     struct LineKind
     {
         LineRole role = LineRole::Momentary;
@@ -106,30 +97,12 @@ private:
     void rebuild();
     void addSeries(QAbstractSeries* series, const TimeLine& line);
     void layOut();
-    void decimateLines();
-    void setAxes(const NiceTicks& left, const NiceTicks& right);
-    void setPlot(const NiceTicks& left, const NiceTicks& right);
-    void fillFrame(const NiceTicks& left, const NiceTicks& right);
-    void fillMarks();
-    void simplifyLines();
+    void setAxes();
     void showPoints();
     void styleLines();
     void styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapStyle cap);
-    void placeMarginLabels();
-    void placeInnerLabels();
-    [[nodiscard]] bool hasPoints() const;
-    [[nodiscard]] bool labelsInMargin() const;
-    [[nodiscard]] bool hasRightAxis() const;
-    [[nodiscard]] double marginWidth() const;
-    [[nodiscard]] ValueRange range(bool onRightAxis) const;
-    [[nodiscard]] std::vector<ChartTick> valueTicks(const NiceTicks& ticks) const;
-    [[nodiscard]] double timeToView(double time_s) const;
-    [[nodiscard]] double viewToTime(double x_px) const;
-    [[nodiscard]] QPointF toView(const TimeLine& line, const QPointF& p) const;
-    [[nodiscard]] QColor lineColour(const TimeLine& line) const;
-    /** Line by importance for names: emphasised first, then by the value at `points`. */
-    [[nodiscard]] std::vector<std::size_t>
-    byImportance(const std::vector<std::optional<QPointF>>& points) const;
+    [[nodiscard]] QColor colourOf(const TimeLine& line) const;
+    [[nodiscard]] std::vector<QRectF> flagsAtCursor() const;
     [[nodiscard]] QString valueText(const TimeLine& line, double value) const;
     [[nodiscard]] ReadoutFlag flagOf(std::size_t index, const QPointF& value,
                                      double middle_px) const;
@@ -157,8 +130,7 @@ private:
     std::vector<LineKind> m_built; ///< what the series below are for
     std::vector<QLineSeries*> m_series;
     std::vector<QAreaSeries*> m_areas;
-    std::vector<QList<QPointF>> m_drawn;
-    ChartFrame m_frame;
+    TimeFigure m_figure;
     bool m_isLaidOut = false; ///< since the window was changed
     QPixmap m_picture;        ///< everything but the read-out; null: to be painted anew
 };

@@ -88,22 +88,21 @@ void TimeChart::pan(double by_s)
 
 void TimeChart::pick(const QMouseEvent& event)
 {
-    if (hasPoints())
-        emit timePicked(viewToTime(event.position().x()));
+    if (hasPoints(m_content))
+        emit timePicked(m_figure.viewToTime(event.position().x()));
 }
 
 const ChartLabel* TimeChart::labelAt(const QPointF& position) const
 {
-    const auto found =
-        std::find_if(m_frame.labels.begin(), m_frame.labels.end(), [&](const ChartLabel& label) {
-            return label.inMargin && label.rect.contains(position);
-        });
-    return found == m_frame.labels.end() ? nullptr : &*found;
+    const auto found = std::find_if(
+        m_figure.frame.labels.begin(), m_figure.frame.labels.end(),
+        [&](const ChartLabel& label) { return label.inMargin && label.rect.contains(position); });
+    return found == m_figure.frame.labels.end() ? nullptr : &*found;
 }
 
 void TimeChart::hoverAt(std::optional<QPointF> position)
 {
-    if (position && !m_frame.plot.contains(*position))
+    if (position && !m_figure.frame.plot.contains(*position))
         position.reset();
     if (!position && !m_hover)
         return;
@@ -124,7 +123,7 @@ void TimeChart::mousePressEvent(QMouseEvent* event)
         return;
     }
     const QRectF plot =
-        m_frame.plot.adjusted(-kPlotEdge_px, -kPlotEdge_px, kPlotEdge_px, kPlotEdge_px);
+        m_figure.frame.plot.adjusted(-kPlotEdge_px, -kPlotEdge_px, kPlotEdge_px, kPlotEdge_px);
     m_picking = plot.contains(event->position());
     if (m_picking)
         pick(*event);
@@ -135,7 +134,7 @@ void TimeChart::mouseMoveEvent(QMouseEvent* event)
     if (m_panFrom) {
         const double moved_px = event->position().x() - m_panFrom->x();
         m_panFrom = event->position();
-        pan(-moved_px / m_frame.plot.width() * window().length_s());
+        pan(-moved_px / m_figure.frame.plot.width() * window().length_s());
         return;
     }
     if (m_picking && event->buttons().testFlag(Qt::LeftButton))
@@ -164,7 +163,7 @@ void TimeChart::wheelEvent(QWheelEvent* event)
         pan(-kKeyPan * window().length_s() * angle.x() / kNotchAngle);
     if (angle.y() != 0)
         zoom(std::pow(kNotch, -static_cast<double>(angle.y()) / kNotchAngle),
-             viewToTime(event->position().x()));
+             m_figure.viewToTime(event->position().x()));
     event->accept(); // nothing behind the chart scrolls
 }
 

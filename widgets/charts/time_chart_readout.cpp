@@ -1,0 +1,123 @@
+#include "core/base/label_column.h"
+#include "widgets/charts/decimate.h"
+#include "widgets/charts/time_chart.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr double kFlagHeight_px = 17;
+constexpr double kFlagSpacing_px = 19;
+constexpr double kFlagGap_px = 10;      // between the line of the instant and the flags
+constexpr double kFarthestFlag_px = 48; // from the value
+constexpr std::size_t kMostFlags = 8;
+
+} // namespace
+
+std::vector<QRectF> TimeChart::labelRects() const
+{
+    std::vector<QRectF> rects;
+    for (const ChartLabel& label : m_figure.frame.labels)
+        rects.push_back(label.rect);
+    return rects;
+}
+
+/** They stay while there is no pointer: names keep off them. */
+std::vector<QRectF> TimeChart::flagsAtCursor() const
+{
+    std::vector<QRectF> rects;
+    if (!m_hover)
+        for (const ReadoutFlag& flag : readout().flags)
+            rects.push_back(flag.rect);
+    return rects;
+}
+
+ChartReadout TimeChart::readout() const
+{
+    ChartReadout readout;
+    if (!hasPoints(m_content) || (!m_hover && !m_figure.frame.cursor_px))
+        return readout;
+    const double time_s = m_hover ? m_figure.viewToTime(m_hover->x()) : *m_content.cursor_s;
+    const double at_px = m_figure.timeToView(time_s);
+    const QFontMetricsF metrics(m_theme.small());
+    if (m_hover)
+        readout.hover_px = at_px;
+    readout.time = clockText(time_s);
+    const double timeWidth_px = metrics.horizontalAdvance(readout.time) + 10;
+    readout.timeRect = QRectF(at_px - timeWidth_px / 2, m_figure.frame.plot.bottom() + 4,
+                              timeWidth_px, kFlagHeight_px);
+
+    std::vector<std::optional<QPointF>> values;
+    for (const TimeLine& line : m_content.lines)
+        values.push_back(line.hidden ? std::nullopt : pointAt(line.points, time_s));
+    std::vector<std::size_t> order = byImportance(m_content, values);
+    const auto height = [&](std::size_t i) {
+        return m_figure.toView(m_content.lines[i], *values[i]).y();
+    };
+    if (m_hover) // those near the pointer
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return std::abs(height(a) - m_hover->y()) < std::abs(height(b) - m_hover->y());
+        });
+    order.resize(std::min(order.size(), kMostFlags));
+    std::vector<double> wanted;
+    for (const std::size_t i : order)
+        wanted.push_back(height(i));
+    const LabelColumn column{.top = m_figure.frame.plot.top(),
+                             .bottom = m_figure.frame.plot.bottom(),
+                             .spacing = kFlagSpacing_px};
+    const auto middles = nameableLabels(wanted, column, kFarthestFlag_px);
+    for (std::size_t k = 0; k < order.size(); ++k)
+        if (middles[k])
+            readout.flags.push_back(flagOf(order[k], *values[order[k]], *middles[k]));
+    alignFlags(readout, at_px);
+    return readout;
+}
+
+QString TimeChart::valueText(const TimeLine& line, double value) const
+{
+    // As fine as the eye could read the axis, and no finer.
+    const NiceTicks& axis = m_figure.axisOf(line);
+    const double finest = (axis.end() - axis.start()) / 1000;
+    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 0, 6);
+    if (decimals == 0)
+        return significantText(value, 4, locale());
+    const double unit = std::pow(10.0, -decimals);
+    const double rounded = std::round(value / unit) * unit;
+    return fixedText(rounded == 0 ? 0 : rounded, decimals, locale()); // never -0
+}
+
+ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double middle_px) const
+{
+    const TimeLine& line = m_content.lines[index];
+    ReadoutFlag flag{
+        .at = m_figure.toView(line, value), .text = line.name, .colour = colourOf(line)};
+    if (line.role == LineRole::Sigma)
+        flag.colour = m_theme.sigma.colour(value.y(), m_content.sigmaFull_m2);
+    if (flag.text.isEmpty())
+        flag.text = line.label;
+    flag.text += u' ' + valueText(line, value.y());
+    if (!line.unit.isEmpty())
+        flag.text += u' ' + line.unit;
+    const double width_px = QFontMetricsF(m_theme.small()).horizontalAdvance(flag.text) + 10;
+    flag.rect = QRectF(0, middle_px - kFlagHeight_px / 2, width_px, kFlagHeight_px);
+    return flag;
+}
+
+void TimeChart::alignFlags(ChartReadout& readout, double at_px) const
+{
+    double widest_px = 0;
+    for (const ReadoutFlag& flag : readout.flags)
+        widest_px = std::max(widest_px, flag.rect.width());
+    const bool isRight = at_px + kFlagGap_px + widest_px <= viewport()->width() - 2;
+    for (ReadoutFlag& flag : readout.flags)
+        flag.rect.moveLeft(isRight ? at_px + kFlagGap_px : at_px - kFlagGap_px - flag.rect.width());
+}
+
+} // namespace berg
