@@ -1,10 +1,10 @@
 #include "widgets/panels/study_results.h"
 
-#include "widgets/charts/chart_image.h"
 #include "widgets/charts/difference_chart.h"
 #include "widgets/charts/study_chart.h"
 #include "widgets/panels/study_tables.h"
 #include "widgets/panels/wheel_guard.h"
+#include "widgets/theme/picture_page.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QBoxLayout>

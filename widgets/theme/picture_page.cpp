@@ -1,0 +1,129 @@
+#include "widgets/theme/picture_page.h"
+
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+
+#include <QBuffer>
+#include <QFile>
+#include <QFileInfo>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr double kPictureScale = 2; // device pixels of a PNG for each of the layout
+constexpr int kLayout_dpi = 96;
+
+void paintPage(const PicturePage& page, QPaintDevice& device)
+{
+    QPainter painter(&device);
+    painter.setRenderHint(QPainter::Antialiasing); // `render` of widgets takes the painter's hints
+    painter.fillRect(QRect(QPoint(0, 0), page.size_px), Qt::white); // an SVG has no ground
+    page.paint(painter);
+}
+
+void paintSvg(const PicturePage& page, QBuffer& buffer)
+{
+    QSvgGenerator svg;
+    svg.setOutputDevice(&buffer);
+    svg.setResolution(kLayout_dpi);
+    svg.setSize(page.size_px);
+    svg.setViewBox(QRect(QPoint(0, 0), page.size_px));
+    svg.setTitle(page.title.toHtmlEscaped()); // Qt 6.4 writes both as they are
+    svg.setDescription(page.description.toHtmlEscaped());
+    paintPage(page, svg);
+}
+
+/** Names may hold what XML 1.0 cannot; Qt writes it as it is. */
+void removeUnwritable(QByteArray& svg)
+{
+    svg.replace("\xEF\xBF\xBE", "").replace("\xEF\xBF\xBF", ""); // U+FFFE and U+FFFF
+    svg.removeIf([](char c) {
+        return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
+    });
+}
+
+/** Without what Qt says again of every shape: half of a map. */
+void compact(QByteArray& svg)
+{
+    svg.replace(" vector-effect=\"none\"", "");
+    svg.replace(" transform=\"matrix(1,0,0,1,0,0)\"", "");
+    QByteArray kept;
+    kept.reserve(svg.size());
+    for (const QByteArray& line : svg.split('\n'))
+        if (!line.isEmpty() && !line.startsWith("font-family=\"")) // texts have fonts of their own
+            kept += line + '\n';
+    svg = kept;
+}
+
+void paintPdf(const PicturePage& page, QBuffer& buffer)
+{
+    constexpr double kPoints = 72.0 / kLayout_dpi;
+    QPdfWriter pdf(&buffer);
+    pdf.setResolution(kLayout_dpi);
+    pdf.setPageSize(QPageSize(QSizeF(page.size_px) * kPoints, QPageSize::Point));
+    pdf.setPageMargins({});
+    pdf.setTitle(page.title);
+    pdf.setCreator(u"Bergwatch"_s);
+    paintPage(page, pdf);
+}
+
+/** Qt writes when a PDF was made, to the second: digits of the day before all days in its place. */
+void removeDate(QByteArray& pdf)
+{
+    const QByteArray key = "/CreationDate (D:";
+    const qsizetype at = pdf.indexOf(key);
+    if (at < 0)
+        return;
+    constexpr QByteArrayView kDay = "20000101000000";
+    pdf.replace(at + key.size(), kDay.size(), kDay);
+}
+
+} // namespace
+
+QImage pictureImage(const PicturePage& page, double scale)
+{
+    QImage image((QSizeF(page.size_px) * scale).toSize(), QImage::Format_RGB32);
+    image.setDevicePixelRatio(scale);
+    image.fill(Qt::white);
+    paintPage(page, image);
+    return image;
+}
+
+std::string pictureFile(const PicturePage& page, const QString& ending)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (ending == u"svg"_s) {
+        paintSvg(page, buffer);
+        buffer.close();
+        removeUnwritable(bytes);
+        compact(bytes);
+    } else if (ending == u"pdf"_s) {
+        paintPdf(page, buffer);
+        buffer.close();
+        removeDate(bytes);
+    } else {
+        pictureImage(page, kPictureScale).save(&buffer, "PNG");
+    }
+    return bytes.toStdString();
+}
+
+void writePicture(const PicturePage& page, const QString& path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (std::none_of(kPictureEndings.begin(), kPictureEndings.end(),
+                     [&](const char* known) { return ending == QLatin1String(known); }))
+        throw Error(ErrorCode::Unsupported, path.toStdString(),
+                    "pictures are written as .png, .svg or .pdf");
+    writeFileAtomically(QFile::encodeName(path).toStdString(), pictureFile(page, ending));
+}
+
+} // namespace berg
