@@ -46,7 +46,8 @@ void drawTrackSwatch(QPainter& painter, const QRectF& swatch, const RouteColours
     QLinearGradient fade(swatch.topLeft(), swatch.topRight());
     fade.setColorAt(0, mixed(theme.panel, colours.track, 0.15));
     fade.setColorAt(1, colours.track);
-    drawLineSwatch(painter, swatch, QPen(fade, 2));
+    // Filled: neither SVG nor PDF of Qt has pens with a gradient.
+    painter.fillRect(QRectF(swatch.left(), swatch.center().y() - 1, swatch.width(), 2), fade);
 }
 
 void drawComparisonSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)

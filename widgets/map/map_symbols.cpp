@@ -4,6 +4,7 @@
 #include "widgets/map/painter_state.h"
 
 #include <QFontMetricsF>
+#include <QPaintEngine>
 #include <QPainterPath>
 
 #include <algorithm>
@@ -77,28 +78,26 @@ void drawBrackets(QPainter& painter, const QPointF& centre, double half_px, cons
     }
 }
 
-/** The form of an iceberg, in whose units the painter draws from now on. */
-const IceForm& scaledForm(QPainter& painter, const QPointF& centre, const IcebergLook& look)
+/** The form of an iceberg where it is drawn: pens that do not scale are beyond many SVG readers. */
+IceForm formOf(const QPointF& centre, const IcebergLook& look)
 {
     const bool isMirrored = (look.variant / iceForms().size()) % 2 == 1;
-    painter.translate(centre);
-    painter.scale(isMirrored ? -look.radius_px : look.radius_px, look.radius_px);
-    return iceForms()[look.variant % iceForms().size()];
+    const QTransform place =
+        QTransform::fromTranslate(centre.x(), centre.y())
+            .scale(isMirrored ? -look.radius_px : look.radius_px, look.radius_px);
+    const IceForm& form = iceForms()[look.variant % iceForms().size()];
+    return {place.map(form.outline), place.map(form.shade)};
 }
 
 /** Nobody knows that it is there. */
 void drawLostForm(QPainter& painter, const QPointF& centre, const IcebergLook& look,
                   const Theme& theme)
 {
-    {
-        const PainterState unscaled(painter);
-        QPen edge(theme.ink, 1.4, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
-        edge.setDashPattern({2.5, 2});
-        edge.setCosmetic(true);
-        painter.setPen(edge);
-        painter.setBrush(theme.sea);
-        painter.drawPolygon(scaledForm(painter, centre, look).outline);
-    }
+    QPen edge(theme.ink, 1.4, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    edge.setDashPattern({2.5, 2});
+    painter.setPen(edge);
+    painter.setBrush(theme.sea);
+    painter.drawPolygon(formOf(centre, look).outline);
     QFont font = theme.strong();
     font.setPixelSize(static_cast<int>(std::lround(std::max(11.0, 1.5 * look.radius_px))));
     painter.setFont(font);
@@ -113,6 +112,32 @@ double widestDigit(const QFontMetricsF& metrics)
     for (char16_t digit = u'0'; digit <= u'9'; ++digit)
         widest = std::max(widest, metrics.horizontalAdvance(QChar(digit)));
     return widest;
+}
+
+bool isPaper(const QPainter& painter)
+{
+    const QPaintEngine::Type type = painter.paintEngine()->type();
+    return type == QPaintEngine::Pdf || type == QPaintEngine::SVG;
+}
+
+/** Where a text can be searched for and copied, it is there once. */
+void drawOutline(QPainter& painter, const QRectF& box, const QString& text, const QColor& halo)
+{
+    QPainterPath outline;
+    outline.addText(box.left(), box.top() + QFontMetricsF(painter.font()).ascent(), painter.font(),
+                    text);
+    painter.strokePath(outline, QPen(halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+
+/** Keeps the hinting of the font, which an outline would lose. */
+void drawCopies(QPainter& painter, const QRectF& rect, int flags, const QString& text,
+                const QColor& halo)
+{
+    painter.setPen(halo);
+    for (const QPointF& shift :
+         {QPointF(-1.5, 0), QPointF(1.5, 0), QPointF(0, -1.5), QPointF(0, 1.5), QPointF(-1, -1),
+          QPointF(1, -1), QPointF(-1, 1), QPointF(1, 1)})
+        painter.drawText(rect.translated(shift), flags, text);
 }
 
 } // namespace
@@ -151,11 +176,10 @@ void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& lo
         drawLostForm(painter, centre, look, theme);
         return;
     }
-    const IceForm& form = scaledForm(painter, centre, look);
+    const IceForm form = formOf(centre, look);
     const QColor lit = look.inView ? theme.ice : mixed(look.sigma, theme.ice, 0.3);
     const QColor shaded = look.inView ? mixed(theme.ice, theme.ink, 0.22) : look.sigma;
     QPen edge(theme.isDark ? mixed(theme.ink, theme.sea, 0.1) : theme.ink, 1.2, line);
-    edge.setCosmetic(true);
     edge.setJoinStyle(Qt::RoundJoin);
     painter.setPen(Qt::NoPen);
     painter.setBrush(lit);
@@ -364,14 +388,12 @@ void drawOrderDisk(QPainter& painter, const QPointF& centre, double radius_px, i
 void drawHaloText(QPainter& painter, const QRectF& rect, Qt::Alignment alignment,
                   const QString& text, const QColor& colour, const QColor& halo)
 {
-    // Shifted copies keep the hinting of the font, which an outlined path would lose.
     const PainterState saved(painter);
     const int flags = static_cast<int>(alignment) | static_cast<int>(Qt::TextDontClip);
-    painter.setPen(halo);
-    for (const QPointF& shift :
-         {QPointF(-1.5, 0), QPointF(1.5, 0), QPointF(0, -1.5), QPointF(0, 1.5), QPointF(-1, -1),
-          QPointF(1, -1), QPointF(-1, 1), QPointF(1, 1)})
-        painter.drawText(rect.translated(shift), flags, text);
+    if (isPaper(painter))
+        drawOutline(painter, painter.boundingRect(rect, flags, text), text, halo);
+    else
+        drawCopies(painter, rect, flags, text, halo);
     painter.setPen(colour);
     painter.drawText(rect, flags, text);
 }
