@@ -151,6 +151,9 @@ QWidget* ImportDialog::makeResults()
     line->addWidget(m_summary, 1);
     line->addWidget(m_legend);
     column->addLayout(line);
+    m_scene = new CaptionLabel;
+    m_scene->setObjectName(u"importScene"_s);
+    column->addWidget(m_scene);
     m_icebergTable = newCellTable(m_icebergs, u"importIcebergs"_s, tr("Icebergs of the file"));
     m_columns = new ImportColumnsView;
     connect(m_columns, &ImportColumnsView::edited, this, [this] { request(false); });
@@ -278,6 +281,10 @@ void ImportDialog::showState()
     m_rejectedTable->setEnabled(!busy);
     m_import->setEnabled(usable);
     m_legend->setVisible(usable);
+    const QString scene = usable ? sceneSummary(m_preview->result.scene) : QString();
+    m_scene->setText(scene);
+    m_scene->setToolTip(scene); // all of it, where it is wider than the dialog
+    m_scene->setVisible(!scene.isEmpty());
     if (busy && !m_preview)
         m_summary->setText(
             tr("Reading %1, %2 ...")

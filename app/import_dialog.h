@@ -71,6 +71,7 @@ private:
     MapView* m_map;
     QLabel* m_error;
     QLabel* m_summary;
+    CaptionLabel* m_scene; ///< what becomes of the file's UAVs, area and asset
     CaptionLabel* m_legend;
     QTabWidget* m_tabs;
     QTableView* m_icebergTable;

@@ -119,6 +119,8 @@ std::string summary(const SightingTable& table, const ImportResult& result)
     add("unchanged", result.unchanged, "icebergs");
     if (result.leftOut > 0)
         add("left out", result.leftOut, "icebergs");
+    for (const SceneFinding& finding : result.scene)
+        text += "scene      " + sceneFindingText(finding) + '\n';
     if (result.at)
         text += "start      " + result.scenario.startUtc + '\n';
     return text;

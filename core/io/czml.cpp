@@ -40,7 +40,7 @@ public:
     {
         addDocument();
         for (const ExportIceberg& now : m_content.icebergs)
-            if (isListed(m_content, now))
+            if (now.isListed)
                 addIceberg(now);
         addArea();
         if (m_content.asset)
@@ -120,14 +120,15 @@ private:
     {
         Json packet =
             mark("iceberg/" + now.iceberg.id, titleOf(now.iceberg), now.position_m, kIceColour);
+        const Point drift_mps = eastNorth_mps(m_content, now.drift_mps, now.position_m);
         Json& properties = packet["properties"];
         properties["id"] = now.iceberg.id;
         properties["state"] = nameOf(kIcebergStateNames, now.state);
         properties["sigma_m2"] = now.sigma_m2;
         properties["q_m2ps"] = now.iceberg.q_m2ps;
         properties["radius_m"] = now.iceberg.radius_m;
-        properties["drift_east_mps"] = now.drift_mps.x();
-        properties["drift_north_mps"] = now.drift_mps.y();
+        properties["drift_east_mps"] = drift_mps.x();
+        properties["drift_north_mps"] = drift_mps.y();
         add(packet);
     }
 

@@ -47,7 +47,7 @@ public:
         for (const ExportUav& uav : m_content.uavs)
             addUav(uav);
         for (const ExportIceberg& iceberg : m_content.icebergs)
-            if (isListed(m_content, iceberg))
+            if (iceberg.isListed)
                 addIceberg(iceberg);
         for (const ExportUav& uav : m_content.uavs) {
             addVisits(uav);
@@ -98,7 +98,8 @@ private:
         properties["id"] = uav.uav.id;
         properties["name"] = uav.uav.name;
         addTime(properties, uav.start_s);
-        properties["heading_deg"] = uav.uav.heading_deg;
+        properties["heading_deg"] =
+            trueHeading_deg(m_content, uav.uav.heading_deg, uav.uav.position_m);
         properties["airspeed_mps"] = uav.uav.spec.airspeed_mps;
         properties["altitude_m"] = uav.uav.spec.altitude_m;
         add(point(uav.uav.position_m), std::move(properties));
@@ -119,8 +120,9 @@ private:
         addTime(properties, m_content.now_s);
         properties["sigma_m2"] = now.sigma_m2;
         properties["q_m2ps"] = now.iceberg.q_m2ps;
-        properties["velocity_mps"] = pair(now.iceberg.velocity_mps);
-        properties["drift_mps"] = pair(now.drift_mps);
+        properties["velocity_mps"] =
+            pair(eastNorth_mps(m_content, now.iceberg.velocity_mps, now.position_m));
+        properties["drift_mps"] = pair(eastNorth_mps(m_content, now.drift_mps, now.position_m));
         properties["radius_m"] = now.iceberg.radius_m;
         properties["appears_s"] = now.iceberg.appears_s;
         properties["state"] = nameOf(kIcebergStateNames, now.state);
@@ -225,9 +227,10 @@ private:
         properties["kind"] = "asset";
         properties["name"] = asset.name;
         addTime(properties, m_content.now_s);
-        properties["velocity_mps"] = pair(asset.velocity_mps);
+        const Point place_m = assetPlace_m(m_content);
+        properties["velocity_mps"] = pair(eastNorth_mps(m_content, asset.velocity_mps, place_m));
         properties["range_m"] = asset.range_m;
-        add(point(assetPlace_m(m_content)), std::move(properties));
+        add(point(place_m), std::move(properties));
     }
 
     const ExportContent& m_content;

@@ -28,6 +28,14 @@ struct GpxPoint
     std::string extensions = {}; ///< XML
 };
 
+std::string extensionsOf(const std::vector<XmlData>& data)
+{
+    std::string text;
+    for (const XmlData& item : data)
+        text += xmlElement("berg:" + std::string(item.name), item.value);
+    return text;
+}
+
 class GpxWriter
 {
 public:
@@ -75,38 +83,30 @@ private:
     void addWaypoints()
     {
         for (const ExportIceberg& now : m_content.icebergs)
-            if (isListed(m_content, now))
+            if (now.isListed)
                 add({.tag = "wpt",
                      .position_m = now.position_m,
                      .altitude_m = 0,
                      .time_s = m_content.now_s,
                      .name = titleOf(now.iceberg),
-                     .description = aboutText(now),
+                     .description = aboutText(m_content, now),
                      .type = "iceberg",
-                     .extensions = extensionsOf(now)});
+                     .extensions = extensionsOf(dataOf(m_content, now))});
         for (const ExportUav& uav : m_content.uavs)
             add({.tag = "wpt",
                  .position_m = uav.home_m,
                  .altitude_m = 0,
                  .name = "Home of " + titleOf(uav.uav),
-                 .type = "home"});
+                 .type = "home",
+                 .extensions = extensionsOf(dataOf(m_content, uav))});
         if (m_content.asset)
             add({.tag = "wpt",
                  .position_m = assetPlace_m(m_content),
                  .altitude_m = 0,
                  .time_s = m_content.now_s,
                  .name = m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
-                 .type = "asset"});
-    }
-
-    static std::string extensionsOf(const ExportIceberg& now)
-    {
-        return xmlElement("berg:id", now.iceberg.id) +
-               xmlElement("berg:state", nameOf(kIcebergStateNames, now.state)) +
-               xmlElement("berg:sigma_m2", decimalText(now.sigma_m2)) +
-               xmlElement("berg:radius_m", decimalText(now.iceberg.radius_m)) +
-               xmlElement("berg:drift_east_mps", decimalText(now.drift_mps.x())) +
-               xmlElement("berg:drift_north_mps", decimalText(now.drift_mps.y()));
+                 .type = "asset",
+                 .extensions = extensionsOf(assetData(m_content))});
     }
 
     void addRoute(const ExportUav& uav)

@@ -1,7 +1,7 @@
 #include "core/io/import_geojson.h"
 
 #include "core/io/import_fields.h"
-#include "core/io/json_reader.h"
+#include "core/io/import_geojson_scene.h"
 
 #include <algorithm>
 #include <span>
@@ -9,21 +9,6 @@
 namespace berg {
 
 namespace {
-
-/** A member of an object; null when it is not there or `value` is no object. */
-const Json* memberOf(const Json* value, const char* name)
-{
-    if (value == nullptr || !value->is_object())
-        return nullptr;
-    const auto it = value->find(name);
-    return it == value->end() ? nullptr : &*it;
-}
-
-/** Empty when it is no text. */
-std::string textOf(const Json* value)
-{
-    return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
-}
 
 std::string typeOf(const Json* object)
 {
@@ -79,16 +64,6 @@ const Json* timesOf(const Json* properties)
     return nullptr;
 }
 
-std::string kindOf(const Json* properties)
-{
-    return textOf(memberOf(properties, "kind"));
-}
-
-bool isAircraft(const Json* properties)
-{
-    return kindOf(properties) == "uav" && memberOf(properties, "airspeed_mps") != nullptr;
-}
-
 /** Of an export of our own; empty texts without it. */
 DriftTexts driftOf(const Json* properties)
 {
@@ -133,7 +108,7 @@ public:
         for (const Json& feature : features) {
             const std::string type = typeOf(memberOf(&feature, "geometry"));
             m_isRoute = m_isRoute && type != "Point" && type != "Polygon";
-            m_isOwn = m_isOwn || isAircraft(memberOf(&feature, "properties"));
+            m_isOwn = m_isOwn || isOwnGeoJson(memberOf(&feature, "properties"));
         }
         for (const Json& feature : features)
             addFeature(feature);
@@ -157,7 +132,7 @@ private:
         const Json* coordinates = memberOf(geometry, "coordinates");
         const std::string type = typeOf(geometry);
         if (m_isOwn && !kindOf(properties).empty() && kindOf(properties) != "iceberg") {
-            readOwn(properties, coordinates);
+            addSceneFeature(m_table.scene, feature);
             return;
         }
         FieldTexts texts;
@@ -188,27 +163,6 @@ private:
             if (use && use->field != SightingField::Latitude &&
                 use->field != SightingField::Longitude)
                 texts.set(*use, cellText(value));
-        }
-    }
-
-    /** Of an export of our own where the first aircraft starts and lands; the rest is no iceberg.
-     */
-    void readOwn(const Json* properties, const Json* coordinates)
-    {
-        FieldTexts texts;
-        if (coordinates == nullptr || !setPlace(texts, *coordinates))
-            return;
-        const std::variant<Sighting, RejectedRow> row = sightingOf(texts, {}, m_feature);
-        const auto* const sighting = std::get_if<Sighting>(&row);
-        if (sighting == nullptr)
-            return;
-        if (isAircraft(properties) && !m_table.aircraft) {
-            m_table.aircraft = {
-                .line = m_feature, .start = sighting->place, .home = sighting->place};
-            m_aircraft = textOf(memberOf(properties, "id"));
-        } else if (kindOf(properties) == "home" && m_table.aircraft &&
-                   textOf(memberOf(properties, "uav")) == m_aircraft) {
-            m_table.aircraft->home = sighting->place;
         }
     }
 
@@ -255,9 +209,8 @@ private:
     const ImportText& m_source;
     FieldNames m_names;
     SightingTable m_table;
-    bool m_isOwn = false;   ///< an export of our own
-    bool m_isRoute = true;  ///< no feature has a place of its own
-    std::string m_aircraft; ///< id of the one whose places are known
+    bool m_isOwn = false;  ///< an export of our own
+    bool m_isRoute = true; ///< no feature has a place of its own
     std::size_t m_feature = 0;
 };
 

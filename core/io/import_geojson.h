@@ -13,8 +13,8 @@ namespace berg {
  * names, as columns are; a feature's `id` serves when no property names the iceberg. `line` of a
  * sighting is the number of its feature, from 1. In a file with neither points nor polygons, lines
  * without times are routes: each corner is a place. Of an export of our own the icebergs are taken
- * with their drift, and where the first aircraft starts and lands; its plan, track, area and asset
- * are passed over.
+ * with their drift, and the UAVs, the area and the asset as the scene; plans and tracks are passed
+ * over.
  */
 [[nodiscard]] SightingTable readGeoJson(const ImportText& source);
 [[nodiscard]] bool isGeoJson(std::string_view text);

@@ -16,24 +16,15 @@ bool onPlane(const Point& position_m)
     return position_m.allFinite() && position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
 }
 
-/** To 1e-5, for velocities and q. */
-double rounded(double value)
-{
-    return std::round(value * 1e5) / 1e5;
-}
+// So many parts of 1 are velocities and q rounded to.
+constexpr double kEstimatedParts = 1e5;
+constexpr double kGivenParts = 1e7; ///< an export read back is the same in another plane
 
-/** Velocity in the plane of a drift by speed and direction at a place: north is not y there. */
-Point velocityOf(const Sighting& sighting, const Point& position_m, const LocalFrame& frame)
+/** Speed and direction as true east and north. */
+Point driftOf(double speed_mps, double direction_deg)
 {
-    constexpr double kStep_deg = 0.001;
-    LatLon beside = sighting.place;
-    const double step_deg = beside.latitude_deg > 0 ? -kStep_deg : kStep_deg; // never past a pole
-    beside.latitude_deg += step_deg;
-    const Point way_m = (frame.toPlane(beside) - position_m) * (step_deg > 0 ? 1 : -1);
-    const Point north = way_m.normalized();
-    const Point east(north.y(), -north.x());
-    const double direction_rad = radFromDeg(*sighting.direction_deg);
-    return *sighting.speed_mps * (std::cos(direction_rad) * north + std::sin(direction_rad) * east);
+    const double direction_rad = radFromDeg(direction_deg);
+    return speed_mps * Point(std::sin(direction_rad), std::cos(direction_rad));
 }
 
 /** Gathers what is found about one iceberg. */
@@ -117,13 +108,13 @@ private:
         if (aground) {
             note(ImportNote::Stationary);
             m_iceberg.q_m2ps = 0;
-            setDrift(Point::Zero());
+            setDrift(Point::Zero(), kGivenParts);
         } else if (given_mps) {
             note(ImportNote::VelocityGiven);
-            setDrift(*given_mps);
+            setDrift(*given_mps, kGivenParts);
         } else if (m_estimate.velocity_mps) {
             m_clamped = m_estimate.velocityClamped;
-            setDrift(*m_estimate.velocity_mps);
+            setDrift(*m_estimate.velocity_mps, kEstimatedParts);
         } else {
             // Of one that is there already the velocity is known as well as before.
             note(ImportNote::VelocityUnknown);
@@ -133,7 +124,7 @@ private:
         if (last.q_m2ps) {
             m_iceberg.q_m2ps = *last.q_m2ps;
         } else if (m_estimate.q_m2ps && !aground) {
-            m_iceberg.q_m2ps = rounded(*m_estimate.q_m2ps);
+            m_iceberg.q_m2ps = std::round(*m_estimate.q_m2ps * kEstimatedParts) / kEstimatedParts;
             note(ImportNote::GrowthEstimated);
             if (m_estimate.growthClamped)
                 note(ImportNote::GrowthClamped);
@@ -145,19 +136,24 @@ private:
     {
         const Sighting& last = *m_last->sighting;
         if (last.drift_mps)
-            return last.drift_mps;
+            return inPlane(*last.drift_mps);
         if (last.speed_mps && *last.speed_mps == 0)
             return Point(Point::Zero());
         if (last.speed_mps && last.direction_deg)
-            return velocityOf(last, m_last->fix.position_m, m_setting.frame);
+            return inPlane(driftOf(*last.speed_mps, *last.direction_deg));
         return std::nullopt;
     }
 
+    [[nodiscard]] Point inPlane(const Point& drift_mps) const
+    {
+        return turned(drift_mps, m_setting.frame.trueNorth_rad(m_last->sighting->place));
+    }
+
     /** `total_mps` over ground; the scenario adds its current to the iceberg's own velocity. */
-    void setDrift(const Point& total_mps)
+    void setDrift(const Point& total_mps, double parts)
     {
         const Point exact_mps = total_mps - m_setting.current_mps;
-        const Point own_mps(rounded(exact_mps.x()), rounded(exact_mps.y()));
+        const Point own_mps = (exact_mps * parts).array().round() / parts;
         m_iceberg.velocity_mps =
             own_mps.cwiseMax(-kLargestVelocity_mps).cwiseMin(kLargestVelocity_mps);
         m_clamped = m_clamped || m_iceberg.velocity_mps != own_mps;

@@ -26,9 +26,14 @@ constexpr std::array<std::int64_t, 11> kPlaceCommands{16 /* WAYPOINT */,
                                                       31004};
 /** Latitude and longitude, above whatever level and as whatever kind of number. */
 constexpr std::array<std::int64_t, 6> kGlobalFrames{0, 3, 5, 6, 10, 11};
+/** Those of them whose altitudes are above mean sea level, not above home or ground. */
+constexpr std::array<std::int64_t, 2> kSeaLevelFrames{0, 5};
+constexpr std::int64_t kChangeSpeed = 178;
+/** What the speed of such a change is: through the air or, without wind the same, over ground. */
+constexpr std::array<double, 2> kFlightSpeeds{0, 1};
 
-template <std::size_t Size>
-bool isOneOf(const std::array<std::int64_t, Size>& values, std::int64_t value)
+template <class Value, std::size_t Size>
+bool isOneOf(const std::array<Value, Size>& values, Value value)
 {
     return std::find(values.begin(), values.end(), value) != values.end();
 }
@@ -63,12 +68,55 @@ void MissionPlaces::setHome(const MissionItem& home)
         addRow(m_table, std::move(row), m_subject);
     } else if (!isNowhere(sighting->place)) {
         (void)isNew(sighting->place);
-        m_table.aircraft = {.line = home.line, .start = sighting->place, .home = sighting->place};
+        m_uav.start = m_uav.home = sighting->place;
+        m_homeAltitude_m = decimalOf(home.altitude).value_or(0);
     }
+}
+
+void MissionPlaces::setRally(const LatLon& place)
+{
+    (void)isNew(place);
+    m_uav.home = place;
+    if (!m_uav.start)
+        m_uav.start = place;
+}
+
+void MissionPlaces::setCruise(double airspeed_mps)
+{
+    if (!m_uav.airspeed_mps)
+        m_uav.airspeed_mps = airspeed_mps;
+}
+
+void MissionPlaces::setSpeed(const MissionItem& item)
+{
+    const std::optional<double> kind = decimalOf(item.param1);
+    const std::optional<double> speed_mps = decimalOf(item.param2);
+    if (!m_uav.airspeed_mps && kind && isOneOf(kFlightSpeeds, *kind) && speed_mps && *speed_mps > 0)
+        m_uav.airspeed_mps = speed_mps;
+}
+
+void MissionPlaces::setAltitude(const MissionItem& item)
+{
+    const std::optional<double> altitude_m = decimalOf(item.altitude);
+    if (m_uav.altitude_m || !altitude_m)
+        return;
+    const double above_m =
+        *altitude_m - (isOneOf(kSeaLevelFrames, item.frame) ? m_homeAltitude_m : 0);
+    if (above_m > 0)
+        m_uav.altitude_m = above_m;
+}
+
+SightingTable MissionPlaces::take()
+{
+    if (m_uav.start || m_uav.airspeed_mps || m_uav.altitude_m)
+        m_table.scene.uavs.push_back(std::move(m_uav));
+    return std::move(m_table);
 }
 
 void MissionPlaces::add(const MissionItem& item)
 {
+    if (item.command == kChangeSpeed)
+        setSpeed(item);
     if (!isOneOf(kPlaceCommands, item.command))
         return;
     std::variant<Sighting, RejectedRow> row = rowOf(item);
@@ -79,8 +127,11 @@ void MissionPlaces::add(const MissionItem& item)
                           .detail = "frame " + std::to_string(item.frame)};
     else if (sighting != nullptr && isNowhere(sighting->place))
         row = RejectedRow{.line = item.line, .fault = RowFault::PositionMissing, .detail = {}};
-    else if (sighting != nullptr && !isNew(sighting->place))
-        return;
+    else if (sighting != nullptr) {
+        setAltitude(item);
+        if (!isNew(sighting->place))
+            return;
+    }
     addRow(m_table, std::move(row), m_subject);
 }
 

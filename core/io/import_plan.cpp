@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/import_geojson.h"
 #include "core/io/import_mission.h"
-#include "core/io/json_reader.h"
+#include "core/io/json_members.h"
 
 #include <array>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr WholeLimits kMavNumbers{.low = 0, .high = 65535};
 constexpr std::size_t kParams = 7;
-constexpr std::size_t kLatitude = 4; ///< of the params
+constexpr std::size_t kLatitude = 4; ///< of the params; longitude and altitude follow
 
 /** A number as its text; empty for null, which stands for none. */
 std::string numberText(const Json& value, const std::string& path, Faults& faults)
@@ -19,6 +19,32 @@ std::string numberText(const Json& value, const std::string& path, Faults& fault
     if (value.is_null())
         return {};
     return numberOf(value, path, faults) ? value.dump() : std::string();
+}
+
+/** Whether what is inside is where to fly; that is so unless the file says otherwise. */
+bool isInclusion(const Json& shape)
+{
+    const Json* inclusion = memberOf(&shape, "inclusion");
+    return inclusion == nullptr || *inclusion != false;
+}
+
+/** What of the fence a scenario can hold, one polygon to stay inside of, and what it cannot. */
+void readFence(const Json* fence, FileScene& scene)
+{
+    if (const Json* polygons = arrayOf(fence, "polygons"))
+        for (const Json& polygon : *polygons) {
+            std::optional<std::vector<LatLon>> corners =
+                placesOf(memberOf(&polygon, "polygon"), AxisOrder::LatitudeFirst);
+            if (!isInclusion(polygon))
+                addFinding(scene.findings, SceneNote::FenceExclusions);
+            else if (corners)
+                scene.addArea({.rings = {std::move(*corners)}, .geofence = true});
+            else
+                addFinding(scene.findings, SceneNote::AreaUnreadable);
+        }
+    if (const Json* circles = arrayOf(fence, "circles"))
+        for (std::size_t i = 0; i < circles->size(); ++i)
+            addFinding(scene.findings, SceneNote::FenceCircles);
 }
 
 /** Reads the mission of one file. */
@@ -36,6 +62,8 @@ public:
     {
         ObjectReader root(m_file.root, {}, m_file.faults);
         requirePlan(root);
+        readFence(root.find("geoFence"), m_places.scene());
+        m_rally = arrayOf(root.find("rallyPoints"), "points");
         if (const Json* mission = root.need("mission"))
             readMission(*mission);
         m_file.faults.throwIfAny(m_subject);
@@ -61,11 +89,27 @@ private:
         ObjectReader mission(value, "mission", m_file.faults);
         if (mission.find("plannedHomePosition") != nullptr)
             readHome(mission);
+        readRally();
         const Json* items = mission.need("items");
         if (items == nullptr || (items = mission.array("items")) == nullptr)
             return;
         for (std::size_t i = 0; i < items->size(); ++i)
             readItem((*items)[i], i);
+        if (const Json* cruise = mission.find("cruiseSpeed"); cruise && cruise->is_number())
+            m_places.setCruise(cruise->get<double>());
+    }
+
+    /** A single rally point is where to land; of several it depends on where the UAV is. */
+    void readRally()
+    {
+        const std::size_t count = m_rally == nullptr ? 0 : m_rally->size();
+        const std::optional<LatLon> place =
+            count == 1 ? placeOf(&m_rally->front(), AxisOrder::LatitudeFirst) : std::nullopt;
+        if (place)
+            m_places.setRally(*place);
+        else
+            for (std::size_t i = 0; i < count; ++i)
+                addFinding(m_places.scene().findings, SceneNote::RallyPoints);
     }
 
     void readHome(ObjectReader& mission)
@@ -78,7 +122,10 @@ private:
             m_file.faults.add(path, "must hold latitude and longitude");
         else
             m_places.setHome({.latitude = numberText((*home)[0], path + "[0]", m_file.faults),
-                              .longitude = numberText((*home)[1], path + "[1]", m_file.faults)});
+                              .longitude = numberText((*home)[1], path + "[1]", m_file.faults),
+                              .altitude = home->size() > 2 && (*home)[2].is_number()
+                                              ? (*home)[2].dump()
+                                              : std::string()});
     }
 
     void readItem(const Json& value, std::size_t index)
@@ -114,8 +161,11 @@ private:
         m_places.add({.line = line,
                       .command = item.whole("command", 0, kMavNumbers),
                       .frame = item.whole("frame", 0, kMavNumbers),
+                      .param1 = texts[0],
+                      .param2 = texts[1],
                       .latitude = texts[kLatitude],
-                      .longitude = texts[kLatitude + 1]});
+                      .longitude = texts[kLatitude + 1],
+                      .altitude = texts[kLatitude + 2]});
     }
 
     /** A pattern over an area or a line is no place; where to land is none of an iceberg. */
@@ -128,6 +178,7 @@ private:
 
     const std::string& m_subject;
     ParsedJson m_file;
+    const Json* m_rally = nullptr; ///< null: no rally points
     MissionPlaces m_places;
 };
 

@@ -40,6 +40,14 @@ std::string icebergText(const ImportedIceberg& imported, const Iceberg* iceberg)
     return object.inLine();
 }
 
+std::string findingText(const SceneFinding& finding)
+{
+    JsonObject object;
+    object.add("note", sceneFindingText(finding));
+    object.addText("count", count(finding.count));
+    return object.inLine();
+}
+
 std::string rejectedText(const RejectedRow& row)
 {
     JsonObject object;
@@ -72,6 +80,9 @@ std::string importJson(const SightingTable& table, const ImportResult& result)
     std::vector<std::string> rejected;
     for (const RejectedRow& row : result.rejected.first)
         rejected.push_back(rejectedText(row));
+    std::vector<std::string> scene;
+    for (const SceneFinding& finding : result.scene)
+        scene.push_back(findingText(finding));
 
     JsonObject object;
     object.add("format", table.format);
@@ -88,6 +99,7 @@ std::string importJson(const SightingTable& table, const ImportResult& result)
     else
         object.addText("start_utc", "null");
     object.addText("origin", originText(result.scenario.origin));
+    object.addText("scene", jsonLines(scene, 1));
     object.addText("icebergs", jsonLines(icebergs, 1));
     object.addText("rejected_rows", jsonLines(rejected, 1));
     return object.inLines(0) + '\n';

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/io/import_icebergs.h"
 #include "core/io/import_selection.h"
+#include "core/io/import_setting.h"
 #include "core/scenario/checks.h"
 #include "core/scenario/validate.h"
 
@@ -114,25 +115,20 @@ std::vector<IcebergEntry> entriesOf(const std::vector<SightedIceberg>& icebergs,
     return entries;
 }
 
-/** The first aircraft starts and lands where the file says, unless that is off the plane. */
-void placeAircraft(const AircraftPlaces& places, ImportResult& result)
+/** What the file says beside its icebergs. */
+void addScene(const FileScene& scene, const std::vector<SightedIceberg>& icebergs, bool inUse,
+              ImportResult& result)
 {
-    const LocalFrame frame(result.scenario.origin);
-    const Point start_m = toCentimetre(frame.toPlane(places.start));
-    const Point home_m = toCentimetre(frame.toPlane(places.home));
-    const double farthest_m = std::max(start_m.cwiseAbs().maxCoeff(), home_m.cwiseAbs().maxCoeff());
-    if (farthest_m > kLargestCoordinate_m) {
-        result.rejected.add({.line = places.line,
-                             .fault = RowFault::TooFar,
-                             .detail = shortText(places.home.latitude_deg) + ' ' +
-                                       shortText(places.home.longitude_deg)});
+    if (scene.isEmpty())
+        return;
+    if (inUse) {
+        addFinding(result.scene, SceneNote::InUse);
         return;
     }
-    Uav& uav = result.scenario.uavs.front();
-    uav.position_m = start_m;
-    uav.home_m.reset();
-    if (home_m != start_m)
-        uav.home_m = home_m;
+    std::set<std::string, std::less<>> ids;
+    for (const SightedIceberg& iceberg : icebergs)
+        ids.insert(iceberg.id);
+    takeScene(scene, ids, result);
 }
 
 /** Puts the entries into the scenario and counts them. */
@@ -234,8 +230,7 @@ ImportResult importSightings(const Scenario& base, const SightingTable& table,
     if (options.moveOrigin.value_or(!holdsPlaces(base)))
         result.scenario.origin = middleOf(icebergs).value_or(base.origin);
     place(icebergs, LocalFrame(result.scenario.origin), result.rejected);
-    if (table.aircraft && !holdsPlaces(base) && !base.uavs.empty())
-        placeAircraft(*table.aircraft, result);
+    addScene(table.scene, icebergs, holdsPlaces(base), result);
     takeIn(entriesOf(icebergs, result.scenario, options), result);
 
     std::vector<Issue> issues = validate(result.scenario);

@@ -98,9 +98,10 @@ struct ImportResult
     std::size_t updated = 0;
     std::size_t unchanged = 0;
     std::size_t leftOut = 0;
-    std::size_t outsideArea = 0; ///< sightings
-    std::size_t outsideTime = 0; ///< sightings; those after `at` too, unless tracks are wanted
-    Rejections rejected;         ///< rows of the table, and sightings too far from the origin
+    std::size_t outsideArea = 0;     ///< sightings
+    std::size_t outsideTime = 0;     ///< sightings; those after `at` too, unless tracks are wanted
+    Rejections rejected;             ///< rows of the table, and sightings too far from the origin
+    std::vector<SceneFinding> scene; ///< what became of the rest of the file
 };
 
 /** What sightings become a scenario with when they belong to none yet: one aircraft. */
@@ -113,9 +114,10 @@ struct ImportResult
  * scenario's plane; or what the file gives) carries it on to t = 0, and `observed_s` is the age of
  * that sighting, which adds q x age to sigma. The current of the scenario is taken off the
  * velocity, because the simulation adds it. An iceberg that is there already keeps its name and
- * whatever the sightings do not tell. In a scenario without places yet the first aircraft starts
- * and lands where the file says. Without ids each place is an iceberg named by it, or all rows
- * are one (`SightingTable::oneIceberg`) named by its first time.
+ * whatever the sightings do not tell. In a scenario without icebergs, area and asset the scene of
+ * the table is taken over too: its UAVs, area and asset; one in use keeps its own. Without ids each
+ * place is an iceberg named by it, or all rows are one (`SightingTable::oneIceberg`) named by its
+ * first time.
  *
  * When the start of the scenario moves, what was in it is carried along: positions by their
  * velocities, ages, appearance and tracks by the time between.

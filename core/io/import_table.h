@@ -2,6 +2,7 @@
 
 #include "core/base/geodesy.h"
 #include "core/base/geometry.h"
+#include "core/io/import_scene.h"
 #include "core/io/utc_time.h"
 #include "core/plan/names.h"
 
@@ -63,7 +64,7 @@ struct Sighting
     LatLon place; ///< longitude in [-180, 180)
     std::optional<double> speed_mps;
     std::optional<double> direction_deg; ///< drifts towards, clockwise from north
-    std::optional<Point> drift_mps;      ///< in the scenario's plane, as exports of our own have it
+    std::optional<Point> drift_mps;      ///< true east and north, as exports of our own have it
     std::optional<double> appearsIn_s;   ///< from its time on; likewise
     std::optional<double> sigma_m2;
     std::optional<double> q_m2ps;
@@ -118,20 +119,12 @@ struct FieldColumn
 };
 using ColumnMapping = std::vector<FieldColumn>;
 
-/** Where the aircraft of a mission starts and lands. */
-struct AircraftPlaces
-{
-    std::size_t line = 0; ///< of the file; 0 where it has none
-    LatLon start;
-    LatLon home;
-};
-
 /** What a file of sightings holds. */
 struct SightingTable
 {
     std::string format; ///< id of the format it was read as
     std::vector<Sighting> sightings;
-    std::optional<AircraftPlaces> aircraft; ///< of the first one, where the file tells
+    FileScene scene;
     Rejections rejected;
     std::vector<std::string> columns; ///< of the file by name; empty where there are none
     ColumnMapping mapping;            ///< as used

@@ -21,8 +21,11 @@ using Columns = std::array<std::string_view, kColumns>;
 constexpr std::size_t kIndex = 0;
 constexpr std::size_t kFrame = 2;
 constexpr std::size_t kCommand = 3;
+constexpr std::size_t kParam1 = 4;
+constexpr std::size_t kParam2 = 5;
 constexpr std::size_t kLatitude = 8;
 constexpr std::size_t kLongitude = 9;
+constexpr std::size_t kAltitude = 10;
 
 constexpr std::int64_t kWaypoint = 16;
 
@@ -109,8 +112,11 @@ private:
         const MissionItem item{.line = m_line,
                                .command = whole(columns[kCommand]),
                                .frame = whole(columns[kFrame]),
+                               .param1 = std::string(columns[kParam1]),
+                               .param2 = std::string(columns[kParam2]),
                                .latitude = std::string(columns[kLatitude]),
                                .longitude = std::string(columns[kLongitude]),
+                               .altitude = std::string(columns[kAltitude]),
                                .name = std::string(m_comment)};
         m_comment = {};
         // Some writers leave the home out although they say 110: their first row is another.

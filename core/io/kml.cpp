@@ -41,6 +41,15 @@ std::string altitudeMode(double altitude_m)
     return altitude_m > 0 ? "<altitudeMode>relativeToGround</altitudeMode>" : std::string();
 }
 
+std::string extendedData(const std::vector<XmlData>& data)
+{
+    std::string text;
+    for (const XmlData& item : data)
+        text += "<Data name=\"" + std::string(item.name) + "\">" + xmlElement("value", item.value) +
+                "</Data>";
+    return text.empty() ? text : "<ExtendedData>" + text + "</ExtendedData>";
+}
+
 class KmlWriter
 {
 public:
@@ -53,13 +62,14 @@ public:
         addArea();
         m_text += "<Folder><name>Icebergs</name>\n";
         for (const ExportIceberg& now : m_content.icebergs)
-            if (isListed(m_content, now))
+            if (now.isListed)
                 addIceberg(now);
         m_text += "</Folder>\n";
         if (m_content.asset)
             addPoint({.name = m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
                       .style = "asset",
-                      .position_m = assetPlace_m(m_content)});
+                      .position_m = assetPlace_m(m_content),
+                      .data = assetData(m_content)});
         for (const ExportUav& uav : m_content.uavs)
             addUav(uav);
         return m_text + "</Document>\n</kml>\n";
@@ -74,7 +84,7 @@ private:
         double altitude_m = 0;
         std::optional<double> time_s = {};
         std::string description = {};
-        std::string data = {}; ///< XML
+        std::vector<XmlData> data = {};
     };
 
     void addPoint(const Mark& mark)
@@ -86,8 +96,7 @@ private:
             m_text += "<TimeStamp>" + xmlElement("when", timeText(m_content, *mark.time_s)) +
                       "</TimeStamp>";
         m_text += xmlElement("styleUrl", "#" + mark.style);
-        if (!mark.data.empty())
-            m_text += "<ExtendedData>" + mark.data + "</ExtendedData>";
+        m_text += extendedData(mark.data);
         const LatLon place = roundedPlace(m_content.frame.toGeographic(mark.position_m));
         m_text += "<Point>" + altitudeMode(mark.altitude_m) + "<coordinates>" +
                   coordinates(place, mark.altitude_m, ',') + "</coordinates></Point></Placemark>\n";
@@ -112,35 +121,23 @@ private:
         }
     }
 
-    static std::string dataOf(const ExportIceberg& now)
-    {
-        const auto data = [](const char* name, const std::string& value) {
-            return "<Data name=\"" + std::string(name) + "\">" + xmlElement("value", value) +
-                   "</Data>";
-        };
-        return data("id", now.iceberg.id) + data("state", nameOf(kIcebergStateNames, now.state)) +
-               data("sigma_m2", decimalText(now.sigma_m2)) +
-               data("q_m2ps", decimalText(now.iceberg.q_m2ps)) +
-               data("radius_m", decimalText(now.iceberg.radius_m)) +
-               data("drift_east_mps", decimalText(now.drift_mps.x())) +
-               data("drift_north_mps", decimalText(now.drift_mps.y()));
-    }
-
     void addIceberg(const ExportIceberg& now)
     {
         addPoint({.name = titleOf(now.iceberg),
                   .style = "iceberg",
                   .position_m = now.position_m,
                   .time_s = m_content.now_s,
-                  .description = aboutText(now),
-                  .data = dataOf(now)});
+                  .description = aboutText(m_content, now),
+                  .data = dataOf(m_content, now)});
     }
 
     void addArea()
     {
         if (m_content.area_m.empty())
             return;
-        m_text += "<Placemark><name>Area</name><styleUrl>#area</styleUrl><MultiGeometry>";
+        m_text += "<Placemark><name>Area</name><styleUrl>#area</styleUrl>" +
+                  extendedData({{"geofence", m_content.geofence ? "true" : "false"}}) +
+                  "<MultiGeometry>";
         for (const std::vector<LatLon>& ring :
              geographicPolygon(m_content.frame, m_content.area_m)) {
             m_text += "<Polygon><tessellate>1</tessellate><outerBoundaryIs><LinearRing>"
@@ -157,7 +154,8 @@ private:
         m_text += "<Folder>" + xmlElement("name", titleOf(uav.uav)) + "\n";
         addPoint({.name = "Home of " + titleOf(uav.uav),
                   .style = styleId(uav),
-                  .position_m = uav.home_m});
+                  .position_m = uav.home_m,
+                  .data = dataOf(m_content, uav)});
         for (const Visit& visit : uav.visits)
             if (visit.iceberg >= 0)
                 addPoint({.name = titleOf(m_content, visit),

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace berg {
 
@@ -25,6 +26,23 @@ struct PlaceText
 [[nodiscard]] std::string timeText(const ExportContent& content, double time_s);
 
 /** What is known of an iceberg, for people: "berg-1: sigma 5.0 m2, ...". English. */
-[[nodiscard]] std::string aboutText(const ExportIceberg& iceberg);
+[[nodiscard]] std::string aboutText(const ExportContent& content, const ExportIceberg& iceberg);
+
+/** A value for programs, for which the format has no element of its own. */
+struct XmlData
+{
+    std::string_view name;
+    std::string value;
+};
+
+// What imports read back. Velocities are true east and north.
+
+/** `appears_in_s`: from the time of the iceberg on, for those to come. */
+[[nodiscard]] std::vector<XmlData> dataOf(const ExportContent& content,
+                                          const ExportIceberg& iceberg);
+/** Of a UAV as its way begins. */
+[[nodiscard]] std::vector<XmlData> dataOf(const ExportContent& content, const ExportUav& uav);
+/** Of the asset; there must be one. */
+[[nodiscard]] std::vector<XmlData> assetData(const ExportContent& content);
 
 } // namespace berg

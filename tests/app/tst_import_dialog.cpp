@@ -290,6 +290,46 @@ private slots:
         QVERIFY(import.dialog().choice()->intoNew);
     }
 
+    /** UAVs, area and asset of the file: taken over into a new scenario only, and said. */
+    void restOfTheFileIsTold()
+    {
+        Importing import(fixturePath("fence.plan"), test::openSea(), true);
+        QVERIFY(import.settles());
+        const auto& scene = import.at<QLabel>(u"importScene"_s);
+        QVERIFY(scene.isVisible());
+        QCOMPARE(scene.text(), u"Also from the file: 1 UAV, the area as geofence\n"
+                               "Left out: 2 forbidden areas of the geofence, an area (unreadable), "
+                               "1 further area, 2 circles of the geofence"_s);
+        QVERIFY(import.dialog().choice()->scenario.geofence);
+
+        Importing used(fixturePath("fence.plan"), direct("fence.plan", test::openSea()).scenario);
+        QVERIFY(used.settles());
+        QCOMPARE(used.at<QLabel>(u"importScene"_s).text(),
+                 u"Left out: UAVs, area and asset (the scenario has its own)"_s);
+
+        Importing plain(fixturePath("iip.csv"));
+        QVERIFY(plain.settles());
+        QVERIFY(!plain.at<QLabel>(u"importScene"_s).isVisible());
+    }
+
+    /** Each finding has words of its own, also in the core. */
+    void findingsHaveWords()
+    {
+        std::set<QString> shown;
+        std::set<std::string> printed;
+        const int count = static_cast<int>(SceneNote::NumberWrong) + 1;
+        for (int i = 0; i < count; ++i)
+            for (const std::size_t number : {std::size_t{1}, std::size_t{3}}) {
+                const SceneFinding finding{.note = static_cast<SceneNote>(i), .count = number};
+                const QString words = sceneSummary({finding});
+                QVERIFY2(words.size() > 12 && !words.contains(u'%'), qPrintable(words));
+                shown.insert(words);
+                printed.insert(sceneFindingText(finding));
+            }
+        QVERIFY(static_cast<int>(shown.size()) >= count);
+        QVERIFY(static_cast<int>(printed.size()) >= count);
+    }
+
     void whatCannotBeReadIsSaid_data()
     {
         QTest::addColumn<QByteArray>("content");

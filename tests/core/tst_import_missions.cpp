@@ -51,6 +51,11 @@ std::string wpl(const std::string& rows)
     return "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t60\t-50\t0\t1\n" + rows;
 }
 
+std::optional<LatLon> homeOf(const SightingTable& table)
+{
+    return table.scene.uavs.empty() ? std::nullopt : table.scene.uavs.front().home;
+}
+
 SightingTable read(const std::string& text)
 {
     return readSightings(text, "mission");
@@ -74,7 +79,10 @@ private slots:
         QCOMPARE(faultAt(table, 5), std::string("is no point: \"survey\""));
         QCOMPARE(faultAt(table, 7), std::string("has no position"));
         QCOMPARE(faultAt(table, 8), std::string("has no position: \"frame 1\""));
-        QVERIFY(table.aircraft && isAt(table.aircraft->home, 69.22, -51.1));
+        const SceneUav& uav = table.scene.uavs.at(0);
+        QVERIFY(isAt(uav.home.value(), 69.22, -51.1) && uav.start == uav.home);
+        QCOMPARE(uav.altitude_m, std::optional(50.0));
+        QCOMPARE(uav.airspeed_mps, std::optional(22.0)); // rather than its cruise speed
     }
 
     void rowsOfArduPilot()
@@ -89,7 +97,10 @@ private slots:
         QVERIFY(faultAt(table, 13).starts_with("latitude is no number from -90 to 90"));
         QCOMPARE(faultAt(table, 14), std::string("has no position"));
         QCOMPARE(faultAt(table, 15), std::string("has no position: \"frame 1\""));
-        QVERIFY(table.aircraft && isAt(table.aircraft->start, 69.22, -51.1));
+        const SceneUav& uav = table.scene.uavs.at(0);
+        QVERIFY(isAt(uav.start.value(), 69.22, -51.1) && uav.start == uav.home);
+        QCOMPARE(uav.altitude_m, std::optional(50.0));
+        QCOMPARE(uav.airspeed_mps, std::optional(22.0));
     }
 
     /** 120 has no home row, and neither have some files that say 110. */
@@ -97,15 +108,15 @@ private slots:
     {
         const std::string row = "0\t1\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n";
         QCOMPARE(read("QGC WPL 120\n" + row).sightings.size(), std::size_t{1});
-        QVERIFY(!read("QGC WPL 120\n" + row).aircraft);
+        QVERIFY(!homeOf(read("QGC WPL 120\n" + row)));
         const SightingTable one = read("QGC WPL 110\n1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n");
         QCOMPARE(one.sightings.size(), std::size_t{1});
-        QVERIFY(!one.aircraft);
+        QVERIFY(!homeOf(one));
         const SightingTable takeOff =
             read("\xEF\xBB\xBFQGC WPL 110\n0\t1\t3\t22\t0\t0\t0\t0\t60\t-50\t0\t1\n" +
                  std::string("1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"));
         QCOMPARE(takeOff.sightings.size(), std::size_t{1});
-        QVERIFY(!takeOff.aircraft);
+        QVERIFY(!homeOf(takeOff));
     }
 
     /** Mission Planner writes 0, 0 where it knows no home; the return to a home is no iceberg. */
@@ -113,7 +124,7 @@ private slots:
     {
         const std::string nowhere = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t0\t0\t0\t1\n";
         const std::string row = "1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n";
-        QVERIFY(!read(nowhere + row).aircraft);
+        QVERIFY(!homeOf(read(nowhere + row)));
         const SightingTable back = read(wpl(row + "2\t0\t3\t17\t0\t0\t0\t0\t60\t-50\t0\t1\n"));
         QCOMPARE(back.sightings.size(), std::size_t{1});
         QCOMPARE(back.rejected.count, std::size_t{0});
@@ -139,16 +150,93 @@ private slots:
         const ImportResult result = importSightings(used, readFixture("qgc.plan"));
         QCOMPARE(result.added, std::size_t{3});
         QVERIFY(result.scenario.uavs == used.uavs);
+        QVERIFY((result.scene == std::vector{SceneFinding{.note = SceneNote::InUse}}));
     }
 
-    void homeFarAwayIsRejected()
+    void homeFarAwayIsLeftOut()
     {
         const std::string text = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t-60\t-50\t0\t1\n"
                                  "1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n";
         const ImportResult result = importSightings(openSea(), read(text));
-        QCOMPARE(result.rejected.count, std::size_t{1});
-        QVERIFY(result.rejected.first[0].fault == RowFault::TooFar);
+        QVERIFY((result.scene == std::vector{SceneFinding{.note = SceneNote::UavsTooFar}}));
+        QCOMPARE(result.rejected.count, std::size_t{0});
         QVERIFY(result.scenario.uavs == openSea().uavs);
+    }
+
+    /** Speeds of climbs are none of the flight; heights above the sea are taken above home. */
+    void speedAndAltitude()
+    {
+        const auto uav = [](const std::string& rows) {
+            return read("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t60\t-50\t30\t1\n" + rows +
+                        "9\t0\t0\t16\t0\t0\t0\t0\t60.5\t-50\t130\t1\n")
+                .scene.uavs.at(0);
+        };
+        const auto speed = [](const char* params) {
+            return std::string("1\t0\t2\t178\t") + params + "\t-1\t0\t0\t0\t0\t1\n";
+        };
+        QCOMPARE(uav({}).altitude_m, std::optional(100.0));
+        QCOMPARE(uav({}).airspeed_mps, std::nullopt);
+        QCOMPARE(uav(speed("1\t17.5")).airspeed_mps, std::optional(17.5));
+        QCOMPARE(uav(speed("2\t3") + speed("0\t-1") + speed("0\t19") + speed("0\t25")).airspeed_mps,
+                 std::optional(19.0));
+        QCOMPARE(uav("1\t0\t10\t16\t0\t0\t0\t0\t60.4\t-50\t0\t1\n").altitude_m,
+                 std::optional(100.0));
+    }
+
+    /** A fence of another program: what a scenario cannot hold is told. */
+    void fenceOfQGroundControl()
+    {
+        const SightingTable table = readFixture("fence.plan");
+        const SceneArea& area = table.scene.area.value();
+        QVERIFY(area.geofence && area.rings.at(0).size() == 5);
+        QVERIFY(isAt(area.rings[0][1], 69.1, -50.9));
+        const SceneUav& uav = table.scene.uavs.at(0);
+        QVERIFY(isAt(uav.start.value(), 69.22, -51.1) && isAt(uav.home.value(), 69.21, -51.15));
+        QCOMPARE(uav.airspeed_mps, std::optional(15.0));
+        const ImportResult result = importSightings(newScenarioForImport("new"), table);
+        QVERIFY(result.scenario.geofence && result.scenario.area_m.size() == 5);
+        QVERIFY(result.scenario.uavs.at(0).home_m);
+        QVERIFY((result.scene ==
+                 std::vector<SceneFinding>{{.note = SceneNote::UavsTaken},
+                                           {.note = SceneNote::FenceTaken},
+                                           {.note = SceneNote::FenceExclusions, .count = 2},
+                                           {.note = SceneNote::AreaUnreadable},
+                                           {.note = SceneNote::AreasMore},
+                                           {.note = SceneNote::FenceCircles, .count = 2}}));
+        QCOMPARE(sceneFindingText(result.scene[2]),
+                 std::string("2 exclusion polygons of the geofence left out"));
+    }
+
+    /** Whatever a fence is, it takes nothing of the mission away. */
+    void brokenFences()
+    {
+        const std::string places = R"("items": [{"type": "SimpleItem", "command": 16, "frame": 3,
+            "params": [0, 0, 0, null, 60, -50, 0]}])";
+        for (const char* fence :
+             {"7", "[]", "{}", R"({"polygons": 3, "circles": {}})",
+              R"({"polygons": [[], 4, null]})",
+              R"({"polygons": [{"polygon": [[60, -50], [60], "x"]}]})",
+              R"({"polygons": [{"polygon": [[1e300, 0], [0, 1e300], [0, 0]]}]})",
+              R"({"polygons": [{"inclusion": "no", "polygon": []}]})"}) {
+            std::string text = plan(places);
+            text.insert(1, "\"geoFence\": " + std::string(fence) + R"(, "rallyPoints": )" + fence +
+                               ", ");
+            const ImportResult result = importSightings(newScenarioForImport("new"), read(text));
+            QCOMPARE(result.added, std::size_t{1});
+            QVERIFY(result.scenario.area_m.empty() && !result.scenario.geofence);
+        }
+    }
+
+    void severalRallyPoints()
+    {
+        std::string text = plan(R"("plannedHomePosition": [60, -50, 0], "items": [
+            {"type": "SimpleItem", "command": 16, "frame": 3,
+             "params": [0, 0, 0, null, 60.1, -50, 0]}])");
+        text.insert(1, R"("rallyPoints": {"points": [[60.2, -50, 0], [60.3, -50, 0]]}, )");
+        const SightingTable table = read(text);
+        QVERIFY(isAt(homeOf(table).value(), 60, -50));
+        QVERIFY((table.scene.findings ==
+                 std::vector<SceneFinding>{{.note = SceneNote::RallyPoints, .count = 2}}));
     }
 
     void routes()

@@ -20,16 +20,20 @@ struct ImportFixture
     std::size_t rejected;
 };
 
-inline constexpr std::array<ImportFixture, 11> kImportFixtures = {{
+inline constexpr std::array<ImportFixture, 15> kImportFixtures = {{
     {"iip.csv", "iip", 7, 7},
     {"cis-beacon.csv", "cis-beacon", 9, 3},
     {"usnic.csv", "usnic", 3, 3},
     {"metno.geojson", "metno", 3, 4},
     {"points.geojson", "geojson", 5, 3},
     {"route.geojson", "geojson", 3, 1},
+    {"scene.geojson", "geojson", 4, 2},
     {"places.kml", "kml", 5, 4},
+    {"scene.kml", "kml", 4, 2},
     {"route.gpx", "gpx", 3, 1},
+    {"scene.gpx", "gpx", 4, 1},
     {"qgc.plan", "plan", 3, 3},
+    {"fence.plan", "plan", 1, 1},
     {"ardupilot.waypoints", "wpl", 3, 3},
     {"table.csv", "csv", 3, 6},
 }};
@@ -79,6 +83,26 @@ inline constexpr double kNorthward_mps = 0.1857; // of the above, to 0.1 %
 inline bool has(const ImportedIceberg& iceberg, ImportNote note)
 {
     return std::find(iceberg.notes.begin(), iceberg.notes.end(), note) != iceberg.notes.end();
+}
+
+inline std::vector<SceneNote> notesOf(const ImportResult& result)
+{
+    std::vector<SceneNote> notes;
+    for (const SceneFinding& finding : result.scene)
+        notes.push_back(finding.note);
+    return notes;
+}
+
+inline bool has(const ImportResult& result, SceneNote note)
+{
+    const std::vector<SceneNote> notes = notesOf(result);
+    return std::find(notes.begin(), notes.end(), note) != notes.end();
+}
+
+/** What a file is by itself. */
+inline ImportResult importedAsNew(const std::string& text)
+{
+    return importSightings(newScenarioForImport("new"), readSightings(text, "export"));
 }
 
 } // namespace berg::test

@@ -56,6 +56,32 @@ inline Scenario changed(const std::function<void(Scenario&)>& change)
     return scenario;
 }
 
+/** Two UAVs that differ in everything, an asset under way, a fence. */
+inline Scenario twoUavsAndAsset()
+{
+    return changed([](Scenario& s) {
+        s.uavs[0].id = "ravn";
+        s.uavs[0].name = "\xC3\x86rfugl <1>";
+        s.uavs[0].home_m = Point(-700, -300);
+        s.uavs[0].heading_deg = 359.5;
+        s.uavs[0].spec.altitude_m = 95.5;
+        s.uavs[0].spec.airspeed_mps = 24.25;
+        s.uavs.push_back(s.uavs[0]);
+        s.uavs[1].id = "uav-1";
+        s.uavs[1].name.clear();
+        s.uavs[1].position_m = Point(3000, 2000);
+        s.uavs[1].home_m.reset();
+        s.uavs[1].heading_deg = 12;
+        s.asset = Asset{.name = "Hibernia",
+                        .position_m = Point(2500, 900),
+                        .velocity_mps = Point(1.25, -0.5),
+                        .range_m = 4500,
+                        .extraJson = {}};
+        s.geofence = true;
+        s.planner.policy = PolicyKind::Visitation; // which has something to do for each of them
+    });
+}
+
 /** An answer of the planner that holds nothing but an order. */
 inline PlanAnswer planOf(std::vector<int> order)
 {

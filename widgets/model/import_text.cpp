@@ -50,6 +50,82 @@ QString errorSentence(ErrorCode code)
     return {};
 }
 
+QString counted(std::size_t count, const char* one, const char* many)
+{
+    return count == 1 ? ImportWords::tr(one) : ImportWords::tr(many).arg(count);
+}
+
+bool isTaken(SceneNote note)
+{
+    return note == SceneNote::UavsTaken || note == SceneNote::AreaTaken ||
+           note == SceneNote::FenceTaken || note == SceneNote::AssetTaken;
+}
+
+/** Part of a scene, with the reason where it is left out. */
+QString sceneWords(const SceneFinding& finding)
+{
+    switch (finding.note) {
+    case SceneNote::UavsTaken:
+        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 UAV"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 UAVs"));
+    case SceneNote::AreaTaken:
+        return ImportWords::tr("the area");
+    case SceneNote::FenceTaken:
+        return ImportWords::tr("the area as geofence");
+    case SceneNote::AssetTaken:
+        return ImportWords::tr("the asset");
+    case SceneNote::InUse:
+        return ImportWords::tr("UAVs, area and asset (the scenario has its own)");
+    case SceneNote::UavsTooMany:
+        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 UAV (too many)"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 UAVs (too many)"));
+    case SceneNote::UavsTooFar:
+        return counted(
+            finding.count,
+            QT_TRANSLATE_NOOP("ImportWords", "1 UAV (more than 1000 km from the origin)"),
+            QT_TRANSLATE_NOOP("ImportWords", "%1 UAVs (more than 1000 km from the origin)"));
+    case SceneNote::AreaUnreadable:
+        return ImportWords::tr("an area (unreadable)");
+    case SceneNote::AreaCorners:
+        return ImportWords::tr("the area (too few or too many corners)");
+    case SceneNote::AreaTooFar:
+        return ImportWords::tr("the area (more than 1000 km from the origin)");
+    case SceneNote::AreaCrossing:
+        return ImportWords::tr("the area (touches or crosses itself)");
+    case SceneNote::AreaInParts:
+        return ImportWords::tr("the area (in several parts)");
+    case SceneNote::AreasMore:
+        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 further area"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 further areas"));
+    case SceneNote::AreaHoles:
+        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 hole of the area"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 holes of the area"));
+    case SceneNote::FenceCircles:
+        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 circle of the geofence"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 circles of the geofence"));
+    case SceneNote::FenceExclusions:
+        return counted(finding.count,
+                       QT_TRANSLATE_NOOP("ImportWords", "1 forbidden area of the geofence"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 forbidden areas of the geofence"));
+    case SceneNote::FenceCorners:
+        return ImportWords::tr("the geofence (too many corners)");
+    case SceneNote::FenceOutside:
+        return ImportWords::tr("the geofence (a UAV starts or lands outside)");
+    case SceneNote::RallyPoints:
+        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 rally point"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 rally points"));
+    case SceneNote::AssetsMore:
+        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 further asset"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 further assets"));
+    case SceneNote::AssetTooFar:
+        return ImportWords::tr("the asset (more than 1000 km from the origin)");
+    case SceneNote::NumberWrong:
+        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 number out of range"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 numbers out of range"));
+    }
+    return {};
+}
+
 } // namespace
 
 QString rowFaultSentence(RowFault fault)
@@ -205,7 +281,7 @@ QString importSummary(const ImportPreview& preview)
     QStringList parts;
     const auto add = [&](std::size_t count, const char* one, const char* many) {
         if (count > 0)
-            parts << (count == 1 ? ImportWords::tr(one) : ImportWords::tr(many).arg(count));
+            parts << counted(count, one, many);
     };
     add(result.added, QT_TRANSLATE_NOOP("ImportWords", "1 new"),
         QT_TRANSLATE_NOOP("ImportWords", "%1 new"));
@@ -222,6 +298,20 @@ QString importSummary(const ImportPreview& preview)
     add(result.rejected.count, QT_TRANSLATE_NOOP("ImportWords", "1 row rejected"),
         QT_TRANSLATE_NOOP("ImportWords", "%1 rows rejected"));
     return parts.isEmpty() ? ImportWords::tr("Nothing to import") : parts.join(u", "_s);
+}
+
+QString sceneSummary(const std::vector<SceneFinding>& findings)
+{
+    QStringList taken;
+    QStringList leftOut;
+    for (const SceneFinding& finding : findings)
+        (isTaken(finding.note) ? taken : leftOut) << sceneWords(finding);
+    QStringList lines;
+    if (!taken.isEmpty())
+        lines << ImportWords::tr("Also from the file: %1").arg(taken.join(u", "_s));
+    if (!leftOut.isEmpty())
+        lines << ImportWords::tr("Left out: %1").arg(leftOut.join(u", "_s));
+    return lines.join(u'\n');
 }
 
 QString importErrorReport(const Error& error)

@@ -18,6 +18,12 @@ namespace berg {
 /** "12 new, 3 updated, 7 rows rejected": what there is none of is not told. */
 [[nodiscard]] QString importSummary(const ImportPreview& preview);
 
+/**
+ * What becomes of the UAVs, area and asset of the file: what is taken over on a line, what is left
+ * out on another; empty when it tells of none.
+ */
+[[nodiscard]] QString sceneSummary(const std::vector<SceneFinding>& findings);
+
 /** Why nothing can be imported: file, sentence, then the core's own findings. */
 [[nodiscard]] QString importErrorReport(const Error& error);
 
