@@ -93,7 +93,7 @@ QWidget* ExportDialog::makeChoices()
 void ExportDialog::addFormats()
 {
     for (const ExportGroup group :
-         {ExportGroup::Autopilots, ExportGroup::Maps, ExportGroup::Tables}) {
+         {ExportGroup::Autopilots, ExportGroup::Maps, ExportGroup::Pages, ExportGroup::Tables}) {
         auto* head = new QListWidgetItem(exportGroupText(group), m_formats);
         head->setFlags(Qt::NoItemFlags);
         for (const ExportFormat& format : exportFormats()) {

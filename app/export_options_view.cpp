@@ -1,6 +1,7 @@
 #include "app/export_options_view.h"
 
 #include "widgets/panels/wheel_guard.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -105,7 +106,8 @@ void ExportOptionsView::addNumbers()
 {
     m_altitude = addNumber(tr("&Altitude"), u"exportAltitude"_s, u"m"_s, kMostAltitude_m);
     m_altitude->setSingleStep(10);
-    m_airspeed = addNumber(tr("Air&speed"), u"exportAirspeed"_s, u"m/s"_s, kMostSpeed_mps);
+    m_airspeed = addNumber(tr("Air&speed"), u"exportAirspeed"_s, speedUnit().name,
+                           speedUnit().fromSi(kMostSpeed_mps));
     m_acceptance =
         addNumber(tr("A&cceptance radius"), u"exportAcceptance"_s, u"m"_s, kMostAcceptance_m);
     m_acceptance->setSingleStep(10);
@@ -132,7 +134,7 @@ void ExportOptionsView::fill(const ExportOptions& options)
         choose(*m_what, static_cast<int>(*options.what));
     choose(*m_uav, QString::fromStdString(options.uav));
     m_altitude->setValue(options.altitude_m.value_or(0));
-    m_airspeed->setValue(options.airspeed_mps.value_or(0));
+    m_airspeed->setValue(speedUnit().fromSi(options.airspeed_mps.value_or(0)));
     m_acceptance->setValue(options.acceptance_m.value_or(0));
     m_loiter->setValue(options.loiterTurns);
     if (options.returnHome)
@@ -145,8 +147,8 @@ void ExportOptionsView::showFormat(const ExportFormat& format)
     for (QWidget* box :
          std::initializer_list<QWidget*>{m_what, m_uav, m_altitude, m_airspeed, m_return})
         box->setEnabled(hasWay);
-    m_acceptance->setEnabled(format.holds.mission);
-    m_loiter->setEnabled(format.holds.mission);
+    m_acceptance->setEnabled(format.holds.radii);
+    m_loiter->setEnabled(format.holds.radii);
 }
 
 ExportOptions ExportOptionsView::options() const
@@ -160,6 +162,8 @@ ExportOptions ExportOptionsView::options() const
         options.what = static_cast<ExportWhat>(m_what->currentData().toInt());
     if (const QVariant home = m_return->currentData(); home.isValid())
         options.returnHome = home.toBool();
+    if (options.airspeed_mps)
+        options.airspeed_mps = speedUnit().toSi(*options.airspeed_mps);
     keepIf(m_what->isEnabled(), options.what);
     keepIf(m_uav->isEnabled(), options.uav);
     keepIf(m_altitude->isEnabled(), options.altitude_m);

@@ -1,19 +1,68 @@
 #include "app/export_preview_view.h"
 
-#include "app/export_picture.h"
 #include "widgets/map/map_view.h"
+#include "widgets/print/export_picture.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QDateTime>
 #include <QFontDatabase>
 #include <QHeaderView>
+#include <QPainter>
 #include <QPlainTextEdit>
+#include <QScrollArea>
 #include <QTableView>
 #include <QTimeZone>
 
 using namespace Qt::StringLiterals;
 
 namespace berg {
+
+/** A page as wide as there is room, to be scrolled, or the whole of it when it is much wider than
+ * high. */
+class PageView : public QWidget
+{
+public:
+    PageView()
+    {
+        QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+        policy.setHeightForWidth(true);
+        setSizePolicy(policy);
+    }
+
+    void setPage(const QImage& page)
+    {
+        m_page = page;
+        updateGeometry();
+        update();
+    }
+
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override
+    {
+        return isWide() ? 0 : qRound(double(width - 2 * kMargin_px) / aspect()) + 2 * kMargin_px;
+    }
+    [[nodiscard]] QSize sizeHint() const override { return {400, heightForWidth(400)}; }
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override
+    {
+        const QRect room = rect().marginsRemoved({kMargin_px, kMargin_px, kMargin_px, kMargin_px});
+        QRect page(QPoint(), m_page.size().scaled(room.size(), Qt::KeepAspectRatio));
+        page.moveCenter(room.center());
+        page.moveTop(room.top());
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(page, m_page);
+    }
+
+private:
+    static constexpr int kMargin_px = 10; ///< of desk round the page
+
+    [[nodiscard]] double aspect() const { return double(m_page.width()) / m_page.height(); }
+    [[nodiscard]] bool isWide() const { return m_page.isNull() || aspect() > 1.4; }
+
+    QImage m_page;
+};
 
 namespace {
 
@@ -104,6 +153,8 @@ CellSheet waypointSheet(const ExportPreviewPointer& preview, const QLocale& loca
 
 ExportPreviewView::ExportPreviewView(const Theme& theme, QWidget* parent)
     : QTabWidget(parent)
+    , m_scroll(new QScrollArea)
+    , m_page(new PageView)
     , m_map(new MapView(m_document, m_selection))
     , m_waypoints(newCellTable(m_cells, u"exportWaypoints"_s, tr("Waypoints of the file")))
     , m_text(new QPlainTextEdit)
@@ -117,9 +168,17 @@ ExportPreviewView::ExportPreviewView(const Theme& theme, QWidget* parent)
     m_text->setReadOnly(true);
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_scroll->setWidget(m_page);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setBackgroundRole(QPalette::Mid);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_page->setObjectName(u"exportPage"_s);
+    m_page->setAccessibleName(tr("The page as it is written"));
+    addTab(m_scroll, tr("Page"));
     addTab(m_map, tr("Map"));
     addTab(m_waypoints, tr("Waypoints"));
     addTab(m_text, tr("File"));
+    setTabVisible(indexOf(m_scroll), false);
 }
 
 ExportPreviewView::~ExportPreviewView()
@@ -133,13 +192,22 @@ void ExportPreviewView::showPreview(const ExportPreviewPointer& preview)
 {
     const ExportFormat* format = findExportFormat(preview->request.formatId);
     const bool hasWay = format != nullptr && !format->holds.flownOnly;
-    setTabVisible(indexOf(m_map), hasWay);
+    const bool isPage = !preview->picture.isNull();
+    const bool wasPage = isTabVisible(indexOf(m_scroll));
+    setTabVisible(indexOf(m_scroll), isPage);
+    setTabVisible(indexOf(m_map), hasWay && !isPage);
     setTabVisible(indexOf(m_waypoints), hasWay);
+    setTabVisible(indexOf(m_text), !isPage);
+    if (isPage != wasPage)
+        setCurrentWidget(isPage   ? static_cast<QWidget*>(m_scroll)
+                         : hasWay ? static_cast<QWidget*>(m_map)
+                                  : m_text);
+    m_page->setPage(preview->picture);
     m_cells.setSheet(waypointSheet(preview, locale()));
     m_waypoints->resizeColumnsToContents();
     m_waypoints->horizontalHeader()->setStretchLastSection(true);
     m_text->setPlainText(preview->isWhole ? preview->head : preview->head + u"\n…"_s);
-    m_map->setPicture(exportPicture(*preview));
+    m_map->setPicture(exportPicture(preview->content));
     if (!m_isFitted)
         m_map->fit();
     m_isFitted = true;

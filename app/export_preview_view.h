@@ -8,6 +8,7 @@
 #include <QTabWidget>
 
 class QPlainTextEdit;
+class QScrollArea;
 
 namespace berg {
 
@@ -16,7 +17,9 @@ struct Theme;
 
 using ExportPreviewPointer = std::shared_ptr<const ExportPreview>;
 
-/** What an export comes to: the ways on a map, the waypoints, and how the file begins. */
+class PageView;
+
+/** What an export comes to: the page, or the ways on a map, the waypoints, how the file begins. */
 class ExportPreviewView : public QTabWidget
 {
     Q_OBJECT
@@ -32,6 +35,8 @@ private:
     ScenarioDocument m_document; ///< empty: the map shows pictures
     Selection m_selection;
     CellModel m_cells;
+    QScrollArea* m_scroll;
+    PageView* m_page;
     MapView* m_map;
     QTableView* m_waypoints;
     QPlainTextEdit* m_text;

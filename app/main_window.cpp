@@ -25,6 +25,7 @@
 #include "widgets/panels/solve_time_panel.h"
 #include "widgets/panels/study_panel.h"
 #include "widgets/panels/tradeoff_panel.h"
+#include "widgets/print/export_painter.h"
 #include "widgets/theme/palette.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -63,6 +64,7 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     buildDocks();
     buildActions();
     connectPanels();
+    m_workspace.runner().setExportPaint(exportPaint());
     qApp->installEventFilter(this);
     resize(1280, 800);
     m_defaultLayout = saveState(kLayoutVersion);

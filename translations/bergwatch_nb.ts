@@ -51,6 +51,17 @@
     </message>
 </context>
 <context>
+    <name>ChartPageText</name>
+    <message>
+        <source>Flown until %1</source>
+        <translation>Fløyet til %1</translation>
+    </message>
+    <message>
+        <source>Nothing was flown</source>
+        <translation>Ingenting ble fløyet</translation>
+    </message>
+</context>
+<context>
     <name>ComparedRunText</name>
     <message>
         <source>τ %1</source>
@@ -692,10 +703,6 @@
             <numerusform>Banen blir %n veipunkter tett ved den.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>The table is about the whole flight, whatever is chosen.</source>
-        <translation>Tabellen gjelder hele flygingen, uansett valg.</translation>
-    </message>
     <message numerus="yes">
         <source>%n UAVs have no iceberg to visit.</source>
         <translation>
@@ -706,6 +713,309 @@
     <message>
         <source>The airspeed must be above the speed of the wind.</source>
         <translation>Flyfarten må være høyere enn vindhastigheten.</translation>
+    </message>
+    <message>
+        <source>Map as %1</source>
+        <translation>Kart som %1</translation>
+    </message>
+    <message>
+        <source>Charts as %1</source>
+        <translation>Diagrammer som %1</translation>
+    </message>
+    <message>
+        <source>Flight brief</source>
+        <translation>Flygeark</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papir</translation>
+    </message>
+    <message>
+        <source>One page to print and take along: map, order with coordinates, legs and times, wind, warnings.</source>
+        <translation>Én side til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler.</translation>
+    </message>
+    <message>
+        <source>Drawing programs</source>
+        <translation>Tegneprogrammer</translation>
+    </message>
+    <message>
+        <source>Documents and messages</source>
+        <translation>Dokumenter og meldinger</translation>
+    </message>
+    <message>
+        <source>The map with icebergs, ways and area, light, with scale and legend.</source>
+        <translation>Kartet med isfjell, veier og område, lyst, med målestokk og tegnforklaring.</translation>
+    </message>
+    <message>
+        <source>Zeta and the uncertainty of every iceberg over the time of the flight.</source>
+        <translation>Zeta og usikkerheten til hvert isfjell gjennom flygingen.</translation>
+    </message>
+    <message>
+        <source>Pictures and print</source>
+        <translation>Bilder og utskrift</translation>
+    </message>
+    <message>
+        <source>The file is about the whole flight, whatever is chosen.</source>
+        <translation>Filen gjelder hele flygingen, uansett valg.</translation>
+    </message>
+</context>
+<context>
+    <name>FlightBrief</name>
+    <message>
+        <source>Times count from the start of the run</source>
+        <translation>Tider regnes fra starten av kjøringen</translation>
+    </message>
+    <message>
+        <source>Start %1 %2 UTC</source>
+        <translation>Starter %1 %2 UTC</translation>
+    </message>
+    <message>
+        <source>No wind</source>
+        <translation>Ingen vind</translation>
+    </message>
+    <message>
+        <source>%1 %2 from %3</source>
+        <translation>%1 %2 fra %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 towards %3</source>
+        <translation>%1 %2 mot %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
+    </message>
+    <message>
+        <source>Wind, true</source>
+        <translation>Vind, rettvisende</translation>
+    </message>
+    <message>
+        <source>Current, true</source>
+        <translation>Strøm, rettvisende</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distanse</translation>
+    </message>
+    <message>
+        <source>Time of flight</source>
+        <translation>Flytid</translation>
+    </message>
+    <message>
+        <source>End, UTC</source>
+        <translation>Slutt, UTC</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Slutt</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Planlagt etter</translation>
+    </message>
+    <message>
+        <source>Last plan</source>
+        <translation>Siste plan</translation>
+    </message>
+    <message>
+        <source>Order of visits</source>
+        <translation>Besøksrekkefølge</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Høyde</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Flyfart</translation>
+    </message>
+    <message>
+        <source>Turn radius</source>
+        <translation>Svingradius</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Passeringsradius</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Hjem</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Loiter turns</source>
+        <translation>Sirkler</translation>
+    </message>
+    <message>
+        <source>Endurance left</source>
+        <translation>Flytid igjen</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Utholdenhet</translation>
+    </message>
+    <message>
+        <source>Positions WGS 84: icebergs drift, each is given where it was when it was reached. Courses and distances are over ground.</source>
+        <translation>Posisjoner i WGS 84: isfjell driver, hvert er oppgitt der det var da det ble nådd. Kurser og distanser er over grunn.</translation>
+    </message>
+    <message>
+        <source>Positions WGS 84: icebergs drift, each is given where it is expected at arrival. Courses and distances are over ground.</source>
+        <translation>Posisjoner i WGS 84: isfjell driver, hvert er oppgitt der det ventes ved ankomst. Kurser og distanser er over grunn.</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>Origo %1</translation>
+    </message>
+    <message>
+        <source>Flight brief: %1</source>
+        <translation>Flygeark: %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>og %1 til</translation>
+    </message>
+    <message>
+        <source>No warnings</source>
+        <translation>Ingen advarsler</translation>
+    </message>
+    <message>
+        <source>Warnings (%1)</source>
+        <translation>Advarsler (%1)</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Merknader</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Startsted</translation>
+    </message>
+    <message>
+        <source>End of track</source>
+        <translation>Sporets slutt</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Lengde</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>rettv.</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Etappe</translation>
+    </message>
+    <message>
+        <source>Reached</source>
+        <translation>Nådd</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankomst</translation>
+    </message>
+    <message>
+        <source>σ now</source>
+        <translation>σ nå</translation>
+    </message>
+    <message>
+        <source>and %1 more; the whole list: export CSV</source>
+        <translation>og %1 til; hele listen: eksporter CSV</translation>
+    </message>
+    <message>
+        <source>and %1 more UAVs; the whole list: export CSV</source>
+        <translation>og %1 UAV-er til; hele listen: eksporter CSV</translation>
+    </message>
+    <message>
+        <source>Lost, not where they were expected (%1): %2</source>
+        <translation>Tapt, ikke der de var ventet (%1): %2</translation>
+    </message>
+    <message>
+        <source>Given up after a search (%1): %2</source>
+        <translation>Oppgitt etter leting (%1): %2</translation>
+    </message>
+    <message>
+        <source>Not flown to (%1): %2</source>
+        <translation>Ikke fløyet til (%1): %2</translation>
+    </message>
+    <message>
+        <source>Not in the order (%1): %2</source>
+        <translation>Ikke i rekkefølgen (%1): %2</translation>
+    </message>
+    <message>
+        <source>The order is not proven to be the best one: %1.</source>
+        <translation>Det er ikke bevist at rekkefølgen er den beste: %1.</translation>
+    </message>
+    <message>
+        <source>Geofence in force: stay inside the area.</source>
+        <translation>Geogjerdet gjelder: hold deg innenfor området.</translation>
+    </message>
+    <message>
+        <source>UAVs in one altitude layer: keep them %1 apart, nothing steers them.</source>
+        <translation>UAV-er i samme høydelag: hold dem %1 fra hverandre, ingenting styrer dem unna.</translation>
+    </message>
+    <message>
+        <source>Nothing to visit</source>
+        <translation>Ingenting å besøke</translation>
+    </message>
+    <message>
+        <source>Limit reached, not planned anew</source>
+        <translation>Grensen er nådd, ikke planlagt på nytt</translation>
+    </message>
+    <message>
+        <source>Chosen one iceberg at a time</source>
+        <translation>Valgt ett isfjell om gangen</translation>
+    </message>
+    <message>
+        <source>Proven optimal</source>
+        <translation>Bevist optimal</translation>
+    </message>
+    <message>
+        <source>Within %1 % of optimal</source>
+        <translation>Innenfor %1 % av optimum</translation>
+    </message>
+    <message>
+        <source>Best order found</source>
+        <translation>Beste rekkefølge funnet</translation>
+    </message>
+    <message>
+        <source>Not planned by a solver</source>
+        <translation>Ikke planlagt av en løser</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Feil: %1</translation>
+    </message>
+    <message>
+        <source>The planner reached its limit without an order: the rest of the plan before, or the nearest iceberg, is flown.</source>
+        <translation>Planleggeren nådde grensen uten en rekkefølge: resten av forrige plan, eller nærmeste isfjell, flys.</translation>
+    </message>
+    <message>
+        <source>Nothing to visit for %1</source>
+        <translation>Ingenting å besøke for %1</translation>
     </message>
 </context>
 <context>
@@ -1462,6 +1772,142 @@
     <message>
         <source>ArduPilot mission (QGC WPL)</source>
         <translation>ArduPilot-oppdrag (QGC WPL)</translation>
+    </message>
+    <message>
+        <source>1 UAV</source>
+        <translation>1 drone</translation>
+    </message>
+    <message>
+        <source>%1 UAVs</source>
+        <translation>%1 droner</translation>
+    </message>
+    <message>
+        <source>the area</source>
+        <translation>området</translation>
+    </message>
+    <message>
+        <source>the area as geofence</source>
+        <translation>området som geogjerde</translation>
+    </message>
+    <message>
+        <source>the asset</source>
+        <translation>objektet</translation>
+    </message>
+    <message>
+        <source>UAVs, area and asset (the scenario has its own)</source>
+        <translation>droner, område og objekt (scenarioet har sine egne)</translation>
+    </message>
+    <message>
+        <source>1 UAV (too many)</source>
+        <translation>1 drone (for mange)</translation>
+    </message>
+    <message>
+        <source>%1 UAVs (too many)</source>
+        <translation>%1 droner (for mange)</translation>
+    </message>
+    <message>
+        <source>1 UAV (more than 1000 km from the origin)</source>
+        <translation>1 drone (mer enn 1000 km fra origo)</translation>
+    </message>
+    <message>
+        <source>%1 UAVs (more than 1000 km from the origin)</source>
+        <translation>%1 droner (mer enn 1000 km fra origo)</translation>
+    </message>
+    <message>
+        <source>an area (unreadable)</source>
+        <translation>et område (uleselig)</translation>
+    </message>
+    <message>
+        <source>the area (too few or too many corners)</source>
+        <translation>området (for få eller for mange hjørner)</translation>
+    </message>
+    <message>
+        <source>the area (more than 1000 km from the origin)</source>
+        <translation>området (mer enn 1000 km fra origo)</translation>
+    </message>
+    <message>
+        <source>the area (touches or crosses itself)</source>
+        <translation>området (berører eller krysser seg selv)</translation>
+    </message>
+    <message>
+        <source>the area (in several parts)</source>
+        <translation>området (i flere deler)</translation>
+    </message>
+    <message>
+        <source>1 further area</source>
+        <translation>1 område til</translation>
+    </message>
+    <message>
+        <source>%1 further areas</source>
+        <translation>%1 områder til</translation>
+    </message>
+    <message>
+        <source>1 hole of the area</source>
+        <translation>1 hull i området</translation>
+    </message>
+    <message>
+        <source>%1 holes of the area</source>
+        <translation>%1 hull i området</translation>
+    </message>
+    <message>
+        <source>1 circle of the geofence</source>
+        <translation>1 sirkel i geogjerdet</translation>
+    </message>
+    <message>
+        <source>%1 circles of the geofence</source>
+        <translation>%1 sirkler i geogjerdet</translation>
+    </message>
+    <message>
+        <source>1 forbidden area of the geofence</source>
+        <translation>1 forbudt område i geogjerdet</translation>
+    </message>
+    <message>
+        <source>%1 forbidden areas of the geofence</source>
+        <translation>%1 forbudte områder i geogjerdet</translation>
+    </message>
+    <message>
+        <source>the geofence (too many corners)</source>
+        <translation>geogjerdet (for mange hjørner)</translation>
+    </message>
+    <message>
+        <source>the geofence (a UAV starts or lands outside)</source>
+        <translation>geogjerdet (en drone starter eller lander utenfor)</translation>
+    </message>
+    <message>
+        <source>1 rally point</source>
+        <translation>1 samlingspunkt</translation>
+    </message>
+    <message>
+        <source>%1 rally points</source>
+        <translation>%1 samlingspunkter</translation>
+    </message>
+    <message>
+        <source>1 further asset</source>
+        <translation>1 objekt til</translation>
+    </message>
+    <message>
+        <source>%1 further assets</source>
+        <translation>%1 objekter til</translation>
+    </message>
+    <message>
+        <source>the asset (more than 1000 km from the origin)</source>
+        <translation>objektet (mer enn 1000 km fra origo)</translation>
+    </message>
+    <message>
+        <source>1 number out of range</source>
+        <translation>1 tall utenfor grensene</translation>
+    </message>
+    <message>
+        <source>%1 numbers out of range</source>
+        <translation>%1 tall utenfor grensene</translation>
+    </message>
+    <message>
+        <source>Also from the file: %1</source>
+        <translation>Også fra filen: %1</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Utelatt: %1</translation>
     </message>
 </context>
 <context>
@@ -2489,6 +2935,10 @@
         <source>Name one scenario file at most; %1 were named.</source>
         <translation>Oppgi høyst én scenariofil; %1 ble oppgitt.</translation>
     </message>
+    <message>
+        <source>The command &quot;export&quot; writes plans and flights as files, maps, charts and briefs: see &quot;bergwatch export --help&quot;.</source>
+        <translation>Kommandoen «export» skriver planer og flyginger som filer, kart, diagrammer og flygeark: se «bergwatch export --help».</translation>
+    </message>
 </context>
 <context>
     <name>MapLayoutText</name>
@@ -2682,6 +3132,37 @@
         <source>N</source>
         <comment>north on the compass</comment>
         <translation>N</translation>
+    </message>
+</context>
+<context>
+    <name>MapPageText</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Zeta ζ</source>
+        <translation>Zeta ζ</translation>
+    </message>
+    <message>
+        <source>Visits, dots on the way</source>
+        <translation>Besøk, prikker på veien</translation>
+    </message>
+    <message>
+        <source>Longest flight</source>
+        <translation>Lengste flyging</translation>
+    </message>
+    <message>
+        <source>Flight time</source>
+        <translation>Flytid</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besøk</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distanse</translation>
     </message>
 </context>
 <context>
@@ -2959,6 +3440,45 @@
     <message>
         <source>Closest so far</source>
         <translation>Nærmest hittil</translation>
+    </message>
+</context>
+<context>
+    <name>PageText</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>First leg at %1</source>
+        <translation>Første etappe ved %1</translation>
+    </message>
+    <message>
+        <source>First leg</source>
+        <translation>Første etappe</translation>
+    </message>
+    <message>
+        <source>Planned order at %1</source>
+        <translation>Planlagt rekkefølge ved %1</translation>
+    </message>
+    <message>
+        <source>Planned order</source>
+        <translation>Planlagt rekkefølge</translation>
+    </message>
+    <message>
+        <source>Planned path with turns at %1</source>
+        <translation>Planlagt bane med svinger ved %1</translation>
+    </message>
+    <message>
+        <source>Planned path with turns</source>
+        <translation>Planlagt bane med svinger</translation>
+    </message>
+    <message>
+        <source>Flown until %1</source>
+        <translation>Fløyet til %1</translation>
+    </message>
+    <message>
+        <source>Start %1 UTC</source>
+        <translation>Start %1 UTC</translation>
     </message>
 </context>
 <context>
@@ -4088,6 +4608,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>File</source>
         <translation>Fil</translation>
+    </message>
+    <message>
+        <source>The page as it is written</source>
+        <translation>Siden slik den skrives</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Side</translation>
     </message>
 </context>
 <context>

@@ -1,9 +1,11 @@
 #include "core/io/export_content.h"
 
+#include "core/base/angles.h"
 #include "core/io/export_flight.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace berg {
@@ -75,6 +77,7 @@ ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportWhat
     const Iceberg& iceberg = mission.icebergs()[row];
     ExportIceberg now = enteredIceberg(mission.scenario(), iceberg);
     now.state = stateOf(simulation, index);
+    now.isListed = now.state != IcebergState::Expected && now.state != IcebergState::Left;
     if (now.state == IcebergState::Expected)
         return now;
     now.position_m =
@@ -118,7 +121,9 @@ void addWay(ExportUav& uav, const ExportSource& source, const ExportContent& con
         endAtHome(uav, content.options.returnHome, scene.wind_mps);
         return;
     }
-    const UavOrder order = presentOrder(source, uav.row);
+    UavOrder order = presentOrder(source, uav.row);
+    if (content.options.airspeed_mps)
+        order.legs.clear(); // planned for another speed
     PlanAnswer plan;
     plan.order = order.icebergs;
     plan.clusters = order.clusters;
@@ -165,6 +170,20 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
     return result;
 }
 
+ExportPlan planOf(const ExportSource& source)
+{
+    if (source.mission && !source.mission->plans().empty()) {
+        const PlanEvent& last = source.mission->plans().back();
+        return {.status = last.status, .gap = last.gap, .fellBack = last.fellBack};
+    }
+    const SolveOutcome& outcome = source.plan.outcome;
+    ExportPlan plan{
+        .status = outcome.status, .gap = source.plan.gap, .fellBack = source.plan.fellBack};
+    if (source.plan.fleet.empty() && outcome.bound && outcome.status != SolveStatus::None)
+        plan.gap = relativeGap(source.plan.problem, outcome.objective, *outcome.bound);
+    return plan;
+}
+
 } // namespace
 
 ExportContent exportContent(const ExportSource& source, const ExportOptions& options)
@@ -175,6 +194,7 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .what = options.what.value_or(source.mission ? ExportWhat::Track : ExportWhat::Order),
         .options = options,
         .name = scenario.name,
+        .scenario = std::make_shared<const Scenario>(scenario),
         .frame = LocalFrame(scenario.origin),
         .start = parseUtc(scenario.startUtc),
         .now_s = source.mission ? source.mission->simulation().time_s() : 0,
@@ -184,6 +204,9 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .geofence = scenario.geofence,
         .asset = source.mission ? source.mission->simulation().asset() : scenario.asset,
         .planner = source.mission ? source.mission->plannerSettings() : scenario.planner,
+        .plan = planOf(source),
+        .wind_mps =
+            source.mission ? source.mission->simulation().motion(0).wind_mps : scenario.wind_mps,
         .mission = source.mission};
     if (source.mission)
         for (std::size_t row = 0; row < source.mission->icebergs().size(); ++row)
@@ -195,12 +218,6 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         if (options.uav.empty() || options.uav == scenario.uavs[row].id)
             content.uavs.push_back(exportUav(source, content, row));
     return content;
-}
-
-bool isListed(const ExportContent& content, const ExportIceberg& iceberg)
-{
-    return content.mission == nullptr ||
-           (iceberg.state != IcebergState::Expected && iceberg.state != IcebergState::Left);
 }
 
 std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit)
@@ -232,6 +249,20 @@ const std::string& titleOf(const Iceberg& iceberg)
 const std::string& titleOf(const Uav& uav)
 {
     return uav.name.empty() ? uav.id : uav.name;
+}
+
+Point eastNorth_mps(const ExportContent& content, const Point& velocity_mps, const Point& at_m)
+{
+    const double north_rad = content.frame.trueNorth_rad(content.frame.toGeographic(at_m));
+    return (turned(velocity_mps, -north_rad) * 1e9).array().round().matrix() / 1e9;
+}
+
+double trueHeading_deg(const ExportContent& content, double heading_deg, const Point& at_m)
+{
+    const double north_rad = content.frame.trueNorth_rad(content.frame.toGeographic(at_m));
+    const double heading = heading_deg + degFromRad(north_rad);
+    const double whole = std::round((heading - 360 * std::floor(heading / 360)) * 1e6) / 1e6;
+    return whole >= 360 ? 0 : whole;
 }
 
 Point assetPlace_m(const ExportContent& content)

@@ -8,6 +8,7 @@
 #include "core/sim/mission.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -93,9 +94,18 @@ struct ExportIceberg
 {
     Iceberg iceberg;                  ///< as entered
     Point position_m = Point::Zero(); ///< estimate; of a track, where it truly is
-    Point drift_mps = Point::Zero();  ///< believed, with the current
+    Point drift_mps = Point::Zero();  ///< believed, with the current, in the plane
     double sigma_m2 = 0;
     IcebergState state = IcebergState::Tracked;
+    bool isListed = true; ///< there at `now_s`, or to come in a scenario that was not flown
+};
+
+/** What the solver said of the plan. */
+struct ExportPlan
+{
+    SolveStatus status = SolveStatus::None;
+    std::optional<double> gap; ///< relative; none: no bound
+    bool fellBack = false;     ///< the rest of the plan before
 };
 
 /** Everything that writers of exported files read, made once by `exportContent`. */
@@ -103,7 +113,8 @@ struct ExportContent
 {
     ExportWhat what = ExportWhat::Order;
     ExportOptions options;
-    std::string name; ///< of the scenario
+    std::string name;                         ///< of the scenario
+    std::shared_ptr<const Scenario> scenario; ///< as entered
     LocalFrame frame{LatLon{}};
     std::optional<UtcTime> start;        ///< time 0; none: times are relative
     double now_s = 0;                    ///< time of the icebergs
@@ -113,6 +124,8 @@ struct ExportContent
     bool geofence = false;
     std::optional<Asset> asset;
     PlannerSettings planner;
+    ExportPlan plan;                  ///< in force, or the last one
+    Point wind_mps = Point::Zero();   ///< at `now_s`, in the plane
     const Mission* mission = nullptr; ///< for tables of results; borrowed
 };
 
@@ -124,9 +137,6 @@ struct ExportContent
 [[nodiscard]] ExportContent exportContent(const ExportSource& source,
                                           const ExportOptions& options = {});
 
-/** Whether the iceberg is there at `now_s`, or to come in a scenario that was not flown. */
-[[nodiscard]] bool isListed(const ExportContent& content, const ExportIceberg& iceberg);
-
 /** Ids of the icebergs in view at a visit. */
 [[nodiscard]] std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit);
 
@@ -136,6 +146,14 @@ struct ExportContent
 /** Its name, or its id when it has none. */
 [[nodiscard]] const std::string& titleOf(const Iceberg& iceberg);
 [[nodiscard]] const std::string& titleOf(const Uav& uav);
+
+/** A velocity in the plane as east and north at the place, to 1e-9 m/s. */
+[[nodiscard]] Point eastNorth_mps(const ExportContent& content, const Point& velocity_mps,
+                                  const Point& at_m);
+
+/** Heading in the plane as true heading at the place, degrees in [0, 360). */
+[[nodiscard]] double trueHeading_deg(const ExportContent& content, double heading_deg,
+                                     const Point& at_m);
 
 /** Where the asset is at `now_s`; there must be one. */
 [[nodiscard]] Point assetPlace_m(const ExportContent& content);

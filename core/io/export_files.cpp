@@ -29,6 +29,17 @@ std::string withId(const std::string& path, const std::string& id)
     return path.substr(0, end) + '-' + id + path.substr(end);
 }
 
+std::string fileText(const ExportFormat& format, const ExportContent& content,
+                     const ExportPainter& painter)
+{
+    if (!format.holds.painted)
+        return format.text(content);
+    if (!painter)
+        throw Error(ErrorCode::Unsupported, "format",
+                    std::string(format.id) + " is painted, which needs the program bergwatch");
+    return painter(format, content);
+}
+
 } // namespace
 
 std::size_t fileCount(const ExportFormat& format, const ExportContent& content)
@@ -37,10 +48,10 @@ std::size_t fileCount(const ExportFormat& format, const ExportContent& content)
 }
 
 std::vector<ExportFile> exportFiles(const ExportFormat& format, const ExportContent& content,
-                                    const std::string& path)
+                                    const std::string& path, const ExportPainter& painter)
 {
     if (fileCount(format, content) == 1)
-        return {{.path = path, .content = format.text(content)}};
+        return {{.path = path, .content = fileText(format, content, painter)}};
     std::vector<ExportFile> files;
     ExportContent one = content;
     for (const ExportUav& uav : content.uavs) {
@@ -48,7 +59,7 @@ std::vector<ExportFile> exportFiles(const ExportFormat& format, const ExportCont
         std::string name = withId(path, fileNamePart(uav.uav.id));
         if (std::ranges::find(files, name, &ExportFile::path) != files.end())
             name = withId(name, std::to_string(uav.row + 1));
-        files.push_back({.path = std::move(name), .content = format.text(one)});
+        files.push_back({.path = std::move(name), .content = fileText(format, one, painter)});
     }
     return files;
 }

@@ -155,7 +155,7 @@ std::string noteText(const ExportNote& note)
         return tool + " reads the cruise speed as a whole number: " + fixedText(note.value, 2) +
                " m/s becomes " + limit + " m/s; the speed in the mission is exact";
     case ExportNoteKind::ChoiceNotUsed:
-        return "the table is about the whole flight, whatever is chosen to be exported";
+        return "the file is about the whole flight, whatever is chosen to be exported";
     case ExportNoteKind::NothingToFly:
         return "UAVs without an iceberg to visit: " + value;
     }

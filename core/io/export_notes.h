@@ -20,7 +20,7 @@ enum class ExportNoteKind
     AcceptanceCut,   ///< value m wanted, limit m kept
     LoiterInSteps,   ///< value m needed, limit m kept
     WholeSpeed,      ///< value m/s, limit m/s shown
-    ChoiceNotUsed,   ///< what is to be exported does not matter: it is the flight
+    ChoiceNotUsed,   ///< what is to be exported does not matter: it is the whole flight
     NothingToFly     ///< value: UAVs without anything to visit
 };
 

@@ -33,16 +33,27 @@ std::string flightTable(const ExportContent& content)
     return Table(*content.mission);
 }
 
-constexpr ExportHolds kMissionHolds{.order = true, .mission = true};
+constexpr ExportHolds kMissionHolds{.order = true, .mission = true, .radii = true};
 constexpr ExportHolds kMapHolds{
     .order = true, .way = true, .fleet = true, .times = true, .icebergs = true, .fence = true};
 constexpr ExportHolds kFlightTableHolds{.fleet = true, .flownOnly = true};
+constexpr ExportHolds kPictureHolds{
+    .order = true, .way = true, .fleet = true, .icebergs = true, .fence = true, .painted = true};
+constexpr ExportHolds kBriefHolds{.order = true,
+                                  .way = true,
+                                  .fleet = true,
+                                  .times = true,
+                                  .icebergs = true,
+                                  .fence = true,
+                                  .radii = true,
+                                  .painted = true};
+constexpr ExportHolds kChartsHold{.fleet = true, .flownOnly = true, .painted = true};
 
 constexpr std::array kFormats{
     ExportFormat{"plan",
                  "plan",
                  "QGroundControl, Mission Planner, MAVSDK",
-                 {.order = true, .fence = true, .mission = true},
+                 {.order = true, .fence = true, .mission = true, .radii = true},
                  qgcPlan},
     ExportFormat{"wpl", "waypoints", "ArduPilot: Mission Planner, MAVProxy (home row)",
                  kMissionHolds, wplText},
@@ -62,7 +73,16 @@ constexpr std::array kFormats{
                  gpxText},
     ExportFormat{"kml", "kml", "Google Earth and other globes", kMapHolds, kmlText},
     ExportFormat{"kmz", "kmz", "Google Earth, packed", kMapHolds, kmzFile},
-    ExportFormat{"czml", "czml", "Cesium", kMapHolds, czmlText}};
+    ExportFormat{"czml", "czml", "Cesium", kMapHolds, czmlText},
+    ExportFormat{"brief", "pdf", "paper: a page to fly by", kBriefHolds, nullptr},
+    ExportFormat{"map-pdf", "pdf", "paper: the map", kPictureHolds, nullptr},
+    ExportFormat{"map-svg", "svg", "drawing programs: the map", kPictureHolds, nullptr},
+    ExportFormat{"map-png", "png", "documents and messages: the map", kPictureHolds, nullptr},
+    ExportFormat{"charts-pdf", "pdf", "paper: zeta and sigma over time", kChartsHold, nullptr},
+    ExportFormat{"charts-svg", "svg", "drawing programs: zeta and sigma over time", kChartsHold,
+                 nullptr},
+    ExportFormat{"charts-png", "png", "documents and messages: zeta and sigma over time",
+                 kChartsHold, nullptr}};
 
 } // namespace
 
@@ -71,7 +91,7 @@ std::string ExportFormat::write(const ExportSource& source, const ExportOptions&
     const ExportContent content = exportContent(source, options);
     if (fileCount(*this, content) > 1)
         throw Error(ErrorCode::InvalidInput, "uav", std::string(id) + " holds one UAV: choose one");
-    return text(content);
+    return exportFiles(*this, content, "").front().content;
 }
 
 std::span<const ExportFormat> exportFormats()

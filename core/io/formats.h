@@ -19,6 +19,8 @@ struct ExportHolds
     bool fence = false;
     bool flownOnly = false; ///< it is about a flight, whatever `ExportOptions::what` says
     bool mission = false;   ///< items for an autopilot
+    bool radii = false;     ///< acceptance radius and turns over each iceberg
+    bool painted = false;   ///< a picture or a page: an `ExportPainter` makes it, `text` is null
 };
 
 /** One row of the table that the command line, the file dialog and the tests share. */
@@ -28,11 +30,11 @@ struct ExportFormat
     std::string_view extension; ///< without dot
     std::string_view reader;    ///< the tool it is meant for
     ExportHolds holds;
-    std::string (*text)(const ExportContent&); ///< of one UAV unless it holds a fleet
+    std::string (*text)(const ExportContent&); ///< of one UAV unless it holds a fleet; may be null
 
     /**
      * One file of it. Throws as `exportContent`, and `Error{InvalidInput}` when there are more UAVs
-     * than it holds (`exportFiles` makes one for each).
+     * than it holds (`exportFiles` makes one for each), Unsupported for what is painted.
      */
     [[nodiscard]] std::string write(const ExportSource& source,
                                     const ExportOptions& options = {}) const;

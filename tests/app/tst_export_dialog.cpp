@@ -2,8 +2,11 @@
 #include "app/export_options_view.h"
 #include "core/io/atomic_file.h"
 #include "core/scenario/presets.h"
+#include "tests/support/approx.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/model/export_text.h"
+#include "widgets/print/export_painter.h"
+#include "widgets/theme/unit_settings.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -40,6 +43,7 @@ public:
     explicit Exporting(const Scenario& scenario, const ExportRequest& suggested = {},
                        double flown_s = 0)
     {
+        m_runner.setExportPaint(exportPaint());
         m_runner.setScenario(scenario);
         if (flown_s > 0)
             m_runner.stepBy(flown_s);
@@ -156,6 +160,61 @@ private slots:
                         .contains(QFileInfo(QString::fromStdString(file.path)).fileName()));
     }
 
+    void pagesAreShownAsTheyAreWritten_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QByteArray>("head");
+        for (const ExportFormat& format : exportFormats()) {
+            const QByteArray head = format.extension == "pdf"   ? "%PDF"
+                                    : format.extension == "png" ? "\x89PNG"
+                                                                : "<?xml";
+            if (format.holds.painted)
+                QTest::addRow("%s", std::string(format.id).c_str())
+                    << QString::fromStdString(std::string(format.id)) << head;
+        }
+    }
+
+    void pagesAreShownAsTheyAreWritten()
+    {
+        QFETCH(QString, format);
+        QFETCH(QByteArray, head);
+        Exporting dialog(withUavs(2), {}, 60);
+        QVERIFY(dialog.settles());
+        QVERIFY(!dialog.at<QWidget>("exportPage").isVisible());
+        dialog.choose(format);
+        QVERIFY(dialog.settles());
+        QVERIFY(dialog.at<QWidget>("exportPage").isVisible());
+        QVERIFY(!dialog.at<QPlainTextEdit>("exportText").isVisible());
+        const QImage shown = dialog.at<QWidget>("exportPage").grab().toImage();
+        QSet<QRgb> colours;
+        for (int y = 0; y < shown.height(); y += 3)
+            for (int x = 0; x < shown.width(); x += 3)
+                colours << shown.pixel(x, y);
+        QVERIFY(colours.size() > 10);
+        const QWidget& page = dialog.at<QWidget>("exportPage");
+        const bool isScrolled = !format.startsWith(u"map"_s);
+        QTRY_COMPARE(page.height() > page.parentWidget()->height(), isScrolled);
+        const std::vector<ExportFile> files = dialog.written();
+        QCOMPARE(files.size(), 1U);
+        QVERIFY(files.front().content.starts_with(head.toStdString()));
+        dialog.choose(u"gpx"_s);
+        QVERIFY(dialog.settles());
+        QVERIFY(!dialog.at<QWidget>("exportPage").isVisible());
+        QVERIFY(dialog.at<QWidget>("exportMap").isVisible());
+    }
+
+    void speedIsInTheUnitOfTheUser()
+    {
+        setShownUnits({.speed = SpeedUnit::Knots});
+        const auto back = qScopeGuard([] { setShownUnits({}); });
+        Exporting dialog(withUavs(1), {.formatId = "plan", .options = {.airspeed_mps = 18.52}});
+        auto& airspeed = dialog.at<QDoubleSpinBox>("exportAirspeed");
+        QCOMPARE(airspeed.value(), 36);
+        QVERIFY(airspeed.text().endsWith(u"kn"_s));
+        airspeed.setValue(45);
+        COMPARE_NEAR(dialog.choice().options.airspeed_mps.value_or(0), 23.15, 1e-9);
+    }
+
     void newestChoiceIsShown()
     {
         Exporting dialog(withUavs(1));
@@ -207,6 +266,8 @@ private slots:
     void optionsFollowTheFormat()
     {
         Exporting dialog(withUavs(2), {.formatId = "plan", .options = {.loiterTurns = 2}}, 20);
+        QCOMPARE(dialog.choice().options.loiterTurns, 2);
+        dialog.choose(u"brief"_s);
         QCOMPARE(dialog.choice().options.loiterTurns, 2);
         dialog.choose(u"gpx"_s);
         QVERIFY(!dialog.at<QSpinBox>("exportLoiter").isEnabled());

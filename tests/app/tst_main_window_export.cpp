@@ -2,6 +2,7 @@
 #include "core/io/formats.h"
 #include "core/scenario/presets.h"
 #include "tests/support/window_fixture.h"
+#include "widgets/print/export_painter.h"
 
 #include <QDir>
 #include <QFile>
@@ -70,9 +71,12 @@ private slots:
             Mission mission(scenario);
             mission.advance(flown ? 40 : 0);
             const PlanAnswer plan = planFromStart(scenario);
-            return findExportFormat(format.toStdString())
-                ->write(
-                    {.scenario = scenario, .plan = plan, .mission = flown ? &mission : nullptr});
+            const ExportContent content = exportContent(
+                {.scenario = scenario, .plan = plan, .mission = flown ? &mission : nullptr});
+            return exportFiles(*findExportFormat(format.toStdString()), content, {},
+                               exportPaint().file)
+                .front()
+                .content;
         });
         QVERIFY(readFile(path.toStdString()) == expected);
         QVERIFY(w.interaction.errors.isEmpty());

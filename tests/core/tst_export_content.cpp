@@ -1,3 +1,4 @@
+#include "core/base/angles.h"
 #include "core/io/export_content.h"
 #include "core/io/plan_csv.h"
 #include "tests/support/approx.h"
@@ -207,6 +208,62 @@ private slots:
         const ExportContent now = runContent(mission, {.what = ExportWhat::Order});
         for (const ExportUav& uav : now.uavs)
             QVERIFY(visited(uav) == lastPlanOf(mission.plans(), static_cast<int>(uav.row))->order);
+    }
+
+    void trueDirections_data()
+    {
+        QTest::addColumn<double>("latitude_deg");
+        QTest::addColumn<double>("longitude_deg");
+        QTest::newRow("Grand Banks") << 47.0 << -48.0;
+        QTest::newRow("across 180, south") << -70.0 << 179.99;
+        QTest::newRow("near the North Pole") << 89.0 << 10.0;
+        QTest::newRow("North Pole") << 90.0 << 0.0;
+        QTest::newRow("South Pole") << -90.0 << 0.0;
+    }
+
+    /** What moves in the plane moves east and north over the Earth, by its parallels and meridians.
+     */
+    void trueDirections()
+    {
+        QFETCH(double, latitude_deg);
+        QFETCH(double, longitude_deg);
+        const Scenario scenario = changed([&](Scenario& s) {
+            s.origin = {.latitude_deg = latitude_deg, .longitude_deg = longitude_deg};
+        });
+        const ExportContent content = planContent(scenario);
+        const Point at_m(30000, -20000);
+        const LatLon from = content.frame.toGeographic(at_m);
+        const double latitude_rad = radFromDeg(from.latitude_deg);
+        const double e2 = 0.00669437999014;
+        const double w = std::sqrt(1 - e2 * std::pow(std::sin(latitude_rad), 2));
+        const double parallel_m = 6378137 / w * std::cos(latitude_rad);
+        const double meridian_m = 6378137 * (1 - e2) / std::pow(w, 3);
+        for (const double heading_deg : {0.0, 45.0, 130.0, 270.0, -1.0}) {
+            const double heading_rad = radFromDeg(heading_deg);
+            const Point step_m = 10 * Point(std::sin(heading_rad), std::cos(heading_rad));
+            const LatLon to = content.frame.toGeographic(at_m + step_m);
+            const double east_m =
+                parallel_m *
+                radFromDeg(std::remainder(to.longitude_deg - from.longitude_deg, 360.0));
+            const double north_m = meridian_m * radFromDeg(to.latitude_deg - from.latitude_deg);
+            const Point moved_m = eastNorth_mps(content, step_m, at_m);
+            // 10 m of 36 km and more from a pole; the plane is stretched by 1e-5 there.
+            COMPARE_NEAR((moved_m - Point(east_m, north_m)).norm(), 0, 0.02);
+            COMPARE_NEAR(moved_m.norm(), 10, 1e-7);
+            const double true_deg = trueHeading_deg(content, heading_deg, at_m);
+            QVERIFY(true_deg >= 0 && true_deg < 360);
+            const double flown_deg = degFromRad(std::atan2(moved_m.x(), moved_m.y()));
+            COMPARE_NEAR(std::remainder(true_deg - flown_deg, 360.0), 0, 2e-6);
+        }
+    }
+
+    void trueHeadingsAreBelow360()
+    {
+        const ExportContent content = planContent(fourIcebergs());
+        const Point origin_m = Point::Zero();
+        QCOMPARE(trueHeading_deg(content, 359.9999999, origin_m), 0.0);
+        QCOMPARE(trueHeading_deg(content, 765, origin_m), 45.0);
+        QCOMPARE(trueHeading_deg(content, -90, origin_m), 270.0);
     }
 
     void refusals_data()

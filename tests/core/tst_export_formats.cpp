@@ -48,7 +48,8 @@ std::string allTexts(const Mission& mission)
 {
     std::string texts;
     for (const ExportFormat& row : exportFormats())
-        texts += row.text(runContent(mission));
+        if (!row.holds.painted)
+            texts += row.text(runContent(mission));
     return texts;
 }
 
@@ -68,9 +69,12 @@ private slots:
             ids << QString::fromLatin1(row.id.data(), qsizetype(row.id.size()));
             QCOMPARE(findExportFormat(row.id), &row);
             QVERIFY(!row.extension.empty() && !row.reader.empty());
+            QCOMPARE(row.text == nullptr, row.holds.painted);
+            QVERIFY(!row.holds.painted || row.holds.fleet); // a page shows all UAVs
         }
         QCOMPARE(ids.join(u' '), QStringLiteral("plan wpl geojson csv sigma-csv decisions-csv "
-                                                "zeta-csv gpx kml kmz czml"));
+                                                "zeta-csv gpx kml kmz czml brief map-pdf map-svg "
+                                                "map-png charts-pdf charts-svg charts-png"));
         QVERIFY(findExportFormat("mission") == nullptr);
     }
 
@@ -127,6 +131,81 @@ private slots:
         const std::optional<Error> error =
             errorOf([&] { (void)format("wpl").write({.scenario = scenario, .plan = plan}); });
         QVERIFY(error && error->code() == ErrorCode::InvalidInput);
+    }
+
+    /** Of both UAVs in one file, and of the one that is chosen. */
+    void painterGetsTheContentOfEachFile()
+    {
+        const ExportContent content =
+            planContent(changed([](Scenario& s) { s.uavs.resize(2, s.uavs[0]); }),
+                        fourIcebergPlan(), {.what = ExportWhat::FirstLeg, .altitude_m = 90});
+        std::vector<std::string_view> painted;
+        const ExportPainter painter = [&](const ExportFormat& row, const ExportContent& given) {
+            painted.push_back(row.id);
+            return std::to_string(given.uavs.size()) + " UAVs at " +
+                   std::to_string(int(given.uavs[0].uav.spec.altitude_m)) + " m";
+        };
+        for (const ExportFormat& row : exportFormats()) {
+            if (!row.holds.painted)
+                continue;
+            const std::vector<ExportFile> files = exportFiles(row, content, "a/b.x", painter);
+            QCOMPARE(files.size(), std::size_t{1});
+            QCOMPARE(files[0].path, std::string("a/b.x"));
+            QCOMPARE(files[0].content, std::string("2 UAVs at 90 m"));
+            QVERIFY(painted == std::vector{row.id});
+            painted.clear();
+        }
+        QVERIFY(exportFiles(format("kml"), content, "", painter)[0].content.starts_with("<?xml"));
+        QVERIFY(painted.empty());
+    }
+
+    void withoutPainterNothingIsPainted()
+    {
+        const Scenario scenario = fourIcebergs();
+        const PlanAnswer plan = fourIcebergPlan();
+        const ExportContent content = planContent(scenario);
+        for (const ExportFormat& row : exportFormats()) {
+            if (!row.holds.painted)
+                continue;
+            const std::optional<Error> error =
+                errorOf([&] { (void)exportFiles(row, content, "x"); });
+            QVERIFY(error && error->code() == ErrorCode::Unsupported);
+            QVERIFY(std::string_view(error->what()).find(row.id) != std::string_view::npos);
+            QCOMPARE(codeOf([&] { (void)row.write({.scenario = scenario, .plan = plan}); }),
+                     std::string("Unsupported"));
+        }
+    }
+
+    void painterThatFailsEndsTheExport()
+    {
+        const ExportPainter painter = [](const ExportFormat&, const ExportContent&) -> std::string {
+            throw Error(ErrorCode::InvalidInput, "format", "no room");
+        };
+        QCOMPARE(codeOf([&] {
+                     (void)exportFiles(format("brief"), planContent(fourIcebergs()), "x", painter);
+                 }),
+                 std::string("InvalidInput"));
+    }
+
+    void notesOfPaintedFormats()
+    {
+        const ExportContent timeless = planContent(changed([](Scenario& s) {
+            s.startUtc.clear();
+            s.geofence = true;
+            s.uavs[0].spec.airspeed_mps = 35.5;
+        }));
+        QCOMPARE(noteIds(format("brief"), timeless).join(u' '), QStringLiteral("no-times"));
+        const Mission mission = flown(fourIcebergs(), 60);
+        const ExportContent chosen = runContent(mission, {.what = ExportWhat::Order});
+        for (const char* ending : {"pdf", "svg", "png"}) {
+            const ExportFormat& map = format((std::string("map-") + ending).c_str());
+            const ExportFormat& charts = format((std::string("charts-") + ending).c_str());
+            QVERIFY(noteIds(map, timeless).isEmpty()); // a map has no dates in any case
+            QCOMPARE(noteIds(map, planContent(fourIcebergs(), planOf({}))).join(u' '),
+                     QStringLiteral("nothing-to-fly"));
+            QCOMPARE(noteIds(charts, chosen).join(u' '), QStringLiteral("choice-not-used"));
+            QVERIFY(noteIds(charts, runContent(mission)).isEmpty());
+        }
     }
 
     void notes()

@@ -73,6 +73,7 @@ private slots:
             QVERIFY(!text.name.isEmpty() && !text.tool.isEmpty());
             QVERIFY2(text.about.endsWith(u'.'), qPrintable(text.about));
             QCOMPARE(text.group == ExportGroup::Autopilots, format.holds.mission);
+            QCOMPARE(text.group == ExportGroup::Pages, format.holds.painted);
             shown << text.name + text.about;
         }
         QCOMPARE(shown.size(), static_cast<qsizetype>(exportFormats().size()));

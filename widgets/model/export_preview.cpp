@@ -18,9 +18,11 @@ const ExportFormat& formatOf(const ExportRequest& request)
     return *format;
 }
 
-std::vector<ExportFile> filesOf(const ExportContent& content, const ExportRequest& request)
+std::vector<ExportFile> filesOf(const ExportContent& content, const ExportRequest& request,
+                                const ExportPaint& paint)
 {
-    return exportFiles(formatOf(request), content, QFile::encodeName(request.path).toStdString());
+    return exportFiles(formatOf(request), content, QFile::encodeName(request.path).toStdString(),
+                       paint.file);
 }
 
 /** Whole lines where there are any, never half a character. */
@@ -46,27 +48,30 @@ void addHead(ExportPreview& preview, const std::string& text)
 
 } // namespace
 
-std::vector<ExportFile> exportedFiles(const ExportSource& source, const ExportRequest& request)
+std::vector<ExportFile> exportedFiles(const ExportSource& source, const ExportRequest& request,
+                                      const ExportPaint& paint)
 {
-    return filesOf(exportContent(source, request.options), request);
+    return filesOf(exportContent(source, request.options), request, paint);
 }
 
-ExportPreview exportPreview(const ExportSource& source, const ExportRequest& request)
+ExportPreview exportPreview(const ExportSource& source, const ExportRequest& request,
+                            const ExportPaint& paint)
 {
+    const ExportFormat& format = formatOf(request);
     ExportPreview preview;
     preview.request = request;
     preview.content = exportContent(source, request.options);
-    const std::vector<ExportFile> files = filesOf(preview.content, request);
-    preview.notes = exportNotes(formatOf(request), preview.content);
+    const std::vector<ExportFile> files = filesOf(preview.content, request, paint);
+    preview.notes = exportNotes(format, preview.content);
     for (const ExportFile& file : files) {
         preview.paths << QFile::decodeName(QByteArray::fromStdString(file.path));
         preview.bytes += file.content.size();
     }
-    const bool isPacked = request.formatId == "kmz";
-    addHead(preview,
-            isPacked ? findExportFormat("kml")->text(preview.content) : files.front().content);
-    for (const ExportIceberg& iceberg : preview.content.icebergs)
-        preview.listed.push_back(isListed(preview.content, iceberg));
+    if (format.holds.painted)
+        preview.picture = paint.look(format, preview.content);
+    else
+        addHead(preview, request.formatId == "kmz" ? findExportFormat("kml")->text(preview.content)
+                                                   : files.front().content);
     preview.content.mission = nullptr; // flies on, and may end
     return preview;
 }

@@ -93,6 +93,33 @@ ExportFormatText tableText(std::string_view id)
                                     "path or what was flown one row for each point.")};
 }
 
+QString pageName(std::string_view id)
+{
+    const QString ending = stringOf(id.substr(id.find('-') + 1)).toUpper();
+    return (id.starts_with("map") ? ExportText::tr("Map as %1") : ExportText::tr("Charts as %1"))
+        .arg(ending);
+}
+
+ExportFormatText pageText(std::string_view id)
+{
+    const ExportGroup group = ExportGroup::Pages;
+    if (id == "brief")
+        return {.group = group,
+                .name = ExportText::tr("Flight brief"),
+                .tool = ExportText::tr("Paper"),
+                .about = ExportText::tr("One page to print and take along: map, order with "
+                                        "coordinates, legs and times, wind, warnings.")};
+    const QString tool = id.ends_with("pdf")   ? ExportText::tr("Paper")
+                         : id.ends_with("svg") ? ExportText::tr("Drawing programs")
+                                               : ExportText::tr("Documents and messages");
+    const QString about = id.starts_with("map")
+                              ? ExportText::tr("The map with icebergs, ways and area, light, with "
+                                               "scale and legend.")
+                              : ExportText::tr("Zeta and the uncertainty of every iceberg over "
+                                               "the time of the flight.");
+    return {.group = group, .name = pageName(id), .tool = tool, .about = about};
+}
+
 QString wholeText(double value, const QLocale& locale)
 {
     return fixedText(value, 0, locale);
@@ -123,6 +150,8 @@ QString exportGroupText(ExportGroup group)
         return ExportText::tr("Autopilots");
     case ExportGroup::Maps:
         return ExportText::tr("Maps and globes");
+    case ExportGroup::Pages:
+        return ExportText::tr("Pictures and print");
     case ExportGroup::Tables:
         return ExportText::tr("Tables");
     }
@@ -133,6 +162,8 @@ ExportFormatText exportFormatText(const ExportFormat& format)
 {
     if (format.holds.mission)
         return missionText(format.id);
+    if (format.holds.painted)
+        return pageText(format.id);
     return format.holds.icebergs ? mapText(format.id) : tableText(format.id);
 }
 
@@ -194,7 +225,7 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
     case ExportNoteKind::WholeSpeed:
         return autopilotSentence(note, locale);
     case ExportNoteKind::ChoiceNotUsed:
-        return ExportText::tr("The table is about the whole flight, whatever is chosen.");
+        return ExportText::tr("The file is about the whole flight, whatever is chosen.");
     case ExportNoteKind::NothingToFly:
         return ExportText::tr("%n UAVs have no iceberg to visit.", nullptr, count);
     }

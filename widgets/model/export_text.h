@@ -12,6 +12,7 @@ enum class ExportGroup
 {
     Autopilots,
     Maps,
+    Pages, ///< pictures and print
     Tables
 };
 

@@ -135,6 +135,11 @@ void MissionRunner::requestRun(const QString& path)
     post([path](MissionWorker& worker) { worker.sendRun(path); });
 }
 
+void MissionRunner::setExportPaint(const ExportPaint& paint)
+{
+    post([paint](MissionWorker& worker) { worker.setExportPaint(paint); });
+}
+
 void MissionRunner::requestExport(const ExportRequest& request)
 {
     post([request](MissionWorker& worker) { worker.sendExport(request); });

@@ -61,6 +61,8 @@ public:
     /** Applies the change at the present instant of a flight that has begun. */
     void intervene(const Intervention& intervention);
 
+    /** From now on these exports can be asked for, too. */
+    void setExportPaint(const ExportPaint& paint);
     /**
      * Asks for the plan from the start, or in flight for the mission as it stands, as files:
      * `exportReady` or `commandRefused` follows.

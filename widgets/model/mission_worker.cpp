@@ -253,7 +253,7 @@ void MissionWorker::sendExport(const ExportRequest& request)
         return;
     }
     try {
-        emit exportReady(exportedFiles(exportSource(), request));
+        emit exportReady(exportedFiles(exportSource(), request, m_paint));
     } catch (const Error& error) {
         emit refused(errorReport(error));
     }
@@ -268,7 +268,7 @@ void MissionWorker::sendExportPreview()
     try {
         if (!m_mission)
             throw Error(ErrorCode::InvalidInput, "plan", "the scenario cannot be planned");
-        preview = exportPreview(exportSource(), *request);
+        preview = exportPreview(exportSource(), *request, m_paint);
     } catch (const Error& error) {
         preview.request = *request;
         preview.error = error;

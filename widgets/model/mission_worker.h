@@ -38,6 +38,7 @@ public:
     void flyOnFrom(double time_s);
     void sendInstant();
     void sendRun(const QString& path);
+    void setExportPaint(const ExportPaint& paint) { m_paint = paint; }
     void sendExport(const ExportRequest& request);
     void sendExportPreview();
 
@@ -67,6 +68,7 @@ private:
     MissionMail m_mail;
     MissionRequest m_request;
     std::unique_ptr<Mission> m_mission;
+    ExportPaint m_paint;
     std::optional<PlanAnswer> m_startPlan; ///< for exports; none: not asked for yet
     std::optional<Error> m_error;
     RunPhase m_phase = RunPhase::Planning;

@@ -1,7 +1,8 @@
-#include "app/export_picture.h"
+#include "widgets/print/export_picture.h"
 
 #include "core/base/angles.h"
 #include "widgets/map/scenario_picture.h"
+#include "widgets/print/printable_text.h"
 
 #include <QCoreApplication>
 
@@ -14,15 +15,20 @@ struct ExportPicture
     Q_DECLARE_TR_FUNCTIONS(ExportPicture)
 };
 
-MapUav mapUavOf(const ExportUav& uav, bool isOneOfSeveral)
+/** Where its way begins, or at the end of what it has flown. */
+MapUav mapUavOf(const ExportUav& uav, const ExportContent& content)
 {
-    return {.position_m = uav.uav.position_m,
-            .psi_rad = psiFromHeading(uav.uav.heading_deg),
-            .sensor = {.fov_m = uav.uav.fov_m},
-            .airspeed_mps = uav.uav.spec.airspeed_mps,
-            .label = isOneOfSeveral ? QString::fromStdString(titleOf(uav.uav)) : QString(),
-            .place = static_cast<int>(uav.row),
-            .altitude_m = uav.uav.spec.altitude_m};
+    MapUav drawn = mapUav(*content.scenario, uav.row);
+    drawn.position_m = uav.uav.position_m;
+    drawn.psi_rad = psiFromHeading(uav.uav.heading_deg);
+    if (content.what == ExportWhat::Track && !uav.track.empty()) {
+        drawn.position_m = uav.track.back().state.position_m;
+        drawn.psi_rad = uav.track.back().state.psi_rad;
+    }
+    drawn.airspeed_mps = uav.uav.spec.airspeed_mps;
+    drawn.altitude_m = uav.uav.spec.altitude_m;
+    drawn.label = printable(drawn.label);
+    return drawn;
 }
 
 MapRoute flownRoute(const ExportUav& uav)
@@ -71,21 +77,48 @@ std::vector<int> placesOf(const std::vector<int>& members, const std::vector<int
     return shown;
 }
 
+TrackStatus statusOf(IcebergState state)
+{
+    switch (state) {
+    case IcebergState::Lost:
+        return TrackStatus::Lost;
+    case IcebergState::GivenUp:
+        return TrackStatus::GivenUp;
+    case IcebergState::Expected:
+    case IcebergState::Tracked:
+    case IcebergState::Left:
+        return TrackStatus::Tracked;
+    }
+    return TrackStatus::Tracked;
+}
+
+MapIceberg mapIcebergOf(const ExportIceberg& iceberg, const ExportContent& content)
+{
+    MapIceberg drawn = mapIceberg(iceberg.iceberg, *content.scenario);
+    drawn.position_m = iceberg.position_m;
+    drawn.velocity_mps = iceberg.drift_mps;
+    drawn.sigma_m2 = iceberg.sigma_m2;
+    drawn.status = statusOf(iceberg.state);
+    if (iceberg.state != IcebergState::Expected)
+        drawn.appears_s = 0;
+    if (drawn.circle_m > 0) // round an estimate, which a track has not
+        drawn.circle_m = content.what == ExportWhat::Track ? 0 : likelyRadius_m(iceberg.sigma_m2);
+    if (content.mission != nullptr)
+        drawn.ringEntry_s.reset(); // it is that at the start
+    drawn.id = printable(drawn.id);
+    return drawn;
+}
+
 /** Icebergs that are listed; where each is in the picture. */
-std::vector<int> addIcebergs(MapPicture& picture, const ExportPreview& preview)
+std::vector<int> addIcebergs(MapPicture& picture, const ExportContent& content)
 {
     std::vector<int> places;
     double fullScale_m2 = 0;
-    for (std::size_t row = 0; row < preview.listed.size(); ++row) {
-        places.push_back(preview.listed[row] ? static_cast<int>(picture.icebergs.size()) : -1);
-        if (!preview.listed[row])
+    for (const ExportIceberg& iceberg : content.icebergs) {
+        places.push_back(iceberg.isListed ? static_cast<int>(picture.icebergs.size()) : -1);
+        if (!iceberg.isListed)
             continue;
-        const ExportIceberg& iceberg = preview.content.icebergs[row];
-        picture.icebergs.push_back({.id = QString::fromStdString(titleOf(iceberg.iceberg)),
-                                    .position_m = iceberg.position_m,
-                                    .velocity_mps = iceberg.drift_mps,
-                                    .sigma_m2 = iceberg.sigma_m2,
-                                    .radius_m = iceberg.iceberg.radius_m});
+        picture.icebergs.push_back(mapIcebergOf(iceberg, content));
         fullScale_m2 = std::max(fullScale_m2, iceberg.sigma_m2);
     }
     picture.sigmaFull_m2 = roundSigmaScale(fullScale_m2);
@@ -96,7 +129,7 @@ void addUav(MapPicture& picture, const ExportContent& content, const ExportUav& 
             const std::vector<int>& places)
 {
     const bool isFlown = content.what == ExportWhat::Track;
-    picture.uavs.push_back(mapUavOf(uav, content.uavs.size() > 1));
+    picture.uavs.push_back(mapUavOf(uav, content));
     picture.routes.push_back(isFlown ? flownRoute(uav) : plannedRoute(uav, places));
     if (picture.routes.back().thisSortie)
         picture.uavs.back().home_m = uav.home_m;
@@ -107,17 +140,18 @@ void addUav(MapPicture& picture, const ExportContent& content, const ExportUav& 
 
 } // namespace
 
-MapPicture exportPicture(const ExportPreview& preview)
+MapPicture exportPicture(const ExportContent& content)
 {
-    const ExportContent& content = preview.content;
     MapPicture picture;
     picture.origin = content.frame.origin();
-    const std::vector<int> places = addIcebergs(picture, preview);
+    const std::vector<int> places = addIcebergs(picture, content);
     for (const ExportUav& uav : content.uavs)
         addUav(picture, content, uav, places);
     picture.area_m = content.area_m;
     picture.isFenced = content.geofence;
     picture.asset = assetOf(content.asset, content.now_s);
+    if (picture.asset)
+        picture.asset->name = printable(picture.asset->name);
     picture.emptyTitle = ExportPicture::tr("No icebergs");
     return picture;
 }

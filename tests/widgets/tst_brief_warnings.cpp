@@ -1,0 +1,129 @@
+#include "tests/support/brief_fixtures.h"
+#include "widgets/print/brief_warnings.h"
+#include "widgets/print/printable_text.h"
+
+#include <QtTest>
+
+using namespace berg;
+using namespace berg::test;
+using namespace Qt::StringLiterals;
+
+/** What the flight brief warns of, and how names are printed. */
+class TestBriefWarnings : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void warningsTellTheWorstFirst()
+    {
+        const ExportContent content = planContent(changed([](Scenario& s) {
+                                                      s.geofence = true;
+                                                      s.wind_mps = Point(25, 0);
+                                                      s.icebergs[2].name = "\xE2\x80\xAE"
+                                                                           "odd\n";
+                                                  }),
+                                                  planOf({0, 3}));
+        const QStringList warnings = briefWarnings(content, kEnglish);
+        QVERIFY(warnings.size() >= 3);
+        QVERIFY2(warnings[0].startsWith(u"Error: "_s), qPrintable(warnings[0]));
+        QVERIFY(
+            warnings.contains(u"Not in the order (2): Tabular \"B\", grounded since May, odd"_s));
+        QVERIFY(warnings.last().contains(u"Geofence"_s));
+    }
+
+    void nothingToWarnOf()
+    {
+        const ExportContent content = planContent(fourIcebergs());
+        QCOMPARE(briefWarnings(content, kEnglish), QStringList());
+    }
+
+    void planIsJudged_data()
+    {
+        QTest::addColumn<ExportPlan>("plan");
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<bool>("isWarned");
+        QTest::newRow("proven") << ExportPlan{.status = SolveStatus::Optimal, .gap = 0}
+                                << u"Proven optimal"_s << false;
+        QTest::newRow("gap") << ExportPlan{.status = SolveStatus::Feasible, .gap = 0.0079}
+                             << u"Within 0.8 % of optimal"_s << true;
+        QTest::newRow("no bound") << ExportPlan{.status = SolveStatus::Feasible}
+                                  << u"Best order found"_s << true;
+        QTest::newRow("fell back")
+            << ExportPlan{.fellBack = true} << u"Limit reached, not planned anew"_s << true;
+    }
+
+    void planIsJudged()
+    {
+        QFETCH(const ExportPlan, plan);
+        QFETCH(const QString, words);
+        QFETCH(const bool, isWarned);
+        ExportContent content =
+            planContent(changed([](Scenario& s) { s.planner.policy = PolicyKind::Visitation; }));
+        content.plan = plan;
+        QCOMPARE(planWords(content, kEnglish), words);
+        QCOMPARE(briefWarnings(content, kEnglish).size(), isWarned ? 1 : 0);
+    }
+
+    void oneLayerIsWarnedOf()
+    {
+        Scenario scenario = fleetScenario(2, 8);
+        ExportOptions options;
+        const auto warns = [&] {
+            const QStringList warnings =
+                briefWarnings(planContent(scenario, fleetPlan(2, 8), options), kEnglish);
+            return warnings.join(u' ').contains(u"keep them 200 m apart"_s);
+        };
+        QVERIFY(!warns());
+        options.altitude_m = 100; // of both
+        QVERIFY(warns());
+        scenario.separation_m = 0;
+        QVERIFY(!warns());
+    }
+
+    void idleUavsAreNamed()
+    {
+        const ExportContent content = planContent(fleetScenario(3, 4), [] {
+            PlanAnswer plan;
+            plan.fleet.resize(3);
+            plan.fleet[1].order = {0, 1, 2, 3};
+            return plan;
+        }());
+        QVERIFY(briefWarnings(content, kEnglish).contains(u"Nothing to visit for uav-1, uav-3"_s));
+    }
+
+    void icebergsNearTheAssetAreWarnedOf()
+    {
+        const ExportContent content = planContent(changed([](Scenario& s) {
+            s.asset = Asset{
+                .name = "Platform", .position_m = Point(2000, 0), .range_m = 2500, .extraJson = {}};
+        }));
+        // Inside half the range is berg-1 alone; berg-4 drifts towards the asset.
+        const QStringList warnings = briefWarnings(content, kEnglish);
+        QVERIFY2(!warnings.isEmpty(), "no warning");
+        QVERIFY2(warnings[0].startsWith(u"berg-1 is inside the inner ring"_s),
+                 qPrintable(warnings[0]));
+    }
+
+    void namesAreMadePrintable_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("printed");
+        QTest::newRow("plain") << u"B 07"_s << u"B 07"_s;
+        QTest::newRow("lines") << u" a\r\n\tb\u2028c\u0085 "_s << u"a b c"_s;
+        QTest::newRow("turned") << u"\u202edesrever"_s << u"desrever"_s;
+        QTest::newRow("marks") << u"a\u0301\u0302\u0303\u0304b"_s << u"a\u0301\u0302b"_s;
+        QTest::newRow("Hebrew") << u"קרח"_s << u"\u2068קרח\u2069"_s;
+        QTest::newRow("beyond the first plane") << u"\U0001F9CA"_s << u"\U0001F9CA"_s;
+    }
+
+    void namesAreMadePrintable()
+    {
+        QFETCH(const QString, name);
+        QFETCH(const QString, printed);
+        QCOMPARE(printable(name), printed);
+        QCOMPARE(printable(printed), printed);
+    }
+};
+
+QTEST_MAIN(TestBriefWarnings)
+#include "tst_brief_warnings.moc"

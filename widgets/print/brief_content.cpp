@@ -1,0 +1,200 @@
+#include "widgets/print/brief_content.h"
+
+#include "widgets/map/map_tools.h"
+#include "widgets/model/domain_text.h"
+#include "widgets/print/brief_warnings.h"
+#include "widgets/print/page_text.h"
+#include "widgets/print/printable_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <functional>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct FlightBrief
+{
+    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
+};
+
+constexpr int kMinuteDecimals = 2;
+
+QString startText(const ExportContent& content)
+{
+    if (!content.start)
+        return FlightBrief::tr("Times count from the start of the run");
+    const QString text = QString::fromStdString(utcText(*content.start, 0)); // 2026-05-01T12:...
+    return FlightBrief::tr("Start %1 %2 UTC").arg(text.left(10), text.mid(11, 8));
+}
+
+/** "8.2 m/s from 245°": by true north where the UAV starts. */
+QString windText(const ExportContent& content, const QLocale& locale)
+{
+    if (content.wind_mps.isZero(0))
+        return FlightBrief::tr("No wind");
+    const ShownUnit unit = speedUnit();
+    const Point wind_mps =
+        eastNorth_mps(content, content.wind_mps, content.uavs.front().uav.position_m);
+    return FlightBrief::tr("%1 %2 from %3")
+        .arg(fixedText(unit.fromSi(wind_mps.norm()), 1, locale), unit.name, bearingText(-wind_mps));
+}
+
+QString currentText(const ExportContent& content, const QLocale& locale)
+{
+    const ShownUnit unit = speedUnit();
+    const Point current_mps =
+        eastNorth_mps(content, content.scenario->current_mps, content.uavs.front().uav.position_m);
+    return FlightBrief::tr("%1 %2 towards %3")
+        .arg(fixedText(unit.fromSi(current_mps.norm()), 2, locale), unit.name,
+             bearingText(current_mps));
+}
+
+QString icebergsText(const ExportContent& content)
+{
+    const std::vector<bool> visited = visitedIcebergs(content);
+    const auto listed =
+        std::ranges::count_if(content.icebergs, [](const auto& one) { return one.isListed; });
+    return FlightBrief::tr("%1 of %2").arg(std::ranges::count(visited, true)).arg(listed);
+}
+
+std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& locale)
+{
+    WayTotals total;
+    for (const ExportUav& uav : content.uavs) {
+        const WayTotals way = wayTotals(uav);
+        total.length_m += way.length_m;
+        total.time_s = std::max(total.time_s, way.time_s);
+        total.end_s = std::max(total.end_s, way.end_s);
+    }
+    std::vector<BriefFact> facts{{FlightBrief::tr("Wind, true"), windText(content, locale)}};
+    if (!content.scenario->current_mps.isZero(0))
+        facts.push_back({FlightBrief::tr("Current, true"), currentText(content, locale)});
+    facts.push_back({FlightBrief::tr("Distance"), distanceText(total.length_m, locale)});
+    facts.push_back({FlightBrief::tr("Time of flight"), clockText(total.time_s)});
+    facts.push_back({content.start ? FlightBrief::tr("End, UTC") : FlightBrief::tr("End"),
+                     briefClock(content, total.end_s)});
+    return facts;
+}
+
+std::vector<BriefFact> planningFacts(const ExportContent& content, const QLocale& locale)
+{
+    return {{FlightBrief::tr("Icebergs"), icebergsText(content)},
+            {FlightBrief::tr("Planned by"), policyText(content.planner, locale)},
+            {content.what == ExportWhat::Track ? FlightBrief::tr("Last plan")
+                                               : FlightBrief::tr("Order of visits"),
+             planWords(content, locale)}};
+}
+
+/** A column of the table of UAVs. */
+struct UavColumn
+{
+    QString caption;
+    std::function<QString(const ExportUav&)> text;
+};
+
+/** What all of them have. */
+std::vector<UavColumn> commonColumns(const ExportContent& content, const QLocale& locale)
+{
+    return {
+        {FlightBrief::tr("UAV"), [](const ExportUav& uav) { return printable(titleOf(uav.uav)); }},
+        {FlightBrief::tr("Altitude"),
+         [&locale](const ExportUav& uav) {
+             return distanceText(uav.uav.spec.altitude_m, locale, 3, DistanceUnit::Metric);
+         }},
+        {FlightBrief::tr("Airspeed"),
+         [&locale](const ExportUav& uav) {
+             return speedText(uav.uav.spec.airspeed_mps, locale, 3);
+         }},
+        {FlightBrief::tr("Turn radius"),
+         [&locale](const ExportUav& uav) {
+             return distanceText(turnRadius_m(uav.uav.spec), locale, 3, DistanceUnit::Metric);
+         }},
+        {FlightBrief::tr("Acceptance radius"),
+         [&locale](const ExportUav& uav) {
+             return distanceText(uav.reach_m, locale, 3, DistanceUnit::Metric);
+         }},
+        {FlightBrief::tr("Home"), [&content, &locale](const ExportUav& uav) {
+             return placeText(content.frame.toGeographic(uav.home_m), kMinuteDecimals, locale);
+         }}};
+}
+
+void addOwnTotals(std::vector<UavColumn>& columns, const QLocale& locale)
+{
+    columns.push_back({FlightBrief::tr("Icebergs"), [](const ExportUav& uav) {
+                           return QString::number(std::ranges::count_if(
+                               uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
+                       }});
+    columns.push_back({FlightBrief::tr("Distance"), [&locale](const ExportUav& uav) {
+                           return distanceText(wayTotals(uav).length_m, locale);
+                       }});
+    columns.push_back({FlightBrief::tr("Time"),
+                       [](const ExportUav& uav) { return clockText(wayTotals(uav).time_s); }});
+}
+
+std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& locale)
+{
+    std::vector<UavColumn> columns = commonColumns(content, locale);
+    const auto beforeHome = [&columns] { return columns.end() - 1; };
+    if (content.options.loiterTurns > 0)
+        columns.insert(beforeHome(), {FlightBrief::tr("Loiter turns"), [&content](const auto&) {
+                                          return QString::number(content.options.loiterTurns);
+                                      }});
+    if (std::ranges::any_of(content.uavs,
+                            [](const ExportUav& uav) { return uav.uav.spec.endurance_s > 0; }))
+        columns.insert(beforeHome(), {content.now_s > 0 ? FlightBrief::tr("Endurance left")
+                                                        : FlightBrief::tr("Endurance"),
+                                      [](const ExportUav& uav) {
+                                          const double endurance_s = uav.uav.spec.endurance_s;
+                                          return endurance_s > 0 ? clockText(endurance_s) : u"–"_s;
+                                      }});
+    if (content.uavs.size() > 1)
+        addOwnTotals(columns, locale);
+
+    std::vector<QStringList> rows(1 + content.uavs.size());
+    for (const UavColumn& column : columns) {
+        rows.front() << column.caption;
+        for (std::size_t uav = 0; uav < content.uavs.size(); ++uav)
+            rows[uav + 1] << column.text(content.uavs[uav]);
+    }
+    return rows;
+}
+
+QString footText(ExportWhat what)
+{
+    return what == ExportWhat::Track
+               ? FlightBrief::tr(
+                     "Positions WGS 84: icebergs drift, each is given where it was when "
+                     "it was reached. Courses and distances are over ground.")
+               : FlightBrief::tr("Positions WGS 84: icebergs drift, each is given where it is "
+                                 "expected at arrival. Courses and distances are over ground.");
+}
+
+} // namespace
+
+BriefContent briefContent(const ExportContent& content, const QLocale& locale)
+{
+    BriefContent brief{.title = pageTitle(content),
+                       .about = waysText(content),
+                       .start = startText(content),
+                       .origin =
+                           FlightBrief::tr("Origin %1")
+                               .arg(placeText(content.frame.origin(), kMinuteDecimals, locale)),
+                       .flight = flightFacts(content, locale),
+                       .planning = planningFacts(content, locale),
+                       .uavs = uavRows(content, locale),
+                       .captions = briefCaptions(content),
+                       .routes = {},
+                       .warnings = briefWarnings(content, locale),
+                       .notes = printable(content.scenario->notes),
+                       .foot = footText(content.what)};
+    for (std::size_t uav = 0; uav < content.uavs.size(); ++uav)
+        brief.routes.push_back(briefRoute(content, uav, locale));
+    return brief;
+}
+
+} // namespace berg

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "widgets/print/brief_layout.h"
+
+#include <QStringList>
+
+namespace berg {
+
+// Texts into boxes of the brief.
+
+/** From one line of this type to the next, and the height of its box. */
+[[nodiscard]] double linePitch_px(int size_px);
+
+[[nodiscard]] double widthOf_px(const QString& text, const BriefType& type);
+
+/** Sets one line into the box, cut with an ellipsis where it is too long; nothing of no text. */
+void setText(BriefLayout& layout, const QRectF& rect, const QString& text, const BriefType& type);
+
+/** The text in at most so many lines of this width, the last one cut. */
+[[nodiscard]] QStringList wrapped(const QString& text, const BriefType& type, double width_px,
+                                  int mostLines);
+
+} // namespace berg

@@ -1,0 +1,206 @@
+#include "widgets/print/brief_table.h"
+
+#include "widgets/map/map_tools.h"
+#include "widgets/print/printable_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct FlightBrief
+{
+    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
+};
+
+constexpr int kMinuteDecimals = 2; // 18 m
+constexpr double kLater_s = 0.5;   // times are shown in whole seconds
+
+/** A way with its length up to each point. */
+class MeasuredWay
+{
+public:
+    explicit MeasuredWay(const ExportUav& uav) : m_way(wayOf(uav))
+    {
+        for (std::size_t i = 0; i < m_way.size(); ++i)
+            m_until_m.push_back(
+                i == 0 ? 0
+                       : m_until_m.back() + (m_way[i].position_m - m_way[i - 1].position_m).norm());
+    }
+
+    [[nodiscard]] double until_m(double time_s) const
+    {
+        const auto next = std::ranges::upper_bound(m_way, time_s, {}, &TimedPoint::time_s);
+        if (next == m_way.begin())
+            return 0;
+        if (next == m_way.end())
+            return m_until_m.back();
+        const auto i = static_cast<std::size_t>(next - m_way.begin());
+        const double share = (time_s - m_way[i - 1].time_s) / (next->time_s - m_way[i - 1].time_s);
+        return std::lerp(m_until_m[i - 1], m_until_m[i], share);
+    }
+
+    [[nodiscard]] double length_m() const { return m_until_m.back(); }
+    [[nodiscard]] const TimedPoint& start() const { return m_way.front(); }
+    [[nodiscard]] const TimedPoint& end() const { return m_way.back(); }
+
+private:
+    std::vector<TimedPoint> m_way; ///< one point at least
+    std::vector<double> m_until_m;
+};
+
+void setPlace(BriefCells& cells, const ExportContent& content, const Point& position_m,
+              const QLocale& locale)
+{
+    const LatLon place = content.frame.toGeographic(position_m);
+    cells[placeOf(BriefColumn::Latitude)] =
+        latitudeText(place.latitude_deg, kMinuteDecimals, locale);
+    cells[placeOf(BriefColumn::Longitude)] =
+        longitudeText(place.longitude_deg, kMinuteDecimals, locale);
+}
+
+/** Of the least known of the icebergs in view there. */
+double sigmaAt_m2(const ExportContent& content, const Visit& visit)
+{
+    double most_m2 = 0;
+    for (const int index : icebergsOf(visit)) {
+        const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(index));
+        const double ahead_s = content.what == ExportWhat::Track ? 0 : visit.time_s - content.now_s;
+        most_m2 = std::max(most_m2, now.sigma_m2 + now.iceberg.q_m2ps * ahead_s);
+    }
+    return most_m2;
+}
+
+/** Writes one row after the other. */
+class RouteRows
+{
+public:
+    RouteRows(const ExportContent& content, const MeasuredWay& way, const QLocale& locale)
+        : m_content(content), m_way(way), m_locale(locale), m_last(way.start())
+    {
+        BriefCells cells;
+        cells[placeOf(BriefColumn::Name)] = FlightBrief::tr("Start");
+        setPlace(cells, content, m_last.position_m, locale);
+        cells[placeOf(BriefColumn::Arrival)] = briefClock(content, m_last.time_s);
+        m_rows.push_back(cells);
+    }
+
+    void add(const TimedPoint& to, BriefCells cells)
+    {
+        setPlace(cells, m_content, to.position_m, m_locale);
+        const Point way_m =
+            eastNorth_mps(m_content, to.position_m - m_last.position_m, m_last.position_m);
+        const double leg_m = m_way.until_m(to.time_s) - m_way.until_m(m_last.time_s);
+        if (!way_m.isZero(0))
+            cells[placeOf(BriefColumn::Course)] = bearingText(way_m);
+        cells[placeOf(BriefColumn::Leg)] = fixedText(longDistanceUnit().fromSi(leg_m), 2, m_locale);
+        cells[placeOf(BriefColumn::LegTime)] = clockText(to.time_s - m_last.time_s);
+        cells[placeOf(BriefColumn::Arrival)] = briefClock(m_content, to.time_s);
+        m_rows.push_back(std::move(cells));
+        m_last = to;
+    }
+
+    void add(const Visit& visit)
+    {
+        BriefCells cells;
+        if (visit.iceberg < 0) {
+            cells[placeOf(BriefColumn::Name)] = FlightBrief::tr("Home");
+        } else {
+            const double sigma_m2 = sigmaAt_m2(m_content, visit);
+            cells[placeOf(BriefColumn::Number)] = QString::number(++m_icebergs);
+            cells[placeOf(BriefColumn::Name)] = printable(titleOf(m_content, visit));
+            cells[placeOf(BriefColumn::Sigma)] = significantText(sigma_m2, 3, m_locale);
+            cells[placeOf(BriefColumn::Deviation)] =
+                significantText(std::sqrt(sigma_m2), 2, m_locale);
+        }
+        add(TimedPoint{.position_m = visit.position_m, .time_s = visit.time_s}, std::move(cells));
+    }
+
+    /** What was flown after the last visit. */
+    void addEnd()
+    {
+        if (m_way.end().time_s < m_last.time_s + kLater_s)
+            return;
+        BriefCells cells;
+        cells[placeOf(BriefColumn::Name)] = FlightBrief::tr("End of track");
+        add(m_way.end(), std::move(cells));
+    }
+
+    [[nodiscard]] std::vector<BriefCells> taken() { return std::move(m_rows); }
+
+private:
+    const ExportContent& m_content;
+    const MeasuredWay& m_way;
+    const QLocale& m_locale;
+    TimedPoint m_last;
+    int m_icebergs = 0;
+    std::vector<BriefCells> m_rows;
+};
+
+} // namespace
+
+BriefCaptions briefCaptions(const ExportContent& content)
+{
+    BriefCaptions captions;
+    const auto set = [&captions](BriefColumn column, const QString& name,
+                                 const QString& unit = {}) {
+        captions.names[placeOf(column)] = name;
+        captions.units[placeOf(column)] = unit;
+    };
+    const bool isFlown = content.what == ExportWhat::Track;
+    set(BriefColumn::Name, FlightBrief::tr("Iceberg"));
+    set(BriefColumn::Latitude, FlightBrief::tr("Latitude"));
+    set(BriefColumn::Longitude, FlightBrief::tr("Longitude"));
+    set(BriefColumn::Course, FlightBrief::tr("Course"), FlightBrief::tr("true"));
+    set(BriefColumn::Leg, FlightBrief::tr("Leg"), longDistanceUnit().name);
+    set(BriefColumn::LegTime, FlightBrief::tr("Time"));
+    set(BriefColumn::Arrival, isFlown ? FlightBrief::tr("Reached") : FlightBrief::tr("Arrival"),
+        content.start ? u"UTC"_s : QString());
+    set(BriefColumn::Sigma, isFlown ? FlightBrief::tr("σ now") : u"σ"_s, u"m²"_s);
+    set(BriefColumn::Deviation, u"√σ"_s, u"m"_s);
+    return captions;
+}
+
+BriefRoute briefRoute(const ExportContent& content, std::size_t uav, const QLocale& locale)
+{
+    const ExportUav& flown = content.uavs.at(uav);
+    const MeasuredWay way(flown);
+    RouteRows rows(content, way, locale);
+    for (const Visit& visit : flown.visits)
+        rows.add(visit);
+    if (content.what == ExportWhat::Track)
+        rows.addEnd();
+    return {.uav = uav, .name = printable(titleOf(flown.uav)), .rows = rows.taken()};
+}
+
+QString briefClock(const ExportContent& content, double time_s)
+{
+    using namespace std::chrono;
+    if (!content.start)
+        return clockText(time_s);
+    const auto instant = round<seconds>(*content.start + milliseconds(std::llround(1000 * time_s)));
+    const auto day = floor<days>(instant);
+    const hh_mm_ss clock(instant - day);
+    const auto later = (day - floor<days>(round<seconds>(*content.start))).count();
+    const auto two = [](auto part) { return u"%1"_s.arg(part.count(), 2, 10, QChar(u'0')); };
+    const QString text =
+        u"%1:%2:%3"_s.arg(two(clock.hours()), two(clock.minutes()), two(clock.seconds()));
+    return later > 0 ? u"%1 +%2"_s.arg(text).arg(later) : text;
+}
+
+WayTotals wayTotals(const ExportUav& uav)
+{
+    const MeasuredWay way(uav);
+    return {.length_m = way.length_m(),
+            .time_s = way.end().time_s - way.start().time_s,
+            .end_s = way.end().time_s};
+}
+
+} // namespace berg

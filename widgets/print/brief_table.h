@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/io/export_content.h"
+
+#include <QLocale>
+#include <QString>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace berg {
+
+/** Of the table of the flight brief, from the left. */
+enum class BriefColumn : std::uint8_t
+{
+    Number,
+    Name,
+    Latitude,
+    Longitude,
+    Course, ///< true, from the place before
+    Leg,    ///< over ground; of a path or track along it
+    LegTime,
+    Arrival,  ///< UTC, or since the start of the run
+    Sigma,    ///< at arrival; of a track, now
+    Deviation ///< root of it
+};
+inline constexpr std::size_t kBriefColumns = 10;
+
+using BriefCells = std::array<QString, kBriefColumns>;
+
+[[nodiscard]] inline std::size_t placeOf(BriefColumn column)
+{
+    return static_cast<std::size_t>(column);
+}
+
+/** The way of one UAV: its start, each visit, and where it ends. */
+struct BriefRoute
+{
+    std::size_t uav = 0; ///< place among the UAVs of the content
+    QString name;        ///< of the UAV
+    std::vector<BriefCells> rows;
+};
+
+/** What is above the columns, in two lines. */
+struct BriefCaptions
+{
+    BriefCells names;
+    BriefCells units;
+};
+
+[[nodiscard]] BriefCaptions briefCaptions(const ExportContent& content);
+[[nodiscard]] BriefRoute briefRoute(const ExportContent& content, std::size_t uav,
+                                    const QLocale& locale);
+
+/** "12:03:20", on a later day than the start "00:03:20 +1"; without a start as `clockText`. */
+[[nodiscard]] QString briefClock(const ExportContent& content, double time_s);
+
+/** Of the way of one UAV, over ground, and how long it takes. */
+struct WayTotals
+{
+    double length_m = 0;
+    double time_s = 0;
+    double end_s = 0;
+};
+[[nodiscard]] WayTotals wayTotals(const ExportUav& uav);
+
+} // namespace berg

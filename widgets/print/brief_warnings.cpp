@@ -1,0 +1,247 @@
+#include "widgets/print/brief_warnings.h"
+
+#include "core/scenario/advice.h"
+#include "core/scenario/priority.h"
+#include "core/scenario/validate.h"
+#include "widgets/model/asset_approach.h"
+#include "widgets/panels/issue_text.h"
+#include "widgets/panels/planner_text.h"
+#include "widgets/print/printable_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <map>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct FlightBrief
+{
+    Q_DECLARE_TR_FUNCTIONS(FlightBrief)
+};
+
+constexpr int kMostNames = 60; // of a list; more than lines have room for
+
+/** What is exported as a scenario: altitudes and speeds chosen, the wind of now, names to print. */
+Scenario exportedScenario(const ExportContent& content)
+{
+    Scenario scenario = *content.scenario;
+    scenario.wind_mps = content.wind_mps;
+    for (const ExportUav& uav : content.uavs) {
+        UavSpec& spec = scenario.uavs.at(uav.row).spec;
+        spec.altitude_m = uav.uav.spec.altitude_m;
+        spec.airspeed_mps = uav.uav.spec.airspeed_mps;
+    }
+    for (Uav& uav : scenario.uavs)
+        uav.name = printable(titleOf(uav)).toStdString();
+    for (Iceberg& iceberg : scenario.icebergs)
+        iceberg.name = printable(titleOf(iceberg)).toStdString();
+    return scenario;
+}
+
+QStringList issueLines(const Scenario& scenario, const std::vector<Issue>& issues,
+                       Severity severity)
+{
+    QStringList lines;
+    for (const Issue& issue : issues)
+        if (issue.severity == severity)
+            lines << issueLine(issue, scenario).simplified();
+    return lines;
+}
+
+bool isIdle(const ExportUav& uav)
+{
+    return std::ranges::all_of(uav.visits, [](const Visit& visit) { return visit.iceberg < 0; });
+}
+
+bool visitsNothing(const ExportContent& content)
+{
+    return std::ranges::all_of(content.uavs, isIdle);
+}
+
+/** Whether the policy has an order proven to be the best. */
+bool provesOrders(PolicyKind policy)
+{
+    switch (policy) {
+    case PolicyKind::Visitation:
+    case PolicyKind::Path:
+    case PolicyKind::Tour:
+    case PolicyKind::Latency:
+        return true;
+    case PolicyKind::Nearest:
+    case PolicyKind::Uncertainty:
+    case PolicyKind::Coverage:
+        return false;
+    }
+    return false;
+}
+
+bool isChosenOneByOne(PolicyKind policy)
+{
+    return policy == PolicyKind::Nearest || policy == PolicyKind::Uncertainty;
+}
+
+/** "Lost (2): B04, B07" of the icebergs for which `test` holds; nothing of none. */
+template <class Test>
+QStringList namedLine(const QString& sentence, const ExportContent& content, const Test& test)
+{
+    QStringList names;
+    int count = 0;
+    for (std::size_t i = 0; i < content.icebergs.size(); ++i) {
+        if (!test(i))
+            continue;
+        if (++count <= kMostNames)
+            names << printable(titleOf(content.icebergs[i].iceberg));
+    }
+    if (count == 0)
+        return {};
+    if (count > kMostNames)
+        names << u"…"_s;
+    return {sentence.arg(count).arg(names.join(u", "_s))};
+}
+
+/** Icebergs in the inner ring of the asset or on their way into it, the first to enter first. */
+QStringList alarmLines(const ExportContent& content, const QLocale& locale)
+{
+    if (!content.asset)
+        return {};
+    std::multimap<double, QString> entries;
+    for (const ExportIceberg& one : content.icebergs) {
+        if (!one.isListed || one.state == IcebergState::Expected)
+            continue;
+        const RelativeMotion motion =
+            relativeToAsset(*content.asset, content.now_s, one.position_m, one.drift_mps);
+        if (const auto entry_s =
+                entryTime_s(motion, alarmRadius_m(*content.asset), kApproachHorizon_s))
+            entries.emplace(*entry_s,
+                            ringEntryText(printable(titleOf(one.iceberg)), *entry_s, locale));
+    }
+    QStringList lines;
+    for (const auto& [entry_s, line] : entries)
+        lines << line;
+    return lines;
+}
+
+QStringList icebergLines(const ExportContent& content)
+{
+    const auto is = [&content](IcebergState state) {
+        return [&content, state](std::size_t i) {
+            return content.icebergs[i].isListed && content.icebergs[i].state == state;
+        };
+    };
+    QStringList lines = namedLine(FlightBrief::tr("Lost, not where they were expected (%1): %2"),
+                                  content, is(IcebergState::Lost)) +
+                        namedLine(FlightBrief::tr("Given up after a search (%1): %2"), content,
+                                  is(IcebergState::GivenUp));
+    // One leg, or one UAV of several, leaves icebergs out on purpose.
+    if (content.what == ExportWhat::FirstLeg || content.uavs.size() < content.scenario->uavs.size())
+        return lines;
+    const std::vector<bool> visited = visitedIcebergs(content);
+    lines << namedLine(
+        content.what == ExportWhat::Track ? FlightBrief::tr("Not flown to (%1): %2")
+                                          : FlightBrief::tr("Not in the order (%1): %2"),
+        content, [&](std::size_t i) { return content.icebergs[i].isListed && !visited[i]; });
+    return lines;
+}
+
+/** UAVs without an iceberg, when others have one. */
+QStringList idleLines(const ExportContent& content)
+{
+    QStringList names;
+    for (const ExportUav& uav : content.uavs)
+        if (isIdle(uav))
+            names << printable(titleOf(uav.uav));
+    if (names.isEmpty() || visitsNothing(content))
+        return {};
+    return {FlightBrief::tr("Nothing to visit for %1").arg(names.join(u", "_s))};
+}
+
+QStringList planLines(const ExportContent& content, const QLocale& locale)
+{
+    if (content.what == ExportWhat::Track || visitsNothing(content) || content.plan.fellBack ||
+        !provesOrders(content.planner.policy) || content.plan.status == SolveStatus::Optimal)
+        return {};
+    return {FlightBrief::tr("The order is not proven to be the best one: %1.")
+                .arg(planWords(content, locale))};
+}
+
+/** Two UAVs fly too near in altitude to pass each other. */
+bool sharesLayer(const ExportContent& content)
+{
+    std::vector<double> altitudes_m;
+    for (const ExportUav& uav : content.uavs)
+        altitudes_m.push_back(uav.uav.spec.altitude_m);
+    std::ranges::sort(altitudes_m);
+    return std::ranges::adjacent_find(altitudes_m, [](double low_m, double high_m) {
+               return high_m - low_m < kLayerHeight_m;
+           }) != altitudes_m.end();
+}
+
+QStringList ruleLines(const ExportContent& content, const QLocale& locale)
+{
+    QStringList lines;
+    if (content.geofence)
+        lines << FlightBrief::tr("Geofence in force: stay inside the area.");
+    if (content.scenario->separation_m > 0 && sharesLayer(content))
+        lines << FlightBrief::tr("UAVs in one altitude layer: keep them %1 apart, nothing steers "
+                                 "them.")
+                     .arg(distanceText(content.scenario->separation_m, locale, 3,
+                                       DistanceUnit::Metric));
+    return lines;
+}
+
+} // namespace
+
+std::vector<bool> visitedIcebergs(const ExportContent& content)
+{
+    std::vector<bool> visited(content.icebergs.size());
+    for (const ExportUav& uav : content.uavs)
+        for (const Visit& visit : uav.visits)
+            if (visit.iceberg >= 0)
+                for (const int index : icebergsOf(visit))
+                    visited.at(static_cast<std::size_t>(index)) = true;
+    return visited;
+}
+
+QString planWords(const ExportContent& content, const QLocale& locale)
+{
+    if (visitsNothing(content))
+        return FlightBrief::tr("Nothing to visit");
+    if (content.plan.fellBack)
+        return FlightBrief::tr("Limit reached, not planned anew");
+    if (isChosenOneByOne(content.planner.policy))
+        return FlightBrief::tr("Chosen one iceberg at a time");
+    switch (content.plan.status) {
+    case SolveStatus::Optimal:
+        return FlightBrief::tr("Proven optimal");
+    case SolveStatus::Feasible:
+        return content.plan.gap ? FlightBrief::tr("Within %1 % of optimal")
+                                      .arg(gapText(*content.plan.gap, locale))
+                                : FlightBrief::tr("Best order found");
+    case SolveStatus::None:
+        return FlightBrief::tr("Not planned by a solver");
+    }
+    return {};
+}
+
+QStringList briefWarnings(const ExportContent& content, const QLocale& locale)
+{
+    const Scenario scenario = exportedScenario(content);
+    const std::vector<Issue> issues = validate(scenario);
+    QStringList lines;
+    for (const QString& line : issueLines(scenario, issues, Severity::Error))
+        lines << FlightBrief::tr("Error: %1").arg(line);
+    if (content.plan.fellBack && !visitsNothing(content))
+        lines << FlightBrief::tr("The planner reached its limit without an order: the rest of the "
+                                 "plan before, or the nearest iceberg, is flown.");
+    lines << alarmLines(content, locale) << icebergLines(content)
+          << issueLines(scenario, issues, Severity::Warning) << idleLines(content)
+          << planLines(content, locale) << ruleLines(content, locale);
+    return lines;
+}
+
+} // namespace berg

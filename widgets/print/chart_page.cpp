@@ -1,0 +1,96 @@
+#include "widgets/print/chart_page.h"
+
+#include "core/base/error.h"
+#include "widgets/charts/mission_charts.h"
+#include "widgets/map/painter_state.h"
+#include "widgets/print/document_chart.h"
+#include "widgets/print/page_text.h"
+#include "widgets/print/printable_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+
+#include <array>
+#include <memory>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr QSize kPage_px(1120, 980);
+constexpr double kHead_px = 60;
+constexpr double kChart_px = (980 - kHead_px) / 2; // height
+constexpr int kTitle_px = 18;                      // size of type
+
+struct ChartPageText
+{
+    Q_DECLARE_TR_FUNCTIONS(ChartPageText)
+};
+
+/** What the page is painted from. */
+struct ChartSheet
+{
+    QString title;
+    QString subtitle;
+    Theme theme = Theme::light();
+    std::vector<DocumentChart> charts; ///< from above
+};
+
+void paintHead(QPainter& painter, const ChartSheet& sheet)
+{
+    const double width_px = kPage_px.width() - 2 * kChartSide_px;
+    double top_px = 16;
+    const auto line = [&](const QFont& font, const QColor& colour, const QString& text) {
+        const QFontMetricsF metrics(font);
+        painter.setFont(font);
+        painter.setPen(colour);
+        painter.drawText(QPointF(kChartSide_px, top_px + metrics.ascent()),
+                         metrics.elidedText(text, Qt::ElideRight, width_px));
+        top_px += metrics.height() + 2;
+    };
+    QFont large = sheet.theme.strong();
+    large.setPixelSize(kTitle_px);
+    line(large, sheet.theme.text, sheet.title);
+    line(sheet.theme.small(), sheet.theme.mutedText, sheet.subtitle);
+}
+
+void paintSheet(QPainter& painter, const ChartSheet& sheet)
+{
+    const PainterState saved(painter);
+    paintHead(painter, sheet);
+    QPointF at(0, kHead_px);
+    for (const DocumentChart& chart : sheet.charts) {
+        paintDocumentChart(painter, at, chart, sheet.theme);
+        at.ry() += kChart_px;
+    }
+}
+
+} // namespace
+
+PicturePage chartPage(const ExportContent& content, const QLocale& locale)
+{
+    if (content.mission == nullptr)
+        throw Error(ErrorCode::InvalidInput, "format",
+                    "a scenario has no such charts: nothing was flown");
+    auto sheet = std::make_shared<ChartSheet>();
+    sheet->title = pageTitle(content);
+    sheet->subtitle = pageSubtitle(
+        content, ChartPageText::tr("Flown until %1").arg(clockText(content.now_s)), locale);
+    const FlightRecord record = recordOf(*content.mission);
+    std::array contents{zetaContent(record, locale), sigmaContent(record, locale)};
+    for (TimeLine& line : contents[1].lines)
+        line.label = printable(line.label); // a name, which may hold anything
+    for (TimeChartContent& chart : contents)
+        chart.emptyText = ChartPageText::tr("Nothing was flown");
+    sheet->charts =
+        documentCharts(contents, sheet->theme, QSizeF(kPage_px.width(), kChart_px), locale);
+    return {.size_px = kPage_px,
+            .title = sheet->title,
+            .description = contents[0].summary + u' ' + contents[1].summary,
+            .paint = [sheet = std::shared_ptr<const ChartSheet>(std::move(sheet))](
+                         QPainter& painter) { paintSheet(painter, *sheet); }};
+}
+
+} // namespace berg

@@ -1,0 +1,266 @@
+#include "widgets/print/map_page.h"
+
+#include "widgets/map/map_painter.h"
+#include "widgets/map/map_symbols.h"
+#include "widgets/map/painter_state.h"
+#include "widgets/map/scenario_picture.h"
+#include "widgets/print/export_picture.h"
+#include "widgets/print/page_text.h"
+#include "widgets/theme/palette.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <memory>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr QSize kPage_px(1120, 700);
+constexpr double kVisit_px = 3;         // radius of its dot
+constexpr double kDenseVisit_px = 1.6;  // where there are many
+constexpr double kTimeHeight_px = 14;   // of the time beside it
+constexpr std::size_t kMostTimes = 60;  // or they hide the ways
+constexpr double kFarthestTime_px = 24; // farther off nobody sees whose it is
+constexpr double kUavClearance_px = 17;
+
+struct MapPageText
+{
+    Q_DECLARE_TR_FUNCTIONS(MapPageText)
+};
+
+/** A visit that was flown: where the UAV was. */
+struct VisitDot
+{
+    QPointF at_px;
+    QColor colour;
+    QString time;
+    QRectF timeRect{}; ///< null: there is no room
+};
+
+/** What the page is painted from. */
+struct MapSheet
+{
+    MapPicture picture;
+    std::vector<VisitDot> visits;
+    Theme theme = Theme::light();
+    QLocale locale;
+    MapLayout layout;
+    Graticule graticule;
+};
+
+bool isOfIceberg(const Visit& visit)
+{
+    return visit.iceberg >= 0;
+}
+
+int visitCount(const ExportContent& content)
+{
+    std::ptrdiff_t count = 0;
+    for (const ExportUav& uav : content.uavs)
+        count += std::ranges::count_if(uav.visits, isOfIceberg);
+    return static_cast<int>(count);
+}
+
+std::vector<MapReadout> flownFigures(const ExportContent& content, const QLocale& locale)
+{
+    std::vector<MapReadout> figures{
+        {.caption = MapPageText::tr("Time"), .value = clockText(content.now_s), .unit = {}}};
+    if (content.mission != nullptr)
+        figures.push_back({.caption = MapPageText::tr("Zeta ζ"),
+                           .value = significantText(content.mission->metrics().zeta_m2s, 4, locale),
+                           .unit = u"m² s"_s});
+    figures.push_back({.caption = MapPageText::tr("Visits, dots on the way"),
+                       .value = fixedText(visitCount(content), 0, locale),
+                       .unit = {}});
+    return figures;
+}
+
+/** None without a way. */
+std::vector<MapReadout> plannedFigures(const ExportContent& content, const QLocale& locale)
+{
+    double length_m = 0;
+    double longest_s = 0;
+    for (const ExportUav& uav : content.uavs) {
+        const std::vector<TimedPoint> way = wayOf(uav);
+        for (std::size_t i = 1; i < way.size(); ++i)
+            length_m += (way[i].position_m - way[i - 1].position_m).norm();
+        longest_s = std::max(longest_s, way.back().time_s - uav.start_s);
+    }
+    if (length_m == 0)
+        return {};
+    const ShownUnit unit = longDistanceUnit();
+    return {{.caption = MapPageText::tr("Distance"),
+             .value = significantText(unit.fromSi(length_m), 3, locale),
+             .unit = unit.name},
+            {.caption = content.uavs.size() > 1 ? MapPageText::tr("Longest flight")
+                                                : MapPageText::tr("Flight time"),
+             .value = clockText(longest_s),
+             .unit = {}},
+            {.caption = MapPageText::tr("Visits"),
+             .value = fixedText(visitCount(content), 0, locale),
+             .unit = {}}};
+}
+
+MapAir airOf(const ExportContent& content)
+{
+    MapAir air = airOf(*content.scenario);
+    air.wind_mps = content.wind_mps;
+    air.limit_mps = content.uavs.front().uav.spec.airspeed_mps;
+    for (const ExportUav& uav : content.uavs)
+        air.limit_mps = std::min(air.limit_mps, uav.uav.spec.airspeed_mps);
+    return air;
+}
+
+/** Of a track with points, by time. */
+Point placeAt_m(const std::vector<TrackPoint>& track, double time_s)
+{
+    const auto next = std::ranges::lower_bound(track, time_s, {}, &TrackPoint::time_s);
+    if (next == track.end() || next == track.begin())
+        return (next == track.end() ? track.back() : track.front()).state.position_m;
+    const TrackPoint& before = *std::prev(next);
+    const double part = (time_s - before.time_s) / (next->time_s - before.time_s);
+    return before.state.position_m + part * (next->state.position_m - before.state.position_m);
+}
+
+std::vector<VisitDot> dotsOf(const ExportContent& content, const MapSheet& sheet)
+{
+    std::vector<VisitDot> dots;
+    if (content.what != ExportWhat::Track)
+        return dots;
+    for (const ExportUav& uav : content.uavs)
+        for (const Visit& visit : uav.visits)
+            if (isOfIceberg(visit) && !uav.track.empty())
+                dots.push_back(
+                    {.at_px = sheet.layout.view.toPixel(placeAt_m(uav.track, visit.time_s)),
+                     .colour = uavColour(sheet.theme, static_cast<int>(uav.row)),
+                     .time = clockText(visit.time_s)});
+    return dots;
+}
+
+/** In pieces that are long enough to tell where it is. */
+void addTrack(std::vector<QLineF>& lines, const MapRoute& route, const MapViewTransform& view)
+{
+    constexpr double kPiece_px = 8;
+    std::optional<QPointF> from_px;
+    for (const MapTrackPoint& point : route.track) {
+        const QPointF at_px = view.toPixel(point.position_m);
+        if (from_px && QLineF(*from_px, at_px).length() < kPiece_px)
+            continue;
+        if (from_px)
+            lines.emplace_back(*from_px, at_px);
+        from_px = at_px;
+    }
+}
+
+LabelDisk diskOf(const VisitDot& visit)
+{
+    return {.centre_px = visit.at_px, .radius_px = kVisit_px + 1};
+}
+
+LabelSurroundings surroundingsOf(const MapSheet& sheet)
+{
+    LabelSurroundings around;
+    around.area = sheet.layout.rect.adjusted(3, 3, -3, -3);
+    around.solids = sheet.layout.overlays();
+    around.disks = sheet.layout.icebergs;
+    for (const PlacedLabel& label : sheet.layout.labels)
+        around.solids.push_back(label.rect);
+    for (const QRectF& label : sheet.layout.uavLabels)
+        around.solids.push_back(label);
+    for (const MapUav& uav : sheet.picture.uavs)
+        around.disks.push_back({.centre_px = sheet.layout.view.toPixel(uav.position_m),
+                                .radius_px = kUavClearance_px});
+    for (const VisitDot& visit : sheet.visits)
+        around.disks.push_back(diskOf(visit));
+    for (const MapRoute& route : sheet.picture.routes)
+        addTrack(around.lines, route, sheet.layout.view);
+    return around;
+}
+
+double distance_px(const QRectF& rect, const QPointF& at_px)
+{
+    const QPointF near_px(std::clamp(at_px.x(), rect.left(), rect.right()),
+                          std::clamp(at_px.y(), rect.top(), rect.bottom()));
+    return QLineF(at_px, near_px).length();
+}
+
+/** Times beside the dots, where nothing else is. */
+void placeTimes(MapSheet& sheet)
+{
+    if (sheet.visits.size() > kMostTimes)
+        return;
+    const QFontMetricsF metrics(sheet.theme.small());
+    std::vector<LabelRequest> requests;
+    for (const VisitDot& visit : sheet.visits)
+        requests.push_back(
+            {.anchor = diskOf(visit),
+             .size_px = QSizeF(metrics.horizontalAdvance(visit.time) + 2, kTimeHeight_px)});
+    const std::vector<PlacedLabel> placed = placeLabels(requests, surroundingsOf(sheet));
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        if (distance_px(placed[i].rect, sheet.visits[i].at_px) <= kFarthestTime_px)
+            sheet.visits[i].timeRect = placed[i].rect;
+}
+
+void paintVisits(QPainter& painter, const MapSheet& sheet)
+{
+    const PainterState saved(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(sheet.theme.small());
+    const bool isDense = sheet.visits.size() > kMostTimes;
+    const double radius_px = isDense ? kDenseVisit_px : kVisit_px;
+    for (const VisitDot& visit : sheet.visits) {
+        painter.setPen(isDense ? QPen(Qt::NoPen) : QPen(sheet.theme.sea, 1.2));
+        painter.setBrush(visit.colour);
+        painter.drawEllipse(visit.at_px, radius_px, radius_px);
+        if (!visit.timeRect.isNull())
+            drawHaloText(painter, visit.timeRect, Qt::AlignCenter, visit.time,
+                         sheet.theme.mutedText, sheet.theme.sea);
+    }
+}
+
+void paintSheet(QPainter& painter, const MapSheet& sheet)
+{
+    const MapStyle style{.theme = sheet.theme, .locale = sheet.locale};
+    const MapFrame frame{.picture = sheet.picture,
+                         .style = style,
+                         .layout = sheet.layout,
+                         .graticule = sheet.graticule};
+    paintMapGround(painter, frame);
+    paintMapContent(painter, frame);
+    paintVisits(painter, sheet);
+    paintMapLabels(painter, frame);
+    paintMapOverlays(painter, frame);
+}
+
+} // namespace
+
+PicturePage mapPage(const ExportContent& content, const QLocale& locale)
+{
+    auto sheet = std::make_shared<MapSheet>();
+    sheet->locale = locale;
+    sheet->picture = exportPicture(content);
+    MapPicture& picture = sheet->picture;
+    picture.title = pageTitle(content);
+    picture.subtitle = pageSubtitle(content, waysText(content), locale);
+    picture.readouts = content.what == ExportWhat::Track ? flownFigures(content, locale)
+                                                         : plannedFigures(content, locale);
+    picture.air = airOf(content);
+    sheet->layout = arrangeMap(picture, {.theme = sheet->theme, .locale = locale},
+                               QRectF(QPointF(0, 0), kPage_px));
+    sheet->visits = dotsOf(content, *sheet);
+    placeTimes(*sheet);
+    sheet->graticule =
+        graticuleOf(LocalFrame(picture.origin), sheet->layout.view, sheet->layout.rect);
+    return {.size_px = kPage_px,
+            .title = picture.title,
+            .description = picture.subtitle,
+            .paint = [sheet = std::shared_ptr<const MapSheet>(std::move(sheet))](
+                         QPainter& painter) { paintSheet(painter, *sheet); }};
+}
+
+} // namespace berg

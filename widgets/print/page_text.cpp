@@ -1,0 +1,60 @@
+#include "widgets/print/page_text.h"
+
+#include "widgets/model/domain_text.h"
+#include "widgets/print/printable_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QStringList>
+#include <QTimeZone>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct PageText
+{
+    Q_DECLARE_TR_FUNCTIONS(PageText)
+};
+
+} // namespace
+
+QString pageTitle(const ExportContent& content)
+{
+    const QString name = printable(content.name);
+    return name.isEmpty() ? PageText::tr("Untitled") : name;
+}
+
+QString waysText(const ExportContent& content)
+{
+    const QString now = clockText(content.now_s);
+    switch (content.what) {
+    case ExportWhat::FirstLeg:
+        return content.now_s > 0 ? PageText::tr("First leg at %1").arg(now)
+                                 : PageText::tr("First leg");
+    case ExportWhat::Order:
+        return content.now_s > 0 ? PageText::tr("Planned order at %1").arg(now)
+                                 : PageText::tr("Planned order");
+    case ExportWhat::Path:
+        return content.now_s > 0 ? PageText::tr("Planned path with turns at %1").arg(now)
+                                 : PageText::tr("Planned path with turns");
+    case ExportWhat::Track:
+        return PageText::tr("Flown until %1").arg(now);
+    }
+    return {};
+}
+
+QString pageSubtitle(const ExportContent& content, const QString& what, const QLocale& locale)
+{
+    QStringList parts{what, policyText(content.planner, locale)};
+    if (content.start) {
+        const qint64 start_ms = content.start->time_since_epoch().count();
+        const QDateTime start = QDateTime::fromMSecsSinceEpoch(start_ms, QTimeZone::utc());
+        parts << PageText::tr("Start %1 UTC").arg(start.toString(u"yyyy-MM-dd HH:mm:ss"_s));
+    }
+    return parts.join(u" · "_s);
+}
+
+} // namespace berg

@@ -1,0 +1,60 @@
+#include "widgets/print/printable_text.h"
+
+#include <QList>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kMostMarks = 2;
+constexpr QChar kIsolate{0x2068};
+constexpr QChar kEndOfIsolate{0x2069};
+
+bool isUnseen(char32_t c)
+{
+    switch (QChar::category(c)) {
+    case QChar::Other_Control:
+    case QChar::Other_Format:
+    case QChar::Other_Surrogate:
+    case QChar::Separator_Line:
+    case QChar::Separator_Paragraph:
+        return true;
+    default: // the letters, marks and signs of all scripts
+        return false;
+    }
+}
+
+bool isRightToLeft(char32_t c)
+{
+    const QChar::Direction direction = QChar::direction(c);
+    return direction == QChar::DirR || direction == QChar::DirAL;
+}
+
+} // namespace
+
+QString printable(const QString& text)
+{
+    QList<uint> kept;
+    int marks = 0;
+    for (const uint c : text.toUcs4()) {
+        marks = QChar::isMark(c) ? marks + 1 : 0;
+        if (marks <= kMostMarks)
+            kept.push_back(isUnseen(c) ? u' ' : c);
+    }
+    const bool turns = std::any_of(kept.cbegin(), kept.cend(), isRightToLeft);
+    QString line;
+    for (const uint c : kept)
+        line += QChar::fromUcs4(c);
+    line = line.simplified();
+    return turns ? kIsolate + line + kEndOfIsolate : line;
+}
+
+QString printable(const std::string& utf8)
+{
+    return printable(QString::fromStdString(utf8));
+}
+
+} // namespace berg
