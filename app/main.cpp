@@ -1,3 +1,4 @@
+#include "app/export_run.h"
 #include "app/pictures.h"
 #include "app/window_run.h"
 #include "core/base/error.h"
@@ -6,6 +7,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFile>
+#include <QHashSeed>
 #include <QRegularExpression>
 #include <QTextStream>
 
@@ -167,6 +169,10 @@ int makePictures(const Request& request)
 
 int main(int argc, char* argv[])
 {
+    // A PDF has its fonts in the order of a hash: so that the same page is the same bytes.
+    QHashSeed::setDeterministicGlobalSeed();
+    if (berg::asksForExport(argc, argv))
+        return berg::runExport(argc, argv);
     choosePlatform();
     QApplication app(argc, argv);
     QApplication::setApplicationName(u"bergwatch"_s);
@@ -176,7 +182,10 @@ int main(int argc, char* argv[])
     const Options options;
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        Main::tr("Bergwatch draws missions of a UAV that keeps watch over drifting icebergs."));
+        Main::tr("Bergwatch draws missions of a UAV that keeps watch over drifting icebergs.") +
+        u"\n\n"_s +
+        Main::tr("The command \"export\" writes plans and flights as files, maps, charts and "
+                 "briefs: see \"bergwatch export --help\"."));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     parser.addOptions({options.pictures, options.size, options.theme, options.screenshot,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/console.h"
+#include "core/io/export_files.h"
 
 #include <functional>
 #include <stop_token>
@@ -21,8 +22,11 @@ void addSimulateCommand(CLI::App& app, Action& action); ///< simulate
 void addSweepCommand(CLI::App& app, Action& action);    ///< sweep
 void addStudyCommand(CLI::App& app, Action& action);    ///< study
 void addBenchmarkCommand(CLI::App& app, Action& action);
-void addExportCommand(CLI::App& app, Action& action);
 void addFileCommands(CLI::App& app, Action& action);  ///< validate
 void addImportCommand(CLI::App& app, Action& action); ///< import
+/** export; what is painted is left to the program bergwatch, which is given `argv` as well. */
+void addExportCommand(CLI::App& app, Action& action, char** argv);
+/** The same of a program that paints. */
+void addExportCommand(CLI::App& app, Action& action, const ExportPainter& painter);
 
 } // namespace berg::cli

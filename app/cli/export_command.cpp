@@ -1,8 +1,8 @@
-#include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/cli/program.h"
 #include "core/io/atomic_file.h"
-#include "core/io/export_files.h"
 #include "core/io/export_notes.h"
+#include "core/io/export_writing.h"
 #include "core/io/run_json.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/validate.h"
@@ -31,6 +31,8 @@ struct ExportArguments
     std::string outputFile;
     ExportOptions options;
     bool force = false;
+    ExportPainter painter; ///< none: the program bergwatch paints, given `argv`
+    char** argv = nullptr;
 };
 
 void printNotes(const ExportFormat& format, const ExportContent& content)
@@ -44,7 +46,8 @@ std::vector<ExportFile> exported(const ExportSource& source, const ExportArgumen
                                  const ExportFormat& format)
 try {
     const ExportContent content = exportContent(source, arguments.options);
-    std::vector<ExportFile> files = exportFiles(format, content, arguments.outputFile);
+    std::vector<ExportFile> files =
+        exportFiles(format, content, arguments.outputFile, arguments.painter);
     printNotes(format, content);
     return files;
 } catch (const Error& error) {
@@ -78,17 +81,39 @@ std::vector<ExportFile> filesOf(const ExportArguments& arguments, const ExportFo
                     format);
 }
 
+const ExportFormat& formatNamed(const std::string& id)
+{
+    if (const ExportFormat* format = findExportFormat(id))
+        return *format;
+    throw UsageError{"--format: " + id + " is none of " + formatIds()};
+}
+
+void refuseToOverwrite(const std::string& path, const ExportArguments& arguments)
+{
+    if (!arguments.force && std::filesystem::exists(path))
+        throw UsageError{path + ": exists; --force writes over it"};
+}
+
+[[noreturn]] void handOver(const ExportArguments& arguments)
+{
+    refuseToOverwrite(arguments.outputFile, arguments);
+    becomeBergwatch(arguments.argv);
+    throw Error(ErrorCode::Unsupported, "--format " + arguments.format,
+                "is painted by the program bergwatch, which was found neither beside this one nor "
+                "on the PATH");
+}
+
 int exportFile(const ExportArguments& arguments, const std::stop_token& stop)
 {
-    const ExportFormat* format = findExportFormat(arguments.format);
-    if (format == nullptr)
-        throw UsageError{"--format: " + arguments.format + " is none of " + formatIds()};
-    const std::vector<ExportFile> files = filesOf(arguments, *format, stop);
+    const ExportFormat& format = formatNamed(arguments.format);
+    if (format.holds.painted && !arguments.painter)
+        handOver(arguments);
+    const std::vector<ExportFile> files = filesOf(arguments, format, stop);
     for (const ExportFile& file : files)
-        if (!arguments.force && std::filesystem::exists(file.path))
-            throw UsageError{file.path + ": exists; --force writes over it"};
-    for (const ExportFile& file : files)
-        writeFileAtomically(file.path, file.content);
+        refuseToOverwrite(file.path, arguments);
+    if (stop.stop_requested())
+        throw Interrupted{};
+    writeExport(files);
     return kDone;
 }
 
@@ -110,22 +135,37 @@ void addOptions(CLI::App& command, ExportArguments& arguments)
     command.add_option("--acceptance", options.acceptance_m,
                        "Radius within which a waypoint counts as reached, m (the field of view's)");
     command.add_option("--loiter", options.loiterTurns, "Turns over each iceberg (0)");
-    command.add_flag("--return-home,!--no-return-home", options.returnHome,
-                     "End at home, or not (with limited endurance or a closed route)");
+    command.add_flag_function(
+        "--return-home,!--no-return-home", // a flag bound to the option would be false without it
+        [&options](std::int64_t count) { options.returnHome = count > 0; },
+        "End at home, or not (with limited endurance or a closed route)");
     command.add_flag("--force", arguments.force, "Write over files that exist");
 }
 
-} // namespace
-
-void addExportCommand(CLI::App& app, Action& action)
+/** The arguments live as long as `app` does. */
+ExportArguments& addCommand(CLI::App& app, Action& action)
 {
     CLI::App* command = app.add_subcommand(
-        "export", "Write a scenario's plan or a run's flight in another tool's format");
+        "export",
+        "Write a scenario's plan or a run's flight in another tool's format, or on paper");
     const auto arguments = std::make_shared<ExportArguments>();
     addOptions(*command, *arguments);
     command->callback([arguments, &action] {
         action = [arguments](const std::stop_token& stop) { return exportFile(*arguments, stop); };
     });
+    return *arguments;
+}
+
+} // namespace
+
+void addExportCommand(CLI::App& app, Action& action, char** argv)
+{
+    addCommand(app, action).argv = argv;
+}
+
+void addExportCommand(CLI::App& app, Action& action, const ExportPainter& painter)
+{
+    addCommand(app, action).painter = painter;
 }
 
 } // namespace berg::cli

@@ -11,38 +11,7 @@ rm -rf "$work"
 mkdir -p "$work"
 cd "$work" || exit 1
 default="$source_dir/resources/scenarios/grand-banks-12.berg"
-checks=0
-failures=0
-
-# check NAME CONDITION...: counts and names a failed check.
-check() {
-    local name=$1
-    shift
-    checks=$((checks + 1))
-    if ! "$@"; then
-        failures=$((failures + 1))
-        echo "FAILED: $name"
-    fi
-}
-
-# exits CODE COMMAND...: runs quietly, true when it ends with that code.
-exits() {
-    local wanted=$1
-    shift
-    "$@" >stdout.txt 2>stderr.txt
-    local got=$?
-    [ "$got" -eq "$wanted" ] && return 0
-    echo "  exit $got in place of $wanted: $*"
-    sed 's/^/  /' stderr.txt | head -5
-    return 1
-}
-
-# json EXPRESSION: evaluates a python expression on `d`, the document in stdout.txt.
-json() {
-    python3 -c 'import json,sys; d=json.load(open("stdout.txt")); sys.exit(0 if eval(sys.argv[1]) else 1)' "$1"
-}
-
-says() { grep -qF -- "$1" stderr.txt; }
+. "$source_dir/tests/app/cli_support.sh"
 
 # --- usage -----------------------------------------------------------------------------------
 check "help" exits 0 "$cli" --help
@@ -155,6 +124,11 @@ check "plan with endurance" exits 0 "$cli" plan "$endurance" --json
 check "plan with endurance: what one sortie can visit" json '1 <= d["this_sortie"] <= len(d["order"])'
 check "plan with endurance in words" exits 0 "$cli" plan "$endurance"
 check "plan with endurance in words: then home" grep -q "^sortie .*then home" stdout.txt
+ends_at_home='rows = [line.split("\t") for line in open("sortie.waypoints")][1:]; raise SystemExit(rows[0][8:10] != rows[-1][8:10])'
+check "export with endurance" exits 0 "$cli" export "$endurance" --format wpl --output sortie.waypoints
+check "export with endurance: ends at home" python3 -c "$ends_at_home"
+check "export --no-return-home" exits 0 "$cli" export "$endurance" --format wpl --output sortie.waypoints --force --no-return-home
+check "export --no-return-home: ends over an iceberg" exits 1 python3 -c "$ends_at_home"
 
 check "plan at tau 0.6" exits 0 "$cli" plan "$default" --tau 0.6 --json
 cp stdout.txt plan06.json
@@ -430,15 +404,22 @@ check "export of both in one file" exits 0 "$cli" export two.berg --format kml -
 # --- import ----------------------------------------------------------------------------------
 data="$source_dir/tests/data/import"
 for file in iip.csv cis-beacon.csv usnic.csv metno.geojson points.geojson places.kml waypoints.gpx \
-            qgc.plan ardupilot.waypoints route.gpx route.geojson table.csv; do
+            qgc.plan fence.plan ardupilot.waypoints route.gpx route.geojson scene.geojson scene.kml \
+            scene.gpx table.csv; do
     check "import $file" exits 0 "$cli" import "$data/$file" --output imported.berg
     check "import $file: names each rejected row" says "$file: line "
     check "import $file: valid" exits 0 "$cli" validate imported.berg
     check "import $file: flies" exits 0 "$cli" simulate imported.berg --duration 20
 done
 check "import --json" exits 0 "$cli" import "$data/iip.csv" --format iip --output imported.berg --json
-check "import --json: members" json 'list(d) == ["format","sightings","rejected","outside_area","outside_time","added","updated","unchanged","left_out","start_utc","origin","icebergs","rejected_rows"]'
+check "import --json: members" json 'list(d) == ["format","sightings","rejected","outside_area","outside_time","added","updated","unchanged","left_out","start_utc","origin","scene","icebergs","rejected_rows"]'
 check "import --json: counts" json '(d["sightings"], d["rejected"], d["added"]) == (7, 7, 4) and d["rejected_rows"][0]["line"] == 7'
+check "import of a fence" exits 0 "$cli" import "$data/fence.plan" --output fence.berg
+check "import of a fence: what is taken over" grep -q 'scene      area taken over as geofence' stdout.txt
+check "import of a fence: what is left out" grep -q 'scene      2 circles of the geofence left out' stdout.txt
+check "import of a fence: it is there" python3 -c 'import json; s = json.load(open("fence.berg")); raise SystemExit(not (s["geofence"] and len(s["area_m"]) == 5 and s["uavs"][0]["altitude_m"] == 60))'
+check "import of a fence into a scenario" exits 0 "$cli" import "$data/fence.plan" --into fence.berg --output again.berg --json
+check "import of a fence into a scenario: kept" json 'd["scene"] == [{"note": "UAVs, area and asset of the file not taken over: the scenario is in use", "count": 1}]'
 check "import again" exits 0 "$cli" import "$data/iip.csv" --into imported.berg --output again.berg --json
 check "import again: nothing new" json 'd["unchanged"] == 4 and d["added"] + d["updated"] == 0'
 check "import again: the same file" cmp -s imported.berg again.berg
@@ -505,17 +486,6 @@ check "validate --json" exits 3 "$cli" validate --json problem.json missing.berg
 check "validate --json: list" json 'len(d) == 1 and d[0]["file"] == "missing.berg" and d[0]["severity"] == "error"'
 
 # --- Ctrl-C ----------------------------------------------------------------------------------
-# From python: a shell lets its background jobs ignore the signal.
-interrupt() {
-    python3 - "$@" <<'P'
-import signal, subprocess, sys, time
-job = subprocess.Popen(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                       preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-time.sleep(1)
-job.send_signal(signal.SIGINT)
-sys.exit(job.wait(60))
-P
-}
 check "Ctrl-C gives 130" exits 130 interrupt "$cli" sweep --random 5000 --tau 0:5:0.1 --output interrupted.csv
 check "Ctrl-C leaves no file" test ! -e interrupted.csv
 check "Ctrl-C leaves no temporary file" test -z "$(find . -name '*interrupted*')"
@@ -528,5 +498,4 @@ check "Ctrl-C of a study writes no table" test ! -e long.csv
 check "Ctrl-C of a benchmark gives 130" exits 130 interrupt "$cli" benchmark --sizes 8,100 --repeat 200 --backends exact,heuristic --seconds 1000 --output part.csv
 check "Ctrl-C of a benchmark keeps what is done" test "$(wc -l <part.csv)" -ge 2
 
-echo "$((checks - failures)) passed, $failures failed"
-[ "$failures" -eq 0 ]
+all_checked

@@ -1,0 +1,40 @@
+#include "app/export_run.h"
+
+#include "app/cli/program.h"
+#include "app/window_run.h"
+#include "widgets/print/export_painter.h"
+
+#include <QApplication>
+#include <QLoggingCategory>
+
+#include <string_view>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+bool asksForExport(int argc, char** argv)
+{
+    return argc > 1 && std::string_view(argv[1]) == "export";
+}
+
+int runExport(int argc, char** argv)
+{
+    const std::stop_token stop = cli::interruptToken();
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QLoggingCategory::setFilterRules(u"*.warning=false"_s); // say nothing to who wants a file
+    int nameOnly = 1; // Qt's own options, such as -platform, are none of this command
+    const QApplication app(nameOnly, argv);
+    QApplication::setApplicationName(u"bergwatch"_s);
+    installLanguage({});
+    const auto addCommands = [](CLI::App& commands, cli::Action& action) {
+        cli::addExportCommand(commands, action, exportPaint().file);
+    };
+    return cli::runProgram({.name = "bergwatch",
+                            .about = "Bergwatch: exports from the command line",
+                            .version = BERGWATCH_VERSION,
+                            .addCommands = addCommands},
+                           argc, argv, stop);
+}
+
+} // namespace berg
