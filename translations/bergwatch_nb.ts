@@ -758,6 +758,13 @@
         <source>The file is about the whole flight, whatever is chosen.</source>
         <translation>Filen gjelder hele flygingen, uansett valg.</translation>
     </message>
+    <message numerus="yes">
+        <source>This sortie alone is written: %n icebergs of the order are left for later ones.</source>
+        <translation>
+            <numerusform>Bare dette toktet skrives: %n isfjell i rekkefølgen er igjen til senere tokt.</numerusform>
+            <numerusform>Bare dette toktet skrives: %n isfjell i rekkefølgen er igjen til senere tokt.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FlightBrief</name>

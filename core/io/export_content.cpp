@@ -112,6 +112,15 @@ void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& w
     uav.visits.push_back({.time_s = last.time_s + flight_s, .position_m = uav.home_m});
 }
 
+/** Icebergs of the order that none of the visits is of. */
+std::size_t leftOf(const UavOrder& order, const std::vector<Visit>& visits)
+{
+    std::size_t visited = 0;
+    for (const Visit& visit : visits)
+        visited += visit.iceberg < 0 ? 0 : icebergsOf(visit).size();
+    return order.icebergs.size() - visited;
+}
+
 void addWay(ExportUav& uav, const ExportSource& source, const ExportContent& content,
             const Scenario& scene)
 {
@@ -139,6 +148,8 @@ void addWay(ExportUav& uav, const ExportSource& source, const ExportContent& con
         uav.track = std::move(path.track);
         uav.visits = std::move(path.visits);
     }
+    if (uav.uav.spec.endurance_s > 0 && content.what != ExportWhat::FirstLeg)
+        uav.laterSorties = leftOf(order, uav.visits);
     for (Visit& visit : uav.visits)
         visit.time_s += content.now_s;
     for (TrackPoint& point : uav.track)

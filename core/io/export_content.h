@@ -68,6 +68,7 @@ struct ExportUav
     double reach_m = 0;                 ///< acceptance radius wanted over a single iceberg
     bool reachChosen = false;           ///< by the options: the same over clusters
     double circle_m = 0;                ///< radius of the tightest circle over ground
+    std::size_t laterSorties = 0;       ///< icebergs of the order that are left for them
     std::vector<Visit> visits = {};     ///< to come or made, in order; home is iceberg -1
     std::vector<TrackPoint> track = {}; ///< of `Path` and `Track`
 };

@@ -17,7 +17,7 @@ constexpr std::string_view kArduPlane = "ArduPlane";
 constexpr std::string_view kMissionPlanner = "Mission Planner";
 constexpr std::string_view kGroundStations = "QGroundControl, Mission Planner";
 
-constexpr std::array<Named<ExportNoteKind>, 11> kNoteIds{{
+constexpr std::array<Named<ExportNoteKind>, 12> kNoteIds{{
     {ExportNoteKind::OneFileEach, "one-file-each"},
     {ExportNoteKind::NoTimes, "no-times"},
     {ExportNoteKind::NoFence, "no-fence"},
@@ -29,6 +29,7 @@ constexpr std::array<Named<ExportNoteKind>, 11> kNoteIds{{
     {ExportNoteKind::WholeSpeed, "whole-speed"},
     {ExportNoteKind::ChoiceNotUsed, "choice-not-used"},
     {ExportNoteKind::NothingToFly, "nothing-to-fly"},
+    {ExportNoteKind::LaterSorties, "later-sorties"},
 }};
 
 std::string_view idOf(ExportNoteKind kind)
@@ -115,6 +116,11 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
         content.uavs, [](const ExportUav& uav) { return uav.visits.empty() && uav.track.empty(); });
     if (idle > 0)
         notes.add(ExportNoteKind::NothingToFly, {}, static_cast<double>(idle));
+    std::size_t later = 0;
+    for (const ExportUav& uav : content.uavs)
+        later += uav.laterSorties;
+    if (later > 0)
+        notes.add(ExportNoteKind::LaterSorties, {}, static_cast<double>(later));
     if (holds.times && !content.start)
         notes.add(ExportNoteKind::NoTimes);
     if (content.geofence && !holds.fence)
@@ -158,6 +164,8 @@ std::string noteText(const ExportNote& note)
         return "the file is about the whole flight, whatever is chosen to be exported";
     case ExportNoteKind::NothingToFly:
         return "UAVs without an iceberg to visit: " + value;
+    case ExportNoteKind::LaterSorties:
+        return "this sortie alone is written: icebergs of the order left for later ones: " + value;
     }
     throw std::logic_error("noteText: unknown kind");
 }

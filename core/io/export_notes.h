@@ -21,7 +21,8 @@ enum class ExportNoteKind
     LoiterInSteps,   ///< value m needed, limit m kept
     WholeSpeed,      ///< value m/s, limit m/s shown
     ChoiceNotUsed,   ///< what is to be exported does not matter: it is the whole flight
-    NothingToFly     ///< value: UAVs without anything to visit
+    NothingToFly,    ///< value: UAVs without anything to visit
+    LaterSorties     ///< value: icebergs of the orders that the endurance leaves for them
 };
 
 struct ExportNote

@@ -245,6 +245,32 @@ private slots:
                     .contains(QStringLiteral("fence-across-180")));
     }
 
+    /** Of an order for several sorties the first one is written, and that is told. */
+    void laterSortiesAreTold()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.uavs[0].spec.endurance_s = 1e6;
+        const ExportContent whole = planContent(scenario);
+        QVERIFY(!noteIds(format("plan"), whole).contains(QStringLiteral("later-sorties")));
+        scenario.uavs[0].spec.endurance_s = whole.uavs[0].visits.back().time_s;
+        for (const ExportWhat what : {ExportWhat::Order, ExportWhat::Path}) {
+            const ExportContent content = planContent(scenario, fourIcebergPlan(), {.what = what});
+            const std::size_t visits = content.uavs[0].visits.size();
+            QVERIFY(visits > 1 && visits < 5);
+            QCOMPARE(content.uavs[0].laterSorties, 5 - visits); // one is home
+            for (const char* id : {"plan", "gpx", "brief"}) {
+                const std::vector<ExportNote> notes = exportNotes(format(id), content);
+                const auto told =
+                    std::ranges::find(notes, ExportNoteKind::LaterSorties, &ExportNote::kind);
+                QVERIFY(told != notes.end());
+                QCOMPARE(told->value, double(content.uavs[0].laterSorties));
+            }
+        }
+        const ExportContent first =
+            planContent(scenario, fourIcebergPlan(), {.what = ExportWhat::FirstLeg});
+        QVERIFY(!noteIds(format("plan"), first).contains(QStringLiteral("later-sorties")));
+    }
+
     void thinnedWayKeepsWithinTheTolerance()
     {
         std::vector<TimedPoint> circle;

@@ -183,6 +183,7 @@ ExportEffect effectOf(ExportNoteKind kind)
     case ExportNoteKind::NoTimes:
     case ExportNoteKind::NoFence:
     case ExportNoteKind::VisitsOnly:
+    case ExportNoteKind::LaterSorties:
         return ExportEffect::LeftOut;
     }
     throw std::logic_error("effectOf: unknown kind");
@@ -228,6 +229,10 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
         return ExportText::tr("The file is about the whole flight, whatever is chosen.");
     case ExportNoteKind::NothingToFly:
         return ExportText::tr("%n UAVs have no iceberg to visit.", nullptr, count);
+    case ExportNoteKind::LaterSorties:
+        return ExportText::tr("This sortie alone is written: %n icebergs of the order are left for "
+                              "later ones.",
+                              nullptr, count);
     }
     throw std::logic_error("exportNoteText: unknown kind");
 }
