@@ -12,6 +12,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QShortcut>
+#include <QTimer>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -22,6 +23,7 @@ namespace {
 constexpr QSize kSize_px(1120, 700);
 constexpr int kChoices_px = 340;
 constexpr int kNotes_px = 84;
+constexpr int kPathPause_ms = 200;
 
 QString stringOf(std::string_view text)
 {
@@ -64,7 +66,14 @@ ExportDialog::ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWid
     connect(&m_runner, &MissionRunner::exportPreviewReady, this, &ExportDialog::take);
     connect(m_formats, &QListWidget::currentRowChanged, this, &ExportDialog::showFormat);
     connect(m_options, &ExportOptionsView::edited, this, &ExportDialog::request);
-    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::request);
+    m_pathPause = new QTimer(this);
+    m_pathPause->setSingleShot(true);
+    m_pathPause->setInterval(kPathPause_ms);
+    connect(m_pathPause, &QTimer::timeout, this, &ExportDialog::request);
+    connect(m_path, &QLineEdit::textChanged, this, [this] {
+        showState();
+        m_pathPause->start(); // what is exported is the same: no hurry
+    });
     resize(kSize_px);
     chooseFormat(offer.suggested.formatId);
     m_export->setDefault(true); // of the dialog, now that it has its buttons
@@ -188,6 +197,7 @@ void ExportDialog::showFormat()
 
 void ExportDialog::request()
 {
+    m_pathPause->stop();
     m_runner.requestExportPreview(choice());
     showState();
 }

@@ -9,6 +9,7 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
+class QTimer;
 class QVBoxLayout;
 
 namespace berg {
@@ -56,6 +57,7 @@ private:
     ExportPreviewView* m_view;
     QLabel* m_notes;
     QLineEdit* m_path;
+    QTimer* m_pathPause; ///< until then the name of the file may still be typed
     QLabel* m_fileNote;
     QPushButton* m_export;
 };

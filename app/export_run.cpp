@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QLoggingCategory>
 
+#include <clocale>
 #include <string_view>
 
 using namespace Qt::StringLiterals;
@@ -25,6 +26,7 @@ int runExport(int argc, char** argv)
     QLoggingCategory::setFilterRules(u"*.warning=false"_s); // say nothing to who wants a file
     int nameOnly = 1; // Qt's own options, such as -platform, are none of this command
     const QApplication app(nameOnly, argv);
+    std::setlocale(LC_NUMERIC, "C"); // which the constructor set to the user's; options are in C
     QApplication::setApplicationName(u"bergwatch"_s);
     installLanguage({});
     const auto addCommands = [](CLI::App& commands, cli::Action& action) {

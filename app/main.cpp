@@ -11,6 +11,7 @@
 #include <QRegularExpression>
 #include <QTextStream>
 
+#include <clocale>
 #include <cstdio>
 
 using namespace Qt::StringLiterals;
@@ -175,6 +176,7 @@ int main(int argc, char* argv[])
         return berg::runExport(argc, argv);
     choosePlatform();
     QApplication app(argc, argv);
+    std::setlocale(LC_NUMERIC, "C"); // which the constructor set to the user's; files are in C
     QApplication::setApplicationName(u"bergwatch"_s);
     QApplication::setApplicationVersion(QStringLiteral(BERGWATCH_VERSION));
     berg::installLanguage({});

@@ -758,12 +758,9 @@
         <source>The file is about the whole flight, whatever is chosen.</source>
         <translation>Filen gjelder hele flygingen, uansett valg.</translation>
     </message>
-    <message numerus="yes">
-        <source>This sortie alone is written: %n icebergs of the order are left for later ones.</source>
-        <translation>
-            <numerusform>Bare dette toktet skrives: %n isfjell i rekkefølgen er igjen til senere tokt.</numerusform>
-            <numerusform>Bare dette toktet skrives: %n isfjell i rekkefølgen er igjen til senere tokt.</numerusform>
-        </translation>
+    <message>
+        <source>This sortie alone is written. Icebergs of the order left for later ones: %1.</source>
+        <translation>Bare dette toktet skrives. Isfjell i rekkefølgen som er igjen til senere tokt: %1.</translation>
     </message>
 </context>
 <context>
@@ -774,7 +771,7 @@
     </message>
     <message>
         <source>Start %1 %2 UTC</source>
-        <translation>Starter %1 %2 UTC</translation>
+        <translation>Start %1 %2 UTC</translation>
     </message>
     <message>
         <source>No wind</source>
@@ -862,7 +859,7 @@
     </message>
     <message>
         <source>Loiter turns</source>
-        <translation>Sirkler</translation>
+        <translation>Runder</translation>
     </message>
     <message>
         <source>Endurance left</source>
@@ -962,7 +959,7 @@
     </message>
     <message>
         <source>Given up after a search (%1): %2</source>
-        <translation>Oppgitt etter leting (%1): %2</translation>
+        <translation>Gitt opp etter leting (%1): %2</translation>
     </message>
     <message>
         <source>Not flown to (%1): %2</source>
@@ -1023,6 +1020,22 @@
     <message>
         <source>Nothing to visit for %1</source>
         <translation>Ingenting å besøke for %1</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Varighet</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3</source>
+        <translation>%1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>Times are without the loiter turns: %1 more at each iceberg, %2 in all.</source>
+        <translation>Tidene er uten rundene over isfjell: %1 mer ved hvert isfjell, %2 i alt.</translation>
+    </message>
+    <message>
+        <source>With the loiter turns the endurance is too short: %1</source>
+        <translation>Med rundene er utholdenheten for kort: %1</translation>
     </message>
 </context>
 <context>
@@ -1782,11 +1795,11 @@
     </message>
     <message>
         <source>1 UAV</source>
-        <translation>1 drone</translation>
+        <translation>1 UAV</translation>
     </message>
     <message>
         <source>%1 UAVs</source>
-        <translation>%1 droner</translation>
+        <translation>%1 UAV-er</translation>
     </message>
     <message>
         <source>the area</source>
@@ -1802,23 +1815,23 @@
     </message>
     <message>
         <source>UAVs, area and asset (the scenario has its own)</source>
-        <translation>droner, område og objekt (scenarioet har sine egne)</translation>
+        <translation>UAV-er, område og objekt (scenarioet har sine egne)</translation>
     </message>
     <message>
         <source>1 UAV (too many)</source>
-        <translation>1 drone (for mange)</translation>
+        <translation>1 UAV (for mange)</translation>
     </message>
     <message>
         <source>%1 UAVs (too many)</source>
-        <translation>%1 droner (for mange)</translation>
+        <translation>%1 UAV-er (for mange)</translation>
     </message>
     <message>
         <source>1 UAV (more than 1000 km from the origin)</source>
-        <translation>1 drone (mer enn 1000 km fra origo)</translation>
+        <translation>1 UAV (mer enn 1000 km fra origo)</translation>
     </message>
     <message>
         <source>%1 UAVs (more than 1000 km from the origin)</source>
-        <translation>%1 droner (mer enn 1000 km fra origo)</translation>
+        <translation>%1 UAV-er (mer enn 1000 km fra origo)</translation>
     </message>
     <message>
         <source>an area (unreadable)</source>
@@ -1878,7 +1891,7 @@
     </message>
     <message>
         <source>the geofence (a UAV starts or lands outside)</source>
-        <translation>geogjerdet (en drone starter eller lander utenfor)</translation>
+        <translation>geogjerdet (en UAV starter eller lander utenfor)</translation>
     </message>
     <message>
         <source>1 rally point</source>
@@ -4551,7 +4564,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>&amp;Loiter turns</source>
-        <translation>&amp;Sirkler over isfjellet</translation>
+        <translation>&amp;Runder over isfjell</translation>
     </message>
     <message>
         <source>Yes</source>

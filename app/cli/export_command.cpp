@@ -90,7 +90,8 @@ const ExportFormat& formatNamed(const std::string& id)
 
 void refuseToOverwrite(const std::string& path, const ExportArguments& arguments)
 {
-    if (!arguments.force && std::filesystem::exists(path))
+    std::error_code fault; // of the path: told when it is written to
+    if (!arguments.force && std::filesystem::exists(path, fault))
         throw UsageError{path + ": exists; --force writes over it"};
 }
 

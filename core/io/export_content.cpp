@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace berg {
@@ -115,10 +116,23 @@ void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& w
 /** Icebergs of the order that none of the visits is of. */
 std::size_t leftOf(const UavOrder& order, const std::vector<Visit>& visits)
 {
-    std::size_t visited = 0;
+    std::set<int> left(order.icebergs.begin(), order.icebergs.end());
     for (const Visit& visit : visits)
-        visited += visit.iceberg < 0 ? 0 : icebergsOf(visit).size();
-    return order.icebergs.size() - visited;
+        if (visit.iceberg >= 0)
+            for (const int iceberg : icebergsOf(visit))
+                left.erase(iceberg);
+    return left.size();
+}
+
+/** Without the way home that a limited endurance makes the end of a path. */
+void endOverTheLastIceberg(FlyablePath& path)
+{
+    if (path.visits.empty() || path.visits.back().iceberg >= 0)
+        return;
+    path.visits.pop_back();
+    const double end_s =
+        path.visits.empty() ? path.track.front().time_s : path.visits.back().time_s;
+    std::erase_if(path.track, [end_s](const TrackPoint& point) { return point.time_s > end_s; });
 }
 
 void addWay(ExportUav& uav, const ExportSource& source, const ExportContent& content,
@@ -143,8 +157,8 @@ void addWay(ExportUav& uav, const ExportSource& source, const ExportContent& con
     if (content.what == ExportWhat::Path) {
         const bool home = !uav.visits.empty() && uav.visits.back().iceberg < 0;
         FlyablePath path = flyOrder(scene, order, home);
-        if (!home && !path.visits.empty() && path.visits.back().iceberg < 0)
-            path.visits.pop_back();
+        if (!home)
+            endOverTheLastIceberg(path);
         uav.track = std::move(path.track);
         uav.visits = std::move(path.visits);
     }

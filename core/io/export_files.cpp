@@ -29,6 +29,11 @@ std::string withId(const std::string& path, const std::string& id)
     return path.substr(0, end) + '-' + id + path.substr(end);
 }
 
+bool isTaken(const std::vector<ExportFile>& files, const std::string& name)
+{
+    return std::ranges::find(files, name, &ExportFile::path) != files.end();
+}
+
 std::string fileText(const ExportFormat& format, const ExportContent& content,
                      const ExportPainter& painter)
 {
@@ -56,9 +61,10 @@ std::vector<ExportFile> exportFiles(const ExportFormat& format, const ExportCont
     ExportContent one = content;
     for (const ExportUav& uav : content.uavs) {
         one.uavs = {uav};
-        std::string name = withId(path, fileNamePart(uav.uav.id));
-        if (std::ranges::find(files, name, &ExportFile::path) != files.end())
-            name = withId(name, std::to_string(uav.row + 1));
+        const std::string plain = withId(path, fileNamePart(uav.uav.id));
+        std::string name = plain;
+        for (std::size_t n = uav.row + 1; isTaken(files, name); ++n)
+            name = withId(plain, std::to_string(n));
         files.push_back({.path = std::move(name), .content = fileText(format, one, painter)});
     }
     return files;

@@ -41,7 +41,7 @@ void writeExport(std::span<const ExportFile> files)
     try {
         for (; written < files.size(); ++written)
             writeFileAtomically(files[written].path, files[written].content);
-    } catch (const Error&) {
+    } catch (...) {
         for (std::size_t i = 0; i < written; ++i)
             putBack(files[i].path, before[i]);
         throw;

@@ -118,8 +118,11 @@ private:
     {
         const int target = m_rest.front();
         const std::span<const int> members = clusterWith(m_order.clusters, target);
-        const std::vector<int> together =
+        std::vector<int> together =
             members.empty() ? std::vector{target} : std::vector(members.begin(), members.end());
+        std::erase_if(together, [this](int member) { // seen on the way to the others
+            return std::ranges::find(m_rest, member) == m_rest.end();
+        });
         visit(together);
         while (!m_rest.empty() && std::ranges::find(together, m_rest.front()) != together.end())
             m_rest.erase(m_rest.begin());

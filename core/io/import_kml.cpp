@@ -170,7 +170,10 @@ private:
     void readOwn()
     {
         setPlace(m_texts, m_point, ",");
-        const OwnMark mark{.title = m_name, .place = placeOf(m_texts), .data = m_data};
+        const OwnMark mark{.title = m_name,
+                           .place = placeOf(m_texts),
+                           .time = parseUtc(m_texts.text(SightingField::Time)),
+                           .data = m_data};
         if (m_style == "#area")
             readArea();
         else if (m_style == "#asset")

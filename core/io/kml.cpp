@@ -69,6 +69,7 @@ public:
             addPoint({.name = m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
                       .style = "asset",
                       .position_m = assetPlace_m(m_content),
+                      .time_s = m_content.now_s,
                       .data = assetData(m_content)});
         for (const ExportUav& uav : m_content.uavs)
             addUav(uav);

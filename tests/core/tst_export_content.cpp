@@ -293,6 +293,19 @@ private slots:
         QCOMPARE(error->code(), ErrorCode::InvalidInput);
         QCOMPARE(QString::fromStdString(error->subject()), option);
     }
+
+    /** Limited endurance makes home the end of a path, unless that is not wanted. */
+    void pathWithoutTheWayHomeEndsOverTheLastIceberg()
+    {
+        const Scenario scenario = changed([](Scenario& s) { s.uavs[0].spec.endurance_s = 400; });
+        const ExportUav home = planned({.what = ExportWhat::Path}, scenario);
+        QCOMPARE(home.visits.back().iceberg, -1);
+        const ExportUav stays = planned({.what = ExportWhat::Path, .returnHome = false}, scenario);
+        QCOMPARE(stays.visits.size() + 1, home.visits.size());
+        QVERIFY(!stays.visits.empty());
+        QVERIFY(stays.track.back().time_s <= stays.visits.back().time_s);
+        QVERIFY(stays.track.back().time_s > stays.visits.back().time_s - 1.1);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestExportContent)

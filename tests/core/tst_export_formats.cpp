@@ -13,6 +13,7 @@
 #include <clocale>
 #include <locale>
 #include <numeric>
+#include <set>
 
 using namespace berg;
 using namespace berg::test;
@@ -243,6 +244,21 @@ private slots:
                  QStringLiteral("nothing-to-fly"));
         QVERIFY(noteIds(format("plan"), planContent(at180()))
                     .contains(QStringLiteral("fence-across-180")));
+    }
+
+    /** Ids that make one name of two files, and names that are taken by the way out of it. */
+    void everyUavHasAFileOfItsOwn()
+    {
+        const ExportContent content = planContent(changed([](Scenario& s) {
+            s.uavs.resize(3, s.uavs[0]);
+            s.uavs[0].id = "a_b-3";
+            s.uavs[1].id = "a b";
+            s.uavs[2].id = "a_b";
+        }));
+        std::set<std::string> names;
+        for (const ExportFile& file : exportFiles(format("plan"), content, "survey.plan"))
+            names.insert(file.path);
+        QCOMPARE(names.size(), std::size_t{3});
     }
 
     /** Of an order for several sorties the first one is written, and that is told. */

@@ -4,6 +4,9 @@
 
 #include <QTest>
 
+#include <array>
+#include <set>
+
 using namespace berg;
 
 namespace {
@@ -84,6 +87,26 @@ private slots:
         QVERIFY(path.track.front().state.position_m == mission.simulation().uav(0).pose.position_m);
         // Later ones at the edge of the view may come into it a pass earlier or later.
         compareSightings(path, plan.order, plan.outlook->sightings_s, 6, 137);
+    }
+
+    /** Members of a cluster that are seen on the way to another iceberg are not visited again. */
+    void everyIcebergIsVisitedOnce()
+    {
+        Scenario scenario = randomScenario(1, {.icebergs = 3});
+        const std::array<Point, 3> places_m{Point(2500, 0), Point(2000, 250), Point(2000, 600)};
+        for (std::size_t i = 0; i < places_m.size(); ++i) {
+            scenario.icebergs[i].position_m = places_m[i];
+            scenario.icebergs[i].velocity_mps = Point::Zero();
+        }
+        scenario.uavs[0].position_m = Point::Zero();
+        scenario.uavs[0].heading_deg = 90;
+        const FlyablePath path =
+            flyOrder(scenario, {.icebergs = {0, 1, 2}, .clusters = {{1, 2}}}, false);
+        std::multiset<int> seen;
+        for (const Visit& visit : path.visits)
+            for (const int iceberg : icebergsOf(visit))
+                seen.insert(iceberg);
+        QVERIFY((seen == std::multiset<int>{0, 1, 2}));
     }
 
     /** Planned for one speed, not for another. */

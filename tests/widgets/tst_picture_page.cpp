@@ -8,6 +8,8 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
+#include <time.h>
+
 using namespace berg;
 using namespace berg::test;
 using namespace Qt::StringLiterals;
@@ -166,6 +168,40 @@ private slots:
         QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
         QCOMPARE(title, u"<a> & \"b\" ]]> \U0001F9CA"_s);
         QVERIFY2(texts.contains(u"<a> & \"b\""_s), qPrintable(texts));
+    }
+
+    /** Qt writes the time with its zone, which is of another length in each. */
+    void pdfIsTheSameInEveryTimeZone()
+    {
+        const QByteArray before = qgetenv("TZ");
+        const auto back = qScopeGuard([&before] {
+            before.isNull() ? qunsetenv("TZ") : qputenv("TZ", before);
+            ::tzset();
+        });
+        QList<QByteArray> files;
+        for (const char* zone : {"UTC", "Europe/Oslo", "XYZ3:30"}) {
+            qputenv("TZ", zone);
+            ::tzset();
+            files << fileOf(page(), "pdf");
+        }
+        QCOMPARE(files[1], files[0]);
+        QCOMPARE(files[2], files[0]);
+        // The table at the end says where things are.
+        const QByteArray& pdf = files[0];
+        const QByteArray key = "startxref\n";
+        const qsizetype at = pdf.lastIndexOf(key) + key.size();
+        const qsizetype table = pdf.sliced(at, pdf.indexOf('\n', at) - at).toLongLong();
+        QVERIFY(pdf.sliced(table).startsWith("xref\n"));
+        int object = 0;
+        for (const QByteArray& line : pdf.sliced(table).split('\n')) {
+            if (!line.endsWith(" n ") && !line.endsWith(" f "))
+                continue;
+            if (line.endsWith(" n "))
+                QVERIFY(pdf.sliced(line.first(10).toLongLong())
+                            .startsWith(QByteArray::number(object) + " 0 obj"));
+            ++object;
+        }
+        QVERIFY(object > 5);
     }
 };
 

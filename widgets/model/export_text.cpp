@@ -230,9 +230,9 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
     case ExportNoteKind::NothingToFly:
         return ExportText::tr("%n UAVs have no iceberg to visit.", nullptr, count);
     case ExportNoteKind::LaterSorties:
-        return ExportText::tr("This sortie alone is written: %n icebergs of the order are left for "
-                              "later ones.",
-                              nullptr, count);
+        return ExportText::tr("This sortie alone is written. Icebergs of the order left for later "
+                              "ones: %1.")
+            .arg(count);
     }
     throw std::logic_error("exportNoteText: unknown kind");
 }

@@ -57,9 +57,10 @@ QString currentText(const ExportContent& content, const QLocale& locale)
 QString icebergsText(const ExportContent& content)
 {
     const std::vector<bool> visited = visitedIcebergs(content);
-    const auto listed =
-        std::ranges::count_if(content.icebergs, [](const auto& one) { return one.isListed; });
-    return FlightBrief::tr("%1 of %2").arg(std::ranges::count(visited, true)).arg(listed);
+    std::size_t all = 0; // those that were visited and have left, too
+    for (std::size_t i = 0; i < visited.size(); ++i)
+        all += visited[i] || content.icebergs[i].isListed ? std::size_t{1} : std::size_t{0};
+    return FlightBrief::tr("%1 of %2").arg(std::ranges::count(visited, true)).arg(all);
 }
 
 std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& locale)
@@ -75,7 +76,10 @@ std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& 
     if (!content.scenario->current_mps.isZero(0))
         facts.push_back({FlightBrief::tr("Current, true"), currentText(content, locale)});
     facts.push_back({FlightBrief::tr("Distance"), distanceText(total.length_m, locale)});
-    facts.push_back({FlightBrief::tr("Time of flight"), clockText(total.time_s)});
+    // Of a track it is that on the ground between sorties, too.
+    facts.push_back({content.what == ExportWhat::Track ? FlightBrief::tr("Duration")
+                                                       : FlightBrief::tr("Time of flight"),
+                     clockText(total.time_s)});
     facts.push_back({content.start ? FlightBrief::tr("End, UTC") : FlightBrief::tr("End"),
                      briefClock(content, total.end_s)});
     return facts;
@@ -193,7 +197,10 @@ BriefContent briefContent(const ExportContent& content, const QLocale& locale)
                        .notes = printable(content.scenario->notes),
                        .foot = footText(content.what)};
     for (std::size_t uav = 0; uav < content.uavs.size(); ++uav)
-        brief.routes.push_back(briefRoute(content, uav, locale));
+        if (BriefRoute route = briefRoute(content, uav, locale); route.rows.size() > 1)
+            brief.routes.push_back(std::move(route));
+    if (brief.routes.empty())
+        brief.routes.push_back(briefRoute(content, 0, locale));
     return brief;
 }
 

@@ -24,12 +24,12 @@ struct BriefContent
     std::vector<BriefFact> planning; ///< the same
     std::vector<QStringList> uavs;   ///< captions, then a row for each; all as long
     BriefCaptions captions;          ///< of the rows of the routes
-    std::vector<BriefRoute> routes;  ///< one at least
+    std::vector<BriefRoute> routes;  ///< one at least; of several UAVs those that fly
     QStringList warnings;            ///< the most important first
     QString notes;                   ///< of the scenario
     QString foot;
 
-    [[nodiscard]] bool isFleet() const { return routes.size() > 1; }
+    [[nodiscard]] bool isFleet() const { return uavs.size() > 2; }
 };
 
 [[nodiscard]] BriefContent briefContent(const ExportContent& content, const QLocale& locale);

@@ -173,9 +173,11 @@ BriefRoute briefRoute(const ExportContent& content, std::size_t uav, const QLoca
     const ExportUav& flown = content.uavs.at(uav);
     const MeasuredWay way(flown);
     RouteRows rows(content, way, locale);
+    const bool isTrack = content.what == ExportWhat::Track;
     for (const Visit& visit : flown.visits)
-        rows.add(visit);
-    if (content.what == ExportWhat::Track)
+        if (visit.iceberg >= 0 || !isTrack) // what was flown has no way home that was not
+            rows.add(visit);
+    if (isTrack)
         rows.addEnd();
     return {.uav = uav, .name = printable(titleOf(flown.uav)), .rows = rows.taken()};
 }

@@ -1,11 +1,12 @@
 #include "widgets/print/brief_warnings.h"
 
 #include "core/scenario/advice.h"
-#include "core/scenario/priority.h"
 #include "core/scenario/validate.h"
 #include "widgets/model/asset_approach.h"
 #include "widgets/panels/issue_text.h"
 #include "widgets/panels/planner_text.h"
+#include "widgets/print/brief_table.h"
+#include "widgets/print/export_picture.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 
 using namespace Qt::StringLiterals;
 
@@ -43,13 +45,35 @@ Scenario exportedScenario(const ExportContent& content)
     return scenario;
 }
 
+/** Those that say the same of several icebergs or UAVs as one line, where the first one is. */
 QStringList issueLines(const Scenario& scenario, const std::vector<Issue>& issues,
                        Severity severity)
 {
+    QStringList texts;
+    std::map<QString, QStringList> owners;
+    for (const Issue& issue : issues) {
+        if (issue.severity != severity)
+            continue;
+        const QString text = issueText(issue).simplified();
+        const QString line = issueLine(issue, scenario).simplified();
+        if (!owners.contains(text))
+            texts << text;
+        owners[text] << line.chopped(text.size()); // "berg-1: ", empty when it is of none
+    }
     QStringList lines;
-    for (const Issue& issue : issues)
-        if (issue.severity == severity)
-            lines << issueLine(issue, scenario).simplified();
+    for (const QString& text : texts) {
+        QStringList names = owners[text];
+        if (names.size() == 1) {
+            lines << names.front() + text;
+            continue;
+        }
+        for (QString& name : names)
+            name.chop(2);
+        lines << FlightBrief::tr("%1 (%2): %3")
+                     .arg(text)
+                     .arg(names.size())
+                     .arg(names.first(std::min<qsizetype>(names.size(), kMostNames)).join(u", "_s));
+    }
     return lines;
 }
 
@@ -107,19 +131,11 @@ QStringList namedLine(const QString& sentence, const ExportContent& content, con
 /** Icebergs in the inner ring of the asset or on their way into it, the first to enter first. */
 QStringList alarmLines(const ExportContent& content, const QLocale& locale)
 {
-    if (!content.asset)
-        return {};
     std::multimap<double, QString> entries;
-    for (const ExportIceberg& one : content.icebergs) {
-        if (!one.isListed || one.state == IcebergState::Expected)
-            continue;
-        const RelativeMotion motion =
-            relativeToAsset(*content.asset, content.now_s, one.position_m, one.drift_mps);
-        if (const auto entry_s =
-                entryTime_s(motion, alarmRadius_m(*content.asset), kApproachHorizon_s))
+    for (const ExportIceberg& one : content.icebergs)
+        if (const auto entry_s = ringEntry_s(content, one))
             entries.emplace(*entry_s,
                             ringEntryText(printable(titleOf(one.iceberg)), *entry_s, locale));
-    }
     QStringList lines;
     for (const auto& [entry_s, line] : entries)
         lines << line;
@@ -194,6 +210,36 @@ QStringList ruleLines(const ExportContent& content, const QLocale& locale)
     return lines;
 }
 
+/** Turns take time that legs and arrivals are without. */
+QStringList loiterLines(const ExportContent& content, const QLocale& locale)
+{
+    if (content.options.loiterTurns == 0)
+        return {};
+    double each_s = 0;
+    double all_s = 0;
+    QStringList tooLong;
+    for (const ExportUav& uav : content.uavs) {
+        const double turns_s = content.options.loiterTurns * 2 * std::numbers::pi * uav.circle_m /
+                               uav.uav.spec.airspeed_mps;
+        const auto visits = std::ranges::count_if(
+            uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; });
+        const double own_s = turns_s * static_cast<double>(visits);
+        each_s = std::max(each_s, turns_s);
+        all_s = std::max(all_s, own_s);
+        const double endurance_s = uav.uav.spec.endurance_s;
+        if (endurance_s > 0 && wayTotals(uav).time_s + own_s > endurance_s)
+            tooLong << printable(titleOf(uav.uav));
+    }
+    QStringList lines{
+        FlightBrief::tr("Times are without the loiter turns: %1 more at each "
+                        "iceberg, %2 in all.")
+            .arg(roughDurationText(each_s, locale), roughDurationText(all_s, locale))};
+    if (!tooLong.isEmpty())
+        lines << FlightBrief::tr("With the loiter turns the endurance is too short: %1")
+                     .arg(tooLong.join(u", "_s));
+    return lines;
+}
+
 } // namespace
 
 std::vector<bool> visitedIcebergs(const ExportContent& content)
@@ -238,9 +284,10 @@ QStringList briefWarnings(const ExportContent& content, const QLocale& locale)
     if (content.plan.fellBack && !visitsNothing(content))
         lines << FlightBrief::tr("The planner reached its limit without an order: the rest of the "
                                  "plan before, or the nearest iceberg, is flown.");
-    lines << alarmLines(content, locale) << icebergLines(content)
+    lines << loiterLines(content, locale) << alarmLines(content, locale)
+          << ruleLines(content, locale) << icebergLines(content)
           << issueLines(scenario, issues, Severity::Warning) << idleLines(content)
-          << planLines(content, locale) << ruleLines(content, locale);
+          << planLines(content, locale);
     return lines;
 }
 

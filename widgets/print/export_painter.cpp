@@ -25,17 +25,17 @@ PicturePage exportPage(const ExportFormat& format, const ExportContent& content,
     throw std::logic_error("exportPage: no page for " + std::string(format.id));
 }
 
-ExportPaint exportPaint()
+ExportPaint exportPaint(const QLocale& locale)
 {
     return {.file =
-                [](const ExportFormat& format, const ExportContent& content) {
+                [locale](const ExportFormat& format, const ExportContent& content) {
                     const QLatin1StringView ending(format.extension.data(),
                                                    qsizetype(format.extension.size()));
-                    return pictureFile(exportPage(format, content, QLocale()), ending);
+                    return pictureFile(exportPage(format, content, locale), ending);
                 },
             .look =
-                [](const ExportFormat& format, const ExportContent& content) {
-                    return pictureImage(exportPage(format, content, QLocale()), kLookScale);
+                [locale](const ExportFormat& format, const ExportContent& content) {
+                    return pictureImage(exportPage(format, content, locale), kLookScale);
                 }};
 }
 

@@ -12,6 +12,6 @@ namespace berg {
                                      const QLocale& locale);
 
 /** How the window makes painted formats: in its language, number format and units. */
-[[nodiscard]] ExportPaint exportPaint();
+[[nodiscard]] ExportPaint exportPaint(const QLocale& locale = QLocale());
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #include "widgets/print/export_picture.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/priority.h"
 #include "widgets/map/scenario_picture.h"
 #include "widgets/print/printable_text.h"
 
@@ -103,8 +104,7 @@ MapIceberg mapIcebergOf(const ExportIceberg& iceberg, const ExportContent& conte
         drawn.appears_s = 0;
     if (drawn.circle_m > 0) // round an estimate, which a track has not
         drawn.circle_m = content.what == ExportWhat::Track ? 0 : likelyRadius_m(iceberg.sigma_m2);
-    if (content.mission != nullptr)
-        drawn.ringEntry_s.reset(); // it is that at the start
+    drawn.ringEntry_s = ringEntry_s(content, iceberg);
     drawn.id = printable(drawn.id);
     return drawn;
 }
@@ -139,6 +139,15 @@ void addUav(MapPicture& picture, const ExportContent& content, const ExportUav& 
 }
 
 } // namespace
+
+std::optional<double> ringEntry_s(const ExportContent& content, const ExportIceberg& iceberg)
+{
+    if (!content.asset || !iceberg.isListed || iceberg.state == IcebergState::Expected)
+        return std::nullopt;
+    const RelativeMotion motion =
+        relativeToAsset(*content.asset, content.now_s, iceberg.position_m, iceberg.drift_mps);
+    return entryTime_s(motion, alarmRadius_m(*content.asset), kApproachHorizon_s);
+}
 
 MapPicture exportPicture(const ExportContent& content)
 {

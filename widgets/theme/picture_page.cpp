@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QSvgGenerator>
 
 #include <algorithm>
@@ -74,15 +75,39 @@ void paintPdf(const PicturePage& page, QBuffer& buffer)
     paintPage(page, pdf);
 }
 
-/** Qt writes when a PDF was made, to the second: digits of the day before all days in its place. */
+/** Moves what the table at the end of a PDF says of objects behind `from` by `by` bytes. */
+void moveObjects(QByteArray& pdf, qsizetype from, qsizetype by)
+{
+    constexpr qsizetype kDigits = 10;
+    const qsizetype table = pdf.lastIndexOf("\nxref\n") + 1;
+    static const QRegularExpression entry(u"^(\\d{10}) \\d{5} n"_s,
+                                          QRegularExpression::MultilineOption);
+    const QString rest = QString::fromLatin1(pdf.sliced(table));
+    for (auto it = entry.globalMatch(rest); it.hasNext();) {
+        const QRegularExpressionMatch match = it.next();
+        const qlonglong offset = match.captured(1).toLongLong();
+        if (offset > from)
+            pdf.replace(table + match.capturedStart(1), kDigits,
+                        QByteArray::number(offset + by).rightJustified(kDigits, '0'));
+    }
+    const QByteArray key = "startxref\n";
+    const qsizetype start = pdf.lastIndexOf(key) + key.size();
+    const qsizetype end = pdf.indexOf('\n', start);
+    pdf.replace(start, end - start, QByteArray::number(table));
+}
+
+/** Qt writes when a PDF was made, with the time zone: the day before all days in its place. */
 void removeDate(QByteArray& pdf)
 {
     const QByteArray key = "/CreationDate (D:";
-    const qsizetype at = pdf.indexOf(key);
-    if (at < 0)
+    const qsizetype found = pdf.indexOf(key);
+    if (found < 0)
         return;
-    constexpr QByteArrayView kDay = "20000101000000";
-    pdf.replace(at + key.size(), kDay.size(), kDay);
+    const QByteArray day = "20000101000000Z";
+    const qsizetype at = found + key.size();
+    const qsizetype length = pdf.indexOf(')', at) - at;
+    pdf.replace(at, length, day);
+    moveObjects(pdf, at, day.size() - length);
 }
 
 } // namespace
