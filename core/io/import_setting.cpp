@@ -150,15 +150,11 @@ private:
     {
         std::vector<Uav>& uavs = m_scenario.uavs;
         const auto isFree = [&](std::size_t row) { return !m_taken.contains(row); };
-        const auto isOfAnother = [&](std::size_t row) { // that comes later in the file
-            return std::any_of(m_scene.uavs.begin(), m_scene.uavs.end(),
-                               [&](const SceneUav& uav) { return uav.id == uavs[row].id; });
-        };
         std::size_t row = 0;
         while (row < uavs.size() && !(isFree(row) && uavs[row].id == taken.id))
             ++row;
         if (row == uavs.size())
-            for (row = 0; row < uavs.size() && !(isFree(row) && !isOfAnother(row));)
+            for (row = 0; row < uavs.size() && !isFree(row);)
                 ++row;
         if (row == kMostUavs)
             return row;

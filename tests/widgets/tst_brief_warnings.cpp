@@ -48,7 +48,7 @@ private slots:
     /** Legs and arrivals are without the turns over icebergs, so that is said first. */
     void loiterTurnsAreReckoned()
     {
-        const Scenario scenario = changed([](Scenario& s) { s.uavs[0].spec.endurance_s = 3000; });
+        const Scenario scenario = changed([](Scenario& s) { s.uavs[0].spec.endurance_s = 2000; });
         const ExportContent content = planContent(scenario, fourIcebergPlan(), {.loiterTurns = 20});
         const QStringList warnings = briefWarnings(content, kEnglish);
         // 20 turns of a radius of 106 m at 22 m/s are 10 min.
