@@ -328,16 +328,21 @@ private slots:
         const MapPicture planned = exportPicture(plan.content());
         QCOMPARE(planned.icebergs.size(), std::size_t{4});
         QCOMPARE(planned.icebergs[2].appears_s, 200.0);
-        QVERIFY(std::ranges::any_of(planned.icebergs, [](const MapIceberg& iceberg) {
+        const auto isAlarm = [](const MapIceberg& iceberg) {
             return iceberg.ringEntry_s.has_value();
-        }));
+        };
+        QVERIFY(std::ranges::any_of(planned.icebergs, isAlarm));
         QCOMPARE(planned.uavs[0].position_m, scenario.uavs[0].position_m);
         QVERIFY(planned.uavs[0].sensor.shape == FovShape::Disk);
         const Source track(scenario, 90, {});
         const MapPicture shown = exportPicture(track.content());
         QCOMPARE(shown.icebergs.size(), std::size_t{3}); // the other one has not come yet
-        for (const MapIceberg& iceberg : shown.icebergs)
-            QVERIFY(!iceberg.ringEntry_s);
+        QVERIFY(std::ranges::any_of(shown.icebergs, isAlarm));
+        ExportContent inDialog = track.content(); // which has no mission
+        inDialog.mission = nullptr;
+        const MapPicture same = exportPicture(inDialog);
+        for (std::size_t i = 0; i < shown.icebergs.size(); ++i)
+            QCOMPARE(same.icebergs[i].ringEntry_s, shown.icebergs[i].ringEntry_s);
         const DubinsState last = track.content().uavs[0].track.back().state;
         QCOMPARE(shown.uavs[0].position_m, last.position_m);
         QCOMPARE(shown.uavs[0].psi_rad, last.psi_rad);
