@@ -167,5 +167,11 @@ same "german: the table of the brief" ok \
 run env -u LC_ALL LANG=en_US.UTF-8 LC_CTYPE=C.UTF-8 "$cli" export windy.berg --format brief --output american.pdf
 same "american: the paper is Letter" "612 792" "$(page_size american.pdf)"
 same "german: commas" yes "$(says german '10,0 m/s')"
+# The C library at work on German numbers, too: those of the command line keep their point.
+mkdir -p locales
+run localedef -i de_DE -f UTF-8 locales/de_DE.UTF-8
+run env LOCPATH="$PWD/locales" LC_ALL=de_DE.UTF-8 "$cli" export windy.berg --format brief --speed 21.5 --output point.pdf
+run "$pdftotext" -layout point.pdf point.txt
+same "german: an option with a point" yes "$(says point '21,5 m/s')"
 
 all_checked
