@@ -61,7 +61,8 @@ struct PlanFigures
 };
 [[nodiscard]] PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy);
 
-/** A relative gap as per cent in steps of 0.1, from 10 on of 1, rounded up: "within" must stay true.
+/** A relative gap as per cent in steps of 0.1, from 10 on of 1, rounded up: "within" must stay
+ * true.
  */
 [[nodiscard]] QString gapText(double gap, const QLocale& locale);
 
