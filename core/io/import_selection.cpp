@@ -84,10 +84,24 @@ std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sighting
 {
     std::vector<SightedIceberg> icebergs;
     std::map<std::string, std::size_t, std::less<>> rows;
+    // Waypoints without time or name at two places are two, however near the id takes them to be.
+    const auto isOfAnother = [&](const std::string& id, const Sighting& sighting) {
+        const auto it = rows.find(id);
+        if (it == rows.end() || sighting.time)
+            return false;
+        const Sighting& first = *icebergs[it->second].sightings.front().sighting;
+        return !first.time && first.id.empty() && !(first.place == sighting.place);
+    };
     for (const Sighting* sighting : sightings) {
         std::string id = sighting->id;
-        if (id.empty())
+        if (id.empty() && table.oneIceberg) {
             id = unnamedId(*sighting, table);
+        } else if (id.empty()) {
+            const std::string plain = unnamedId(*sighting, table);
+            id = plain;
+            for (int n = 2; isOfAnother(id, *sighting); ++n)
+                id = plain + ' ' + std::to_string(n);
+        }
         const auto [it, isNew] = rows.try_emplace(id, icebergs.size());
         if (isNew)
             icebergs.push_back({.id = std::move(id), .sightings = {}});

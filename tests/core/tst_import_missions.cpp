@@ -6,6 +6,8 @@
 
 #include <QtTest>
 
+#include <set>
+
 using namespace berg;
 using namespace berg::test;
 
@@ -338,6 +340,22 @@ private slots:
         for (std::size_t i = 0; i <= kMostSightings; ++i)
             rows += "1 0 3 16 0 0 0 0 0 0 0 1\n";
         QCOMPARE(codeOf([&] { (void)read(wpl(rows)); }), std::string("FileTooLarge"));
+    }
+
+    /** Ids have the place to 11 m; nearer waypoints are icebergs of their own all the same. */
+    void waypointsNearEachOtherAreTwo()
+    {
+        const std::string row = "\t0\t3\t16\t0\t0\t0\t0\t";
+        const std::string text = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t47\t-48\t0\t1\n1" + row +
+                                 "47.018\t-48.000013\t120\t1\n2" + row +
+                                 "47.018\t-47.999991\t120\t1\n3" + row + "47.02\t-48\t120\t1\n";
+        const ImportResult result = importSightings(newScenarioForImport("near"),
+                                                    readSightings(text, "near.waypoints"), {});
+        QCOMPARE(result.added, std::size_t{3});
+        std::set<std::string> ids;
+        for (const Iceberg& iceberg : result.scenario.icebergs)
+            ids.insert(iceberg.id);
+        QCOMPARE(ids.size(), std::size_t{3});
     }
 };
 
