@@ -1,10 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 #include "tests/support/approx.h"
-#include "tests/support/panel_test.h"
-#include "tests/support/synthetic_flight.h"
-#include "widgets/charts/time_chart.h"
-#include "widgets/panels/chart_panel.h"
+#include "tests/support/chart_panel_fixture.h"
 #include "widgets/theme/palette.h"
 
 #include <QComboBox>
@@ -21,55 +18,7 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using berg::test::child;
-
-namespace {
-
-constexpr test::SyntheticFlight kFlight{.icebergs = 5, .duration_s = 1000, .interval_s = 1};
-
-constexpr test::SyntheticFlight kFleet{
-    .icebergs = 5, .duration_s = 1000, .interval_s = 1, .uavs = 3};
-
-/** A panel with a flight of 1000 s. */
-struct Shown
-{
-    explicit Shown(ChartKind kind, const QSize& size = {600, 260})
-        : record(test::syntheticRecord(kFlight, 1000))
-        , panel(kind, Theme::light())
-        , chart(child<TimeChart>(panel, u"timeChart"_s))
-    {
-        panel.resize(size);
-        panel.show();
-        panel.showRecord(record);
-    }
-
-    FlightRecord record;
-    ChartPanel panel;
-    TimeChart& chart;
-};
-
-/** A bound over twice the time of the flight, in blocks of half a second. */
-KnownBound boundOf2000s()
-{
-    ZetaBound bound{.zeta_m2s = 12000, .curve = {}};
-    for (int k = 0; k <= 4000; ++k)
-        bound.curve.push_back({.time_s = 0.5 * k, .sigma_m2 = 6, .zeta_m2s = 3.0 * k});
-    return {.zeta_m2s = 12000, .share = 1, .whole = std::make_shared<const ZetaBound>(bound)};
-}
-
-std::vector<std::string> linesOf(const std::string& text)
-{
-    std::vector<std::string> lines;
-    std::size_t begin = 0;
-    for (std::size_t end = text.find('\n'); end != std::string::npos;
-         end = text.find('\n', begin)) {
-        lines.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return lines;
-}
-
-} // namespace
+using namespace berg::test;
 
 class TestChartPanel : public QObject
 {
@@ -363,85 +312,6 @@ private slots:
         QCOMPARE(fields[0].toDouble(), 500.0);
         QCOMPARE(fields[1].toDouble(), sample.zeta_m2s); // reads back exactly
         QCOMPARE(fields[2].toDouble(), sample.sigmaSum_m2);
-    }
-
-    void boundIsShownWhenItIsKnown()
-    {
-        Shown shown(ChartKind::Zeta);
-        shown.record.bound = boundOf2000s(); // comes while nothing else changes
-        shown.panel.showRecord(shown.record);
-        const std::vector<TimeLine>& lines = shown.chart.content().lines;
-        QCOMPARE(lines.size(), std::size_t{3});
-        QCOMPARE(lines[2].label, u"No flight can do better than"_s);
-        QCOMPARE(lines[2].key, u"zeta_bound_m2s"_s);
-        const QList<QPointF>& drawn = shown.chart.drawnPoints()[2];
-        COMPARE_NEAR(drawn.front().y(), 0, 1e-9);
-        COMPARE_NEAR(drawn.back().x(), 1000, 1e-9); // as far as was flown
-        COMPARE_NEAR(drawn.back().y(), 6000, 1e-6);
-        QVERIFY(child<QMenu>(shown.panel, u"chartLinesMenu"_s)
-                    .findChild<QAction*>(u"zeta_bound_m2s"_s) != nullptr);
-        QVERIFY(missionChart(ChartKind::MeanSigma, shown.record, QLocale::c()).lines.size() == 2);
-    }
-
-    void boundIsReadOutAtTheCursor()
-    {
-        Shown shown(ChartKind::Zeta);
-        shown.record.bound = boundOf2000s();
-        shown.record.instant = shown.record.now;
-        shown.record.instant->time_s = 500.25; // between two points
-        shown.panel.showRecord(shown.record);
-        QStringList read;
-        for (const ReadoutFlag& flag : shown.chart.readout().flags)
-            read << flag.text;
-        QVERIFY2(read.contains(u"No flight can do better than 3\u202f002 m² s"_s),
-                 qPrintable(read.join(u'\n')));
-    }
-
-    void boundIsInTheTable()
-    {
-        Shown shown(ChartKind::Zeta);
-        shown.record.bound = boundOf2000s();
-        shown.panel.showRecord(shown.record);
-        const QTemporaryDir folder;
-        const QString path = folder.filePath(u"zeta.csv"_s);
-        shown.panel.exportChart(path);
-        const std::vector<std::string> lines = linesOf(readFile(path.toStdString()));
-        QCOMPARE(lines[0], std::string("time_s,zeta_m2s,sigma_sum_m2,zeta_bound_m2s"));
-        QVERIFY(lines[1].ends_with(",0"));
-        QVERIFY(lines[501].ends_with(",3000"));
-        QVERIFY(lines[1001].ends_with(",6000"));
-    }
-
-    void boundOfAnotherFlightIsNotShown_data()
-    {
-        QTest::addColumn<int>("kind");
-        QTest::addColumn<QByteArray>("detail");
-        QTest::addColumn<int>("lines");
-        const auto row = [](const char* name, EventKind kind, const char* detail, int lines) {
-            QTest::newRow(name) << static_cast<int>(kind) << QByteArray(detail) << lines;
-        };
-        row("reported seen", EventKind::Sighted, kReported, 2);
-        row("wind changed", EventKind::Intervention, kWindChanged, 2);
-        row("seen by the UAV", EventKind::Sighted, "", 3);
-        row("asset changed", EventKind::Intervention, kAssetChanged, 3);
-        row("iceberg added", EventKind::Appeared, "", 3);
-    }
-
-    void boundOfAnotherFlightIsNotShown()
-    {
-        QFETCH(int, kind);
-        QFETCH(QByteArray, detail);
-        QFETCH(int, lines);
-        Shown shown(ChartKind::Zeta);
-        shown.record.bound = boundOf2000s();
-        shown.panel.showRecord(shown.record);
-        QCOMPARE(shown.chart.content().lines.size(), std::size_t{3});
-        shown.record.history.events.push_back({.time_s = 1000,
-                                               .kind = static_cast<EventKind>(kind),
-                                               .iceberg = 0,
-                                               .detail = detail.toStdString()});
-        shown.panel.showRecord(shown.record);
-        QCOMPARE(static_cast<int>(shown.chart.content().lines.size()), lines);
     }
 
     void picturesCanBeRead_data()

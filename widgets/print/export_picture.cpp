@@ -140,6 +140,16 @@ void addUav(MapPicture& picture, const ExportContent& content, const ExportUav& 
 
 } // namespace
 
+MapAir exportAir(const ExportContent& content)
+{
+    MapAir air = airOf(*content.scenario);
+    air.wind_mps = content.wind_mps;
+    air.limit_mps = content.uavs.front().uav.spec.airspeed_mps;
+    for (const ExportUav& uav : content.uavs)
+        air.limit_mps = std::min(air.limit_mps, uav.uav.spec.airspeed_mps);
+    return air;
+}
+
 std::optional<double> ringEntry_s(const ExportContent& content, const ExportIceberg& iceberg)
 {
     if (!content.asset || !iceberg.isListed || iceberg.state == IcebergState::Expected)

@@ -9,6 +9,9 @@ namespace berg {
  * that can be printed. */
 [[nodiscard]] MapPicture exportPicture(const ExportContent& content);
 
+/** Wind of then, for maps that stand alone. */
+[[nodiscard]] MapAir exportAir(const ExportContent& content);
+
 /** When the iceberg enters the inner ring of the asset, seconds from then; 0: it is inside; none:
  * not until the horizon, or it is not there. */
 [[nodiscard]] std::optional<double> ringEntry_s(const ExportContent& content,

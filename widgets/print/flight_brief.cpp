@@ -64,8 +64,7 @@ MapPicture printedPicture(const ExportContent& content)
         uav.label = labelOf(uav.label);
     if (picture.asset)
         picture.asset->name = labelOf(picture.asset->name);
-    picture.air = airOf(*content.scenario);
-    picture.air.wind_mps = content.wind_mps;
+    picture.air = exportAir(content);
     return picture;
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/map/map_symbols.h"
 #include "widgets/map/painter_state.h"
 #include "widgets/map/scenario_picture.h"
+#include "widgets/print/brief_table.h"
 #include "widgets/print/export_picture.h"
 #include "widgets/print/page_text.h"
 #include "widgets/theme/palette.h"
@@ -86,10 +87,9 @@ std::vector<MapReadout> plannedFigures(const ExportContent& content, const QLoca
     double length_m = 0;
     double longest_s = 0;
     for (const ExportUav& uav : content.uavs) {
-        const std::vector<TimedPoint> way = wayOf(uav);
-        for (std::size_t i = 1; i < way.size(); ++i)
-            length_m += (way[i].position_m - way[i - 1].position_m).norm();
-        longest_s = std::max(longest_s, way.back().time_s - uav.start_s);
+        const WayTotals way = wayTotals(uav);
+        length_m += way.length_m;
+        longest_s = std::max(longest_s, way.time_s);
     }
     if (length_m == 0)
         return {};
@@ -104,16 +104,6 @@ std::vector<MapReadout> plannedFigures(const ExportContent& content, const QLoca
             {.caption = MapPageText::tr("Visits"),
              .value = fixedText(visitCount(content), 0, locale),
              .unit = {}}};
-}
-
-MapAir airOf(const ExportContent& content)
-{
-    MapAir air = airOf(*content.scenario);
-    air.wind_mps = content.wind_mps;
-    air.limit_mps = content.uavs.front().uav.spec.airspeed_mps;
-    for (const ExportUav& uav : content.uavs)
-        air.limit_mps = std::min(air.limit_mps, uav.uav.spec.airspeed_mps);
-    return air;
 }
 
 /** Of a track with points, by time. */
@@ -249,7 +239,7 @@ PicturePage mapPage(const ExportContent& content, const QLocale& locale)
     picture.subtitle = pageSubtitle(content, waysText(content), locale);
     picture.readouts = content.what == ExportWhat::Track ? flownFigures(content, locale)
                                                          : plannedFigures(content, locale);
-    picture.air = airOf(content);
+    picture.air = exportAir(content);
     sheet->layout = arrangeMap(picture, {.theme = sheet->theme, .locale = locale},
                                QRectF(QPointF(0, 0), kPage_px));
     sheet->visits = dotsOf(content, *sheet);

@@ -1,0 +1,113 @@
+#include "core/io/atomic_file.h"
+#include "tests/support/approx.h"
+#include "tests/support/chart_panel_fixture.h"
+
+#include <QtTest>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using namespace berg::test;
+
+namespace {
+
+/** A bound over twice the time of the flight, in blocks of half a second. */
+KnownBound boundOf2000s()
+{
+    ZetaBound bound{.zeta_m2s = 12000, .curve = {}};
+    for (int k = 0; k <= 4000; ++k)
+        bound.curve.push_back({.time_s = 0.5 * k, .sigma_m2 = 6, .zeta_m2s = 3.0 * k});
+    return {.zeta_m2s = 12000, .share = 1, .whole = std::make_shared<const ZetaBound>(bound)};
+}
+
+} // namespace
+
+/** What no flight does better than, in the chart of zeta. */
+class TestChartBound : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void boundIsShownWhenItIsKnown()
+    {
+        Shown shown(ChartKind::Zeta);
+        shown.record.bound = boundOf2000s(); // comes while nothing else changes
+        shown.panel.showRecord(shown.record);
+        const std::vector<TimeLine>& lines = shown.chart.content().lines;
+        QCOMPARE(lines.size(), std::size_t{3});
+        QCOMPARE(lines[2].label, u"No flight can do better than"_s);
+        QCOMPARE(lines[2].key, u"zeta_bound_m2s"_s);
+        const QList<QPointF>& drawn = shown.chart.drawnPoints()[2];
+        COMPARE_NEAR(drawn.front().y(), 0, 1e-9);
+        COMPARE_NEAR(drawn.back().x(), 1000, 1e-9); // as far as was flown
+        COMPARE_NEAR(drawn.back().y(), 6000, 1e-6);
+        QVERIFY(child<QMenu>(shown.panel, u"chartLinesMenu"_s)
+                    .findChild<QAction*>(u"zeta_bound_m2s"_s) != nullptr);
+        QVERIFY(missionChart(ChartKind::MeanSigma, shown.record, QLocale::c()).lines.size() == 2);
+    }
+
+    void boundIsReadOutAtTheCursor()
+    {
+        Shown shown(ChartKind::Zeta);
+        shown.record.bound = boundOf2000s();
+        shown.record.instant = shown.record.now;
+        shown.record.instant->time_s = 500.25; // between two points
+        shown.panel.showRecord(shown.record);
+        QStringList read;
+        for (const ReadoutFlag& flag : shown.chart.readout().flags)
+            read << flag.text;
+        QVERIFY2(read.contains(u"No flight can do better than 3\u202f002 m² s"_s),
+                 qPrintable(read.join(u'\n')));
+    }
+
+    void boundIsInTheTable()
+    {
+        Shown shown(ChartKind::Zeta);
+        shown.record.bound = boundOf2000s();
+        shown.panel.showRecord(shown.record);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"zeta.csv"_s);
+        shown.panel.exportChart(path);
+        const std::vector<std::string> lines = linesOf(readFile(path.toStdString()));
+        QCOMPARE(lines[0], std::string("time_s,zeta_m2s,sigma_sum_m2,zeta_bound_m2s"));
+        QVERIFY(lines[1].ends_with(",0"));
+        QVERIFY(lines[501].ends_with(",3000"));
+        QVERIFY(lines[1001].ends_with(",6000"));
+    }
+
+    void boundOfAnotherFlightIsNotShown_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QByteArray>("detail");
+        QTest::addColumn<int>("lines");
+        const auto row = [](const char* name, EventKind kind, const char* detail, int lines) {
+            QTest::newRow(name) << static_cast<int>(kind) << QByteArray(detail) << lines;
+        };
+        row("reported seen", EventKind::Sighted, kReported, 2);
+        row("wind changed", EventKind::Intervention, kWindChanged, 2);
+        row("seen by the UAV", EventKind::Sighted, "", 3);
+        row("asset changed", EventKind::Intervention, kAssetChanged, 3);
+        row("iceberg added", EventKind::Appeared, "", 3);
+    }
+
+    void boundOfAnotherFlightIsNotShown()
+    {
+        QFETCH(int, kind);
+        QFETCH(QByteArray, detail);
+        QFETCH(int, lines);
+        Shown shown(ChartKind::Zeta);
+        shown.record.bound = boundOf2000s();
+        shown.panel.showRecord(shown.record);
+        QCOMPARE(shown.chart.content().lines.size(), std::size_t{3});
+        shown.record.history.events.push_back({.time_s = 1000,
+                                               .kind = static_cast<EventKind>(kind),
+                                               .iceberg = 0,
+                                               .detail = detail.toStdString()});
+        shown.panel.showRecord(shown.record);
+        QCOMPARE(static_cast<int>(shown.chart.content().lines.size()), lines);
+    }
+};
+
+QTEST_MAIN(TestChartBound)
+#include "tst_chart_bound.moc"
