@@ -43,7 +43,7 @@ std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const std::strin
     command.add_option("--tau", a.tau, "Trade-off: 0 most uncertain first, large shortest path")
         ->check(CLI::Range(0.0, 100.0));
     command.add_option("--mu", a.mu, "Weight of distance, in place of tau")
-        ->check(CLI::Range(0.0, 1e300));
+        ->check(CLI::Range(0.0, kLargestProblemNumber));
     addNamed(command, "--backend", a.backend, kBackendNames, "Solver");
     addNamed(command, "--formulation", a.formulation, kFormulationNames,
              "MILP of the cbc solver, also of --verify");

@@ -13,9 +13,7 @@ constexpr std::string_view kFormat = "bergwatch-problem";
 
 /** Nodes, the UAV included; a matrix of this size takes 8 MB. */
 constexpr std::size_t kMostNodes = 1000;
-/** A problem's units are its author's business; this only keeps every sum finite. */
-constexpr double kLargestNumber = 1e15;
-constexpr Limits kAmount{.low = 0, .high = kLargestNumber};
+constexpr Limits kAmount{.low = 0, .high = kLargestProblemNumber};
 
 std::vector<double> readSigmas(ObjectReader& object)
 {
@@ -71,7 +69,7 @@ Eigen::MatrixXd readDistances(const Json& rows, std::size_t nodes, ObjectReader&
 
 Eigen::MatrixXd readPositions(const Json& rows, std::size_t nodes, ObjectReader& object)
 {
-    constexpr Limits kCoordinate{.low = -kLargestNumber, .high = kLargestNumber};
+    constexpr Limits kCoordinate{.low = -kLargestProblemNumber, .high = kLargestProblemNumber};
     Eigen::MatrixX2d position_m = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(nodes), 2);
     const std::string path = object.path("position_m");
     if (!hasSize(rows, nodes, path, object.faults()))
@@ -129,7 +127,9 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject)
         file.tau = tau.value_or(1);
         file.problem.mu = tuningWeight(file.problem, *file.tau).mu;
     }
-    require(!hasErrors(validate(file.problem)), "problemFromJson: let a fault through");
+    // All numbers are in order; the mu of tau may not be, where distances are next to nothing.
+    if (std::vector<Issue> issues = validate(file.problem); !issues.empty())
+        throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
     return file;
 }
 

@@ -8,6 +8,9 @@
 
 namespace berg {
 
+/** Of distances, sigmas and mu: a problem's units are its author's business. */
+inline constexpr double kLargestProblemNumber = 1e15;
+
 /** A problem file: one path-planning problem without simulation. */
 struct ProblemFile
 {

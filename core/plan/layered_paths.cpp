@@ -1,5 +1,7 @@
 #include "core/plan/layered_paths.h"
 
+#include "core/base/error.h"
+
 #include <limits>
 
 namespace berg {
@@ -131,6 +133,7 @@ std::vector<int> LayeredPaths<LatencyCosts>::shortestPath() const
                 next = j;
             }
         }
+        require(next > 0, "LayeredPaths: no path, which costs that are finite always leave");
         path.push_back(next);
         level += m_costs->step(next);
         from = next;

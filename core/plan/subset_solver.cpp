@@ -103,7 +103,7 @@ public:
             const double t = visitNumber(set);
             const double weight = legWeight(set);
             double least = std::numeric_limits<double>::infinity();
-            int next = 0;
+            int next = std::countr_zero(set); // one of the set, whatever the costs: it must shrink
             for (std::uint32_t rest = set; rest != 0; rest &= rest - 1) {
                 const int j = std::countr_zero(rest);
                 const double onwards = visit(j, t) + row(set & ~(std::uint32_t{1} << j))[j];

@@ -306,6 +306,9 @@ TauCurve tauCurve(const TvpProblem& problem, const TauCurveOptions& options)
         throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
 
     const TuningWeight weight = tuningWeight(checked, 1);
+    checked.mu = weight.mu * options.tauMax;
+    if (std::vector<Issue> issues = validate(checked); !issues.empty())
+        throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
     if (weight.distanceOnly || weight.mu == 0)
         return constantCurve(std::move(checked), options, weight.mu);
     return CurveSearch(checked, options, weight.mu).run();

@@ -133,6 +133,36 @@ void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
         }
 }
 
+/** Costs may reach this, so that every sum and square of them stays finite. */
+constexpr double kLargestCost = 1e100;
+
+/** Bounds on what an order may cost in all: finite factors may have an infinite product. */
+void validateCosts(const TvpProblem& problem, std::vector<Issue>& issues)
+{
+    const double n = problem.nodeCount();
+    double sum_m2 = 0;
+    for (const double sigma_m2 : problem.sigma_m2)
+        sum_m2 += sigma_m2;
+    double longest_m = 0; // the diagonal may be anything
+    for (Eigen::Index j = 0; j < problem.distance_m.cols(); ++j)
+        for (Eigen::Index i = 0; i < problem.distance_m.rows(); ++i)
+            if (i != j)
+                longest_m = std::max(longest_m, problem.distance_m(i, j));
+
+    const auto expect = [&issues](double cost, const char* field, const std::string& product) {
+        if (!(cost <= kLargestCost))
+            issues.push_back(
+                {Severity::Error, field, "is too large: " + product + " exceeds 1e100"});
+    };
+    expect(n * sum_m2, "sigma", "the sum of sigma times the number of nodes");
+    if (problem.criterion == Criterion::Latency)
+        expect(problem.mu * longest_m * n * sum_m2, "mu",
+               "mu times the longest distance, the number of nodes and the sum of sigma");
+    else
+        expect(problem.mu * longest_m * n, "mu",
+               "mu times the longest distance and the number of nodes");
+}
+
 } // namespace
 
 std::vector<Issue> validate(const TvpProblem& problem)
@@ -151,6 +181,8 @@ std::vector<Issue> validate(const TvpProblem& problem)
     validateDistances(problem, issues);
     if (!(std::isfinite(problem.mu) && problem.mu >= 0))
         issues.push_back({Severity::Error, "mu", "must be a finite number of at least 0"});
+    if (issues.empty())
+        validateCosts(problem, issues);
     return issues;
 }
 

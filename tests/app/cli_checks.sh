@@ -40,6 +40,12 @@ check "solve: best of both" json 'abs(d["objective"] - min(-7.5 + d["mu"]*2200, 
 check "solve: proven" json 'd["status"] == "optimal" and d["gap"] == 0 and d["bound"] == d["objective"]'
 check "solve --mu wins over tau" exits 0 "$cli" solve problem.json --tau 5 --mu 0 --json
 check "solve --mu 0: most uncertain first" json 'd["order"] == [2,1] and d["mu"] == 0'
+cat >huge.json <<'P'
+{"format":"bergwatch-problem","version":1,"sigma":[0,1,2,3],"mu":1,
+ "position_m":[[0,0],[1e10,0],[0,1e10],[3e10,5]]}
+P
+check "solve --mu beyond all measure" exits 2 "$cli" solve huge.json --mu 1e300
+check "solve --mu as large as in a file" exits 0 "$cli" solve huge.json --mu 1e15 --json
 check "solve --route closed" exits 0 "$cli" solve problem.json --route closed --json
 check "solve --route closed: distance" json 'd["distance_m"] == 3100'
 for backend in auto exact heuristic; do

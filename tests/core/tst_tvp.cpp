@@ -179,6 +179,9 @@ private slots:
         problem.distance_m.diagonal().setConstant(kNan); // ignored
         QVERIFY(validate(problem).empty());
         QVERIFY(validate(test::randomProblem(1, 0, 1, Route::Open)).empty());
+        problem.mu = 1e300; // factors are free as long as the product is in order
+        problem.distance_m *= 1e-300;
+        QVERIFY(validate(problem).empty());
     }
 
     void namesTheFaultyField_data()
@@ -207,6 +210,19 @@ private slots:
         row("mu negative", "mu", [](TvpProblem& p) { p.mu = -1; });
         row("mu NaN", "mu", [](TvpProblem& p) { p.mu = kNan; });
         row("mu infinite", "mu", [](TvpProblem& p) { p.mu = kInfinity; });
+        row("mu times distance infinite", "mu", [](TvpProblem& p) {
+            p.mu = 1e300;
+            p.distance_m *= 1e10;
+        });
+        row("mu times latency too large", "mu", [](TvpProblem& p) {
+            p.criterion = Criterion::Latency;
+            p.mu = 1e60;
+            p.sigma_m2[1] = 1e60;
+        });
+        row("sum of sigmas infinite", "sigma", [](TvpProblem& p) {
+            p.sigma_m2[1] = p.sigma_m2[2] = 1.7e308;
+            p.mu = 0;
+        });
     }
 
     void namesTheFaultyField()
