@@ -26,6 +26,10 @@ bool forEachIndex(std::size_t count, const std::function<void(std::size_t)>& job
                 return;
             try {
                 job(i);
+                const std::scoped_lock lock(mutex);
+                ++done;
+                if (options.onProgress)
+                    options.onProgress(done);
             } catch (...) {
                 const std::scoped_lock lock(mutex);
                 failed = true;
@@ -35,10 +39,6 @@ bool forEachIndex(std::size_t count, const std::function<void(std::size_t)>& job
                 }
                 return;
             }
-            const std::scoped_lock lock(mutex);
-            ++done;
-            if (options.onProgress)
-                options.onProgress(done);
         }
     };
 

@@ -16,9 +16,9 @@ struct ParallelOptions
 
 /**
  * Calls `job(i)` for i in [0, count), each once, on a pool of threads. Jobs must write to places
- * of their own, so that the result does not depend on the number of threads. When jobs throw, the
- * rest is abandoned and the exception of the smallest index is thrown here. Returns false when
- * stopped before every job was done.
+ * of their own, so that the result does not depend on the number of threads. When jobs or
+ * `onProgress` throw, the rest is abandoned and the exception of the smallest index is thrown here.
+ * Returns false when stopped before every job was done.
  */
 bool forEachIndex(std::size_t count, const std::function<void(std::size_t)>& job,
                   const ParallelOptions& options);

@@ -51,18 +51,17 @@ private:
     std::vector<std::size_t> m_cases;
 };
 
-/** Icebergs without any uncertainty have zeta = 0 however one flies: no difference. */
-double relativeDifference(double value, double reference)
-{
-    return value == reference ? 0 : value / reference - 1;
-}
-
+/** Value by value. There is no share of a reference of 0: where only that is 0 (whoever flew it saw
+ * all at all times), the case is left out; where both are, nothing differs. */
 std::vector<double> relativeDifferences(const std::vector<double>& values,
                                         const std::vector<double>& reference)
 {
-    std::vector<double> differences(values.size());
-    std::transform(values.begin(), values.end(), reference.begin(), differences.begin(),
-                   relativeDifference);
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (reference[i] != 0)
+            differences.push_back(values[i] / reference[i] - 1);
+        else if (values[i] == 0)
+            differences.push_back(0);
     return differences;
 }
 
@@ -93,7 +92,8 @@ PairedDifference differenceOf(const StudySetting& setting, const std::vector<dou
     difference.zeta_m2s = meanInterval(absolute);
     difference.relative = meanInterval(relative);
     difference.lowerShare = static_cast<double>(lower) / static_cast<double>(absolute.size());
-    difference.worst = *std::max_element(relative.begin(), relative.end());
+    if (!relative.empty())
+        difference.worst = *std::max_element(relative.begin(), relative.end());
     return difference;
 }
 

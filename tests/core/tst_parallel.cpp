@@ -176,6 +176,21 @@ private slots:
         QCOMPARE(begun, 6);
     }
 
+    void failureOfTheReportIsThrownHere_data() { addThreads(); }
+
+    /** It is called on the threads of the pool, where nothing would catch it. */
+    void failureOfTheReportIsThrownHere()
+    {
+        QFETCH(int, threads);
+        const auto onProgress = [](std::size_t done) {
+            if (done == 3)
+                throw JobFailure(done);
+        };
+        QVERIFY_EXCEPTION_THROWN((void)forEachIndex(500, [](std::size_t) {},
+                                                    {.threads = threads, .onProgress = onProgress}),
+                                 JobFailure);
+    }
+
     void stopBeforeTheStart_data() { addThreads(); }
 
     void stopBeforeTheStart()

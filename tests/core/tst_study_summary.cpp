@@ -91,6 +91,23 @@ private slots:
         QCOMPARE(itself.lowerShare, 0.0); // equal is not lower
     }
 
+    /** A share of nothing is no number: such a case counts in the absolute figures only. */
+    void aReferenceOfZero()
+    {
+        Study study = threeCases();
+        setZeta(study, 0, {110, 0, 90, 120});
+        StudySummary summary = summarise(study, 1);
+        COMPARE_NEAR(summary.differences[3].relative.mean, 0, 1e-15); // -0.25 and 0.25
+        COMPARE_NEAR(summary.differences[3].worst, 0.25, 1e-15);
+        COMPARE_NEAR(summary.differences[3].zeta_m2s.mean, (120 - 50 + 100) / 3.0, 1e-13);
+        for (std::size_t c = 0; c < 3; ++c)
+            setZeta(study, c, {1, 0, 0, 1});
+        summary = summarise(study, 1);
+        QCOMPARE(summary.differences[3].relative.mean, 0.0);
+        QCOMPARE(summary.differences[3].worst, 0.0);
+        COMPARE_NEAR(summary.differences[3].zeta_m2s.mean, 1, 1e-15);
+    }
+
     void anyReference()
     {
         const StudySummary summary = summarise(threeCases(), 3);
