@@ -82,6 +82,27 @@ private slots:
         QCOMPARE(plan.model()->rowCount(), 0);
     }
 
+    void undoUnderAPressedCornerEndsIt()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const Scenario start = w.scenario();
+        w.trigger(u"areaTool"_s);
+        const std::vector<Point> corners_m{{500, 500}, {4500, 500}, {4500, 3500}, {500, 3500}};
+        for (const Point& corner_m : corners_m)
+            w.click(w.pixelOf(corner_m));
+        QTest::keyClick(&w.map(), Qt::Key_Return);
+        QCOMPARE(w.scenario().area_m.size(), 4U);
+        const QPoint last = w.pixelOf(w.scenario().area_m.back());
+        QTest::mousePress(&w.map(), Qt::LeftButton, {}, last);
+        QTest::keyClick(&w.window(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(w.scenario() == start);
+        for (int i = 1; i <= 4; ++i)
+            QTest::mouseMove(&w.map(), last + QPoint(10 * i, 5 * i));
+        QTest::mouseRelease(&w.map(), Qt::LeftButton, {}, last + QPoint(40, 20));
+        QVERIFY(w.scenario() == start);
+        QVERIFY(!w.action(u"undoAction"_s).isEnabled());
+    }
+
     void dragOfTauIsOneStep()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

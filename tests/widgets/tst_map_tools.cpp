@@ -272,6 +272,55 @@ private slots:
         QCOMPARE(map.undoCount(), 0);
     }
 
+    void foreignChangeEndsWhatIsPressed_data()
+    {
+        QTest::addColumn<MapToolKind>("tool");
+        QTest::addColumn<Point>("pressed_m");
+        const Point iceberg_m(1500, 1000);
+        const Point corner_m(500, 500);
+        const Point edge_m(2500, 500);
+        QTest::newRow("select an iceberg") << MapToolKind::Select << iceberg_m;
+        QTest::newRow("select a corner") << MapToolKind::Select << corner_m;
+        QTest::newRow("select water") << MapToolKind::Select << kWater_m;
+        QTest::newRow("drift of an iceberg") << MapToolKind::Iceberg << iceberg_m;
+        QTest::newRow("new iceberg") << MapToolKind::Iceberg << kWater_m;
+        QTest::newRow("UAV") << MapToolKind::Uav << kWater_m;
+        QTest::newRow("asset") << MapToolKind::Asset << kWater_m;
+        QTest::newRow("corner") << MapToolKind::Area << corner_m;
+        QTest::newRow("edge") << MapToolKind::Area << edge_m;
+        QTest::newRow("measure") << MapToolKind::Measure << kWater_m;
+        QTest::newRow("pan") << MapToolKind::Pan << kWater_m;
+    }
+
+    /** Whatever is pressed may be gone. */
+    void foreignChangeEndsWhatIsPressed()
+    {
+        QFETCH(MapToolKind, tool);
+        QFETCH(Point, pressed_m);
+        test::MapFixture map;
+        map.document.edit(u"Area"_s, [](Scenario& s) {
+            s.area_m = {{500, 500}, {4500, 500}, {4500, 3500}, {500, 3500}};
+        });
+        map.selection.set({kAreaKey});
+        map.view.setTool(tool);
+        const QPoint from = map.pixelOf(pressed_m);
+        map.press(from);
+        map.document.edit(u"Empty sea"_s, [](Scenario& s) {
+            s.icebergs.clear();
+            s.area_m.clear();
+            s.asset.reset();
+        });
+        const Scenario emptied = map.scenario();
+        const MapViewTransform view = map.view.view();
+        const Ids selected = map.selection.ids();
+        map.move(from + QPoint(30, 20));
+        map.move(from + QPoint(60, 40));
+        map.release(from + QPoint(60, 40));
+        QVERIFY(map.scenario() == emptied);
+        QCOMPARE(map.view.toScreen(kWater_m), view.toPixel(kWater_m));
+        QCOMPARE(map.selection.ids(), selected);
+    }
+
     void rubberBandSelectsWhatIsInside()
     {
         test::MapFixture map;

@@ -61,7 +61,7 @@ void AreaTool::release(const MapPointer& pointer)
     } else if (pointer.isInside && !context().scene.isOverlay(pointer.at_px)) {
         click(pointer);
     }
-    end();
+    drop();
 }
 
 void AreaTool::click(const MapPointer& pointer)
@@ -151,6 +151,7 @@ bool AreaTool::dropDrawing()
     const bool wasDrawing = isDrawing();
     m_fault = Fault::None;
     m_corners_m.clear();
+    m_corner.reset();
     return wasDrawing;
 }
 
@@ -171,27 +172,16 @@ void AreaTool::cancel()
 {
     if (m_drag)
         m_drag->end(false);
-    end();
+    drop();
 }
 
-void AreaTool::documentChanged()
+void AreaTool::checkPart()
 {
-    if (m_drag && !m_drag->isApplying())
-        end();
     if (m_corner && *m_corner >= context().document.scenario().area_m.size())
         m_corner.reset();
-    if (!m_drag && !m_isPressed)
-        m_handle.reset(); // it may be gone
 }
 
-void AreaTool::documentReplaced()
-{
-    end();
-    m_corners_m.clear();
-    m_corner.reset();
-}
-
-void AreaTool::end()
+void AreaTool::drop()
 {
     m_isPressed = false;
     m_handle.reset();

@@ -21,8 +21,6 @@ public:
     bool hover(const MapPointer& pointer) override;
     [[nodiscard]] bool isBusy() const override { return m_isPressed; }
     void cancel() override;
-    void documentChanged() override;
-    void documentReplaced() override;
     [[nodiscard]] bool isDrawing() const override { return !m_corners_m.empty(); }
     void finishDrawing() override;
     void takeLastBack() override;
@@ -31,6 +29,11 @@ public:
     void paint(QPainter& painter) const override;
     [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
+
+protected:
+    [[nodiscard]] bool isApplying() const override { return m_drag && m_drag->isApplying(); }
+    void drop() override;
+    void checkPart() override;
 
 private:
     /** Why the last corner or the closing edge was not taken. */
@@ -44,7 +47,6 @@ private:
 
     void click(const MapPointer& pointer);
     void addCorner(const MapPointer& pointer);
-    void end();
     [[nodiscard]] bool closesAt(const QPointF& at_px) const;
     [[nodiscard]] QString faultText() const;
     void paintDrawing(QPainter& painter) const;

@@ -40,8 +40,7 @@ public:
     }
     void release(const MapPointer&) override { m_last.reset(); }
     [[nodiscard]] bool isBusy() const override { return m_last.has_value(); }
-    void cancel() override { m_last.reset(); }
-    void documentChanged() override {}
+    void cancel() override { drop(); }
     [[nodiscard]] QCursor cursor(const std::string&) const override
     {
         return m_last ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
@@ -50,6 +49,9 @@ public:
     {
         return MapTools::tr("Drag moves the map, the wheel zooms. Esc leaves the tool.");
     }
+
+protected:
+    void drop() override { m_last.reset(); }
 
 private:
     std::optional<QPointF> m_last;
@@ -88,10 +90,25 @@ bool MapTool::key(const QKeyEvent&)
     return false;
 }
 
+void MapTool::documentChanged()
+{
+    if (!isApplying())
+        drop();
+    checkPart();
+}
+
 void MapTool::documentReplaced()
 {
-    documentChanged();
+    drop();
+    dropDrawing();
 }
+
+bool MapTool::isApplying() const
+{
+    return false;
+}
+
+void MapTool::checkPart() {}
 
 bool MapTool::isDrawing() const
 {

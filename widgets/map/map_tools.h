@@ -82,10 +82,13 @@ public:
     [[nodiscard]] virtual bool isBusy() const = 0;
     /** Takes back what is under way between press and release. */
     virtual void cancel() = 0;
-    /** The scenario has changed: when not by this tool, what is under way is dropped as it is. */
-    virtual void documentChanged() = 0;
+    /**
+     * The scenario has changed. What is pressed belongs to the one before: when the change is not
+     * the tool's own, it ends as far as it got.
+     */
+    void documentChanged();
     /** Another scenario altogether: nothing is kept. */
-    virtual void documentReplaced();
+    void documentReplaced();
 
     // Tools that draw point by point have something half drawn between presses.
 
@@ -113,6 +116,12 @@ protected:
     {
         return makeGesture(m_context, text);
     }
+    /** The change that is being told is an edit of this tool's gesture. */
+    [[nodiscard]] virtual bool isApplying() const;
+    /** Ends what is pressed without an edit. */
+    virtual void drop() = 0;
+    /** The part that is current may be gone. */
+    virtual void checkPart();
 
 private:
     MapToolContext m_context;

@@ -132,12 +132,6 @@ bool MeasureTool::dropDrawing()
     return isThere;
 }
 
-void MeasureTool::documentReplaced()
-{
-    dropDrawing();
-    m_isPressed = false;
-}
-
 /** The points set, and while the line is open the one under the cursor. */
 std::vector<Point> MeasureTool::line() const
 {

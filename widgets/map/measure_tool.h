@@ -31,9 +31,7 @@ public:
     void release(const MapPointer& pointer) override;
     bool hover(const MapPointer& pointer) override;
     [[nodiscard]] bool isBusy() const override { return m_isPressed; }
-    void cancel() override { m_isPressed = false; }
-    void documentChanged() override {}
-    void documentReplaced() override;
+    void cancel() override { drop(); }
     [[nodiscard]] bool isDrawing() const override { return m_isOpen; }
     void finishDrawing() override;
     void takeLastBack() override;
@@ -41,6 +39,9 @@ public:
     void paint(QPainter& painter) const override;
     [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
+
+protected:
+    void drop() override { m_isPressed = false; }
 
 private:
     [[nodiscard]] std::vector<Point> line() const;

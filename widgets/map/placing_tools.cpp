@@ -135,13 +135,13 @@ void IcebergTool::release(const MapPointer& pointer)
     if (m_gesture)
         m_gesture->finish();
     context().selection.set({m_iceberg.id});
-    end();
+    drop();
 }
 
 void IcebergTool::addInFlight()
 {
     const Iceberg placed = m_iceberg;
-    end();
+    drop();
     emit context().view.icebergPlaced(placed);
 }
 
@@ -149,16 +149,10 @@ void IcebergTool::cancel()
 {
     if (m_gesture)
         m_gesture->cancel();
-    end();
+    drop();
 }
 
-void IcebergTool::documentChanged()
-{
-    if (m_isPressed && (!m_gesture || !m_gesture->isApplying()))
-        end();
-}
-
-void IcebergTool::end()
+void IcebergTool::drop()
 {
     m_isPressed = false;
     m_arrow.reset();
@@ -269,12 +263,10 @@ void UavTool::release(const MapPointer& pointer)
         context().selection.set({m_uav.id});
 }
 
-void UavTool::documentChanged()
+void UavTool::drop()
 {
-    if (m_gesture && !m_gesture->isApplying()) {
-        m_isTurning = false;
-        m_gesture.reset();
-    }
+    m_isTurning = false;
+    m_gesture.reset();
 }
 
 void UavTool::end(bool takeBack)
@@ -283,8 +275,7 @@ void UavTool::end(bool takeBack)
         m_gesture->cancel();
     else if (m_gesture)
         m_gesture->finish();
-    m_isTurning = false;
-    m_gesture.reset();
+    drop();
 }
 
 void UavTool::paint(QPainter& painter) const
@@ -356,19 +347,13 @@ void AssetTool::release(const MapPointer& pointer)
         context().selection.set({kAssetKey});
 }
 
-void AssetTool::documentChanged()
-{
-    if (m_gesture && !m_gesture->isApplying())
-        m_gesture.reset();
-}
-
 void AssetTool::end(bool takeBack)
 {
     if (m_gesture && takeBack)
         m_gesture->cancel();
     else if (m_gesture)
         m_gesture->finish();
-    m_gesture.reset();
+    drop();
 }
 
 void AssetTool::paint(QPainter& painter) const

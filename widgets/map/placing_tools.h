@@ -30,10 +30,13 @@ public:
     void release(const MapPointer& pointer) override;
     [[nodiscard]] bool isBusy() const override { return m_isPressed; }
     void cancel() override;
-    void documentChanged() override;
     void paint(QPainter& painter) const override;
     [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
+
+protected:
+    [[nodiscard]] bool isApplying() const override { return m_gesture && m_gesture->isApplying(); }
+    void drop() override;
 
 private:
     /** Adds the iceberg unless it is there already, and sets its drift when one is drawn. */
@@ -41,7 +44,6 @@ private:
     void beginDrift();
     void pressInFlight(const MapPointer& pointer, const std::string& object);
     void addInFlight();
-    void end();
 
     bool m_isPressed = false;
     Iceberg m_iceberg; ///< as it was pressed on, or as it is to be added
@@ -65,10 +67,13 @@ public:
     void release(const MapPointer& pointer) override;
     [[nodiscard]] bool isBusy() const override { return m_gesture != nullptr; }
     void cancel() override { end(true); }
-    void documentChanged() override;
     void paint(QPainter& painter) const override;
     [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
+
+protected:
+    [[nodiscard]] bool isApplying() const override { return m_gesture && m_gesture->isApplying(); }
+    void drop() override;
 
 private:
     [[nodiscard]] const Uav* meantUav() const;
@@ -96,10 +101,13 @@ public:
     void release(const MapPointer& pointer) override;
     [[nodiscard]] bool isBusy() const override { return m_gesture != nullptr; }
     void cancel() override { end(true); }
-    void documentChanged() override;
     void paint(QPainter& painter) const override;
     [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
+
+protected:
+    [[nodiscard]] bool isApplying() const override { return m_gesture && m_gesture->isApplying(); }
+    void drop() override { m_gesture.reset(); }
 
 private:
     void end(bool takeBack);

@@ -160,7 +160,7 @@ void SelectTool::release(const MapPointer& pointer)
     case Phase::Refused:
         break;
     }
-    end();
+    drop();
 }
 
 void SelectTool::clickObject(bool adds)
@@ -231,21 +231,21 @@ void SelectTool::cancel()
         m_drag->end(false);
     else if (m_phase == Phase::Banding)
         context().selection.set(m_before);
-    end();
+    drop();
 }
 
-void SelectTool::documentChanged()
+bool SelectTool::isApplying() const
 {
-    if ((m_phase == Phase::Moving && !m_gesture->isApplying()) ||
-        (m_phase == Phase::Dragging && !m_drag->isApplying()) || m_phase == Phase::Handle)
-        end();
-    if (m_phase == Phase::Idle)
-        m_handle.reset(); // it may be gone
+    return (m_gesture && m_gesture->isApplying()) || (m_drag && m_drag->isApplying());
+}
+
+void SelectTool::checkPart()
+{
     if (m_corner && *m_corner >= context().document.scenario().area_m.size())
         m_corner.reset();
 }
 
-void SelectTool::end()
+void SelectTool::drop()
 {
     context().view.setDraft(nullptr);
     m_phase = Phase::Idle;

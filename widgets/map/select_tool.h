@@ -22,11 +22,15 @@ public:
     bool key(const QKeyEvent& event) override;
     [[nodiscard]] bool isBusy() const override { return m_phase != Phase::Idle; }
     void cancel() override;
-    void documentChanged() override;
     bool removePart() override;
     void paint(QPainter& painter) const override;
     [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
+
+protected:
+    [[nodiscard]] bool isApplying() const override;
+    void drop() override;
+    void checkPart() override;
 
 private:
     enum class Phase
@@ -49,7 +53,6 @@ private:
     [[nodiscard]] std::vector<MapHandle> handles() const;
     void moveSelection(const MapPointer& pointer);
     void stretchBand(const MapPointer& pointer);
-    void end();
 
     Phase m_phase = Phase::Idle;
     MapPointer m_press;
