@@ -110,12 +110,14 @@ void MainWindow::buildEditMenu()
     menu.addActions({undo, redo});
     // While something is drawn on the map, what is undone is its last point.
     disconnect(undo, &QAction::triggered, history, nullptr);
-    connect(undo, &QAction::triggered, this, [this, history] {
+    connect(undo, &QAction::triggered, this, [this] {
         if (m_map->isDrawing())
             m_map->takeLastBack();
         else
-            history->undo();
+            m_workspace.document().undo();
     });
+    disconnect(redo, &QAction::triggered, history, nullptr);
+    connect(redo, &QAction::triggered, &m_workspace.document(), &ScenarioDocument::redo);
     connect(history, &QUndoStack::indexChanged, this, &MainWindow::updateActions,
             Qt::QueuedConnection);
     menu.addSeparator();

@@ -176,6 +176,10 @@ void MainWindow::connectPanels()
     connect(&m_system, &SystemAppearance::changed, this, &MainWindow::followSystem);
     connect(&m_workspace, &Workspace::flightChanged, this, &MainWindow::showFlight);
     connect(&m_workspace, &Workspace::inFlightChanged, this, &MainWindow::setInFlight);
+    connect(&m_workspace, &Workspace::takeOffAhead, this, [this] {
+        m_map->cancelGesture();
+        finishTyping();
+    });
     connect(&m_workspace, &Workspace::refused, this, [this](const QString& text) {
         statusBar()->showMessage(text, kRefusal_ms);
         showPlanner(); // what was refused is not in force

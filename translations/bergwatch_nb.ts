@@ -7626,5 +7626,13 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <source>Hand over iceberg</source>
         <translation>Overlat isfjell</translation>
     </message>
+    <message>
+        <source>The scenario is locked in flight. Stop the flight to change it.</source>
+        <translation>Scenariet er låst under flyging. Stopp flygingen for å endre det.</translation>
+    </message>
+    <message>
+        <source>The scenario was changed before take-off: nothing was flown.</source>
+        <translation>Scenariet ble endret før avgang: ingenting ble fløyet.</translation>
+    </message>
 </context>
 </TS>

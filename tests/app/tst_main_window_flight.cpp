@@ -1,6 +1,7 @@
 #include "core/io/run_json.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/presets.h"
+#include "tests/support/map_fixture.h"
 #include "tests/support/scenario_builder.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/charts/time_chart.h"
@@ -12,6 +13,7 @@
 #include <QJsonObject>
 #include <QLabel>
 #include <QProcess>
+#include <QPushButton>
 #include <QSlider>
 #include <QTableView>
 #include <QToolButton>
@@ -199,6 +201,67 @@ private slots:
     }
 
     /** Space at the end flies the whole mission again. */
+    void spaceInADragTakesItBackAndFlies()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const Scenario start = w.scenario();
+        const QPoint from = w.pixelOf("berg-1");
+        QTest::mousePress(&w.map(), Qt::LeftButton, {}, from);
+        for (int i = 1; i <= 4; ++i)
+            QTest::mouseMove(&w.map(), from + QPoint(10 * i, 5 * i));
+        QVERIFY(!(w.scenario() == start));
+        QVERIFY(w.untilReady());
+        QTest::keyClick(&w.map(), Qt::Key_Space);
+        QVERIFY(w.until(RunPhase::Flying));
+        QVERIFY(w.scenario() == start);
+        QVERIFY(w.document().isLocked());
+        QTest::mouseMove(&w.map(), from + QPoint(60, 60));
+        QTest::mouseRelease(&w.map(), Qt::LeftButton, {}, from + QPoint(60, 60));
+        QVERIFY(w.scenario() == start);
+        QVERIFY(w.workspace.inFlight());
+
+        QTest::mouseClick(&test::child<QPushButton>(w.window(), u"stopAndEditButton"_s),
+                          Qt::LeftButton);
+        QVERIFY(!w.workspace.inFlight());
+        QVERIFY(!w.document().isLocked());
+        w.drag(w.pixelOf("berg-1"), w.pixelOf("berg-1") + QPoint(40, 20));
+        QVERIFY(!(w.scenario() == start));
+    }
+
+    void nothingIsEditedInFlight()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(w.document().edit(u"Rename"_s, [](Scenario& s) { s.name = "edited"; }));
+        QVERIFY(w.untilReady());
+        const Scenario flown = w.scenario();
+        w.workspace.fly(1);
+        QVERIFY(w.until(RunPhase::Flying));
+        QSignalSpy refused(&w.workspace, &Workspace::refused);
+        QVERIFY(!w.document().edit(u"Rename"_s, [](Scenario& s) { s.name = "again"; }));
+        w.document().undo();
+        QCOMPARE(refused.count(), 2);
+        QVERIFY(w.scenario() == flown);
+        QVERIFY(w.workspace.inFlight());
+        w.workspace.reset();
+        w.document().undo();
+        QVERIFY(!(w.scenario() == flown));
+    }
+
+    /** The command to fly is of the scenario it was given for. */
+    void anotherScenarioIsNotFlown()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        Scenario other = test::MapFixture::fourIcebergs();
+        for (int round = 0; round < 20; ++round) {
+            w.document().edit(u"Seed"_s, [](Scenario& s) { ++s.seed; });
+            w.workspace.fly(1);
+            other.seed = 1000 + round;
+            w.document().reset(other);
+            QVERIFY(w.untilReady());
+            QVERIFY(!w.workspace.inFlight());
+        }
+    }
+
     void fliesAgainFromTheEnd()
     {
         WindowFixture w(randomScenario(26, {.icebergs = 5}));

@@ -85,6 +85,8 @@ public:
     [[nodiscard]] bool isDrawing() const;
 
 public slots:
+    /** Takes back what is under way between press and release. */
+    void cancelGesture();
     /** What is selected, but the last UAV; or the part that a tool has current. */
     void deleteSelected();
     void selectAll();

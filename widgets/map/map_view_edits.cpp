@@ -51,6 +51,12 @@ QString MapView::removalText(const std::vector<std::string>& ids) const
     return icebergs == 1 ? tr("Delete iceberg") : tr("Delete %n icebergs", nullptr, icebergs);
 }
 
+void MapView::cancelGesture()
+{
+    m_tool->cancel();
+    toolActed();
+}
+
 void MapView::deleteSelected()
 {
     m_tool->cancel();

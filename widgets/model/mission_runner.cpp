@@ -64,6 +64,16 @@ void MissionRunner::post(Command command)
         m_worker, [worker = m_worker, command] { command(*worker); }, Qt::QueuedConnection);
 }
 
+/** As `post`, unless the worker has gone on to another scenario by then, which was not meant. */
+template <class Command>
+void MissionRunner::postToFlight(Command command)
+{
+    post([command, generation = m_generation](MissionWorker& worker) {
+        if (worker.generation() == generation)
+            command(worker);
+    });
+}
+
 void MissionRunner::setScenario(const Scenario& scenario, const MissionOptions& options)
 {
     m_scenario = scenario;
@@ -99,22 +109,22 @@ void MissionRunner::begin(std::shared_ptr<const RunFile> run)
 
 void MissionRunner::fly(double rate)
 {
-    post([rate](MissionWorker& worker) { worker.fly(rate); });
+    postToFlight([rate](MissionWorker& worker) { worker.fly(rate); });
 }
 
 void MissionRunner::pause()
 {
-    post([](MissionWorker& worker) { worker.pause(); });
+    postToFlight([](MissionWorker& worker) { worker.pause(); });
 }
 
 void MissionRunner::stepBy(double seconds)
 {
-    post([seconds](MissionWorker& worker) { worker.stepBy(seconds); });
+    postToFlight([seconds](MissionWorker& worker) { worker.stepBy(seconds); });
 }
 
 void MissionRunner::flyOnFrom(double time_s)
 {
-    post([time_s](MissionWorker& worker) { worker.flyOnFrom(time_s); });
+    postToFlight([time_s](MissionWorker& worker) { worker.flyOnFrom(time_s); });
 }
 
 void MissionRunner::requestInstant(double time_s)

@@ -97,6 +97,8 @@ private:
     ofNow(std::optional<MissionSnapshot> snapshot) const;
     template <class Command>
     void post(Command command);
+    template <class Command>
+    void postToFlight(Command command);
 
     Mailbox<MissionSnapshot> m_snapshots;
     Mailbox<MissionSnapshot> m_instants;

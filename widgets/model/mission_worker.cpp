@@ -56,6 +56,7 @@ void MissionWorker::start()
     if (!request)
         return; // an earlier call has taken a newer one
     m_timer.stop();
+    (void)m_mail.interventions.take(); // those were meant for the flight that ends here
     m_request = std::move(*request);
     m_mission.reset();
     m_startPlan.reset();

@@ -29,6 +29,8 @@ public:
 
     /** Takes the newest request, if one waits, and plans it. */
     void start();
+    /** Of the request taken last. */
+    [[nodiscard]] std::uint64_t generation() const { return m_request.generation; }
     void fly(double rate);
     void pause();
     void stepBy(double seconds);

@@ -97,7 +97,7 @@ bool ScenarioDocument::edit(const QString& text, const std::function<void(Scenar
 {
     Scenario after = m_scenario;
     change(after);
-    if (after == m_scenario)
+    if (after == m_scenario || refuses())
         return false;
     const QString key =
         gesture.isEmpty() ? QString() : gesture + u'#' + QString::number(m_gestureNumber);
@@ -108,6 +108,25 @@ bool ScenarioDocument::edit(const QString& text, const std::function<void(Scenar
 void ScenarioDocument::endGesture()
 {
     ++m_gestureNumber;
+}
+
+void ScenarioDocument::undo()
+{
+    if (!refuses())
+        m_undoStack->undo();
+}
+
+void ScenarioDocument::redo()
+{
+    if (!refuses())
+        m_undoStack->redo();
+}
+
+bool ScenarioDocument::refuses()
+{
+    if (m_isLocked)
+        emit refused();
+    return m_isLocked;
 }
 
 void ScenarioDocument::setScenario(const Scenario& scenario)
@@ -121,6 +140,7 @@ void ScenarioDocument::setScenario(const Scenario& scenario)
 
 void ScenarioDocument::begin(const Scenario& scenario, const QString& filePath, bool clean)
 {
+    m_isLocked = false;
     m_undoStack->clear();
     m_filePath = filePath;
     m_scenario = scenario;

@@ -49,11 +49,18 @@ public:
     /**
      * Applies `change` to a copy and makes it the scenario, undoable under `text`. Edits with the
      * same `gesture` (not empty), one directly after the other, are one step; `endGesture` closes
-     * it. A change that changes nothing leaves the history alone. Returns whether it changed.
+     * it. A change that changes nothing leaves the history alone. Returns whether it changed; while
+     * the document is locked nothing does, and `refused` tells.
      */
     bool edit(const QString& text, const std::function<void(Scenario&)>& change,
               const QString& gesture = {});
     void endGesture();
+    void undo();
+    void redo();
+
+    /** In flight nothing is edited; another scenario altogether can still take its place. */
+    void setLocked(bool locked) { m_isLocked = locked; }
+    [[nodiscard]] bool isLocked() const { return m_isLocked; }
 
     /** Replaces everything and forgets the history: a new, unsaved scenario. */
     void reset(const Scenario& scenario);
@@ -72,16 +79,20 @@ signals:
     void replaced();
     void filePathChanged(const QString& path);
     void cleanChanged(bool clean);
+    /** A change was asked for while the document is locked. */
+    void refused();
 
 private:
     friend class EditScenario;
     void begin(const Scenario& scenario, const QString& filePath, bool clean);
     void setScenario(const Scenario& scenario);
+    [[nodiscard]] bool refuses();
 
     Scenario m_scenario;
     std::vector<Issue> m_issues;
     QUndoStack* m_undoStack;
     QString m_filePath;
+    bool m_isLocked = false;
     int m_gestureNumber = 0; ///< distinguishes equal gestures that follow each other
 };
 

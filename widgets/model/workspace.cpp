@@ -25,6 +25,9 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
 {
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &Workspace::planAgain);
     connect(&m_document, &ScenarioDocument::replaced, &m_selection, &Selection::clear);
+    connect(&m_document, &ScenarioDocument::refused, this, [this] {
+        emit refused(tr("The scenario is locked in flight. Stop the flight to change it."));
+    });
     connect(&m_runner, &MissionRunner::updated, this, &Workspace::takeSnapshot);
     connect(&m_runner, &MissionRunner::commandRefused, this, &Workspace::refused);
     connect(&m_runner, &MissionRunner::instantUpdated, this, &Workspace::takeInstant);
@@ -94,9 +97,11 @@ void Workspace::planAgain()
     m_bound.setScenario(m_document.scenario());
     if (wasInFlight) { // another scenario was opened over the flight
         m_record.begin(m_document.scenario());
-        emit inFlightChanged(false);
+        tellInFlight();
         emit flightChanged();
     }
+    if (std::exchange(m_isTakeOffAsked, false))
+        emit refused(tr("The scenario was changed before take-off: nothing was flown."));
 }
 
 void Workspace::takeSnapshot()
@@ -107,12 +112,29 @@ void Workspace::takeSnapshot()
     const bool wasInFlight = inFlight();
     const bool wasFinished = m_record.now.phase == RunPhase::Finished;
     m_record.take(std::move(*snapshot));
+    m_isTakeOffAsked = m_isTakeOffAsked && !inFlight() && m_record.now.phase != RunPhase::Failed;
     updateCurve();
     if (m_record.now.phase == RunPhase::Finished && !wasFinished)
         m_runs.add(m_record);
     if (inFlight() != wasInFlight)
-        emit inFlightChanged(inFlight());
+        tellInFlight();
     emit flightChanged();
+}
+
+/** What is half done ends first: it would be an edit of a scenario that is locked. */
+void Workspace::prepareTakeOff()
+{
+    if (inFlight())
+        return;
+    m_isTakeOffAsked = false;
+    emit takeOffAhead();
+    m_isTakeOffAsked = m_record.now.phase != RunPhase::Failed;
+}
+
+void Workspace::tellInFlight()
+{
+    m_document.setLocked(inFlight());
+    emit inFlightChanged(inFlight());
 }
 
 void Workspace::updateCurve()
@@ -263,6 +285,7 @@ void Workspace::flyScenario(const Scenario& scenario, const QString& text)
 {
     if (inFlight())
         reset();
+    emit takeOffAhead();
     if (isVariant(scenario))
         m_document.edit(text, [&scenario](Scenario& present) { present = scenario; });
     else
@@ -280,6 +303,7 @@ void Workspace::fly(double rate)
         return;
     }
     lookAtNewest();
+    prepareTakeOff();
     flyTau(); // what was wanted before comes before
     m_runner.fly(rate);
 }
@@ -358,6 +382,7 @@ void Workspace::step()
         lookAt(*m_lookedAt_s + 1);
         return;
     }
+    prepareTakeOff();
     flyTau();
     m_runner.stepBy(1);
 }
@@ -374,6 +399,7 @@ void Workspace::stepTicks(int ticks)
         lookAt(m_lookedAt_s.value_or(m_record.now.time_s) + ticks * dt_s);
         return;
     }
+    prepareTakeOff();
     flyTau();
     m_runner.stepBy(ticks * dt_s);
 }
@@ -424,6 +450,7 @@ void Workspace::reset()
     if (wasInFlight)
         m_runs.add(m_record);
     m_tauWanted.reset();
+    m_isTakeOffAsked = false;
     m_placed.clear();
     m_playBack.stop();
     m_lookedAt_s.reset();
@@ -432,7 +459,7 @@ void Workspace::reset()
     m_curvePlan.reset();
     m_curve.setScenario(m_document.scenario());
     if (wasInFlight)
-        emit inFlightChanged(false);
+        tellInFlight();
     emit flightChanged();
 }
 

@@ -118,12 +118,16 @@ public:
 signals:
     /** `record()` is new. */
     void flightChanged();
+    /** A flight is about to be asked for: what is half done to the scenario ends now. */
+    void takeOffAhead();
     /** Take-off or reset: what may be edited has changed. */
     void inFlightChanged(bool inFlight);
     void refused(const QString& message);
 
 private:
     void planAgain();
+    void prepareTakeOff();
+    void tellInFlight();
     void takeSnapshot();
     void flyTau();
     void updateCurve();
@@ -146,6 +150,7 @@ private:
     QTimer m_playBack;                  ///< runs while what was flown is played
     QElapsedTimer m_playClock;
     double m_rate = 1;
+    bool m_isTakeOffAsked = false; ///< and the answer of the mission has not come
     /** In flight, the plan the curve is of: rewrites of the history, number of the plan. */
     std::optional<std::pair<std::uint64_t, std::size_t>> m_curvePlan;
     CurveRunner m_curve;
