@@ -1,7 +1,7 @@
 #include "app/file_names.h"
 #include "app/main_window.h"
 #include "core/io/atomic_file.h"
-#include "core/io/export_writing.h"
+#include "core/io/file_set.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "widgets/map/map_view.h"
@@ -253,7 +253,7 @@ void MainWindow::writeExport(const std::vector<ExportFile>& files)
     if (answer != Interaction::Overwrite::Overwrite)
         return;
     try {
-        berg::writeExport(files);
+        writeFileSet(files);
         statusBar()->showMessage(
             files.size() == 1 ? tr("Exported %1").arg(pathOf(files.front()))
                               : tr("Exported %n files", nullptr, static_cast<int>(files.size())),

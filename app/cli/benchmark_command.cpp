@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "core/io/atomic_file.h"
+#include "app/cli/output_gate.h"
 #include "core/io/result_json.h"
 
 #include <CLI/CLI.hpp>
@@ -17,6 +17,7 @@ struct BenchmarkArguments
     std::string backends;
     double seconds = 60;
     std::string outputFile;
+    bool force = false;
     bool json = false;
 };
 
@@ -92,6 +93,10 @@ int benchmark(const BenchmarkArguments& arguments, const std::stop_token& stop)
                              .solvers = benchmarkSolversOf(arguments.backends),
                              .repeat = arguments.repeat,
                              .budget_s = arguments.seconds};
+    checkFiles({.inputs = {},
+                .outputs = {{.option = "--output", .path = arguments.outputFile}},
+                .force = arguments.force,
+                .json = arguments.json});
     std::vector<BenchmarkRow> rows;
     {
         ProgressBar bar("solving", !arguments.json);
@@ -100,9 +105,10 @@ int benchmark(const BenchmarkArguments& arguments, const std::stop_token& stop)
         });
     }
     // Ctrl-C keeps what has been measured.
+    std::vector<NewFile> files;
     if (!arguments.outputFile.empty())
-        writeFileAtomically(arguments.outputFile, benchmarkCsv(rows));
-    print(arguments.json ? benchmarkJson(rows) : benchmarkTable(rows));
+        files.push_back({.path = arguments.outputFile, .content = benchmarkCsv(rows)});
+    deliver(files, arguments.json ? benchmarkJson(rows) : benchmarkTable(rows));
     if (!stop.stop_requested())
         return kDone;
     std::fputs("interrupted: the table ends early\n", stderr);
@@ -127,7 +133,8 @@ void addBenchmarkCommand(CLI::App& app, Action& action)
                             allowedNames(kBenchmarkSolverNames));
     command->add_option("--seconds", a.seconds, "Budget for everything")
         ->check(CLI::Range(0.001, 1e7));
-    command->add_option("--output", a.outputFile, "CSV file for the table");
+    addOutputFile(*command, "--output", a.outputFile, "CSV file for the table");
+    addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
     command->callback([arguments, &action] {
         action = [arguments](const std::stop_token& stop) { return benchmark(*arguments, stop); };

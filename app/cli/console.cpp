@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <mutex>
 #include <pthread.h>
 #include <sstream>
 #include <thread>
@@ -31,13 +32,46 @@ std::string clock(double seconds)
     return text;
 }
 
+/** What main and the thread that waits for signals share. */
+struct Interrupts
+{
+    std::mutex mutex;
+    std::stop_source source;
+    int readers = 0; ///< `EndsAtOnce` that live
+};
+
+Interrupts& interrupts()
+{
+    static Interrupts shared;
+    return shared;
+}
+
+[[noreturn]] void endAtOnce()
+{
+    ::dprintf(STDERR_FILENO, "%s\n", kNothingWritten);
+    _exit(kInterrupted);
+}
+
 } // namespace
+
+EndsAtOnce::EndsAtOnce()
+{
+    const std::lock_guard lock(interrupts().mutex);
+    ++interrupts().readers;
+    if (interrupts().source.stop_requested())
+        endAtOnce();
+}
+
+EndsAtOnce::~EndsAtOnce()
+{
+    const std::lock_guard lock(interrupts().mutex);
+    --interrupts().readers;
+}
 
 std::stop_token interruptToken()
 {
     // Signals are taken by one waiting thread: a stop request runs callbacks that a signal handler
     // must not. All later threads inherit the mask.
-    static std::stop_source source;
     sigset_t set;
     sigemptyset(&set);
     sigaddset(&set, SIGINT);
@@ -46,12 +80,18 @@ std::stop_token interruptToken()
     std::thread([set] {
         int signal = 0;
         sigwait(&set, &signal);
-        source.request_stop();
+        {
+            const std::lock_guard lock(interrupts().mutex);
+            if (interrupts().readers > 0)
+                endAtOnce();
+            interrupts().source.request_stop();
+        }
         sigwait(&set, &signal);
         _exit(kInterrupted);
     }).detach();
     std::signal(SIGPIPE, SIG_IGN);
-    return source.get_token();
+    std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is told as any other failure
+    return interrupts().source.get_token();
 }
 
 void print(const std::string& text)

@@ -4,6 +4,7 @@
 
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace berg::cli {
@@ -18,6 +19,9 @@ enum ExitCode : int
     kLimitWithoutPlan = 4,
     kInterrupted = 130
 };
+
+/** What is said when `Interrupted` ends a command. */
+inline constexpr const char* kNothingWritten = "interrupted, nothing written";
 
 /** Thrown where Ctrl-C ended a command; main turns it into `kInterrupted`. */
 struct Interrupted
@@ -35,6 +39,27 @@ struct UsageError
  * called first in main, before any thread starts. The token is requested at the first signal.
  */
 [[nodiscard]] std::stop_token interruptToken();
+
+/**
+ * While one lives, Ctrl-C and termination end the program at once, as nothing is written and
+ * nothing can be lost: for reading, which asks for no stop. In the thread of main only.
+ */
+class EndsAtOnce
+{
+public:
+    EndsAtOnce();
+    EndsAtOnce(const EndsAtOnce&) = delete;
+    EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+    ~EndsAtOnce();
+};
+
+/** The result of `read`, which writes nothing and may be ended at once. */
+template <class Read>
+auto reading(Read&& read)
+{
+    const EndsAtOnce scope;
+    return std::forward<Read>(read)();
+}
 
 /** Prints to stdout, all or nothing: a closed pipe or full disk is an error. */
 void print(const std::string& text);

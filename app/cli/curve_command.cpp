@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "core/io/atomic_file.h"
+#include "app/cli/output_gate.h"
 #include "core/io/curve_result.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/validate.h"
@@ -18,6 +18,7 @@ struct CurveArguments
     std::string file;
     double tauMax = 5;
     std::string outputFile;
+    bool force = false;
     bool json = false;
 };
 
@@ -38,7 +39,11 @@ std::string curveTable(const CurveReport& report)
 
 int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
 {
-    const Scenario scenario = loadScenario(arguments.file);
+    checkFiles({.inputs = {arguments.file},
+                .outputs = {{.option = "--output", .path = arguments.outputFile}},
+                .force = arguments.force,
+                .json = arguments.json});
+    const Scenario scenario = reading([&] { return loadScenario(arguments.file); });
     if (scenario.uavs.size() > 1)
         throw Error(ErrorCode::Unsupported, arguments.file,
                     "uavs: the curve is for one UAV, there are " +
@@ -65,9 +70,10 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
         throw Interrupted{};
     const CurveReport report{
         .curve = curve, .scenario = scenario, .ids = visitation.ids, .clusters = request.clusters};
+    std::vector<NewFile> files;
     if (!arguments.outputFile.empty())
-        writeFileAtomically(arguments.outputFile, curveCsv(report));
-    print(arguments.json ? curveJson(report, watch.elapsed_s()) : curveTable(report));
+        files.push_back({.path = arguments.outputFile, .content = curveCsv(report)});
+    deliver(files, arguments.json ? curveJson(report, watch.elapsed_s()) : curveTable(report));
     return kDone;
 }
 
@@ -82,7 +88,8 @@ void addCurveCommand(CLI::App& app, Action& action)
     command->add_option("SCENARIO", a.file, "The file to plan from")->required();
     command->add_option("--tau-max", a.tauMax, "Largest trade-off, 5 by default")
         ->check(CLI::Range(1e-6, 100.0));
-    command->add_option("--output", a.outputFile, "CSV file for the table");
+    addOutputFile(*command, "--output", a.outputFile, "CSV file for the table");
+    addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
     command->callback([arguments, &action] {
         action = [arguments](const std::stop_token& stop) { return runCurve(*arguments, stop); };

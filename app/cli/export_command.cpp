@@ -1,15 +1,15 @@
 #include "app/cli/options.h"
+#include "app/cli/output_gate.h"
 #include "app/cli/program.h"
 #include "core/io/atomic_file.h"
 #include "core/io/export_notes.h"
-#include "core/io/export_writing.h"
+#include "core/io/file_set.h"
 #include "core/io/run_json.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 namespace berg::cli {
@@ -45,9 +45,9 @@ void printNotes(const ExportFormat& format, const ExportContent& content)
 std::vector<ExportFile> exported(const ExportSource& source, const ExportArguments& arguments,
                                  const ExportFormat& format)
 try {
-    const ExportContent content = exportContent(source, arguments.options);
-    std::vector<ExportFile> files =
-        exportFiles(format, content, arguments.outputFile, arguments.painter);
+    const ExportContent content = reading([&] { return exportContent(source, arguments.options); });
+    std::vector<ExportFile> files = reading(
+        [&] { return exportFiles(format, content, arguments.outputFile, arguments.painter); });
     printNotes(format, content);
     return files;
 } catch (const Error& error) {
@@ -56,10 +56,25 @@ try {
     throw UsageError{std::string("--") + error.what()};
 }
 
+/** Before any work: the files that an export of the scenario's UAVs comes to. */
+void checkOutputs(const ExportArguments& arguments, const ExportFormat& format,
+                  const Scenario& scenario)
+{
+    std::vector<ExportUavId> uavs;
+    for (std::size_t row = 0; row < scenario.uavs.size(); ++row)
+        if (const std::string& id = scenario.uavs[row].id;
+            arguments.options.uav.empty() || arguments.options.uav == id)
+            uavs.push_back({.row = row, .id = id});
+    CommandFiles files{.inputs = {arguments.file}, .outputs = {}, .force = arguments.force};
+    for (const std::string& path : exportPaths(format, uavs, arguments.outputFile))
+        files.outputs.push_back({.option = "--output", .path = path});
+    checkFiles(files);
+}
+
 std::vector<ExportFile> filesOf(const ExportArguments& arguments, const ExportFormat& format,
                                 const std::stop_token& stop)
 {
-    const std::string text = readFile(arguments.file);
+    const std::string text = reading([&] { return readFile(arguments.file); });
     const auto planned = [&stop](const Scenario& scenario) {
         PlanAnswer plan = planFromStart(scenario, {.stop = stop});
         if (stop.stop_requested())
@@ -67,12 +82,14 @@ std::vector<ExportFile> filesOf(const ExportArguments& arguments, const ExportFo
         return plan;
     };
     if (formatOf(text, arguments.file) != "bergwatch-run") {
-        const Scenario scenario = scenarioFromJson(text, arguments.file);
+        const Scenario scenario = reading([&] { return scenarioFromJson(text, arguments.file); });
+        checkOutputs(arguments, format, scenario);
         printWarnings(arguments.file, validate(scenario));
         const PlanAnswer plan = planned(scenario);
         return exported({.scenario = scenario, .plan = plan}, arguments, format);
     }
-    const RunFile run = runFromJson(text, arguments.file);
+    const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
+    checkOutputs(arguments, format, run.scenario);
     const Mission mission = replay(run, stop, {});
     if (stop.stop_requested())
         throw Interrupted{};
@@ -88,16 +105,11 @@ const ExportFormat& formatNamed(const std::string& id)
     throw UsageError{"--format: " + id + " is none of " + formatIds()};
 }
 
-void refuseToOverwrite(const std::string& path, const ExportArguments& arguments)
-{
-    std::error_code fault; // of the path: told when it is written to
-    if (!arguments.force && std::filesystem::exists(path, fault))
-        throw UsageError{path + ": exists; --force writes over it"};
-}
-
 [[noreturn]] void handOver(const ExportArguments& arguments)
 {
-    refuseToOverwrite(arguments.outputFile, arguments);
+    checkFiles({.inputs = {arguments.file},
+                .outputs = {{.option = "--output", .path = arguments.outputFile}},
+                .force = arguments.force});
     becomeBergwatch(arguments.argv);
     throw Error(ErrorCode::Unsupported, "--format " + arguments.format,
                 "is painted by the program bergwatch, which was found neither beside this one nor "
@@ -110,11 +122,9 @@ int exportFile(const ExportArguments& arguments, const std::stop_token& stop)
     if (format.holds.painted && !arguments.painter)
         handOver(arguments);
     const std::vector<ExportFile> files = filesOf(arguments, format, stop);
-    for (const ExportFile& file : files)
-        refuseToOverwrite(file.path, arguments);
     if (stop.stop_requested())
         throw Interrupted{};
-    writeExport(files);
+    writeFileSet(files);
     return kDone;
 }
 
@@ -123,10 +133,9 @@ void addOptions(CLI::App& command, ExportArguments& arguments)
     ExportOptions& options = arguments.options;
     command.add_option("FILE", arguments.file, "Scenario (.berg) or run (.bergrun)")->required();
     command.add_option("--format", arguments.format, formatIds())->required();
-    command
-        .add_option("--output", arguments.outputFile,
-                    "File to write; of formats that hold one UAV, for several, one each with its "
-                    "id in the name")
+    addOutputFile(command, "--output", arguments.outputFile,
+                  "File to write; of formats that hold one UAV, for several, one each with its "
+                  "id in the name")
         ->required();
     addNamed(command, "--what", options.what, kExportWhatNames,
              "What to export (a run: track, a scenario: order)");
@@ -140,7 +149,7 @@ void addOptions(CLI::App& command, ExportArguments& arguments)
         "--return-home,!--no-return-home", // a flag bound to the option would be false without it
         [&options](std::int64_t count) { options.returnHome = count > 0; },
         "End at home, or not (with limited endurance or a closed route)");
-    command.add_flag("--force", arguments.force, "Write over files that exist");
+    addForce(command, arguments.force);
 }
 
 /** The arguments live as long as `app` does. */

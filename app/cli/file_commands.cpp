@@ -43,7 +43,7 @@ int validateFiles(const std::vector<std::string>& files, bool json, const std::s
     for (const std::string& file : files) {
         if (stop.stop_requested())
             throw Interrupted{};
-        all.push_back({.file = file, .issues = findings(file)});
+        all.push_back({.file = file, .issues = reading([&] { return findings(file); })});
         bad = bad || hasErrors(all.back().issues);
     }
     if (json) {

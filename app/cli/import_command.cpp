@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/output_gate.h"
 #include "core/io/atomic_file.h"
 #include "core/io/import_formats.h"
 #include "core/io/import_report.h"
@@ -29,6 +30,7 @@ struct ImportArguments
     std::optional<double> sigma_m2;
     std::optional<double> q_m2ps;
     bool withTracks = false;
+    bool force = false;
     bool json = false;
 };
 
@@ -145,30 +147,40 @@ void printDetails(const std::string& file, const ImportResult& result)
                              importNoteText(note).c_str());
 }
 
-int importFile(const ImportArguments& arguments, const std::stop_token& stop)
+std::pair<SightingTable, ImportResult>
+imported(const ImportArguments& arguments, const ReadOptions& formats, const ImportOptions& options)
+{
+    const std::string& output = arguments.outputFile;
+    const std::filesystem::path named = isOpenDescriptor(output) ? arguments.file : output;
+    const Scenario base = arguments.intoFile.empty() ? newScenarioForImport(named.stem().string())
+                                                     : loadScenario(arguments.intoFile);
+    SightingTable table = readSightings(readFile(arguments.file), arguments.file, formats);
+    ImportResult result = importSightings(base, table, options);
+    return {std::move(table), std::move(result)};
+}
+
+int importFile(const ImportArguments& arguments)
 {
     if (arguments.format != "auto" && findImportFormat(arguments.format) == nullptr)
         throw UsageError{"--format: " + arguments.format + " is none of " + formatList()};
-    ReadOptions reading{.format = arguments.format, .mapping = {}};
+    ReadOptions formats{.format = arguments.format, .mapping = {}};
     for (const std::string& mapping : arguments.mappings)
-        reading.mapping.push_back(mappingOf(mapping));
+        formats.mapping.push_back(mappingOf(mapping));
     const ImportOptions options = optionsOf(arguments);
-    const Scenario base =
-        arguments.intoFile.empty()
-            ? newScenarioForImport(std::filesystem::path(arguments.outputFile).stem().string())
-            : loadScenario(arguments.intoFile);
-    const SightingTable table = readSightings(readFile(arguments.file), arguments.file, reading);
-    const ImportResult result = importSightings(base, table, options);
-    if (stop.stop_requested())
-        throw Interrupted{};
+    // Not an input that must stay: an import adds to the scenario, which --force may overwrite.
+    checkFiles({.inputs = {arguments.file},
+                .outputs = {{.option = "--output", .path = arguments.outputFile}},
+                .force = arguments.force,
+                .json = arguments.json});
+    const auto [table, result] = reading([&] { return imported(arguments, formats, options); });
     if (!arguments.json)
         printDetails(arguments.file, result);
     if (result.added + result.updated + result.unchanged == 0)
         throw Error(ErrorCode::InvalidInput, arguments.file,
                     "none of its " + std::to_string(table.sightings.size()) +
                         " sightings could be taken; nothing written");
-    saveScenario(result.scenario, arguments.outputFile);
-    print(arguments.json ? importJson(table, result) : summary(table, result));
+    const NewFile file{.path = arguments.outputFile, .content = scenarioToJson(result.scenario)};
+    deliver({&file, 1}, arguments.json ? importJson(table, result) : summary(table, result));
     return kDone;
 }
 
@@ -181,7 +193,8 @@ void addImportCommand(CLI::App& app, Action& action)
     const auto arguments = std::make_shared<ImportArguments>();
     command->add_option("FILE", arguments->file, "File of sightings")->required();
     command->add_option("--format", arguments->format, formatList())->capture_default_str();
-    command->add_option("--output", arguments->outputFile, "Scenario to write")->required();
+    addOutputFile(*command, "--output", arguments->outputFile, "Scenario to write")->required();
+    addForce(*command, arguments->force);
     command->add_option("--into", arguments->intoFile, "Scenario to add to (default: a new one)");
     command->add_option("--map", arguments->mappings,
                         "FIELD=COLUMN: " + allowedNames(kSightingFieldNames));
@@ -195,7 +208,7 @@ void addImportCommand(CLI::App& app, Action& action)
                       "Sightings after --at become the true motion");
     command->add_flag("--json", arguments->json, "Print one JSON document");
     command->callback([arguments, &action] {
-        action = [arguments](const std::stop_token& stop) { return importFile(*arguments, stop); };
+        action = [arguments](const std::stop_token&) { return importFile(*arguments); };
     });
 }
 

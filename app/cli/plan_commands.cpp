@@ -200,7 +200,7 @@ int conclude(SolveReport& report, const SolveArguments& arguments, const SolveOp
 
 int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
 {
-    TvpProblem problem = loadProblem(arguments.file).problem;
+    TvpProblem problem = reading([&] { return loadProblem(arguments.file).problem; });
     problem.route = arguments.route.value_or(problem.route);
     if (arguments.tau)
         problem.mu = tuningWeight(problem, *arguments.tau).mu;
@@ -260,7 +260,7 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 {
     if (arguments.mu)
         throw UsageError{"plan: --mu is for problem files; a scenario is planned with --tau"};
-    Scenario scenario = loadScenario(arguments.file);
+    Scenario scenario = reading([&] { return loadScenario(arguments.file); });
     PlannerSettings& planner = scenario.planner;
     planner.tau = arguments.tau.value_or(planner.tau);
     planner.route = arguments.route.value_or(planner.route);

@@ -43,8 +43,13 @@ int run(const Program& program, int argc, char** argv, const std::stop_token& st
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        std::ostringstream nowhere;
-        const int code = program.isSilent ? app.exit(error, nowhere, nowhere) : app.exit(error);
+        std::ostringstream help;
+        std::ostringstream fault;
+        const int code = app.exit(error, help, fault);
+        if (!program.isSilent) {
+            std::fputs(fault.str().c_str(), stderr);
+            print(help.str());
+        }
         return code == 0 ? kDone : kWrongUsage;
     }
     return action(stop);
@@ -61,7 +66,7 @@ int runProgram(const Program& program, int argc, char** argv, const std::stop_to
     try {
         return run(program, argc, argv, stop);
     } catch (const Interrupted&) {
-        complain("interrupted, nothing written");
+        complain(kNothingWritten);
         return kInterrupted;
     } catch (const UsageError& error) {
         complain(error.message);

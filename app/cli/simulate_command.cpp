@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/cli/output_gate.h"
 #include "core/bound/zeta_bound.h"
 #include "core/io/atomic_file.h"
 #include "core/io/result_csv.h"
@@ -10,6 +11,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -28,6 +31,7 @@ struct SimulateArguments
     bool noNoise = false;
     bool bound = false;
     std::string outputFolder;
+    bool force = false;
     bool json = false;
 
     [[nodiscard]] bool changesScenario() const
@@ -59,7 +63,8 @@ void checkBound(const SimulateArguments& arguments, const Scenario& scenario)
 Mission flyScenario(const SimulateArguments& arguments, const std::string& text,
                     const std::stop_token& stop)
 {
-    const Scenario scenario = changed(scenarioFromJson(text, arguments.file), arguments);
+    const Scenario scenario =
+        reading([&] { return changed(scenarioFromJson(text, arguments.file), arguments); });
     checkBound(arguments, scenario);
     printWarnings(arguments.file, validate(scenario));
     MissionOptions options;
@@ -81,7 +86,7 @@ Mission replayRun(const SimulateArguments& arguments, const std::string& text,
     if (arguments.changesScenario())
         throw UsageError{"simulate: a run file is replayed as it was flown; --tau, --policy, "
                          "--duration, --dt, --seed and --no-noise are for scenarios"};
-    const RunFile run = runFromJson(text, arguments.file);
+    const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     checkBound(arguments, run.scenario);
     ProgressBar bar("replaying", !arguments.json);
     Mission mission = replay(run, stop, [&](double time_s) {
@@ -94,21 +99,33 @@ Mission replayRun(const SimulateArguments& arguments, const std::string& text,
     return mission;
 }
 
-void writeResults(const Mission& mission, const std::string& folder)
+const std::array<std::string, 5> kResultNames{"trajectory.csv", "sigma.csv", "events.csv",
+                                              "zeta.csv", "run.bergrun"};
+
+std::vector<NewFile> resultFiles(const Mission& mission, const std::string& folder)
+{
+    if (folder.empty())
+        return {};
+    const std::array contents{trajectoryCsv(mission), sigmaCsv(mission), eventsCsv(mission),
+                              zetaCsv(mission), runToJson(runOf(mission))};
+    std::vector<NewFile> files;
+    for (std::size_t i = 0; i < contents.size(); ++i)
+        files.push_back({.path = folder + '/' + kResultNames[i], .content = contents[i]});
+    return files;
+}
+
+void makeFolder(const std::string& folder)
 {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure)
         throw Error(ErrorCode::FileUnwritable, folder, failure.message());
-    writeFileAtomically(folder + "/trajectory.csv", trajectoryCsv(mission));
-    writeFileAtomically(folder + "/sigma.csv", sigmaCsv(mission));
-    writeFileAtomically(folder + "/events.csv", eventsCsv(mission));
-    writeFileAtomically(folder + "/zeta.csv", zetaCsv(mission));
-    saveRun(runOf(mission), folder + "/run.bergrun");
 }
 
-/** What zeta of no flight is below at the time until which the mission has flown. */
-double lowerBound_m2s(const Mission& mission, bool quiet, const std::stop_token& stop)
+/** What zeta of no flight is below at the time until which the mission has flown; none when it was
+ * interrupted. */
+std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
+                                     const std::stop_token& stop)
 {
     if (std::ranges::any_of(mission.interventions(),
                             [](const Intervention& change) { return change.seen.has_value(); }))
@@ -123,7 +140,7 @@ double lowerBound_m2s(const Mission& mission, bool quiet, const std::stop_token&
                                  bar.update(progress.share);
                              }});
     if (bound.cancelled)
-        throw Interrupted{};
+        return std::nullopt;
     return bound.by_m2s(mission.simulation().time_s());
 }
 
@@ -139,8 +156,8 @@ std::string fleetLines(const Mission& mission)
     return text;
 }
 
-void printSummary(const Mission& mission, std::optional<double> bound_m2s, double elapsed_s,
-                  bool replayed)
+std::string summary(const Mission& mission, std::optional<double> bound_m2s, double elapsed_s,
+                    bool replayed)
 {
     const Metrics metrics = mission.metrics();
     const Scenario& scenario = mission.scenario();
@@ -162,26 +179,34 @@ void printSummary(const Mission& mission, std::optional<double> bound_m2s, doubl
         text += events + '\n';
     if (replayed)
         text += "replay    equal to the recorded run\n";
-    print(text);
+    return text;
 }
 
 int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
 {
     const Stopwatch watch;
-    const std::string text = readFile(arguments.file);
+    const std::string& folder = arguments.outputFolder;
+    checkFiles({.inputs = {arguments.file},
+                .outputs = outputsIn("--output", folder, kResultNames),
+                .force = arguments.force});
+    const std::string text = reading([&] { return readFile(arguments.file); });
     const bool replayed = formatOf(text, arguments.file) == "bergwatch-run";
     const Mission mission =
         replayed ? replayRun(arguments, text, stop) : flyScenario(arguments, text, stop);
-    if (!arguments.outputFolder.empty())
-        writeResults(mission, arguments.outputFolder);
     std::optional<double> bound_m2s;
     if (arguments.bound)
         bound_m2s = lowerBound_m2s(mission, arguments.json, stop);
-    if (arguments.json)
-        print(simulateJson(mission, bound_m2s, watch.elapsed_s()));
-    else
-        printSummary(mission, bound_m2s, watch.elapsed_s(), replayed);
-    return kDone;
+    deliver(resultFiles(mission, folder),
+            arguments.json ? simulateJson(mission, bound_m2s, watch.elapsed_s())
+                           : summary(mission, bound_m2s, watch.elapsed_s(), replayed),
+            [&folder] {
+                if (!folder.empty())
+                    makeFolder(folder);
+            });
+    if (!arguments.bound || bound_m2s)
+        return kDone;
+    std::fputs("interrupted: the flight is complete, its lower bound is missing\n", stderr);
+    return kInterrupted;
 }
 
 } // namespace
@@ -205,6 +230,7 @@ void addSimulateCommand(CLI::App& app, Action& action)
     command->add_flag("--bound", a.bound,
                       "Also find a zeta that no flight of the scenario can do better than");
     command->add_option("--output", a.outputFolder, "Folder for tables and the run file");
+    addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
     command->callback([arguments, &action] {
         action = [arguments](const std::stop_token& stop) { return simulate(*arguments, stop); };

@@ -15,8 +15,6 @@ namespace {
 struct StudyArguments
 {
     std::vector<std::string> files;
-    std::string mergedFile;
-    bool force = false;
     StudyOutput output;
 };
 
@@ -40,27 +38,25 @@ Study read(const std::string& file)
     return studyFromJson(isReport(text) ? studyOfReport(text, file) : text, file);
 }
 
-Study merged(const std::vector<std::string>& files, const std::stop_token& stop)
+Study merged(const std::vector<std::string>& files)
 {
     Study whole = read(files.front());
-    for (std::size_t i = 1; i < files.size(); ++i) {
-        if (stop.stop_requested())
-            throw Interrupted{};
+    for (std::size_t i = 1; i < files.size(); ++i)
         whole = added(std::move(whole), read(files[i]), files[i]);
-    }
     return whole;
 }
 
-int showStudy(const StudyArguments& arguments, const std::stop_token& stop)
+int showStudy(const StudyArguments& arguments)
 {
-    Study study = merged(arguments.files, stop);
-    static_cast<void>(referenceOf(study.spec, arguments.output));
-    StudyFile file(arguments.mergedFile, arguments.force);
-    if (file.isKept()) {
-        study = added(std::move(study), file.open(study.spec), arguments.mergedFile);
-        file.save(study);
-    }
-    writeResults(study, arguments.output);
+    const StudyOutput& output = arguments.output;
+    checkFiles(filesOf(output, arguments.files));
+    StudyFile file(output.studyFile, output.replaceStudy);
+    const Study study = reading([&] {
+        Study whole = merged(arguments.files);
+        static_cast<void>(referenceOf(whole.spec, output));
+        return file.isKept() ? added(whole, file.open(whole.spec), output.studyFile) : whole;
+    });
+    writeResults(study, output, [&] { file.save(study); });
     return kDone;
 }
 
@@ -74,11 +70,9 @@ void addStudyCommand(CLI::App& app, Action& action)
     command
         ->add_option("FILE", arguments->files, "Files written by 'sweep --study', or their reports")
         ->required();
-    command->add_option("--study", arguments->mergedFile, "Write them as one file");
-    command->add_flag("--force", arguments->force, "Replace a --study file of another study");
-    addStudyOutput(*command, arguments->output);
+    addStudyOutput(*command, arguments->output, "Write them as one file");
     command->callback([arguments, &action] {
-        action = [arguments](const std::stop_token& stop) { return showStudy(*arguments, stop); };
+        action = [arguments](const std::stop_token&) { return showStudy(*arguments); };
     });
 }
 

@@ -10,6 +10,8 @@ namespace berg::cli {
 
 namespace {
 
+constexpr double kRetry_s = 30;
+
 std::optional<FileStamp> stampOf(const std::string& path)
 {
     struct stat found = {};
@@ -23,7 +25,10 @@ std::optional<FileStamp> stampOf(const std::string& path)
 
 } // namespace
 
-StudyFile::StudyFile(std::string path, bool force) : m_path(std::move(path)), m_force(force) {}
+StudyFile::StudyFile(std::string path, bool mayReplace)
+    : m_path(std::move(path)), m_mayReplace(mayReplace)
+{
+}
 
 Study StudyFile::open(StudySpec spec)
 {
@@ -37,10 +42,10 @@ Study StudyFile::open(StudySpec spec)
     const std::string member = differingMember(found.spec, spec);
     if (member.empty())
         return found;
-    if (!m_force)
+    if (!m_mayReplace)
         throw Error(ErrorCode::InvalidInput, m_path,
                     {{Severity::Error, member,
-                      "differs: this is the file of another study (--force replaces it)"}});
+                      "differs: this is the file of another study (--replace-study replaces it)"}});
     return {.spec = std::move(spec)};
 }
 
@@ -48,9 +53,19 @@ void StudyFile::save(const Study& study)
 {
     if (!isKept())
         return;
+    checkUnchanged();
+    write(study);
+}
+
+void StudyFile::checkUnchanged() const
+{
     if (stampOf(m_path) != m_stamp)
         throw Error(ErrorCode::FileUnwritable, m_path,
                     "was changed by another program: each shard needs a file of its own");
+}
+
+void StudyFile::write(const Study& study)
+{
     const Stopwatch watch;
     saveStudy(study, m_path);
     m_stamp = stampOf(m_path);
@@ -61,8 +76,16 @@ void StudyFile::save(const Study& study)
 
 void StudyFile::saveSometimes(const Study& study)
 {
-    if (isKept() && m_running.elapsed_s() >= m_next_s)
-        save(study);
+    if (!isKept() || m_running.elapsed_s() < m_next_s)
+        return;
+    checkUnchanged();
+    try {
+        write(study);
+    } catch (const Error& error) { // a full disk may have room again when the flying ends
+        if (error.code() != ErrorCode::FileUnwritable)
+            throw;
+        m_next_s = m_running.elapsed_s() + kRetry_s;
+    }
 }
 
 } // namespace berg::cli

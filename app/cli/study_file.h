@@ -21,8 +21,8 @@ struct FileStamp
 class StudyFile
 {
 public:
-    /** An empty path keeps nothing. `force`: a file of another study may be replaced. */
-    StudyFile(std::string path, bool force);
+    /** An empty path keeps nothing. `mayReplace`: a file of another study. */
+    StudyFile(std::string path, bool mayReplace);
 
     /**
      * The study of `spec` with what the file has of it. Throws `Error` when the file is no study,
@@ -32,15 +32,19 @@ public:
 
     /** Saves; throws `Error` when another program has written the file in the meantime. */
     void save(const Study& study);
-    /** The same when the last time is so long ago that saving costs next to nothing. */
+    /** The same when the last time is so long ago that saving costs next to nothing; what cannot
+     * be written is tried again later. */
     void saveSometimes(const Study& study);
 
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] bool isKept() const { return !m_path.empty(); }
 
 private:
+    void checkUnchanged() const;
+    void write(const Study& study);
+
     std::string m_path;
-    bool m_force;
+    bool m_mayReplace;
     std::optional<FileStamp> m_stamp; ///< none: there was no file
     Stopwatch m_running;
     double m_next_s = 0;

@@ -1,7 +1,6 @@
 #include "app/cli/study_output.h"
 
 #include "app/cli/console.h"
-#include "core/io/atomic_file.h"
 #include "core/io/machine_text.h"
 #include "core/io/result_json.h"
 #include "core/io/study_report.h"
@@ -97,13 +96,27 @@ void sayWhenIncomplete(const Study& study)
 
 } // namespace
 
-void addStudyOutput(CLI::App& command, StudyOutput& output)
+CommandFiles filesOf(const StudyOutput& output, std::vector<std::string> inputs)
 {
+    return {.inputs = std::move(inputs),
+            .outputs = {{.option = "--study", .path = output.studyFile, .mayExist = true},
+                        {.option = "--output", .path = output.tableFile},
+                        {.option = "--report", .path = output.reportFile}},
+            .force = output.force,
+            .json = output.json};
+}
+
+void addStudyOutput(CLI::App& command, StudyOutput& output, const std::string& study)
+{
+    command.add_option("--study", output.studyFile, study);
+    command.add_flag("--replace-study", output.replaceStudy,
+                     "Replace a --study file of another study");
     command.add_option("--reference", output.reference,
                        "POLICY[:TAU] that differences are measured from; by default tau = 1");
-    command.add_option("--output", output.tableFile, "CSV file for the table");
-    command.add_option("--report", output.reportFile,
-                       "Web page with charts, tables and the whole study");
+    addOutputFile(command, "--output", output.tableFile, "CSV file for the table");
+    addOutputFile(command, "--report", output.reportFile,
+                  "Web page with charts, tables and the whole study");
+    addForce(command, output.force);
     command.add_flag("--json", output.json, "Print one JSON document");
 }
 
@@ -127,17 +140,18 @@ std::size_t referenceOf(const StudySpec& spec, const StudyOutput& output)
     throw UsageError{"--reference: " + output.reference + " is not flown in this study"};
 }
 
-void writeResults(const Study& study, const StudyOutput& output,
+void writeResults(const Study& study, const StudyOutput& output, const std::function<void()>& save,
                   const std::optional<double>& elapsed_s)
 {
     const StudySummary summary = summarise(study, referenceOf(study.spec, output));
     sayWhenIncomplete(study);
+    std::vector<NewFile> files;
     if (!output.tableFile.empty())
-        writeFileAtomically(output.tableFile, sweepCsv(summary));
+        files.push_back({.path = output.tableFile, .content = sweepCsv(summary)});
     if (!output.reportFile.empty())
-        writeFileAtomically(output.reportFile,
-                            studyReportHtml(study, summary, originNow(elapsed_s)));
-    print(output.json ? sweepJson(study, summary, elapsed_s) : tableText(summary));
+        files.push_back({.path = output.reportFile,
+                         .content = studyReportHtml(study, summary, originNow(elapsed_s))});
+    deliver(files, output.json ? sweepJson(study, summary, elapsed_s) : tableText(summary), save);
 }
 
 } // namespace berg::cli

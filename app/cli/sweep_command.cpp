@@ -45,8 +45,6 @@ struct SweepArguments
     int runs = 1;
     int threads = 0;
     std::string shard;
-    std::string studyFile;
-    bool force = false;
     StudyOutput output;
 };
 
@@ -91,12 +89,12 @@ Shard shardOf(const std::string& text)
 void checkTogether(const SweepArguments& arguments)
 {
     const bool isPart = shardOf(arguments.shard).count > 1;
-    if (isPart && arguments.studyFile.empty())
+    if (isPart && arguments.output.studyFile.empty())
         throw UsageError{"--shard: the part needs a file to be kept in: --study FILE"};
     if (isPart && arguments.output.writesFiles())
         throw UsageError{"--shard: the files of all shards are written by 'study'"};
-    if (arguments.force && arguments.studyFile.empty())
-        throw UsageError{"--force: is for --study FILE"};
+    if (arguments.output.replaceStudy && arguments.output.studyFile.empty())
+        throw UsageError{"--replace-study: is for --study FILE"};
 }
 
 /** One `sweep` of the command line. */
@@ -104,7 +102,7 @@ class SweepRun
 {
 public:
     explicit SweepRun(const SweepArguments& arguments)
-        : m_arguments(arguments), m_file(arguments.studyFile, arguments.force)
+        : m_arguments(arguments), m_file(arguments.output.studyFile, arguments.output.replaceStudy)
     {
     }
 
@@ -126,7 +124,8 @@ private:
     Study prepare()
     {
         checkTogether(m_arguments);
-        Study study = m_file.open(specOf(m_arguments));
+        checkFiles(filesOf(m_arguments.output, m_arguments.files));
+        Study study = reading([this] { return m_file.open(specOf(m_arguments)); });
         if (std::vector<Issue> issues = validate(study.spec); !issues.empty())
             throw Error(ErrorCode::InvalidInput, "sweep", std::move(issues));
         static_cast<void>(referenceOf(study.spec, m_arguments.output));
@@ -145,16 +144,22 @@ private:
     void keep(const Study& study)
     {
         m_bar.reset();
-        if (flownCount(study) > 0)
-            m_file.save(study);
+        try {
+            if (flownCount(study) > 0)
+                m_file.save(study);
+        } catch (const Error&) {
+            m_notKept = std::current_exception(); // told after the results
+        }
     }
 
     int finish(const Study& study, bool complete)
     {
         if (complete) {
-            writeResults(study, m_arguments.output, m_watch.elapsed_s());
+            writeResults(
+                study, m_arguments.output, [this] { tellWhatWasNotKept(); }, m_watch.elapsed_s());
             return kDone;
         }
+        tellWhatWasNotKept();
         if (!m_file.isKept())
             throw Interrupted{};
         std::fprintf(
@@ -164,10 +169,17 @@ private:
         return kInterrupted;
     }
 
+    void tellWhatWasNotKept() const
+    {
+        if (m_notKept)
+            std::rethrow_exception(m_notKept);
+    }
+
     const SweepArguments& m_arguments;
     StudyFile m_file;
     Stopwatch m_watch;
     std::optional<ProgressBar> m_bar;
+    std::exception_ptr m_notKept;
 };
 
 } // namespace
@@ -188,11 +200,8 @@ void addSweepCommand(CLI::App& app, Action& action)
         ->check(CLI::Range(1, 1000000));
     command->add_option("--threads", a.threads, "0: one per core; never changes the result")
         ->check(CLI::Range(0, 1024));
-    command->add_option("--study", a.studyFile,
-                        "Keep what is flown in this file, and carry on from it");
     command->add_option("--shard", a.shard, "I/N: fly part I of N only, for 'study' to merge");
-    command->add_flag("--force", a.force, "Replace a --study file of another study");
-    addStudyOutput(*command, a.output);
+    addStudyOutput(*command, a.output, "Keep what is flown in this file, and carry on from it");
     command->callback([arguments, command, &action] {
         action = [arguments, options = command->config_to_str(true)](const std::stop_token& stop) {
             return SweepRun(*arguments).run(stop, options);

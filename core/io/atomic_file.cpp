@@ -3,8 +3,10 @@
 #include "core/base/error.h"
 
 #include <cerrno>
+#include <charconv>
 #include <fcntl.h>
 #include <filesystem>
+#include <optional>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -59,9 +61,31 @@ private:
     return true;
 }
 
+/** The descriptor that is already open under a name such as /dev/stdout; none for other paths. */
+std::optional<int> openDescriptor(std::string_view path)
+{
+    if (path == "/dev/stdout" || path == "/dev/stderr")
+        return path == "/dev/stdout" ? STDOUT_FILENO : STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!path.starts_with(folder))
+            continue;
+        int fd = -1;
+        const char* const end = path.data() + path.size();
+        const auto [last, failure] = std::from_chars(path.data() + folder.size(), end, fd);
+        if (failure == std::errc() && last == end && fd >= 0)
+            return fd;
+    }
+    return std::nullopt;
+}
+
 /** Devices and pipes cannot be replaced, only written to. */
 void writeInPlace(const std::string& path, std::string_view content)
 {
+    if (const std::optional<int> fd = openDescriptor(path)) {
+        if (!writeAll(*fd, content))
+            failWrite(path, reason(errno));
+        return;
+    }
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     if (!file.isOpen() || !writeAll(file.get(), content) || !file.close())
         failWrite(path, reason(errno));
@@ -82,43 +106,57 @@ std::filesystem::path withoutLinks(const std::string& path)
     failWrite(path, reason(ELOOP));
 }
 
-/** New file beside the target, removed again unless it was put in the target's place. */
+/** The folder that a file is in, as system calls want it. */
+std::filesystem::path folderOf(const std::filesystem::path& file)
+{
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+/**
+ * New file beside the target, removed again unless it was put in the target's place. Where the file
+ * system can, it has no name until then: a program that is killed leaves nothing.
+ */
 class TemporaryFile
 {
 public:
-    explicit TemporaryFile(const std::filesystem::path& target)
+    enum class Name
     {
-        // File names may have 255 bytes at most; the target's own may use them all.
-        constexpr std::size_t kLongestStem = 200;
-        constexpr int kMostTries = 1000;
-        const std::string stem = '.' + target.filename().string().substr(0, kLongestStem) + "." +
-                                 std::to_string(::getpid()) + "-";
-        for (int i = 0; i < kMostTries && m_fd < 0; ++i) {
-            m_path = target.parent_path() / (stem + std::to_string(i) + ".tmp");
-            m_fd = ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (m_fd < 0 && errno != EEXIST)
-                return;
-        }
+        Late,
+        Early
+    };
+
+    explicit TemporaryFile(const std::filesystem::path& target, Name name = Name::Late)
+        : m_target(target)
+    {
+        if (name == Name::Late)
+            m_fd = ::open(folderOf(target).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+        m_isNamed = m_fd < 0;
+        if (m_isNamed)
+            takeName([this](const char* path) {
+                m_fd = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+                return m_fd >= 0;
+            });
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile()
     {
-        if (m_fd < 0)
-            return;
-        if (m_open)
+        if (m_fd >= 0 && m_open)
             ::close(m_fd);
-        if (!m_placed)
+        if (m_fd >= 0 && m_isNamed && !m_placed)
             ::unlink(m_path.c_str());
     }
 
     [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
+    [[nodiscard]] bool isNamed() const { return m_isNamed; }
 
-    /** Writes, flushes to the disk and closes; false leaves the reason in errno. */
+    /** Writes and flushes to the disk; false leaves the reason in errno. */
     [[nodiscard]] bool fill(std::string_view content)
     {
         if (!writeAll(m_fd, content) || ::fsync(m_fd) != 0)
             return false;
+        if (!m_isNamed) // its name is given through the descriptor
+            return true;
         m_open = false;
         return ::close(m_fd) == 0;
     }
@@ -131,15 +169,43 @@ public:
         [[maybe_unused]] const int mode = ::fchmod(m_fd, from.st_mode & 07777U);
     }
 
-    [[nodiscard]] bool placeAt(const std::filesystem::path& target)
+    /** False when the folder refuses; without a name, also where there is no /proc. */
+    [[nodiscard]] bool place()
     {
-        m_placed = ::rename(m_path.c_str(), target.c_str()) == 0;
+        if (!m_isNamed) {
+            const std::string self = "/proc/self/fd/" + std::to_string(m_fd);
+            m_isNamed = takeName([&](const char* path) {
+                return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
+            });
+        }
+        m_placed = m_isNamed && ::rename(m_path.c_str(), m_target.c_str()) == 0;
         return m_placed;
     }
 
 private:
+    /** The first free name that `make` can use. */
+    template <class Make>
+    bool takeName(const Make& make)
+    {
+        // File names may have 255 bytes at most; the target's own may use them all.
+        constexpr std::size_t kLongestStem = 200;
+        constexpr int kMostTries = 1000;
+        const std::string stem = '.' + m_target.filename().string().substr(0, kLongestStem) + "." +
+                                 std::to_string(::getpid()) + "-";
+        for (int i = 0; i < kMostTries; ++i) {
+            m_path = m_target.parent_path() / (stem + std::to_string(i) + ".tmp");
+            if (make(m_path.c_str()))
+                return true;
+            if (errno != EEXIST)
+                return false;
+        }
+        return false;
+    }
+
+    std::filesystem::path m_target;
     std::filesystem::path m_path;
     int m_fd = -1;
+    bool m_isNamed = false;
     bool m_open = true;
     bool m_placed = false;
 };
@@ -173,32 +239,10 @@ void overwrite(const std::string& path, const std::filesystem::path& target, con
         failWrite(path, reason(errno));
 }
 
-/**
- * Puts a finished copy in the target's place; false when the folder or the file system refuses the
- * copy or the renaming. Throws when the copy cannot be written.
- */
-[[nodiscard]] bool replace(const std::string& path, const std::filesystem::path& target,
-                           const struct stat* old, std::string_view content)
-{
-    TemporaryFile temporary(target);
-    if (!temporary.isOpen()) {
-        if (isFull(errno))
-            failWrite(path, reason(errno));
-        return false;
-    }
-    if (old != nullptr)
-        temporary.copyAttributes(*old);
-    if (!temporary.fill(content))
-        failWrite(path, reason(errno));
-    return temporary.placeAt(target);
-}
-
 /** Makes the rename last through a power cut; file systems that cannot do it are left alone. */
 void flushFolder(const std::filesystem::path& target)
 {
-    const std::filesystem::path folder = target.parent_path();
-    const Descriptor fd(
-        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const Descriptor fd(::open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (fd.isOpen())
         ::fsync(fd.get());
 }
@@ -242,27 +286,123 @@ std::string readFile(const std::string& path)
                 "is larger than " + std::to_string(kLargestFile >> 20U) + " MiB");
 }
 
-void writeFileAtomically(const std::string& path, std::string_view content)
+namespace {
+
+/** What a path to be written to leads to; throws when nothing can be written there. */
+struct Destination
 {
-    struct stat status
+    explicit Destination(const std::string& path)
     {
-    };
-    const bool exists = ::stat(path.c_str(), &status) == 0;
-    if (exists && (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode))) {
-        writeInPlace(path, content);
+        inPlace = openDescriptor(path).has_value();
+        if (inPlace)
+            return;
+        exists = ::stat(path.c_str(), &old) == 0;
+        if (!exists && errno != ENOENT)
+            failWrite(path, reason(errno));
+        inPlace = exists && (S_ISCHR(old.st_mode) || S_ISFIFO(old.st_mode));
+        if (exists && !inPlace && !S_ISREG(old.st_mode))
+            failWrite(path, S_ISDIR(old.st_mode) ? reason(EISDIR) : "not a regular file");
+        // Renaming would replace a write-protected file; whoever protected it meant it.
+        if (exists && ::access(path.c_str(), W_OK) != 0)
+            failWrite(path, reason(errno));
+        if (!inPlace)
+            target = withoutLinks(path);
+    }
+
+    bool inPlace = false; ///< a device, a pipe, an open descriptor
+    bool exists = false;
+    struct stat old = {};
+    std::filesystem::path target; ///< at the end of all links
+};
+
+} // namespace
+
+struct StagedFile::State
+{
+    State(const std::string& givenPath, std::string_view givenContent)
+        : path(givenPath), content(givenContent), destination(givenPath)
+    {
+        if (destination.inPlace)
+            return;
+        temporary.emplace(destination.target);
+        if (!temporary->isOpen()) {
+            if (isFull(errno))
+                failWrite(path, reason(errno));
+            temporary.reset();
+            return;
+        }
+        fill();
+    }
+
+    void fill()
+    {
+        if (destination.exists)
+            temporary->copyAttributes(destination.old);
+        if (!temporary->fill(content))
+            failWrite(path, reason(errno));
+    }
+
+    [[nodiscard]] bool rename()
+    {
+        if (!temporary)
+            return false;
+        if (temporary->place())
+            return true;
+        if (temporary->isNamed())
+            return false;
+        temporary.emplace(destination.target, TemporaryFile::Name::Early);
+        if (!temporary->isOpen())
+            return false;
+        fill();
+        return temporary->place();
+    }
+
+    std::string path;
+    std::string_view content;
+    Destination destination;
+    std::optional<TemporaryFile> temporary; ///< none: the folder takes none
+};
+
+StagedFile::StagedFile(const std::string& path, std::string_view content)
+    : m_state(std::make_unique<State>(path, content))
+{
+}
+
+StagedFile::StagedFile(StagedFile&&) noexcept = default;
+StagedFile::~StagedFile() = default;
+
+void StagedFile::place()
+{
+    const Destination& to = m_state->destination;
+    if (to.inPlace) {
+        writeInPlace(m_state->path, m_state->content);
         return;
     }
-    if (exists && !S_ISREG(status.st_mode))
-        failWrite(path, S_ISDIR(status.st_mode) ? reason(EISDIR) : "not a regular file");
-    // Renaming would replace a write-protected file; whoever protected it meant it.
-    if (exists && ::access(path.c_str(), W_OK) != 0)
-        failWrite(path, reason(errno));
+    if (!m_state->rename())
+        overwrite(m_state->path, to.target, to.exists ? &to.old : nullptr, m_state->content);
+    flushFolder(to.target);
+}
 
-    const std::filesystem::path target = withoutLinks(path);
-    const struct stat* old = exists ? &status : nullptr;
-    if (!replace(path, target, old, content))
-        overwrite(path, target, old, content);
-    flushFolder(target);
+void writeFileAtomically(const std::string& path, std::string_view content)
+{
+    StagedFile(path, content).place();
+}
+
+void checkWritable(const std::string& path)
+{
+    const Destination to(path);
+    if (to.inPlace || TemporaryFile(to.target).isOpen() || to.exists)
+        return;
+    const Descriptor probe(
+        ::open(to.target.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!probe.isOpen())
+        failWrite(path, reason(errno));
+    ::unlink(to.target.c_str());
+}
+
+bool isOpenDescriptor(std::string_view path)
+{
+    return openDescriptor(path).has_value();
 }
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -19,9 +20,36 @@ inline constexpr std::size_t kLargestFile = 64U << 20U;
  * in the same folder, flushed, then renamed over the target (a symbolic link keeps pointing, the
  * file it points to is replaced; permissions of an existing file are kept). Where the folder or the
  * file system refuses the temporary file or the renaming, the file itself is written over, after
- * the room for it was reserved. Throws `Error{FileUnwritable}`; then the old content is still there
+ * the room for it was reserved. Devices, pipes and what is open already (/dev/stdout, /dev/fd/3)
+ * are written to as they are. Throws `Error{FileUnwritable}`; then the old content is still there
  * (unless a device failed in the middle of writing it over) and no temporary file is left.
  */
 void writeFileAtomically(const std::string& path, std::string_view content);
+
+/** The two halves of `writeFileAtomically`, for files that belong together: see `writeFileSet`. */
+class StagedFile
+{
+public:
+    /** Writes the content to the disk, beside the file. It must live until `place`. */
+    StagedFile(const std::string& path, std::string_view content);
+    StagedFile(StagedFile&&) noexcept;
+    StagedFile(const StagedFile&) = delete;
+    StagedFile& operator=(const StagedFile&) = delete;
+    StagedFile& operator=(StagedFile&&) = delete;
+    ~StagedFile();
+
+    /** Puts it in the place of the file, at most once. */
+    void place();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+/** Throws as `writeFileAtomically` would, as far as that can be known before; changes nothing. */
+void checkWritable(const std::string& path);
+
+/** Whether the path names what is open already, as /dev/stdout does. */
+[[nodiscard]] bool isOpenDescriptor(std::string_view path);
 
 } // namespace berg

@@ -29,11 +29,6 @@ std::string withId(const std::string& path, const std::string& id)
     return path.substr(0, end) + '-' + id + path.substr(end);
 }
 
-bool isTaken(const std::vector<ExportFile>& files, const std::string& name)
-{
-    return std::ranges::find(files, name, &ExportFile::path) != files.end();
-}
-
 std::string fileText(const ExportFormat& format, const ExportContent& content,
                      const ExportPainter& painter)
 {
@@ -52,20 +47,36 @@ std::size_t fileCount(const ExportFormat& format, const ExportContent& content)
     return format.holds.fleet ? 1 : content.uavs.size();
 }
 
+std::vector<std::string> exportPaths(const ExportFormat& format,
+                                     const std::vector<ExportUavId>& uavs, const std::string& path)
+{
+    if (format.holds.fleet || uavs.size() == 1)
+        return {path};
+    std::vector<std::string> paths;
+    for (const ExportUavId& uav : uavs) {
+        const std::string plain = withId(path, fileNamePart(uav.id));
+        std::string name = plain;
+        for (std::size_t n = uav.row + 1; std::ranges::find(paths, name) != paths.end(); ++n)
+            name = withId(plain, std::to_string(n));
+        paths.push_back(std::move(name));
+    }
+    return paths;
+}
+
 std::vector<ExportFile> exportFiles(const ExportFormat& format, const ExportContent& content,
                                     const std::string& path, const ExportPainter& painter)
 {
     if (fileCount(format, content) == 1)
         return {{.path = path, .content = fileText(format, content, painter)}};
+    std::vector<ExportUavId> uavs;
+    for (const ExportUav& uav : content.uavs)
+        uavs.push_back({.row = uav.row, .id = uav.uav.id});
+    const std::vector<std::string> paths = exportPaths(format, uavs, path);
     std::vector<ExportFile> files;
     ExportContent one = content;
-    for (const ExportUav& uav : content.uavs) {
-        one.uavs = {uav};
-        const std::string plain = withId(path, fileNamePart(uav.uav.id));
-        std::string name = plain;
-        for (std::size_t n = uav.row + 1; isTaken(files, name); ++n)
-            name = withId(plain, std::to_string(n));
-        files.push_back({.path = std::move(name), .content = fileText(format, one, painter)});
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        one.uavs = {content.uavs[i]};
+        files.push_back({.path = paths[i], .content = fileText(format, one, painter)});
     }
     return files;
 }

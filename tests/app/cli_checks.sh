@@ -265,7 +265,7 @@ check "sweep: differences" json 'all(r["difference"]["low_percent"] <= r["differ
 check "sweep: best tau" json '0 <= d["best_tau"]["decile1"] <= d["best_tau"]["median"] <= d["best_tau"]["decile9"] <= 1 and d["best_tau"]["mean_m2s"] <= min(r["mean_m2s"] for r in d["rows"][:3])'
 check "sweep: csv" grep -qx 'policy,tau,n,mean_m2s,standard_error_m2s,median_m2s,quartile1_m2s,quartile3_m2s,decile1_m2s,decile9_m2s,stuck_share,mean_visits,difference_percent,difference_low_percent,difference_high_percent,lower_share,worst_percent' <(head -1 sweep.csv)
 cp sweep.csv one.csv
-check "sweep on four threads" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 4 --output sweep.csv
+check "sweep on four threads" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 4 --output sweep.csv --force
 check "sweep: threads do not matter" cmp -s one.csv sweep.csv
 check "sweep: several noise seeds" exits 0 "$cli" sweep "$default" --tau 1 --runs 3 --json
 check "sweep: several noise seeds, n" json 'd["rows"][0]["n"] == 3'
@@ -310,11 +310,11 @@ check "another study is not merged" exits 0 "$cli" sweep --random 5 --tau 1 --st
 check "another study is not merged: refused" exits 3 "$cli" study whole.bergstudy other.bergstudy
 check "another study is not merged: names the file" says "other.bergstudy: taus: differs"
 check "merged over another study" exits 3 "$cli" study whole.bergstudy --study other.bergstudy
-check "--force" exits 0 "$cli" sweep "${small[@]}" --study other.bergstudy --force
-check "--force: the new study" cmp -s whole.bergstudy other.bergstudy
+check "--replace-study" exits 0 "$cli" sweep "${small[@]}" --study other.bergstudy --replace-study
+check "--replace-study: the new study" cmp -s whole.bergstudy other.bergstudy
 cp "$default" precious.berg
-check "--force spares what is no study" exits 3 "$cli" sweep "${small[@]}" --study precious.berg --force
-check "--force spares what is no study: untouched" cmp -s "$default" precious.berg
+check "--replace-study spares what is no study" exits 3 "$cli" sweep "${small[@]}" --study precious.berg --replace-study
+check "--replace-study spares what is no study: untouched" cmp -s "$default" precious.berg
 python3 - <<'P'
 import json
 d = json.load(open("whole.bergstudy"))
@@ -412,12 +412,12 @@ data="$source_dir/tests/data/import"
 for file in iip.csv cis-beacon.csv usnic.csv metno.geojson points.geojson places.kml waypoints.gpx \
             qgc.plan fence.plan ardupilot.waypoints route.gpx route.geojson scene.geojson scene.kml \
             scene.gpx table.csv; do
-    check "import $file" exits 0 "$cli" import "$data/$file" --output imported.berg
+    check "import $file" exits 0 "$cli" import "$data/$file" --output imported.berg --force
     check "import $file: names each rejected row" says "$file: line "
     check "import $file: valid" exits 0 "$cli" validate imported.berg
     check "import $file: flies" exits 0 "$cli" simulate imported.berg --duration 20
 done
-check "import --json" exits 0 "$cli" import "$data/iip.csv" --format iip --output imported.berg --json
+check "import --json" exits 0 "$cli" import "$data/iip.csv" --format iip --output imported.berg --force --json
 check "import --json: members" json 'list(d) == ["format","sightings","rejected","outside_area","outside_time","added","updated","unchanged","left_out","start_utc","origin","scene","icebergs","rejected_rows"]'
 check "import --json: counts" json '(d["sightings"], d["rejected"], d["added"]) == (7, 7, 4) and d["rejected_rows"][0]["line"] == 7'
 check "import of a fence" exits 0 "$cli" import "$data/fence.plan" --output fence.berg
@@ -426,7 +426,7 @@ check "import of a fence: what is left out" grep -q 'scene      2 circles of the
 check "import of a fence: it is there" python3 -c 'import json; s = json.load(open("fence.berg")); raise SystemExit(not (s["geofence"] and len(s["area_m"]) == 5 and s["uavs"][0]["altitude_m"] == 60))'
 check "import of a fence into a scenario" exits 0 "$cli" import "$data/fence.plan" --into fence.berg --output again.berg --json
 check "import of a fence into a scenario: kept" json 'd["scene"] == [{"note": "UAVs, area and asset of the file not taken over: the scenario is in use", "count": 1}]'
-check "import again" exits 0 "$cli" import "$data/iip.csv" --into imported.berg --output again.berg --json
+check "import again" exits 0 "$cli" import "$data/iip.csv" --into imported.berg --output again.berg --force --json
 check "import again: nothing new" json 'd["unchanged"] == 4 and d["added"] + d["updated"] == 0'
 check "import again: the same file" cmp -s imported.berg again.berg
 check "import of an area and time" exits 0 "$cli" import "$data/iip.csv" --output area.berg --area 47,-50,53,-49 --since 2021-01-01T00:00:00Z --at 2021-04-02T00:00:00Z --json

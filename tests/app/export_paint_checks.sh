@@ -56,7 +56,7 @@ if [ "$bergwatch" != none ]; then
     done
     cp page.brief before.pdf
     check "a brief does not write over a file" exits 2 "$bergwatch" export "$default" --format brief --output page.brief
-    check "a brief does not write over a file: says so" says "page.brief: exists; --force writes over it"
+    check "a brief does not write over a file: says so" says "page.brief: exists; --force overwrites it"
     check "a brief does not write over a file: as before" cmp -s page.brief before.pdf
     check "a brief with --force" exits 0 "$cli" export "$default" --format brief --output page.brief --force
     check "a brief with --force: another one" test -s page.brief -a -z "$(cmp -s page.brief before.pdf && echo same)"

@@ -1,5 +1,5 @@
 #include "core/io/atomic_file.h"
-#include "core/io/export_writing.h"
+#include "core/io/file_set.h"
 #include "tests/support/expect_error.h"
 
 #include <QDir>
@@ -12,7 +12,7 @@ using berg::test::errorOf;
 using namespace Qt::StringLiterals;
 
 /** Several files that belong together. */
-class TestExportWriting : public QObject
+class TestFileSet : public QObject
 {
     Q_OBJECT
 
@@ -23,10 +23,10 @@ private slots:
         const std::string first = folder.filePath(u"a.plan"_s).toStdString();
         const std::string second = folder.filePath(u"b.plan"_s).toStdString();
         writeFileAtomically(second, "old");
-        writeExport(std::vector<ExportFile>{{first, "1"}, {second, "2"}});
+        writeFileSet(std::vector<NewFile>{{first, "1"}, {second, "2"}});
         QCOMPARE(readFile(first), std::string("1"));
         QCOMPARE(readFile(second), std::string("2"));
-        writeExport(std::vector<ExportFile>{{first, "3"}});
+        writeFileSet(std::vector<NewFile>{{first, "3"}});
         QCOMPARE(readFile(first), std::string("3"));
     }
 
@@ -39,13 +39,13 @@ private slots:
         const std::string last = folder.filePath(u"c.plan"_s).toStdString();
         QVERIFY(QDir(folder.path()).mkdir(u"c.plan"_s));
         writeFileAtomically(there, "old");
-        const std::vector<ExportFile> files{{there, "1"}, {fresh, "2"}, {last, "3"}};
-        const std::optional<Error> error = errorOf([&] { writeExport(files); });
+        const std::vector<NewFile> files{{there, "1"}, {fresh, "2"}, {last, "3"}};
+        const std::optional<Error> error = errorOf([&] { writeFileSet(files); });
         QVERIFY(error && error->code() == ErrorCode::FileUnwritable && error->subject() == last);
         QCOMPARE(readFile(there), std::string("old"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{u"a.plan"_s});
     }
 };
 
-QTEST_APPLESS_MAIN(TestExportWriting)
-#include "tst_export_writing.moc"
+QTEST_APPLESS_MAIN(TestFileSet)
+#include "tst_file_set.moc"

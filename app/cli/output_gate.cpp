@@ -1,0 +1,178 @@
+#include "app/cli/output_gate.h"
+
+#include "app/cli/console.h"
+#include "core/io/atomic_file.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace berg::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kStandardOutput = "/dev/stdout";
+
+/** Which file a path means, whatever it is called; of a file that is not there, where it will be.
+ */
+struct FileIdentity
+{
+    std::optional<std::pair<dev_t, ino_t>> node;
+    fs::path place;
+    bool operator==(const FileIdentity&) const = default;
+};
+
+/** None for devices and pipes, which may be named twice, and for folders. */
+std::optional<FileIdentity> identityOf(const std::string& path)
+{
+    struct stat found = {};
+    if (isOpenDescriptor(path))
+        return FileIdentity{.node = std::nullopt, .place = path};
+    if (::stat(path.c_str(), &found) == 0) {
+        if (!S_ISREG(found.st_mode))
+            return std::nullopt;
+        return FileIdentity{.node = std::pair(found.st_dev, found.st_ino), .place = {}};
+    }
+    std::error_code failure;
+    return FileIdentity{.node = std::nullopt,
+                        .place = fs::weakly_canonical(fs::absolute(path, failure), failure)};
+}
+
+std::string named(const Output& output)
+{
+    return output.option + ": " + output.path;
+}
+
+bool isStandardOutput(const std::string& path)
+{
+    return path == kStandardOutput || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+void checkApart(const CommandFiles& files)
+{
+    std::vector<std::pair<FileIdentity, const Output*>> known;
+    for (const Output& output : files.outputs) {
+        const std::optional<FileIdentity> identity = identityOf(output.path);
+        if (output.path.empty() || !identity)
+            continue;
+        for (const std::string& input : files.inputs)
+            if (identityOf(input) == identity)
+                throw UsageError{named(output) + " is an input of this command (" + input +
+                                 "): name another file"};
+        for (const auto& [other, earlier] : known)
+            if (other == *identity)
+                throw UsageError{named(output) + " is the file of " + earlier->option +
+                                 " already: name another file"};
+        known.emplace_back(*identity, &output);
+    }
+}
+
+[[noreturn]] void fail(const Output& output, const std::string& why)
+{
+    throw Error(ErrorCode::FileUnwritable, named(output), why);
+}
+
+/** The folder must be there; a file to write is none. */
+void checkFolder(const Output& output)
+{
+    const fs::path folder = fs::path(output.path).parent_path();
+    std::error_code failure;
+    const fs::file_status status = fs::status(folder.empty() ? "." : folder, failure);
+    if (!fs::exists(status))
+        fail(output, "there is no folder " + folder.string());
+    if (!fs::is_directory(status))
+        fail(output, folder.string() + " is no folder");
+}
+
+void checkOne(const Output& output, const CommandFiles& files)
+{
+    if (files.json && isStandardOutput(output.path))
+        throw UsageError{named(output) + " and --json both need standard output"};
+    if (isOpenDescriptor(output.path))
+        return;
+    checkFolder(output);
+    std::error_code failure;
+    if (!output.mayExist && !files.force && fs::is_regular_file(output.path, failure))
+        throw UsageError{named(output) + ": exists; --force overwrites it"};
+    try {
+        checkWritable(output.path);
+    } catch (const Error& error) {
+        fail(output, error.issues().front().message);
+    }
+}
+
+} // namespace
+
+void checkFiles(const CommandFiles& files)
+{
+    checkApart(files);
+    for (const Output& output : files.outputs)
+        if (!output.path.empty())
+            checkOne(output, files);
+}
+
+std::vector<Output> outputsIn(const std::string& option, const std::string& folder,
+                              std::span<const std::string> names)
+{
+    if (folder.empty())
+        return {};
+    std::error_code failure;
+    fs::path there = fs::absolute(folder, failure).lexically_normal();
+    const fs::file_status status = fs::status(there, failure);
+    const Output asked{.option = option, .path = folder};
+    if (fs::exists(status) && !fs::is_directory(status))
+        fail(asked, "is no folder");
+    if (!fs::exists(status)) { // nothing is in the way in it, but it has to be made
+        while (!fs::exists(there, failure) && there.has_relative_path())
+            there = there.parent_path();
+        if (!fs::is_directory(there, failure))
+            fail(asked, there.string() + " is no folder");
+        if (::access(there.c_str(), W_OK | X_OK) != 0)
+            fail(asked, "cannot be made: " + std::generic_category().message(errno));
+        return {};
+    }
+    std::vector<Output> outputs;
+    for (const std::string& name : names)
+        outputs.push_back({.option = option, .path = folder + '/' + name});
+    return outputs;
+}
+
+CLI::Option* addOutputFile(CLI::App& command, const std::string& option, std::string& path,
+                           const std::string& help)
+{
+    const auto assign = [&path](const std::string& text) {
+        path = text == "-" ? std::string(kStandardOutput) : text;
+    };
+    return command.add_option_function<std::string>(option, assign, help);
+}
+
+void addForce(CLI::App& command, bool& force)
+{
+    command.add_flag("--force", force, "Overwrite files that exist");
+}
+
+void deliver(std::span<const NewFile> files, const std::string& text,
+             const std::function<void()>& before)
+{
+    std::exception_ptr failure;
+    try {
+        if (before)
+            before();
+        writeFileSet(files);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    if (std::ranges::any_of(files, [](const NewFile& file) { return isStandardOutput(file.path); }))
+        std::fputs(text.c_str(), stderr);
+    else
+        print(text);
+    if (failure)
+        std::rethrow_exception(failure);
+}
+
+} // namespace berg::cli
