@@ -149,6 +149,27 @@ private slots:
         QVERIFY(!w.file.isChangedOutside());
     }
 
+    /** While it was being read: what is on screen is not what is in the file. */
+    void changeWhileItIsOpened()
+    {
+        Window w(*m_dir);
+        connect(&w.document, &ScenarioDocument::replaced, this,
+                [this] { writeOutside(u"a.berg"_s, three(7)); });
+        w.document.open(path(u"a.berg"_s));
+        QVERIFY(w.file.isChangedOutside());
+    }
+
+    void changeRightAfterSaving()
+    {
+        ScenarioDocument document;
+        connect(&document, &ScenarioDocument::filePathChanged, this,
+                [this] { writeOutside(u"a.berg"_s, three(7)); });
+        DocumentFile file(document); // told after the other has written
+        document.reset(three());
+        file.save(path(u"a.berg"_s), false);
+        QVERIFY(file.isChangedOutside());
+    }
+
     void ownSavingIsNoChange()
     {
         Window w(*m_dir);

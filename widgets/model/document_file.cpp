@@ -58,7 +58,9 @@ void DocumentFile::setLockFolder(const QString& folder)
 /** Opened, saved, or begun without a file. */
 void DocumentFile::follow()
 {
-    m_seen = seen();
+    // A size and a time looked up now could be those of a change made since: both stay open, so
+    // that the first look at the file goes by its content.
+    m_seen = m_document.fileHash().isEmpty() ? seen() : Seen{.hash = m_document.fileHash()};
     const QString path = m_document.filePath();
     const QString lock = path.isEmpty() || m_lockFolder.isEmpty() ? QString() : lockPath(path);
     if (lock == m_lockPath && m_lock.isHeld())

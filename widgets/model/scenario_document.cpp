@@ -1,8 +1,10 @@
 #include "widgets/model/scenario_document.h"
 
+#include "core/io/atomic_file.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/validate.h"
 
+#include <QCryptographicHash>
 #include <QFile>
 #include <QUndoCommand>
 #include <QUndoStack>
@@ -10,6 +12,15 @@
 #include <memory>
 
 namespace berg {
+namespace {
+
+QByteArray hashOf(const std::string& content)
+{
+    return QCryptographicHash::hash(QByteArrayView(content.data(), std::ssize(content)),
+                                    QCryptographicHash::Sha256);
+}
+
+} // namespace
 
 /**
  * The one undo command: the scenario before and after. One of 500 icebergs takes 130 kilobytes, so
@@ -138,11 +149,13 @@ void ScenarioDocument::setScenario(const Scenario& scenario)
         emit scenarioChanged(parts);
 }
 
-void ScenarioDocument::begin(const Scenario& scenario, const QString& filePath, bool clean)
+void ScenarioDocument::begin(const Scenario& scenario, const QString& filePath, bool clean,
+                             const QByteArray& fileHash)
 {
     m_isLocked = false;
     m_undoStack->clear();
     m_filePath = filePath;
+    m_fileHash = fileHash;
     m_scenario = scenario;
     m_issues = validate(m_scenario);
     emit replaced();
@@ -165,13 +178,17 @@ void ScenarioDocument::restore(const Scenario& scenario, const QString& filePath
 
 void ScenarioDocument::open(const QString& path)
 {
-    begin(loadScenario(QFile::encodeName(path).toStdString()), path, true);
+    const std::string name = QFile::encodeName(path).toStdString();
+    const std::string content = readFile(name);
+    begin(scenarioFromJson(content, name), path, true, hashOf(content));
 }
 
 void ScenarioDocument::save(const QString& path)
 {
-    saveScenario(m_scenario, QFile::encodeName(path).toStdString());
+    const std::string content = scenarioToJson(m_scenario);
+    writeFileAtomically(QFile::encodeName(path).toStdString(), content);
     m_filePath = path;
+    m_fileHash = hashOf(content);
     m_undoStack->setClean();
     emit filePathChanged(m_filePath);
 }

@@ -44,6 +44,8 @@ public:
 
     /** Empty: never saved. */
     [[nodiscard]] QString filePath() const { return m_filePath; }
+    /** SHA-256 of the bytes read from the file or written to it; empty: neither was done. */
+    [[nodiscard]] const QByteArray& fileHash() const { return m_fileHash; }
     [[nodiscard]] bool isClean() const;
 
     /**
@@ -84,7 +86,8 @@ signals:
 
 private:
     friend class EditScenario;
-    void begin(const Scenario& scenario, const QString& filePath, bool clean);
+    void begin(const Scenario& scenario, const QString& filePath, bool clean,
+               const QByteArray& fileHash = {});
     void setScenario(const Scenario& scenario);
     [[nodiscard]] bool refuses();
 
@@ -92,6 +95,7 @@ private:
     std::vector<Issue> m_issues;
     QUndoStack* m_undoStack;
     QString m_filePath;
+    QByteArray m_fileHash;
     bool m_isLocked = false;
     int m_gestureNumber = 0; ///< distinguishes equal gestures that follow each other
 };
