@@ -34,11 +34,12 @@ RecentFile readRecentFile(const QString& path)
     return recent;
 }
 
-/** The map of a planned scenario without its words. */
-QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio)
+/** The map of a planned scenario without its words; unplanned when stopped. */
+QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio,
+                 const std::stop_token& stop)
 {
     MapPicture picture = withScenario({}, scenario);
-    const PlanAnswer answer = planFromStart(scenario);
+    const PlanAnswer answer = planFromStart(scenario, {.stop = stop});
     if (!picture.routes.empty())
         picture.routes.front().plan = answer.order;
     for (std::size_t uav = 0; uav < answer.fleet.size(); ++uav)
@@ -59,14 +60,15 @@ QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio
     return image;
 }
 
-Example paintedExample(const QString& path, const Theme& theme, double pixelRatio)
+Example paintedExample(const QString& path, const Theme& theme, double pixelRatio,
+                       const std::stop_token& stop)
 {
     const Scenario scenario = loadExample(path);
     return {.path = path,
             .title = QString::fromStdString(scenario.name),
             .notes = QString::fromStdString(scenario.notes),
             .icebergs = static_cast<int>(scenario.icebergs.size()),
-            .picture = pictureOf(scenario, theme, pixelRatio)};
+            .picture = pictureOf(scenario, theme, pixelRatio, stop)};
 }
 
 } // namespace
@@ -99,42 +101,53 @@ Scenario loadExample(const QString& path)
 
 StartContent::StartContent(QObject* parent) : QObject(parent)
 {
-    m_thread.setMaxThreadCount(1);
+    m_reader.setMaxThreadCount(1);
+    m_painter.setMaxThreadCount(1);
 }
 
 StartContent::~StartContent()
 {
-    m_thread.clear();
-    m_thread.waitForDone();
+    m_stop.request_stop();
+    for (QThreadPool* thread : {&m_reader, &m_painter}) {
+        thread->clear();
+        thread->waitForDone();
+    }
 }
 
 void StartContent::finish()
 {
-    m_thread.clear();
-    m_thread.start(
+    m_stop.request_stop();
+    m_painter.clear();
+    m_reader.clear();
+    m_reader.start(
         [this] { QMetaObject::invokeMethod(this, &QObject::deleteLater, Qt::QueuedConnection); });
 }
 
 void StartContent::readRecent(const QStringList& paths)
 {
-    m_thread.start([this, paths] {
+    m_reader.start([this, paths] {
         QList<RecentFile> files;
         std::transform(paths.begin(), paths.end(), std::back_inserter(files), readRecentFile);
         emit recentRead(files);
     });
 }
 
-void StartContent::paintExamples(const Theme& theme, double pixelRatio)
+void StartContent::paintExamples(const Theme& theme, double pixelRatio, const QStringList& paths)
 {
-    const QStringList paths = examplePaths();
+    m_stop.request_stop();
+    m_stop = std::stop_source();
+    m_painter.clear();
     for (int place = 0; place < paths.size(); ++place)
-        m_thread.start([this, place, path = paths[place], theme, pixelRatio] {
-            try {
-                emit examplePainted(place, paintedExample(path, theme, pixelRatio), theme.isDark);
-            } catch (const Error&) {
-                // A picture less; opening the example tells what is wrong with it.
-            }
-        });
+        m_painter.start(
+            [this, place, path = paths[place], theme, pixelRatio, stop = m_stop.get_token()] {
+                try {
+                    const Example example = paintedExample(path, theme, pixelRatio, stop);
+                    if (!stop.stop_requested())
+                        emit examplePainted(place, example, theme.isDark);
+                } catch (const Error&) {
+                    // A picture less; opening the example tells what is wrong with it.
+                }
+            });
 }
 
 } // namespace berg

@@ -10,6 +10,7 @@
 #include <QThreadPool>
 
 #include <optional>
+#include <stop_token>
 
 namespace berg {
 
@@ -41,8 +42,8 @@ inline constexpr QSize kExamplePicture_px(252, 148);
 [[nodiscard]] Scenario loadExample(const QString& path);
 
 /**
- * Reads what the start page lists and paints the examples, planned, on a thread of its own: files
- * may lie on slow disks. GUI thread.
+ * Reads what the start page lists and paints the examples, planned, on a thread each: files may lie
+ * on slow disks, and planning takes its time. GUI thread.
  */
 class StartContent : public QObject
 {
@@ -50,22 +51,26 @@ class StartContent : public QObject
 
 public:
     explicit StartContent(QObject* parent = nullptr);
-    /** Waits for the file or the picture under way: a fraction of a second. */
+    /** Stops the plan under way and waits for the file being read: a fraction of a second. */
     ~StartContent() override;
 
-    /** Nothing more is wanted: deletes itself after what is under way, without waiting for it. */
+    /** Nothing more is wanted: deletes itself once nothing is under way, without waiting. */
     void finish();
     void readRecent(const QStringList& paths);
-    void paintExamples(const Theme& theme, double pixelRatio);
+    /** In place of what is being painted. */
+    void paintExamples(const Theme& theme, double pixelRatio,
+                       const QStringList& paths = examplePaths());
 
 signals:
     // From the thread that reads: connect with a context object.
     void recentRead(const QList<berg::RecentFile>& files);
-    /** `place` among `examplePaths`. */
+    /** `place` among the paths. */
     void examplePainted(int place, const berg::Example& example, bool dark);
 
 private:
-    QThreadPool m_thread;
+    QThreadPool m_reader;
+    QThreadPool m_painter;
+    std::stop_source m_stop; ///< of what is being painted
 };
 
 } // namespace berg
