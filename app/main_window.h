@@ -68,6 +68,8 @@ public:
 
     /** Opens a scenario after the question about unsaved changes; false when it was not opened. */
     bool openFile(const QString& path);
+    /** By its ending. Its results are shown beside the scenario, which stays. */
+    [[nodiscard]] static bool isStudyFile(const QString& path);
     /** Over everything but the menus; opening anything closes it. */
     void showStartPage();
     [[nodiscard]] bool startPageIsShown() const { return m_startPage != nullptr; }
@@ -220,7 +222,6 @@ private:
     void lookAtFile();
 
     // main_window_study.cpp
-    [[nodiscard]] static bool isStudyFile(const QString& path);
     void connectStudy();
     [[nodiscard]] QString studyPath(const QString& extension, const QString& filter);
     void saveStudyPicture();

@@ -48,7 +48,7 @@ std::optional<std::size_t> findRun(const RunList& list, const Scenario& world,
 
 bool MainWindow::isStudyFile(const QString& path)
 {
-    return QFileInfo(path).suffix() == u"bergstudy"_s;
+    return QFileInfo(path).suffix().toLower() == u"bergstudy"_s;
 }
 
 void MainWindow::connectStudy()

@@ -1,5 +1,6 @@
 #include "app/window_run.h"
 
+#include "app/run_settings.h"
 #include "app/window_holder.h"
 #include "core/io/atomic_file.h"
 #include "core/scenario/presets.h"
@@ -11,7 +12,6 @@
 #include <QDir>
 #include <QFile>
 #include <QLibraryInfo>
-#include <QStandardPaths>
 #include <QTextStream>
 #include <QTranslator>
 
@@ -28,13 +28,6 @@ constexpr int kBadInput = 3;
 void say(const QString& text)
 {
     QTextStream(stderr) << text << Qt::endl;
-}
-
-/** Where unsaved work and locks are kept; with settings of their own, beside those. */
-QString dataFolder(const QString& config)
-{
-    return config.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
-                            : config + u".data"_s;
 }
 
 void saveImage(const QPixmap& picture, const QString& path)
@@ -96,20 +89,46 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
     QObject::connect(&workspace, &Workspace::flightChanged, &window, onFlight);
 }
 
-void keepSafe(Workspace& workspace, const QString& config)
+void keepSafe(Workspace& workspace, const QDir& data)
 {
-    const QDir data(dataFolder(config));
     workspace.file().setLockFolder(data.filePath(u"locks"_s));
     workspace.autosaver().start(data.filePath(u"recovery"_s));
 }
 
-/** What is there to be asked or shown once the window stands; `inUse`: `file` is not open yet. */
-void greet(MainWindow& window, const QSettings& settings, const QString& file, bool inUse)
+/** What came of the file named on the command line before there was a window. */
+struct NamedFile
 {
-    if (inUse)
-        window.openFile(file);
-    else if (file.isEmpty() && MainWindow::wantsStartPage(settings))
+    QString path;       ///< empty: none was named
+    bool later = false; ///< to be opened by the window: a study, or a file in use elsewhere
+    QString fault = {}; ///< why it was not opened, in the user's words; empty: it was
+};
+
+NamedFile openNamed(Workspace& workspace, const QString& path, bool picture)
+{
+    const bool later =
+        !picture && (MainWindow::isStudyFile(path) || workspace.file().otherHolder(path));
+    NamedFile named{.path = path, .later = later};
+    if (path.isEmpty() || named.later)
+        return named;
+    try {
+        workspace.openFile(path);
+    } catch (const Error& error) {
+        named.fault = errorReport(error);
+    }
+    return named;
+}
+
+/** What is there to be asked, told or shown once the window stands. */
+void greet(MainWindow& window, Interaction& interaction, const QSettings& settings,
+           const NamedFile& file)
+{
+    const bool isOpen = !file.path.isEmpty() && file.fault.isEmpty();
+    if (file.later)
+        window.openFile(file.path);
+    else if (!isOpen && MainWindow::wantsStartPage(settings))
         window.showStartPage();
+    if (!file.fault.isEmpty())
+        interaction.showError(&window, file.fault);
     window.offerRecoveries();
 }
 
@@ -132,11 +151,8 @@ void installLanguage(const QString& language)
 int runWindow(const WindowOptions& options)
 {
     const bool picture = !options.screenshot.isEmpty();
-    // A screenshot shows the program as it comes, whatever the user has chosen for himself.
-    QSettings settings = options.config.isEmpty() && !picture
-                             ? QSettings(u"Bergwatch"_s, u"bergwatch"_s)
-                             : QSettings(options.config.isEmpty() ? u"/dev/null"_s : options.config,
-                                         QSettings::IniFormat);
+    RunSettings own(options.config, picture);
+    QSettings& settings = own.settings();
     if (const QString language = settings.value("view/language").toString(); !language.isEmpty())
         installLanguage(language);
 
@@ -144,16 +160,12 @@ int runWindow(const WindowOptions& options)
     DialogInteraction interaction;
     workspace.document().reset(defaultScenario());
     if (!picture)
-        keepSafe(workspace, options.config);
-    const bool inUse = workspace.file().otherHolder(options.scenario).has_value();
-    if (!options.scenario.isEmpty() && !inUse) {
-        try {
-            workspace.openFile(options.scenario);
-        } catch (const Error& error) {
-            say(errorReport(error));
-            return kBadInput;
-        }
-    }
+        keepSafe(workspace, QDir(own.dataFolder()));
+    const NamedFile named = openNamed(workspace, options.scenario, picture);
+    if (!named.fault.isEmpty())
+        say(named.fault);
+    if (picture && !named.fault.isEmpty())
+        return kBadInput;
     WindowHolder holder(workspace, interaction, settings);
     MainWindow& window = holder.window();
     window.resize(options.size_px);
@@ -163,9 +175,7 @@ int runWindow(const WindowOptions& options)
         arrangeScreenshot(workspace, window, options);
     window.show();
     if (!picture)
-        QTimer::singleShot(0, &window, [&window, &settings, &options, inUse] {
-            greet(window, settings, options.scenario, inUse);
-        });
+        QTimer::singleShot(0, &window, [&] { greet(window, interaction, settings, named); });
     return QApplication::exec();
 }
 
