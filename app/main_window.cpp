@@ -239,7 +239,8 @@ void MainWindow::dropEvent(QDropEvent* event)
     if (urls.isEmpty())
         return;
     event->acceptProposedAction();
-    openDropped(urls.front().toLocalFile());
+    // After the drop: the program that the file comes from waits for its end.
+    QTimer::singleShot(0, this, [this, path = urls.front().toLocalFile()] { openDropped(path); });
 }
 
 } // namespace berg

@@ -85,12 +85,10 @@ void MainWindow::takeImport(const ImportChoice& choice, const QString& fileName)
 
 void MainWindow::openDropped(const QString& path)
 {
-    if (!sightingEndings().contains(QFileInfo(path).suffix().toLower())) {
+    if (sightingEndings().contains(QFileInfo(path).suffix().toLower()))
+        importSightings(path);
+    else
         openFile(path);
-        return;
-    }
-    // After the drop: the program that the file comes from waits for its end.
-    QTimer::singleShot(0, this, [this, path] { importSightings(path); });
 }
 
 } // namespace berg

@@ -50,7 +50,7 @@ QList<QAction*> recentActions(WindowFixture& w)
     return {};
 }
 
-/** A file dragged over the window and let go; whether the window took it. */
+/** A file dragged over the window and let go; whether the window took it. It is opened later. */
 bool drop(WindowFixture& w, const QList<QUrl>& urls)
 {
     QMimeData data;
@@ -89,6 +89,7 @@ void leave(WindowFixture& w, WayOut way, const QString& other)
         return;
     case WayOut::Drop:
         QVERIFY(drop(w, {QUrl::fromLocalFile(other)}));
+        QTest::qWait(0);
         return;
     case WayOut::Close:
         w.window().close();
@@ -214,10 +215,22 @@ private slots:
         const QString path = w.file(u"dropped.berg"_s);
         saveScenario(three(32), path.toStdString());
         QVERIFY(drop(w, {QUrl::fromLocalFile(path)}));
-        QVERIFY(w.scenario() == three(32));
+        QVERIFY(w.until([&] { return w.scenario() == three(32); }));
         QVERIFY(!drop(w, {QUrl(u"https://example.org/x.berg"_s)}));
         QVERIFY(!drop(w, {QUrl::fromLocalFile(path), QUrl::fromLocalFile(path)}));
         QVERIFY(!drop(w, {}));
+    }
+
+    /** The program it comes from waits until the drop has ended: no question is asked before. */
+    void dropEndsBeforeItIsOpened()
+    {
+        WindowFixture w(three());
+        const QString path = w.file(u"dropped.berg"_s);
+        saveScenario(three(32), path.toStdString());
+        change(w);
+        QVERIFY(drop(w, {QUrl::fromLocalFile(path)}));
+        QVERIFY(w.interaction.unsavedNames.isEmpty());
+        QVERIFY(w.until([&] { return w.interaction.unsavedNames.size() == 1; }));
     }
 
     void everyWayOutAsks_data()
