@@ -190,9 +190,13 @@ void MainWindow::applyTheme(const Theme& theme)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!m_endAgreed && (!maySettleChanges() || !maySettleStudy())) {
-        event->ignore();
-        return;
+    if (!m_ends) {
+        // The study first: it may take a while to be saved, and then all this is asked again.
+        if (!maySettleStudy([](MainWindow& window) { window.close(); }) || !maySettleChanges()) {
+            event->ignore();
+            return;
+        }
+        m_workspace.autosaver().discard();
     }
     m_settings.setValue("window/geometry", saveGeometry());
     m_settings.setValue("window/state", saveState(kLayoutVersion));
@@ -212,6 +216,7 @@ void MainWindow::changeEvent(QEvent* event)
 /** Keys without a modifier belong to what has the focus, where they mean something to it. */
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
+    followEnd(*event);
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
         const bool plain = key.modifiers() == Qt::NoModifier;

@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include <array>
+#include <functional>
 #include <optional>
 
 class QAction;
@@ -78,8 +79,12 @@ public:
     /** Unsaved work of programs that ended unexpectedly; false, and no question: there is none. */
     bool offerRecoveries();
     /** The user logs out; false: not now. Without a question what is unsaved is left to recovery.
-     */
+     * What was agreed holds until the window is closed by the end of the program, which follows,
+     * or used again. */
     [[nodiscard]] bool mayEndSession(bool mayAsk);
+    /** Carries on in place of another window of the same workspace: what that one awaits, and what
+     * was last chosen in it. */
+    void takeOver(MainWindow& other);
     void setAppearance(Appearance appearance);
     /** Applies a theme now; `setAppearance` decides it in daily use. */
     void applyTheme(const Theme& theme);
@@ -220,13 +225,19 @@ private:
     void connectSafety();
     void restore(FoundRecovery found);
     void lookAtFile();
+    void followEnd(const QEvent& event);
 
     // main_window_study.cpp
     void connectStudy();
     [[nodiscard]] QString studyPath(const QString& extension, const QString& filter);
     void saveStudyPicture();
+    [[nodiscard]] Interaction::Unsaved askAboutStudy();
     bool saveStudy();
-    [[nodiscard]] bool maySettleStudy();
+    bool saveStudyNow();
+    /** To be done once a study is in its file, by the window that there is then. */
+    using AfterStudy = std::function<void(MainWindow&)>;
+    [[nodiscard]] bool maySettleStudy(AfterStudy then);
+    void replaceStudy(const AfterStudy& replace);
     void openStudyDock(const QString& name, const QSize& best_px);
     void showStudy();
     [[nodiscard]] bool flyOnMap(const Scenario& scenario, const QString& text);
@@ -240,6 +251,15 @@ private:
         Scenario world;
         PlannerSettings reference;
         PlannerSettings other;
+    };
+
+    /** Goes to the window made in place of this one. */
+    struct CarriedOver
+    {
+        std::optional<ComparedPair> compared; ///< awaited
+        AfterStudy afterStudySaved;           ///< awaited; none: nothing
+        ExportOptions exportOptions;          ///< last chosen
+        QDateTime reloadRefused;              ///< of this change of the file
     };
 
     Workspace& m_workspace;
@@ -287,12 +307,10 @@ private:
     StartPage* m_startPage = nullptr; ///< while it is shown
     Tour* m_tour = nullptr;           ///< while it goes on
 
-    std::optional<ComparedPair> m_compared; ///< awaited
-    ExportOptions m_exportOptions;          ///< last chosen
-    bool m_closesWhenSaved = false;         ///< as soon as the study is in its file
-    bool m_endAgreed = false;  ///< with leaving when the user logs out, and nothing changed since
+    CarriedOver m_carried;
+    bool m_endAgreed = false;  ///< the user logs out, and has not come back since
+    bool m_ends = false;       ///< all windows are being closed for that
     bool m_asksReload = false; ///< the question is on screen
-    QDateTime m_reloadRefused; ///< of this change of the file
 
     std::vector<TimeMark> m_marks;  ///< on the time line
     std::size_t m_markedEvents = 0; ///< of the history, turned into marks

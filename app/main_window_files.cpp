@@ -219,7 +219,7 @@ void MainWindow::exportPlan()
     const QString name = fileNameOf(QString::fromStdString(document.scenario().name));
     const ExportOffer offer{
         .suggested = {.formatId = m_settings.value("export/format").toString().toStdString(),
-                      .options = m_exportOptions,
+                      .options = m_carried.exportOptions,
                       .path = QDir(folder).filePath(name)},
         .flown = m_workspace.inFlight(),
         .scenario = std::make_shared<const Scenario>(document.scenario()),
@@ -230,7 +230,7 @@ void MainWindow::exportPlan()
         return;
     m_settings.setValue("export/folder", QFileInfo(choice->path).absolutePath());
     m_settings.setValue("export/format", QString::fromStdString(choice->formatId));
-    m_exportOptions = choice->options;
+    m_carried.exportOptions = choice->options;
     m_workspace.runner().requestExport(*choice);
 }
 

@@ -1,5 +1,7 @@
 #include "app/main_window.h"
 #include "widgets/panels/panel_labels.h"
+#include "widgets/panels/solve_time_panel.h"
+#include "widgets/panels/study_panel.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -58,14 +60,39 @@ void MainWindow::connectSafety()
 
 bool MainWindow::mayEndSession(bool mayAsk)
 {
-    if (mayAsk) {
-        m_endAgreed = maySettleChanges();
-        return m_endAgreed;
+    if (!mayAsk) {
+        finishTyping();
+        m_workspace.autosaver().keep();
+        m_endAgreed = true;
+        return true;
     }
-    finishTyping();
-    m_workspace.autosaver().keep();
-    m_endAgreed = true;
-    return true;
+    const Interaction::Unsaved study = askAboutStudy();
+    // There is no time later on: the program may be killed as soon as this returns.
+    m_endAgreed = study != Interaction::Unsaved::Cancel &&
+                  (study != Interaction::Unsaved::Save || saveStudyNow()) && maySettleChanges();
+    if (m_endAgreed)
+        m_workspace.autosaver().discard();
+    return m_endAgreed;
+}
+
+/** The end of the session closes all windows; whoever uses this one has called it off. */
+void MainWindow::followEnd(const QEvent& event)
+{
+    if (!m_endAgreed)
+        return;
+    if (event.type() == QEvent::Quit) {
+        m_ends = true;
+        QTimer::singleShot(0, this, [this] { m_ends = false; }); // unless another one objects
+    } else if (event.type() == QEvent::KeyPress || event.type() == QEvent::MouseButtonPress) {
+        m_endAgreed = false;
+    }
+}
+
+void MainWindow::takeOver(MainWindow& other)
+{
+    m_carried = std::move(other.m_carried);
+    m_study->showAs(*other.m_study);
+    m_solveTime->showSpec(other.m_solveTime->spec());
 }
 
 bool MainWindow::offerRecoveries()
@@ -112,13 +139,13 @@ void MainWindow::lookAtFile()
         !m_workspace.file().isChangedOutside())
         return;
     const QFileInfo file(document.filePath());
-    if (file.lastModified() == m_reloadRefused)
+    if (file.lastModified() == m_carried.reloadRefused)
         return;
     const QScopedValueRollback asking(m_asksReload, true);
     if (m_interaction.askReload(this, file.fileName()))
         openFile(document.filePath());
     else
-        m_reloadRefused = file.lastModified();
+        m_carried.reloadRefused = file.lastModified();
 }
 
 } // namespace berg

@@ -2,6 +2,7 @@
 
 #include "app/file_names.h"
 #include "app/main_window.h"
+#include "core/io/study_json.h"
 #include "core/study/paper_figures.h"
 #include "widgets/model/error_text.h"
 #include "widgets/panels/chart_panel.h"
@@ -10,6 +11,7 @@
 #include "widgets/panels/study_results.h"
 
 #include <QDockWidget>
+#include <QFile>
 #include <QFileInfo>
 #include <QScreen>
 #include <QStatusBar>
@@ -54,6 +56,12 @@ bool MainWindow::isStudyFile(const QString& path)
 void MainWindow::connectStudy()
 {
     StudyFiles& files = m_workspace.studyFiles();
+    connect(m_study, &StudyPanel::startRequested, this,
+            [this](const StudySpec& spec, bool compares) {
+                replaceStudy([spec, compares](MainWindow& window) {
+                    window.m_study->start(spec, compares);
+                });
+            });
     connect(m_study, &StudyPanel::solveTimesRequested, this, [this] {
         m_solveTime->showSpec(figure3(benchmarkSolvers()));
         openStudyDock(u"solveTimeDock"_s, m_solveTime->sizeHint());
@@ -85,19 +93,20 @@ void MainWindow::connectStudy()
     });
     connect(m_study, &StudyPanel::pictureRequested, this, &MainWindow::saveStudyPicture);
     connect(&files, &StudyFiles::opened, this, [this](const std::shared_ptr<const Study>& study) {
-        m_workspace.study().show(*study);
-        showStudy();
+        replaceStudy([study](MainWindow& window) {
+            window.m_workspace.study().show(*study);
+            window.showStudy();
+        });
     });
     connect(&files, &StudyFiles::written, this,
             [this](const QString& path) { m_study->showNote(tr("Saved %1").arg(path)); });
     connect(&files, &StudyFiles::saved, this, [this](const QString& path) {
-        m_workspace.study().noteSaved();
         m_study->showNote(tr("Saved %1").arg(path));
-        if (std::exchange(m_closesWhenSaved, false))
-            close();
+        if (const AfterStudy then = std::exchange(m_carried.afterStudySaved, {}))
+            then(*this);
     });
     connect(&files, &StudyFiles::failed, this, [this](const QString& report) {
-        m_closesWhenSaved = false;
+        m_carried.afterStudySaved = {};
         m_interaction.showError(this, report);
     });
 }
@@ -116,21 +125,47 @@ bool MainWindow::saveStudy()
     const QString path = studyPath(u"bergstudy"_s, studyFilter());
     if (path.isEmpty())
         return false;
-    m_workspace.studyFiles().save(m_workspace.study().result(), path);
+    const StudyRunner& study = m_workspace.study();
+    m_workspace.studyFiles().save(study.result(), study.savePoint(), path);
     return true;
 }
 
-/** Asks about a study that took long and is in no file; once it is, the window closes. */
-bool MainWindow::maySettleStudy()
+/** When the program has no time left; the window waits. */
+bool MainWindow::saveStudyNow()
+{
+    const QString path = studyPath(u"bergstudy"_s, studyFilter());
+    if (path.isEmpty())
+        return false;
+    StudyRunner& study = m_workspace.study();
+    try {
+        berg::saveStudy(study.result()->study, QFile::encodeName(path).toStdString());
+        study.noteSaved(study.savePoint());
+        return true;
+    } catch (const Error& error) {
+        m_interaction.showError(this, errorReport(error));
+        return false;
+    }
+}
+
+/** Discard as well when there is nothing that would take long to fly again. */
+Interaction::Unsaved MainWindow::askAboutStudy()
 {
     const StudyRunner& study = m_workspace.study();
     const double unsaved_s = study.result() ? study.unsaved_s() : 0;
     if (unsaved_s <= 0 || unsaved_s < m_settings.value(kStudyWorthKey, 60).toDouble())
-        return true;
+        return Interaction::Unsaved::Discard;
     const QString name = QString::fromStdString(study.result()->study.spec.name);
-    switch (m_interaction.askUnsaved(this, tr("Study: %1").arg(name))) {
+    return m_interaction.askUnsaved(this, tr("Study: %1").arg(name));
+}
+
+/** Asks about what would be lost of the study there is. False: not now; `then` follows once the
+ * study is in a file, where the user wants that. */
+bool MainWindow::maySettleStudy(AfterStudy then)
+{
+    switch (askAboutStudy()) {
     case Interaction::Unsaved::Save:
-        m_closesWhenSaved = saveStudy();
+        if (saveStudy())
+            m_carried.afterStudySaved = std::move(then);
         return false;
     case Interaction::Unsaved::Discard:
         return true;
@@ -138,6 +173,12 @@ bool MainWindow::maySettleStudy()
         return false;
     }
     return false;
+}
+
+void MainWindow::replaceStudy(const AfterStudy& replace)
+{
+    if (maySettleStudy(replace))
+        replace(*this);
 }
 
 void MainWindow::saveStudyPicture()
@@ -193,7 +234,7 @@ void MainWindow::compareFlights(const Scenario& scenario, const PlannerSettings&
     first.planner = best;
     if (!flyOnMap(first, tr("Fly Figure 5 of the paper")))
         return;
-    m_compared = ComparedPair{.world = first, .reference = best, .other = tsp};
+    m_carried.compared = ComparedPair{.world = first, .reference = best, .other = tsp};
     m_workspace.runs().addFlown(first, tsp);
     for (const QString& name : {u"comparisonDock"_s, u"comparisonChartDock"_s}) {
         auto* dock = findChild<QDockWidget*>(name);
@@ -205,15 +246,16 @@ void MainWindow::compareFlights(const Scenario& scenario, const PlannerSettings&
 /** Sets the two flights beside each other once both have ended. */
 void MainWindow::finishComparison()
 {
-    if (!m_compared)
+    if (!m_carried.compared)
         return;
     RunList& runs = m_workspace.runs();
     const std::optional<std::size_t> reference =
-        findRun(runs, m_compared->world, m_compared->reference);
-    const std::optional<std::size_t> other = findRun(runs, m_compared->world, m_compared->other);
+        findRun(runs, m_carried.compared->world, m_carried.compared->reference);
+    const std::optional<std::size_t> other =
+        findRun(runs, m_carried.compared->world, m_carried.compared->other);
     if (!reference || !other)
         return;
-    m_compared.reset();
+    m_carried.compared.reset();
     runs.setReference(*reference);
     runs.setOther(*other);
 }

@@ -42,6 +42,7 @@ void WindowHolder::remake(const std::function<void()>& change)
     m_window->show();
     if (old->startPageIsShown())
         m_window->showStartPage();
+    m_window->takeOver(*old);
     m_window->mapView().showAs(old->mapView());
     m_window->findChild<PlaybackBar*>()->setRate(old->findChild<PlaybackBar*>()->rate());
     const auto charts = m_window->findChildren<ChartPanel*>();

@@ -24,6 +24,13 @@ Scenario three(std::int64_t seed = 31)
     return randomScenario(seed, {.icebergs = 3});
 }
 
+/** As the session does it once all programs have agreed. */
+void endProgram()
+{
+    QEvent end(QEvent::Quit);
+    QCoreApplication::sendEvent(qApp, &end);
+}
+
 /** A window whose work is kept, as that of the program. */
 struct SafeWindow : WindowFixture
 {
@@ -340,13 +347,65 @@ private slots:
         SafeWindow w;
         const QString own = w.openFile();
         w.change();
+        const auto isKept = [&] {
+            return !QDir(w.recovery()).entryList({u"*.berg"_s}, QDir::Files).isEmpty();
+        };
+        QVERIFY(w.until(isKept));
         w.interaction.unsaved = answer;
         QCOMPARE(w.window().mayEndSession(true), answer != Unsaved::Cancel);
         QCOMPARE(w.interaction.unsavedNames.size(), 1);
         QCOMPARE(loadScenario(own.toStdString()) == w.scenario(), answer == Unsaved::Save);
-        QCOMPARE(w.window().close(), answer != Unsaved::Cancel);
+        QCOMPARE(isKept(), answer == Unsaved::Cancel); // it may be killed from now on
+        endProgram();
+        QCOMPARE(w.window().isVisible(), answer == Unsaved::Cancel);
         // Asked once for both, unless the answer was to stay.
         QCOMPARE(w.interaction.unsavedNames.size(), answer == Unsaved::Cancel ? 2 : 1);
+    }
+
+    /** Another program has called it off: who closes the window later is asked as ever. */
+    void endThatWasCalledOff_data()
+    {
+        QTest::addColumn<bool>("mayAsk");
+        QTest::addColumn<bool>("comesBack");
+        QTest::newRow("asked, window closed") << true << false;
+        QTest::newRow("not asked, window closed") << false << false;
+        QTest::newRow("asked, used, then ended") << true << true;
+        QTest::newRow("not asked, used, then ended") << false << true;
+    }
+    void endThatWasCalledOff()
+    {
+        QFETCH(bool, mayAsk);
+        QFETCH(bool, comesBack);
+        SafeWindow w;
+        w.change();
+        w.interaction.unsaved = Unsaved::Discard;
+        QVERIFY(w.window().mayEndSession(mayAsk));
+        const auto asked = w.interaction.unsavedNames.size();
+        w.interaction.unsaved = Unsaved::Cancel;
+        if (comesBack) {
+            QTest::keyClick(&w.map(), Qt::Key_Shift);
+            endProgram();
+        } else {
+            w.window().close();
+        }
+        QVERIFY(w.window().isVisible());
+        QCOMPARE(w.interaction.unsavedNames.size(), asked + 1);
+    }
+
+    /** It was kept because there was no time to ask; then it was called off, and given up. */
+    void workGivenUpAfterAnEndThatWasCalledOff()
+    {
+        const QTemporaryDir folder;
+        {
+            WindowFixture w(three());
+            w.workspace.autosaver().start(folder.path(), {.pause_ms = 0, .longest_ms = 0});
+            w.dragTau(0.5, 0.8);
+            QVERIFY(w.window().mayEndSession(false));
+            QVERIFY(!QDir(folder.path()).isEmpty(QDir::Files));
+            w.interaction.unsaved = Unsaved::Discard;
+            QVERIFY(w.window().close());
+        }
+        QVERIFY(RecoveryStore(folder.path()).abandoned().usable.empty());
     }
 
     void changeAfterTheEndWasCalledOffIsAskedAbout()
@@ -371,8 +430,9 @@ private slots:
             w.dragTau(0.5, 0.8);
             changed = w.scenario();
             QVERIFY(w.window().mayEndSession(false));
+            endProgram();
             QVERIFY(w.interaction.unsavedNames.isEmpty());
-            QVERIFY(w.window().close());
+            QVERIFY(!w.window().isVisible());
         }
         const FoundRecoveries found = RecoveryStore(folder.path()).abandoned();
         QCOMPARE(found.usable.size(), 1U);

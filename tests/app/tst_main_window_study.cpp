@@ -267,6 +267,119 @@ private slots:
         QVERIFY(loadStudy(w.file(u"a.bergstudy"_s).toStdString()) == w.study().result()->study);
     }
 
+    /** What took long is not lost to another study, however that comes. */
+    void anotherStudyIsAskedAbout_data()
+    {
+        QTest::addColumn<QString>("way");
+        for (const char* way : {"startStudy", "figure4", "figure5", "file"})
+            QTest::newRow(way) << QString::fromLatin1(way);
+    }
+    void anotherStudyIsAskedAbout()
+    {
+        QFETCH(QString, way);
+        StudyWindow w;
+        QVERIFY(w.flyStudy(test::quickStudy()));
+        const Study flown = w.study().result()->study;
+        w.settings.setValue("study/worthSaving_s", 0);
+        const QString other = w.file(u"other.bergstudy"_s);
+        saveStudy(test::fourCases()->study, other.toStdString());
+        const auto replace = [&] {
+            if (way == u"file"_s)
+                QVERIFY(w.window().openFile(other));
+            else
+                w.click(way);
+        };
+        replace();
+        QVERIFY(w.until([&] { return w.interaction.unsavedNames.size() == 1; }));
+        QVERIFY(!w.study().isRunning());
+        QVERIFY(w.study().result()->study == flown);
+
+        w.interaction.unsaved = Interaction::Unsaved::Save;
+        w.interaction.path = w.file(u"nowhere/a.bergstudy"_s);
+        replace();
+        QVERIFY(w.until([&] { return w.interaction.errors.size() == 1; })); // nothing replaced
+        QVERIFY(w.study().result()->study == flown);
+
+        w.interaction.path = w.file(u"a.bergstudy"_s);
+        replace();
+        QVERIFY(w.until([&] { return !(w.study().result()->study == flown); }));
+        QVERIFY(loadStudy(w.file(u"a.bergstudy"_s).toStdString()) == flown);
+        QCOMPARE(w.interaction.unsavedNames.size(), 3);
+    }
+
+    /** Saved while it was being flown: what is flown after that is unsaved all the same. */
+    void savedStudyIsNotTheNextOne()
+    {
+        StudyWindow w;
+        QVERIFY(w.flyStudy(test::quickStudy()));
+        const StudySavePoint point = w.study().savePoint();
+        QVERIFY(w.flyStudy(test::quickStudy(2)));
+        const double unsaved_s = w.study().unsaved_s();
+        w.study().noteSaved(point); // it took so long to write
+        QCOMPARE(w.study().unsaved_s(), unsaved_s);
+        w.study().noteSaved(w.study().savePoint());
+        QCOMPARE(w.study().unsaved_s(), 0.0);
+    }
+
+    /** Each is asked about once. */
+    void scenarioIsGivenUpAndTheStudySaved()
+    {
+        StudyWindow w;
+        QVERIFY(w.flyStudy(test::quickStudy()));
+        w.settings.setValue("study/worthSaving_s", 0);
+        w.document().edit(u"change"_s, [](Scenario& scenario) { scenario.notes = "mine"; });
+        w.interaction.path = w.file(u"a.bergstudy"_s);
+        w.interaction.unsavedAnswers = {Interaction::Unsaved::Save, Interaction::Unsaved::Discard};
+        QVERIFY(!w.window().close());
+        QVERIFY(w.until([&] { return !w.window().isVisible(); }));
+        QCOMPARE(w.interaction.unsavedNames.size(), 2);
+    }
+
+    /** There is no later: it is in its file when the question has been answered. */
+    void endOfTheSessionAsksAboutTheStudy_data()
+    {
+        QTest::addColumn<Interaction::Unsaved>("answer");
+        QTest::newRow("save") << Interaction::Unsaved::Save;
+        QTest::newRow("discard") << Interaction::Unsaved::Discard;
+        QTest::newRow("cancel") << Interaction::Unsaved::Cancel;
+    }
+    void endOfTheSessionAsksAboutTheStudy()
+    {
+        QFETCH(Interaction::Unsaved, answer);
+        StudyWindow w;
+        QVERIFY(w.flyStudy(test::quickStudy()));
+        w.settings.setValue("study/worthSaving_s", 0);
+        w.interaction.unsaved = answer;
+        w.interaction.path = w.file(u"a.bergstudy"_s);
+        QCOMPARE(w.window().mayEndSession(true), answer != Interaction::Unsaved::Cancel);
+        QCOMPARE(w.interaction.unsavedNames.size(), 1);
+        QCOMPARE(QFile::exists(w.interaction.path), answer == Interaction::Unsaved::Save);
+    }
+
+    /** The window made anew finishes what the one before was asked for. */
+    void otherLanguageKeepsWhatIsAwaited()
+    {
+        StudyWindow w;
+        w.click(u"figure5"_s);
+        w.trigger(u"view/language-nb"_s);
+        RunList& runs = w.workspace.runs();
+        QVERIFY(w.until([&] { return runs.other() && runs.reference(); }));
+        QVERIFY(w.until([&] {
+            return runs.other()->planner.policy == PolicyKind::Path &&
+                   runs.reference()->planner.policy == PolicyKind::Visitation;
+        }));
+
+        w.settings.setValue("study/worthSaving_s", 0);
+        w.interaction.unsaved = Interaction::Unsaved::Save;
+        w.interaction.path = w.file(u"a.bergstudy"_s);
+        QVERIFY(!w.window().close());
+        const MainWindow* before = &w.window();
+        w.trigger(u"view/language-en"_s);
+        QVERIFY(w.until([&] { return &w.window() != before; }));
+        QVERIFY(w.until([&] { return !w.window().isVisible(); }));
+        QVERIFY(QFile::exists(w.interaction.path));
+    }
+
     /** Neither the window nor the program waits for a study. */
     void closesWhileAStudyIsFlown()
     {

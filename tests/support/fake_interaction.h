@@ -13,7 +13,8 @@ class FakeInteraction final : public Interaction
 {
 public:
     Unsaved unsaved = Unsaved::Cancel;
-    QString path; ///< of the next file; empty: cancelled
+    std::vector<Unsaved> unsavedAnswers; ///< one after the other, then `unsaved`
+    QString path;                        ///< of the next file; empty: cancelled
     InUse inUse = InUse::Cancel;
     Overwrite overwrite = Overwrite::Cancel;
     bool reload = false;
@@ -41,7 +42,8 @@ public:
     [[nodiscard]] Unsaved askUnsaved(QWidget*, const QString& name) override
     {
         unsavedNames << name;
-        return unsaved;
+        const auto asked = static_cast<std::size_t>(unsavedNames.size());
+        return asked <= unsavedAnswers.size() ? unsavedAnswers[asked - 1] : unsaved;
     }
     [[nodiscard]] QString openPath(QWidget*, const QString&) override
     {

@@ -40,6 +40,7 @@ struct Fixture
 
     explicit Fixture(const Scenario& scenario = test::quickScenario())
     {
+        QObject::connect(&panel, &StudyPanel::startRequested, &panel, &StudyPanel::start);
         panel.setLocale(QLocale::c());
         panel.resize(panel.sizeHint());
         panel.setScenario(scenario);

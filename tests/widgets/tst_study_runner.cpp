@@ -188,7 +188,7 @@ private slots:
         QSignalSpy saved(&files, &StudyFiles::saved);
         QSignalSpy opened(&files, &StudyFiles::opened);
         QSignalSpy failed(&files, &StudyFiles::failed);
-        files.save(result, folder.filePath(u"a.bergstudy"_s));
+        files.save(result, {}, folder.filePath(u"a.bergstudy"_s));
         files.writeReport(result, 12.0, folder.filePath(u"a.html"_s));
         files.writeTable(result, folder.filePath(u"a.csv"_s));
         QTRY_COMPARE_WITH_TIMEOUT(written.count(), 2, kPatience_ms);

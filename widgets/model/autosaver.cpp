@@ -58,6 +58,13 @@ void Autosaver::keep()
     m_keep = true;
 }
 
+void Autosaver::discard()
+{
+    m_keep = false;
+    drop();
+    m_thread.waitForDone();
+}
+
 void Autosaver::follow()
 {
     if (m_document.isClean()) {

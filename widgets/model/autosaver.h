@@ -40,6 +40,9 @@ public:
     void adopt(HeldRecovery recovery);
     /** The program is ended without a chance to ask: writes now, waits, leaves the recovery. */
     void keep();
+    /** The user gives up what is unsaved: it is not there any more when this returns. A change
+     * made after that is kept again. */
+    void discard();
 
 signals:
     // The first two may come from the thread that writes: connect with a context object.

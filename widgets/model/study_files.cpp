@@ -33,7 +33,6 @@ std::string versionText()
 
 StudyFiles::StudyFiles(QObject* parent) : QObject(parent), m_onThread(new QObject)
 {
-    qRegisterMetaType<std::shared_ptr<const berg::Study>>();
     m_thread.setObjectName(u"study files"_s);
     m_onThread->moveToThread(&m_thread);
     connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
@@ -47,42 +46,50 @@ StudyFiles::~StudyFiles()
     m_thread.wait();
 }
 
-void StudyFiles::post(const std::function<void()>& job)
+void StudyFiles::post(const std::function<Tell()>& job)
 {
     QMetaObject::invokeMethod(
         m_onThread,
         [this, job] {
+            Tell tell;
             try {
-                job();
+                tell = job();
             } catch (const Error& error) {
-                emit failed(errorReport(error));
+                tell = [this, report = errorReport(error)] { emit failed(report); };
             } catch (const std::bad_alloc&) {
-                emit failed(tr("There is not enough memory for a study of this size."));
+                tell = [this] {
+                    emit failed(tr("There is not enough memory for a study of this size."));
+                };
             }
+            // From here: whoever is told from another thread loses what is on its way to him when
+            // the window is made anew.
+            QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
         },
         Qt::QueuedConnection);
 }
 
 void StudyFiles::write(const QString& path, const std::function<std::string()>& content)
 {
-    post([this, path, content] {
+    post([this, path, content]() -> Tell {
         writeFileAtomically(QFile::encodeName(path).toStdString(), content());
-        emit written(path);
+        return [this, path] { emit written(path); };
     });
 }
 
 void StudyFiles::open(const QString& path)
 {
-    post([this, path] {
-        emit opened(std::make_shared<const Study>(studyIn(QFile::encodeName(path).toStdString())));
+    post([this, path]() -> Tell {
+        const auto study =
+            std::make_shared<const Study>(studyIn(QFile::encodeName(path).toStdString()));
+        return [this, study] { emit opened(study); };
     });
 }
 
-void StudyFiles::save(const StudyPointer& result, const QString& path)
+void StudyFiles::save(const StudyPointer& result, const StudySavePoint& point, const QString& path)
 {
-    post([this, result, path] {
+    post([this, result, point, path]() -> Tell {
         saveStudy(result->study, QFile::encodeName(path).toStdString());
-        emit saved(path);
+        return [this, path, point] { emit saved(path, point); };
     });
 }
 

@@ -21,7 +21,7 @@ public:
 
     /** A study file, or a report that holds one. */
     void open(const QString& path);
-    void save(const StudyPointer& result, const QString& path);
+    void save(const StudyPointer& result, const StudySavePoint& point, const QString& path);
     /**
      * A page with pictures, scenarios, seeds, version and machine; `elapsed_s` of the flying, none:
      * not known.
@@ -33,15 +33,17 @@ public:
 
 signals:
     void opened(const std::shared_ptr<const berg::Study>& study);
-    void saved(const QString& path);
+    void saved(const QString& path, const berg::StudySavePoint& point);
     /** A report or a table. */
     void written(const QString& path);
     /** Why it could not be read or written, in the user's words. */
     void failed(const QString& report);
 
 private:
+    /** Tells what came of a job, on the thread of the GUI. */
+    using Tell = std::function<void()>;
     /** Does it on the thread, in turn; what it throws is told. */
-    void post(const std::function<void()>& job);
+    void post(const std::function<Tell()>& job);
     void write(const QString& path, const std::function<std::string()>& content);
 
     QThread m_thread;

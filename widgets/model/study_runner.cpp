@@ -75,6 +75,7 @@ StudyRunner::~StudyRunner()
 
 void StudyRunner::start(const StudySpec& spec)
 {
+    ++m_study;
     m_elapsed_s = 0;
     m_unsaved_s = 0;
     begin({.spec = spec, .outcomes = {}}, usualReference(spec), true);
@@ -89,6 +90,7 @@ void StudyRunner::carryOn()
 void StudyRunner::show(Study study)
 {
     const std::size_t reference = usualReference(study.spec);
+    ++m_study;
     m_elapsed_s.reset();
     m_unsaved_s = 0;
     begin(std::move(study), reference, false);
@@ -155,9 +157,15 @@ double StudyRunner::unsaved_s() const
     return m_unsaved_s + (m_running ? sinceStart_s() : 0);
 }
 
-void StudyRunner::noteSaved()
+StudySavePoint StudyRunner::savePoint() const
 {
-    m_unsaved_s = m_running ? -sinceStart_s() : 0;
+    return {.study = m_study, .unsaved_s = unsaved_s()};
+}
+
+void StudyRunner::noteSaved(const StudySavePoint& point)
+{
+    if (point.study == m_study)
+        m_unsaved_s -= point.unsaved_s;
 }
 
 /** From what was flown just now. */

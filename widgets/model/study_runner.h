@@ -22,6 +22,13 @@ struct StudyResult
 };
 using StudyPointer = std::shared_ptr<const StudyResult>;
 
+/** How far a study had come when it was given to be saved: see `StudyRunner::noteSaved`. */
+struct StudySavePoint
+{
+    std::uint64_t study = 0; ///< number of the study among those of the runner
+    double unsaved_s = 0;    ///< time of flying that the file will hold
+};
+
 /** Cost: linear in the missions flown, apart from sorting each setting. */
 [[nodiscard]] StudyResult resultOf(Study study, std::size_t reference);
 
@@ -62,8 +69,10 @@ public:
     [[nodiscard]] std::optional<double> elapsed_s() const { return m_elapsed_s; }
     /** Time of flying that would be lost: of missions that are in no file. */
     [[nodiscard]] double unsaved_s() const;
-    /** What has been flown by now is in a file. */
-    void noteSaved();
+    /** Of the study there is, as it stands now. */
+    [[nodiscard]] StudySavePoint savePoint() const;
+    /** What had been flown at that point is in a file. Nothing changes for another study. */
+    void noteSaved(const StudySavePoint& point);
     /** How long a study may take on this machine: learns from those flown. */
     [[nodiscard]] double estimated_s(const StudySpec& spec) const;
 
@@ -106,8 +115,9 @@ private:
     std::size_t m_flownAtStart = 0;
     bool m_running = false;
     std::optional<double> m_elapsed_s;
-    double m_unsaved_s = 0; ///< before the flight under way
-    double m_pace = 1;      ///< time taken for each second estimated
+    std::uint64_t m_study = 0; ///< number of the study there is
+    double m_unsaved_s = 0;    ///< before the flight under way
+    double m_pace = 1;         ///< time taken for each second estimated
     QElapsedTimer m_sinceStart;
     std::uint64_t m_generation = 0;
     std::atomic<std::size_t> m_reference{0}; ///< wanted, while one is being flown

@@ -32,6 +32,8 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
     connect(&m_runner, &MissionRunner::commandRefused, this, &Workspace::refused);
     connect(&m_runner, &MissionRunner::instantUpdated, this, &Workspace::takeInstant);
     connect(&m_bound, &BoundRunner::updated, this, [this] { m_record.bound = m_bound.known(); });
+    connect(&m_studyFiles, &StudyFiles::saved, &m_study,
+            [this](const QString&, const StudySavePoint& point) { m_study.noteSaved(point); });
     m_playBack.setInterval(kFrame_ms);
     connect(&m_playBack, &QTimer::timeout, this, &Workspace::playBack);
     m_tauPause.setSingleShot(true);

@@ -41,7 +41,7 @@ StudyPanel::StudyPanel(StudyRunner& runner, QWidget* parent) : QWidget(parent), 
     m_results = new StudyResults(m_runner);
     row->addWidget(m_results, 1);
     connect(m_setup, &StudySetup::edited, this, &StudyPanel::showSpec);
-    connect(m_run, &StudyRunBar::startRequested, this, &StudyPanel::start);
+    connect(m_run, &StudyRunBar::startRequested, this, &StudyPanel::requestStart);
     connect(&m_runner, &StudyRunner::finished, this, &StudyPanel::compareIfWanted);
     connect(m_results, &StudyResults::openRunRequested, this, &StudyPanel::openRunRequested);
     connect(m_results, &StudyResults::openRequested, this, &StudyPanel::openRequested);
@@ -103,7 +103,8 @@ void StudyPanel::addFigures(QBoxLayout& column)
                "shortest path (TSP)."));
     column.addLayout(row);
     connect(third, &QPushButton::clicked, this, &StudyPanel::solveTimesRequested);
-    connect(fourth, &QPushButton::clicked, this, &StudyPanel::startFigure4);
+    connect(fourth, &QPushButton::clicked, this,
+            [this] { emit startRequested(figure4(m_setup->scenario()), false); });
     connect(fifth, &QPushButton::clicked, this, &StudyPanel::startFigure5);
 }
 
@@ -137,19 +138,24 @@ void StudyPanel::showSpec()
     m_run->setSpec(m_setup->spec(), m_setup->fault());
 }
 
-void StudyPanel::start()
+void StudyPanel::requestStart()
 {
     m_setup->finishTyping();
-    m_comparesThen = false;
-    m_runner.start(m_setup->spec());
+    emit startRequested(m_setup->spec(), false);
 }
 
-void StudyPanel::startFigure4()
+void StudyPanel::start(const StudySpec& spec, bool compares)
 {
-    m_comparesThen = false;
-    const StudySpec spec = figure4(m_setup->scenario());
-    m_setup->showSpec(spec);
+    if (spec != m_setup->spec())
+        m_setup->showSpec(spec);
+    m_comparesThen = compares;
     m_runner.start(spec);
+}
+
+void StudyPanel::showAs(const StudyPanel& other)
+{
+    m_setup->showSpec(other.m_setup->spec());
+    m_comparesThen = other.m_comparesThen;
 }
 
 /** The tau of lowest zeta is that of Figure 4, which is flown first unless it has been. */
@@ -158,11 +164,12 @@ void StudyPanel::startFigure5()
     const StudyPointer& result = m_runner.result();
     const bool isKnown = !m_runner.isRunning() && m_runner.isComplete() && result &&
                          result->study.spec == figure4(m_setup->scenario());
-    if (!isKnown)
-        startFigure4();
+    if (!isKnown) {
+        emit startRequested(figure4(m_setup->scenario()), true);
+        return;
+    }
     m_comparesThen = true;
-    if (isKnown)
-        compareIfWanted({});
+    compareIfWanted({});
 }
 
 void StudyPanel::compareIfWanted(const QString& failure)

@@ -31,10 +31,16 @@ public:
     /** What became of a file, where one looks for it. */
     void showNote(const QString& text);
     [[nodiscard]] const StudyResults& results() const { return *m_results; }
+    /** Flies it in place of the study there is; with `compares`, Figure 5 follows. */
+    void start(const StudySpec& spec, bool compares);
+    /** The fields, and what is awaited, as in another one. */
+    void showAs(const StudyPanel& other);
 
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:
+    /** This is wanted in place of the study there is, which may be unsaved: `start` follows. */
+    void startRequested(const berg::StudySpec& spec, bool compares);
     /** The solution times of Figure 3 are wanted. */
     void solveTimesRequested();
     /** Figure 5: both flights of this scenario, one beside the other. */
@@ -52,8 +58,7 @@ private:
     [[nodiscard]] QWidget* makeSetup();
     void addFigures(QBoxLayout& column);
     void showSpec();
-    void start();
-    void startFigure4();
+    void requestStart();
     void startFigure5();
     void compareIfWanted(const QString& failure);
 
@@ -61,7 +66,7 @@ private:
     StudySetup* m_setup;
     StudyRunBar* m_run;
     StudyResults* m_results;
-    bool m_comparesThen = false; ///< Figure 5 waits for Figure 4
+    bool m_comparesThen = false; ///< Figure 5 waits for Figure 4, which is being flown
 };
 
 } // namespace berg
