@@ -2,6 +2,8 @@
 
 #include "core/base/angles.h"
 #include "core/io/export_flight.h"
+#include "core/scenario/checks.h"
+#include "core/scenario/validate.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>
@@ -13,24 +15,28 @@ namespace berg {
 
 namespace {
 
+/** A quarter of the way round the Earth, beyond which the plane tears maps apart. */
+constexpr double kEndOfPlane_m = 1e7;
+
 [[noreturn]] void refuse(const std::string& option, const std::string& reason)
 {
     throw Error(ErrorCode::InvalidInput, option, reason);
 }
 
-void checkRange(const std::string& option, const std::optional<double>& value, double least,
-                double most)
+void checkRange(const std::string& option, const std::optional<double>& value, const Limits& limits)
 {
-    if (value && !(*value > least && *value <= most))
-        refuse(option, "must be above " + std::to_string(static_cast<long>(least)) +
-                           " and at most " + std::to_string(static_cast<long>(most)));
+    if (value)
+        if (const std::string fault = limitsFault(*value, limits); !fault.empty())
+            refuse(option, fault);
 }
 
 void checkOptions(const ExportSource& source, const ExportOptions& options)
 {
-    checkRange("altitude", options.altitude_m, 0, kLargestLength_m);
-    checkRange("speed", options.airspeed_mps, 0, kLargestLength_m);
-    checkRange("acceptance", options.acceptance_m, 0, kLargestLength_m);
+    constexpr Limits kExtent_m{.low = kSmallestExtent_m, .high = kLargestLength_m};
+    checkRange("altitude", options.altitude_m, kExtent_m);
+    checkRange("speed", options.airspeed_mps,
+               {.low = kSlowestAirspeed_mps, .high = kFastestAirspeed_mps});
+    checkRange("acceptance", options.acceptance_m, kExtent_m);
     if (options.loiterTurns < 0 || options.loiterTurns > kMostLoiterTurns)
         refuse("loiter", "must be 0 to " + std::to_string(kMostLoiterTurns) + " turns");
     if (options.what == ExportWhat::Track && source.mission == nullptr)
@@ -195,6 +201,39 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
     return result;
 }
 
+/** Writers reckon with places on one side of the Earth and with dates that calendars have. */
+void checkPlace(const std::string& what, const Point& place_m, double time_s)
+{
+    if (!std::isfinite(time_s) || std::abs(time_s) > kLargestTime_s)
+        throw Error(ErrorCode::Unsupported, what,
+                    "cannot be exported: at " + shortText(time_s) +
+                        " s of the flight, later than any date");
+    if (!(place_m.norm() <= kEndOfPlane_m))
+        throw Error(ErrorCode::Unsupported, what,
+                    "cannot be exported: at " + shortText(time_s) + " s it is " +
+                        shortText(place_m.norm()) + " m from the origin of the map, which holds " +
+                        shortText(kEndOfPlane_m) + " m");
+}
+
+/** Refuses what no file can hold: numbers that are not finite, places off the plane. */
+void checkContent(const ExportContent& content)
+{
+    for (const ExportUav& uav : content.uavs) {
+        checkPlace("home of " + uav.uav.id, uav.home_m, uav.start_s);
+        for (const Visit& visit : uav.visits)
+            checkPlace("a visit of " + uav.uav.id, visit.position_m, visit.time_s);
+        for (const TimedPoint& point : wayOf(uav))
+            checkPlace(uav.uav.id, point.position_m, point.time_s);
+        if (!std::isfinite(uav.reach_m) || !std::isfinite(uav.circle_m))
+            throw Error(ErrorCode::Unsupported, uav.uav.id,
+                        "cannot be exported: its turns are not finite");
+    }
+    for (const ExportIceberg& iceberg : content.icebergs)
+        checkPlace(iceberg.iceberg.id, iceberg.position_m, content.now_s);
+    if (content.asset)
+        checkPlace("the asset", assetPlace_m(content), content.now_s);
+}
+
 ExportPlan planOf(const ExportSource& source)
 {
     if (source.mission && !source.mission->plans().empty()) {
@@ -242,6 +281,7 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
     for (std::size_t row = 0; row < scenario.uavs.size(); ++row)
         if (options.uav.empty() || options.uav == scenario.uavs[row].id)
             content.uavs.push_back(exportUav(source, content, row));
+    checkContent(content);
     return content;
 }
 

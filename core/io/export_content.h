@@ -132,8 +132,9 @@ struct ExportContent
 
 /**
  * The content of an export. Throws `Error{InvalidInput}` for options that cannot be met, subject =
- * the option: a UAV that is not there, a track when nothing was flown, a number out of range. A
- * path is flown here (`flyOrder`): milliseconds for each hour of flight.
+ * the option: a UAV that is not there, a track when nothing was flown, a number out of range; and
+ * `Error{Unsupported}` of what no file can hold, subject = whose it is: a time or place that is not
+ * finite or off the plane. A path is flown here (`flyOrder`): milliseconds for each hour of flight.
  */
 [[nodiscard]] ExportContent exportContent(const ExportSource& source,
                                           const ExportOptions& options = {});

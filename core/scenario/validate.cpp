@@ -28,7 +28,6 @@ constexpr double kLongestPlanning_s = 3600;
 constexpr double kStrongWind = 0.7;
 
 // Where the file format sets no upper limit; others of this kind are in scenario.h.
-constexpr double kLargestAirspeed_mps = 1000;
 constexpr double kLargestAssetSpeed_mps = 50;
 constexpr double kLargestGain = 1e6;
 
@@ -82,7 +81,7 @@ private:
 
 constexpr Limits kCoordinate_m{.low = -kLargestCoordinate_m, .high = kLargestCoordinate_m};
 constexpr Limits kVelocity_mps{.low = -kLargestVelocity_mps, .high = kLargestVelocity_mps};
-constexpr Limits kExtent_m{.low = 0, .high = kLargestLength_m, .above = true};
+constexpr Limits kExtent_m{.low = kSmallestExtent_m, .high = kLargestLength_m};
 
 void checkRun(const Scenario& s, Findings& findings)
 {
@@ -140,15 +139,18 @@ void checkUav(const Uav& uav, const std::string& path, Findings& findings)
     findings.inRange(uav.position_m, kCoordinate_m, path + ".position_m");
     if (!std::isfinite(uav.heading_deg))
         findings.error(path + ".heading_deg", "must be a finite number");
-    findings.inRange(uav.spec.airspeed_mps, {.low = 0, .high = kLargestAirspeed_mps, .above = true},
+    findings.inRange(uav.spec.airspeed_mps,
+                     {.low = kSlowestAirspeed_mps, .high = kFastestAirspeed_mps},
                      path + ".airspeed_mps");
     findings.inRange(uav.spec.maxBank_deg, {.low = kSmallestBank_deg, .high = kLargestBank_deg},
                      path + ".max_bank_deg");
     findings.inRange(uav.fov_m, kExtent_m, path + ".fov_m");
     findings.inRange(uav.spec.altitude_m, kExtent_m, path + ".altitude_m");
     // In memory 0 stands for "none"; a file leaves the member out instead.
-    findings.inRange(uav.spec.endurance_s, {.low = 0, .high = kLargestTime_s},
-                     path + ".endurance_s");
+    findings.inRange(
+        uav.spec.endurance_s,
+        {.low = uav.spec.endurance_s > 0 ? kShortestFlight_s : 0, .high = kLargestTime_s},
+        path + ".endurance_s");
     if (uav.home_m)
         findings.inRange(*uav.home_m, kCoordinate_m, path + ".home_m");
     findings.inRange(uav.turnaround_s, {.low = 0, .high = kLargestTime_s}, path + ".turnaround_s");

@@ -402,6 +402,19 @@ scenario = json.load(open(sys.argv[1]))
 scenario["uavs"] = [dict(scenario["uavs"][0], id=name) for name in ("uav-1", "uav-2")]
 json.dump(scenario, open(sys.argv[2], "w"))
 EDIT
+python3 - "$default" years.berg <<'EDIT'
+import json, sys
+scenario = json.load(open(sys.argv[1]))
+scenario["uavs"][0].update(airspeed_mps=1, position_m=[-900000, 0])
+scenario["icebergs"] = [{"id": "away", "position_m": [900000, 0], "velocity_mps": [0.99, 0]}]
+json.dump(scenario, open(sys.argv[2], "w"))
+EDIT
+for format in kml geojson csv gpx plan; do
+    check "export $format of what takes years" exits 3 "$cli" export years.berg --format $format --output years.out
+    check "export $format of what takes years: says why" says "cannot be exported: at "
+    check "export $format below any airspeed" exits 2 "$cli" export "$default" --format $format --speed 0.001 --output years.out
+done
+check "what takes years: no file" test ! -e years.out
 check "export of two UAVs" exits 0 "$cli" export two.berg --format plan --output two.plan
 check "export of two UAVs: a file each" test -s two-uav-1.plan -a -s two-uav-2.plan -a ! -e two.plan
 check "export of one of them" exits 0 "$cli" export two.berg --format plan --uav uav-2 --output two.plan

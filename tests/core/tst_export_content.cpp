@@ -294,6 +294,33 @@ private slots:
         QCOMPARE(QString::fromStdString(error->subject()), option);
     }
 
+    void whatNoFileCanHoldIsRefused_data()
+    {
+        QTest::addColumn<int>("row");
+        QTest::newRow("not finite") << 0;
+        QTest::newRow("off the plane") << 1;
+        QTest::newRow("later than any date") << 2;
+    }
+    void whatNoFileCanHoldIsRefused()
+    {
+        QFETCH(const int, row);
+        const std::vector<Scenario> scenarios{
+            changed([](Scenario& s) { s.uavs[0].spec.airspeed_mps = 1e-300; }),
+            changed([](Scenario& s) { // can be flown, but it takes years to catch up
+                s.uavs[0].spec.airspeed_mps = 1;
+                s.wind_mps = s.current_mps = Point::Zero();
+                s.icebergs[0].position_m = Point(9e5, 0);
+                s.icebergs[0].velocity_mps = Point(0.99, 0);
+            }),
+            changed([](Scenario& s) { s.uavs[0].spec.airspeed_mps = 1e-6; })};
+        const Scenario& scenario = scenarios[static_cast<std::size_t>(row)];
+        const std::optional<Error> error =
+            errorOf([&] { (void)planContent(scenario, fourIcebergPlan(), {}); });
+        QVERIFY(error.has_value());
+        QCOMPARE(error->code(), ErrorCode::Unsupported);
+        QVERIFY(std::string(error->what()).find("cannot be exported") != std::string::npos);
+    }
+
     /** Limited endurance makes home the end of a path, unless that is not wanted. */
     void pathWithoutTheWayHomeEndsOverTheLastIceberg()
     {

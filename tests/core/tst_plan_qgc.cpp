@@ -77,7 +77,7 @@ std::vector<std::pair<const char*, QByteArray>> documents()
                  s.uavs[0].spec.airspeed_mps = 22.5;
                  s.wind_mps = Point(7.25, -3.5);
              }))},
-            {"slow", planText(changed([](Scenario& s) { s.uavs[0].spec.airspeed_mps = 0.3; }))},
+            {"slow", planText(changed([](Scenario& s) { s.uavs[0].spec.airspeed_mps = 1.3; }))},
             {"on the equator at 0 E", planText(changed([](Scenario& s) {
                  s.origin = {.latitude_deg = 0, .longitude_deg = 0};
                  s.uavs[0].position_m = Point::Zero();

@@ -239,7 +239,8 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
 
 QString exportRefusalText(const Error& error)
 {
-    if (error.subject() == "speed")
+    const bool isAboutWind = error.issues().front().message.find("wind") != std::string::npos;
+    if (error.subject() == "speed" && isAboutWind)
         return ExportText::tr("The airspeed must be above the speed of the wind.");
     return errorReport(error);
 }

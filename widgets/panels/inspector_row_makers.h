@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scenario/validate.h"
 #include "widgets/panels/inspector_rows.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -22,7 +23,7 @@ struct InspectorRows
 
 // Ranges of `validate`; what it wants above 0 starts at the smallest number that can be typed.
 inline constexpr Limits kVelocity_mps{.low = -kLargestVelocity_mps, .high = kLargestVelocity_mps};
-inline constexpr Limits kExtent_m{.low = 0.1, .high = 1e6};
+inline constexpr Limits kExtent_m{.low = kSmallestExtent_m, .high = kLargestLength_m};
 inline constexpr Limits kTime_s{.low = 0, .high = 1e9};
 
 // Steps of the arrows.

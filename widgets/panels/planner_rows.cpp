@@ -19,7 +19,8 @@ std::vector<InspectorRow> plannerRows()
                    const std::string&) { return scenario.reachRadius_m.value_or(0); },
         .write =
             [](Scenario& scenario, const std::string&, double value) {
-                scenario.reachRadius_m = value > 0 ? std::optional<double>(value) : std::nullopt;
+                scenario.reachRadius_m =
+                    value > 0 ? std::optional(std::max(value, kExtent_m.low)) : std::nullopt;
             },
         .range = always({.low = 0, .high = kExtent_m.high}),
         .lowestText = InspectorRows::tr("in view")};

@@ -9,7 +9,6 @@ namespace berg {
 namespace {
 
 constexpr Limits kSeed{.low = 0, .high = 9007199254740992};
-constexpr double kLargestAirspeed_mps = 1000;
 constexpr double kLargestDuration_s = 604800;
 constexpr double kSmallestTimeStep_s = 0.01;
 constexpr double kLargestTimeStep_s = 1;
@@ -19,7 +18,7 @@ constexpr double kWindStep_mps = 0.5;
 Limits windRange(const Scenario& scenario, double other_mps)
 {
     const double airspeed_mps =
-        scenario.uavs.empty() ? kLargestAirspeed_mps : slowestAirspeed_mps(scenario);
+        scenario.uavs.empty() ? kFastestAirspeed_mps : slowestAirspeed_mps(scenario);
     const double room_mps =
         std::sqrt(std::max(0.0, airspeed_mps * airspeed_mps - other_mps * other_mps));
     const double largest_mps = std::max(0.0, std::ceil(100 * room_mps - 1) / 100);

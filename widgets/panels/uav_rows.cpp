@@ -8,8 +8,6 @@ namespace berg {
 namespace {
 
 constexpr Limits kBank_deg{.low = 1, .high = 80};
-constexpr double kLargestAirspeed_mps = 1000;
-constexpr double kSmallestSpeed_mps = 0.01;
 
 NumberRow uavRow(const RowWords& words, const QString& unit, double UavSpec::*member,
                  const Limits& limits)
@@ -65,8 +63,8 @@ NumberRow airspeedRow()
     row.decimals = {.least = 0, .most = 2};
     row.range = [](const Scenario& scenario) {
         const double wind_mps = scenario.wind_mps.norm();
-        return Limits{.low = std::max(kSmallestSpeed_mps, std::floor(100 * wind_mps + 1) / 100),
-                      .high = kLargestAirspeed_mps};
+        return Limits{.low = std::max(kSlowestAirspeed_mps, std::floor(100 * wind_mps + 1) / 100),
+                      .high = kFastestAirspeed_mps};
     };
     return asSpeed(row);
 }
