@@ -1,5 +1,6 @@
 #include "core/plan/engine.h"
 
+#include "core/plan/certified.h"
 #include "core/plan/layered_bound.h"
 #include "core/plan/order_search.h"
 #include "core/plan/solve_watch.h"
@@ -118,6 +119,11 @@ private:
         m_objective = objective(m_problem, order);
         report();
     }
+    /** Rounded down: the shift may be far larger than the objective. */
+    [[nodiscard]] double boundOnObjective() const
+    {
+        return m_bound - m_shift - roundingMargin(m_costs.icebergs, m_shift);
+    }
     /** 0 says nothing: that every cost is positive goes without saying. */
     void takeBound(double bound)
     {
@@ -128,7 +134,7 @@ private:
     }
     void report() const
     {
-        const double bound = std::min(m_bound - m_shift, m_objective);
+        const double bound = std::min(boundOnObjective(), m_objective);
         m_watch.report(m_search.best(), m_objective,
                        m_bound > 0 ? std::optional(bound) : std::nullopt);
     }
@@ -141,11 +147,10 @@ private:
         outcome.work = work;
         outcome.hintUsed = !m_options.hint.empty();
         if (m_bound > 0)
-            outcome.bound = m_bound - m_shift;
+            outcome.bound = boundOnObjective();
 
-        constexpr double kProven = 2e-9; // the bound's own margin and its rounding
         const double cost = m_costs.total(outcome.order);
-        if (result.reached && cost - result.bound <= kProven * cost)
+        if (result.reached && isProven(cost, result.bound))
             outcome.status = SolveStatus::Optimal;
         else if (result.reached)
             outcome.reason = StopReason::GapReached;

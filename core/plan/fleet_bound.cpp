@@ -6,15 +6,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace berg {
 
 namespace {
 
-/** Relative margin of every cut and of every bound: far above rounding, far below interest. */
-constexpr double kMargin = 1e-9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /** Steps of the multipliers: before the first suggestion, without memory, on the first graphs with
  * it, on later ones. */
 constexpr int kFirstSteps = 10;
@@ -94,7 +94,7 @@ private:
     /** Plans of at least this cost are of no interest. */
     [[nodiscard]] double cutoff() const
     {
-        return m_cost * (1 - std::max(kMargin, m_suggested ? m_options.gap : 0.0));
+        return cutoffBelow(m_cost, m_suggested ? m_options.gap : 0.0);
     }
     bool cut()
     {
@@ -106,19 +106,21 @@ private:
         return m_result.reached || m_result.memoryOut || m_result.work >= m_options.workLimit ||
                cut();
     }
+    /** Takes a certified bound. */
     void takeBound(double bound)
     {
+        bound = std::max(bound, 0.0); // no cost is negative
         if (bound >= cutoff()) {
             m_result.bound = std::max(m_result.bound, cutoff());
             m_result.reached = m_suggested;
         } else {
-            m_result.bound = std::max(m_result.bound, bound - kMargin * m_cost);
+            m_result.bound = std::max(m_result.bound, bound);
         }
     }
     bool takePlan(const FleetPlan& plan)
     {
         const double cost = m_costs.total(plan);
-        if (cost >= m_cost * (1 - kMargin))
+        if (!replaces(cost, m_cost))
             return false;
         m_cost = cost;
         m_result.plan = plan;
@@ -142,43 +144,80 @@ private:
             m_options.onImproved(m_result.plan, m_result.bound);
     }
 
-    /** Sum of the multipliers and of the shortest paths; none when cut. */
-    std::optional<double> sweep(const Eigen::VectorXd& lambda)
+    /** What multipliers gave. */
+    struct Sweep
     {
-        double bound = lambda.sum();
+        double bound = 0;  ///< sum of the multipliers and of the shortest paths
+        double margin = 0; ///< of that, and of the excess of paths
+
+        /** Orders whose computed excess is at least this are in no plan of less than the cost. */
+        [[nodiscard]] double slackBelow(double cost) const { return cost - bound + margin; }
+    };
+    /** None when cut. */
+    std::optional<Sweep> sweep(const Eigen::VectorXd& lambda)
+    {
+        Sweep result{.bound = lambda.sum()};
         for (FleetGraph& graph : m_graphs) {
             if (!graph.sweep(lambda, m_cutQuestion))
                 return std::nullopt;
             m_result.work += workOfSweep(graph);
-            bound += graph.shortestSum();
+            result.bound += graph.shortestSum();
         }
-        return bound;
+        result.margin = marginOf(lambda, lambda.sum() - result.bound);
+        return result;
+    }
+    /** `lengths`: of the shortest paths in all, without their sign. */
+    [[nodiscard]] double marginOf(const Eigen::VectorXd& lambda, double lengths) const
+    {
+        return roundingMargin(m_costs.icebergs() + m_costs.uavs(),
+                              m_cost + lambda.lpNorm<1>() + lengths);
     }
     [[nodiscard]] static std::int64_t workOfSweep(const FleetGraph& graph)
     {
         return graph.arcCount() + kWorkOfNode * graph.nodeCount();
     }
 
+    /** The visits of the shortest paths of the last sweep. Paths that are a plan are taken. */
+    std::vector<int> takePaths()
+    {
+        std::vector<int> visits;
+        FleetPlan plan(static_cast<std::size_t>(m_costs.uavs()));
+        for (const FleetGraph& graph : m_graphs)
+            for (int root = 0; root < graph.rootCount(); ++root) {
+                const VisitOrder path = graph.shortestPath(root);
+                visits.insert(visits.end(), path.begin(), path.end());
+                plan[static_cast<std::size_t>(graph.uavs()[static_cast<std::size_t>(root)])] = path;
+                m_recent.push_back(path);
+            }
+        const std::size_t most = kRecentSteps * static_cast<std::size_t>(m_costs.uavs());
+        if (m_recent.size() > most)
+            m_recent.erase(m_recent.begin(), m_recent.end() - static_cast<std::ptrdiff_t>(most));
+        if (m_costs.isPlan(plan))
+            takePlan(plan);
+        return visits;
+    }
+
+    /** After a poor plan multipliers may be so large that rounding leaves nothing of the cost. */
+    void renewMultipliers()
+    {
+        if (!allowsProof(marginOf(m_ascent.best(), 0), m_cost))
+            m_ascent = PriceAscent(savings(m_costs, m_result.plan));
+    }
+
     void ascend(int steps)
     {
+        renewMultipliers();
         m_ascent.restart();
         m_recent.clear();
         for (int k = 0; k < steps && !finished(); ++k) {
-            const std::optional<double> bound = sweep(m_ascent.here(0).lambda);
-            if (!bound)
+            const std::optional<Sweep> swept = sweep(m_ascent.here());
+            if (!swept)
                 return;
-            std::vector<int> visits;
-            for (const FleetGraph& graph : m_graphs)
-                for (int root = 0; root < graph.rootCount(); ++root) {
-                    m_recent.push_back(graph.shortestPath(root));
-                    visits.insert(visits.end(), m_recent.back().begin(), m_recent.back().end());
-                }
-            const std::size_t most = kRecentSteps * static_cast<std::size_t>(m_costs.uavs());
-            if (m_recent.size() > most)
-                m_recent.erase(m_recent.begin(),
-                               m_recent.end() - static_cast<std::ptrdiff_t>(most));
-            m_ascent.step(visits, *bound, m_cost);
+            const bool climbs = m_ascent.step(
+                {.visits = takePaths(), .bound = swept->bound, .margin = swept->margin}, m_cost);
             takeBound(m_ascent.bound());
+            if (!climbs)
+                break;
             if (k % 20 == 6 && m_suggested)
                 trim();
         }
@@ -187,22 +226,14 @@ private:
         report();
     }
 
-    /** Sweeps at the best multipliers; none when cut, else how much longer paths may be. */
-    std::optional<double> slack()
-    {
-        const std::optional<double> bound = sweep(m_ascent.best(0).lambda);
-        return bound ? std::optional(cutoff() - *bound) : std::nullopt;
-    }
-
     void trim()
     {
-        const std::optional<double> room = slack();
-        if (!room)
+        const std::optional<Sweep> swept = sweep(m_ascent.best());
+        if (!swept)
             return;
-        const Eigen::VectorXd lambda = m_ascent.best(0).lambda;
         for (FleetGraph& graph : m_graphs) {
             m_result.work += 3 * workOfSweep(graph);
-            if (!graph.trim(lambda, *room, m_cutQuestion))
+            if (!graph.trim(m_ascent.best(), swept->slackBelow(cutoff()), m_cutQuestion))
                 return; // cut, so finished
         }
     }
@@ -210,10 +241,9 @@ private:
     /** False when cut, or when the refined graphs would be larger than the limits allow. */
     bool refine()
     {
-        const std::optional<double> room = slack();
-        if (!room)
+        const std::optional<Sweep> swept = sweep(m_ascent.best());
+        if (!swept)
             return false;
-        const Eigen::VectorXd lambda = m_ascent.best(0).lambda;
         for (FleetGraph& graph : m_graphs) {
             std::int64_t others_bytes = 0;
             for (const FleetGraph& other : m_graphs)
@@ -224,7 +254,8 @@ private:
                                                       kMostArcs),
                                      .bytes =
                                          (m_options.memoryLimit_bytes - others_bytes) / kGrowth};
-            FleetRefinement refined = graph.refined(m_sets, lambda, *room, limits, m_cutQuestion);
+            FleetRefinement refined = graph.refined(
+                m_sets, m_ascent.best(), swept->slackBelow(cutoff()), limits, m_cutQuestion);
             m_result.memoryOut = refined.memoryOut;
             if (!refined.graph)
                 return false;
@@ -237,29 +268,28 @@ private:
     /** The best plan of what is left: of what beats the plan by much first, which is little. */
     void putTogether()
     {
-        const std::optional<double> room = finished() ? std::nullopt : slack();
-        if (!room)
+        const std::optional<Sweep> swept = finished() ? std::nullopt : sweep(m_ascent.best());
+        if (!swept)
             return;
-        const double bound = cutoff() - *room;
         for (const double gap : kStages)
-            if (gap > m_options.gap && bound < m_cost * (1 - gap) &&
-                (finished() || !isBestWithin(bound, m_cost * (1 - gap))))
+            if (gap > m_options.gap && swept->bound < cutoffBelow(m_cost, gap) &&
+                (finished() || !isBestWithin(*swept, cutoffBelow(m_cost, gap))))
                 return;
         if (!finished())
-            isBestWithin(bound, cutoff());
+            isBestWithin(*swept, cutoff());
     }
 
     /** Whether it is proven now that no plan costs less than `cost`. Takes the best one that does.
-     * `bound` is that of the last sweep. */
-    bool isBestWithin(double bound, double cost)
+     * `swept` is the last sweep, at the best multipliers. */
+    bool isBestWithin(const Sweep& swept, double cost)
     {
-        const Eigen::VectorXd lambda = m_ascent.best(0).lambda;
+        const double slack = swept.slackBelow(cost);
         FleetOrders orders(m_costs.uavs(), m_costs.icebergs());
         const auto mostByMemory =
             static_cast<std::size_t>(m_options.memoryLimit_bytes / kBytesOfState);
         bool all = true;
         for (const FleetGraph& graph : m_graphs)
-            all = all && orders.add(graph, lambda, cost - bound, std::min(m_states, mostByMemory),
+            all = all && orders.add(graph, m_ascent.best(), slack, std::min(m_states, mostByMemory),
                                     m_cutQuestion);
         m_result.work += kWorkOfState * static_cast<std::int64_t>(orders.stateCount());
         if (!all || cut()) {
@@ -269,14 +299,16 @@ private:
         }
         const std::int64_t left = (m_options.workLimit - m_result.work) / kWorkOfCandidate;
         const FleetCover found =
-            m_options.cover(orders, cost - bound, std::min(left, m_coverWork), m_cutQuestion);
+            m_options.cover(orders, slack, std::min(left, m_coverWork), m_cutQuestion);
         m_result.work += kWorkOfCandidate * found.work;
+        // None is cheaper than the one found, as far as rounding lets both be known.
+        const double least = found.plan ? m_costs.total(*found.plan) - 2 * swept.margin : kInfinity;
         const bool better = found.plan && takePlan(*found.plan);
         if (!found.complete) {
             m_coverWork *= 2;
             return false;
         }
-        takeBound(better ? m_cost : cost);
+        takeBound(std::min(least, cost));
         return !better;
     }
 

@@ -40,7 +40,8 @@ Eigen::VectorXd savings(const FleetCosts& costs, const FleetPlan& plan)
         for (std::size_t k = 0; k < order.size(); ++k) {
             VisitOrder others = order;
             others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-            lambda(order[k]) = cost - costs.total(uav, others);
+            // No less, or a long leg that nobody flies would drown all the others.
+            lambda(order[k]) = std::max(cost - costs.total(uav, others), -cost);
         }
     }
     return lambda;

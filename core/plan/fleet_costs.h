@@ -31,6 +31,7 @@ public:
     /** Criterion latency: a leg counts as many times as there is sigma ahead of it in its order.
      * The legs are those of `of`, the rest of which is Eq. (1)'s. */
     [[nodiscard]] bool weighted() const { return m_problem->criterion == Criterion::Latency; }
+    [[nodiscard]] bool isPlan(const FleetPlan& plan) const { return isFleetPlan(*m_problem, plan); }
     [[nodiscard]] bool allows(int uav, int iceberg) const
     {
         return m_problem->allows(uav, iceberg);

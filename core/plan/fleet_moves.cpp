@@ -1,14 +1,14 @@
 #include "core/plan/fleet_moves.h"
 
+#include "core/plan/certified.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace berg {
 
 namespace {
 
-constexpr int kLongestPiece = 3;
-/** Relative; less may be rounding. */
-constexpr double kLeastGain = 1e-10;
 constexpr std::int64_t kWorkOfOrder = 20;
 
 /** Keeps the best of the moves offered. */
@@ -123,14 +123,30 @@ FleetMove bestMoveBetween(const FleetRoutes& routes, int from, int to, SearchEff
     return chooser.best;
 }
 
-void apply(FleetRoutes& routes, const FleetMove& move)
+bool apply(FleetRoutes& routes, const FleetMove& move)
 {
     std::array<VisitOrder, 2> orders;
     const auto count = static_cast<std::size_t>(move.partCount);
     for (std::size_t k = 0; k < count; ++k)
         orders[k] = routes.joined(move.parts[k].pieces);
+    const auto exchangeOrders = [&] {
+        double cost = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const int uav = move.parts[k].uav;
+            VisitOrder before = routes.plan()[static_cast<std::size_t>(uav)];
+            routes.setOrder(uav, std::exchange(orders[k], std::move(before)));
+            cost += routes.cost(uav);
+        }
+        return cost;
+    };
+    double before = 0;
     for (std::size_t k = 0; k < count; ++k)
-        routes.setOrder(move.parts[k].uav, std::move(orders[k]));
+        before += routes.cost(move.parts[k].uav);
+    // The sums that moves are valued by may be far larger than the cost.
+    const bool gains = exchangeOrders() < before;
+    if (!gains)
+        exchangeOrders();
+    return gains;
 }
 
 } // namespace berg

@@ -34,6 +34,7 @@ struct FleetMove
 [[nodiscard]] FleetMove bestMoveBetween(const FleetRoutes& routes, int from, int to,
                                         SearchEffort& effort);
 
-void apply(FleetRoutes& routes, const FleetMove& move);
+/** False, and nothing is done, when all that the move gains is rounding. */
+[[nodiscard]] bool apply(FleetRoutes& routes, const FleetMove& move);
 
 } // namespace berg

@@ -98,9 +98,8 @@ void FleetSearch::descend()
                     const FleetMove move = a == b ? bestMoveWithin(routes, a, m_effort)
                                                   : bestMoveBetween(routes, a, b, m_effort);
                     last = time;
-                    if (move.partCount == 0)
+                    if (move.partCount == 0 || !apply(routes, move))
                         break;
-                    apply(routes, move);
                     changed[static_cast<std::size_t>(a)] = ++time;
                     changed[static_cast<std::size_t>(b)] = time;
                     moved = true;

@@ -1,6 +1,7 @@
 #include "core/plan/fleet_solver.h"
 
 #include "core/base/solving_guard.h"
+#include "core/plan/certified.h"
 #include "core/plan/engine.h"
 #include "core/plan/fleet_bound.h"
 #include "core/plan/fleet_costs.h"
@@ -129,6 +130,11 @@ private:
         return {.plan = m_search.best(), .work = m_effort.work - before};
     }
 
+    /** Rounded down: the shift may be far larger than the objective. */
+    [[nodiscard]] double boundOnObjective() const
+    {
+        return m_bound - m_shift - roundingMargin(m_costs.icebergs(), m_shift);
+    }
     /** 0 says nothing: that every cost is positive goes without saying. */
     void takeBound(double bound)
     {
@@ -146,7 +152,7 @@ private:
                                .bound = {},
                                .elapsed_s = m_watch.elapsed_s()};
         if (m_bound > 0)
-            progress.bound = std::min(m_bound - m_shift, m_objective);
+            progress.bound = std::min(boundOnObjective(), m_objective);
         m_options.onProgress(progress);
     }
 
@@ -157,10 +163,9 @@ private:
                              .work = work,
                              .hintUsed = !m_options.hint.empty()};
         if (m_bound > 0)
-            outcome.bound = m_bound - m_shift;
-        constexpr double kProven = 2e-9; // the bound's own margin and its rounding
+            outcome.bound = boundOnObjective();
         const double cost = m_costs.total(outcome.plan);
-        if (result.reached && cost - result.bound <= kProven * cost)
+        if (result.reached && isProven(cost, result.bound))
             outcome.status = SolveStatus::Optimal;
         else if (result.reached)
             outcome.reason = StopReason::GapReached;

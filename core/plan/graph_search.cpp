@@ -112,9 +112,9 @@ GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Prices& pr
                               const GraphSearchLimits& limits)
 {
     const Costs& costs = graph.costs();
-    const double allowed = prices.cutoff - prices.sum;
+    const double allowed = prices.allowedLength();
     GraphSearchResult result;
-    double dropped = allowed;
+    double dropped = std::numeric_limits<double>::infinity();
     StateTable<Costs> table(graph);
     std::vector<std::vector<State>> layers(1);
     layers[0].push_back({.visited = {}, .estimate = graph.completion(0)});

@@ -14,7 +14,7 @@ struct GraphSearchLimits
 /** What a truncated search over the orders inside a layered graph found. */
 struct GraphSearchResult
 {
-    double bound = 0;      ///< no order inside the graph costs less (capped at the cutoff)
+    double bound = 0;      ///< as computed; infinite when none inside is below the cutoff
     VisitOrder order;      ///< best order found below the cutoff, empty when there is none
     std::int64_t work = 0; ///< arcs looked at
 };

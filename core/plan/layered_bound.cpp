@@ -17,8 +17,7 @@ namespace berg {
 
 namespace {
 
-/** Relative margin of every cut and of every bound: far above rounding, far below interest. */
-constexpr double kMargin = 1e-9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /** Steps of the multipliers: before the first suggestion, in all without a graph (at least, and
  * with multipliers given), on the first graph, on later graphs. */
 constexpr std::int64_t kFirstSteps = 10;
@@ -32,6 +31,8 @@ constexpr std::int64_t kWorkOfRefining = 10;
 constexpr std::int64_t kWorkOfSearching = 25;
 /** Relaxed paths whose cycles make the memory grow: those of the last steps. */
 constexpr std::size_t kRecentPaths = 20;
+/** Most that the exact search may be wider than usual. */
+constexpr int kWidest = 1024;
 /** Gaps certified on the way when the graph gets large: what can beat the order by so much is
  * little, and soon deleted. */
 constexpr std::array kStages{0.005, 0.002};
@@ -92,7 +93,7 @@ public:
         relax(paths, plainSteps() - kFirstSteps);
         if (!finished() && m_costs.icebergs < NodeSet::kCapacity)
             tighten(paths);
-        m_result.lambda = m_ascent.best(0).lambda;
+        m_result.lambda = m_ascent.best();
         return std::move(m_result);
     }
 
@@ -120,11 +121,19 @@ public:
     }
 
 private:
+    /** After a poor order multipliers may be so large that rounding leaves nothing of the cost. */
+    void renewMultipliers()
+    {
+        if (!allowsProof(best().margin, m_cost))
+            m_ascent = PriceAscent(firstPrices(m_costs, m_result.order));
+    }
     /** Orders of at least this cost are of no interest. */
     [[nodiscard]] double cutoff() const
     {
-        return m_keepEqual ? m_cost * (1 + kMargin) : m_cost * (1 - std::max(kMargin, m_gap));
+        return m_keepEqual ? cutoffAbove(m_cost) : cutoffBelow(m_cost, m_gap);
     }
+    [[nodiscard]] Prices here() const { return certifiedPrices(m_ascent.here(), cutoff()); }
+    [[nodiscard]] Prices best() const { return certifiedPrices(m_ascent.best(), cutoff()); }
     bool cut()
     {
         m_cut = m_cut || (m_options.cut && m_options.cut());
@@ -151,22 +160,23 @@ private:
         return graph.arcCount() + kWorkOfNode * graph.nodeCount();
     }
 
-    /** Takes a lower bound on all orders below the cutoff. */
+    /** Takes a certified lower bound on all orders below the cutoff. */
     void takeBound(double bound)
     {
+        bound = std::max(bound, 0.0); // no cost is negative
         if (bound >= cutoff()) {
             m_result.bound = std::max(m_result.bound, cutoff());
             m_stageDone = true;
             m_result.reached = m_gap <= m_options.gap;
         } else {
-            m_result.bound = std::max(m_result.bound, bound - kMargin * m_cost);
+            m_result.bound = std::max(m_result.bound, bound);
         }
     }
     /** Takes an order; returns whether it is a better one. */
     bool takeOrder(const VisitOrder& order)
     {
         const double cost = m_costs.total(order);
-        if (m_keepEqual || cost >= m_cost * (1 - kMargin))
+        if (m_keepEqual || !replaces(cost, m_cost))
             return false;
         m_cost = cost;
         m_result.order = order;
@@ -201,19 +211,29 @@ private:
 
     void relax(LayeredPaths<Costs>& paths, std::int64_t steps)
     {
+        renewMultipliers();
         for (std::int64_t k = 0; k < steps && !finished(); ++k) {
-            const double bound = paths.sweep(m_ascent.here(cutoff()), cutQuestion());
+            const Prices prices = here();
+            const double bound = paths.sweep(prices, cutQuestion());
             m_result.work += paths.workOfSweep();
             if (!std::isfinite(bound))
                 return;
-            const std::vector<int> path = paths.shortestPath();
-            takePath(path);
-            m_ascent.step(path, bound, m_cost);
-            takeBound(m_ascent.bound());
+            if (!climb(paths.shortestPath(), bound, prices.margin))
+                break;
             if (k % kFirstSteps == 0)
                 report();
         }
         report();
+    }
+
+    /** Takes what a sweep at the multipliers `here` gave; false when there are no better ones. */
+    bool climb(std::vector<int> path, double bound, double margin)
+    {
+        takePath(path);
+        const bool steps =
+            m_ascent.step({.visits = std::move(path), .bound = bound, .margin = margin}, m_cost);
+        takeBound(m_ascent.bound());
+        return steps;
     }
 
     /** The graph without memory, and the memory to begin with. */
@@ -221,7 +241,7 @@ private:
     {
         const std::int64_t n = m_costs.icebergs;
         const int nearest = n <= 50 ? 3 : 2; // large graphs must grow slowly
-        const Prices prices = m_ascent.best(cutoff());
+        const Prices prices = best();
         // By position it is quick, and `arcs` needs the graph also when cut.
         const CutQuestion question = Costs::kWeighted ? cutQuestion() : CutQuestion{};
         paths.sweep(prices, question);
@@ -290,7 +310,7 @@ private:
     bool refine(Stage<Costs>& stage, std::int64_t otherBytes)
     {
         constexpr std::int64_t kGrowth = 3; // of vectors, and what the search needs
-        const Prices prices = m_ascent.best(cutoff());
+        const Prices prices = best();
         stage.graph.sweep(prices, cutQuestion());
         if (cut())
             return false;
@@ -314,24 +334,28 @@ private:
     void ascend(LayeredGraph<Costs>& graph)
     {
         const int steps = m_graphs == 1 ? kFirstGraphSteps : kLaterSteps;
+        renewMultipliers();
         m_ascent.restart();
         m_recent.clear();
         for (int k = 0; k < steps && !finished() && !m_stageDone; ++k) {
-            const double bound = graph.sweep(m_ascent.here(cutoff()), cutQuestion());
+            const Prices prices = here();
+            const double bound = graph.sweep(prices, cutQuestion());
             m_result.work += workOfSweep(graph);
             if (cut())
                 return;
-            const std::vector<int> path = graph.shortestPath();
+            std::vector<int> path = graph.shortestPath();
             if (path.empty()) {
-                takeBound(cutoff()); // nothing below the cutoff is left
+                takeBound(kInfinity); // nothing below the cutoff is left
                 return;
             }
-            takePath(path);
             m_recent.push_back(path);
             if (m_recent.size() > kRecentPaths)
                 m_recent.erase(m_recent.begin());
-            m_ascent.step(path, bound, m_cost);
-            takeBound(m_ascent.bound());
+            if (!climb(std::move(path), bound, prices.margin)) {
+                // What is missing now, only the exact search can find.
+                m_width = std::min(2 * m_width, kWidest);
+                break;
+            }
             // Early steps gain most, so they are followed by a clearing up sooner.
             if (k == 0 || k % 20 == 6)
                 trim(graph);
@@ -342,7 +366,7 @@ private:
 
     void trim(LayeredGraph<Costs>& graph)
     {
-        const Prices prices = m_ascent.best(cutoff());
+        const Prices prices = best();
         graph.sweep(prices, cutQuestion());
         if (!cut() && !graph.trim(prices, cutQuestion()))
             m_cut = true;
@@ -351,18 +375,18 @@ private:
 
     void searchIn(LayeredGraph<Costs>& graph)
     {
-        const Prices prices = m_ascent.best(cutoff());
+        const Prices prices = best();
         graph.sweep(prices, cutQuestion());
         if (cut())
             return;
         // Half the mean width of the graph: the work of a few sweeps.
-        const int states = std::max(100, graph.nodeCount() / (2 * m_costs.icebergs));
+        const int states = m_width * std::max(100, graph.nodeCount() / (2 * m_costs.icebergs));
         const GraphSearchResult found =
             searchGraph(graph, prices, {.mostStates = states, .cut = cutQuestion()});
         m_result.work += kWorkOfSearching * found.work;
         if (!found.order.empty())
             takeOrder(found.order);
-        takeBound(found.bound);
+        takeBound(prices.certified(found.bound));
     }
 
     const Costs& m_costs;
@@ -373,6 +397,7 @@ private:
     std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
     double m_gap = 0;                       ///< that is being certified
     int m_graphs = 0;                       ///< refined so far
+    int m_width = 1;                        ///< of the exact search, in usual widths
     bool m_stageDone = false;               ///< m_gap has been certified
     bool m_keepEqual = false;               ///< orders as good as the given one are to be kept
     bool m_workOut = false; ///< the work that is left does not suffice for a refined graph

@@ -46,7 +46,7 @@ struct BoundResult
 {
     double bound = 0;       ///< lower bound on the cost of every order, below the order's cost
     VisitOrder order;       ///< the best order known, at least as good as the one given
-    bool reached = false;   ///< bound and cost are as close as asked for (1e-9 at least)
+    bool reached = false;   ///< bound and cost are as close as asked for (`kProofTolerance`)
     bool memoryOut = false; ///< ended by the memory limit
     std::int64_t work = 0;  ///< arcs looked at, that of the suggestions included
     Eigen::VectorXd lambda; ///< the best multipliers, one per node, [0] is 0
@@ -66,10 +66,10 @@ struct PositionArc
  * layered graph, strengthened by ng-paths whose memory grows where the relaxed paths
  * visit an iceberg twice (dynamic ng-path relaxation: Roberti and Mingozzi 2014) and by a
  * truncated exact search; what cannot beat `order` is deleted on the way. Ends in the proof that
- * `order` is optimal, or in a better one that is, unless a limit comes first: then the bound is
- * 1e-9 of the cost below it, the margin kept for rounding. When the graph gets large, a bound
- * within 0.5 % and then one within 0.2 % is certified first, on what little can beat the order
- * by so much. Above 127 icebergs only the relaxation without memory is computed.
+ * `order` is optimal, or in a better one that is, unless a limit comes first. Whatever the
+ * multipliers, the bound is true to the last digit (`roundingMargin`). When the graph gets large, a
+ * bound within 0.5 % and then one within 0.2 % is certified first, on what little can beat the
+ * order by so much. Above 127 icebergs only the relaxation without memory is computed.
  */
 template <class Costs>
 [[nodiscard]] BoundResult improveBound(const Costs& costs, const VisitOrder& order,
@@ -77,7 +77,7 @@ template <class Costs>
 
 /**
  * The arcs of the position-indexed MILP that are left when all arcs have been deleted which no
- * order of at most `order`'s cost can use (relative margin 1e-9): every order that costs no more
+ * order of at most `order`'s cost can use (`cutoffAbove`): every order that costs no more
  * than `order`, itself included, runs on the arcs returned. Sorted by position, from, to; the way
  * back of a closed route is no arc. Deletion goes on until it no longer pays or the work limit is
  * reached; a cut leaves more arcs, all n (n - 1)^2 + n of them when it comes at once. `gap` and

@@ -75,7 +75,7 @@ void LayeredGraph<Costs>::buildByPosition(const LayeredPaths<Costs>& paths,
         }
     }
 
-    const double allowed = prices.cutoff - prices.sum;
+    const double allowed = prices.allowedLength();
     Eigen::ArrayXXi id = Eigen::ArrayXXi::Constant(n, n, -1);
     m_iceberg.push_back(0);
     m_firstNode = {0, 1};
@@ -108,7 +108,7 @@ void LayeredGraph<Costs>::buildBySigmaSeen(const LayeredPaths<Costs>& paths, con
 {
     const Costs& costs = *m_costs;
     const int n = costs.icebergs;
-    const double allowed = prices.cutoff - prices.sum;
+    const double allowed = prices.allowedLength();
     Eigen::ArrayXXd length = Eigen::ArrayXXd::Constant(n, lastLayer() + 1, kInfinity);
     // Calls `take(j, level, length)` for every leg from the node that is on a path below the
     // cutoff.
@@ -165,7 +165,9 @@ void LayeredGraph<Costs>::refreshUnseen(const CutQuestion& cut) requires(Costs::
         m_unseen.assign(m_iceberg.size(), 0.0);
         return;
     }
-    m_unseen[0] = m_costs->sigmaSum;
+    // Rounded down, or a difference of large sums would be above the true one by their rounding.
+    const double rounding = roundingMargin(1, m_costs->sigmaSum);
+    m_unseen[0] = m_costs->sigmaSum - rounding * icebergs();
     for (int level = 0; level <= lastLayer(); ++level)
         for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
             if (v % kNodesPerCheck == 0 && cut && cut()) {
@@ -173,7 +175,7 @@ void LayeredGraph<Costs>::refreshUnseen(const CutQuestion& cut) requires(Costs::
                 return;
             }
             double& unseen = m_unseen[static_cast<std::size_t>(v)];
-            const double alongPaths = unseen - m_costs->sigmaOf(iceberg(v));
+            const double alongPaths = unseen - m_costs->sigmaOf(iceberg(v)) - rounding;
             const double ofAnySet = m_costs->leastUnseen(level);
             unseen = alongPaths < kInfinity ? std::max(alongPaths, ofAnySet) : ofAnySet;
             for (const int to : successors(v)) {
@@ -291,7 +293,7 @@ bool LayeredGraph<Costs>::trim(const Prices& prices, const CutQuestion& cut)
     const std::vector<double> length = lengthsFromStart(prices, cut);
     if (length.empty())
         return false;
-    const double allowed = prices.cutoff - prices.sum;
+    const double allowed = prices.allowedLength();
     const auto at = [](int v) { return static_cast<std::size_t>(v); };
 
     std::vector<int> id;
@@ -348,7 +350,7 @@ Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Prices&
 {
     LayeredGraph result(*m_costs);
     result.m_firstNode.push_back(0);
-    const double allowed = prices.cutoff - prices.sum;
+    const double allowed = prices.allowedLength();
     LabelTables tables(longestStep(*m_costs));
     tables.offer(0, {.memory = {}, .length = 0, .node = 0});
     PieceList<int> labelOf; // number of each node's label

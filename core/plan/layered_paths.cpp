@@ -12,6 +12,17 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /** Levels between two looks at the clock. */
 constexpr int kLevelsPerCheck = 16;
 
+/** By element the least of all others. */
+Eigen::ArrayXd leastOfOthers(const Eigen::ArrayXd& values)
+{
+    Eigen::Index first = 0;
+    Eigen::ArrayXd least = Eigen::ArrayXd::Constant(values.size(), values.minCoeff(&first));
+    Eigen::ArrayXd others = values;
+    others(first) = kInfinity;
+    least(first) = others.minCoeff();
+    return least;
+}
+
 } // namespace
 
 LayeredPaths<VisitCosts>::LayeredPaths(const VisitCosts& costs)
@@ -104,6 +115,10 @@ double LayeredPaths<LatencyCosts>::sweep(const Prices& prices, const CutQuestion
                 if (after(j) < kInfinity)
                     open.push_back(j);
             std::size_t k = 0;
+            if (weight == 0) { // which the infinite diagonal must not be multiplied with
+                least = leastOfOthers(after);
+                k = open.size();
+            }
             for (; k + 1 < open.size(); k += 2) // two at once: `least` is read and written once
                 least = least.min((weight * m_legs.col(open[k]) + after(open[k]))
                                       .min(weight * m_legs.col(open[k + 1]) + after(open[k + 1])));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/plan/certified.h"
 #include "core/plan/order_costs.h"
 
 #include <Eigen/Core>
@@ -12,14 +13,6 @@ namespace berg {
 
 /** Asked at least every 10 ms during long work; true ends it. May be empty. */
 using CutQuestion = std::function<bool()>;
-
-/** Multipliers of "each iceberg once", one per node ([0] is 0), and the cost they cut at. */
-struct Prices
-{
-    Eigen::VectorXd lambda;
-    double sum = 0;    ///< of lambda
-    double cutoff = 0; ///< paths of at least this cost are not wanted
-};
 
 /**
  * Shortest paths by levels in the complete graph (any iceberg after any other one, no memory),

@@ -24,19 +24,20 @@ double levelsPerIceberg(int icebergs)
     return std::clamp(kMostWork / (n * n * n), kCoarsest, kFinest);
 }
 
-/** Cost: icebergs times levels. */
+/** By sums of what is unseen, not by differences, which would lose the small ones among large
+ * sigmas. Cost: icebergs times levels. */
 Eigen::ArrayXd unseenByLevel(const LatencyCosts& costs)
 {
     Eigen::ArrayXd unseen = Eigen::ArrayXd::Constant(costs.lastLevel() + 1, kInfinity);
-    unseen(0) = costs.sigmaSum;
-    int reached = 0;
+    unseen(costs.lastLevel()) = 0;
+    int reached = costs.lastLevel();
     for (int i = 1; i <= costs.icebergs; ++i) {
         const int step = costs.step(i);
-        for (int level = reached; level >= 0; --level)
-            unseen(level + step) = std::min(unseen(level + step), unseen(level) - costs.sigmaOf(i));
-        reached += step;
+        for (int level = reached; level <= costs.lastLevel(); ++level)
+            unseen(level - step) = std::min(unseen(level - step), unseen(level) + costs.sigmaOf(i));
+        reached -= step;
     }
-    return unseen.max(0); // what rounding leaves of the last level
+    return unseen;
 }
 
 } // namespace

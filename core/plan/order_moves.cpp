@@ -1,5 +1,8 @@
 #include "core/plan/order_moves.h"
 
+#include "core/plan/certified.h"
+#include "core/plan/search_effort.h"
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -37,6 +40,19 @@ double OrderMoves<Costs>::cost() const
         return m_costs.sigmaSum * end.forward - end.forwardSeen;
     else
         return end.forward + end.moment + end.sigma; // sigma (p + 1) = moment + sigma
+}
+
+template <class Costs>
+double OrderMoves<Costs>::rounding() const
+{
+    const Sums& end = m_sums.back();
+    const double legs = end.forward + end.backward;
+    const int n = icebergs();
+    // Up to five pieces, each with a product or two of differences of sums over n icebergs.
+    if constexpr (Costs::kWeighted)
+        return roundingMargin(2 * n, m_costs.sigmaSum * legs);
+    else
+        return roundingMargin(2 * n, legs + end.moment + n * end.sigma);
 }
 
 template <class Costs>
@@ -207,7 +223,6 @@ OrderMove OrderMoves<Costs>::bestMoveAt(int position) const
         consider(reversal(a, b), {.kind = Kind::Reverse, .first = a, .last = b});
         consider(exchange(a, b), {.kind = Kind::Exchange, .first = a, .last = b});
     }
-    constexpr int kLongestPiece = 3;
     for (int last = position; last <= std::min(n, position + kLongestPiece - 1); ++last)
         for (int after = 0; after <= n; ++after) {
             if (after >= position - 1 && after <= last)

@@ -71,6 +71,9 @@ public:
     void assign(std::span<const int> order);
     /** Cost of the whole order, as `Costs::total` up to rounding. */
     [[nodiscard]] double cost() const;
+    /** A change of cost that is less, either way, may be rounding alone: the sums may be far larger
+     * than the cost. */
+    [[nodiscard]] double rounding() const;
 
     /** Change of cost when positions first .. last are flown backwards; first < last. */
     [[nodiscard]] double reversal(int first, int last) const;

@@ -1,5 +1,7 @@
 #include "core/plan/order_search.h"
 
+#include "core/plan/certified.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -11,9 +13,6 @@ namespace {
 /** Work of looking at one partner of an iceberg: seven moves valued. By measurement. */
 template <class Costs>
 constexpr std::int64_t kWorkOfNeighbour = Costs::kWeighted ? 20 : 8;
-
-/** Gains below this share of the cost are rounding, not gains: a descent must come to an end. */
-constexpr double kLeastGain = 1e-10;
 
 /**
  * Descent by first improvement over icebergs, best move of each iceberg. Icebergs whose
@@ -59,7 +58,7 @@ public:
                     return;
                 again = true;
                 const OrderMove move = m_moves.bestMoveAt(position);
-                if (move.delta < -least)
+                if (move.delta < -std::max(least, m_moves.rounding()))
                     make(move);
                 else
                     m_active[node] = false;
@@ -163,12 +162,6 @@ OrderSearch<Costs>::OrderSearch(const Costs& costs, SearchEffort& effort)
 }
 
 template <class Costs>
-void OrderSearch<Costs>::take(const VisitOrder& order)
-{
-    keep(order, m_costs.total(order));
-}
-
-template <class Costs>
 void OrderSearch<Costs>::startGreedily()
 {
     take(greedyOrder(m_costs, Greed::Nearest));
@@ -203,7 +196,7 @@ void OrderSearch<Costs>::disturb(std::int64_t restarts)
     for (std::int64_t done = 0; done < restarts && !m_effort.spent(); ++done) {
         descent.make(disturbance(m_random, m_costs.icebergs));
         descent.run();
-        keep(descent.order(), descent.cost());
+        take(descent.order());
         // Slightly worse orders are accepted, less and less so: without that the search stays in
         // one valley.
         const double progress = static_cast<double>(done) / static_cast<double>(restarts);
@@ -222,12 +215,13 @@ void OrderSearch<Costs>::descendFrom(const VisitOrder& order)
 {
     Descent descent(m_costs, order, m_effort);
     descent.run();
-    keep(descent.order(), descent.cost());
+    take(descent.order());
 }
 
 template <class Costs>
-void OrderSearch<Costs>::keep(const VisitOrder& order, double cost)
+void OrderSearch<Costs>::take(const VisitOrder& order)
 {
+    const double cost = m_costs.total(order);
     if (!m_best.empty() && cost >= m_bestCost * (1 - kLeastGain))
         return;
     m_best = order;

@@ -41,7 +41,6 @@ public:
 
 private:
     void descendFrom(const VisitOrder& order);
-    void keep(const VisitOrder& order, double cost);
 
     const Costs& m_costs;
     SearchEffort& m_effort;

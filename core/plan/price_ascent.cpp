@@ -37,8 +37,9 @@ void PriceAscent::restart()
     m_idle = 0;
 }
 
-void PriceAscent::step(const std::vector<int>& path, double bound, double target)
+bool PriceAscent::step(const Relaxed& relaxed, double target)
 {
+    const double bound = relaxed.bound - relaxed.margin;
     m_idle = bound > m_bound + 1e-7 * target ? 0 : m_idle + 1;
     if (m_idle >= kPatience) {
         m_step *= 0.7;
@@ -50,12 +51,17 @@ void PriceAscent::step(const std::vector<int>& path, double bound, double target
     }
     Eigen::VectorXd gradient = Eigen::VectorXd::Ones(m_lambda.size());
     gradient(0) = 0;
-    for (const int i : path)
+    for (const int i : relaxed.visits)
         gradient(i) -= 1;
+    if (gradient.isZero(0)) {
+        m_direction.setZero();
+        return false;
+    }
     m_direction = gradient + 0.7 * m_direction;
     const double norm = m_direction.squaredNorm();
     if (norm > 0)
-        m_lambda += m_step * std::max(target - bound, 0.0) / norm * m_direction;
+        m_lambda += m_step * std::max(target - relaxed.bound, 0.0) / norm * m_direction;
+    return true;
 }
 
 Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order)
@@ -71,11 +77,11 @@ Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order)
     const double square = deviation.square().sum();
     const double slope =
         square > 0 ? (deviation * (t.tail(n).array() - meanT)).sum() / square : 0.0;
-    const double start = meanT - slope * meanSigma;
 
+    // About the mean: between sigmas that are nearly equal the slope is beyond all measure, and
+    // what it is multiplied with is as small.
     Eigen::VectorXd prices = shortestLegs(costs);
-    for (int j = 1; j <= n; ++j)
-        prices(j) += start * sigma(j) + slope * sigma(j) * sigma(j) / 2;
+    prices.tail(n).array() += meanT * sigma.tail(n).array() + slope * deviation.square() / 2;
     return prices;
 }
 

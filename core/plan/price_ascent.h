@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/plan/layered_graph.h"
+#include "core/plan/certified.h"
+#include "core/plan/order_costs.h"
 
 #include <limits>
 #include <vector>
@@ -18,19 +19,27 @@ public:
     /** `lambda`: one per node, [0] is taken as 0. */
     explicit PriceAscent(Eigen::VectorXd lambda);
 
-    /** Best bound since the last restart; -infinity before the first step. */
+    /** Best certified bound since the last restart; -infinity before the first step. */
     [[nodiscard]] double bound() const { return m_bound; }
-    [[nodiscard]] Prices here(double cutoff) const { return {m_lambda, m_lambda.sum(), cutoff}; }
-    [[nodiscard]] Prices best(double cutoff) const { return {m_best, m_best.sum(), cutoff}; }
+    [[nodiscard]] const Eigen::VectorXd& here() const { return m_lambda; }
+    [[nodiscard]] const Eigen::VectorXd& best() const { return m_best; }
 
     /** For another graph: goes on from the best multipliers. */
     void restart();
 
+    /** What the multipliers `here` gave. */
+    struct Relaxed
+    {
+        std::vector<int> visits; ///< of the shortest path, or of all routes' paths
+        double bound = 0;        ///< sum lambda + its length
+        double margin = 0;       ///< of the bound
+    };
     /**
-     * `path` and `bound` (sum lambda + length of that shortest path) belong to the multipliers
-     * `here`; `target` is the incumbent's cost.
+     * `target` is the incumbent's cost. False, and no step, where every iceberg is visited once: no
+     * multipliers give a better bound. A step along what is left of earlier directions, which
+     * fades while the distance to the incumbent does not, would go beyond all measure.
      */
-    void step(const std::vector<int>& path, double bound, double target);
+    [[nodiscard]] bool step(const Relaxed& relaxed, double target);
 
 private:
     static constexpr double kFirstStep = 0.4;

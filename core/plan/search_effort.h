@@ -16,4 +16,7 @@ struct SearchEffort
     [[nodiscard]] bool spent() const { return work >= limit || (cut && cut()); }
 };
 
+/** Icebergs in turn that a move takes elsewhere together, at most. */
+inline constexpr int kLongestPiece = 3;
+
 } // namespace berg

@@ -1,6 +1,7 @@
 #include "core/plan/tau_curve.h"
 
 #include "core/base/solving_guard.h"
+#include "core/plan/certified.h"
 #include "core/plan/layered_bound.h"
 #include "core/plan/order_search.h"
 #include "core/plan/subset_solver.h"
@@ -16,8 +17,6 @@ namespace berg {
 
 namespace {
 
-/** Orders this much cheaper (relative, by the shifted cost) are better, not rounding. */
-constexpr double kMargin = 1e-9;
 /** Above, the layered bound is faster than dynamic programming. */
 constexpr int kLargestByTable = 13;
 /** Above, `improveBound` proves nothing. */
@@ -64,8 +63,8 @@ public:
         : m_problem(problem), m_options(options), m_muPerTau(muPerTau)
     {
         m_problem.mu = 0;
-        // No order costs less than 2 sum(sigma): a tenth of the margin at most.
-        m_same_m2 = 0.1 * kMargin * 2 * objectiveShift(problem) / problem.nodeCount();
+        // No order costs less than 2 sum(sigma): a tenth of the tolerance at most.
+        m_same_m2 = 0.1 * kProofTolerance * 2 * objectiveShift(problem) / problem.nodeCount();
         addLine(sigmaOrder(m_problem)); // the largest reward there is: optimal at tau = 0
     }
 
@@ -226,7 +225,7 @@ private:
     {
         const double shift = objectiveShift(m_problem);
         const double known = objective(m_problem, line(crossing.left).order) + shift;
-        if (objective(m_problem, order) + shift < known * (1 - kMargin))
+        if (objective(m_problem, order) + shift < cutoffBelow(known, 0))
             addLine(order);
     }
 

@@ -97,7 +97,7 @@ private slots:
                 continue;
             ++moves;
             const double before = fleetObjective(problem, routes.plan());
-            apply(routes, move);
+            QVERIFY(apply(routes, move));
             QVERIFY(isFleetPlan(problem, routes.plan()));
             QVERIFY(test::sameObjective(problem, fleetObjective(problem, routes.plan()),
                                         before - move.gain));

@@ -1,0 +1,422 @@
+#include "core/plan/engine.h"
+#include "core/plan/fleet_bound.h"
+#include "core/plan/fleet_solver.h"
+#include "core/plan/layered_bound.h"
+#include "core/plan/tau_curve.h"
+#include "tests/support/approx.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/fleet_problems.h"
+#include "tests/support/nasty_problems.h"
+#include "tests/support/reference_optimum.h"
+
+#include <QtTest>
+
+using namespace berg;
+
+namespace {
+
+constexpr int kUsualCases = 3000;
+/** Enough for every proof of so few icebergs; one that needs more has got lost. */
+constexpr std::int64_t kPlenty = 300'000'000;
+/** Of sums of some dozens of numbers, and of the promise of a proof; relative to the cost. */
+constexpr long double kRounding = 1e-14L;
+constexpr long double kProof = 2e-9L;
+
+/** F + N sum(sigma), or latency, in 64 bits of mantissa. */
+long double costOf(const TvpProblem& problem, const VisitOrder& order)
+{
+    long double cost = 0;
+    long double flown = 0;
+    int from = 0;
+    int position = 0;
+    for (const int to : order) {
+        const long double leg = static_cast<long double>(problem.mu) * problem.distance_m(from, to);
+        flown += leg;
+        const long double sigma = problem.sigma_m2[static_cast<std::size_t>(to)];
+        ++position;
+        cost +=
+            problem.criterion == Criterion::Latency ? sigma * flown : leg + sigma * (position + 1);
+        from = to;
+    }
+    if (problem.criterion == Criterion::Visitation && problem.route == Route::Closed && from != 0)
+        cost += static_cast<long double>(problem.mu) * problem.distance_m(from, 0);
+    return cost;
+}
+long double costOf(const FleetProblem& problem, const FleetPlan& plan)
+{
+    long double cost = 0;
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        cost += costOf(problemOfUav(problem, uav), plan[static_cast<std::size_t>(uav)]);
+    return cost;
+}
+
+QString figures(long double found, long double optimum)
+{
+    return QStringLiteral(" %1 against %2 (%3 of it)")
+        .arg(static_cast<double>(found), 0, 'g', 17)
+        .arg(static_cast<double>(optimum), 0, 'g', 17)
+        .arg(static_cast<double>((found - optimum) / optimum), 0, 'g', 3);
+}
+
+/** What a bound, an order's cost and the claim that they meet must be. */
+QString faultOf(long double bound, long double cost, bool proven, long double optimum)
+{
+    if (bound > optimum * (1 + kRounding))
+        return QStringLiteral("bound above the optimum:") + figures(bound, optimum);
+    if (proven && cost > optimum * (1 + kProof))
+        return QStringLiteral("proven, but not optimal:") + figures(cost, optimum);
+    return {};
+}
+
+/** Sizes that are quickly tried, now and then a larger one. */
+int sizeOf(std::uint64_t seed, int most)
+{
+    return seed % 16 == 0 ? most
+                          : 2 + static_cast<int>(seed / 16 % static_cast<std::uint64_t>(most - 3));
+}
+
+/** What poor orders, limits and the like are drawn from. */
+test::NastyDraw drawBeside(std::uint64_t seed)
+{
+    return test::NastyDraw(seed + 1'000'000'007);
+}
+
+/** The bound on its own: no local search, any multipliers, any limit. */
+template <class Costs>
+QString faultOfBound(const TvpProblem& problem, const VisitOrder& start, test::NastyDraw draw)
+{
+    const Costs costs(problem);
+    const long double optimum = test::referenceOptimum(problem).cost;
+    BoundOptions options{.workLimit = draw.oneIn(8) ? draw.below(20'000) : kPlenty};
+    const bool plenty = options.workLimit == kPlenty;
+    if (draw.oneIn(4))
+        options.manyArcs = 0;
+    if (draw.oneIn(8)) {
+        options.lambda = Eigen::VectorXd::Zero(problem.nodeCount());
+        for (int i = 1; i < problem.nodeCount(); ++i)
+            (*options.lambda)(i) = (draw.below(3) - 1) * costs.total(start) * draw.magnitude(-3, 3);
+    }
+    QString fault;
+    options.onImproved = [&](const VisitOrder& order, double bound) {
+        if (fault.isEmpty())
+            fault = faultOf(bound, costOf(problem, order), false, optimum);
+    };
+    const BoundResult result = improveBound(costs, start, options);
+    if (!isVisitOrder(problem, result.order))
+        return QStringLiteral("no order");
+    if (fault.isEmpty())
+        fault = faultOf(result.bound, costOf(problem, result.order), result.reached, optimum);
+    if (fault.isEmpty() && plenty && !result.reached)
+        fault = QStringLiteral("not proven");
+    return fault;
+}
+
+/** No arc of the optimum is ever deleted. */
+QString faultOfArcs(const TvpProblem& problem, const VisitOrder& best, const VisitOrder& given,
+                    std::int64_t workLimit)
+{
+    const std::vector<PositionArc> arcs =
+        survivingArcs(VisitCosts(problem), given, {.workLimit = workLimit});
+    PositionArc arc;
+    for (const int to : best) {
+        arc = {.from = arc.to, .to = to, .position = arc.position + 1};
+        if (std::find(arcs.begin(), arcs.end(), arc) == arcs.end())
+            return QStringLiteral("arc %1 of the optimum lost").arg(arc.position);
+    }
+    return {};
+}
+QString faultOfArcs(std::uint64_t seed)
+{
+    const TvpProblem problem = test::nastyProblem(seed, sizeOf(seed, 9), Criterion::Visitation);
+    const VisitOrder best = test::referenceOptimum(problem).order;
+    test::NastyDraw draw = drawBeside(seed);
+    const VisitOrder given = draw.oneIn(3) ? best : draw.shuffled(problem.icebergCount());
+    return faultOfArcs(problem, best, given, draw.oneIn(4) ? 10'000 : kPlenty);
+}
+
+QString faultOfVisitation(std::uint64_t seed)
+{
+    const TvpProblem problem = test::nastyProblem(seed, sizeOf(seed, 10), Criterion::Visitation);
+    test::NastyDraw draw = drawBeside(seed);
+    const VisitOrder start = draw.shuffled(problem.icebergCount());
+    return faultOfBound<VisitCosts>(problem, start, draw);
+}
+QString faultOfLatency(std::uint64_t seed)
+{
+    const TvpProblem problem = test::nastyProblem(seed, sizeOf(seed, 8), Criterion::Latency);
+    test::NastyDraw draw = drawBeside(seed);
+    const VisitOrder start = draw.shuffled(problem.icebergCount());
+    return faultOfBound<LatencyCosts>(problem, start, draw);
+}
+
+FleetPlan poorPlan(const FleetProblem& problem, test::NastyDraw& draw)
+{
+    FleetPlan plan(problem.distance_m.size());
+    for (const int i : draw.shuffled(problem.icebergCount())) {
+        int uav = draw.below(problem.uavCount());
+        while (!problem.allows(uav, i))
+            uav = draw.below(problem.uavCount());
+        plan[static_cast<std::size_t>(uav)].push_back(i);
+    }
+    return plan;
+}
+
+QString faultOfFleetBound(const FleetProblem& problem, test::NastyDraw draw)
+{
+    const FleetCosts costs(problem);
+    const long double optimum = test::referenceFleetCost(problem);
+    const FleetPlan start = poorPlan(problem, draw);
+    QString fault;
+    FleetBoundOptions options{.workLimit = draw.oneIn(8) ? draw.below(20'000) : kPlenty,
+                              .memoryLimit_bytes = 100'000'000};
+    options.onImproved = [&](const FleetPlan& plan, double bound) {
+        if (fault.isEmpty())
+            fault = faultOf(bound, costOf(problem, plan), false, optimum);
+    };
+    const FleetBoundResult result = improveFleetBound(costs, start, options);
+    if (!isFleetPlan(problem, result.plan))
+        return QStringLiteral("no plan");
+    if (fault.isEmpty())
+        fault = faultOf(result.bound, costOf(problem, result.plan), result.reached, optimum);
+    if (fault.isEmpty() && options.workLimit == kPlenty && !result.reached)
+        fault = QStringLiteral("not proven");
+    return fault;
+}
+
+template <int uavs>
+QString faultOfFleet(std::uint64_t seed)
+{
+    return faultOfFleetBound(test::nastyFleet(seed, uavs, sizeOf(seed, 7), Criterion::Visitation),
+                             drawBeside(seed));
+}
+
+/** What a back end says, by the cost. */
+template <class Problem, class Outcome, class Order>
+QString faultOfOutcome(const Problem& problem, const Outcome& outcome, const Order& order,
+                       double shift, long double optimum)
+{
+    const bool proven = outcome.status == SolveStatus::Optimal;
+    if (outcome.bound && *outcome.bound > outcome.objective)
+        return QStringLiteral("bound above the objective");
+    // The objective is a difference of sums as large as the shift, and so is the bound on it.
+    const long double bound =
+        outcome.bound && !proven ? *outcome.bound + static_cast<long double>(shift) : 0;
+    const long double rounding = 100 * kRounding * (optimum + shift);
+    return faultOf(bound - rounding, costOf(problem, order), proven, optimum);
+}
+
+QString faultOfBackEnds(const TvpProblem& problem, std::uint64_t seed)
+{
+    const long double optimum = test::referenceOptimum(problem).cost;
+    test::NastyDraw draw = drawBeside(seed);
+    SolveOptions options{.workLimit = draw.oneIn(4) ? draw.below(20'000) : kPlenty};
+    if (draw.oneIn(2))
+        options.hint = draw.shuffled(problem.icebergCount());
+    const auto check = [&](const QString& name, const SolveOutcome& outcome) {
+        QString fault;
+        if (!isVisitOrder(problem, outcome.order))
+            fault = QStringLiteral("no order");
+        else
+            fault =
+                faultOfOutcome(problem, outcome, outcome.order, objectiveShift(problem), optimum);
+        if (fault.isEmpty() && options.workLimit == kPlenty &&
+            outcome.status != SolveStatus::Optimal)
+            fault = QStringLiteral("not proven");
+        return fault.isEmpty() ? fault : name + ": " + fault;
+    };
+    SolveOutcome bare = solveByEngine(problem, options, std::nullopt);
+    bare.objective = objective(problem, bare.order);
+    if (QString fault = check(QStringLiteral("engine"), bare); !fault.isEmpty())
+        return fault;
+    for (const Backend backend : {Backend::Exact, Backend::Auto, Backend::Heuristic}) {
+        const SolveOutcome outcome = makeSolver(backend)->solve(problem, options);
+        if (QString fault = check(QString::fromStdString(outcome.backend), outcome);
+            !fault.isEmpty())
+            return fault;
+    }
+    return {};
+}
+QString faultOfVisitationBackEnds(std::uint64_t seed)
+{
+    return faultOfBackEnds(test::nastyProblem(seed, sizeOf(seed, 9), Criterion::Visitation), seed);
+}
+QString faultOfLatencyBackEnds(std::uint64_t seed)
+{
+    return faultOfBackEnds(test::nastyProblem(seed, sizeOf(seed, 7), Criterion::Latency), seed);
+}
+
+QString faultOfFleetBackEnds(std::uint64_t seed)
+{
+    const Criterion criterion = seed % 4 == 0 ? Criterion::Latency : Criterion::Visitation;
+    const FleetProblem problem =
+        test::nastyFleet(seed, 2 + static_cast<int>(seed % 3), sizeOf(seed, 7), criterion);
+    const long double optimum = test::referenceFleetCost(problem);
+    test::NastyDraw draw = drawBeside(seed);
+    FleetOptions options{.workLimit = draw.oneIn(4) ? draw.below(20'000) : 5'000'000};
+    if (draw.oneIn(2))
+        options.hint = poorPlan(problem, draw);
+    for (const Backend backend : {Backend::Exact, Backend::Auto, Backend::Heuristic}) {
+        const FleetOutcome outcome = solveFleet(problem, backend, options);
+        if (outcome.status == SolveStatus::None)
+            return QStringLiteral("no plan");
+        const QString fault =
+            faultOfOutcome(problem, outcome, outcome.plan, fleetObjectiveShift(problem), optimum);
+        if (!fault.isEmpty())
+            return QString::fromStdString(outcome.backend) + ": " + fault;
+    }
+    return {};
+}
+
+/** One kind of claim, and its share of the cases. */
+struct Claim
+{
+    const char* name;
+    int share; ///< per cent
+    QString (*fault)(std::uint64_t seed);
+};
+constexpr std::array kClaims{
+    Claim{"bound from a poor order", 20, faultOfVisitation},
+    Claim{"arcs of the optimum", 20, faultOfArcs},
+    Claim{"latency bound from a poor order", 16, faultOfLatency},
+    Claim{"fleet of 2, bound from a poor plan", 8, faultOfFleet<2>},
+    Claim{"fleet of 3, bound from a poor plan", 8, faultOfFleet<3>},
+    Claim{"fleet of 4, bound from a poor plan", 8, faultOfFleet<4>},
+    Claim{"back ends", 8, faultOfVisitationBackEnds},
+    Claim{"latency back ends", 6, faultOfLatencyBackEnds},
+    Claim{"fleet back ends", 6, faultOfFleetBackEnds},
+};
+
+int cases()
+{
+    bool ok = false;
+    const int asked = qEnvironmentVariableIntValue("BERGWATCH_ADVERSARIAL_CASES", &ok);
+    return ok ? asked : kUsualCases;
+}
+
+} // namespace
+
+/**
+ * What is called proven, or a bound, is true of problems made to break it, judged by dynamic
+ * programming of the test's own. 3,000 cases; BERGWATCH_ADVERSARIAL_CASES says how many instead.
+ */
+class TestAdversarial : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    /** Sigmas that agree in all digits but the last few: a line fitted to them is upright. */
+    void nearlyEqualSigmas_data()
+    {
+        QTest::addColumn<double>("spread");
+        for (const double spread : {1e-9, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15})
+            QTest::addRow("%g", spread) << spread;
+    }
+    void nearlyEqualSigmas()
+    {
+        QFETCH(double, spread);
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            TvpProblem problem = test::randomProblem(seed, 10, 1, Route::Open);
+            Random random(seed);
+            for (std::size_t i = 1; i < problem.sigma_m2.size(); ++i)
+                problem.sigma_m2[i] = 5 * (1 + spread * random.uniform());
+            test::NastyDraw draw = drawBeside(seed);
+            const VisitOrder start = draw.shuffled(10);
+            QCOMPARE(faultOfBound<VisitCosts>(problem, start, draw), QString());
+            const VisitOrder best = test::referenceOptimum(problem).order;
+            QCOMPARE(faultOfArcs(problem, best, start, kPlenty), QString());
+        }
+    }
+
+    /** The whole curve of 40 icebergs is that of equal sigmas. */
+    void nearlyEqualSigmasHaveTheSameCurve()
+    {
+        TvpProblem equal = test::randomProblem(3, 40, 1, Route::Open);
+        std::fill(equal.sigma_m2.begin() + 1, equal.sigma_m2.end(), 5.0);
+        const TauCurve expected = tauCurve(equal, {});
+        QVERIFY(!expected.intervals.empty());
+        for (const double spread : {1e-13, 1e-14, 1e-15}) {
+            TvpProblem near = equal;
+            Random random(3);
+            for (std::size_t i = 1; i < near.sigma_m2.size(); ++i)
+                near.sigma_m2[i] *= 1 + spread * random.uniform();
+            const TauCurve curve = tauCurve(near, {});
+            QCOMPARE(curve.intervals.size(), expected.intervals.size());
+            for (std::size_t k = 0; k < expected.intervals.size(); ++k) {
+                const CurveInterval& a = curve.intervals[k];
+                const CurveInterval& b = expected.intervals[k];
+                QVERIFY(a.proven && b.proven);
+                COMPARE_NEAR(a.tauTo, b.tauTo, 1e-9 * b.tauTo);
+                COMPARE_NEAR(a.distance_m, b.distance_m, 1e-9 * b.distance_m);
+                COMPARE_NEAR(a.reward_m2, b.reward_m2, 1e-9 * b.reward_m2);
+            }
+        }
+    }
+
+    /** 0 * infinity: a leg that waits for nothing more costs nothing, whatever its length. */
+    void latencyWithZeroSigmas()
+    {
+        Eigen::MatrixX2d points_m(4, 2);
+        points_m << 0, 0, 1, 2, 2, 0, 0, 1;
+        const TvpProblem problem{.distance_m = euclideanDistances(points_m),
+                                 .sigma_m2 = {0, 2, 890, 0},
+                                 .mu = 1,
+                                 .criterion = Criterion::Latency};
+        VisitOrder start{1, 2, 3};
+        do
+            QCOMPARE(faultOfBound<LatencyCosts>(problem, start, drawBeside(1)), QString());
+        while (std::next_permutation(start.begin(), start.end()));
+    }
+
+    /** Relaxed paths that are a plan: there is no step to make, and the plan is to be taken. */
+    void relaxedPathsThatAreAPlan()
+    {
+        for (const std::uint64_t seed : {79U, 157U, 339U, 868U, 1419U})
+            QCOMPARE(
+                faultOfFleetBound(test::randomFleet(seed, 3, 4, 0.5, test::FleetKind::Assigned),
+                                  test::NastyDraw(seed)),
+                QString());
+    }
+
+    /** Sums along an order that are 3e7 times its cost: what rounding leaves of a move is no gain.
+     */
+    void localSearchEnds()
+    {
+        Eigen::MatrixX2d points_m(4, 2);
+        points_m << 0, 0, 4000, 0, 4000, 6e-4, 0, 1.3e-4;
+        const TvpProblem problem{.distance_m = euclideanDistances(points_m),
+                                 .sigma_m2 = {0, 0, 0, 7.5e9},
+                                 .mu = 2.7e-4,
+                                 .criterion = Criterion::Latency};
+        QCOMPARE(faultOfBackEnds(problem, 0), QString());
+    }
+
+    void claimsAreTrue_data()
+    {
+        QTest::addColumn<int>("claim");
+        for (std::size_t k = 0; k < kClaims.size(); ++k)
+            QTest::newRow(kClaims[k].name) << static_cast<int>(k);
+    }
+    void claimsAreTrue()
+    {
+        QFETCH(int, claim);
+        const Claim& tried = kClaims[static_cast<std::size_t>(claim)];
+        const int count = cases() * tried.share / 100;
+        int wrong = 0;
+        QString first;
+        for (int k = 0; k < count; ++k) {
+            const QString fault = tried.fault(static_cast<std::uint64_t>(k));
+            if (fault.isEmpty())
+                continue;
+            ++wrong;
+            if (wrong <= 5)
+                first += QStringLiteral("\n  seed %1: %2").arg(k).arg(fault);
+        }
+        QVERIFY2(wrong == 0,
+                 qPrintable(QStringLiteral("%1 of %2 wrong:%3").arg(wrong).arg(count).arg(first)));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAdversarial)
+#include "tst_adversarial.moc"
