@@ -8,87 +8,93 @@ namespace berg {
 
 namespace {
 
-/** Rows and columns count from 1; 0 is none. */
+/** People and places count from 1; 0 is none. */
 class Assignment
 {
 public:
-    explicit Assignment(const Eigen::MatrixXd& cost)
+    Assignment(const Eigen::MatrixXd& cost, const std::function<bool()>& cut)
         : m_cost(cost)
-        , m_rowPrice(at(cost.rows()) + 1, 0.0)
-        , m_columnPrice(at(cost.cols()) + 1, 0.0)
-        , m_rowOf(at(cost.cols()) + 1, 0)
+        , m_cut(cut)
+        , m_ownPrice(at(cost.cols()) + 1, 0.0)
+        , m_placePrice(at(cost.rows()) + 1, 0.0)
+        , m_whoIsAt(at(cost.rows()) + 1, 0)
     {
     }
 
-    /** Gives the row a column, on the shortest path of exchanges to a free one. */
-    void add(Eigen::Index row)
+    /** Gives someone a place, on the shortest path of exchanges to a free one. False when cut. */
+    [[nodiscard]] bool add(Eigen::Index who)
     {
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
-        std::vector<double> least(m_rowOf.size(), kInfinity);
-        std::vector<std::size_t> before(m_rowOf.size(), 0);
-        std::vector<bool> done(m_rowOf.size(), false);
-        m_rowOf[0] = row;
-        std::size_t column = 0;
-        while (m_rowOf[column] != 0) {
-            done[column] = true;
-            const Eigen::Index from = m_rowOf[column];
+        std::vector<double> least(m_whoIsAt.size(), kInfinity);
+        std::vector<std::size_t> before(m_whoIsAt.size(), 0);
+        std::vector<bool> done(m_whoIsAt.size(), false);
+        m_whoIsAt[0] = who;
+        std::size_t place = 0;
+        while (m_whoIsAt[place] != 0) {
+            if (m_cut && m_cut())
+                return false;
+            done[place] = true;
+            const Eigen::Index from = m_whoIsAt[place];
+            const double* const costs = m_cost.col(from - 1).data();
             double step = kInfinity;
             std::size_t nearest = 0;
-            for (std::size_t k = 1; k < m_rowOf.size(); ++k) {
+            for (std::size_t k = 1; k < m_whoIsAt.size(); ++k) {
                 if (done[k])
                     continue;
-                const double reduced = m_cost(from - 1, static_cast<Eigen::Index>(k) - 1) -
-                                       m_rowPrice[at(from)] - m_columnPrice[k];
+                const double reduced = costs[k - 1] - m_ownPrice[at(from)] - m_placePrice[k];
                 if (reduced < least[k]) {
                     least[k] = reduced;
-                    before[k] = column;
+                    before[k] = place;
                 }
                 if (least[k] < step) {
                     step = least[k];
                     nearest = k;
                 }
             }
-            for (std::size_t k = 0; k < m_rowOf.size(); ++k)
+            for (std::size_t k = 0; k < m_whoIsAt.size(); ++k)
                 if (done[k]) {
-                    m_rowPrice[at(m_rowOf[k])] += step;
-                    m_columnPrice[k] -= step;
+                    m_ownPrice[at(m_whoIsAt[k])] += step;
+                    m_placePrice[k] -= step;
                 } else {
                     least[k] -= step;
                 }
-            column = nearest;
+            place = nearest;
         }
-        for (; column != 0; column = before[column])
-            m_rowOf[column] = m_rowOf[before[column]];
+        for (; place != 0; place = before[place])
+            m_whoIsAt[place] = m_whoIsAt[before[place]];
+        return true;
     }
 
-    [[nodiscard]] std::vector<int> columns() const
+    [[nodiscard]] std::vector<int> places() const
     {
-        std::vector<int> columns(at(m_cost.rows()), 0);
-        for (std::size_t k = 1; k < m_rowOf.size(); ++k)
-            if (m_rowOf[k] != 0)
-                columns[at(m_rowOf[k]) - 1] = static_cast<int>(k) - 1;
-        return columns;
+        std::vector<int> places(at(m_cost.cols()), 0);
+        for (std::size_t k = 1; k < m_whoIsAt.size(); ++k)
+            if (m_whoIsAt[k] != 0)
+                places[at(m_whoIsAt[k]) - 1] = static_cast<int>(k) - 1;
+        return places;
     }
 
 private:
     [[nodiscard]] static std::size_t at(Eigen::Index k) { return static_cast<std::size_t>(k); }
 
     const Eigen::MatrixXd& m_cost;
-    std::vector<double> m_rowPrice;
-    std::vector<double> m_columnPrice;
-    std::vector<Eigen::Index> m_rowOf; ///< by column
+    const std::function<bool()>& m_cut;
+    std::vector<double> m_ownPrice;
+    std::vector<double> m_placePrice;
+    std::vector<Eigen::Index> m_whoIsAt; ///< by place
 };
 
 } // namespace
 
-std::vector<int> cheapestAssignment(const Eigen::MatrixXd& cost)
+std::vector<int> cheapestAssignment(const Eigen::MatrixXd& cost, const std::function<bool()>& cut)
 {
-    require(cost.rows() <= cost.cols() && cost.allFinite(),
-            "cheapestAssignment: finite, no more rows than columns");
-    Assignment assignment(cost);
-    for (Eigen::Index row = 1; row <= cost.rows(); ++row)
-        assignment.add(row);
-    return assignment.columns();
+    require(cost.cols() <= cost.rows() && cost.allFinite(),
+            "cheapestAssignment: finite, a place for everyone");
+    Assignment assignment(cost, cut);
+    for (Eigen::Index who = 1; who <= cost.cols(); ++who)
+        if (!assignment.add(who))
+            return {};
+    return assignment.places();
 }
 
 } // namespace berg

@@ -2,11 +2,13 @@
 
 #include "core/plan/fleet_graph.h"
 #include "core/plan/ng_memory.h"
+#include "core/plan/piece_list.h"
 #include "core/plan/price_ascent.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -35,9 +37,22 @@ constexpr std::size_t kMostStates = 200'000;
 /** Larger graphs are not made: sweeps would take too long between two looks at the clock, and
  * memory of tens of megabytes as long to come. */
 constexpr std::int64_t kMostArcs = 4'000'000;
-constexpr std::int64_t kBytesOfState = 120;
+constexpr std::int64_t kBytesOfState = 400; // with tables, and an order that ends there
 /** Gaps certified on the way. */
 constexpr std::array kStages{0.02, 0.01, 0.005, 0.002};
+
+struct FleetGraphs
+{
+    [[nodiscard]] std::int64_t bytes() const
+    {
+        std::int64_t sum = 0;
+        for (const FleetGraph& graph : all)
+            sum += graph.bytes();
+        return sum;
+    }
+
+    std::vector<FleetGraph> all;
+};
 
 /** The run of `improveFleetBound`. */
 class FleetBoundSearch
@@ -61,15 +76,19 @@ public:
             }
             return std::move(m_result);
         }
-        const std::int64_t n = m_costs.icebergs();
-        if (4 * n * n * n > m_options.memoryLimit_bytes) {
+        std::vector<std::vector<int>> groups = m_costs.alike();
+        std::int64_t all_bytes = 0;
+        for (const std::vector<int>& uavs : groups)
+            all_bytes += FleetGraph::bytesOfComplete(m_costs, uavs);
+        if (all_bytes > m_options.memoryLimit_bytes) {
+            takeSuggestion(); // a good plan without a bound
             m_result.memoryOut = true;
             return std::move(m_result);
         }
-        for (std::vector<int>& uavs : m_costs.alike())
+        for (std::vector<int>& uavs : groups)
             if (!cut())
-                m_graphs.emplace_back(m_costs, std::move(uavs));
-        m_sets = nearestSets(m_costs.of(0), kNearest);
+                m_graphs->all.emplace_back(m_costs, std::move(uavs), m_cutQuestion);
+        m_sets = nearestSets(m_costs.of(0).shared(), kNearest);
         ascend(kFirstSteps);
         takeSuggestion();
         m_suggested = true;
@@ -77,7 +96,7 @@ public:
         ascend(kPlainSteps - kFirstSteps);
         for (int cap = kNearest; !finished(); ++cap) {
             if (cap > kNearest)
-                forbidCycles(m_sets, m_costs.of(0), m_recent, cap);
+                forbidCycles(m_sets, m_costs.of(0).shared(), m_recent, cap);
             const bool finer = refine();
             if (finished())
                 break;
@@ -157,7 +176,7 @@ private:
     std::optional<Sweep> sweep(const Eigen::VectorXd& lambda)
     {
         Sweep result{.bound = lambda.sum()};
-        for (FleetGraph& graph : m_graphs) {
+        for (FleetGraph& graph : m_graphs->all) {
             if (!graph.sweep(lambda, m_cutQuestion))
                 return std::nullopt;
             m_result.work += workOfSweep(graph);
@@ -182,7 +201,7 @@ private:
     {
         std::vector<int> visits;
         FleetPlan plan(static_cast<std::size_t>(m_costs.uavs()));
-        for (const FleetGraph& graph : m_graphs)
+        for (const FleetGraph& graph : m_graphs->all)
             for (int root = 0; root < graph.rootCount(); ++root) {
                 const VisitOrder path = graph.shortestPath(root);
                 visits.insert(visits.end(), path.begin(), path.end());
@@ -231,7 +250,7 @@ private:
         const std::optional<Sweep> swept = sweep(m_ascent.best());
         if (!swept)
             return;
-        for (FleetGraph& graph : m_graphs) {
+        for (FleetGraph& graph : m_graphs->all) {
             m_result.work += 3 * workOfSweep(graph);
             if (!graph.trim(m_ascent.best(), swept->slackBelow(cutoff()), m_cutQuestion))
                 return; // cut, so finished
@@ -244,16 +263,13 @@ private:
         const std::optional<Sweep> swept = sweep(m_ascent.best());
         if (!swept)
             return false;
-        for (FleetGraph& graph : m_graphs) {
-            std::int64_t others_bytes = 0;
-            for (const FleetGraph& other : m_graphs)
-                others_bytes += other.bytes();
+        for (FleetGraph& graph : m_graphs->all) {
             constexpr std::int64_t kGrowth = 3; // of vectors and labels
             const GraphLimits limits{.arcs = std::min((m_options.workLimit - m_result.work) /
                                                           (kWorkOfRefining + kLaterSteps),
                                                       kMostArcs),
-                                     .bytes =
-                                         (m_options.memoryLimit_bytes - others_bytes) / kGrowth};
+                                     .bytes = (m_options.memoryLimit_bytes - m_graphs->bytes()) /
+                                              kGrowth};
             FleetRefinement refined = graph.refined(
                 m_sets, m_ascent.best(), swept->slackBelow(cutoff()), limits, m_cutQuestion);
             m_result.memoryOut = refined.memoryOut;
@@ -285,10 +301,11 @@ private:
     {
         const double slack = swept.slackBelow(cost);
         FleetOrders orders(m_costs.uavs(), m_costs.icebergs());
-        const auto mostByMemory =
-            static_cast<std::size_t>(m_options.memoryLimit_bytes / kBytesOfState);
+        const auto mostByMemory = static_cast<std::size_t>(
+            std::max<std::int64_t>(0, m_options.memoryLimit_bytes - m_graphs->bytes()) /
+            kBytesOfState);
         bool all = true;
-        for (const FleetGraph& graph : m_graphs)
+        for (const FleetGraph& graph : m_graphs->all)
             all = all && orders.add(graph, m_ascent.best(), slack, std::min(m_states, mostByMemory),
                                     m_cutQuestion);
         m_result.work += kWorkOfState * static_cast<std::int64_t>(orders.stateCount());
@@ -319,7 +336,7 @@ private:
     PriceAscent m_ascent;
     NgSets m_sets{0};
     CutQuestion m_cutQuestion;
-    std::vector<FleetGraph> m_graphs;
+    std::unique_ptr<FleetGraphs, FreeElsewhere> m_graphs{new FleetGraphs};
     std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
     std::size_t m_states = kFirstStates;
     std::int64_t m_coverWork = 20'000'000;

@@ -3,28 +3,75 @@
 #include "core/plan/fleet_problem.h"
 #include "core/plan/order_costs.h"
 
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace berg {
 
 /**
- * `FleetProblem` laid out for inner loops: costs of each UAV as if it were alone. The sum over the
- * orders of a plan is `fleetObjective` + `fleetObjectiveShift`, which is never negative.
+ * Costs of one UAV as if it were alone. Those between icebergs are shared with the UAVs that fly
+ * the same distances there: a matrix for each of many UAVs would be most of the memory of a solve.
+ */
+class UavCosts
+{
+public:
+    /** Keeps `shared`, whose own start and way back are not read. */
+    UavCosts(std::shared_ptr<const VisitCosts> shared, const FleetProblem& problem, int uav);
+
+    [[nodiscard]] int icebergs() const { return m_shared->icebergs; }
+    [[nodiscard]] double leg(int from, int to) const
+    {
+        if (from == 0)
+            return m_start(to);
+        return to == 0 ? m_end(from) : m_shared->leg(from, to);
+    }
+    /** Legs to each iceberg; [0] is not that to the end. */
+    [[nodiscard]] const double* legsFrom(int from) const
+    {
+        return from == 0 ? m_start.data() : m_shared->legs.col(from).data();
+    }
+    [[nodiscard]] double sigmaOf(int iceberg) const { return m_shared->sigmaOf(iceberg); }
+    [[nodiscard]] double visit(int iceberg, int position) const
+    {
+        return m_shared->visit(iceberg, position);
+    }
+    [[nodiscard]] double total(std::span<const int> order) const
+    {
+        return costOfVisits(*this, order);
+    }
+    [[nodiscard]] double latency(std::span<const int> order) const
+    {
+        return weightedLength(*this, order);
+    }
+    [[nodiscard]] const VisitCosts& shared() const { return *m_shared; }
+
+private:
+    std::shared_ptr<const VisitCosts> m_shared;
+    Eigen::VectorXd m_start; ///< N, legs from the start; [0] is 0
+    Eigen::VectorXd m_end;   ///< N, ways back; 0 on open routes
+};
+
+/**
+ * `FleetProblem` laid out for inner loops. The sum over the orders of a plan is `fleetObjective` +
+ * `fleetObjectiveShift`, which is never negative.
  */
 class FleetCosts
 {
 public:
     /** Keeps a reference to `problem`. */
-    explicit FleetCosts(const FleetProblem& problem) : m_problem(&problem)
-    {
-        for (int uav = 0; uav < problem.uavCount(); ++uav)
-            m_uavs.emplace_back(problemOfUav(problem, uav));
-    }
+    explicit FleetCosts(const FleetProblem& problem);
+
+    /** Memory of the costs of a problem; finding out takes as long as `FleetCosts` itself. */
+    [[nodiscard]] static std::int64_t bytesFor(const FleetProblem& problem);
+    /** The same if no UAV shared anything. */
+    [[nodiscard]] static std::int64_t mostBytesFor(const FleetProblem& problem);
+    [[nodiscard]] std::int64_t bytes() const { return m_bytes; }
 
     [[nodiscard]] int uavs() const { return static_cast<int>(m_uavs.size()); }
     [[nodiscard]] int icebergs() const { return m_problem->icebergCount(); }
-    [[nodiscard]] const VisitCosts& of(int uav) const
+    [[nodiscard]] const UavCosts& of(int uav) const
     {
         return m_uavs[static_cast<std::size_t>(uav)];
     }
@@ -58,7 +105,8 @@ private:
     [[nodiscard]] bool areAlike(int a, int b) const;
 
     const FleetProblem* m_problem;
-    std::vector<VisitCosts> m_uavs;
+    std::vector<UavCosts> m_uavs;
+    std::int64_t m_bytes = 0;
 };
 
 /** What the plan saves when an iceberg is left out, one per node: about the price at which it is

@@ -4,7 +4,7 @@
 #include <bit>
 #include <iterator>
 #include <limits>
-#include <unordered_map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -73,26 +73,60 @@ private:
     void takeOrders(int uav)
     {
         Candidates own;
-        for (const Order& order : m_orders.all())
-            if (order.uav == uav) {
-                own.push_back(&order);
-                m_byUav[static_cast<std::size_t>(uav)][order.visited] = &order;
-            }
+        for (std::size_t k = 0; k < m_orders.all().size(); ++k) {
+            const Order& order = m_orders.all()[k];
+            if (cutShort(1))
+                return;
+            if (order.uav != uav)
+                continue;
+            own.push_back(&order);
+            m_byUav[static_cast<std::size_t>(uav)].entry(order.visited.hash(), [&](int other) {
+                return m_orders.all()[static_cast<std::size_t>(other)].visited == order.visited;
+            }) = static_cast<int>(k);
+        }
         if (stopped(own.size()))
             return;
-        const auto less = [](const Order* a, const Order* b) { return a->excess < b->excess; };
-        std::stable_sort(own.begin(), own.end(), less);
+        sortByExcess(own);
         if (stopped(own.size()))
             return;
+        m_candidates = merged(m_candidates, own);
+    }
+
+    [[nodiscard]] static bool isLess(const Order* a, const Order* b)
+    {
+        return a->excess < b->excess;
+    }
+    [[nodiscard]] static Candidates merged(std::span<const Order* const> a,
+                                           std::span<const Order* const> b)
+    {
         Candidates all;
-        std::merge(m_candidates.begin(), m_candidates.end(), own.begin(), own.end(),
-                   std::back_inserter(all), less);
-        m_candidates = std::move(all);
+        all.reserve(a.size() + b.size());
+        std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all), isLess);
+        return all;
+    }
+    /** Stable; pieces first, then pairs of them, so that the clock is looked at between. */
+    void sortByExcess(Candidates& orders)
+    {
+        constexpr std::size_t kPiece = kOrdersPerCheck / 4;
+        const auto part = [&orders](std::size_t begin, std::size_t end) {
+            return std::span(orders).subspan(begin, std::min(end, orders.size()) - begin);
+        };
+        for (std::size_t k = 0; k < orders.size() && !cutShort(kOrdersPerCheck); k += kPiece)
+            std::ranges::stable_sort(part(k, k + kPiece), isLess);
+        for (std::size_t width = kPiece; width < orders.size(); width *= 2)
+            for (std::size_t k = 0; k + width < orders.size() && !cutShort(width); k += 2 * width)
+                std::ranges::copy(merged(part(k, k + width), part(k + width, k + 2 * width)),
+                                  orders.begin() + static_cast<std::ptrdiff_t>(k));
     }
 
     bool stopped(std::size_t looked)
     {
         m_work += static_cast<std::int64_t>(looked) + 1;
+        return cutShort(looked);
+    }
+    /** The same for what does not count as work. */
+    bool cutShort(std::size_t looked)
+    {
         m_sinceCheck += looked + 1;
         if (m_sinceCheck > kOrdersPerCheck) {
             m_sinceCheck = 0;
@@ -165,9 +199,13 @@ private:
         NodeSet rest = m_all;
         for (std::size_t word = 0; word < rest.words.size(); ++word)
             rest.words[word] &= ~choice.visited.words[word];
-        const auto& ofUav = m_byUav[static_cast<std::size_t>(uav)];
-        if (const auto order = ofUav.find(rest); order != ofUav.end())
-            branch(with(choice, *order->second), {});
+        const auto at = [this](int number) -> const Order& {
+            return m_orders.all()[static_cast<std::size_t>(number)];
+        };
+        const int number = m_byUav[static_cast<std::size_t>(uav)].find(
+            rest.hash(), [&](int other) { return at(other).visited == rest; });
+        if (number >= 0)
+            branch(with(choice, at(number)), {});
     }
 
     /** Those that can be flown beside the choice in a plan below the slack; false when it is
@@ -230,7 +268,7 @@ private:
     const CutQuestion& m_cut;
     NodeSet m_all;
     Candidates m_candidates;
-    std::vector<std::unordered_map<NodeSet, const Order*, NodeSetHash>> m_byUav;
+    std::vector<NumberTable> m_byUav; ///< numbers of orders by what they visit
     std::optional<Choice> m_best;
     std::int64_t m_work = 0;
     std::size_t m_sinceCheck = 0;

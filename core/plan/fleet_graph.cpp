@@ -16,13 +16,27 @@ constexpr int kNodesPerCheck = 4096;
 
 } // namespace
 
-FleetGraph::FleetGraph(const FleetCosts& costs, std::vector<int> uavs)
-    : m_costs(&costs), m_uavs(std::move(uavs))
+namespace {
+
+std::vector<int> allowedOf(const FleetCosts& costs, int uav)
 {
     std::vector<int> allowed;
     for (int i = 1; i <= costs.icebergs(); ++i)
-        if (costs.allows(m_uavs.front(), i))
+        if (costs.allows(uav, i))
             allowed.push_back(i);
+    return allowed;
+}
+
+/** Of a swept graph; while it is trimmed a node needs `kNodeOnTheWay` more. */
+constexpr std::size_t kNode = sizeof(int) + sizeof(std::size_t) + 2 * sizeof(double);
+constexpr std::size_t kNodeOnTheWay = sizeof(int) + sizeof(double);
+
+} // namespace
+
+FleetGraph::FleetGraph(const FleetCosts& costs, std::vector<int> uavs, const CutQuestion& cut)
+    : m_costs(&costs), m_uavs(std::move(uavs))
+{
+    const std::vector<int> allowed = allowedOf(costs, m_uavs.front());
     const int width = static_cast<int>(allowed.size());
     m_iceberg.assign(m_uavs.size(), 0);
     m_firstNode = {0, rootCount()};
@@ -30,7 +44,11 @@ FleetGraph::FleetGraph(const FleetCosts& costs, std::vector<int> uavs)
         m_iceberg.insert(m_iceberg.end(), allowed.begin(), allowed.end());
         m_firstNode.push_back(nodeCount());
     }
-    for (int layer = 0; layer <= width; ++layer)
+    m_arcs.reserve(at(width) * m_iceberg.size());
+    m_firstArc.reserve(m_iceberg.size() + 1);
+    for (int layer = 0; layer <= width; ++layer) {
+        if (cut && cut())
+            return;
         for (int v = m_firstNode[at(layer)]; v < m_firstNode[at(layer) + 1]; ++v) {
             m_firstArc.push_back(m_arcs.size());
             const int next = m_firstNode[at(layer) + 1];
@@ -38,13 +56,20 @@ FleetGraph::FleetGraph(const FleetCosts& costs, std::vector<int> uavs)
                 if (iceberg(to) != iceberg(v))
                     m_arcs.push_back(to);
         }
+    }
     m_firstArc.push_back(m_arcs.size());
+}
+
+std::int64_t FleetGraph::bytesOfComplete(const FleetCosts& costs, const std::vector<int>& uavs)
+{
+    const std::size_t width = allowedOf(costs, uavs.front()).size();
+    const std::size_t nodes = width * width + uavs.size();
+    return static_cast<std::int64_t>(nodes * (width * sizeof(int) + kNode + kNodeOnTheWay));
 }
 
 std::int64_t FleetGraph::bytes() const
 {
-    return static_cast<std::int64_t>(m_arcs.size() * sizeof(int) +
-                                     m_iceberg.size() * (sizeof(int) + 3 * sizeof(double)));
+    return static_cast<std::int64_t>(m_arcs.capacity() * sizeof(int) + m_iceberg.size() * kNode);
 }
 
 template <class Look>
@@ -68,8 +93,8 @@ bool FleetGraph::sweep(const Eigen::VectorXd& lambda, const CutQuestion& cut)
     m_completion.resize(m_iceberg.size());
     m_entry.resize(m_iceberg.size());
     return forNodes(true, cut, [&](int v, int layer) {
-        const double* const legs = costs(v).legs.col(iceberg(v)).data();
-        double least = legs[0]; // 0 at a root
+        const double* const legs = costs(v).legsFrom(iceberg(v));
+        double least = ending(v); // 0 at a root
         for (const int to : successors(v))
             least = std::min(least, legs[iceberg(to)] + m_entry[at(to)]);
         m_completion[at(v)] = least;
@@ -159,6 +184,8 @@ bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const CutQues
         }
     m_firstNode = std::move(firstNode);
     m_arcs.resize(arcs);
+    if (m_arcs.capacity() > 2 * arcs)
+        m_arcs.shrink_to_fit(); // the graphs of many UAVs share the memory there is
     m_iceberg.resize(at(kept));
     m_firstArc.resize(at(kept) + 1);
     m_firstArc[at(kept)] = arcs;

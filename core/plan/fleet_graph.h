@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/plan/fleet_costs.h"
+#include "core/plan/large_vector.h"
 #include "core/plan/layered_graph.h"
 
 #include <optional>
@@ -21,8 +22,12 @@ class FleetGraph
 {
 public:
     /** Complete, without memory: O(n^3) arcs. Keeps a reference to `costs`. At most 127 icebergs.
-     */
-    FleetGraph(const FleetCosts& costs, std::vector<int> uavs);
+     * Of no use when cut. */
+    FleetGraph(const FleetCosts& costs, std::vector<int> uavs, const CutQuestion& cut = {});
+
+    /** Memory of the complete graph, swept and trimmed. */
+    [[nodiscard]] static std::int64_t bytesOfComplete(const FleetCosts& costs,
+                                                      const std::vector<int>& uavs);
 
     /** Finds all shortest lengths to an end. False when cut. */
     [[nodiscard]] bool sweep(const Eigen::VectorXd& lambda, const CutQuestion& cut);
@@ -80,7 +85,7 @@ private:
     explicit FleetGraph(const FleetCosts& costs) : m_costs(&costs) {}
     [[nodiscard]] static std::size_t at(int k) { return static_cast<std::size_t>(k); }
     /** Of a root's own UAV; beyond the roots all are alike. */
-    [[nodiscard]] const VisitCosts& costs(int node) const
+    [[nodiscard]] const UavCosts& costs(int node) const
     {
         return m_costs->of(m_uavs[node < rootCount() ? at(node) : 0]);
     }
@@ -95,11 +100,11 @@ private:
     const FleetCosts* m_costs;
     std::vector<int> m_uavs;             ///< by root; nodes 0 .. are the roots
     std::vector<int> m_firstNode;        ///< layers + 1, layer 0 are the roots
-    std::vector<int> m_iceberg;          ///< by node, 0 for roots
-    std::vector<std::size_t> m_firstArc; ///< nodes + 1
-    std::vector<int> m_arcs;             ///< node each arc leads to
-    std::vector<double> m_completion;    ///< by node, of the last sweep
-    std::vector<double> m_entry;         ///< completion + visit
+    LargeVector<int> m_iceberg;          ///< by node, 0 for roots
+    LargeVector<std::size_t> m_firstArc; ///< nodes + 1
+    LargeVector<int> m_arcs;             ///< node each arc leads to
+    LargeVector<double> m_completion;    ///< by node, of the last sweep
+    LargeVector<double> m_entry;         ///< completion + visit
 };
 
 /** What `FleetGraph::refined` made. */

@@ -28,7 +28,7 @@ bool FleetOrders::addPaths(const FleetGraph& graph, int root, const Eigen::Vecto
                            double slack, std::size_t mostStates, const CutQuestion& cut)
 {
     const int uav = graph.uavs()[static_cast<std::size_t>(root)];
-    StatesBySet next;
+    NumberTable next;
     std::size_t begin = m_states.size();
     m_states.push_back({.node = root, .length = -graph.shortest(root)});
     for (int layer = 1; begin < m_states.size(); ++layer) {
@@ -53,31 +53,37 @@ bool FleetOrders::addPaths(const FleetGraph& graph, int root, const Eigen::Vecto
             if (m_states.size() > mostStates)
                 return false;
         }
-        addOrders(graph, uav, end, slack);
+        if (!addOrders(graph, uav, end, slack, cut))
+            return false;
         begin = end;
     }
     return true;
 }
 
-void FleetOrders::offer(const State& state, StatesBySet& states)
+void FleetOrders::offer(const State& state, NumberTable& states)
 {
-    std::vector<int>& same = states[state.visited];
-    const auto other = std::find_if(same.begin(), same.end(), [&](int index) {
-        return m_states[static_cast<std::size_t>(index)].iceberg == state.iceberg;
+    const auto at = [this](int number) -> State& {
+        return m_states[static_cast<std::size_t>(number)];
+    };
+    const std::size_t last = static_cast<std::size_t>(state.iceberg) * 0x9e3779b97f4a7c15U;
+    int& number = states.entry(state.visited.hash() + last, [&](int other) {
+        return at(other).iceberg == state.iceberg && at(other).visited == state.visited;
     });
-    if (other == same.end()) {
-        same.push_back(static_cast<int>(m_states.size()));
+    if (number < 0) {
+        number = static_cast<int>(m_states.size());
         m_states.push_back(state);
-    } else if (State& known = m_states[static_cast<std::size_t>(*other)];
-               state.length < known.length) {
-        known = state;
+    } else if (state.length < at(number).length) {
+        at(number) = state;
     }
 }
 
-void FleetOrders::addOrders(const FleetGraph& graph, int uav, std::size_t begin, double slack)
+bool FleetOrders::addOrders(const FleetGraph& graph, int uav, std::size_t begin, double slack,
+                            const CutQuestion& cut)
 {
-    std::unordered_map<NodeSet, std::size_t, NodeSetHash> best;
+    NumberTable best;
     for (std::size_t k = begin; k < m_states.size(); ++k) {
+        if (k % (64 * kStatesPerCheck) == 0 && cut && cut())
+            return false;
         const State& state = m_states[k];
         const Order order{.uav = uav,
                           .visited = state.visited,
@@ -85,12 +91,17 @@ void FleetOrders::addOrders(const FleetGraph& graph, int uav, std::size_t begin,
                           .state = static_cast<int>(k)};
         if (order.excess >= slack)
             continue;
-        const auto [place, isNew] = best.try_emplace(order.visited, m_orders.size());
-        if (isNew)
+        int& number = best.entry(order.visited.hash(), [&](int other) {
+            return m_orders[static_cast<std::size_t>(other)].visited == order.visited;
+        });
+        if (number < 0) {
+            number = static_cast<int>(m_orders.size());
             m_orders.push_back(order);
-        else if (order.excess < m_orders[place->second].excess)
-            m_orders[place->second] = order;
+        } else if (order.excess < m_orders[static_cast<std::size_t>(number)].excess) {
+            m_orders[static_cast<std::size_t>(number)] = order;
+        }
     }
+    return true;
 }
 
 VisitOrder FleetOrders::icebergsOf(const Order& order) const

@@ -1,18 +1,12 @@
 #pragma once
 
 #include "core/plan/fleet_graph.h"
+#include "core/plan/number_table.h"
 
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace berg {
-
-/** For unordered maps. */
-struct NodeSetHash
-{
-    std::size_t operator()(const NodeSet& set) const { return set.hash(); }
-};
 
 /**
  * The orders that may be part of a plan better than a known one: of each UAV and set of icebergs
@@ -55,14 +49,12 @@ private:
         int before = -1;   ///< state before it
     };
 
-    /** Numbers of the states of a layer. */
-    using StatesBySet = std::unordered_map<NodeSet, std::vector<int>, NodeSetHash>;
-
     [[nodiscard]] bool addPaths(const FleetGraph& graph, int root, const Eigen::VectorXd& lambda,
                                 double slack, std::size_t mostStates, const CutQuestion& cut);
     /** Keeps the shortest state of each set and last iceberg. */
-    void offer(const State& state, StatesBySet& states);
-    void addOrders(const FleetGraph& graph, int uav, std::size_t begin, double slack);
+    void offer(const State& state, NumberTable& states);
+    [[nodiscard]] bool addOrders(const FleetGraph& graph, int uav, std::size_t begin, double slack,
+                                 const CutQuestion& cut);
 
     int m_uavs;
     int m_icebergs;

@@ -47,12 +47,34 @@ TvpProblem problemOfUav(const FleetProblem& problem, int uav)
             .criterion = problem.criterion};
 }
 
+namespace {
+
+/** `visit(node, distance flown until there)` along an order; returns what is flown in all. Without
+ * the copy of the matrix that `problemOfUav` makes: this is asked for with every better plan. */
+template <class Visit>
+double follow(const FleetProblem& problem, const FleetPlan& plan, int uav, const Visit& visit)
+{
+    const VisitOrder& order = plan[static_cast<std::size_t>(uav)];
+    const Eigen::MatrixXd& between_m = problem.distance_m[static_cast<std::size_t>(uav)];
+    double distance_m = 0;
+    int from = 0;
+    for (const int node : order) {
+        distance_m += between_m(from, node);
+        visit(node, distance_m);
+        from = node;
+    }
+    if (problem.route == Route::Closed && !order.empty())
+        distance_m += between_m(from, 0);
+    return distance_m;
+}
+
+} // namespace
+
 double fleetDistance(const FleetProblem& problem, const FleetPlan& plan)
 {
     double distance_m = 0;
     for (int uav = 0; uav < problem.uavCount(); ++uav)
-        distance_m +=
-            flownDistance(problemOfUav(problem, uav), plan[static_cast<std::size_t>(uav)]);
+        distance_m += follow(problem, plan, uav, [](int, double) {});
     return distance_m;
 }
 
@@ -61,9 +83,13 @@ double fleetObjective(const FleetProblem& problem, const FleetPlan& plan)
     require(isFleetPlan(problem, plan), "fleetObjective: not a plan of this problem");
     if (problem.criterion == Criterion::Latency) {
         double latency = 0;
-        for (int uav = 0; uav < problem.uavCount(); ++uav)
-            latency +=
-                weightedLatency(problemOfUav(problem, uav), plan[static_cast<std::size_t>(uav)]);
+        for (int uav = 0; uav < problem.uavCount(); ++uav) {
+            double ofUav = 0;
+            follow(problem, plan, uav, [&](int node, double distance_m) {
+                ofUav += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
+            });
+            latency += ofUav;
+        }
         return problem.mu * latency;
     }
     double reward = 0;

@@ -42,7 +42,7 @@ void FleetRoutes::setOrder(int uav, VisitOrder order)
         table.wait[k + 1] = table.wait[k] + sigma * static_cast<double>(k + 1);
     }
     for (std::size_t other = 0; other < uavs; ++other) {
-        const VisitCosts& costs = m_costs->of(static_cast<int>(other));
+        const UavCosts& costs = m_costs->of(static_cast<int>(other));
         for (std::size_t k = 0; k < size; ++k)
             table.barred[other][k + 1] =
                 table.barred[other][k] +
@@ -64,7 +64,7 @@ double FleetRoutes::cost(int uav, std::span<const RoutePiece> pieces) const
 {
     if (m_costs->weighted())
         return latency(uav, pieces);
-    const VisitCosts& costs = m_costs->of(uav);
+    const UavCosts& costs = m_costs->of(uav);
     double sum = 0;
     int place = 0; // of the last iceberg so far
     int last = 0;
@@ -94,7 +94,7 @@ double FleetRoutes::cost(int uav, std::span<const RoutePiece> pieces) const
 
 double FleetRoutes::latency(int uav, std::span<const RoutePiece> pieces) const
 {
-    const VisitCosts& costs = m_costs->of(uav);
+    const UavCosts& costs = m_costs->of(uav);
     double sum = 0;
     double length = 0; // flown so far
     int last = 0;

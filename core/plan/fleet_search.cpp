@@ -19,12 +19,12 @@ constexpr double kBlink = 0.01;
 constexpr double kFirstHeat = 1;
 constexpr double kLastHeat = 0.01;
 
-std::vector<std::vector<int>> nearestOf(const VisitCosts& costs)
+std::vector<std::vector<int>> nearestOf(const UavCosts& costs)
 {
-    std::vector<std::vector<int>> near(static_cast<std::size_t>(costs.icebergs) + 1);
-    for (int i = 1; i <= costs.icebergs; ++i) {
+    std::vector<std::vector<int>> near(static_cast<std::size_t>(costs.icebergs()) + 1);
+    for (int i = 1; i <= costs.icebergs(); ++i) {
         std::vector<int>& others = near[static_cast<std::size_t>(i)];
-        others.resize(static_cast<std::size_t>(costs.icebergs));
+        others.resize(static_cast<std::size_t>(costs.icebergs()));
         std::iota(others.begin(), others.end(), 1);
         const auto key = [&](int j) {
             return std::pair(j == i ? -1.0 : costs.leg(i, j) + costs.leg(j, i), j);
@@ -206,7 +206,7 @@ template <bool kWeighted>
 void FleetSearch::offerPlaces(const VisitOrder& order, int uav, int iceberg, bool blink,
                               Place& best)
 {
-    const VisitCosts& costs = m_costs.of(uav);
+    const UavCosts& costs = m_costs.of(uav);
     double sigmaBehind = 0;
     double flown = 0; // until `last`
     if constexpr (kWeighted)

@@ -38,6 +38,16 @@ std::int64_t firstTimes(const FleetOptions& options)
     return options.hint.empty() ? kFirstTimes : kFirstTimesFromHint;
 }
 
+/** Why a solve must end now, if it must. */
+std::optional<StopReason> cutOf(const FleetOptions& options, const Stopwatch& watch)
+{
+    if (options.stop.stop_requested())
+        return StopReason::Cancelled;
+    if (options.timeLimit_s && watch.elapsed_s() >= *options.timeLimit_s)
+        return StopReason::TimeLimit;
+    return std::nullopt;
+}
+
 /** One solve: local search and bound take turns. */
 class FleetEngine
 {
@@ -58,6 +68,16 @@ public:
             m_objective = fleetObjective(m_problem, plan);
             report();
         };
+    }
+
+    /** Dynamic programming is faster, and keeps to the limits. */
+    [[nodiscard]] bool subsetsSuffice() const
+    {
+        const int n = m_costs.icebergs();
+        return n <= kMostFleetSubsets &&
+               fleetSubsetWork(m_costs.uavs(), n) <= m_options.workLimit.value_or(kNoLimit) &&
+               fleetSubsetBytes(m_costs.uavs(), n) + m_costs.bytes() <=
+                   m_options.memoryLimit_bytes.value_or(kNoLimit);
     }
 
     FleetOutcome bySubsets()
@@ -85,7 +105,7 @@ public:
             m_costs, m_search.best(),
             {.gap = m_options.gap,
              .workLimit = m_most - before,
-             .memoryLimit_bytes = m_options.memoryLimit_bytes.value_or(kNoLimit),
+             .memoryLimit_bytes = m_options.memoryLimit_bytes.value_or(kNoLimit) - m_costs.bytes(),
              .cover = cover,
              .cut = m_effort.cut,
              .onImproved =
@@ -104,10 +124,8 @@ private:
     /** Remembers the reason. */
     bool cut()
     {
-        if (m_options.stop.stop_requested())
-            m_cut = m_cut.value_or(StopReason::Cancelled);
-        else if (m_options.timeLimit_s && m_watch.elapsed_s() >= *m_options.timeLimit_s)
-            m_cut = m_cut.value_or(StopReason::TimeLimit);
+        if (!m_cut)
+            m_cut = cutOf(m_options, m_watch);
         return m_cut.has_value();
     }
 
@@ -193,18 +211,6 @@ private:
     double m_bound = 0;     ///< on the cost, not on the objective
 };
 
-/** Dynamic programming is faster, and keeps to the limits. */
-bool subsetsSuffice(const FleetProblem& problem, const FleetOptions& options)
-{
-    const int n = problem.icebergCount();
-    if (n > kMostFleetSubsets)
-        return false;
-    const std::int64_t work = fleetSubsetWork(problem.uavCount(), n);
-    const std::int64_t bytes = fleetSubsetBytes(problem.uavCount(), n);
-    return work <= options.workLimit.value_or(work) &&
-           bytes <= options.memoryLimit_bytes.value_or(bytes);
-}
-
 /** Of the back ends that must answer while someone waits. Without a proof to come, that of a few
  * annealings. */
 std::int64_t ownEffort(const FleetProblem& problem, const FleetOptions& options)
@@ -222,18 +228,31 @@ FleetOutcome byRanks(const FleetProblem& problem, const FleetOptions& options)
 {
     const Stopwatch watch;
     const std::int64_t n = problem.icebergCount();
-    FleetOutcome outcome{.status = SolveStatus::Optimal,
-                         .plan = bestRanks(problem, [&] { return options.stop.stop_requested(); }),
+    FleetRanks ranks = bestRanks(problem, [&] { return cutOf(options, watch).has_value(); });
+    FleetOutcome outcome{.status = ranks.isBest ? SolveStatus::Optimal : SolveStatus::Feasible,
+                         .plan = std::move(ranks.plan),
                          .work = n * n * n * problem.uavCount(),
                          .backend = "assignment"};
+    if (!ranks.isBest)
+        outcome.reason = cutOf(options, watch).value_or(StopReason::Finished);
     if (options.onProgress) {
         const double value = fleetObjective(problem, outcome.plan);
         options.onProgress({.plan = outcome.plan,
                             .objective = value,
-                            .bound = value,
+                            .bound = ranks.isBest ? std::optional(value) : std::nullopt,
                             .elapsed_s = watch.elapsed_s()});
     }
     return outcome;
+}
+
+/** The costs alone are too much: the hint, or a plan made without any. */
+FleetOutcome withoutMemory(const FleetProblem& problem, const FleetOptions& options)
+{
+    const bool isPlan = isFleetPlan(problem, options.hint);
+    return {.status = SolveStatus::Feasible,
+            .reason = StopReason::MemoryLimit,
+            .plan = isPlan ? options.hint : inTurn(problem),
+            .hintUsed = isPlan};
 }
 
 CoverFunction coverOf(Backend backend)
@@ -273,12 +292,16 @@ FleetOutcome solveValid(const FleetProblem& problem, Backend backend, const Flee
     if (problem.mu == 0 && problem.criterion == Criterion::Visitation &&
         problem.icebergCount() <= kMostProvenByEngine)
         return byRanks(problem, options);
+    if (options.memoryLimit_bytes &&
+        FleetCosts::mostBytesFor(problem) > *options.memoryLimit_bytes &&
+        FleetCosts::bytesFor(problem) > *options.memoryLimit_bytes)
+        return withoutMemory(problem, options);
     std::optional<std::int64_t> effort;
     if (!mustProve)
         effort = ownEffort(problem, options);
     FleetEngine engine(problem, options, effort);
     const bool subsets = backend == Backend::Exact || backend == Backend::Auto;
-    if (subsets && subsetsSuffice(problem, options))
+    if (subsets && engine.subsetsSuffice())
         return engine.bySubsets();
     return engine.byEngine(coverOf(backend));
 }

@@ -57,8 +57,8 @@ struct FleetOutcome
  * `Exact` is unable, and the other two search for some tenths of a second. `Cbc` is `Exact` without
  * dynamic programming, with the orders that the bound leaves put together by CBC: a proof relies on
  * our bound for what is left out. Unable for latency. At mu = 0
- * an assignment is the proof (`bestRanks`), whatever the back end and the limits. A problem that
- * `validate` faults throws `Error{InvalidInput}`.
+ * an assignment is the proof (`bestRanks`), whatever the back end, the work and the memory. A
+ * problem that `validate` faults throws `Error{InvalidInput}`.
  */
 [[nodiscard]] FleetOutcome solveFleet(const FleetProblem& problem, Backend backend,
                                       const FleetOptions& options);

@@ -32,7 +32,8 @@ Set without(Set set, int iceberg)
 class SubsetOrders
 {
 public:
-    SubsetOrders(const FleetCosts& costs, int uav)
+    /** Of icebergs in `among` alone. */
+    SubsetOrders(const FleetCosts& costs, int uav, Set among)
         : m_costs(costs.of(uav))
         , m_weighted(costs.weighted())
         , m_n(costs.icebergs())
@@ -42,22 +43,23 @@ public:
         for (int i = 1; i <= m_n; ++i)
             if (costs.allows(uav, i))
                 m_allowed |= Set{1} << (i - 1);
+        m_allowed &= among;
     }
 
-    bool compute(const std::function<bool()>& cut)
+    [[nodiscard]] bool compute(const std::function<bool()>& cut)
     {
-        for (Set set = 0; set < m_sigma.size(); ++set) {
-            if (set % 256 == 0 && cut && cut())
+        int looked = 0;
+        for (Set set = 0;; set = (set - m_allowed) & m_allowed) { // the next subset
+            if (looked++ % 256 == 0 && cut && cut())
                 return false;
             if (set != 0)
                 m_sigma[set] = m_sigma[without(set, firstOf(set))] + m_costs.sigmaOf(firstOf(set));
-            if ((set & ~m_allowed) != 0)
-                continue;
             for (int i = 1; i <= m_n; ++i)
                 if (without(set, i) == set)
                     onwards(set, i) = set == 0 ? m_costs.leg(i, 0) : cheapest(set, i).cost;
+            if (set == m_allowed)
+                return true;
         }
-        return true;
     }
 
     /** Of all orders of the set; infinite when the UAV may not visit it. */
@@ -103,7 +105,7 @@ private:
     }
     [[nodiscard]] double& onwards(Set set, int at) { return m_onwards[index(set, at)]; }
 
-    const VisitCosts& m_costs;
+    const UavCosts& m_costs;
     bool m_weighted;
     int m_n;
     Set m_allowed = 0;
@@ -138,15 +140,16 @@ std::optional<FleetPlan> bestFleetPlan(const FleetCosts& costs, const std::funct
     require(n <= kMostFleetSubsets, "bestFleetPlan: too many icebergs");
     const Set all = (Set{1} << n) - 1;
     const auto uavs = static_cast<std::size_t>(costs.uavs());
-    std::vector<SubsetOrders> orders;
-    std::vector<std::vector<double>> alone(uavs, std::vector<double>(all + 1));
-    std::vector<std::vector<double>> first; ///< cost of a set for the UAVs up to this one
+    std::vector<std::vector<double>> alone(uavs);
+    std::vector<std::vector<double>> first(uavs); ///< cost of a set for the UAVs up to this one
     for (std::size_t uav = 0; uav < uavs; ++uav) {
-        if (!orders.emplace_back(costs, static_cast<int>(uav)).compute(cut))
+        SubsetOrders orders(costs, static_cast<int>(uav), all);
+        if (!orders.compute(cut))
             return std::nullopt;
+        alone[uav].resize(std::size_t{all} + 1);
         for (Set set = 0; set <= all; ++set)
-            alone[uav][set] = orders[uav].cost(set);
-        first.push_back(alone[uav]);
+            alone[uav][set] = orders.cost(set);
+        first[uav] = alone[uav];
         for (Set set = 0; uav > 0 && set <= all; ++set) {
             if (set % 64 == 0 && cut && cut())
                 return std::nullopt;
@@ -157,8 +160,14 @@ std::optional<FleetPlan> bestFleetPlan(const FleetCosts& costs, const std::funct
     Set left = all;
     for (std::size_t uav = uavs; uav-- > 0;) {
         const Set part = uav == 0 ? left : bestShare(first[uav - 1], alone[uav], left).last;
-        plan[uav] = orders[uav].order(part);
         left &= ~part;
+        if (part == 0)
+            continue;
+        // Anew: the tables of all UAVs would be most of the memory.
+        SubsetOrders orders(costs, static_cast<int>(uav), part);
+        if (!orders.compute(cut))
+            return std::nullopt;
+        plan[uav] = orders.order(part);
     }
     return plan;
 }
@@ -171,7 +180,7 @@ std::int64_t fleetSubsetWork(int uavs, int icebergs)
 
 std::int64_t fleetSubsetBytes(int uavs, int icebergs)
 {
-    return (std::int64_t{sizeof(double)} * uavs * (icebergs + 3)) << icebergs;
+    return (std::int64_t{sizeof(double)} * (2 * uavs + icebergs + 1)) << icebergs;
 }
 
 } // namespace berg

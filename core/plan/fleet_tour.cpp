@@ -94,7 +94,7 @@ private:
         Eigen::MatrixXd way_m(count, count);
         for (Eigen::Index k = 0; k < count; ++k)
             for (Eigen::Index place = 0; place < count; ++place)
-                way_m(k, place) =
+                way_m(place, k) =
                     uav(static_cast<std::size_t>(k))
                         .distance_m(0, cycle[places[static_cast<std::size_t>(place)]]);
         Entries entries{.cycle = cycle, .places = std::vector<std::size_t>(m_uavs.size())};

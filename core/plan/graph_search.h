@@ -8,7 +8,9 @@ namespace berg {
 struct GraphSearchLimits
 {
     int mostStates = 0; ///< kept for each number of visits
-    CutQuestion cut;    ///< a search that is cut has a bound of -infinity and no order
+    /** Fewer states are kept when so many would take more than this. */
+    std::int64_t memory_bytes = std::numeric_limits<std::int64_t>::max();
+    CutQuestion cut; ///< a search that is cut has a bound of -infinity and no order
 };
 
 /** What a truncated search over the orders inside a layered graph found. */

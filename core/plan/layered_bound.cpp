@@ -4,12 +4,14 @@
 #include "core/plan/graph_search.h"
 #include "core/plan/layered_graph.h"
 #include "core/plan/ng_memory.h"
+#include "core/plan/piece_list.h"
 #include "core/plan/price_ascent.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -57,11 +59,24 @@ std::vector<PositionArc> arcsOf(const LayeredGraph<VisitCosts>& graph)
     return arcs;
 }
 
-/** A graph, the memory it is to be refined with next, and how it came about. */
+/** All arcs there are, sorted. */
+std::vector<PositionArc> completeArcs(int icebergs)
+{
+    std::vector<PositionArc> arcs;
+    for (int p = 1; p <= icebergs; ++p)
+        for (int from = p == 1 ? 0 : 1; from <= (p == 1 ? 0 : icebergs); ++from)
+            for (int to = 1; to <= icebergs; ++to)
+                if (to != from)
+                    arcs.push_back({from, to, p});
+    return arcs;
+}
+
+/** A graph, the memory it is to be refined with next, and how it came about. Copies share the
+ * graph, which its refinement replaces. */
 template <class Costs>
 struct Stage
 {
-    LayeredGraph<Costs> graph;
+    std::shared_ptr<LayeredGraph<Costs>> graph;
     NgSets sets;
     int cap = 0; ///< icebergs that a memory may grow to
     PriceAscent ascent;
@@ -103,15 +118,17 @@ public:
         LayeredPaths<Costs> paths(m_costs);
         relax(paths, plainSteps());
         Stage<Costs> stage = firstStage(paths);
-        std::vector<PositionArc> arcs = arcsOf(stage.graph);
+        if (cut())
+            return completeArcs(m_costs.icebergs);
+        std::vector<PositionArc> arcs = arcsOf(*stage.graph);
         if (m_costs.icebergs >= NodeSet::kCapacity)
             return arcs;
         constexpr double kPays = 0.98;
         for (bool pays = true; pays && !finished() && refine(stage, 0);) {
-            ascend(stage.graph);
+            ascend(*stage.graph);
             if (m_cut)
                 break;
-            std::vector<PositionArc> fewer = arcsOf(stage.graph);
+            std::vector<PositionArc> fewer = arcsOf(*stage.graph);
             pays = m_graphs == 1 ||
                    static_cast<double>(fewer.size()) < kPays * static_cast<double>(arcs.size());
             arcs = std::move(fewer);
@@ -242,14 +259,17 @@ private:
         const std::int64_t n = m_costs.icebergs;
         const int nearest = n <= 50 ? 3 : 2; // large graphs must grow slowly
         const Prices prices = best();
-        // By position it is quick, and `arcs` needs the graph also when cut.
-        const CutQuestion question = Costs::kWeighted ? cutQuestion() : CutQuestion{};
-        paths.sweep(prices, question);
+        paths.sweep(prices, cutQuestion());
         m_result.work += 4 * paths.workOfSweep();
-        return {.graph = LayeredGraph(m_costs, paths, prices, question),
+        return {.graph = shared(LayeredGraph(m_costs, paths, prices, cutQuestion())),
                 .sets = nearestSets(m_costs, nearest),
                 .cap = nearest,
                 .ascent = m_ascent};
+    }
+
+    [[nodiscard]] static std::shared_ptr<LayeredGraph<Costs>> shared(LayeredGraph<Costs>&& graph)
+    {
+        return {new LayeredGraph<Costs>(std::move(graph)), FreeElsewhere()};
     }
 
     /** Rounds of refining, ascent, exact search and more memory. */
@@ -259,7 +279,7 @@ private:
         std::optional<Stage<Costs>> saved; // where the next gap is gone for from
         bool staged = false;
         while (!finished()) {
-            if (!staged && isLarge(stage.graph)) {
+            if (!staged && isLarge(*stage.graph)) {
                 staged = true;
                 m_gap = nextGap();
                 if (m_gap > m_options.gap) {
@@ -267,11 +287,12 @@ private:
                     saved = stage;
                 }
             }
-            if (!refine(stage, saved ? saved->graph.bytes() : 0))
+            const std::int64_t saved_bytes = saved ? saved->graph->bytes() : 0;
+            if (!refine(stage, saved && saved->graph != stage.graph ? saved_bytes : 0))
                 return;
-            ascend(stage.graph);
+            ascend(*stage.graph);
             if (!finished() && !m_stageDone)
-                searchIn(stage.graph);
+                searchIn(*stage.graph, saved_bytes);
             report();
             takeSuggestion();
             if (finished())
@@ -311,13 +332,13 @@ private:
     {
         constexpr std::int64_t kGrowth = 3; // of vectors, and what the search needs
         const Prices prices = best();
-        stage.graph.sweep(prices, cutQuestion());
+        stage.graph->sweep(prices, cutQuestion());
         if (cut())
             return false;
         const std::int64_t left = m_options.workLimit - m_result.work;
         const std::int64_t left_bytes =
-            m_options.memoryLimit_bytes - stage.graph.bytes() - otherBytes;
-        Refinement<Costs> refined = stage.graph.refined(
+            m_options.memoryLimit_bytes - stage.graph->bytes() - otherBytes;
+        Refinement<Costs> refined = stage.graph->refined(
             stage.sets, prices,
             {.arcs = left / (kWorkOfRefining + kLaterSteps), .bytes = left_bytes / kGrowth},
             cutQuestion());
@@ -325,8 +346,8 @@ private:
         m_workOut = !refined.graph;
         if (!refined.graph)
             return false;
-        stage.graph = std::move(*refined.graph);
-        m_result.work += kWorkOfRefining * workOfSweep(stage.graph);
+        stage.graph = shared(std::move(*refined.graph));
+        m_result.work += kWorkOfRefining * workOfSweep(*stage.graph);
         ++m_graphs;
         return true;
     }
@@ -373,7 +394,7 @@ private:
         m_result.work += 3 * workOfSweep(graph);
     }
 
-    void searchIn(LayeredGraph<Costs>& graph)
+    void searchIn(LayeredGraph<Costs>& graph, std::int64_t otherBytes)
     {
         const Prices prices = best();
         graph.sweep(prices, cutQuestion());
@@ -382,7 +403,10 @@ private:
         // Half the mean width of the graph: the work of a few sweeps.
         const int states = m_width * std::max(100, graph.nodeCount() / (2 * m_costs.icebergs));
         const GraphSearchResult found =
-            searchGraph(graph, prices, {.mostStates = states, .cut = cutQuestion()});
+            searchGraph(graph, prices,
+                        {.mostStates = states,
+                         .memory_bytes = m_options.memoryLimit_bytes - graph.bytes() - otherBytes,
+                         .cut = cutQuestion()});
         m_result.work += kWorkOfSearching * found.work;
         if (!found.order.empty())
             takeOrder(found.order);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace berg {
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /** Nodes between two looks at the clock. */
-constexpr int kNodesPerCheck = 4096;
+constexpr int kNodesPerCheck = 2048;
 /** The same for arcs of a graph that is being made. */
 constexpr std::size_t kArcsPerCheck = 16'384;
 
@@ -49,12 +50,12 @@ LayeredGraph<Costs>::LayeredGraph(const Costs& costs, const LayeredPaths<Costs>&
     if constexpr (Costs::kWeighted)
         buildBySigmaSeen(paths, prices, cut);
     else
-        buildByPosition(paths, prices);
+        buildByPosition(paths, prices, cut);
 }
 
 template <class Costs>
-void LayeredGraph<Costs>::buildByPosition(const LayeredPaths<Costs>& paths,
-                                          const Prices& prices) requires(!Costs::kWeighted)
+void LayeredGraph<Costs>::buildByPosition(const LayeredPaths<Costs>& paths, const Prices& prices,
+                                          const CutQuestion& cut) requires(!Costs::kWeighted)
 {
     const Costs& costs = *m_costs;
     const int n = costs.icebergs;
@@ -67,6 +68,8 @@ void LayeredGraph<Costs>::buildByPosition(const LayeredPaths<Costs>& paths,
             onwards(j - 1) = costs.visit(j, p) - prices.lambda(j) + completion(j - 1, p - 1);
     };
     for (int p = n - 1; p >= 1; --p) {
+        if (cut && cut())
+            return;
         enter(p + 1);
         for (int i = 1; i <= n; ++i) {
             Eigen::ArrayXd lengths = costs.legs.col(i).tail(n).array() + onwards;
@@ -87,19 +90,23 @@ void LayeredGraph<Costs>::buildByPosition(const LayeredPaths<Costs>& paths,
             }
         m_firstNode.push_back(nodeCount());
     }
+    PieceList<int> arcs;
     for (int p = 0; p < n; ++p) {
+        if (cut && cut())
+            return;
         enter(p + 1);
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
             const int i = iceberg(v);
-            m_firstArc.push_back(m_arcs.size());
+            m_firstArc.push_back(arcs.size());
             const double length = p == 0 ? 0.0 : paths.length(i, p);
             for (int j = 1; j <= n; ++j)
                 if (j != i && id(j - 1, p) >= 0 &&
                     length + costs.leg(i, j) + onwards(j - 1) < allowed)
-                    m_arcs.push_back(id(j - 1, p));
+                    arcs.push_back(id(j - 1, p));
         }
     }
-    m_firstArc.resize(m_iceberg.size() + 1, m_arcs.size());
+    m_firstArc.resize(m_iceberg.size() + 1, arcs.size());
+    (void)arcs.moveTo(m_arcs, cut);
 }
 
 template <class Costs>
@@ -153,27 +160,22 @@ void LayeredGraph<Costs>::buildBySigmaSeen(const LayeredPaths<Costs>& paths, con
         }
     }
     m_firstArc.push_back(arcs.size());
-    if (!arcs.moveTo(m_arcs, cut))
-        return;
-    refreshUnseen(cut);
+    if (arcs.moveTo(m_arcs, cut))
+        (void)refreshUnseen(cut);
 }
 
 template <class Costs>
-void LayeredGraph<Costs>::refreshUnseen(const CutQuestion& cut) requires(Costs::kWeighted)
+bool LayeredGraph<Costs>::refreshUnseen(const CutQuestion& cut) requires(Costs::kWeighted)
 {
-    if (!fillInPieces(m_unseen, m_iceberg.size(), kInfinity, cut)) {
-        m_unseen.assign(m_iceberg.size(), 0.0);
-        return;
-    }
+    if (!fillInPieces(m_unseen, m_iceberg.size(), kInfinity, cut))
+        return false;
     // Rounded down, or a difference of large sums would be above the true one by their rounding.
     const double rounding = roundingMargin(1, m_costs->sigmaSum);
     m_unseen[0] = m_costs->sigmaSum - rounding * icebergs();
     for (int level = 0; level <= lastLayer(); ++level)
         for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
-            if (v % kNodesPerCheck == 0 && cut && cut()) {
-                std::fill(m_unseen.begin() + v, m_unseen.end(), 0.0);
-                return;
-            }
+            if (v % kNodesPerCheck == 0 && cut && cut())
+                return false;
             double& unseen = m_unseen[static_cast<std::size_t>(v)];
             const double alongPaths = unseen - m_costs->sigmaOf(iceberg(v)) - rounding;
             const double ofAnySet = m_costs->leastUnseen(level);
@@ -183,6 +185,7 @@ void LayeredGraph<Costs>::refreshUnseen(const CutQuestion& cut) requires(Costs::
                 there = std::min(there, unseen);
             }
         }
+    return true;
 }
 
 template <class Costs>
@@ -202,7 +205,7 @@ std::int64_t LayeredGraph<Costs>::bytesOf(std::size_t nodes, std::size_t arcs)
 template <class Costs>
 double LayeredGraph<Costs>::sweep(const Prices& prices, const CutQuestion& cut)
 {
-    for (std::vector<double>* const values : {&m_completion, &m_entry})
+    for (LargeVector<double>* const values : {&m_completion, &m_entry})
         if (values->size() != m_iceberg.size() &&
             !fillInPieces(*values, m_iceberg.size(), 0.0, cut))
             return -kInfinity;
@@ -339,24 +342,38 @@ bool LayeredGraph<Costs>::trim(const Prices& prices, const CutQuestion& cut)
     m_firstArc[at(kept)] = arcs;
     m_completion.resize(at(kept));
     if constexpr (Costs::kWeighted)
-        refreshUnseen(cut);
+        return refreshUnseen(cut);
     return true;
 }
+
+/** A refined graph that is being made. */
+template <class Costs>
+struct LayeredGraph<Costs>::Making
+{
+    explicit Making(const Costs& costs) : graph(costs), tables(longestStep(costs)) {}
+    [[nodiscard]] std::int64_t bytes() const
+    {
+        return graph.bytes() + labelOf.bytes() + icebergs.bytes() + firstArc.bytes() + arcs.bytes();
+    }
+
+    LayeredGraph graph;
+    LabelTables tables;
+    PieceList<int> labelOf; ///< number of each node's label
+    PieceList<int> icebergs;
+    PieceList<std::size_t> firstArc;
+    PieceList<int> arcs; ///< as numbers of labels
+};
 
 template <class Costs>
 Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Prices& prices,
                                                const GraphLimits& limits,
                                                const CutQuestion& cut) const
 {
-    LayeredGraph result(*m_costs);
+    const std::unique_ptr<Making, FreeElsewhere> making(new Making(*m_costs));
+    auto& [result, tables, labelOf, icebergs, firstArc, arcs] = *making;
     result.m_firstNode.push_back(0);
     const double allowed = prices.allowedLength();
-    LabelTables tables(longestStep(*m_costs));
     tables.offer(0, {.memory = {}, .length = 0, .node = 0});
-    PieceList<int> labelOf; // number of each node's label
-    PieceList<int> icebergs;
-    PieceList<std::size_t> firstArc;
-    PieceList<int> arcs;    // as numbers of labels
     std::size_t looked = 0; // so many arcs had been tried at the last look
     std::size_t tried = 0;
     for (int level = 0; level <= lastLayer(); ++level) {
@@ -408,7 +425,8 @@ Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Prices&
                 return nodeOf[static_cast<std::size_t>(number)];
             }))
             return {};
-        result.refreshUnseen(cut);
+        if (!result.refreshUnseen(cut))
+            return {};
     } else if (!arcs.moveTo(result.m_arcs, cut)) {
         return {};
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/plan/large_vector.h"
 #include "core/plan/layered_paths.h"
 
 #include <array>
@@ -161,10 +162,12 @@ public:
     }
 
 private:
+    struct Making;
+
     explicit LayeredGraph(const Costs& costs) : m_costs(&costs) {}
     [[nodiscard]] static std::int64_t bytesOf(std::size_t nodes, std::size_t arcs);
-    void buildByPosition(const LayeredPaths<Costs>& paths,
-                         const Prices& prices) requires(!Costs::kWeighted);
+    void buildByPosition(const LayeredPaths<Costs>& paths, const Prices& prices,
+                         const CutQuestion& cut) requires(!Costs::kWeighted);
     void buildBySigmaSeen(const LayeredPaths<Costs>& paths, const Prices& prices,
                           const CutQuestion& cut) requires(Costs::kWeighted);
     [[nodiscard]] int lastLayer() const { return m_costs->lastLevel(); }
@@ -184,18 +187,18 @@ private:
         else
             return 1;
     }
-    /** Finds the least sigma unseen of every node anew; when cut, with 0 where it did not get to.
-     */
-    void refreshUnseen(const CutQuestion& cut) requires(Costs::kWeighted);
+    /** Finds the least sigma unseen of every node anew. False when cut: the graph is of no use any
+     * more then. */
+    [[nodiscard]] bool refreshUnseen(const CutQuestion& cut) requires(Costs::kWeighted);
 
     const Costs* m_costs;
     std::vector<int> m_firstNode;        ///< levels + 2: nodes of layer p are [p] .. [p + 1] - 1
-    std::vector<int> m_iceberg;          ///< by node
-    std::vector<std::size_t> m_firstArc; ///< nodes + 1
-    std::vector<int> m_arcs;             ///< node each arc leads to; its cost follows from its ends
-    std::vector<double> m_unseen;        ///< by node, the least; empty when legs have no weight
-    std::vector<double> m_completion;    ///< by node, of the last sweep
-    std::vector<double> m_entry;         ///< completion + cost of the visit - its multiplier
+    LargeVector<int> m_iceberg;          ///< by node
+    LargeVector<std::size_t> m_firstArc; ///< nodes + 1
+    LargeVector<int> m_arcs;             ///< node each arc leads to; its cost follows from its ends
+    LargeVector<double> m_unseen;        ///< by node, the least; empty when legs have no weight
+    LargeVector<double> m_completion;    ///< by node, of the last sweep
+    LargeVector<double> m_entry;         ///< completion + cost of the visit - its multiplier
 };
 
 /** What `LayeredGraph::refined` made. */

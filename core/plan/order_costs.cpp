@@ -52,18 +52,6 @@ LegTable::LegTable(const TvpProblem& problem)
         legs.row(0).setZero();
 }
 
-double VisitCosts::total(std::span<const int> order) const
-{
-    double sum = 0;
-    int from = 0;
-    int position = 0;
-    for (const int node : order) {
-        sum += leg(from, node) + visit(node, ++position);
-        from = node;
-    }
-    return sum + leg(from, 0);
-}
-
 LatencyCosts::LatencyCosts(const TvpProblem& problem)
     : LegTable(problem)
     , sigmaSum(std::accumulate(sigma.begin(), sigma.end(), 0.0))
@@ -77,19 +65,6 @@ LatencyCosts::LatencyCosts(const TvpProblem& problem)
         last += steps[k];
     }
     leastUnseen = unseenByLevel(*this);
-}
-
-double LegTable::latency(std::span<const int> order) const
-{
-    double length = 0;
-    double sum = 0;
-    int from = 0;
-    for (const int node : order) {
-        length += leg(from, node);
-        sum += sigmaOf(node) * length;
-        from = node;
-    }
-    return sum;
 }
 
 } // namespace berg

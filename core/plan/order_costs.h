@@ -9,6 +9,35 @@
 
 namespace berg {
 
+/** Sum of the legs and visits of an order. */
+template <class Costs>
+[[nodiscard]] double costOfVisits(const Costs& costs, std::span<const int> order)
+{
+    double sum = 0;
+    int from = 0;
+    int position = 0;
+    for (const int node : order) {
+        sum += costs.leg(from, node) + costs.visit(node, ++position);
+        from = node;
+    }
+    return sum + costs.leg(from, 0);
+}
+
+/** Sum of the sigmas, each times the legs flown until there. */
+template <class Costs>
+[[nodiscard]] double weightedLength(const Costs& costs, std::span<const int> order)
+{
+    double length = 0;
+    double sum = 0;
+    int from = 0;
+    for (const int node : order) {
+        length += costs.leg(from, node);
+        sum += costs.sigmaOf(node) * length;
+        from = node;
+    }
+    return sum;
+}
+
 /**
  * What the costs of both criteria share, laid out for inner loops. Search, graph and bound are
  * templates over `VisitCosts` and `LatencyCosts`, which have the same members:
@@ -24,9 +53,6 @@ struct LegTable
 
     [[nodiscard]] double leg(int from, int to) const { return legs(to, from); }
     [[nodiscard]] double sigmaOf(int node) const { return sigma[static_cast<std::size_t>(node)]; }
-    /** Sum of the sigmas, each times the legs flown until there. */
-    [[nodiscard]] double latency(std::span<const int> order) const;
-
     int icebergs = 0;
     Eigen::MatrixXd legs;      ///< N x N, column = from, row = to, mu d; row 0 is the end of the
                                ///< route: 0 when open, the way back when closed
@@ -50,7 +76,10 @@ struct VisitCosts : LegTable
         return sigmaOf(node) * (position + 1);
     }
     /** Sum of an order's costs: `objective` + `objectiveShift`. */
-    [[nodiscard]] double total(std::span<const int> order) const;
+    [[nodiscard]] double total(std::span<const int> order) const
+    {
+        return costOfVisits(*this, order);
+    }
 };
 
 /**
@@ -69,7 +98,10 @@ struct LatencyCosts : LegTable
     [[nodiscard]] int lastLevel() const { return last; }
     [[nodiscard]] static double visit(int /*node*/, int /*level*/) { return 0; }
     /** Sum of an order's costs: `objective`. */
-    [[nodiscard]] double total(std::span<const int> order) const { return latency(order); }
+    [[nodiscard]] double total(std::span<const int> order) const
+    {
+        return weightedLength(*this, order);
+    }
 
     double sigmaSum = 0;
     std::vector<int> steps; ///< N, at least 1; [0] is 0

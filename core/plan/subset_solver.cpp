@@ -1,5 +1,6 @@
 #include "core/plan/subset_solver.h"
 
+#include "core/plan/piece_list.h"
 #include "core/plan/solve_watch.h"
 
 #include <algorithm>
@@ -82,6 +83,7 @@ public:
                 m_endLegs.values[i] = problem.mu * problem.distance_m(i + 1, 0);
     }
 
+    [[nodiscard]] std::int64_t bytes() const { return SubsetSolver::bytesFor(m_icebergs); }
     [[nodiscard]] std::uint32_t subsets() const { return std::uint32_t{1} << m_icebergs; }
 
     /** Treats the sets `from` .. `to` - 1, multiples of four; those below are done already. */
@@ -306,16 +308,17 @@ SolveOutcome solveWithRows(const TvpProblem& problem, const SolveOptions& option
     if (options.memoryLimit_bytes && *options.memoryLimit_bytes < SubsetSolver::bytesFor(n))
         return cutShort(StopReason::MemoryLimit, options.hint, 0);
 
-    SubsetTable<Rows, Kind> table(problem);
-    const std::int64_t all = table.subsets();
+    using Table = SubsetTable<Rows, Kind>;
+    const std::unique_ptr<Table, FreeElsewhere> table(new Table(problem));
+    const std::int64_t all = table->subsets();
     for (std::int64_t done = 0; done < all;) {
         if (const std::optional<StopReason> reason = watch.cut())
             return cutShort(*reason, options.hint, done * n);
         const std::int64_t next = std::min<std::int64_t>(all, done + kSubsetsPerCheck);
-        table.treat(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(next));
+        table->treat(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(next));
         done = next;
     }
-    return proven(table.order(), all * n, problem, options, watch);
+    return proven(table->order(), all * n, problem, options, watch);
 }
 
 template <int Rows>

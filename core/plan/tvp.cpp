@@ -115,6 +115,16 @@ std::string at(const char* field, Eigen::Index i)
     return std::string(field) + '[' + std::to_string(i) + ']';
 }
 
+/** Along the columns, which is several times faster than by row. */
+bool areDistances(const Eigen::MatrixXd& distance_m)
+{
+    for (Eigen::Index j = 0; j < distance_m.cols(); ++j)
+        for (Eigen::Index i = 0; i < distance_m.rows(); ++i)
+            if (i != j && !(std::isfinite(distance_m(i, j)) && distance_m(i, j) >= 0))
+                return false;
+    return true;
+}
+
 void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
 {
     const Eigen::Index n = problem.nodeCount();
@@ -123,6 +133,8 @@ void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
                           "must be a square matrix with one row and column per sigma"});
         return;
     }
+    if (areDistances(problem.distance_m))
+        return;
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < n; ++j) {
             const double d_m = problem.distance_m(i, j);

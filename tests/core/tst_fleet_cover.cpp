@@ -97,7 +97,7 @@ private slots:
         const double margin = kRounding * relaxed.optimum;
         QVERIFY(std::abs(relaxed.bestCost(relaxed.slack()) - relaxed.optimum) <= margin);
 
-        const NgSets sets = nearestSets(relaxed.costs.of(0), 4);
+        const NgSets sets = nearestSets(relaxed.costs.of(0).shared(), 4);
         for (FleetGraph& graph : relaxed.graphs) {
             FleetRefinement refined = graph.refined(sets, relaxed.lambda, relaxed.slack(), {}, {});
             QVERIFY(refined.graph.has_value());

@@ -112,22 +112,23 @@ private slots:
     void assignmentsAreTheCheapest()
     {
         Random random(5);
-        for (const int columns : {1, 3, 5}) {
+        for (const int rows : {1, 3, 5}) {
             for (int k = 0; k < 20; ++k) {
-                const int rows = std::min(3, columns);
+                const int columns = std::min(3, rows);
                 Eigen::MatrixXd cost(rows, columns);
                 for (double& entry : cost.reshaped())
                     entry = random.uniform(-5, 5);
                 const auto costOf = [&](const std::vector<int>& places) {
                     double sum = 0;
-                    for (int row = 0; row < rows; ++row)
-                        sum += cost(row, places[static_cast<std::size_t>(row)]);
+                    for (int column = 0; column < columns; ++column)
+                        sum += cost(places[static_cast<std::size_t>(column)], column);
                     return sum;
                 };
                 const std::vector<int> found = cheapestAssignment(cost);
                 QCOMPARE(std::set<int>(found.begin(), found.end()).size(),
-                         static_cast<std::size_t>(rows));
-                std::vector<int> places(static_cast<std::size_t>(columns));
+                         static_cast<std::size_t>(columns));
+                QVERIFY(cheapestAssignment(cost, [] { return true; }).empty());
+                std::vector<int> places(static_cast<std::size_t>(rows));
                 std::iota(places.begin(), places.end(), 0);
                 do {
                     QVERIFY(costOf(found) <= costOf(places) + 1e-12);
