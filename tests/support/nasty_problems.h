@@ -64,7 +64,7 @@ public:
         return sigma_m2;
     }
 
-    /** Weight that makes both terms of Eq. (1) count, or only one of them. */
+    /** Weight that makes both terms of Eq. (1) count, or only one of them, or nothing. */
     [[nodiscard]] double mu(const Eigen::MatrixXd& distance_m, const std::vector<double>& sigma_m2)
     {
         constexpr std::array kTaus{1e-9, 0.1, 0.5, 1.0, 3.0, 10.0, 1e3};
@@ -74,6 +74,8 @@ public:
             sigmas_m2 += sigma_m2_;
         const double places = static_cast<double>(distance_m.rows());
         const double usual = tau * sigmas_m2 * places / distance_m.sum();
+        if (oneIn(16))
+            return 0;
         if (oneIn(6))
             return magnitude(-6, 6);
         return std::isfinite(usual) && usual > 0 ? usual : 1.0;
