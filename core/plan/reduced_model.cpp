@@ -5,24 +5,9 @@
 #include "core/plan/order_moves.h"
 #include "core/plan/solve_watch.h"
 
-#include <algorithm>
-
 namespace berg {
 
 namespace {
-
-/** A relative margin leaves nothing where all costs are 0; the incumbent must not go with it. */
-void addArcsOf(const VisitOrder& order, std::vector<PositionArc>& arcs)
-{
-    int from = 0;
-    int position = 1;
-    for (const int to : order) {
-        const PositionArc arc{.from = from, .to = to, .position = position++};
-        if (std::find(arcs.begin(), arcs.end(), arc) == arcs.end())
-            arcs.push_back(arc);
-        from = to;
-    }
-}
 
 /** The cheapest order one move away that costs more; the order itself when there is none. */
 VisitOrder cheapestNeighbour(const VisitCosts& costs, const VisitOrder& order)
@@ -73,9 +58,8 @@ ReducedModel reducedModel(const TvpProblem& problem, const SolveOptions& options
     const VisitCosts costs(problem);
     const BoundOptions bound{.workLimit = kMostWork,
                              .cut = [&watch] { return watch.cut().has_value(); }};
-    std::vector<PositionArc> arcs =
+    const std::vector<PositionArc> arcs =
         survivingArcs(costs, cheapestNeighbour(costs, reduced.incumbent), bound);
-    addArcsOf(reduced.incumbent, arcs);
     if (!watch.cut())
         reduced.milp = positionModel(problem, milpArcs(arcs));
     return reduced;

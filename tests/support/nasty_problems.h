@@ -70,8 +70,8 @@ public:
         constexpr std::array kTaus{1e-9, 0.1, 0.5, 1.0, 3.0, 10.0, 1e3};
         const double tau = kTaus[static_cast<std::size_t>(below(static_cast<int>(kTaus.size())))];
         double sigmas_m2 = 0;
-        for (const double sigma_m2_ : sigma_m2)
-            sigmas_m2 += sigma_m2_;
+        for (const double each_m2 : sigma_m2)
+            sigmas_m2 += each_m2;
         const double places = static_cast<double>(distance_m.rows());
         const double usual = tau * sigmas_m2 * places / distance_m.sum();
         if (oneIn(16))
