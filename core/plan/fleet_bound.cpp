@@ -89,6 +89,11 @@ public:
             if (!cut())
                 m_graphs->all.emplace_back(m_costs, std::move(uavs), m_cutQuestion);
         m_sets = nearestSets(m_costs.of(0).shared(), kNearest);
+        if (m_options.plainOnly) {
+            ascend(2 * kPlainSteps);
+            m_result.lambda = m_ascent.best();
+            return std::move(m_result);
+        }
         ascend(kFirstSteps);
         takeSuggestion();
         m_suggested = true;

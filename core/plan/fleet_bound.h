@@ -23,8 +23,9 @@ struct FleetBoundOptions
     std::int64_t memoryLimit_bytes = 0;
     CoverFunction cover = bestCover; ///< puts orders together
     std::function<bool()> cut;
-    std::function<void(const FleetPlan& plan, double bound)> onImproved;
-    std::function<FleetSuggestion(std::int64_t work, std::int64_t most)> suggest;
+    std::function<void(const FleetPlan& plan, double bound)> onImproved = {};
+    std::function<FleetSuggestion(std::int64_t work, std::int64_t most)> suggest = {};
+    bool plainOnly = false; ///< nothing but multipliers on the complete graphs
 };
 
 /** As `BoundResult`. */
@@ -35,6 +36,7 @@ struct FleetBoundResult
     bool reached = false;
     bool memoryOut = false;
     std::int64_t work = 0;
+    Eigen::VectorXd lambda; ///< the best multipliers
 };
 
 /**

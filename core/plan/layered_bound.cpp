@@ -108,6 +108,7 @@ public:
         relax(paths, plainSteps() - kFirstSteps);
         if (!finished() && m_costs.icebergs < NodeSet::kCapacity)
             tighten(paths);
+        tellStep();
         m_result.lambda = m_ascent.best();
         return std::move(m_result);
     }
@@ -261,10 +262,19 @@ private:
         const Prices prices = best();
         paths.sweep(prices, cutQuestion());
         m_result.work += 4 * paths.workOfSweep();
+        tellStep();
         return {.graph = shared(LayeredGraph(m_costs, paths, prices, cutQuestion())),
                 .sets = nearestSets(m_costs, nearest),
                 .cap = nearest,
                 .ascent = m_ascent};
+    }
+
+    /** Arcs have been deleted at the best multipliers, or nothing below the cutoff is left. */
+    void tellStep(const NgSets* sets = nullptr) const
+    {
+        if (m_options.onStep)
+            m_options.onStep({.lambda = m_ascent.best(),
+                              .sets = sets ? std::make_shared<const NgSets>(*sets) : nullptr});
     }
 
     [[nodiscard]] static std::shared_ptr<LayeredGraph<Costs>> shared(LayeredGraph<Costs>&& graph)
@@ -279,7 +289,7 @@ private:
         std::optional<Stage<Costs>> saved; // where the next gap is gone for from
         bool staged = false;
         while (!finished()) {
-            if (!staged && isLarge(*stage.graph)) {
+            if (!staged && !m_options.onStep && isLarge(*stage.graph)) {
                 staged = true;
                 m_gap = nextGap();
                 if (m_gap > m_options.gap) {
@@ -347,6 +357,7 @@ private:
         if (!refined.graph)
             return false;
         stage.graph = shared(std::move(*refined.graph));
+        tellStep(&stage.sets);
         m_result.work += kWorkOfRefining * workOfSweep(*stage.graph);
         ++m_graphs;
         return true;
@@ -391,6 +402,7 @@ private:
         graph.sweep(prices, cutQuestion());
         if (!cut() && !graph.trim(prices, cutQuestion()))
             m_cut = true;
+        tellStep();
         m_result.work += 3 * workOfSweep(graph);
     }
 

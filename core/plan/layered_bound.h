@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,15 @@ struct OrderSuggestion
     std::int64_t work = 0;
 };
 
+class NgSets;
+
+/** What somebody else must do to prove the same: see `Proof`. */
+struct ProofStep
+{
+    Eigen::VectorXd lambda;               ///< multipliers, one per node, [0] is 0
+    std::shared_ptr<const NgSets> sets{}; ///< what the graph is to remember; none: nothing more
+};
+
 /** Limits, help and reports of `improveBound`. */
 struct BoundOptions
 {
@@ -25,6 +35,9 @@ struct BoundOptions
     std::int64_t workLimit = 0; ///< arcs looked at, roughly 2 ns each; checked now and then
     std::function<bool()> cut;  ///< asked at least every 10 ms; true ends the work; may be empty
     std::function<void(const VisitOrder& order, double bound)> onImproved; ///< may be empty
+    /** With all of the proof, in turn; may be empty. No other gaps are certified on the way then.
+     */
+    std::function<void(const ProofStep&)> onStep;
     /**
      * Multipliers to start from, one per node ([0] is ignored): those that an earlier call
      * returned for a similar problem save most of the first relaxation. Any values give a valid
