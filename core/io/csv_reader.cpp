@@ -7,6 +7,8 @@ namespace berg {
 
 namespace {
 
+/** Times the size of a text. */
+constexpr std::size_t kMostReadAgain = 8;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool endsLine(char c)
@@ -57,6 +59,7 @@ bool CsvReader::next(CsvRow& row)
             row.cells.emplace_back();
         if (!readCell(kept ? row.cells[count] : m_spare, row.fault)) {
             row.cells.clear();
+            m_readAgain += m_at - start;
             m_at = start;
             m_line = row.line;
             skipToLineEnd();
@@ -102,6 +105,8 @@ bool CsvReader::readQuoted(std::string& cell, CsvRow::Fault& fault)
             return false;
         }
         if (endsLine(c)) {
+            if (m_readAgain > kMostReadAgain * m_text.size())
+                break;
             const std::size_t from = m_at;
             skipLineEnd();
             cell += m_text.substr(from, m_at - from);

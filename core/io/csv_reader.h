@@ -29,7 +29,8 @@ struct CsvRow
  * Reads CSV as RFC 4180 has it: quoted cells may hold separators, line ends and doubled quotes. A
  * byte order mark is skipped, any of CRLF, LF and CR ends a line, and lines without a character
  * are no rows. After a row with a fault, reading goes on with the line below the one it started on,
- * so that a stray quote costs one row. Cost: linear.
+ * so that a stray quote costs one row. Cost: linear, because a text that is full of stray quotes is
+ * read again so often at most; from then on a line end closes every quote.
  */
 class CsvReader
 {
@@ -52,7 +53,8 @@ private:
     char m_separator;
     std::size_t m_at = 0;
     std::size_t m_line = 1;
-    std::string m_spare; ///< a cell that is not kept
+    std::string m_spare;         ///< a cell that is not kept
+    std::size_t m_readAgain = 0; ///< bytes of rows with faults, beyond their first line
 };
 
 /**

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/io/csv_reader.h"
 #include "core/io/import_fields.h"
+#include "core/scenario/checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,7 @@ struct CsvLayout
     std::size_t width = 0; ///< cells of a whole row
     bool header = true;
     bool timeNeeded = true;
+    bool isMonthFirst = true; ///< by the customs of the format, where no date tells otherwise
     /** A last look at a sighting that is otherwise in order; may be null. */
     std::optional<RowFault> (*finish)(Sighting& sighting, const CsvRow& row) = nullptr;
 };
@@ -101,20 +103,19 @@ void forRows(std::string_view text, bool header, Use use)
     }
 }
 
-/** Day or month first: by the first date that can only be read one way. */
-DateOrder dateOrder(std::string_view text, const CsvLayout& layout, bool timeApart)
+/** Day or month first: by the first date that can only be read one way; none: there is none. */
+std::optional<DateOrder> dateOrder(std::string_view text, const CsvLayout& layout, bool timeApart)
 {
-    DateOrder order = DateOrder::MonthFirst;
+    std::optional<DateOrder> told;
     FieldTexts texts;
     forRows(text, layout.header, [&](const CsvRow& row) {
         if (shapeFault(row, layout.width))
             return true;
         fill(texts, row, layout);
-        const std::optional<DateOrder> told = dateOrderOf(timeText(texts, timeApart));
-        order = told.value_or(order);
+        told = dateOrderOf(timeText(texts, timeApart));
         return !told;
     });
-    return order;
+    return told;
 }
 
 bool reads(const CsvLayout& layout, SightingField field)
@@ -137,7 +138,10 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
 
     RowRules rules{.timeNeeded = layout.timeNeeded};
     rules.timeApart = reads(layout, SightingField::Date) && reads(layout, SightingField::Time);
-    rules.order = dateOrder(source.text, layout, rules.timeApart);
+    const std::optional<DateOrder> told =
+        source.dates ? source.dates : dateOrder(source.text, layout, rules.timeApart);
+    const bool guesses = !told && !layout.isMonthFirst;
+    rules.order = told.value_or(DateOrder::MonthFirst);
     FieldTexts texts;
     forRows(source.text, layout.header, [&](const CsvRow& row) {
         std::variant<Sighting, RejectedRow> result;
@@ -146,6 +150,9 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
         } else {
             fill(texts, row, layout);
             result = sightingOf(texts, rules, row.line);
+            if (guesses && table.guessedDate.empty())
+                if (const std::string time = timeText(texts, rules.timeApart); hasTwoReadings(time))
+                    table.guessedDate = cleanText(time, 60);
             auto* const sighting = std::get_if<Sighting>(&result);
             const std::optional<RowFault> late = sighting != nullptr && layout.finish != nullptr
                                                      ? layout.finish(*sighting, row)
@@ -190,6 +197,22 @@ void requireMappedColumns(const ImportText& source, const std::vector<std::strin
         throw Error(ErrorCode::InvalidInput, source.subject, std::move(issues));
 }
 
+/** Two columns of one name: which of them holds the field, nobody can tell. */
+void refuseTwins(const std::vector<ReadColumn>& columns, const std::vector<std::string>& header,
+                 const std::string& subject)
+{
+    std::vector<Issue> issues;
+    for (const ReadColumn& column : columns)
+        for (std::size_t i = column.index + 1; i < header.size(); ++i)
+            if (plainName(header[i]) == plainName(header[column.index]))
+                issues.push_back({Severity::Error, nameOf(kSightingFieldNames, column.use.field),
+                                  "columns " + std::to_string(column.index + 1) + " and " +
+                                      std::to_string(i + 1) + " are both called \"" +
+                                      printable(header[i]) + "\": rename one"});
+    if (!issues.empty())
+        throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
+}
+
 /** Layout of a table with a header, of which `fields` (all: empty) are read. */
 CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingField> fields = {})
 {
@@ -204,6 +227,7 @@ CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingF
     requireMappedColumns(source, cells);
     FieldNames names(source.mapping);
     CsvLayout layout{.columns = columnsOf(cells, names), .width = cells.size()};
+    refuseTwins(layout.columns, cells, source.subject);
     if (fields.size() > 0)
         std::erase_if(layout.columns, [&](const ReadColumn& column) {
             return std::find(fields.begin(), fields.end(), column.use.field) == fields.end();
@@ -276,6 +300,7 @@ SightingTable readAnyCsv(const ImportText& source)
     CsvLayout layout = layoutByName(source);
     requirePlace(layout, source.subject);
     layout.timeNeeded = reads(layout, SightingField::Time) || reads(layout, SightingField::Date);
+    layout.isMonthFirst = false;
     SightingTable table = readRows(source, layout);
     decideOneIceberg(table);
     return table;

@@ -14,6 +14,8 @@ namespace berg {
 namespace {
 
 constexpr double kFastest_mps = 50;
+/** Bytes of a text that are looked at: those of a track are copied for each of its points. */
+constexpr std::size_t kLongestText = 500;
 
 /** What tables write where there is no value. */
 bool isAbsent(std::string_view text)
@@ -23,7 +25,8 @@ bool isAbsent(std::string_view text)
                          : plain == "na" || plain == "nan" || plain == "null" || plain == "none";
 }
 
-/** Degrees with the letter of a hemisphere before or behind: 62.4W is -62.4. */
+/** Degrees with the letter of a hemisphere before or behind: 62.4W is -62.4; -62.4W is nothing,
+ * because sign and letter may both be meant. */
 std::optional<double> degreesOf(std::string_view text, char positive, char negative)
 {
     double sign = 1;
@@ -33,12 +36,15 @@ std::optional<double> degreesOf(std::string_view text, char positive, char negat
             sign = -1;
         return letter == negative || letter == positive;
     };
+    const std::size_t whole = text.size();
     if (!text.empty() && takesLetter(text.back()))
         text.remove_suffix(1);
     else if (!text.empty() && takesLetter(text.front()))
         text.remove_prefix(1);
-    const std::optional<double> value = decimalOf(trimmed(text));
-    if (!value)
+    const std::string_view number = trimmed(text);
+    const bool hasSign = number.starts_with('-') || number.starts_with('+');
+    const std::optional<double> value = decimalOf(number);
+    if (!value || (hasSign && text.size() < whole))
         return std::nullopt;
     return sign * *value;
 }
@@ -59,6 +65,21 @@ std::optional<double> radiusOfClass(std::string_view size)
     return it == kClasses.end() ? std::nullopt : std::optional(it->length_m / 2);
 }
 
+/** Digits in groups of three set apart by commas, as 1,200 is, which may be 1.2 as well. */
+bool isGrouped(std::string_view text)
+{
+    const std::string_view digits = text.substr(text.starts_with('-') || text.starts_with('+'));
+    const std::size_t first = digits.find(',');
+    if (first == std::string_view::npos || first < 1 || first > 3 || (digits.size() - first) % 4)
+        return false;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        const bool comma = i >= first && (i - first) % 4 == 0;
+        if (comma ? digits[i] != ',' : digits[i] < '0' || digits[i] > '9')
+            return false;
+    }
+    return true;
+}
+
 /** Reads the numbers of a row; remembers the first that is wrong. */
 class Numbers
 {
@@ -70,7 +91,7 @@ public:
         const std::string& text = m_texts.text(field);
         if (isAbsent(text))
             return std::nullopt;
-        std::optional<double> value = decimalOf(text);
+        std::optional<double> value = number(text);
         if (value)
             *value *= m_texts.factor(field);
         if (value && limitsFault(*value, limits).empty())
@@ -83,6 +104,22 @@ public:
     [[nodiscard]] const std::string& wrong() const { return m_wrong; }
 
 private:
+    /** What a comma among digits means is told by the place of the row; by nothing, it is wrong. */
+    [[nodiscard]] std::optional<double> number(const std::string& text) const
+    {
+        if (!isGrouped(text))
+            return decimalOf(text);
+        const std::string place =
+            m_texts.text(SightingField::Latitude) + m_texts.text(SightingField::Longitude);
+        if (place.find(',') != std::string::npos)
+            return decimalOf(text);
+        if (place.find('.') == std::string::npos)
+            return std::nullopt;
+        std::string digits = text;
+        std::erase(digits, ',');
+        return decimalOf(digits);
+    }
+
     const FieldTexts& m_texts;
     std::string m_wrong;
 };
@@ -120,10 +157,14 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-std::string cleanText(std::string_view text, std::size_t most)
+std::string cleanText(std::string_view given, std::size_t most)
 {
+    std::string_view text = trimmed(given);
+    constexpr std::string_view kFormulaStarts = "=+-@";
+    if (text.size() > 1 && text[0] == '\'' && kFormulaStarts.find(text[1]) != std::string::npos)
+        text.remove_prefix(1); // `csvField`
     std::string clean;
-    for (const char c : trimmed(text))
+    for (const char c : text.substr(0, most + 1)) // one more tells whether it is cut
         clean += static_cast<unsigned char>(c) < 0x20U || c == 0x7F ? ' ' : c;
     std::size_t end = std::min(clean.size(), most);
     while (end > 0 && end < clean.size() &&
@@ -169,7 +210,7 @@ void FieldTexts::set(const FieldUse& use, std::string_view text)
     const std::string_view value = trimmed(text);
     if (value.empty() || (!entry.text.empty() && entry.rank <= use.rank))
         return;
-    entry.text.assign(value);
+    entry.text.assign(value.substr(0, kLongestText));
     entry.factor = use.factor;
     entry.rank = use.rank;
 }

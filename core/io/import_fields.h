@@ -94,7 +94,8 @@ struct DriftTexts
 /** Number in the C locale or with a decimal comma; none for anything else, and for NaN. */
 [[nodiscard]] std::optional<double> decimalOf(std::string_view text);
 
-/** UTF-8 without control characters and blanks around it, cut to `most` bytes. */
+/** UTF-8 without control characters and blanks around it, cut to `most` bytes; without the
+ * apostrophe that keeps spreadsheets from running it as a formula. */
 [[nodiscard]] std::string cleanText(std::string_view text, std::size_t most);
 
 /** Without blanks on either side. */

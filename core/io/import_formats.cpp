@@ -135,8 +135,8 @@ SightingTable readSightings(std::string_view bytes, const std::string& subject,
     if (!format.namedColumns && !options.mapping.empty())
         throw Error(ErrorCode::InvalidInput, subject,
                     "columns of the format " + std::string(format.id) + " cannot be mapped");
-    SightingTable table =
-        format.read({.text = text, .subject = subject, .mapping = options.mapping});
+    SightingTable table = format.read(
+        {.text = text, .subject = subject, .mapping = options.mapping, .dates = options.dates});
     table.format = format.id;
     if (!table.sightings.empty())
         return table;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/import_table.h"
+#include "core/io/import_time.h"
 
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@ struct ImportText
     std::string_view text;
     const std::string& subject;   ///< names the file in errors
     const ColumnMapping& mapping; ///< columns the user has named; the rest is guessed
+    std::optional<DateOrder> dates = {};
 };
 
 /** One row of the table that the command line and the dialog share. */
@@ -36,6 +38,9 @@ struct ReadOptions
 {
     std::string format = "auto"; ///< id of a format; "auto": by content
     ColumnMapping mapping;       ///< explicit columns or properties; the rest is guessed
+    /** Of dates such as 05/02/2021 in tables; none: as the format or the file's other dates tell.
+     */
+    std::optional<DateOrder> dates = {};
 };
 
 /**

@@ -4,6 +4,7 @@
 #include "core/io/import_geojson_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace berg {
@@ -47,10 +48,13 @@ Json middleOf(const Json& rings)
         if (!corner.is_array() || corner.size() < 2 || !corner[0].is_number() ||
             !corner[1].is_number())
             return nullptr;
-        longitude_deg += corner[0].get<double>() / static_cast<double>(corners);
+        // Counted from the first corner, the shorter way round: rings cross the antimeridian.
+        const double first_deg = rings[0][0][0].get<double>();
+        const double east_deg = std::remainder(corner[0].get<double>() - first_deg, 360.0);
+        longitude_deg += (first_deg + east_deg) / static_cast<double>(corners);
         latitude_deg += corner[1].get<double>() / static_cast<double>(corners);
     }
-    return Json::array({longitude_deg, latitude_deg});
+    return Json::array({std::remainder(longitude_deg, 360.0), latitude_deg});
 }
 
 /** Times of the corners of a line; null without. */

@@ -79,39 +79,77 @@ std::optional<UtcTime> startOf(const Scenario& base, const std::vector<const Sig
     return start ? start : parseUtc(base.startUtc);
 }
 
+namespace {
+
+/** Gathers the sightings of each iceberg. */
+class Grouping
+{
+public:
+    Grouping(const SightingTable& table, std::optional<UtcTime> start)
+        : m_table(table), m_start(start)
+    {
+    }
+
+    void add(const Sighting& sighting)
+    {
+        std::string id = idOf(sighting);
+        const auto [it, isNew] = m_rows.try_emplace(id, m_icebergs.size());
+        if (isNew)
+            m_icebergs.push_back({.id = std::move(id), .sightings = {}});
+        PlacedSighting placed{.sighting = &sighting, .timeKnown = sighting.time && m_start};
+        if (placed.timeKnown)
+            placed.fix.time_s = secondsBetween(*m_start, *sighting.time);
+        placed.fix.variance_m2 = sighting.sigma_m2.value_or(0);
+        m_icebergs[it->second].sightings.push_back(placed);
+    }
+
+    std::vector<SightedIceberg> take() { return std::move(m_icebergs); }
+
+private:
+    std::string idOf(const Sighting& sighting)
+    {
+        if (!sighting.id.empty())
+            return sighting.id;
+        std::string plain = unnamedId(sighting, m_table);
+        if (m_table.oneIceberg || sighting.time)
+            return plain;
+        // Waypoints at two places are two, however near the id takes them to be.
+        const std::pair place(sighting.place.latitude_deg, sighting.place.longitude_deg);
+        if (const auto known = m_places.find(place); known != m_places.end())
+            return known->second;
+        int& number = m_numbers.try_emplace(plain, 1).first->second;
+        const auto id = [&] { return number == 1 ? plain : plain + ' ' + std::to_string(number); };
+        while (isOfAnotherWaypoint(id()))
+            ++number;
+        return m_places.emplace(place, id()).first->second;
+    }
+
+    [[nodiscard]] bool isOfAnotherWaypoint(const std::string& id) const
+    {
+        const auto it = m_rows.find(id);
+        if (it == m_rows.end())
+            return false;
+        const Sighting& first = *m_icebergs[it->second].sightings.front().sighting;
+        return !first.time && first.id.empty();
+    }
+
+    const SightingTable& m_table;
+    std::optional<UtcTime> m_start;
+    std::vector<SightedIceberg> m_icebergs;
+    std::map<std::string, std::size_t, std::less<>> m_rows;
+    std::map<std::pair<double, double>, std::string> m_places; ///< of waypoints without name
+    std::map<std::string, int> m_numbers; ///< the last that was given to a place of this id
+};
+
+} // namespace
+
 std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sightings,
                                     const SightingTable& table, std::optional<UtcTime> start)
 {
-    std::vector<SightedIceberg> icebergs;
-    std::map<std::string, std::size_t, std::less<>> rows;
-    // Waypoints without time or name at two places are two, however near the id takes them to be.
-    const auto isOfAnother = [&](const std::string& id, const Sighting& sighting) {
-        const auto it = rows.find(id);
-        if (it == rows.end() || sighting.time)
-            return false;
-        const Sighting& first = *icebergs[it->second].sightings.front().sighting;
-        return !first.time && first.id.empty() && !(first.place == sighting.place);
-    };
-    for (const Sighting* sighting : sightings) {
-        std::string id = sighting->id;
-        if (id.empty() && table.oneIceberg) {
-            id = unnamedId(*sighting, table);
-        } else if (id.empty()) {
-            const std::string plain = unnamedId(*sighting, table);
-            id = plain;
-            for (int n = 2; isOfAnother(id, *sighting); ++n)
-                id = plain + ' ' + std::to_string(n);
-        }
-        const auto [it, isNew] = rows.try_emplace(id, icebergs.size());
-        if (isNew)
-            icebergs.push_back({.id = std::move(id), .sightings = {}});
-        PlacedSighting placed{.sighting = sighting, .timeKnown = sighting->time && start};
-        if (placed.timeKnown)
-            placed.fix.time_s = secondsBetween(*start, *sighting->time);
-        placed.fix.variance_m2 = sighting->sigma_m2.value_or(0);
-        icebergs[it->second].sightings.push_back(placed);
-    }
-    return icebergs;
+    Grouping grouping(table, start);
+    for (const Sighting* sighting : sightings)
+        grouping.add(*sighting);
+    return grouping.take();
 }
 
 std::optional<LatLon> middleOf(const std::vector<SightedIceberg>& icebergs)

@@ -130,6 +130,8 @@ struct SightingTable
     ColumnMapping mapping;            ///< as used
     /** Without ids the rows are one iceberg (a beacon's track) rather than one each. */
     bool oneIceberg = false;
+    /** A date that was read month first although nothing in the file tells; empty: none. */
+    std::string guessedDate;
 };
 
 // Hostile or mistaken files end here.

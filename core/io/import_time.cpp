@@ -234,6 +234,13 @@ std::optional<UtcTime> parseSightingTime(std::string_view text, DateOrder order)
     return UtcTime(*date) + *clock;
 }
 
+bool hasTwoReadings(std::string_view text)
+{
+    const std::optional<UtcTime> monthFirst = parseSightingTime(text, DateOrder::MonthFirst);
+    const std::optional<UtcTime> dayFirst = parseSightingTime(text, DateOrder::DayFirst);
+    return monthFirst && dayFirst && *monthFirst != *dayFirst;
+}
+
 std::optional<DateOrder> dateOrderOf(std::string_view text)
 {
     Scanner scanner(text);

@@ -25,6 +25,9 @@ enum class DateOrder
  */
 [[nodiscard]] std::optional<UtcTime> parseSightingTime(std::string_view text, DateOrder order);
 
+/** Whether the text is a date, and another one when it is read the other way. */
+[[nodiscard]] bool hasTwoReadings(std::string_view text);
+
 /** Tells the order of a column of dates from one of them: none unless a part is above 12. */
 [[nodiscard]] std::optional<DateOrder> dateOrderOf(std::string_view text);
 

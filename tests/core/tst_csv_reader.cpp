@@ -131,6 +131,18 @@ private slots:
         QCOMPARE(rowsOf(text).size(), std::size_t{800'000});
     }
 
+    /** Each line opens a quote that the whole rest leaves open: this was read again for each. */
+    void strayQuotesByTheMillion()
+    {
+        std::string text = "lat,lon\n\"several\nlines\",b\n";
+        for (int i = 0; i < 1'000'000; ++i)
+            text += "a\",\"\n";
+        const std::vector<CsvRow> rows = rowsOf(text);
+        QVERIFY(rows[1].cells == (Cells{"several\nlines", "b"}));
+        QVERIFY(rows.size() > 100'000);
+        QVERIFY(rows.back().fault == CsvRow::Fault::UnclosedQuote);
+    }
+
     void separators_data()
     {
         QTest::addColumn<QByteArray>("text");

@@ -333,6 +333,87 @@ private slots:
         QCOMPARE(table.sightings[0].place.longitude_deg, expected_deg);
     }
 
+    /** Sign and letter may both be meant. */
+    void signAndLetterAreNoPlace()
+    {
+        const SightingTable table =
+            readText("lat,lon\n-62.4S,54.2W\n62.4S,-54.2W\n62.4N,+54E\n62.4S,54.2W\n");
+        QCOMPARE(table.sightings.size(), std::size_t{1});
+        QCOMPARE(table.sightings[0].place.latitude_deg, -62.4);
+        QCOMPARE(table.rejected.count, std::size_t{3});
+        QCOMPARE(rowFaultText(table.rejected.first[0]),
+                 std::string("latitude is no number from -90 to 90: \"-62.4S\""));
+    }
+
+    void commasAmongDigits_data()
+    {
+        QTest::addColumn<QByteArray>("row");
+        QTest::addColumn<double>("radius_m"); // below 0: the row is rejected
+        QTest::newRow("points elsewhere") << QByteArray("60.5;-50.5;1,200") << 1200.0;
+        QTest::newRow("millions") << QByteArray("60.5;-50.5;1,200,000") << -1.0;
+        QTest::newRow("commas elsewhere") << QByteArray("60,5;-50,5;1,200") << 1.2;
+        QTest::newRow("nothing elsewhere") << QByteArray("60;-50;1,200") << -1.0;
+        QTest::newRow("no group") << QByteArray("60.5;-50.5;1,25") << 1.25;
+        QTest::newRow("no group of three") << QByteArray("60.5;-50.5;1234,567") << 1234.567;
+        QTest::newRow("thousands") << QByteArray("60.5;-50.5;12,000") << 12000.0;
+    }
+    void commasAmongDigits()
+    {
+        QFETCH(const QByteArray, row);
+        QFETCH(const double, radius_m);
+        const SightingTable table =
+            readText("lat;lon;radius_m\n" + row.toStdString() + "\n1.5;1.5;1\n");
+        QCOMPARE(table.rejected.count, std::size_t{radius_m < 0 ? 1U : 0U});
+        if (radius_m >= 0)
+            QCOMPARE(table.sightings[0].radius_m, std::optional(radius_m));
+    }
+
+    /** 05/02/2021 is the fifth of February or the second of May. */
+    void datesThatCanBeReadTwoWays()
+    {
+        const std::string open = "lat,lon,time\n60,-50,05/02/2021\n";
+        const SightingTable guessed = readText(open);
+        QCOMPARE(guessed.guessedDate, std::string("05/02/2021"));
+        QCOMPARE(timeOf(guessed.sightings[0]), std::string("2021-05-02T00:00:00Z"));
+        const SightingTable asked = readText(open, {.mapping = {}, .dates = DateOrder::DayFirst});
+        QCOMPARE(asked.guessedDate, std::string());
+        QCOMPARE(timeOf(asked.sightings[0]), std::string("2021-02-05T00:00:00Z"));
+        QCOMPARE(readText(open + "60,-50,13/02/2021\n").guessedDate, std::string());
+        QCOMPARE(readText("lat,lon,time\n60,-50,05/05/2021\n").guessedDate, std::string());
+    }
+
+    void polygonsAcrossTheAntimeridian()
+    {
+        const std::string ring = "[[[179.9, -70], [-179.9, -70], [-179.9, -69.9], [179.9, -69.9], "
+                                 "[179.9, -70]]]";
+        const SightingTable table = readText(
+            R"({"type": "Feature", "geometry": {"type": "Polygon", "coordinates": )" + ring + "}}");
+        QCOMPARE(table.sightings.size(), std::size_t{1});
+        QVERIFY(std::abs(std::abs(table.sightings[0].place.longitude_deg) - 180) < 1e-9);
+        QVERIFY(std::abs(table.sightings[0].place.latitude_deg + 69.95) < 1e-9);
+    }
+
+    /** A text that holds for a whole track is not copied for each of its points. */
+    void longTextsOfLongTracks()
+    {
+        const std::string longText(1'000'000, 'n');
+        std::string kml =
+            "<kml xmlns:gx='http://www.google.com/kml/ext/2.2'><Placemark><ExtendedData><Data "
+            "name=\"remarks\"><value>" +
+            longText + "</value></Data></ExtendedData><gx:Track>";
+        std::string gpx = "<gpx><trk><name>" + longText + "</name><trkseg>";
+        for (int i = 0; i < 20'000; ++i) {
+            kml += "<when>2021-01-01T00:00:00Z</when><gx:coord>-50 60 0</gx:coord>\n";
+            gpx += "<trkpt lat='60' lon='-50'><time>2021-01-01T00:00:00Z</time></trkpt>\n";
+        }
+        QCOMPARE(readText(kml + "</gx:Track></Placemark></kml>").sightings.size(),
+                 std::size_t{20'000});
+        const std::string subject = "file";
+        const std::string refused =
+            errorOf([&] { (void)readSightings(gpx + "</trkseg></trk></gpx>", subject); })->what();
+        QVERIFY(refused.find("id is too long") != std::string::npos);
+    }
+
     /** A file in an old encoding, with any line end. */
     void oldFiles()
     {
@@ -387,6 +468,8 @@ private slots:
         row("entities", "<!DOCTYPE kml [<!ENTITY a \"b\">]><kml>&a;</kml>", "auto", "SyntaxError",
             "DOCTYPE");
         row("unknown format", "lat,lon\n1,2\n", "shp", "Unsupported", "cis-beacon");
+        row("two columns of one name", "id,lat,lon,LAT\n1,2,3,4\n", "csv", "InvalidInput",
+            "latitude: columns 2 and 4 are both called \"LAT\"");
         row("quote in the header", "\"id,lat,lon\n1,2,3\n", "csv", "WrongFormat", "first line");
     }
 
