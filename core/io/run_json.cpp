@@ -3,6 +3,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/run_keyframe.h"
 #include "core/io/scenario_parts.h"
+#include "core/scenario/checks.h"
 #include "core/scenario/validate.h"
 
 #include <algorithm>
@@ -165,6 +166,10 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
 void checkNamed(const RunFile& file, Faults& faults)
 {
     std::vector<Iceberg> there = file.scenario.icebergs;
+    const auto appearing = std::ranges::count_if(
+        file.interventions, [](const Intervention& change) { return change.appears.has_value(); });
+    if (there.size() + static_cast<std::size_t>(appearing) > kMostIcebergs)
+        return; // `checkAppearing` says so
     for (std::size_t i = 0; i < file.interventions.size(); ++i) {
         const Intervention& change = file.interventions[i];
         if (change.appears)
@@ -192,17 +197,41 @@ void checkNamed(const RunFile& file, Faults& faults)
 /** Wind and asset must be such as a scenario may hold. */
 void checkSurroundings(const RunFile& file, Faults& faults)
 {
+    Scenario after; // without what takes time to check and does not change
+    after.uavs = file.scenario.uavs;
     for (std::size_t i = 0; i < file.interventions.size(); ++i) {
         const Intervention& change = file.interventions[i];
         if (!change.wind_mps && !change.asset)
             continue;
-        Scenario after = file.scenario;
-        after.wind_mps = change.wind_mps.value_or(after.wind_mps);
-        after.asset = change.asset ? change.asset : after.asset;
+        after.wind_mps = change.wind_mps.value_or(file.scenario.wind_mps);
+        after.asset = change.asset ? change.asset : file.scenario.asset;
         for (const Issue& issue : validate(after))
             if (issue.severity == Severity::Error)
                 faults.add(entryPath("interventions", i) + '.' + issue.field, issue.message);
     }
+}
+
+/** What a replay keeps must fit into memory: intervals below the usual ones are for short runs. */
+void checkRecording(const RunFile& file, Faults& faults)
+{
+    constexpr double kMostKeyframeTracks = 5e5;
+    constexpr double kMostSampleTracks = 5e7;
+    const MissionOptions usual;
+    const auto bodies = static_cast<double>(file.scenario.icebergs.size() +
+                                            file.scenario.uavs.size() + file.interventions.size());
+    const auto check = [&](const char* field, double interval_s, double usual_s, double most) {
+        const double step_s = std::max(interval_s, file.scenario.dt_s);
+        const double least_s = std::min(usual_s, file.flownUntil_s * bodies / most);
+        if (step_s < least_s)
+            faults.add(std::string("options.") + field,
+                       "must be at least " + shortText(std::ceil(least_s)) +
+                           " for a run of this length and so many icebergs, not " +
+                           shortText(interval_s));
+    };
+    check("keyframe_interval_s", file.options.keyframeInterval_s, usual.keyframeInterval_s,
+          kMostKeyframeTracks);
+    check("sample_interval_s", file.options.sampleInterval_s, usual.sampleInterval_s,
+          kMostSampleTracks);
 }
 
 /** The icebergs of the interventions must fit to the scenario as those in it do. */
@@ -347,6 +376,7 @@ RunFile readRun(ObjectReader& run)
     checkSurroundings(file, run.faults());
     checkAppearing(file, run.faults());
     checkNamed(file, run.faults());
+    checkRecording(file, run.faults());
     if (!run.faults().empty())
         return file;
     const RunContext context = contextOf(file);

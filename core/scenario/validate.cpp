@@ -40,7 +40,8 @@ class Findings
 public:
     void error(std::string field, std::string message)
     {
-        m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
+        if (++m_errors <= kMostKept)
+            m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
     }
     void warn(std::string field, std::string message)
     {
@@ -73,9 +74,18 @@ public:
             error(field, "must be UTF-8 text");
     }
 
-    [[nodiscard]] std::vector<Issue> take() { return std::move(m_issues); }
+    [[nodiscard]] std::vector<Issue> take()
+    {
+        if (m_errors > kMostKept)
+            m_issues.push_back({Severity::Error, "",
+                                "and " + std::to_string(m_errors - kMostKept) + " more faults"});
+        return std::move(m_issues);
+    }
 
 private:
+    static constexpr std::size_t kMostKept = 1000; ///< nobody reads more
+
+    std::size_t m_errors = 0;
     std::vector<Issue> m_issues;
 };
 

@@ -252,6 +252,13 @@ std::vector<StudySetting> settingsOf(const StudySpec& spec)
     return settings;
 }
 
+std::size_t settingCount(const StudySpec& spec)
+{
+    const auto withTau =
+        static_cast<std::size_t>(std::ranges::count(spec.policies, PolicyKind::Visitation));
+    return withTau * spec.taus.size() + spec.policies.size() - withTau;
+}
+
 std::size_t caseCount(const StudySpec& spec)
 {
     return scenarioCount(spec) * static_cast<std::size_t>(spec.runs);
@@ -259,7 +266,7 @@ std::size_t caseCount(const StudySpec& spec)
 
 std::size_t missionCount(const StudySpec& spec)
 {
-    return caseCount(spec) * settingsOf(spec).size();
+    return caseCount(spec) * settingCount(spec);
 }
 
 Scenario scenarioOf(const StudySpec& spec, std::size_t caseIndex, const StudySetting& setting)

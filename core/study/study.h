@@ -67,6 +67,8 @@ struct Study
 
 /** Visitation by tau as given, then the other policies as given. */
 [[nodiscard]] std::vector<StudySetting> settingsOf(const StudySpec& spec);
+/** How many they are, without making them: a file may name more than fit into memory. */
+[[nodiscard]] std::size_t settingCount(const StudySpec& spec);
 /** Scenario-major, then run. */
 [[nodiscard]] std::size_t caseCount(const StudySpec& spec);
 [[nodiscard]] std::size_t missionCount(const StudySpec& spec);

@@ -2,6 +2,8 @@
 #include "core/scenario/validate.h"
 #include "core/study/study.h"
 
+#include <algorithm>
+
 namespace berg {
 
 namespace {
@@ -25,11 +27,14 @@ public:
     }
     void add(std::string field, std::string message)
     {
-        m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
+        if (m_issues.size() < kMostKept)
+            m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
     }
     [[nodiscard]] std::vector<Issue> take() { return std::move(m_issues); }
 
 private:
+    static constexpr std::size_t kMostKept = 1000; ///< nobody reads more
+
     std::vector<Issue> m_issues;
 };
 
@@ -54,7 +59,7 @@ void checkField(const FieldSpec& field, SpecFaults& faults)
 double countEstimate(const StudySpec& spec)
 {
     return (static_cast<double>(spec.scenarios.size()) + spec.random) * spec.runs *
-           static_cast<double>(spec.taus.size() + spec.policies.size());
+           static_cast<double>(settingCount(spec));
 }
 
 } // namespace
@@ -67,11 +72,15 @@ std::vector<Issue> validate(const StudySpec& spec)
     faults.check("first_seed", static_cast<double>(spec.firstSeed),
                  {.low = 0, .high = kLargestSeed - kMostRandom});
     checkField(spec.field, faults);
-    for (std::size_t i = 0; i < spec.taus.size(); ++i)
+    if (settingCount(spec) > kMostMissions)
+        faults.add("taus", "with the policies would be " + std::to_string(settingCount(spec)) +
+                               " settings; at most " + std::to_string(kMostMissions) +
+                               " fit into one study");
+    for (std::size_t i = 0; i < std::min(spec.taus.size(), kMostMissions); ++i)
         faults.check(entryPath("taus", i), spec.taus[i], {.low = 0, .high = kLargestTau});
     if (spec.scenarios.empty() && spec.random == 0)
         faults.add("scenarios", "must not be empty when random is 0");
-    if (settingsOf(spec).empty())
+    if (settingCount(spec) == 0)
         faults.add("policies", "must give a way to fly; visitation needs taus");
     const bool exact = countEstimate(spec) < 1e15; // whole numbers of this size are exact
     if (random && runs && (!exact || missionCount(spec) > kMostMissions))

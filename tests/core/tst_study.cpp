@@ -50,6 +50,19 @@ class TestStudy : public QObject
     Q_OBJECT
 
 private slots:
+    /** Refused before it takes the memory. */
+    void settingsBeyondAllLimits()
+    {
+        StudySpec spec{.random = 1};
+        spec.taus.assign(100'000, 1);
+        spec.policies.assign(100'000, PolicyKind::Visitation);
+        const std::vector<Issue> issues = validate(spec);
+        QVERIFY(hasErrors(issues));
+        QCOMPARE(issues[0].field, std::string("taus"));
+        spec.taus.assign(3'000'000, -1);
+        QVERIFY(validate(spec).size() <= 1000);
+    }
+
     void settingsInOrder()
     {
         // Visitation by tau as given, then the others as given.
