@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "core/io/result_json.h"
 
@@ -125,14 +126,14 @@ void addBenchmarkCommand(CLI::App& app, Action& action)
     BenchmarkArguments& a = *arguments;
     command->add_option("--sizes", a.sizes, "Numbers of icebergs, with commas")
         ->delimiter(',')
-        ->check(CLI::Range(0, 500));
+        ->transform(wholeFrom(0, 500));
     command->add_option("--repeat", a.repeat, "Instances of each size")
-        ->check(CLI::Range(1, 10000));
+        ->transform(wholeFrom(1, 10000));
     command->add_option("--backends", a.backends,
                         "With commas, by default all but auto: " +
                             allowedNames(kBenchmarkSolverNames));
     command->add_option("--seconds", a.seconds, "Budget for everything")
-        ->check(CLI::Range(0.001, 1e7));
+        ->check(numberFrom(0.001, 1e7));
     addOutputFile(*command, "--output", a.outputFile, "CSV file for the table");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");

@@ -3,6 +3,7 @@
 #include "core/io/number_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -94,8 +95,43 @@ std::stop_token interruptToken()
     return interrupts().source.get_token();
 }
 
-void print(const std::string& text)
+std::string shown(std::string_view text)
 {
+    // C1 controls, overrides of the writing direction and its isolates, line separators.
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kUnseen{
+        {{"\xC2\x80", "\xC2\x9F"},
+         {"\xE2\x80\xAA", "\xE2\x80\xAE"},
+         {"\xE2\x81\xA6", "\xE2\x81\xA9"},
+         {"\xE2\x80\xA8", "\xE2\x80\xA9"}}};
+    std::string safe;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto code = static_cast<unsigned char>(text[i]);
+        std::size_t unseen = (code < 0x20U && code != '\n' && code != '\t') || code == 0x7FU;
+        for (const auto& [first, last] : kUnseen)
+            if (const std::string_view at = text.substr(i, first.size()); at >= first && at <= last)
+                unseen = first.size();
+        safe += unseen > 0 ? '?' : text[i];
+        i += std::max<std::size_t>(unseen, 1);
+    }
+    return safe;
+}
+
+std::string word(std::string_view text)
+{
+    std::string safe = shown(text);
+    std::ranges::replace_if(
+        safe, [](char c) { return c == '\n' || c == '\t'; }, '?');
+    return safe;
+}
+
+void tell(const std::string& text)
+{
+    std::fprintf(stderr, "%s\n", shown(text).c_str());
+}
+
+void print(const std::string& given)
+{
+    const std::string text = shown(given);
     const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (std::fflush(stdout) != 0 || !written)
         throw Error(ErrorCode::FileUnwritable, "standard output", "could not be written");
@@ -107,8 +143,8 @@ void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
         if (issue.severity == Severity::Error)
             continue;
         const char* kind = issue.severity == Severity::Warning ? "warning" : "hint";
-        std::fprintf(stderr, "%s: %s: %s%s%s\n", subject.c_str(), kind, issue.field.c_str(),
-                     issue.field.empty() ? "" : ": ", issue.message.c_str());
+        tell(word(subject) + ": " + kind + ": " + issue.field + (issue.field.empty() ? "" : ": ") +
+             issue.message);
     }
 }
 
@@ -161,7 +197,7 @@ std::string column(const std::string& text, std::size_t width)
 std::string rowLabel(const std::string& name)
 {
     constexpr std::size_t kWidth = 10;
-    return name + std::string(kWidth - std::min(kWidth, name.size()), ' ');
+    return word(name) + std::string(kWidth - std::min(kWidth, name.size()), ' ');
 }
 
 std::vector<std::string> split(const std::string& text, char separator)

@@ -4,6 +4,7 @@
 
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,8 +62,18 @@ auto reading(Read&& read)
     return std::forward<Read>(read)();
 }
 
-/** Prints to stdout, all or nothing: a closed pipe or full disk is an error. */
+/**
+ * A text of a file fit for a terminal: control characters, escapes and marks that turn the writing
+ * direction are `?`; `word` also has no line end.
+ */
+[[nodiscard]] std::string shown(std::string_view text);
+[[nodiscard]] std::string word(std::string_view text);
+
+/** Prints to stdout as `shown`, all or nothing: a closed pipe or full disk is an error. */
 void print(const std::string& text);
+
+/** A line on stderr, as `shown`. */
+void tell(const std::string& text);
 
 /** Warnings and hints on stderr, one line each; errors are not for here. */
 void printWarnings(const std::string& subject, const std::vector<Issue>& issues);

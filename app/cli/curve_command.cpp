@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "core/io/curve_result.h"
 #include "core/io/scenario_json.h"
@@ -87,7 +88,7 @@ void addCurveCommand(CLI::App& app, Action& action)
     CurveArguments& a = *arguments;
     command->add_option("SCENARIO", a.file, "The file to plan from")->required();
     command->add_option("--tau-max", a.tauMax, "Largest trade-off, 5 by default")
-        ->check(CLI::Range(1e-6, 100.0));
+        ->check(numberFrom(1e-6, 100.0));
     addOutputFile(*command, "--output", a.outputFile, "CSV file for the table");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");

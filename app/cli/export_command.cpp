@@ -38,7 +38,7 @@ struct ExportArguments
 void printNotes(const ExportFormat& format, const ExportContent& content)
 {
     for (const ExportNote& note : exportNotes(format, content))
-        std::fprintf(stderr, "note: %s\n", noteText(note).c_str());
+        tell("note: " + word(noteText(note)));
 }
 
 /** Of `source`, with what the user should know told. Options that cannot be met are wrong usage. */
@@ -105,22 +105,25 @@ const ExportFormat& formatNamed(const std::string& id)
     throw UsageError{"--format: " + id + " is none of " + formatIds()};
 }
 
-[[noreturn]] void handOver(const ExportArguments& arguments)
+/** Returns only where there is no such program. */
+int handOver(const ExportArguments& arguments)
 {
     checkFiles({.inputs = {arguments.file},
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.force});
     becomeBergwatch(arguments.argv);
-    throw Error(ErrorCode::Unsupported, "--format " + arguments.format,
-                "is painted by the program bergwatch, which was found neither beside this one nor "
-                "on the PATH");
+    std::fprintf(stderr,
+                 "--format %s: is painted by the program bergwatch, which was found neither beside "
+                 "this one nor on the PATH\n",
+                 arguments.format.c_str());
+    return kFailure;
 }
 
 int exportFile(const ExportArguments& arguments, const std::stop_token& stop)
 {
     const ExportFormat& format = formatNamed(arguments.format);
     if (format.holds.painted && !arguments.painter)
-        handOver(arguments);
+        return handOver(arguments);
     const std::vector<ExportFile> files = filesOf(arguments, format, stop);
     if (stop.stop_requested())
         throw Interrupted{};
@@ -144,7 +147,8 @@ void addOptions(CLI::App& command, ExportArguments& arguments)
     command.add_option("--speed", options.airspeed_mps, "Airspeed, m/s (the scenario's)");
     command.add_option("--acceptance", options.acceptance_m,
                        "Radius within which a waypoint counts as reached, m (the field of view's)");
-    command.add_option("--loiter", options.loiterTurns, "Turns over each iceberg (0)");
+    command.add_option("--loiter", options.loiterTurns, "Turns over each iceberg (0)")
+        ->transform(wholeFrom(0, kMostLoiterTurns));
     command.add_flag_function(
         "--return-home,!--no-return-home", // a flag bound to the option would be false without it
         [&options](std::int64_t count) { options.returnHome = count > 0; },

@@ -54,10 +54,10 @@ int validateFiles(const std::vector<std::string>& files, bool json, const std::s
         printWarnings(one.file, one.issues);
         for (const Issue& issue : one.issues)
             if (issue.severity == Severity::Error)
-                std::fprintf(stderr, "%s: %s%s%s\n", one.file.c_str(), issue.field.c_str(),
-                             issue.field.empty() ? "" : ": ", issue.message.c_str());
+                tell(word(one.file) + ": " + issue.field + (issue.field.empty() ? "" : ": ") +
+                     issue.message);
         if (!hasErrors(one.issues))
-            print(one.file + ": valid\n");
+            print(word(one.file) + ": valid\n");
     }
     return bad ? kBadInput : kDone;
 }

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "core/io/atomic_file.h"
 #include "core/io/import_formats.h"
@@ -23,6 +24,7 @@ struct ImportArguments
     std::string outputFile;
     std::string intoFile; ///< empty: a new scenario
     std::vector<std::string> mappings;
+    std::optional<DateOrder> dates;
     std::string at;
     std::string since;
     std::string until;
@@ -33,6 +35,11 @@ struct ImportArguments
     bool force = false;
     bool json = false;
 };
+
+constexpr std::array<Named<DateOrder>, 2> kDateOrderNames{{
+    {DateOrder::MonthFirst, "month-first"},
+    {DateOrder::DayFirst, "day-first"},
+}};
 
 std::string formatList()
 {
@@ -135,16 +142,14 @@ void printDetails(const std::string& file, const ImportResult& result)
     std::size_t told = 0;
     for (const RejectedRow& row : result.rejected.first)
         if (told++ < kMostRows)
-            std::fprintf(stderr, "%s: line %zu: %s\n", file.c_str(), row.line,
-                         rowFaultText(row).c_str());
+            tell(word(file) + ": line " + std::to_string(row.line) + ": " + rowFaultText(row));
     if (result.rejected.count > kMostRows)
-        std::fprintf(stderr, "%s: and %zu more\n", file.c_str(), result.rejected.count - kMostRows);
+        tell(word(file) + ": and " + std::to_string(result.rejected.count - kMostRows) + " more");
     for (const ImportedIceberg& iceberg : result.icebergs)
         for (const ImportNote note : iceberg.notes)
             if (iceberg.outcome == ImportOutcome::LeftOut || note == ImportNote::VelocityClamped ||
                 note == ImportNote::GrowthClamped || note == ImportNote::Jumped)
-                std::fprintf(stderr, "%s: %s: %s\n", file.c_str(), iceberg.id.c_str(),
-                             importNoteText(note).c_str());
+                tell(word(file) + ": " + word(iceberg.id) + ": " + importNoteText(note));
 }
 
 std::pair<SightingTable, ImportResult>
@@ -163,7 +168,7 @@ int importFile(const ImportArguments& arguments)
 {
     if (arguments.format != "auto" && findImportFormat(arguments.format) == nullptr)
         throw UsageError{"--format: " + arguments.format + " is none of " + formatList()};
-    ReadOptions formats{.format = arguments.format, .mapping = {}};
+    ReadOptions formats{.format = arguments.format, .mapping = {}, .dates = arguments.dates};
     for (const std::string& mapping : arguments.mappings)
         formats.mapping.push_back(mappingOf(mapping));
     const ImportOptions options = optionsOf(arguments);
@@ -173,6 +178,12 @@ int importFile(const ImportArguments& arguments)
                 .force = arguments.force,
                 .json = arguments.json});
     const auto [table, result] = reading([&] { return imported(arguments, formats, options); });
+    if (!table.guessedDate.empty())
+        std::fprintf(
+            stderr,
+            "%s: warning: dates such as %s are read month first, which nothing in the file "
+            "tells: --dates day-first or month-first says how\n",
+            shown(arguments.file).c_str(), shown(table.guessedDate).c_str());
     if (!arguments.json)
         printDetails(arguments.file, result);
     if (result.added + result.updated + result.unchanged == 0)
@@ -198,6 +209,7 @@ void addImportCommand(CLI::App& app, Action& action)
     command->add_option("--into", arguments->intoFile, "Scenario to add to (default: a new one)");
     command->add_option("--map", arguments->mappings,
                         "FIELD=COLUMN: " + allowedNames(kSightingFieldNames));
+    addNamed(*command, "--dates", arguments->dates, kDateOrderNames, "Dates such as 05/02/2021");
     command->add_option("--at", arguments->at, "Start, UTC (default: the last sighting)");
     command->add_option("--since", arguments->since, "Leave out what was sighted before, UTC");
     command->add_option("--until", arguments->until, "Leave out what was sighted after, UTC");

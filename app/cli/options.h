@@ -1,8 +1,12 @@
 #pragma once
 
 #include "core/plan/names.h"
+#include "core/scenario/checks.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -20,6 +24,40 @@ CLI::Option* addNamed(CLI::App& command, const std::string& option, std::optiona
     };
     return command.add_option_function<std::string>(option, assign,
                                                     help + ": " + allowedNames(table));
+}
+
+/**
+ * A whole number in decimal, however many zeros it begins with; CLI11 itself takes 010 for eight
+ * and has no word against 0x10.
+ */
+inline CLI::Validator wholeFrom(std::int64_t low, std::int64_t high)
+{
+    const std::string range = std::to_string(low) + " to " + std::to_string(high);
+    return {[low, high, range](std::string& text) {
+                std::int64_t value = 0;
+                const char* const end = text.data() + text.size();
+                const auto [last, failure] = std::from_chars(text.data(), end, value);
+                if (failure != std::errc() || last != end || value < low || value > high)
+                    return text + " is not a whole number from " + range;
+                text = std::to_string(value);
+                return std::string();
+            },
+            "(" + range + ")"};
+}
+
+/** A finite number in decimal; `CLI::Range` lets NaN pass. */
+inline CLI::Validator numberFrom(double low, double high)
+{
+    return {[low, high](std::string& text) {
+                double value = 0;
+                const char* const end = text.data() + text.size();
+                const auto [last, failure] = std::from_chars(text.data(), end, value);
+                if (failure != std::errc() || last != end)
+                    return text + " is not a number";
+                const std::string fault = limitsFault(value, {.low = low, .high = high});
+                return fault;
+            },
+            "(" + shortText(low) + " to " + shortText(high) + ")"};
 }
 
 } // namespace berg::cli

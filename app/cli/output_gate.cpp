@@ -168,7 +168,7 @@ void deliver(std::span<const NewFile> files, const std::string& text,
         failure = std::current_exception();
     }
     if (std::ranges::any_of(files, [](const NewFile& file) { return isStandardOutput(file.path); }))
-        std::fputs(text.c_str(), stderr);
+        std::fputs(shown(text).c_str(), stderr);
     else
         print(text);
     if (failure)

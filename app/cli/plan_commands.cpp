@@ -41,19 +41,19 @@ std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const std::strin
     SolveArguments& a = *arguments;
     command.add_option(fileName, a.file, "The file to plan from")->required();
     command.add_option("--tau", a.tau, "Trade-off: 0 most uncertain first, large shortest path")
-        ->check(CLI::Range(0.0, 100.0));
+        ->check(numberFrom(0.0, 100.0));
     command.add_option("--mu", a.mu, "Weight of distance, in place of tau")
-        ->check(CLI::Range(0.0, kLargestProblemNumber));
+        ->check(numberFrom(0.0, kLargestProblemNumber));
     addNamed(command, "--backend", a.backend, kBackendNames, "Solver");
     addNamed(command, "--formulation", a.formulation, kFormulationNames,
              "MILP of the cbc solver, also of --verify");
     addNamed(command, "--route", a.route, kRouteNames, "Path or round trip");
     command.add_flag("--verify", a.verify, "Solve with a second, independent solver and compare");
-    command.add_option("--time-limit", a.timeLimit_s, "Seconds")->check(CLI::Range(0.0, 1e9));
+    command.add_option("--time-limit", a.timeLimit_s, "Seconds")->check(numberFrom(0.0, 1e9));
     command.add_option("--work-limit", a.workLimit, "Steps of the solver's own kind; repeatable")
-        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 60));
+        ->transform(wholeFrom(0, std::int64_t{1} << 60));
     command.add_option("--gap", a.gap, "Stop within this relative gap, e.g. 0.01")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(numberFrom(0.0, 1.0));
     command.add_flag("--json", a.json, "Print one JSON document");
     return arguments;
 }
@@ -151,11 +151,11 @@ void printReport(const SolveReport& report, bool json)
     }
     std::string text = "order     ";
     for (std::size_t i = 0; i < report.order.size(); ++i)
-        text += ' ' + (report.ids.empty() ? std::to_string(report.order[i]) : report.ids[i]);
+        text += ' ' + (report.ids.empty() ? std::to_string(report.order[i]) : word(report.ids[i]));
     for (const std::vector<std::string>& ids : report.clusters) {
         text += "\ntogether  ";
         for (const std::string& id : ids)
-            text += ' ' + id;
+            text += ' ' + word(id);
     }
     if (report.thisSortie)
         text += "\nsortie     the first " + std::to_string(*report.thisSortie) + ", then home";
@@ -221,7 +221,7 @@ std::string orderLines(const std::vector<UavOrder>& uavs)
     for (const UavOrder& uav : uavs) {
         text += rowLabel(uav.id);
         for (const std::string& id : uav.ids)
-            text += ' ' + id;
+            text += ' ' + word(id);
         text += "  (" + grouped(uav.distance_m) + " m";
         if (uav.thisSortie)
             text += ", the first " + std::to_string(*uav.thisSortie) + ", then home";

@@ -47,7 +47,7 @@ int run(const Program& program, int argc, char** argv, const std::stop_token& st
         std::ostringstream fault;
         const int code = app.exit(error, help, fault);
         if (!program.isSilent) {
-            std::fputs(fault.str().c_str(), stderr);
+            std::fputs(shown(fault.str()).c_str(), stderr);
             print(help.str());
         }
         return code == 0 ? kDone : kWrongUsage;
@@ -61,7 +61,7 @@ int runProgram(const Program& program, int argc, char** argv, const std::stop_to
 {
     const auto complain = [&program](const std::string& text) {
         if (!program.isSilent)
-            std::fprintf(stderr, "%s\n", text.c_str());
+            tell(text);
     };
     try {
         return run(program, argc, argv, stop);

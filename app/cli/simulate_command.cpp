@@ -161,7 +161,7 @@ std::string summary(const Mission& mission, std::optional<double> bound_m2s, dou
 {
     const Metrics metrics = mission.metrics();
     const Scenario& scenario = mission.scenario();
-    std::string text = scenario.name.empty() ? "" : scenario.name + '\n';
+    std::string text = scenario.name.empty() ? "" : word(scenario.name) + '\n';
     text += "zeta      " + grouped(metrics.zeta_m2s) + " m2 s\n";
     if (bound_m2s)
         text += "bound     no flight can do better than " + grouped(*bound_m2s) + " m2 s\n";
@@ -219,13 +219,13 @@ void addSimulateCommand(CLI::App& app, Action& action)
     SimulateArguments& a = *arguments;
     command->add_option("FILE", a.file, "Scenario (.berg) or run (.bergrun)")->required();
     command->add_option("--tau", a.tau, "Trade-off of the policy visitation")
-        ->check(CLI::Range(0.0, 100.0));
+        ->check(numberFrom(0.0, 100.0));
     addNamed(*command, "--policy", a.policy, kPolicyNames, "How the next iceberg is chosen");
     command->add_option("--duration", a.duration_s, "Seconds of flight")
-        ->check(CLI::Range(1e-9, 604800.0));
-    command->add_option("--dt", a.dt_s, "Time step, s")->check(CLI::Range(0.01, 1.0));
+        ->check(numberFrom(1e-9, 604800.0));
+    command->add_option("--dt", a.dt_s, "Time step, s")->check(numberFrom(0.01, 1.0));
     command->add_option("--seed", a.seed, "Seed of the noise")
-        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53));
+        ->transform(wholeFrom(0, std::int64_t{1} << 53));
     command->add_flag("--no-noise", a.noNoise, "Icebergs move with their known velocity alone");
     command->add_flag("--bound", a.bound,
                       "Also find a zeta that no flight of the scenario can do better than");

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/study_file.h"
 #include "app/cli/study_output.h"
 #include "app/cli/sweep_flight.h"
@@ -191,15 +192,15 @@ void addSweepCommand(CLI::App& app, Action& action)
     SweepArguments& a = *arguments;
     command->add_option("SCENARIO", a.files, "Scenarios to fly");
     command->add_option("--random", a.random, "Also fly N random scenarios")
-        ->check(CLI::Range(1, 1000000));
+        ->transform(wholeFrom(1, 1000000));
     command->add_option("--first-seed", a.firstSeed, "Seed of the first random scenario (1)")
-        ->check(CLI::Range(std::int64_t{0}, (std::int64_t{1} << 53) - 1000000));
+        ->transform(wholeFrom(0, (std::int64_t{1} << 53) - 1000000));
     command->add_option("--tau", a.taus, "A:B:STEP, or values with commas")->required();
     command->add_option("--policies", a.policies, "With commas: " + allowedNames(kPolicyNames));
     command->add_option("--runs", a.runs, "Noise seeds for each scenario")
-        ->check(CLI::Range(1, 1000000));
+        ->transform(wholeFrom(1, 1000000));
     command->add_option("--threads", a.threads, "0: one per core; never changes the result")
-        ->check(CLI::Range(0, 1024));
+        ->transform(wholeFrom(0, 1024));
     command->add_option("--shard", a.shard, "I/N: fly part I of N only, for 'study' to merge");
     addStudyOutput(*command, a.output, "Keep what is flown in this file, and carry on from it");
     command->callback([arguments, command, &action] {

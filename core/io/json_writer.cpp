@@ -11,9 +11,17 @@ namespace berg {
 
 namespace {
 
-void appendEscaped(std::string& json, char c)
+/** As \u00XX. */
+void appendCode(std::string& json, unsigned char code)
 {
     constexpr std::string_view kHex = "0123456789abcdef";
+    json += "\\u00";
+    json += kHex[code >> 4U];
+    json += kHex[code & 0xFU];
+}
+
+void appendEscaped(std::string& json, char c)
+{
     const auto code = static_cast<unsigned char>(c);
     switch (c) {
     case '"':
@@ -33,13 +41,11 @@ void appendEscaped(std::string& json, char c)
     default:
         break;
     }
-    if (code >= 0x20U) {
+    if (code >= 0x20U && code != 0x7FU) {
         json += c;
         return;
     }
-    json += "\\u00";
-    json += kHex[code >> 4U];
-    json += kHex[code & 0xFU];
+    appendCode(json, code);
 }
 
 std::string joined(const std::vector<std::string>& parts, const std::string& separator)
@@ -106,6 +112,8 @@ std::string jsonText(std::string_view value)
             json += "\xEF\xBF\xBD"; // U+FFFD, the replacement character
         else if (size == 1)
             appendEscaped(json, value.front());
+        else if (value.front() == '\xC2' && static_cast<unsigned char>(value[1]) < 0xA0U)
+            appendCode(json, static_cast<unsigned char>(value[1])); // terminals obey it
         else
             json += value.substr(0, size);
         value.remove_prefix(std::max<std::size_t>(size, 1));

@@ -504,6 +504,43 @@ check "validate: advice names the field" says "hint: icebergs[2].velocity_mps: d
 check "validate --json" exits 3 "$cli" validate --json problem.json missing.berg
 check "validate --json: list" json 'len(d) == 1 and d[0]["file"] == "missing.berg" and d[0]["severity"] == "error"'
 
+# --- numbers as they are meant ---------------------------------------------------------------
+check "a number is decimal" exits 0 "$cli" simulate "$default" --duration 60 --seed 8 --json
+grep -v '"seconds"' stdout.txt >eight.json
+check "a number is decimal: 010 is ten" exits 0 "$cli" simulate "$default" --duration 60 --seed 010 --json
+check "a number is decimal: 010 is not eight" test "$(grep -v '"seconds"' stdout.txt | cmp -s - eight.json; echo $?)" = 1
+check "a number is decimal: 08 is eight" exits 0 "$cli" simulate "$default" --duration 60 --seed 08 --json
+check "a number is decimal: 08 is eight, the same" cmp -s eight.json <(grep -v '"seconds"' stdout.txt)
+check "a number is decimal: 0x10" exits 2 "$cli" simulate "$default" --seed 0x10
+for word in nan inf -nan 1e999 0x1p3; do
+    check "--gap $word" exits 2 "$cli" plan "$default" --gap=$word
+    check "--time-limit $word" exits 2 "$cli" plan "$default" --time-limit=$word
+    check "--tau $word" exits 2 "$cli" plan "$default" --tau=$word
+    check "--tau-max $word" exits 2 "$cli" curve "$default" --tau-max=$word
+    check "--duration $word" exits 2 "$cli" simulate "$default" --duration=$word
+done
+printf 'lat,lon,time\n47.1,-48.2,05/02/2021\n' >dates.csv
+check "dates that can be read two ways" exits 0 "$cli" import dates.csv --output dates.berg
+check "dates that can be read two ways: says so" says "dates such as 05/02/2021 are read month first"
+check "dates: the day first" exits 0 "$cli" import dates.csv --output dates.berg --force --dates day-first
+check "dates: the day first: taken" grep -q '"start_utc": "2021-02-05T00:00:00Z"' dates.berg
+check "dates: the day first: nothing to say" test -z "$(grep dates stderr.txt)"
+
+# --- texts of files on terminals -------------------------------------------------------------
+odd="$source_dir/tests/data/odd/ids-escapes.berg"
+# tame: neither stdout nor stderr holds a control character or a line that an id has broken.
+tame() { ! LC_ALL=C grep -qP '[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|^newline' stdout.txt stderr.txt; }
+for command in "plan $odd" "plan $odd --json" "simulate $odd --duration 60 --output odd" "validate $odd" \
+               "export $odd --format plan --output odd.plan" "sweep $odd --tau 1"; do
+    check "odd ids: $command" exits 0 "$cli" $command
+    check "odd ids are tame: $command" tame
+done
+check "odd ids: an error" exits 2 "$cli" export "$odd" --format csv --uav "$(printf 'x\033[31m')" --output none.csv
+check "odd ids: an error is tame" tame
+check "odd ids: no formula in a table" exits 0 "$cli" export "$odd" --format csv --output odd.csv
+check "odd ids: no formula in a table: an apostrophe" grep -q "'=cmd" odd.csv
+check "odd ids: no formula in a table of the flight" test -z "$(grep -rE '(^|,)"?[=@]' odd/*.csv)"
+
 # --- Ctrl-C ----------------------------------------------------------------------------------
 check "Ctrl-C gives 130" exits 130 interrupt "$cli" sweep --random 5000 --tau 0:5:0.1 --output interrupted.csv
 check "Ctrl-C leaves no file" test ! -e interrupted.csv

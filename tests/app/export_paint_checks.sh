@@ -25,7 +25,7 @@ stand_in() {
     chmod +x "$1"
 }
 for format in $painted; do
-    check "no $format without bergwatch" exits 3 alone export "$default" --format $format --output none.$format
+    check "no $format without bergwatch" exits 1 alone export "$default" --format $format --output none.$format
     check "no $format without bergwatch: says so" says "--format $format: is painted by the program bergwatch, which was found neither"
     check "no $format without bergwatch: no file" test ! -e none.$format
 done

@@ -110,6 +110,15 @@ private slots:
         }
     }
 
+    /** What a spreadsheet would run; an import takes the apostrophe off. */
+    void formulasAreTexts()
+    {
+        QCOMPARE(csvField("=1+1"), std::string("'=1+1"));
+        QCOMPARE(csvField("@a,b"), std::string("\"'@a,b\""));
+        QCOMPARE(csvField("-x"), std::string("'-x"));
+        QCOMPARE(csvField("a=1"), std::string("a=1"));
+    }
+
     void fields_data()
     {
         QTest::addColumn<QByteArray>("text");
