@@ -4,6 +4,7 @@
 #include "core/sim/mission.h"
 #include "widgets/map/map_painter.h"
 #include "widgets/map/scenario_picture.h"
+#include "widgets/model/work_failure.h"
 
 #include <QDir>
 #include <QFile>
@@ -24,12 +25,11 @@ RecentFile readRecentFile(const QString& path)
     const QFileInfo file(path);
     RecentFile recent{.path = path, .exists = file.exists(), .changed = file.lastModified()};
     if (recent.exists && file.suffix() == u"berg"_s) {
-        try {
+        // Opening it tells why not.
+        static_cast<void>(failureOf([&] {
             recent.icebergs = static_cast<int>(
                 loadScenario(QFile::encodeName(path).toStdString()).icebergs.size());
-        } catch (const Error&) {
-            recent.icebergs.reset(); // opening it tells why
-        }
+        }));
     }
     return recent;
 }
@@ -140,13 +140,12 @@ void StartContent::paintExamples(const Theme& theme, double pixelRatio, const QS
     for (int place = 0; place < paths.size(); ++place)
         m_painter.start(
             [this, place, path = paths[place], theme, pixelRatio, stop = m_stop.get_token()] {
-                try {
+                // A picture less at worst; opening the example tells what is wrong with it.
+                static_cast<void>(failureOf([&] {
                     const Example example = paintedExample(path, theme, pixelRatio, stop);
                     if (!stop.stop_requested())
                         emit examplePainted(place, example, theme.isDark);
-                } catch (const Error&) {
-                    // A picture less; opening the example tells what is wrong with it.
-                }
+                }));
             });
 }
 

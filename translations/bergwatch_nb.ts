@@ -4151,10 +4151,14 @@ mot %2</translation>
     </message>
 </context>
 <context>
-    <name>berg::BenchmarkRunner</name>
+    <name>WorkFailureText</name>
     <message>
-        <source>There is not enough memory for problems of this size.</source>
-        <translation>Det er ikke nok minne til problemer av denne størrelsen.</translation>
+        <source>There is not enough memory for this. Close other programs, or ask for less.</source>
+        <translation>Det er ikke nok minne til dette. Lukk andre programmer, eller be om mindre.</translation>
+    </message>
+    <message>
+        <source>Bergwatch could not do this because of a fault of its own: %1</source>
+        <translation>Bergwatch klarte ikke dette på grunn av en feil i programmet: %1</translation>
     </message>
 </context>
 <context>
@@ -6579,13 +6583,6 @@ virkelige flygingen avviker med støyen i driften.</translation>
     </message>
 </context>
 <context>
-    <name>berg::PolicyForecasts</name>
-    <message>
-        <source>There is not enough memory to fly it in advance.</source>
-        <translation>Det er ikke nok minne til å fly det på forhånd.</translation>
-    </message>
-</context>
-<context>
     <name>berg::RecentRow</name>
     <message>
         <source>The file is gone</source>
@@ -6637,13 +6634,6 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>Name</source>
         <translation>Navn</translation>
-    </message>
-</context>
-<context>
-    <name>berg::RunList</name>
-    <message>
-        <source>There is not enough memory for a run of this size.</source>
-        <translation>Det er ikke nok minne til en flyging av denne størrelsen.</translation>
     </message>
 </context>
 <context>
@@ -7056,13 +7046,6 @@ virkelige flygingen avviker med støyen i driften.</translation>
     </message>
 </context>
 <context>
-    <name>berg::StudyFiles</name>
-    <message>
-        <source>There is not enough memory for a study of this size.</source>
-        <translation>Det er ikke nok minne til en så stor studie.</translation>
-    </message>
-</context>
-<context>
     <name>berg::StudyPanel</name>
     <message>
         <source>As in the paper</source>
@@ -7260,13 +7243,6 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>Start study</source>
         <translation>Start studien</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StudyRunner</name>
-    <message>
-        <source>There is not enough memory for a study of this size.</source>
-        <translation>Det er ikke nok minne til en så stor studie.</translation>
     </message>
 </context>
 <context>

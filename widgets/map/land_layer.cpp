@@ -1,7 +1,7 @@
 #include "widgets/map/land_layer.h"
 
-#include "core/base/error.h"
 #include "widgets/map/painter_state.h"
+#include "widgets/model/work_failure.h"
 
 #include <QPainter>
 
@@ -122,15 +122,15 @@ LandLayer::Shown LandLayer::drawn(const LandRequest& request)
     shown.image.fill(request.look.sea);
     QPainter painter(&shown.image);
     painter.translate(-rect.topLeft());
-    try {
+    const auto failure = failureOf([&] {
         const LandDetail detail = landDetailFor(request.view.scale_pxpm());
         std::optional<LandDrawing>& drawing = m_drawings[static_cast<std::size_t>(detail)];
         if (!drawing)
             drawing.emplace(landData(detail), m_plane);
         drawing->paint(painter, request.view, rect, request.look);
-    } catch (const Error&) {
+    });
+    if (failure)
         painter.fillRect(rect, request.look.sea); // a map without land can still be worked with
-    }
     return shown;
 }
 

@@ -2,6 +2,7 @@
 
 #include "widgets/model/error_text.h"
 #include "widgets/model/scenario_document.h"
+#include "widgets/model/work_failure.h"
 
 #include <QCoreApplication>
 #include <QSysInfo>
@@ -105,12 +106,10 @@ void Autosaver::write()
                             .pid = QCoreApplication::applicationPid(),
                             .host = QSysInfo::machineHostName()};
     m_thread.start([this, files = m_recovery->files, scenario = m_document.scenario(), info] {
-        try {
-            writeRecovery(files, scenario, info);
+        if (const auto failure = failureOf([&] { writeRecovery(files, scenario, info); }))
+            emit failed(failure->report);
+        else
             emit autosaved(info.edited);
-        } catch (const Error& error) {
-            emit failed(errorReport(error));
-        }
     });
 }
 

@@ -1,10 +1,8 @@
 #include "widgets/model/benchmark_runner.h"
 
-#include "widgets/model/error_text.h"
+#include "widgets/model/work_failure.h"
 
 #include <QElapsedTimer>
-
-#include <new>
 
 using namespace Qt::StringLiterals;
 
@@ -58,7 +56,7 @@ void BenchmarkRunner::measure(const Request& request)
     Result result{.generation = request.generation};
     QElapsedTimer sinceReport;
     sinceReport.start();
-    try {
+    const auto failure = failureOf([&] {
         const auto report = [&](const BenchmarkProgress& progress) {
             if (sinceReport.elapsed() < kBetweenReports_ms)
                 return;
@@ -70,11 +68,9 @@ void BenchmarkRunner::measure(const Request& request)
         };
         result.rows = runBenchmark(request.spec, request.stop, report);
         result.done = result.count;
-    } catch (const Error& error) {
-        result.failure = errorReport(error);
-    } catch (const std::bad_alloc&) {
-        result.failure = tr("There is not enough memory for problems of this size.");
-    }
+    });
+    if (failure)
+        result.failure = failure->report;
     result.ended = true;
     publish(std::move(result));
 }

@@ -2,10 +2,10 @@
 
 #include "core/scenario/validate.h"
 #include "widgets/model/low_priority.h"
+#include "widgets/model/work_failure.h"
 
 #include <QElapsedTimer>
 
-#include <exception>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -104,14 +104,14 @@ void BoundRunner::compute(const Request& request)
                  .known = {.zeta_m2s = progress.zeta_m2s, .share = progress.share}});
     };
     Result result{.generation = request.generation, .complete = true};
-    try {
+    const auto failure = failureOf([&] {
         const auto bound = std::make_shared<const ZetaBound>(
             zetaLowerBound(request.scenario,
                            {.workLimit = m_workLimit, .stop = request.stop, .onProgress = report}));
         result.known = {.zeta_m2s = bound->zeta_m2s, .share = 1, .whole = bound};
-    } catch (const std::exception&) { // too large for the memory: nothing is known
-        result.known = {};
-    }
+    });
+    if (failure)
+        result.known = {}; // too large for the memory, as a rule
     publish(std::move(result));
 }
 

@@ -4,6 +4,7 @@
 #include "core/sim/simulation.h"
 #include "widgets/model/compared_run.h"
 #include "widgets/model/low_priority.h"
+#include "widgets/model/work_failure.h"
 
 #include <utility>
 
@@ -138,14 +139,12 @@ void CurveRunner::start()
 
 void CurveRunner::compute(const Request& request)
 {
-    try {
-        publish(request, tauCurve(request.problem,
-                                  {.stop = request.stop, .onProgress = [&](const TauCurve& known) {
-                                       publish(request, known);
-                                   }}));
-    } catch (const Error&) {
+    const auto report = [&](const TauCurve& known) { publish(request, known); };
+    const auto failure = failureOf([&] {
+        publish(request, tauCurve(request.problem, {.stop = request.stop, .onProgress = report}));
+    });
+    if (failure)
         publish(request, {.intervals = {}, .complete = true}); // a problem without a curve
-    }
 }
 
 void CurveRunner::publish(const Request& request, const TauCurve& curve)

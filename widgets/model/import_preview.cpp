@@ -3,6 +3,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/csv_reader.h"
 #include "core/scenario/checks.h"
+#include "widgets/model/work_failure.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -136,7 +137,7 @@ std::optional<ImportPreview> ImportLoader::preview(const ImportRequest& request,
     if (stop.stop_requested())
         return std::nullopt;
     ImportPreview preview;
-    try {
+    const auto failure = failureOf([&] {
         if (m_path != request.path) {
             forget();
             m_bytes = readFile(QFile::encodeName(request.path).toStdString());
@@ -145,16 +146,21 @@ std::optional<ImportPreview> ImportLoader::preview(const ImportRequest& request,
         }
         preview.head = m_head;
         if (stop.stop_requested())
-            return std::nullopt;
+            return;
         readTable(request);
         m_table.oneIceberg = request.oneIceberg.value_or(m_suggestsOne);
         preview.file = summaryOf(m_table);
         if (stop.stop_requested())
-            return std::nullopt;
+            return;
         preview.result = importSightings(*request.base, m_table, request.options);
         takeRows(preview);
-    } catch (const Error& error) {
-        preview.error = error;
+    });
+    if (stop.stop_requested())
+        return std::nullopt;
+    if (failure) {
+        if (!failure->isExpected)
+            forget(); // half of it may be there
+        preview.error = failure->error;
     }
     return preview;
 }

@@ -3,14 +3,13 @@
 #include "core/scenario/validate.h"
 #include "core/sim/policy_forecast.h"
 #include "widgets/model/compared_run.h"
-#include "widgets/model/error_text.h"
 #include "widgets/model/low_priority.h"
+#include "widgets/model/work_failure.h"
 
 #include <QElapsedTimer>
 
 #include <algorithm>
 #include <array>
-#include <new>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -163,15 +162,12 @@ void PolicyForecasts::compute(const Request& request)
         sinceReport.restart();
         publish(request, {.state = ForecastState::Computing, .share = share});
     };
-    try {
+    const auto failure = failureOf([&] {
         if (const auto metrics = forecastOf(request.scenario, request.policy, request.stop, report))
             publish(request, {.state = ForecastState::Known, .share = 1, .metrics = *metrics});
-    } catch (const Error& error) {
-        publish(request, {.state = ForecastState::Impossible, .whyNot = errorReport(error)});
-    } catch (const std::bad_alloc&) {
-        publish(request, {.state = ForecastState::Impossible,
-                          .whyNot = tr("There is not enough memory to fly it in advance.")});
-    }
+    });
+    if (failure)
+        publish(request, {.state = ForecastState::Impossible, .whyNot = failure->report});
 }
 
 void PolicyForecasts::publish(const Request& request, PolicyForecast forecast)

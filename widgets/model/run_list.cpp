@@ -1,13 +1,12 @@
 #include "widgets/model/run_list.h"
 
-#include "widgets/model/error_text.h"
+#include "widgets/model/work_failure.h"
 
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -134,7 +133,7 @@ void RunList::fly(const Request& request)
         result.flown_s = flown_s;
         publish(result);
     };
-    try {
+    const auto failure = failureOf([&] {
         const std::string path = QFile::encodeName(request.job.path).toStdString();
         const RunFile run = path.empty() ? request.job.run : loadRun(path);
         result.duration_s = run.flownUntil_s;
@@ -144,11 +143,9 @@ void RunList::fly(const Request& request)
             flown.file = request.job.path;
             result.run = std::make_shared<const ComparedRun>(std::move(flown));
         }
-    } catch (const Error& error) {
-        result.failure = errorReport(error);
-    } catch (const std::bad_alloc&) {
-        result.failure = tr("There is not enough memory for a run of this size.");
-    }
+    });
+    if (failure)
+        result.failure = failure->report;
     result.ended = true;
     publish(std::move(result));
 }

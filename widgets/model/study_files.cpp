@@ -5,13 +5,11 @@
 #include "core/io/result_json.h"
 #include "core/io/study_json.h"
 #include "core/io/study_report.h"
-#include "widgets/model/error_text.h"
+#include "widgets/model/work_failure.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QFile>
-
-#include <new>
 
 using namespace Qt::StringLiterals;
 
@@ -52,15 +50,8 @@ void StudyFiles::post(const std::function<Tell()>& job)
         m_onThread,
         [this, job] {
             Tell tell;
-            try {
-                tell = job();
-            } catch (const Error& error) {
-                tell = [this, report = errorReport(error)] { emit failed(report); };
-            } catch (const std::bad_alloc&) {
-                tell = [this] {
-                    emit failed(tr("There is not enough memory for a study of this size."));
-                };
-            }
+            if (const auto failure = failureOf([&] { tell = job(); }))
+                tell = [this, report = failure->report] { emit failed(report); };
             // From here: whoever is told from another thread loses what is on its way to him when
             // the window is made anew.
             QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);

@@ -1,11 +1,10 @@
 #include "widgets/model/study_runner.h"
 
-#include "widgets/model/error_text.h"
 #include "widgets/model/low_priority.h"
 #include "widgets/model/study_estimate.h"
+#include "widgets/model/work_failure.h"
 
 #include <algorithm>
-#include <new>
 
 using namespace Qt::StringLiterals;
 
@@ -32,17 +31,6 @@ void findBest(StudyResult& result)
         ++result.bestIn[best];
         result.bestByCase.push_back(best);
     }
-}
-
-/** Flies it as far as it goes; what stopped it when that is an error. */
-QString failureOf(Study& study, const StudyOptions& options)
-{
-    try {
-        fly(study, options);
-    } catch (const Error& error) {
-        return errorReport(error);
-    }
-    return {};
 }
 
 } // namespace
@@ -198,14 +186,15 @@ void StudyRunner::work(Request request)
         pause_ms = std::max(kBetweenReports_ms, kReportShare * sinceReport.elapsed());
         sinceReport.restart();
     };
-    try {
-        if (request.flies)
-            outcome.failure =
-                failureOf(request.study, {.stop = request.stop, .onProgress = report});
-        fill(request.study, request.flies ? m_reference.load() : request.reference);
-    } catch (const std::bad_alloc&) {
-        outcome.failure = tr("There is not enough memory for a study of this size.");
-    }
+    const auto noteFailure = [&](const std::optional<WorkFailure>& failure) {
+        if (failure && outcome.failure.isEmpty())
+            outcome.failure = failure->report;
+    };
+    if (request.flies)
+        noteFailure(
+            failureOf([&] { fly(request.study, {.stop = request.stop, .onProgress = report}); }));
+    noteFailure(failureOf( // what has been flown by then
+        [&] { fill(request.study, request.flies ? m_reference.load() : request.reference); }));
     outcome.ended = true;
     publish(std::move(outcome));
 }

@@ -1,0 +1,43 @@
+#include "widgets/model/work_failure.h"
+
+#include "widgets/model/error_text.h"
+
+#include <QCoreApplication>
+
+#include <new>
+
+namespace berg {
+namespace {
+
+struct WorkFailureText
+{
+    Q_DECLARE_TR_FUNCTIONS(WorkFailureText)
+};
+
+} // namespace
+
+WorkFailure presentFailure()
+{
+    try {
+        throw;
+    } catch (const Error& error) {
+        return {.error = error, .report = errorReport(error), .isExpected = true};
+    } catch (const std::bad_alloc&) {
+        return {.error = Error(ErrorCode::SolverFailed, "memory", "there is not enough of it"),
+                .report = WorkFailureText::tr("There is not enough memory for this. Close other "
+                                              "programs, or ask for less.")};
+    } catch (const std::exception& fault) {
+        return {.error = Error(ErrorCode::SolverFailed, "Bergwatch", fault.what()),
+                .report =
+                    WorkFailureText::tr("Bergwatch could not do this because of a fault of its "
+                                        "own: %1")
+                        .arg(QString::fromUtf8(fault.what()))};
+    } catch (...) {
+        return {.error = Error(ErrorCode::SolverFailed, "Bergwatch", "unknown fault"),
+                .report = WorkFailureText::tr("Bergwatch could not do this because of a fault of "
+                                              "its own: %1")
+                              .arg(QStringLiteral("?"))};
+    }
+}
+
+} // namespace berg
