@@ -64,6 +64,8 @@ ExportDialog::ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWid
     // The map, too, would take it.
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QDialog::reject);
     connect(&m_runner, &MissionRunner::exportPreviewReady, this, &ExportDialog::take);
+    // What it shows is of a scenario that is not there any more.
+    connect(&m_runner, &MissionRunner::begun, this, &QDialog::reject);
     connect(m_formats, &QListWidget::currentRowChanged, this, &ExportDialog::showFormat);
     connect(m_options, &ExportOptionsView::edited, this, &ExportDialog::request);
     m_pathPause = new QTimer(this);
@@ -78,6 +80,11 @@ ExportDialog::ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWid
     chooseFormat(offer.suggested.formatId);
     m_export->setDefault(true); // of the dialog, now that it has its buttons
     m_formats->setFocus();
+}
+
+ExportDialog::~ExportDialog()
+{
+    m_runner.cancelExportPreview();
 }
 
 QWidget* ExportDialog::makeChoices()

@@ -27,6 +27,8 @@ class ExportDialog : public QDialog
 
 public:
     ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWidget* parent = nullptr);
+    /** Ends the work on what it would have shown. */
+    ~ExportDialog() override;
 
     /** As it stands in the dialog. */
     [[nodiscard]] ExportRequest choice() const;

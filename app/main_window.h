@@ -193,6 +193,7 @@ private:
     bool saveTo(const QString& path);
     void saveRun();
     void exportPlan();
+    [[nodiscard]] bool isStillOf(std::uint64_t generation);
     void writeExport(const std::vector<ExportFile>& files);
     void writeRun(const QString& path, const RunFile& run);
     void saveTable(const std::string& csv);

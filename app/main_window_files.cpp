@@ -224,9 +224,10 @@ void MainWindow::exportPlan()
         .flown = m_workspace.inFlight(),
         .scenario = std::make_shared<const Scenario>(document.scenario()),
         .theme = m_theme};
+    const std::uint64_t generation = m_workspace.runner().generation();
     const std::optional<ExportRequest> choice =
         m_interaction.chooseExport(this, m_workspace.runner(), offer);
-    if (!choice)
+    if (!isStillOf(generation) || !choice)
         return;
     m_settings.setValue("export/folder", QFileInfo(choice->path).absolutePath());
     m_settings.setValue("export/format", QString::fromStdString(choice->formatId));
@@ -234,9 +235,19 @@ void MainWindow::exportPlan()
     m_workspace.runner().requestExport(*choice);
 }
 
+/** False, and the user is told: what was to be exported has been replaced while he was asked. */
+bool MainWindow::isStillOf(std::uint64_t generation)
+{
+    const bool isOf = generation == m_workspace.runner().generation();
+    if (!isOf)
+        statusBar()->showMessage(outdatedExportText(), kMessage_ms);
+    return isOf;
+}
+
 /** Asks once about all files that are there already. */
 void MainWindow::writeExport(const std::vector<ExportFile>& files)
 {
+    const std::uint64_t generation = m_workspace.runner().generation();
     QStringList present;
     for (const ExportFile& file : files)
         if (const QFileInfo info(pathOf(file)); info.exists())
@@ -250,7 +261,7 @@ void MainWindow::writeExport(const std::vector<ExportFile>& files)
                      static_cast<int>(present.size())));
     if (answer == Interaction::Overwrite::SaveAs)
         exportPlan();
-    if (answer != Interaction::Overwrite::Overwrite)
+    if (answer != Interaction::Overwrite::Overwrite || !isStillOf(generation))
         return;
     try {
         writeFileSet(files);

@@ -6116,6 +6116,13 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::MissionRunner</name>
+    <message>
+        <source>The scenario has changed meanwhile. Nothing was exported.</source>
+        <translation>Scenariet er endret i mellomtiden. Ingenting ble eksportert.</translation>
+    </message>
+</context>
+<context>
     <name>berg::MissionWorker</name>
     <message>
         <source>The run has ended. Reset it to fly it in another way.</source>
@@ -6124,10 +6131,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>There is no run to save: the scenario cannot be planned.</source>
         <translation>Det er ingen flyging å lagre: scenarioet kan ikke planlegges.</translation>
-    </message>
-    <message>
-        <source>There is no plan to export: the scenario cannot be planned.</source>
-        <translation>Det er ingen plan å eksportere: scenarioet kan ikke planlegges.</translation>
     </message>
     <message>
         <source>Flown again, this run comes out differently: %1, %2</source>

@@ -197,6 +197,8 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
         result.uav.position_m = source.scenario.uavs[row].position_m;
         result.uav.heading_deg = source.scenario.uavs[row].heading_deg;
     }
+    if (source.mission)
+        result.flown_m = source.mission->simulation().uav(static_cast<int>(row)).flown_m;
     addWay(result, source, content, scene);
     return result;
 }
@@ -271,7 +273,10 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .plan = planOf(source),
         .wind_mps =
             source.mission ? source.mission->simulation().motion(0).wind_mps : scenario.wind_mps,
+        .zeta_m2s = {},
         .mission = source.mission};
+    if (source.mission)
+        content.zeta_m2s = source.mission->metrics().zeta_m2s;
     if (source.mission)
         for (std::size_t row = 0; row < source.mission->icebergs().size(); ++row)
             content.icebergs.push_back(presentIceberg(*source.mission, row, content.what));

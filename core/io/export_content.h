@@ -23,7 +23,7 @@ namespace berg {
 struct ExportSource
 {
     const Scenario& scenario;
-    const PlanAnswer& plan;           ///< of `planFromStart`
+    const PlanAnswer& plan;           ///< of `planFromStart`, or `startPlan` of the mission
     const Mission* mission = nullptr; ///< null: nothing flown
 };
 
@@ -71,6 +71,7 @@ struct ExportUav
     std::size_t laterSorties = 0;       ///< icebergs of the order that are left for them
     std::vector<Visit> visits = {};     ///< to come or made, in order; home is iceberg -1
     std::vector<TrackPoint> track = {}; ///< of `Path` and `Track`
+    double flown_m = 0;                 ///< through the air until now
 };
 
 enum class IcebergState
@@ -127,7 +128,8 @@ struct ExportContent
     PlannerSettings planner;
     ExportPlan plan;                  ///< in force, or the last one
     Point wind_mps = Point::Zero();   ///< at `now_s`, in the plane
-    const Mission* mission = nullptr; ///< for tables of results; borrowed
+    std::optional<double> zeta_m2s;   ///< until now, of all UAVs; none: nothing was flown
+    const Mission* mission = nullptr; ///< for formats that are `flownOnly` alone; borrowed
 };
 
 /**

@@ -70,6 +70,26 @@ UavOrder orderAtStart(const PlanAnswer& plan, std::size_t row)
 
 } // namespace
 
+PlanAnswer startPlan(const Mission& mission)
+{
+    PlanAnswer answer;
+    for (const PlanEvent& plan : mission.plans()) {
+        if (&plan != &mission.plans().front() && !plan.sameSolve)
+            break; // made later
+        answer.fleet.push_back({.order = plan.order, .legs = plan.legs});
+        answer.clusters = plan.clusters;
+        answer.outcome.status = plan.status;
+        answer.gap = plan.gap;
+        answer.fellBack = plan.fellBack;
+    }
+    if (mission.simulation().uavCount() > 1 || answer.fleet.empty())
+        return answer;
+    answer.order = std::move(answer.fleet.front().order);
+    answer.legs = std::move(answer.fleet.front().legs);
+    answer.fleet.clear();
+    return answer;
+}
+
 UavOrder presentOrder(const ExportSource& source, std::size_t row)
 {
     const int uav = static_cast<int>(row);
@@ -104,11 +124,6 @@ std::vector<TrackPoint> flownTrack(const Mission& mission, std::size_t row)
     for (const Sample& sample : mission.recorder().samples())
         track.push_back(trackPointOf(sample, row));
     return track;
-}
-
-double flown_m(const Mission& mission, std::size_t row)
-{
-    return mission.simulation().uav(static_cast<int>(row)).flown_m;
 }
 
 } // namespace berg

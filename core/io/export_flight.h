@@ -9,6 +9,9 @@ namespace berg {
 
 // The one place that knows how plans and recordings hold the UAVs of a fleet.
 
+/** The plan that the mission began with, as far as exports read it; nothing is solved again. */
+[[nodiscard]] PlanAnswer startPlan(const Mission& mission);
+
 /** What UAV `row` of the scenario is to fly from now on. */
 [[nodiscard]] UavOrder presentOrder(const ExportSource& source, std::size_t row);
 
@@ -20,8 +23,5 @@ namespace berg {
 
 /** Samples on record; empty when the mission kept none. */
 [[nodiscard]] std::vector<TrackPoint> flownTrack(const Mission& mission, std::size_t row);
-
-/** Through the air until now. */
-[[nodiscard]] double flown_m(const Mission& mission, std::size_t row);
 
 } // namespace berg

@@ -1,6 +1,5 @@
 #include "core/io/geojson.h"
 
-#include "core/io/export_flight.h"
 #include "core/io/export_numbers.h"
 #include "core/io/geo_shapes.h"
 
@@ -160,8 +159,8 @@ private:
             for (const std::string& id : idsOf(m_content, visit))
                 properties["order"].push_back(id);
         if (m_content.what == ExportWhat::Track) {
-            properties["flown_m"] = flown_m(*m_content.mission, uav.row);
-            properties["zeta_m2s"] = m_content.mission->metrics().zeta_m2s; // of all UAVs
+            properties["flown_m"] = uav.flown_m;
+            properties["zeta_m2s"] = *m_content.zeta_m2s; // of all UAVs
         } else {
             properties["policy"] = nameOf(kPolicyNames, m_content.planner.policy);
             properties["tau"] = m_content.planner.tau;

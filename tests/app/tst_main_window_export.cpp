@@ -6,6 +6,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QStatusBar>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -140,6 +141,42 @@ private slots:
         }
     }
 
+    /** An edit before the file is written: neither the plan before nor the one after is written. */
+    void exportOfAScenarioThatWasEdited_data()
+    {
+        QTest::addColumn<QString>("when");
+        for (const char* when : {"in the dialog", "after it", "while it asks"})
+            QTest::newRow(when) << QString::fromLatin1(when);
+    }
+    void exportOfAScenarioThatWasEdited()
+    {
+        QFETCH(QString, when);
+        WindowFixture w(three());
+        const auto edit = [&] {
+            w.document().edit(u"edit"_s, [](Scenario& s) { s.icebergs[0].position_m.x() += 100; });
+        };
+        const QString path = w.file(u"plan.csv"_s);
+        w.interaction.exportChoice = requestFor("csv", path);
+        w.interaction.overwrite = Interaction::Overwrite::Overwrite;
+        if (when == u"in the dialog"_s)
+            w.interaction.whileExportIsChosen = edit;
+        if (when == u"while it asks"_s) {
+            writeFileAtomically(path.toStdString(), "old");
+            w.interaction.whileOverwriteIsAsked = edit;
+        }
+        w.trigger(u"exportAction"_s);
+        if (when == u"after it"_s)
+            edit();
+        QVERIFY(w.until([&] {
+            return w.window().statusBar()->currentMessage().contains(u"Nothing was exported"_s);
+        }));
+        QVERIFY(w.untilReady());
+        if (when == u"while it asks"_s)
+            QCOMPARE(readFile(path.toStdString()), std::string("old"));
+        else
+            QVERIFY(!QFile::exists(path));
+    }
+
     /** Under another name is another choice. */
     void saveAsChoosesAnew()
     {
@@ -173,6 +210,15 @@ private slots:
         const ExportRequest& suggested = w.interaction.offers.back().suggested;
         QVERIFY(suggested.options == w.interaction.exportChoice->options);
         QCOMPARE(suggested.formatId, std::string("wpl"));
+
+        const MainWindow* before = &w.window();
+        w.trigger(u"view/language-nb"_s);
+        QVERIFY(w.until([&] { return &w.window() != before; }));
+        w.trigger(u"exportAction"_s);
+        QVERIFY(w.interaction.offers.back().suggested.options ==
+                w.interaction.exportChoice->options);
+        w.trigger(u"view/language-en"_s);
+        QVERIFY(w.until([&] { return w.settings.value("view/language") == u"en"_s; }));
     }
 
     /** What could not be exported is not written with the next one. */

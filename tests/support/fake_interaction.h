@@ -20,6 +20,8 @@ public:
     bool reload = false;
     std::vector<RecoveryAnswer> recoveryAnswers; ///< one after the other, then Later
     std::optional<ExportRequest> exportChoice;
+    std::function<void()> whileExportIsChosen; ///< what happens while the dialog is on screen
+    std::function<void()> whileOverwriteIsAsked;
     std::optional<OriginChoice> originChoice;
     std::optional<Point> wind_mps; ///< answered
     /** Answers a question about an import; null: cancelled. */
@@ -59,6 +61,8 @@ public:
                                                             const ExportOffer& offer) override
     {
         offers.push_back(offer);
+        if (whileExportIsChosen)
+            whileExportIsChosen();
         return exportChoice;
     }
     [[nodiscard]] std::optional<ImportChoice> chooseImport(QWidget*, ImportRunner& runner,
@@ -86,6 +90,8 @@ public:
     [[nodiscard]] Overwrite askOverwrite(QWidget*, const QString&, const QString& reason) override
     {
         overwriteReasons << reason;
+        if (whileOverwriteIsAsked)
+            whileOverwriteIsAsked();
         return overwrite;
     }
     [[nodiscard]] bool askReload(QWidget*, const QString& fileName) override

@@ -247,7 +247,7 @@ private slots:
     {
         QFETCH(QString, id);
         const Source source(fourIcebergs(), 90, {});
-        const QImage look = exportPaint().look(format(id), source.content());
+        const QImage look = exportPaint().prepare(format(id), source.content()).look();
         const QSize size_px = exportPage(format(id), source.content(), QLocale()).size_px;
         QVERIFY(look.width() >= size_px.width());
         QCOMPARE(look.deviceIndependentSize().toSize(), size_px);

@@ -1,9 +1,12 @@
+#include "core/io/export_content.h"
 #include "core/scenario/presets.h"
 #include "widgets/model/flight_record.h"
 #include "widgets/model/mission_runner.h"
 
 #include <QSignalSpy>
 #include <QtTest>
+
+#include <atomic>
 
 using namespace berg;
 
@@ -28,6 +31,50 @@ bool inPhase(MissionRunner& runner, FlightRecord& record, RunPhase phase)
 {
     return follow(runner, record, [phase](const FlightRecord& r) { return r.now.phase == phase; });
 }
+
+/** Pages that are painted as soon as the test lets them be. */
+struct SlowPaint
+{
+    std::atomic<bool> isLetGo{false};
+    std::atomic<int> begun{0};
+
+    void letGo()
+    {
+        isLetGo = true;
+        isLetGo.notify_all();
+    }
+
+    [[nodiscard]] ExportPaint paint()
+    {
+        const auto wait = [this] {
+            ++begun;
+            isLetGo.wait(false);
+        };
+        const ExportPainting painting{.file =
+                                          [wait] {
+                                              wait();
+                                              return std::string("page");
+                                          },
+                                      .look =
+                                          [wait] {
+                                              wait();
+                                              return QImage(1, 1, QImage::Format_RGB32);
+                                          }};
+        return {.file = {}, .prepare = [painting](const ExportFormat&, const ExportContent&) {
+                    return painting;
+                }};
+    }
+};
+
+/** Even when the test fails before. */
+struct Release
+{
+    explicit Release(SlowPaint& paint) : page(paint) {}
+    ~Release() { page.letGo(); }
+    Release(const Release&) = delete;
+    Release& operator=(const Release&) = delete;
+    SlowPaint& page;
+};
 
 } // namespace
 
@@ -173,6 +220,113 @@ private slots:
         QCOMPARE(record.now.error->code(), ErrorCode::InvalidInput);
         runner.setScenario(randomScenario(13));
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
+    }
+
+    /** Nothing is solved again for an export: it is the plan on screen, whatever made it. */
+    void exportsThePlanThereIs()
+    {
+        MissionRunner runner;
+        FlightRecord record;
+        const Scenario scenario = randomScenario(4, {.icebergs = 40});
+        runner.setScenario(scenario, {.workLimit = 1});
+        QVERIFY(inPhase(runner, record, RunPhase::Ready));
+        const std::vector<int> order = record.now.plan->order;
+        QVERIFY(order != planFromStart(scenario).order); // that one is better
+        QSignalSpy ready(&runner, &MissionRunner::exportReady);
+        runner.requestExport({.formatId = "csv"});
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, kPatience_ms);
+        PlanAnswer plan;
+        plan.order = order;
+        const auto files = ready.front().front().value<std::vector<ExportFile>>();
+        QCOMPARE(files.front().content,
+                 findExportFormat("csv")->write({.scenario = scenario, .plan = plan}));
+    }
+
+    /** What was asked for is not there any more: neither the old plan nor the new one is it. */
+    void exportOfAScenarioThatWasReplaced()
+    {
+        MissionRunner runner;
+        FlightRecord record;
+        runner.setScenario(randomScenario(4));
+        QVERIFY(inPhase(runner, record, RunPhase::Ready));
+        QSignalSpy ready(&runner, &MissionRunner::exportReady);
+        QSignalSpy looked(&runner, &MissionRunner::exportPreviewReady);
+        QSignalSpy refused(&runner, &MissionRunner::commandRefused);
+        runner.requestExportPreview({.formatId = "csv"});
+        runner.requestExport({.formatId = "csv"});
+        runner.setScenario(randomScenario(5));
+        QTRY_COMPARE_WITH_TIMEOUT(refused.count(), 1, kPatience_ms);
+        QVERIFY(inPhase(runner, record, RunPhase::Ready));
+        QCOMPARE(ready.count(), 0);
+        QCOMPARE(looked.count(), 0);
+    }
+
+    void fliesWhileAPageIsPainted()
+    {
+        SlowPaint page;
+        MissionRunner runner;
+        const Release release(page);
+        FlightRecord record;
+        runner.setExportPaint(page.paint());
+        runner.setScenario(randomScenario(4));
+        QSignalSpy ready(&runner, &MissionRunner::exportReady);
+        runner.requestExport({.formatId = "map-png"});
+        QTRY_COMPARE_WITH_TIMEOUT(page.begun.load(), 1, kPatience_ms);
+        runner.stepBy(5);
+        QVERIFY(follow(runner, record, [](const FlightRecord& r) { return r.now.time_s >= 5; }));
+        QSignalSpy instants(&runner, &MissionRunner::instantUpdated);
+        runner.requestInstant(2);
+        QTRY_COMPARE_WITH_TIMEOUT(instants.count(), 1, kPatience_ms);
+        QCOMPARE(ready.count(), 0);
+        page.letGo();
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, kPatience_ms);
+    }
+
+    void previewNobodyWantsAnyMore()
+    {
+        SlowPaint page;
+        MissionRunner runner;
+        const Release release(page);
+        runner.setExportPaint(page.paint());
+        runner.setScenario(randomScenario(4));
+        QSignalSpy looked(&runner, &MissionRunner::exportPreviewReady);
+        runner.requestExportPreview({.formatId = "map-png"});
+        QTRY_COMPARE_WITH_TIMEOUT(page.begun.load(), 1, kPatience_ms);
+        runner.requestExportPreview({.formatId = "map-svg"});
+        runner.cancelExportPreview();
+        page.letGo();
+        runner.requestExportPreview({.formatId = "map-pdf"}); // comes after all the others
+        QTRY_COMPARE_WITH_TIMEOUT(looked.count(), 1, kPatience_ms);
+        const auto preview =
+            looked.front().front().value<std::shared_ptr<const berg::ExportPreview>>();
+        QCOMPARE(preview->request.formatId, std::string("map-pdf"));
+    }
+
+    /** Nothing that a thread throws ends the program. */
+    void paintThatFails()
+    {
+        MissionRunner runner;
+        FlightRecord record;
+        bool inTime = false;
+        const auto noMemory = []() -> std::string { throw std::bad_alloc(); };
+        runner.setExportPaint(
+            {.file = {}, .prepare = [&](const ExportFormat&, const ExportContent&) {
+                 if (inTime)
+                     throw std::runtime_error("no paint");
+                 return ExportPainting{.file = noMemory, .look = {}};
+             }});
+        runner.setScenario(randomScenario(4));
+        QVERIFY(inPhase(runner, record, RunPhase::Ready));
+        QSignalSpy refused(&runner, &MissionRunner::commandRefused);
+        runner.requestExport({.formatId = "map-png"});
+        QTRY_COMPARE_WITH_TIMEOUT(refused.count(), 1, kPatience_ms);
+        QVERIFY(refused.takeFirst().front().toString().contains(QStringLiteral("memory")));
+        inTime = true;
+        runner.requestExport({.formatId = "map-png"});
+        QTRY_COMPARE_WITH_TIMEOUT(refused.count(), 1, kPatience_ms);
+        QVERIFY(refused.takeFirst().front().toString().contains(QStringLiteral("no paint")));
+        runner.stepBy(1); // and flies on
+        QVERIFY(follow(runner, record, [](const FlightRecord& r) { return r.now.time_s >= 1; }));
     }
 
     /** Closing does not wait for a solve: the stop token ends it. */

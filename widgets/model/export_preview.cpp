@@ -18,13 +18,6 @@ const ExportFormat& formatOf(const ExportRequest& request)
     return *format;
 }
 
-std::vector<ExportFile> filesOf(const ExportContent& content, const ExportRequest& request,
-                                const ExportPaint& paint)
-{
-    return exportFiles(formatOf(request), content, QFile::encodeName(request.path).toStdString(),
-                       paint.file);
-}
-
 /** Whole lines where there are any, never half a character. */
 std::size_t headLength(std::string_view text)
 {
@@ -48,31 +41,55 @@ void addHead(ExportPreview& preview, const std::string& text)
 
 } // namespace
 
-std::vector<ExportFile> exportedFiles(const ExportSource& source, const ExportRequest& request,
-                                      const ExportPaint& paint)
-{
-    return filesOf(exportContent(source, request.options), request, paint);
-}
-
-ExportPreview exportPreview(const ExportSource& source, const ExportRequest& request,
-                            const ExportPaint& paint)
+PreparedExport prepareExport(const ExportSource& source, const ExportRequest& request,
+                             const ExportPaint& paint)
 {
     const ExportFormat& format = formatOf(request);
+    PreparedExport prepared{.request = request,
+                            .content = exportContent(source, request.options),
+                            .table = {},
+                            .painting = {}};
+    if (format.holds.painted)
+        prepared.painting = paint.prepare(format, prepared.content);
+    else if (format.holds.flownOnly)
+        prepared.table = format.text(prepared.content);
+    prepared.content.mission = nullptr; // flies on, and may end
+    return prepared;
+}
+
+std::vector<ExportFile> exportedFiles(const PreparedExport& prepared)
+{
+    const std::string path = QFile::encodeName(prepared.request.path).toStdString();
+    if (prepared.table)
+        return {{.path = path, .content = *prepared.table}};
+    const auto painter = [&prepared](const ExportFormat&, const ExportContent&) {
+        return prepared.painting->file();
+    };
+    return exportFiles(formatOf(prepared.request), prepared.content, path, painter);
+}
+
+std::optional<ExportPreview> exportPreview(const PreparedExport& prepared,
+                                           const std::stop_token& stop)
+{
+    const ExportFormat& format = formatOf(prepared.request);
+    if (stop.stop_requested())
+        return std::nullopt;
     ExportPreview preview;
-    preview.request = request;
-    preview.content = exportContent(source, request.options);
-    const std::vector<ExportFile> files = filesOf(preview.content, request, paint);
+    preview.request = prepared.request;
+    preview.content = prepared.content;
+    const std::vector<ExportFile> files = exportedFiles(prepared);
+    if (stop.stop_requested())
+        return std::nullopt;
     preview.notes = exportNotes(format, preview.content);
     for (const ExportFile& file : files) {
         preview.paths << QFile::decodeName(QByteArray::fromStdString(file.path));
         preview.bytes += file.content.size();
     }
-    if (format.holds.painted)
-        preview.picture = paint.look(format, preview.content);
+    if (prepared.painting)
+        preview.picture = prepared.painting->look();
     else
-        addHead(preview, request.formatId == "kmz" ? findExportFormat("kml")->text(preview.content)
-                                                   : files.front().content);
-    preview.content.mission = nullptr; // flies on, and may end
+        addHead(preview, format.id == "kmz" ? findExportFormat("kml")->text(preview.content)
+                                            : files.front().content);
     return preview;
 }
 

@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 namespace berg {
 
@@ -23,11 +24,28 @@ struct ExportRequest
     bool operator==(const ExportRequest&) const = default;
 };
 
+/** A page that holds all it shows; both take a while. Thread: any. */
+struct ExportPainting
+{
+    std::function<std::string()> file;
+    std::function<QImage()> look; ///< to be shown
+};
+
 /** Makes the exports that are pictures or pages. Thread: any. */
 struct ExportPaint
 {
     ExportPainter file;
-    std::function<QImage(const ExportFormat&, const ExportContent&)> look; ///< to be shown
+    /** Takes what it needs of the content and its mission: quick. */
+    std::function<ExportPainting(const ExportFormat&, const ExportContent&)> prepare;
+};
+
+/** An export that has taken what it needs of the mission, which may fly on. */
+struct PreparedExport
+{
+    ExportRequest request;
+    ExportContent content;                  ///< without its mission
+    std::optional<std::string> table;       ///< of a format that is about a flight
+    std::optional<ExportPainting> painting; ///< of a painted format
 };
 
 /** What an export comes to, before it is written. */
@@ -44,12 +62,15 @@ struct ExportPreview
     QImage picture;        ///< of the first file, when it is painted
 };
 
-/** Of a format of the table. Throws as `exportContent` and `exportFiles`. */
-[[nodiscard]] std::vector<ExportFile>
-exportedFiles(const ExportSource& source, const ExportRequest& request, const ExportPaint& paint);
+/** Of a format of the table. Solves nothing. Throws as `exportContent`. */
+[[nodiscard]] PreparedExport prepareExport(const ExportSource& source, const ExportRequest& request,
+                                           const ExportPaint& paint);
 
-/** The same looked at; throws the same. */
-[[nodiscard]] ExportPreview exportPreview(const ExportSource& source, const ExportRequest& request,
-                                          const ExportPaint& paint);
+/** Throws as `exportFiles`. */
+[[nodiscard]] std::vector<ExportFile> exportedFiles(const PreparedExport& prepared);
+
+/** The same looked at; throws the same. None when stopped before it is complete. */
+[[nodiscard]] std::optional<ExportPreview> exportPreview(const PreparedExport& prepared,
+                                                         const std::stop_token& stop = {});
 
 } // namespace berg

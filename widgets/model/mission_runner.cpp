@@ -32,10 +32,16 @@ void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
 
 } // namespace
 
+QString outdatedExportText()
+{
+    return MissionRunner::tr("The scenario has changed meanwhile. Nothing was exported.");
+}
+
 MissionRunner::MissionRunner(QObject* parent)
     : QObject(parent)
     , m_worker(new MissionWorker({m_requests, m_interventions, m_snapshots, m_instantRequests,
                                   m_instants, m_previewRequests}))
+    , m_exports(new ExportWorker)
 {
     m_thread.setObjectName(u"mission"_s);
     m_worker->moveToThread(&m_thread);
@@ -43,17 +49,45 @@ MissionRunner::MissionRunner(QObject* parent)
     connect(m_worker, &MissionWorker::published, this, &MissionRunner::updated);
     connect(m_worker, &MissionWorker::instantPublished, this, &MissionRunner::instantUpdated);
     connect(m_worker, &MissionWorker::refused, this, &MissionRunner::commandRefused);
-    connect(m_worker, &MissionWorker::exportReady, this, &MissionRunner::exportReady);
-    connect(m_worker, &MissionWorker::exportPreviewReady, this, &MissionRunner::exportPreviewReady);
     connect(m_worker, &MissionWorker::runReady, this, &MissionRunner::runReady);
+    connectExports();
     m_thread.start();
+    m_exportThread.start();
 }
 
 MissionRunner::~MissionRunner()
 {
     m_stop.request_stop();
-    m_thread.quit();
-    m_thread.wait();
+    m_previewStop.request_stop();
+    for (QThread* thread : {&m_thread, &m_exportThread}) {
+        thread->quit();
+        thread->wait();
+    }
+}
+
+/** What of an earlier generation comes is not passed on. */
+void MissionRunner::connectExports()
+{
+    m_exportThread.setObjectName(u"export"_s);
+    m_exports->moveToThread(&m_exportThread);
+    connect(&m_exportThread, &QThread::finished, m_exports, &QObject::deleteLater);
+    connect(m_worker, &MissionWorker::exportPrepared, m_exports, &ExportWorker::write);
+    connect(m_worker, &MissionWorker::previewPrepared, m_exports, &ExportWorker::look);
+    connect(m_exports, &ExportWorker::refused, this, &MissionRunner::commandRefused);
+    connect(m_exports, &ExportWorker::written, this,
+            [this](const std::vector<ExportFile>& files, quint64 generation) {
+                if (generation == m_generation)
+                    emit exportReady(files);
+                else
+                    emit commandRefused(outdatedExportText());
+            });
+    const auto passOn = [this](const std::shared_ptr<const ExportPreview>& preview,
+                               quint64 generation) {
+        if (generation == m_generation)
+            emit exportPreviewReady(preview);
+    };
+    connect(m_exports, &ExportWorker::looked, this, passOn);
+    connect(m_worker, &MissionWorker::previewRefused, this, passOn);
 }
 
 /** Runs `command` on the mission thread, in order. */
@@ -61,7 +95,8 @@ template <class Command>
 void MissionRunner::post(Command command)
 {
     QMetaObject::invokeMethod(
-        m_worker, [worker = m_worker, command] { command(*worker); }, Qt::QueuedConnection);
+        m_worker, [worker = m_worker, command] { worker->guarded([&] { command(*worker); }); },
+        Qt::QueuedConnection);
 }
 
 /** As `post`, unless the worker has gone on to another scenario by then, which was not meant. */
@@ -98,6 +133,7 @@ void MissionRunner::begin(std::shared_ptr<const RunFile> run)
     m_stop.request_stop();
     m_stop = std::stop_source();
     ++m_generation;
+    (void)m_interventions.take(); // meant for the flight that ends here
     const bool mustTell = m_requests.put({.generation = m_generation,
                                           .scenario = m_scenario,
                                           .options = m_options,
@@ -105,6 +141,8 @@ void MissionRunner::begin(std::shared_ptr<const RunFile> run)
                                           .stop = m_stop.get_token()});
     if (mustTell)
         post([](MissionWorker& worker) { worker.start(); });
+    cancelExportPreview();
+    emit begun();
 }
 
 void MissionRunner::fly(double rate)
@@ -137,7 +175,7 @@ void MissionRunner::intervene(const Intervention& intervention)
 {
     const bool mustTell = m_interventions.put({intervention}, join);
     if (mustTell)
-        post([](MissionWorker& worker) { worker.intervene(); });
+        postToFlight([](MissionWorker& worker) { worker.intervene(); });
 }
 
 void MissionRunner::requestRun(const QString& path)
@@ -152,13 +190,22 @@ void MissionRunner::setExportPaint(const ExportPaint& paint)
 
 void MissionRunner::requestExport(const ExportRequest& request)
 {
-    post([request](MissionWorker& worker) { worker.sendExport(request); });
+    post([order = ExportOrder{.request = request, .generation = m_generation, .stop = {}}](
+             MissionWorker& worker) { worker.sendExport(order); });
 }
 
 void MissionRunner::requestExportPreview(const ExportRequest& request)
 {
-    if (m_previewRequests.put(request))
+    m_previewStop.request_stop();
+    m_previewStop = std::stop_source();
+    if (m_previewRequests.put(
+            {.request = request, .generation = m_generation, .stop = m_previewStop.get_token()}))
         post([](MissionWorker& worker) { worker.sendExportPreview(); });
+}
+
+void MissionRunner::cancelExportPreview()
+{
+    m_previewStop.request_stop();
 }
 
 std::optional<MissionSnapshot> MissionRunner::takeSnapshot()

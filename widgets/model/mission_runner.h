@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/run_json.h"
-#include "widgets/model/export_preview.h"
+#include "widgets/model/export_worker.h"
 #include "widgets/model/mailbox.h"
 #include "widgets/model/mission_snapshot.h"
 
@@ -23,6 +23,9 @@ struct MissionRequest
 };
 
 class MissionWorker;
+
+/** Why an export of a scenario that has been replaced meanwhile is not made. */
+[[nodiscard]] QString outdatedExportText();
 
 /**
  * Plans and flies on a thread of its own; the GUI thread never waits. Commands return at once;
@@ -64,12 +67,15 @@ public:
     /** From now on these exports can be asked for, too. */
     void setExportPaint(const ExportPaint& paint);
     /**
-     * Asks for the plan from the start, or in flight for the mission as it stands, as files:
-     * `exportReady` or `commandRefused` follows.
+     * Asks for the plan there is, or in flight for the mission as it stands, as files:
+     * `exportReady` or `commandRefused` follows, the latter as well when another scenario has come
+     * in between. Nothing is solved again, and the mission flies on meanwhile.
      */
     void requestExport(const ExportRequest& request);
     /** Asks how these would begin: `exportPreviewReady` follows; the newest request wins. */
     void requestExportPreview(const ExportRequest& request);
+    /** Nobody wants the preview any more. */
+    void cancelExportPreview();
 
     /** The newest snapshot of the present generation, with all samples since the last one taken. */
     [[nodiscard]] std::optional<MissionSnapshot> takeSnapshot();
@@ -81,6 +87,8 @@ public:
     void requestRun(const QString& path = {});
 
 signals:
+    /** Another generation: what was asked of the one before is not answered any more. */
+    void begun();
     /** A snapshot waits. */
     void updated();
     /** An instant waits. */
@@ -97,19 +105,23 @@ private:
     ofNow(std::optional<MissionSnapshot> snapshot) const;
     template <class Command>
     void post(Command command);
+    void connectExports();
     template <class Command>
     void postToFlight(Command command);
 
     Mailbox<MissionSnapshot> m_snapshots;
     Mailbox<MissionSnapshot> m_instants;
     Mailbox<double> m_instantRequests;
-    Mailbox<ExportRequest> m_previewRequests;
+    Mailbox<ExportOrder> m_previewRequests;
     Mailbox<MissionRequest> m_requests;
     Mailbox<std::vector<Intervention>> m_interventions;
     QThread m_thread;
+    QThread m_exportThread;
     MissionWorker* m_worker; ///< lives on `m_thread`
+    ExportWorker* m_exports; ///< lives on `m_exportThread`
     std::uint64_t m_generation = 0;
     std::stop_source m_stop; ///< of the generation under way
+    std::stop_source m_previewStop;
     Scenario m_scenario;
     MissionOptions m_options;
 };

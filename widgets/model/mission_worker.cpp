@@ -1,5 +1,6 @@
 #include "widgets/model/mission_worker.h"
 
+#include "core/io/export_flight.h"
 #include "widgets/model/error_text.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ MissionWorker::MissionWorker(const MissionMail& mail)
     : m_mail(mail), m_timer(this) // moves to the thread with its parent
 {
     m_timer.setTimerType(Qt::PreciseTimer);
-    connect(&m_timer, &QTimer::timeout, this, &MissionWorker::slice);
+    connect(&m_timer, &QTimer::timeout, this, [this] { guarded([this] { slice(); }); });
 }
 
 void MissionWorker::start()
@@ -56,27 +57,21 @@ void MissionWorker::start()
     if (!request)
         return; // an earlier call has taken a newer one
     m_timer.stop();
-    (void)m_mail.interventions.take(); // those were meant for the flight that ends here
     m_request = std::move(*request);
     m_mission.reset();
-    m_startPlan.reset();
     m_error.reset();
     m_published = {};
     m_phase = RunPhase::Planning;
-    try {
-        if (m_request.run) {
-            flyAgain(*m_request.run);
-            return;
-        }
-        m_mission = std::make_unique<Mission>(m_request.scenario, m_request.options);
-        listenToIncumbents();
-        if (m_mission->advance(0, m_request.stop) == AdvanceStatus::Cancelled)
-            return; // a newer request waits
-        m_phase = RunPhase::Ready;
-        publish();
-    } catch (const Error& error) {
-        fail(error);
+    if (m_request.run) {
+        flyAgain(*m_request.run);
+        return;
     }
+    m_mission = std::make_unique<Mission>(m_request.scenario, m_request.options);
+    listenToIncumbents();
+    if (m_mission->advance(0, m_request.stop) == AdvanceStatus::Cancelled)
+        return; // a newer request waits
+    m_phase = RunPhase::Ready;
+    publish();
 }
 
 void MissionWorker::flyAgain(const RunFile& run)
@@ -165,15 +160,11 @@ void MissionWorker::sliceAsFastAsPossible()
 
 bool MissionWorker::advanceTo(double until_s)
 {
-    try {
-        if (m_mission->advance(until_s, m_request.stop) == AdvanceStatus::Reached)
-            return true;
-        m_timer.stop();
-        if (m_mission->simulation().finished())
-            m_phase = RunPhase::Finished;
-    } catch (const Error& error) {
-        fail(error);
-    }
+    if (m_mission->advance(until_s, m_request.stop) == AdvanceStatus::Reached)
+        return true;
+    m_timer.stop();
+    if (m_mission->simulation().finished())
+        m_phase = RunPhase::Finished;
     return false;
 }
 
@@ -206,16 +197,12 @@ void MissionWorker::flyOnFrom(double time_s)
     run.flownUntil_s = std::clamp(time_s, 0.0, run.flownUntil_s);
     std::erase_if(run.interventions,
                   [&run](const Intervention& change) { return change.time_s > run.flownUntil_s; });
-    try {
-        m_mission->setIncumbentListener(nullptr);
-        *m_mission = replay(run, m_request.stop);
-        listenToIncumbents();
-        m_published = {}; // all of it again: the end that was sent is given up
-        m_phase = RunPhase::Paused;
-        publish();
-    } catch (const Error& error) {
-        fail(error);
-    }
+    m_mission->setIncumbentListener(nullptr);
+    *m_mission = replay(run, m_request.stop);
+    listenToIncumbents();
+    m_published = {}; // all of it again: the end that was sent is given up
+    m_phase = RunPhase::Paused;
+    publish();
 }
 
 void MissionWorker::sendInstant()
@@ -238,50 +225,54 @@ void MissionWorker::sendRun(const QString& path)
         emit refused(tr("There is no run to save: the scenario cannot be planned."));
 }
 
-ExportSource MissionWorker::exportSource()
+PreparedExport MissionWorker::prepared(const ExportRequest& request) const
 {
-    if (!m_startPlan)
-        m_startPlan = planFromStart(m_mission->scenario(), {.stop = m_request.stop});
-    return {.scenario = m_mission->scenario(),
-            .plan = *m_startPlan,
-            .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
+    if (!m_mission || m_mission->plans().empty())
+        throw Error(ErrorCode::InvalidInput, "plan", "the scenario cannot be planned");
+    const PlanAnswer plan = startPlan(*m_mission);
+    return prepareExport({.scenario = m_mission->scenario(),
+                          .plan = plan,
+                          .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get()},
+                         request, m_paint);
 }
 
-void MissionWorker::sendExport(const ExportRequest& request)
+void MissionWorker::sendExport(const ExportOrder& order)
 {
-    if (!m_mission) {
-        emit refused(tr("There is no plan to export: the scenario cannot be planned."));
+    if (order.generation != m_request.generation) {
+        emit refused(outdatedExportText());
         return;
     }
-    try {
-        emit exportReady(exportedFiles(exportSource(), request, m_paint));
-    } catch (const Error& error) {
-        emit refused(errorReport(error));
-    }
+    const auto failure = failureOf([&] { emit exportPrepared(order, prepared(order.request)); });
+    if (failure)
+        emit refused(failure->report);
 }
 
 void MissionWorker::sendExportPreview()
 {
-    const std::optional<ExportRequest> request = m_mail.previewRequests.take();
-    if (!request)
-        return; // an earlier call has taken a newer one
+    const std::optional<ExportOrder> order = m_mail.previewRequests.take();
+    if (!order || order->generation != m_request.generation || order->stop.stop_requested())
+        return; // an earlier call has taken a newer one, or nobody wants it any more
+    const auto failure = failureOf([&] { emit previewPrepared(*order, prepared(order->request)); });
+    if (!failure)
+        return;
     ExportPreview preview;
-    try {
-        if (!m_mission)
-            throw Error(ErrorCode::InvalidInput, "plan", "the scenario cannot be planned");
-        preview = exportPreview(exportSource(), *request, m_paint);
-    } catch (const Error& error) {
-        preview.request = *request;
-        preview.error = error;
-    }
-    emit exportPreviewReady(std::make_shared<const ExportPreview>(std::move(preview)));
+    preview.request = order->request;
+    preview.error = failure->error;
+    emit previewRefused(std::make_shared<const ExportPreview>(std::move(preview)),
+                        order->generation);
 }
 
-void MissionWorker::fail(const Error& error)
+/** What was half changed when there was a fault is not looked at any more. */
+void MissionWorker::fail(const WorkFailure& failure)
 {
     m_timer.stop();
     m_phase = RunPhase::Failed;
-    m_error = error;
+    m_error = failure.error;
+    if (!failure.isExpected)
+        m_mission.reset();
+    if (!failureOf([this] { publish(); }))
+        return;
+    m_mission.reset(); // leaves room for the message
     publish();
 }
 

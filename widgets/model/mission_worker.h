@@ -1,6 +1,8 @@
 #pragma once
 
+#include "widgets/model/export_worker.h"
 #include "widgets/model/mission_runner.h"
+#include "widgets/model/work_failure.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -16,7 +18,7 @@ struct MissionMail
     Mailbox<MissionSnapshot>& snapshots;
     Mailbox<double>& instantRequests; ///< times, s
     Mailbox<MissionSnapshot>& instants;
-    Mailbox<ExportRequest>& previewRequests;
+    Mailbox<ExportOrder>& previewRequests;
 };
 
 /** The mission thread's side of `MissionRunner`: owns the mission, flies it in short slices. */
@@ -26,6 +28,14 @@ class MissionWorker : public QObject
 
 public:
     explicit MissionWorker(const MissionMail& mail);
+
+    /** Everything is done through this: what it throws fails the mission, not the program. */
+    template <class Work>
+    void guarded(const Work& work)
+    {
+        if (const auto failure = failureOf(work))
+            fail(*failure);
+    }
 
     /** Takes the newest request, if one waits, and plans it. */
     void start();
@@ -41,15 +51,18 @@ public:
     void sendInstant();
     void sendRun(const QString& path);
     void setExportPaint(const ExportPaint& paint) { m_paint = paint; }
-    void sendExport(const ExportRequest& request);
+    void sendExport(const ExportOrder& order);
     void sendExportPreview();
 
 signals:
     void published();
     void instantPublished();
     void refused(const QString& message);
-    void exportReady(const std::vector<berg::ExportFile>& files);
-    void exportPreviewReady(const std::shared_ptr<const berg::ExportPreview>& preview);
+    /** What is left of an export is not this thread's business. */
+    void exportPrepared(const berg::ExportOrder& order, const berg::PreparedExport& prepared);
+    void previewPrepared(const berg::ExportOrder& order, const berg::PreparedExport& prepared);
+    void previewRefused(const std::shared_ptr<const berg::ExportPreview>& preview,
+                        quint64 generation);
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
 
 private:
@@ -57,21 +70,20 @@ private:
     void sliceAsFastAsPossible();
     /** Advances and keeps the phase; false when there is nothing more to fly. */
     bool advanceTo(double until_s);
-    void fail(const Error& error);
+    void fail(const WorkFailure& failure);
     [[nodiscard]] MissionSnapshot present();
     void publish();
     void publishIncumbent(const PlanEvent& plan);
     void flyAgain(const RunFile& run);
     void listenToIncumbents();
     [[nodiscard]] HistoryNews takeNews();
-    /** Of the mission there is. */
-    [[nodiscard]] ExportSource exportSource();
+    /** Of the mission there is. Throws `Error` where it has no plan. */
+    [[nodiscard]] PreparedExport prepared(const ExportRequest& request) const;
 
     MissionMail m_mail;
     MissionRequest m_request;
     std::unique_ptr<Mission> m_mission;
     ExportPaint m_paint;
-    std::optional<PlanAnswer> m_startPlan; ///< for exports; none: not asked for yet
     std::optional<Error> m_error;
     RunPhase m_phase = RunPhase::Planning;
     QTimer m_timer;

@@ -27,15 +27,21 @@ PicturePage exportPage(const ExportFormat& format, const ExportContent& content,
 
 ExportPaint exportPaint(const QLocale& locale)
 {
+    const auto endingOf = [](const ExportFormat& format) {
+        return QLatin1StringView(format.extension.data(), qsizetype(format.extension.size()));
+    };
     return {.file =
-                [locale](const ExportFormat& format, const ExportContent& content) {
-                    const QLatin1StringView ending(format.extension.data(),
-                                                   qsizetype(format.extension.size()));
-                    return pictureFile(exportPage(format, content, locale), ending);
+                [=](const ExportFormat& format, const ExportContent& content) {
+                    return pictureFile(exportPage(format, content, locale), endingOf(format));
                 },
-            .look =
-                [locale](const ExportFormat& format, const ExportContent& content) {
-                    return pictureImage(exportPage(format, content, locale), kLookScale);
+            .prepare =
+                [=](const ExportFormat& format, const ExportContent& content) {
+                    const auto page =
+                        std::make_shared<const PicturePage>(exportPage(format, content, locale));
+                    return ExportPainting{
+                        .file = [page,
+                                 ending = endingOf(format)] { return pictureFile(*page, ending); },
+                        .look = [page] { return pictureImage(*page, kLookScale); }};
                 }};
 }
 

@@ -71,9 +71,9 @@ std::vector<MapReadout> flownFigures(const ExportContent& content, const QLocale
 {
     std::vector<MapReadout> figures{
         {.caption = MapPageText::tr("Time"), .value = clockText(content.now_s), .unit = {}}};
-    if (content.mission != nullptr)
+    if (content.zeta_m2s)
         figures.push_back({.caption = MapPageText::tr("Zeta ζ"),
-                           .value = significantText(content.mission->metrics().zeta_m2s, 4, locale),
+                           .value = significantText(*content.zeta_m2s, 4, locale),
                            .unit = u"m² s"_s});
     figures.push_back({.caption = MapPageText::tr("Visits, dots on the way"),
                        .value = fixedText(visitCount(content), 0, locale),

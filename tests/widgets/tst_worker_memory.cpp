@@ -1,0 +1,207 @@
+// Memory runs out on the threads that plan, fly and read. A program of its own: it has `new` of its
+// own, which fails where the test says.
+
+#include "core/io/scenario_json.h"
+#include "core/scenario/presets.h"
+#include "tests/support/study_builder.h"
+#include "widgets/model/benchmark_runner.h"
+#include "widgets/model/curve_runner.h"
+#include "widgets/model/flight_record.h"
+#include "widgets/model/import_runner.h"
+#include "widgets/model/mission_runner.h"
+#include "widgets/model/policy_forecasts.h"
+#include "widgets/model/run_list.h"
+#include "widgets/model/study_files.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+/** Smaller pieces are there as long as a program can go on at all. */
+constexpr std::size_t kLarge_bytes = 200;
+
+std::atomic<long> untilFailure{-1}; ///< so many large pieces can still be had; -1: all
+std::atomic<int> failures{0};
+thread_local bool isSpared = false; ///< the thread of the GUI
+
+} // namespace
+
+void* operator new(std::size_t size)
+{
+    if (size >= kLarge_bytes && !isSpared && untilFailure.load() >= 0 &&
+        untilFailure.fetch_sub(1) == 0) {
+        ++failures;
+        throw std::bad_alloc();
+    }
+    if (void* piece = std::malloc(size == 0 ? 1 : size))
+        return piece;
+    throw std::bad_alloc();
+}
+
+void operator delete(void* piece) noexcept
+{
+    std::free(piece);
+}
+
+void operator delete(void* piece, std::size_t) noexcept
+{
+    std::free(piece);
+}
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kPatience_ms = 60000; // against a slow machine; nothing is measured
+
+/** Lets the allocations of other threads fail one after the other, each in a run of `act`. */
+template <class Act>
+bool survives(const Act& act)
+{
+    failures = 0;
+    for (const long n : {0L, 1L, 2L, 3L, 4L, 5L, 7L, 10L, 15L, 20L, 30L, 50L, 100L, 200L}) {
+        untilFailure = n;
+        const bool ended = act();
+        untilFailure = -1;
+        if (!ended)
+            return false;
+    }
+    return failures > 0; // else nothing was tried
+}
+
+Scenario quick()
+{
+    return test::quickScenario();
+}
+
+} // namespace
+
+class TestWorkerMemory : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { isSpared = true; }
+
+    void missions()
+    {
+        MissionRunner runner;
+        FlightRecord record;
+        const auto flies = [&] {
+            runner.setScenario(quick());
+            runner.stepBy(60);
+            return QTest::qWaitFor(
+                [&] {
+                    if (std::optional<MissionSnapshot> snapshot = runner.takeSnapshot())
+                        record.take(std::move(*snapshot));
+                    return record.now.generation == runner.generation() &&
+                           (record.now.phase == RunPhase::Failed || record.now.time_s >= 60);
+                },
+                kPatience_ms);
+        };
+        QVERIFY(survives(flies));
+        QVERIFY(flies()); // and is none the worse for it
+        QVERIFY(record.now.phase != RunPhase::Failed);
+    }
+
+    void exports()
+    {
+        MissionRunner runner;
+        runner.setScenario(quick());
+        QSignalSpy ready(&runner, &MissionRunner::exportReady);
+        QSignalSpy refused(&runner, &MissionRunner::commandRefused);
+        QSignalSpy looked(&runner, &MissionRunner::exportPreviewReady);
+        QVERIFY(survives([&] {
+            for (QSignalSpy* spy : {&ready, &refused, &looked})
+                spy->clear();
+            runner.requestExport({.formatId = "geojson"});
+            runner.requestExportPreview({.formatId = "kml"});
+            return QTest::qWaitFor(
+                [&] { return ready.count() + refused.count() == 1 && looked.count() == 1; },
+                kPatience_ms);
+        }));
+    }
+
+    void studies()
+    {
+        StudyRunner runner;
+        QSignalSpy finished(&runner, &StudyRunner::finished);
+        QVERIFY(survives([&] {
+            finished.clear();
+            runner.start(test::quickStudy());
+            return QTest::qWaitFor([&] { return finished.count() == 1; }, kPatience_ms);
+        }));
+    }
+
+    void studyFiles()
+    {
+        const QTemporaryDir folder;
+        StudyFiles files;
+        const StudyPointer study = test::fourCases();
+        QSignalSpy saved(&files, &StudyFiles::saved);
+        QSignalSpy failed(&files, &StudyFiles::failed);
+        QVERIFY(survives([&] {
+            saved.clear();
+            failed.clear();
+            files.save(study, {}, folder.filePath(u"a.bergstudy"_s));
+            return QTest::qWaitFor([&] { return saved.count() + failed.count() == 1; },
+                                   kPatience_ms);
+        }));
+    }
+
+    void benchmarks()
+    {
+        BenchmarkRunner runner;
+        QSignalSpy finished(&runner, &BenchmarkRunner::finished);
+        BenchmarkSpec spec;
+        spec.sizes = {4, 6};
+        spec.repeat = 1;
+        spec.solvers = {{.backend = Backend::Exact}};
+        QVERIFY(survives([&] {
+            finished.clear();
+            runner.start(spec);
+            return QTest::qWaitFor([&] { return finished.count() == 1; }, kPatience_ms);
+        }));
+    }
+
+    void comparedRuns()
+    {
+        RunList runs;
+        QSignalSpy finished(&runs, &RunList::finished);
+        QVERIFY(survives([&] {
+            finished.clear();
+            runs.addFlown(quick(), quick().planner);
+            return QTest::qWaitFor([&] { return finished.count() == 1; }, kPatience_ms);
+        }));
+    }
+
+    void imports()
+    {
+        const QTemporaryDir folder;
+        ImportRunner runner;
+        QSignalSpy ready(&runner, &ImportRunner::ready);
+        QVERIFY(survives([&] {
+            ready.clear();
+            const QString path = folder.filePath(u"%1.csv"_s.arg(untilFailure.load()));
+            QFile file(path);
+            if (!file.open(QIODevice::WriteOnly))
+                return false;
+            file.write("id,lat,lon\n");
+            for (int i = 0; i < 200; ++i)
+                file.write(qPrintable(u"b%1,60.%1,-50\n"_s.arg(i)));
+            file.close();
+            runner.start({.path = path, .base = std::make_shared<const Scenario>(quick())}, true);
+            return QTest::qWaitFor([&] { return ready.count() == 1; }, kPatience_ms);
+        }));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWorkerMemory)
+#include "tst_worker_memory.moc"
