@@ -1,8 +1,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
+#include "core/io/certificate_json.h"
 #include "core/io/curve_result.h"
 #include "core/io/scenario_json.h"
+#include "core/plan/tuning.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
 
@@ -19,6 +21,7 @@ struct CurveArguments
     std::string file;
     double tauMax = 5;
     std::string outputFile;
+    std::string certificateFile;
     bool force = false;
     bool json = false;
 };
@@ -38,10 +41,25 @@ std::string curveTable(const CurveReport& report)
     return text + "order: icebergs by their place in the scenario, 1 is the first\n";
 }
 
+/** Every order at both ends of its interval: optimal there, it is optimal between, because F is
+ * linear in tau and the optimum concave. */
+Certificate certificateOf(TvpProblem problem, const TauCurve& curve, const std::stop_token& stop)
+{
+    Certificate certificate = certificateFor(problem);
+    const double muPerTau = tuningWeight(problem, 1).mu;
+    for (const CurveInterval& interval : curve.intervals)
+        for (const double tau : {interval.tauFrom, interval.tauTo}) {
+            problem.mu = muPerTau * tau;
+            certificate.proofs.push_back(certify(problem, interval.order, stop));
+        }
+    return certificate;
+}
+
 int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
 {
     checkFiles({.inputs = {arguments.file},
-                .outputs = {{.option = "--output", .path = arguments.outputFile}},
+                .outputs = {{.option = "--output", .path = arguments.outputFile},
+                            {.option = "--certificate", .path = arguments.certificateFile}},
                 .force = arguments.force,
                 .json = arguments.json});
     const Scenario scenario = reading([&] { return loadScenario(arguments.file); });
@@ -74,6 +92,13 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
     std::vector<NewFile> files;
     if (!arguments.outputFile.empty())
         files.push_back({.path = arguments.outputFile, .content = curveCsv(report)});
+    if (!arguments.certificateFile.empty() && !visitation.ids.empty()) {
+        const Certificate certificate = certificateOf(visitation.problem, curve, stop);
+        files.push_back(
+            {.path = arguments.certificateFile, .content = certificateJson(certificate)});
+    }
+    if (stop.stop_requested())
+        throw Interrupted{};
     deliver(files, arguments.json ? curveJson(report, watch.elapsed_s()) : curveTable(report));
     return kDone;
 }
@@ -90,6 +115,8 @@ void addCurveCommand(CLI::App& app, Action& action)
     command->add_option("--tau-max", a.tauMax, "Largest trade-off, 5 by default")
         ->check(numberFrom(1e-6, 100.0));
     addOutputFile(*command, "--output", a.outputFile, "CSV file for the table");
+    addOutputFile(*command, "--certificate", a.certificateFile,
+                  "File for proofs of the orders that others can check");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
     command->callback([arguments, &action] {

@@ -1,5 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/cli/output_gate.h"
+#include "core/io/certificate_json.h"
 #include "core/io/fleet_result.h"
 #include "core/io/problem_json.h"
 #include "core/io/result_json.h"
@@ -32,6 +34,8 @@ struct SolveArguments
     std::optional<double> timeLimit_s;
     std::optional<std::int64_t> workLimit;
     double gap = 0;
+    std::string certificateFile;
+    bool force = false;
     bool json = false;
 };
 
@@ -54,6 +58,9 @@ std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const std::strin
         ->transform(wholeFrom(0, std::int64_t{1} << 60));
     command.add_option("--gap", a.gap, "Stop within this relative gap, e.g. 0.01")
         ->check(numberFrom(0.0, 1.0));
+    addOutputFile(command, "--certificate", a.certificateFile,
+                  "File for a proof of the bound that others can check");
+    addForce(command, a.force);
     command.add_flag("--json", a.json, "Print one JSON document");
     return arguments;
 }
@@ -138,17 +145,13 @@ std::string verificationLine(const SolveReport& report)
     return text + '\n';
 }
 
-void printReport(const SolveReport& report, bool json)
+std::string reportText(const SolveReport& report, bool json)
 {
-    if (json) {
-        print(solveJson(report));
-        return;
-    }
+    if (json)
+        return solveJson(report);
     const SolveOutcome& outcome = report.outcome;
-    if (outcome.status == SolveStatus::None) {
-        print(noPlan(outcome));
-        return;
-    }
+    if (outcome.status == SolveStatus::None)
+        return noPlan(outcome);
     std::string text = "order     ";
     for (std::size_t i = 0; i < report.order.size(); ++i)
         text += ' ' + (report.ids.empty() ? std::to_string(report.order[i]) : word(report.ids[i]));
@@ -166,7 +169,7 @@ void printReport(const SolveReport& report, bool json)
             fixed(report.problem.mu, 6) + '\n';
     if (report.secondOpinion)
         text += verificationLine(report);
-    print(text);
+    return text;
 }
 
 void checkOutcome(const SolveOutcome& outcome, const std::string& file)
@@ -177,6 +180,29 @@ void checkOutcome(const SolveOutcome& outcome, const std::string& file)
         throw Error(ErrorCode::Unsupported, file, outcome.detail);
 }
 
+/** Proves the plan anew. */
+NewFile certificateOf(const SolveReport& report, const SolveArguments& arguments,
+                      const std::stop_token& stop)
+{
+    const TvpProblem& problem = report.problem;
+    if (problem.icebergCount() == 0 || !isVisitOrder(problem, report.outcome.order))
+        throw Error(ErrorCode::Unsupported, arguments.file,
+                    "this plan solves no problem that a certificate could be for");
+    Certificate certificate = certificateFor(problem);
+    certificate.proofs.push_back(certify(problem, report.outcome.order, stop));
+    if (stop.stop_requested())
+        throw Interrupted{};
+    return {.path = arguments.certificateFile, .content = certificateJson(certificate)};
+}
+
+void checkSolveFiles(const SolveArguments& arguments)
+{
+    checkFiles({.inputs = {arguments.file},
+                .outputs = {{.option = "--certificate", .path = arguments.certificateFile}},
+                .force = arguments.force,
+                .json = arguments.json});
+}
+
 int conclude(SolveReport& report, const SolveArguments& arguments, const SolveOptions& options)
 {
     checkOutcome(report.outcome, arguments.file);
@@ -185,7 +211,10 @@ int conclude(SolveReport& report, const SolveArguments& arguments, const SolveOp
             secondOpinion(report.problem, report.outcome, options, arguments.formulation);
     if (report.secondOpinion && report.secondOpinion->outcome.reason == StopReason::Cancelled)
         throw Interrupted{};
-    printReport(report, arguments.json);
+    std::vector<NewFile> files;
+    if (!arguments.certificateFile.empty() && report.outcome.status != SolveStatus::None)
+        files.push_back(certificateOf(report, arguments, options.stop));
+    deliver(files, reportText(report, arguments.json));
     if (report.outcome.status == SolveStatus::None)
         return kLimitWithoutPlan;
     if (!report.secondOpinion || report.secondOpinion->verdict != Verdict::Disagrees)
@@ -200,6 +229,7 @@ int conclude(SolveReport& report, const SolveArguments& arguments, const SolveOp
 
 int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
 {
+    checkSolveFiles(arguments);
     TvpProblem problem = reading([&] { return loadProblem(arguments.file).problem; });
     problem.route = arguments.route.value_or(problem.route);
     if (arguments.tau)
@@ -260,6 +290,7 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 {
     if (arguments.mu)
         throw UsageError{"plan: --mu is for problem files; a scenario is planned with --tau"};
+    checkSolveFiles(arguments);
     Scenario scenario = reading([&] { return loadScenario(arguments.file); });
     PlannerSettings& planner = scenario.planner;
     planner.tau = arguments.tau.value_or(planner.tau);
@@ -268,6 +299,9 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     planner.backend = arguments.backend.value_or(planner.backend);
     planner.formulation = arguments.formulation.value_or(planner.formulation);
     const bool isFleet = scenario.uavs.size() > 1;
+    if (isFleet && !arguments.certificateFile.empty())
+        throw UsageError{"plan: --certificate is for one UAV; this scenario has " +
+                         std::to_string(scenario.uavs.size())};
     if (isFleet && arguments.verify)
         throw UsageError{"plan: --verify is for one UAV; this scenario has " +
                          std::to_string(scenario.uavs.size())};

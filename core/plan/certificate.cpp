@@ -3,6 +3,8 @@
 #include "core/plan/fleet_bound.h"
 #include "core/plan/fleet_graph.h"
 #include "core/plan/fleet_subsets.h"
+#include "core/plan/layered_bound.h"
+#include "core/plan/layered_graph.h"
 #include "core/plan/order_moves.h"
 #include "core/plan/subset_solver.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/plan/fleet_problem.h"
-#include "core/plan/layered_bound.h"
+#include "core/plan/proof_step.h"
 
 #include <stop_token>
 #include <vector>

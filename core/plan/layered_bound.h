@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/plan/order_costs.h"
+#include "core/plan/proof_step.h"
 
 #include <Eigen/Core>
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -17,15 +17,6 @@ struct OrderSuggestion
 {
     VisitOrder order;
     std::int64_t work = 0;
-};
-
-class NgSets;
-
-/** What somebody else must do to prove the same: see `Proof`. */
-struct ProofStep
-{
-    Eigen::VectorXd lambda;               ///< multipliers, one per node, [0] is 0
-    std::shared_ptr<const NgSets> sets{}; ///< what the graph is to remember; none: nothing more
 };
 
 /** Limits, help and reports of `improveBound`. */

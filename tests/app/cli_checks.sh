@@ -44,6 +44,12 @@ cat >huge.json <<'P'
 {"format":"bergwatch-problem","version":1,"sigma":[0,1,2,3],"mu":1,
  "position_m":[[0,0],[1e10,0],[0,1e10],[3e10,5]]}
 P
+check "solve --certificate" exits 0 "$cli" solve problem.json --certificate proof.json --json
+check "solve --certificate: what it proves" python3 -c 'import json; p = json.load(open("proof.json"))["proofs"]; assert len(p) == 1 and p[0]["claim"] == "the orders are optimal"'
+check "solve --certificate overwrites nothing" exits 2 "$cli" solve problem.json --certificate proof.json
+check "curve --certificate" exits 0 "$cli" curve "$default" --certificate curve-proof.json --json
+check "curve --certificate: what it proves" python3 -c 'import json; assert all(p["claim"] == "the orders are optimal" for p in json.load(open("curve-proof.json"))["proofs"])'
+check "plan --certificate" exits 0 "$cli" plan "$default" --certificate plan-proof.json --json
 check "solve --mu beyond all measure" exits 2 "$cli" solve huge.json --mu 1e300
 check "solve --mu as large as in a file" exits 0 "$cli" solve huge.json --mu 1e15 --json
 check "solve --route closed" exits 0 "$cli" solve problem.json --route closed --json
