@@ -151,7 +151,7 @@ private slots:
         record.now.world.uavs[0].aloft_s = 300;
         record.now.world.uavs[1].aloft_s = 1500;
         record.now.world.uavs[2].aloft_s = 5000;
-        const MapReadout& left = missionPicture(record, kLocale).readouts.back();
+        const MapReadout left = missionPicture(record, kLocale).readouts.back();
         QCOMPARE(left.caption, u"Endurance left"_s);
         QCOMPARE(left.value, u"05:00"_s);
         QCOMPARE(left.unit, u"two"_s);
@@ -164,7 +164,7 @@ private slots:
         record.now.world.closest_m = 301;
         QCOMPARE(missionPicture(record, kLocale).readouts.size(), std::size_t{3});
         record.now.world.closest_m = 142.6;
-        const MapReadout& closest = missionPicture(record, kLocale).readouts.back();
+        const MapReadout closest = missionPicture(record, kLocale).readouts.back();
         QCOMPARE(closest.caption, u"Closest so far"_s);
         QCOMPARE(closest.value, u"143"_s);
         QCOMPARE(closest.unit, u"m"_s);
