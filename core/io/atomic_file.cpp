@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <optional>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -112,9 +113,20 @@ std::filesystem::path folderOf(const std::filesystem::path& file)
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+// Names of files that are being written: `.TARGET.PID-NUMBER.tmp`.
+constexpr std::string_view kTemporaryEnding = ".tmp";
+
+std::string temporaryStem(const std::filesystem::path& target)
+{
+    // File names may have 255 bytes at most; the target's own may use them all.
+    constexpr std::size_t kLongestStem = 200;
+    return '.' + target.filename().string().substr(0, kLongestStem) + ".";
+}
+
 /**
  * New file beside the target, removed again unless it was put in the target's place. Where the file
- * system can, it has no name until then: a program that is killed leaves nothing.
+ * system can, it has no name until then: a program that is killed leaves nothing. Locked, which
+ * tells it from one whose writer was killed.
  */
 class TemporaryFile
 {
@@ -136,29 +148,30 @@ public:
                 m_fd = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
                 return m_fd >= 0;
             });
+        if (m_fd >= 0)
+            ::flock(m_fd, LOCK_EX | LOCK_NB);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile()
     {
-        if (m_fd >= 0 && m_open)
-            ::close(m_fd);
-        if (m_fd >= 0 && m_isNamed && !m_placed)
+        if (m_fd < 0)
+            return;
+        if (m_isNamed && !m_placed)
             ::unlink(m_path.c_str());
+        ::close(m_fd);
     }
 
     [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
     [[nodiscard]] bool isNamed() const { return m_isNamed; }
 
     /** Writes and flushes to the disk; false leaves the reason in errno. */
-    [[nodiscard]] bool fill(std::string_view content)
+    [[nodiscard]] bool fill(std::string_view content) const
     {
         if (!writeAll(m_fd, content) || ::fsync(m_fd) != 0)
             return false;
-        if (!m_isNamed) // its name is given through the descriptor
-            return true;
-        m_open = false;
-        return ::close(m_fd) == 0;
+        const int copy = ::dup(m_fd); // some file systems tell only when a file is closed
+        return copy >= 0 && ::close(copy) == 0;
     }
 
     void copyAttributes(const struct stat& from) const
@@ -187,13 +200,10 @@ private:
     template <class Make>
     bool takeName(const Make& make)
     {
-        // File names may have 255 bytes at most; the target's own may use them all.
-        constexpr std::size_t kLongestStem = 200;
         constexpr int kMostTries = 1000;
-        const std::string stem = '.' + m_target.filename().string().substr(0, kLongestStem) + "." +
-                                 std::to_string(::getpid()) + "-";
+        const std::string stem = temporaryStem(m_target) + std::to_string(::getpid()) + "-";
         for (int i = 0; i < kMostTries; ++i) {
-            m_path = m_target.parent_path() / (stem + std::to_string(i) + ".tmp");
+            m_path = m_target.parent_path() / (stem + std::to_string(i)).append(kTemporaryEnding);
             if (make(m_path.c_str()))
                 return true;
             if (errno != EEXIST)
@@ -206,7 +216,6 @@ private:
     std::filesystem::path m_path;
     int m_fd = -1;
     bool m_isNamed = false;
-    bool m_open = true;
     bool m_placed = false;
 };
 
@@ -378,9 +387,29 @@ void StagedFile::place()
         writeInPlace(m_state->path, m_state->content);
         return;
     }
+    removeLeftovers(m_state->path);
     if (!m_state->rename())
         overwrite(m_state->path, to.target, to.exists ? &to.old : nullptr, m_state->content);
     flushFolder(to.target);
+}
+
+void removeLeftovers(const std::string& path)
+{
+    const std::filesystem::path target = withoutLinks(path);
+    const std::string stem = temporaryStem(target);
+    std::error_code failure;
+    for (std::filesystem::directory_iterator it(folderOf(target), failure), end;
+         !failure && it != end; it.increment(failure)) {
+        const std::string name = it->path().filename().string();
+        const bool isOurs = name.starts_with(stem) && name.ends_with(kTemporaryEnding) &&
+                            name.find_first_not_of("0123456789-", stem.size()) ==
+                                name.size() - kTemporaryEnding.size();
+        if (!isOurs)
+            continue;
+        const Descriptor left(::open(it->path().c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW));
+        if (left.isOpen() && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0)
+            ::unlink(it->path().c_str());
+    }
 }
 
 void writeFileAtomically(const std::string& path, std::string_view content)

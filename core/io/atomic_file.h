@@ -22,9 +22,13 @@ inline constexpr std::size_t kLargestFile = 64U << 20U;
  * file system refuses the temporary file or the renaming, the file itself is written over, after
  * the room for it was reserved. Devices, pipes and what is open already (/dev/stdout, /dev/fd/3)
  * are written to as they are. Throws `Error{FileUnwritable}`; then the old content is still there
- * (unless a device failed in the middle of writing it over) and no temporary file is left.
+ * (unless a device failed in the middle of writing it over) and no temporary file is left;
+ * those of writers that were killed are removed.
  */
 void writeFileAtomically(const std::string& path, std::string_view content);
+
+/** Removes what writers of this file have left beside it that were killed in the middle. */
+void removeLeftovers(const std::string& path);
 
 /** The two halves of `writeFileAtomically`, for files that belong together: see `writeFileSet`. */
 class StagedFile

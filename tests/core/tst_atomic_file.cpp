@@ -10,8 +10,10 @@
 #include <csignal>
 #include <fcntl.h>
 #include <string>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
@@ -137,6 +139,55 @@ private slots:
         QVERIFY(m_dir->isValid());
     }
 
+    void leftoversOfKilledWritersGo_data()
+    {
+        QTest::addColumn<bool>("writes");
+        QTest::newRow("when it is written") << true;
+        QTest::newRow("when it is opened") << false;
+    }
+    void leftoversOfKilledWritersGo()
+    {
+        QFETCH(bool, writes);
+        writeFileAtomically(path("plan.berg"), "old");
+        const QStringList others{".plan.berg.bak", ".plan.berg.tmp", ".plan.berg.x1-0.tmp",
+                                 ".plan2.berg.1-0.tmp", "plan.berg.1-0.tmp"};
+        for (const QString& name :
+             others + QStringList{".plan.berg.1-0.tmp", ".plan.berg.77-12.tmp"})
+            writeFileAtomically(m_dir->filePath(name).toStdString(), "half");
+        const std::string held = path(".plan.berg.2-0.tmp"); // being written by another program
+        writeFileAtomically(held, "half");
+        const int fd = ::open(held.c_str(), O_WRONLY | O_CLOEXEC);
+        QCOMPARE(::flock(fd, LOCK_EX | LOCK_NB), 0);
+        if (writes)
+            writeFileAtomically(path("plan.berg"), "new");
+        else
+            removeLeftovers(path("plan.berg"));
+        QStringList left = others + QStringList{".plan.berg.2-0.tmp", "plan.berg"};
+        left.sort();
+        QCOMPARE(namesIn(*m_dir), left);
+        ::close(fd);
+        QCOMPARE(readFile(path("plan.berg")), std::string(writes ? "new" : "old"));
+    }
+
+    void killedInTheMiddle()
+    {
+        const std::string target = path("plan.berg");
+        writeFileAtomically(target, "old");
+        const std::string content(32U << 20U, 'x');
+        const pid_t writer = ::fork();
+        if (writer == 0)
+            for (;;)
+                writeFileAtomically(target, content);
+        while (namesIn(*m_dir).size() < 2) // it writes
+            QTest::qSleep(1);
+        ::kill(writer, SIGKILL);
+        ::waitpid(writer, nullptr, 0);
+        const std::size_t size = readFile(target).size();
+        QVERIFY(size == 3 || size == content.size());
+        writeFileAtomically(target, "new");
+        QCOMPARE(namesIn(*m_dir), QStringList{"plan.berg"});
+    }
+
     void contents_data()
     {
         QTest::addColumn<QByteArray>("content");
@@ -232,12 +283,15 @@ private slots:
         QCOMPARE(readFile(file), std::string("x"));
     }
 
-    void leftoverOfAnotherWriterIsLeftAlone()
+    void fileOfAnotherWriterIsLeftAlone()
     {
-        // The name this process would take first, as a crash under the same number leaves it.
+        // The name this process would take first, of a writer under the same number elsewhere.
         const std::string leftover = path(".file.") + std::to_string(::getpid()) + "-0.tmp";
         writeFileAtomically(leftover, "kept");
+        const int fd = ::open(leftover.c_str(), O_WRONLY | O_CLOEXEC);
+        QCOMPARE(::flock(fd, LOCK_EX | LOCK_NB), 0);
         writeFileAtomically(path("file"), "new");
+        ::close(fd);
         QCOMPARE(readFile(path("file")), std::string("new"));
         QCOMPARE(readFile(leftover), std::string("kept"));
         QCOMPARE(namesIn(*m_dir).size(), qsizetype{2});

@@ -63,6 +63,21 @@ private slots:
         writeOutside(u"b.berg"_s, three(2));
     }
 
+    void nothingStaysOfProgramsThatWereKilled()
+    {
+        QVERIFY(QDir(m_dir->path()).mkdir(u"locks"_s));
+        for (const QString& name : {u"locks/0123.lock"_s, u".a.berg.4711-0.tmp"_s})
+            writeFileAtomically(path(name).toStdString(), "4711\nfram\n");
+        Window window(*m_dir);
+        window.document.open(path(u"a.berg"_s));
+        const auto names = [this](const QString& folder) {
+            return QDir(path(folder)).entryList(QDir::Files | QDir::Hidden);
+        };
+        QCOMPARE(names(u"."_s), (QStringList{u"a.berg"_s, u"b.berg"_s}));
+        QCOMPARE(names(u"locks"_s).size(), 1); // its own
+        QVERIFY(!names(u"locks"_s).contains(u"0123.lock"_s));
+    }
+
     void twoWindowsSeeEachOther()
     {
         Window first(*m_dir);

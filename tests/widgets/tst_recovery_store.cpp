@@ -160,6 +160,19 @@ private slots:
         QCOMPARE(found.usable[0].info.edited, QFileInfo(files.scenario()).lastModified());
     }
 
+    /** Killed before anything was written: nothing to offer, nothing to keep. */
+    void whatIsEmptyGoes()
+    {
+        const RecoveryFiles files = leave(1);
+        QVERIFY(QFile::remove(files.scenario()));
+        const QString folder = m_dir->filePath(u"recovery/"_s);
+        write(files.lock(), "4711\nfram\n");
+        write(folder + u'.' + files.id + u".berg.99-0.tmp"_s, "half");
+        const HeldRecovery held = store().add(); // about to be written
+        QVERIFY(store().abandoned().usable.empty());
+        QCOMPARE(names(), QStringList{QFileInfo(held.files.lock()).fileName()});
+    }
+
     void removedWithAllThatBelongsToIt()
     {
         leave(1);

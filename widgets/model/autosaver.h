@@ -15,8 +15,8 @@ class ScenarioDocument;
 /** When unsaved changes are written. */
 struct AutosaveTimes
 {
-    int pause_ms = 2000;    ///< after the last change
-    int longest_ms = 20000; ///< after the first, however much is changed
+    int pause_ms = 2000;   ///< after the last change
+    int longest_ms = 8000; ///< after the first, however much is changed
 };
 
 /**

@@ -28,6 +28,15 @@ QByteArray hashOf(const std::string& content)
                                     QCryptographicHash::Sha256);
 }
 
+/** Those of programs that were killed. */
+void removeFreeLocks(const QString& folder)
+{
+    for (const QFileInfo& file : QDir(folder).entryInfoList({u"*.lock"_s}, QDir::Files)) {
+        FileLock lock; // removes the file when it goes
+        (void)lock.take(file.filePath());
+    }
+}
+
 /** As private as the file itself. */
 bool copyTo(const QString& path, const QString& copy)
 {
@@ -52,6 +61,7 @@ void DocumentFile::setLockFolder(const QString& folder)
 {
     m_lockFolder = folder;
     QDir().mkpath(folder);
+    removeFreeLocks(folder);
     follow();
 }
 
@@ -62,6 +72,8 @@ void DocumentFile::follow()
     // that the first look at the file goes by its content.
     m_seen = m_document.fileHash().isEmpty() ? seen() : Seen{.hash = m_document.fileHash()};
     const QString path = m_document.filePath();
+    if (!path.isEmpty())
+        removeLeftovers(QFile::encodeName(path).toStdString());
     const QString lock = path.isEmpty() || m_lockFolder.isEmpty() ? QString() : lockPath(path);
     if (lock == m_lockPath && m_lock.isHeld())
         return;

@@ -92,6 +92,18 @@ void removeRecovery(const RecoveryFiles& files)
             QFile::remove(folder.filePath(name));
 }
 
+void removeEmptyRecoveries(const QString& folder, const QString& ending)
+{
+    for (const QFileInfo& file : QDir(folder).entryInfoList({u"*.lock"_s}, QDir::Files)) {
+        HeldRecovery held{.files = {.folder = folder, .id = file.completeBaseName()}, .lock = {}};
+        const QString content = QDir(folder).filePath(held.files.id + ending);
+        if (!QFile::exists(content) &&
+            held.lock.take(held.files.lock()) == FileLock::Outcome::Taken &&
+            !QFile::exists(content)) // nor written between the two
+            removeRecovery(held.files);
+    }
+}
+
 HeldRecovery RecoveryStore::add() const
 {
     HeldRecovery held{
@@ -104,6 +116,7 @@ HeldRecovery RecoveryStore::add() const
 
 FoundRecoveries RecoveryStore::abandoned() const
 {
+    removeEmptyRecoveries(m_folder, kEnding);
     FoundRecoveries found;
     for (const QFileInfo& file : QDir(m_folder).entryInfoList({u'*' + kEnding}, QDir::Files)) {
         HeldRecovery held{.files = {.folder = m_folder, .id = file.completeBaseName()}, .lock = {}};

@@ -37,6 +37,12 @@ void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const R
 /** Removes both and what a writer that was killed has left of them; the lock stays. Thread: any. */
 void removeRecovery(const RecoveryFiles& files);
 
+/**
+ * What is left of recoveries whose program was killed before it had written `<id><ending>`. Thread:
+ * any.
+ */
+void removeEmptyRecoveries(const QString& folder, const QString& ending);
+
 /** A recovery that nobody else may touch as long as this object lives. */
 struct HeldRecovery
 {
