@@ -63,6 +63,7 @@ bool MainWindow::mayEndSession(bool mayAsk)
     if (!mayAsk) {
         finishTyping();
         m_workspace.autosaver().keep();
+        m_workspace.studyKeeper().keep();
         m_endAgreed = true;
         return true;
     }
@@ -70,8 +71,10 @@ bool MainWindow::mayEndSession(bool mayAsk)
     // There is no time later on: the program may be killed as soon as this returns.
     m_endAgreed = study != Interaction::Unsaved::Cancel &&
                   (study != Interaction::Unsaved::Save || saveStudyNow()) && maySettleChanges();
-    if (m_endAgreed)
+    if (m_endAgreed) {
         m_workspace.autosaver().discard();
+        m_workspace.studyKeeper().discard();
+    }
     return m_endAgreed;
 }
 
@@ -97,6 +100,7 @@ void MainWindow::takeOver(MainWindow& other)
 
 bool MainWindow::offerRecoveries()
 {
+    m_workspace.studyKeeper().lookForAbandoned();
     FoundRecoveries found = m_workspace.autosaver().abandoned();
     for (const QString& path : found.damaged)
         m_interaction.showError(

@@ -98,6 +98,17 @@ void MainWindow::connectStudy()
             window.showStudy();
         });
     });
+    connect(&m_workspace.studyKeeper(), &StudyKeeper::found, this,
+            [this](const std::shared_ptr<const Study>& study) {
+                m_workspace.study().restore(*study);
+                showStudy();
+                m_study->showNote(tr("Bergwatch ended unexpectedly, and this study was in no "
+                                     "file. Save it, or fly the rest."));
+            });
+    connect(&m_workspace.studyKeeper(), &StudyKeeper::failed, this, [this](const QString& report) {
+        statusBar()->showMessage(tr("Autosaving failed: %1").arg(report.section(u'\n', 0, 0)),
+                                 kMessage_ms);
+    });
     connect(&files, &StudyFiles::written, this,
             [this](const QString& path) { m_study->showNote(tr("Saved %1").arg(path)); });
     connect(&files, &StudyFiles::saved, this, [this](const QString& path) {

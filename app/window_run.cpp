@@ -93,6 +93,7 @@ void keepSafe(Workspace& workspace, const QDir& data)
 {
     workspace.file().setLockFolder(data.filePath(u"locks"_s));
     workspace.autosaver().start(data.filePath(u"recovery"_s));
+    workspace.studyKeeper().start(data.filePath(u"studies"_s));
 }
 
 /** What came of the file named on the command line before there was a window. */

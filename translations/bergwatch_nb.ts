@@ -5915,6 +5915,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Fly som i studien</translation>
     </message>
     <message>
+        <source>Bergwatch ended unexpectedly, and this study was in no file. Save it, or fly the rest.</source>
+        <translation>Bergwatch ble avsluttet uventet, og denne studien var ikke i noen fil. Lagre den, eller fly resten.</translation>
+    </message>
+    <message>
         <source>Flown as in the study, which is under View, Study.</source>
         <translation>Fløyet som i studien, som ligger under Vis, Studie.</translation>
     </message>

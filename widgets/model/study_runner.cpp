@@ -84,6 +84,15 @@ void StudyRunner::show(Study study)
     begin(std::move(study), reference, false);
 }
 
+void StudyRunner::restore(Study study)
+{
+    const double share = static_cast<double>(flownCount(study)) /
+                         static_cast<double>(std::max<std::size_t>(missionCount(study.spec), 1));
+    const double flying_s = share * estimated_s(study.spec);
+    show(std::move(study));
+    m_unsaved_s = flying_s;
+}
+
 void StudyRunner::begin(Study study, std::size_t reference, bool flies)
 {
     m_stop.request_stop();

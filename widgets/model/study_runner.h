@@ -54,6 +54,8 @@ public:
     void cancel();
     /** Shows a study that was flown before; ends what is under way. */
     void show(Study study);
+    /** As `show`, of one that is in no file of the user's. */
+    void restore(Study study);
     /** The setting that the others are compared with: `updated` follows. */
     void setReference(std::size_t setting);
 

@@ -33,7 +33,10 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
     connect(&m_runner, &MissionRunner::instantUpdated, this, &Workspace::takeInstant);
     connect(&m_bound, &BoundRunner::updated, this, [this] { m_record.bound = m_bound.known(); });
     connect(&m_studyFiles, &StudyFiles::saved, &m_study,
-            [this](const QString&, const StudySavePoint& point) { m_study.noteSaved(point); });
+            [this](const QString&, const StudySavePoint& point) {
+                m_study.noteSaved(point);
+                m_studyKeeper.follow();
+            });
     m_playBack.setInterval(kFrame_ms);
     connect(&m_playBack, &QTimer::timeout, this, &Workspace::playBack);
     m_tauPause.setSingleShot(true);

@@ -13,6 +13,7 @@
 #include "widgets/model/scenario_document.h"
 #include "widgets/model/selection.h"
 #include "widgets/model/study_files.h"
+#include "widgets/model/study_keeper.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -50,6 +51,7 @@ public:
     [[nodiscard]] BenchmarkRunner& benchmark() { return m_benchmark; }
     [[nodiscard]] StudyRunner& study() { return m_study; }
     [[nodiscard]] StudyFiles& studyFiles() { return m_studyFiles; }
+    [[nodiscard]] StudyKeeper& studyKeeper() { return m_studyKeeper; }
     [[nodiscard]] ImportRunner& imports() { return m_imports; }
     [[nodiscard]] const FlightRecord& record() const { return m_record; }
     [[nodiscard]] bool inFlight() const { return m_record.inFlight(); }
@@ -158,6 +160,7 @@ private:
     BoundRunner m_bound;
     BenchmarkRunner m_benchmark;
     StudyRunner m_study;
+    StudyKeeper m_studyKeeper{m_study};
     StudyFiles m_studyFiles;
     ImportRunner m_imports;
     RunList m_runs;

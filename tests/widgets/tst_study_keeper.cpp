@@ -1,0 +1,130 @@
+#include "core/io/atomic_file.h"
+#include "core/io/study_json.h"
+#include "tests/support/panel_test.h"
+#include "tests/support/study_builder.h"
+#include "widgets/model/study_keeper.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kPatience_ms = 60000;
+
+/** A runner and who keeps its study, as one window has them. */
+struct Window
+{
+    explicit Window(const QString& folder, int interval_ms = 10)
+    {
+        keeper.start(folder, interval_ms);
+        QObject::connect(&keeper, &StudyKeeper::found, &context,
+                         [this](const std::shared_ptr<const Study>& study) { found = study; });
+        QObject::connect(&keeper, &StudyKeeper::failed, &context,
+                         [this](const QString& report) { failures << report; });
+    }
+
+    StudyRunner runner;
+    StudyKeeper keeper{runner};
+    QObject context;
+    std::shared_ptr<const Study> found;
+    QStringList failures;
+};
+
+} // namespace
+
+class TestStudyKeeper : public QObject
+{
+    Q_OBJECT
+
+private:
+    std::unique_ptr<QTemporaryDir> m_dir;
+    [[nodiscard]] QString folder() const { return m_dir->filePath(u"studies"_s); }
+    [[nodiscard]] QStringList kept() const
+    {
+        return QDir(folder()).entryList({u"*.bergstudy"_s}, QDir::Files);
+    }
+    /** As a program leaves it that ends without a word. */
+    Study leave()
+    {
+        Window window(folder());
+        window.runner.start(test::quickStudy());
+        if (!QTest::qWaitFor([&] { return window.runner.isComplete(); }, kPatience_ms))
+            qFatal("not flown");
+        window.keeper.keep();
+        return window.runner.result()->study;
+    }
+
+private slots:
+    void init()
+    {
+        test::failOnWarnings();
+        m_dir = std::make_unique<QTemporaryDir>();
+    }
+
+    void keptWhileFlown()
+    {
+        Window window(folder());
+        window.runner.start(test::endlessStudy());
+        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), 1, kPatience_ms);
+        const QString path = QDir(folder()).filePath(kept().front());
+        QTRY_VERIFY_WITH_TIMEOUT(flownCount(loadStudy(path.toStdString())) > 0, kPatience_ms);
+        QVERIFY(window.failures.isEmpty());
+    }
+
+    void nothingStaysOfAnEndInOrder()
+    {
+        {
+            Window window(folder());
+            window.runner.start(test::quickStudy());
+            QTRY_COMPARE_WITH_TIMEOUT(kept().size(), 1, kPatience_ms);
+        }
+        QVERIFY(QDir(folder()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+    }
+
+    void foundAgain()
+    {
+        const Study left = leave();
+        QCOMPARE(kept().size(), 1);
+        Window next(folder());
+        next.keeper.lookForAbandoned();
+        QTRY_VERIFY_WITH_TIMEOUT(next.found != nullptr, kPatience_ms);
+        QCOMPARE(flownCount(*next.found), flownCount(left));
+        next.runner.restore(*next.found);
+        QTRY_VERIFY_WITH_TIMEOUT(next.runner.result() != nullptr, kPatience_ms);
+        QVERIFY(next.runner.unsaved_s() > 0);
+        QCOMPARE(kept().size(), 1); // until it is saved
+
+        next.runner.noteSaved(next.runner.savePoint());
+        next.keeper.follow();
+        QTRY_VERIFY_WITH_TIMEOUT(kept().isEmpty(), kPatience_ms);
+    }
+
+    void oneInUseIsLeftAlone()
+    {
+        leave();
+        Window first(folder());
+        first.keeper.lookForAbandoned();
+        Window second(folder());
+        second.keeper.lookForAbandoned();
+        QTRY_VERIFY_WITH_TIMEOUT(first.found != nullptr, kPatience_ms);
+        QVERIFY(second.found == nullptr);
+    }
+
+    void damagedIsSetAside()
+    {
+        leave();
+        const QString path = QDir(folder()).filePath(kept().front());
+        writeFileAtomically(path.toStdString(), "{");
+        Window next(folder());
+        next.keeper.lookForAbandoned();
+        QTRY_COMPARE_WITH_TIMEOUT(next.failures.size(), 1, kPatience_ms);
+        QVERIFY(next.found == nullptr);
+        QCOMPARE(readFile(path.toStdString() + ".damaged"), std::string("{"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestStudyKeeper)
+#include "tst_study_keeper.moc"

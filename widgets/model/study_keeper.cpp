@@ -1,0 +1,149 @@
+#include "widgets/model/study_keeper.h"
+
+#include "core/io/study_json.h"
+#include "widgets/model/error_text.h"
+#include "widgets/model/work_failure.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+const QString kEnding = u".bergstudy"_s;
+
+std::string studyPath(const RecoveryFiles& files)
+{
+    return QFile::encodeName(QDir(files.folder).filePath(files.id + kEnding)).toStdString();
+}
+
+} // namespace
+
+StudyKeeper::StudyKeeper(StudyRunner& runner, QObject* parent) : QObject(parent), m_runner(runner)
+{
+    qRegisterMetaType<std::shared_ptr<const berg::Study>>();
+    m_thread.setMaxThreadCount(1);
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &StudyKeeper::write);
+}
+
+StudyKeeper::~StudyKeeper()
+{
+    m_thread.waitForDone();
+    if (m_held && !m_keep)
+        removeRecovery(m_held->files);
+}
+
+void StudyKeeper::start(const QString& folder, int interval_ms)
+{
+    m_folder = folder;
+    m_timer.setInterval(interval_ms);
+    connect(&m_runner, &StudyRunner::updated, this, &StudyKeeper::follow);
+    connect(&m_runner, &StudyRunner::finished, this, &StudyKeeper::write);
+}
+
+void StudyKeeper::follow()
+{
+    if (m_folder.isEmpty())
+        return;
+    if (m_runner.unsaved_s() <= 0)
+        drop();
+    else if (!m_timer.isActive())
+        m_timer.start();
+}
+
+void StudyKeeper::write()
+{
+    m_timer.stop();
+    if (m_runner.unsaved_s() <= 0 || !m_runner.result())
+        return;
+    if (m_isReading || m_thread.activeThreadCount() > 0) { // a large one takes its time
+        m_timer.start();
+        return;
+    }
+    try {
+        if (!m_held)
+            m_held = RecoveryStore(m_folder).add();
+    } catch (const Error& error) {
+        emit failed(errorReport(error));
+        return;
+    }
+    m_thread.start([this, files = m_held->files, result = m_runner.result()] {
+        if (const auto failure = failureOf([&] { saveStudy(result->study, studyPath(files)); }))
+            emit failed(failure->report);
+    });
+}
+
+void StudyKeeper::drop()
+{
+    m_timer.stop();
+    if (m_held)
+        m_thread.start([files = m_held->files] { removeRecovery(files); });
+}
+
+void StudyKeeper::keep()
+{
+    if (m_folder.isEmpty())
+        return;
+    m_thread.waitForDone();
+    write();
+    m_thread.waitForDone();
+    m_keep = m_runner.unsaved_s() > 0;
+}
+
+void StudyKeeper::discard()
+{
+    m_keep = false;
+    drop();
+    m_thread.waitForDone();
+}
+
+void StudyKeeper::lookForAbandoned()
+{
+    if (m_folder.isEmpty() || m_held)
+        return;
+    removeEmptyRecoveries(m_folder, kEnding);
+    for (const QFileInfo& file :
+         QDir(m_folder).entryInfoList({u'*' + kEnding}, QDir::Files, QDir::Time)) {
+        HeldRecovery held{.files = {.folder = m_folder, .id = file.completeBaseName()}, .lock = {}};
+        if (held.lock.take(held.files.lock()) == FileLock::Outcome::Taken) {
+            m_held = std::move(held);
+            read();
+            return; // others at the next start
+        }
+    }
+}
+
+void StudyKeeper::read()
+{
+    m_isReading = true;
+    m_thread.start([this, path = studyPath(m_held->files)] {
+        std::shared_ptr<const Study> study;
+        const std::optional<WorkFailure> why =
+            failureOf([&] { study = std::make_shared<const Study>(loadStudy(path)); });
+        if (why && why->isExpected) { // for whoever wants to look into it
+            const QString name = QFile::decodeName(QByteArray::fromStdString(path));
+            QFile::rename(name, name + u".damaged"_s);
+        }
+        const QString failure = why ? why->report : QString();
+        QMetaObject::invokeMethod(
+            this, [this, study, failure] { take(study, failure); }, Qt::QueuedConnection);
+    });
+}
+
+void StudyKeeper::take(const std::shared_ptr<const Study>& study, const QString& failure)
+{
+    m_isReading = false;
+    if (study && m_runner.unsaved_s() <= 0) {
+        emit found(study);
+        return;
+    }
+    m_held.reset(); // another one is being flown by now: that one is for the next start
+    if (!study)
+        emit failed(failure);
+}
+
+} // namespace berg
