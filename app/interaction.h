@@ -136,7 +136,7 @@ public:
 };
 
 /** The real one: Qt's dialogs. */
-class DialogInteraction final : public Interaction
+class DialogInteraction : public Interaction
 {
 public:
     [[nodiscard]] Unsaved askUnsaved(QWidget* parent, const QString& name) override;

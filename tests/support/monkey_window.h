@@ -1,0 +1,138 @@
+#pragma once
+
+#include "app/window_holder.h"
+#include "app/window_run.h"
+#include "core/base/random.h"
+#include "core/base/solving_guard.h"
+#include "core/io/run_json.h"
+#include "core/io/scenario_json.h"
+#include "core/io/study_json.h"
+#include "tests/support/study_builder.h"
+#include "widgets/map/map_view.h"
+
+#include <QDir>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <future>
+
+namespace berg::test {
+
+using namespace Qt::StringLiterals;
+
+/** The real dialogs, but those for files: whoever chose in those could write anywhere. */
+class MonkeyInteraction final : public DialogInteraction
+{
+public:
+    MonkeyInteraction(QString folder, std::uint64_t seed)
+        : m_folder(std::move(folder)), m_random(seed, 5)
+    {
+    }
+
+    [[nodiscard]] QString openPath(QWidget*, const QString&) override
+    {
+        QTest::qWait(static_cast<int>(m_random.below(20))); // as long as the dialog stands
+        return m_random.below(4) == 0 ? QString() : anyFile();
+    }
+    [[nodiscard]] QString savePath(QWidget*, const QString&, const QString&) override
+    {
+        QTest::qWait(static_cast<int>(m_random.below(20)));
+        if (m_random.below(4) == 0)
+            return {};
+        return QDir(m_folder).filePath(u"saved-%1"_s.arg(m_random.below(3)));
+    }
+    /** A file to open, be it one that cannot be. */
+    [[nodiscard]] QString anyFile()
+    {
+        const QDir folder(m_folder);
+        const QStringList names = folder.entryList(QDir::Files);
+        const auto count = static_cast<std::uint64_t>(names.size());
+        return folder.filePath(names[static_cast<qsizetype>(m_random.below(count))]);
+    }
+
+private:
+    QString m_folder;
+    Random m_random;
+};
+
+/** The real window with real dialogs, and a folder of files of every kind. */
+class MonkeyWindow
+{
+public:
+    MonkeyWindow(const Scenario& scenario, std::uint64_t seed) : interaction(files(), seed)
+    {
+        installLanguage(u"en"_s);
+        makeFiles(scenario);
+        settings.setValue("export/folder", files());
+        settings.setValue("start/tourSeen", true);
+        workspace.file().setLockFolder(folder.filePath(u"locks"_s));
+        workspace.autosaver().start(folder.filePath(u"recovery"_s),
+                                    {.pause_ms = 50, .longest_ms = 200});
+        workspace.document().reset(scenario);
+        m_holder = std::make_unique<WindowHolder>(workspace, interaction, settings);
+        window().resize(1280, 800);
+        window().show();
+        window().activateWindow();
+        if (!QTest::qWaitForWindowActive(&window()))
+            qFatal("the window does not come up");
+    }
+
+    QTemporaryDir folder;
+    QSettings settings{folder.filePath(u"settings.ini"_s), QSettings::IniFormat};
+    MonkeyInteraction interaction;
+    Workspace workspace;
+
+    /** Another one after each change of language or units. */
+    [[nodiscard]] MainWindow& window() { return m_holder->window(); }
+    [[nodiscard]] MapView& map() { return window().mapView(); }
+    [[nodiscard]] ScenarioDocument& document() { return workspace.document(); }
+    [[nodiscard]] const Scenario& scenario() { return workspace.document().scenario(); }
+
+    /** The mission shown is that of the newest command, and is not being planned. */
+    [[nodiscard]] bool untilAnswered(int patience_ms)
+    {
+        return QTest::qWaitFor(
+            [this] {
+                const MissionSnapshot& now = workspace.record().now;
+                return now.generation == workspace.runner().generation() &&
+                       now.phase != RunPhase::Planning;
+            },
+            patience_ms);
+    }
+
+private:
+    [[nodiscard]] QString files() const { return folder.filePath(u"files"_s); }
+
+    void makeFiles(const Scenario& scenario) const
+    {
+        QDir().mkpath(files());
+        const QDir to(files());
+        const QDir examples(QStringLiteral(BERG_SOURCE_DIR "/resources/scenarios"));
+        for (const QString& name : {u"disko-bay-4.berg"_s, u"svalbard-two-uavs.berg"_s,
+                                    u"twillingate-clusters.berg"_s, u"hibernia-asset.berg"_s})
+            QFile::copy(examples.filePath(name), to.filePath(name));
+        for (const QString& path :
+             {u"import/table.csv"_s, u"import/scene.kml"_s, u"import/scene.geojson"_s,
+              u"broken/binary.berg"_s, u"broken/geofence-without-area.berg"_s})
+            QFile::copy(QDir(QStringLiteral(BERG_TEST_DATA)).filePath(path),
+                        to.filePath(QFileInfo(path).fileName()));
+        const auto native = [&](const QString& name) { return to.filePath(name).toStdString(); };
+        saveScenario(scenario, native(u"start.berg"_s));
+        std::async(std::launch::async,
+                   [&] { // not on the thread of the window
+                       Mission mission(quickScenario());
+                       mission.advance(60);
+                       saveRun(runOf(mission), native(u"flown.bergrun"_s));
+                       Study study{.spec = quickStudy(2), .outcomes = {}};
+                       fly(study);
+                       saveStudy(study, native(u"flown.bergstudy"_s));
+                   })
+            .get();
+    }
+
+    std::unique_ptr<WindowHolder> m_holder;
+    ForbidSolving m_guard;
+};
+
+} // namespace berg::test
