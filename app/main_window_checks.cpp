@@ -10,6 +10,7 @@
 #include "widgets/panels/tradeoff_panel.h"
 
 #include <QDockWidget>
+#include <QStatusBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -21,6 +22,7 @@ namespace berg {
 namespace {
 
 constexpr int kDialogEdge_px = 12;
+constexpr int kRefusal_ms = 8000;
 
 void raiseDock(const QWidget& window, const QString& name)
 {
@@ -36,6 +38,9 @@ void MainWindow::connectChecks()
     connect(m_checks, &CheckPanel::chosen, this, &MainWindow::showCulprit);
     connect(m_checksButton, &QToolButton::clicked, this, &MainWindow::openChecks);
     connect(m_banner, &FlightBanner::checksRequested, this, &MainWindow::openChecks);
+    connect(&m_workspace.document(), &ScenarioDocument::impossible, this, [this](const Issue& why) {
+        statusBar()->showMessage(tr("Not changed: %1").arg(issueText(why)), kRefusal_ms);
+    });
     connect(m_tradeoff, &TradeoffPanel::checksRequested, this, &MainWindow::openChecks);
     connect(&m_workspace.document(), &ScenarioDocument::scenarioChanged, this,
             &MainWindow::showChecks);

@@ -101,7 +101,8 @@ bool MainWindow::openUnlessInUse(const QString& path)
                                           : Interaction::InUse::OpenAnyway;
     switch (choice) {
     case Interaction::InUse::OpenCopy:
-        m_workspace.document().reset(loadScenario(QFile::encodeName(path).toStdString()));
+        m_workspace.document().reset(
+            loadScenario(QFile::encodeName(path).toStdString(), ScenarioUse::Editing));
         statusBar()->showMessage(tr("Opened a copy of %1").arg(name), kMessage_ms);
         return true;
     case Interaction::InUse::OpenAnyway:

@@ -28,7 +28,8 @@ RecentFile readRecentFile(const QString& path)
         // Opening it tells why not.
         static_cast<void>(failureOf([&] {
             recent.icebergs = static_cast<int>(
-                loadScenario(QFile::encodeName(path).toStdString()).icebergs.size());
+                loadScenario(QFile::encodeName(path).toStdString(), ScenarioUse::Editing)
+                    .icebergs.size());
         }));
     }
     return recent;

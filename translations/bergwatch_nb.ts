@@ -5984,6 +5984,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;All files (*)</source>
         <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
     </message>
+    <message>
+        <source>Not changed: %1</source>
+        <translation>Ikke endret: %1</translation>
+    </message>
 </context>
 <context>
     <name>berg::MapView</name>

@@ -234,7 +234,11 @@ ImportResult importSightings(const Scenario& base, const SightingTable& table,
     takeIn(entriesOf(icebergs, result.scenario, options), result);
 
     std::vector<Issue> issues = validate(result.scenario);
-    std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::Error; });
+    const std::vector<Issue> before = validate(base); // what was wrong then is not the import's
+    std::erase_if(issues, [&](const Issue& issue) {
+        return issue.severity != Severity::Error ||
+               std::ranges::find(before, issue) != before.end();
+    });
     if (!issues.empty())
         throw Error(ErrorCode::InvalidInput, "import", std::move(issues));
     return result;

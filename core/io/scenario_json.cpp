@@ -141,12 +141,12 @@ void nameUnnamed(Scenario& scenario, ObjectReader& object)
     nameByRow(scenario.icebergs, object.find("icebergs"), "berg-", taken);
 }
 
-/** Adds what `validate` finds, except about members already known to be unreadable. */
-void addFindings(const Scenario& scenario, ObjectReader& object)
+/** Adds what is wrong for this use, except about members already known to be unreadable. */
+void addFindings(const Scenario& scenario, ObjectReader& object, ScenarioUse use)
 {
     if (!object.isObject())
         return;
-    for (Issue& issue : validate(scenario)) {
+    for (Issue& issue : use == ScenarioUse::Flying ? validate(scenario) : unreadable(scenario)) {
         std::string path = object.path("") + issue.field;
         if (issue.severity == Severity::Error && !object.faults().has(path))
             object.faults().add(std::move(path), std::move(issue.message));
@@ -213,7 +213,7 @@ std::vector<std::string> textsOf(const std::vector<Entry>& entries,
 
 } // namespace
 
-Scenario readScenario(ObjectReader& object)
+Scenario readScenario(ObjectReader& object, ScenarioUse use)
 {
     Scenario scenario;
     (void)object.find("format");
@@ -243,7 +243,7 @@ Scenario readScenario(ObjectReader& object)
         readPlanner(*value, scenario, object);
     scenario.extraJson = object.unknown();
     nameUnnamed(scenario, object);
-    addFindings(scenario, object);
+    addFindings(scenario, object, use);
     return scenario;
 }
 
@@ -278,12 +278,12 @@ std::string scenarioText(const Scenario& scenario, int indent)
     return object.inLines(indent);
 }
 
-Scenario scenarioFromJson(std::string_view text, const std::string& subject)
+Scenario scenarioFromJson(std::string_view text, const std::string& subject, ScenarioUse use)
 {
     ParsedJson file = parseJson(text, subject);
     requireFormat(file, kFormat, subject);
     ObjectReader object(file.root, "", file.faults);
-    Scenario scenario = readScenario(object);
+    Scenario scenario = readScenario(object, use);
     file.faults.throwIfAny(subject);
     return scenario;
 }
@@ -293,9 +293,9 @@ std::string scenarioToJson(const Scenario& scenario)
     return scenarioText(scenario, 0) + '\n';
 }
 
-Scenario loadScenario(const std::string& path)
+Scenario loadScenario(const std::string& path, ScenarioUse use)
 {
-    return scenarioFromJson(readFile(path), path);
+    return scenarioFromJson(readFile(path), path, use);
 }
 
 void saveScenario(const Scenario& scenario, const std::string& path)

@@ -4,6 +4,7 @@
 
 #include "core/io/json_reader.h"
 #include "core/io/json_writer.h"
+#include "core/io/scenario_json.h"
 #include "core/scenario/scenario.h"
 
 namespace berg {
@@ -12,9 +13,9 @@ inline constexpr Limits kTauLimits{.low = 0, .high = 100};
 
 /**
  * Scenario of an object whose format and version are checked already. Notes what has the wrong
- * type, is missing or is an error to `validate`; the value returned is whole only without faults.
+ * type, is missing or is wrong for this use; the value returned is whole only without faults.
  */
-[[nodiscard]] Scenario readScenario(ObjectReader& object);
+[[nodiscard]] Scenario readScenario(ObjectReader& object, ScenarioUse use = ScenarioUse::Flying);
 
 /** One entry of `uavs`; its id is empty when the file gives none. */
 [[nodiscard]] Uav readUav(const Json& value, const std::string& path, Faults& faults);

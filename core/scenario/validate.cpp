@@ -38,6 +38,19 @@ constexpr double kSlowestHoming_s = 1;
 class Findings
 {
 public:
+    enum class Kind
+    {
+        All,
+        Unreadable ///< errors of single fields only
+    };
+    explicit Findings(Kind kind) : m_kind(kind) {}
+
+    /** Of fields that are each in range but do not fit together. */
+    void conflict(std::string field, std::string message)
+    {
+        if (m_kind == Kind::All)
+            error(std::move(field), std::move(message));
+    }
     void error(std::string field, std::string message)
     {
         if (++m_errors <= kMostKept)
@@ -45,17 +58,24 @@ public:
     }
     void warn(std::string field, std::string message)
     {
-        m_issues.push_back({Severity::Warning, std::move(field), std::move(message)});
+        if (m_kind == Kind::All)
+            m_issues.push_back({Severity::Warning, std::move(field), std::move(message)});
     }
     void hint(std::string field, std::string message)
     {
-        m_issues.push_back({Severity::Hint, std::move(field), std::move(message)});
+        if (m_kind == Kind::All)
+            m_issues.push_back({Severity::Hint, std::move(field), std::move(message)});
     }
 
-    /** False, with an error noted, when the number is not in the limits (NaN never is). */
+    /**
+     * False, with an error noted, when the number is not in the limits (NaN never is). What is only
+     * less than the least that is flown can be read.
+     */
     bool inRange(double value, const Limits& limits, const std::string& field)
     {
-        std::string fault = limitsFault(value, limits);
+        const bool reads = m_kind == Kind::Unreadable && limits.low > 0;
+        const Limits positive{.low = 0, .high = limits.high, .above = true};
+        std::string fault = limitsFault(value, reads ? positive : limits);
         if (fault.empty())
             return true;
         error(field, std::move(fault));
@@ -85,6 +105,7 @@ public:
 private:
     static constexpr std::size_t kMostKept = 1000; ///< nobody reads more
 
+    Kind m_kind;
     std::size_t m_errors = 0;
     std::vector<Issue> m_issues;
 };
@@ -106,7 +127,7 @@ void checkRun(const Scenario& s, Findings& findings)
     const bool dt =
         findings.inRange(s.dt_s, {.low = kSmallestTimeStep_s, .high = kLargestTimeStep_s}, "dt_s");
     if (duration && dt && s.dt_s > s.duration_s)
-        findings.error("dt_s", "must not be longer than duration_s");
+        findings.conflict("dt_s", "must not be longer than duration_s");
     if (s.seed < 0 || s.seed > kLargestSeed)
         findings.error("seed", "must be from 0 to " + std::to_string(kLargestSeed) + ", not " +
                                    std::to_string(s.seed));
@@ -125,7 +146,7 @@ void checkArea(const Scenario& s, Findings& findings)
     for (std::size_t i = 0; i < s.area_m.size(); ++i)
         finite = findings.inRange(s.area_m[i], kCoordinate_m, entryPath("area_m", i)) && finite;
     if (finite && !isSimplePolygon(s.area_m))
-        findings.error("area_m", "must be a polygon that neither touches nor crosses itself");
+        findings.conflict("area_m", "must be a polygon that neither touches nor crosses itself");
 }
 
 /** An id must be there, readable and unique over UAVs and icebergs together. */
@@ -167,9 +188,9 @@ void checkUav(const Uav& uav, const std::string& path, Findings& findings)
     if (findings.inRange(uav.spec.autopilot_s, {.low = 0, .high = kSlowestAutopilot_s},
                          path + ".autopilot_s") &&
         uav.spec.endurance_s > 0 && uav.spec.autopilot_s > kSlowestHoming_s)
-        findings.error(path + ".autopilot_s", "must be at most " + shortText(kSlowestHoming_s) +
-                                                  " where the endurance is limited, not " +
-                                                  shortText(uav.spec.autopilot_s));
+        findings.conflict(path + ".autopilot_s", "must be at most " + shortText(kSlowestHoming_s) +
+                                                     " where the endurance is limited, not " +
+                                                     shortText(uav.spec.autopilot_s));
 }
 
 void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId, Findings& findings)
@@ -192,16 +213,16 @@ void checkGeofence(const Scenario& s, Findings& findings)
     if (!s.geofence)
         return;
     if (s.area_m.empty()) {
-        findings.error("geofence", std::string(advised::kFenceNoArea));
+        findings.conflict("geofence", std::string(advised::kFenceNoArea));
         return;
     }
     if (s.area_m.size() > kMostFenceCorners)
-        findings.error("area_m", "must have at most " + std::to_string(kMostFenceCorners) +
-                                     " corners to be a geofence, not " +
-                                     std::to_string(s.area_m.size()));
+        findings.conflict("area_m", "must have at most " + std::to_string(kMostFenceCorners) +
+                                        " corners to be a geofence, not " +
+                                        std::to_string(s.area_m.size()));
     const auto inside = [&](const Point& place_m, const std::string& field) {
         if (place_m.allFinite() && !insidePolygon(s.area_m, place_m))
-            findings.error(field, std::string(advised::kOutsideFence));
+            findings.conflict(field, std::string(advised::kOutsideFence));
     };
     for (std::size_t i = 0; i < s.uavs.size(); ++i) {
         inside(s.uavs[i].position_m, entryPath("uavs", i) + ".position_m");
@@ -286,7 +307,8 @@ void checkFleet(const Scenario& s, Findings& findings)
         const std::string path = entryPath("icebergs", i) + ".uav";
         findings.utf8(uav, path);
         if (isUtf8(uav) && !uav.empty() && !known.contains(uav))
-            findings.error(path, '"' + printable(uav) + "\" is the id of no UAV of this scenario");
+            findings.conflict(path,
+                              '"' + printable(uav) + "\" is the id of no UAV of this scenario");
     }
 }
 
@@ -317,7 +339,7 @@ void checkDrift(const Scenario& s, Findings& findings)
     const std::string speeds = "wind of " + shortText(wind_mps) + " m/s, airspeed of " +
                                printable(slowest->id) + " " + shortText(airspeed_mps) + " m/s";
     if (!(wind_mps < airspeed_mps)) {
-        findings.error("wind_mps", "must be slower than the UAV flies: " + speeds);
+        findings.conflict("wind_mps", "must be slower than the UAV flies: " + speeds);
         return;
     }
     if (wind_mps >= kStrongWind * airspeed_mps)
@@ -354,7 +376,7 @@ void checkObserver(const Scenario& s, Findings& findings)
     if (findings.inRange(observer.interval_s, {.low = 0, .high = kLongestLookInterval_s},
                          "observer.interval_s") &&
         observer.model == ObserverModel::Kalman && observer.interval_s < s.dt_s)
-        findings.error("observer.interval_s", "must not be shorter than the time step dt_s");
+        findings.conflict("observer.interval_s", "must not be shorter than the time step dt_s");
     findings.inRange(observer.detection, {.low = 0, .high = 1, .above = true},
                      "observer.detection");
 }
@@ -367,11 +389,9 @@ void checkPlanner(const Scenario& s, Findings& findings)
         findings.inRange(*s.reachRadius_m, kExtent_m, "planner.reach_radius_m");
 }
 
-} // namespace
-
-std::vector<Issue> validate(const Scenario& scenario)
+std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
 {
-    Findings findings;
+    Findings findings(kind);
     std::map<std::string, std::string> ownerOfId;
     checkRun(scenario, findings);
     checkArea(scenario, findings);
@@ -383,11 +403,23 @@ std::vector<Issue> validate(const Scenario& scenario)
     checkAsset(scenario, findings);
     checkObserver(scenario, findings);
     checkPlanner(scenario, findings);
-    std::vector<Issue> issues = findings.take();
+    return findings.take();
+}
+
+} // namespace
+
+std::vector<Issue> validate(const Scenario& scenario)
+{
+    std::vector<Issue> issues = found(scenario, Findings::Kind::All);
     if (!hasErrors(issues)) // advice reckons with the numbers
         for (Issue& issue : advice(scenario))
             issues.push_back(std::move(issue));
     return issues;
+}
+
+std::vector<Issue> unreadable(const Scenario& scenario)
+{
+    return found(scenario, Findings::Kind::Unreadable);
 }
 
 } // namespace berg

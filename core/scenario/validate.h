@@ -25,4 +25,12 @@ inline constexpr double kShortestFlight_s = 1;
  */
 [[nodiscard]] std::vector<Issue> validate(const Scenario& scenario);
 
+/**
+ * Of those errors the ones that no editor can show either: a field that by itself is out of range,
+ * not finite or no text, an id that is missing or taken, a list too long. The others are about
+ * fields that do not fit together, such as a UAV outside the geofence: such a scenario is saved and
+ * opened to be put right, but not flown.
+ */
+[[nodiscard]] std::vector<Issue> unreadable(const Scenario& scenario);
+
 } // namespace berg

@@ -48,6 +48,17 @@ private slots:
         QVERIFY(!hasErrors(validate(result.scenario)));
     }
 
+    /** What was wrong before stands in the way of no import. */
+    void intoWhatCannotBeFlown()
+    {
+        Scenario base = openSea();
+        base.wind_mps = {100, 0};
+        QVERIFY(hasErrors(validate(base)));
+        const ImportResult result = importSightings(base, northward(13));
+        QCOMPARE(result.added, std::size_t{1});
+        QVERIFY(hasErrors(validate(result.scenario)));
+    }
+
     /** Drift and uncertainty from the last sighting to the start asked for. */
     void advancedToTheReferenceTime()
     {

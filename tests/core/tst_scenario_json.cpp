@@ -364,6 +364,21 @@ private slots:
         QVERIFY(names(error->issues(), "icebergs[0].position_m"));
     }
 
+    /** Each field is in range: it can be put right, but not flown. */
+    void whatDoesNotFitIsReadForEditing()
+    {
+        Scenario scenario = randomScenario(1);
+        scenario.area_m = {{9000, 0}, {9900, 0}, {9900, 900}};
+        scenario.geofence = true; // with the UAV outside
+        scenario.wind_mps = {100, 0};
+        const std::string text = scenarioToJson(scenario);
+        QVERIFY(scenarioFromJson(text, "file", ScenarioUse::Editing) == scenario);
+        QVERIFY_EXCEPTION_THROWN((void)scenarioFromJson(text, "file"), Error);
+        scenario.icebergs[0].q_m2ps = -1;
+        QVERIFY_EXCEPTION_THROWN(
+            (void)scenarioFromJson(scenarioToJson(scenario), "file", ScenarioUse::Editing), Error);
+    }
+
     void depthOf64IsAllowed()
     {
         const auto nested = [](std::size_t depth) {

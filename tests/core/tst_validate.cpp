@@ -335,6 +335,45 @@ private slots:
         QVERIFY(errors[0].message.find("slow") != std::string::npos);
     }
 
+    void fieldsThatDoNotFitAreReadable_data()
+    {
+        QTest::addColumn<Change>("change");
+        const auto row = [](const char* name, const Change& change) {
+            QTest::newRow(name) << change;
+        };
+        row("step longer than the run", [](Scenario& s) { s.duration_s = s.dt_s / 2; });
+        row("hardly any airspeed", [](Scenario& s) { s.uavs[0].spec.airspeed_mps = 0.01; });
+        row("crossing area", [](Scenario& s) {
+            s.area_m = {{0, 0}, {1000, 1000}, {1000, 0}, {0, 1000}};
+        });
+        row("geofence without area", [](Scenario& s) { s.geofence = true; });
+        row("UAV outside the geofence", [](Scenario& s) {
+            s.area_m = {{5000, 0}, {6000, 0}, {6000, 1000}};
+            s.geofence = true;
+        });
+        row("slow autopilot with endurance", [](Scenario& s) {
+            s.uavs[0].spec.endurance_s = 1000;
+            s.uavs[0].spec.autopilot_s = 10;
+        });
+        row("iceberg assigned to nobody", [](Scenario& s) { s.icebergs[0].uav = "nobody"; });
+        row("wind", [](Scenario& s) { s.wind_mps = {50, 0}; });
+        row("interval", [](Scenario& s) {
+            s.observer.model = ObserverModel::Kalman;
+            s.observer.interval_s = s.dt_s / 2;
+        });
+    }
+
+    void fieldsThatDoNotFitAreReadable()
+    {
+        QFETCH(Change, change);
+        Scenario scenario = randomScenario(1);
+        change(scenario);
+        QVERIFY(hasErrors(validate(scenario)));
+        QCOMPARE(unreadable(scenario), std::vector<Issue>());
+        scenario.icebergs[0].q_m2ps = -1;
+        QCOMPARE(unreadable(scenario).size(), 1U);
+    }
+
     void hugeListsAreCountedNotChecked()
     {
         Scenario s = defaultScenario();

@@ -130,10 +130,47 @@ private slots:
         ScenarioDocument document;
         document.reset(randomScenario(1));
         QVERIFY(!hasErrors(document.issues()));
-        document.edit(u"Break"_s, [](Scenario& s) { s.icebergs[1].id = s.icebergs[0].id; });
+        document.edit(u"Break"_s, [](Scenario& s) { s.wind_mps = {50, 0}; });
         QVERIFY(hasErrors(document.issues()));
-        document.undoStack()->undo();
+        document.undo();
         QVERIFY(!hasErrors(document.issues()));
+    }
+
+    void refusesWhatCouldNotBeOpenedAgain()
+    {
+        ScenarioDocument document;
+        document.reset(randomScenario(1));
+        const Scenario start = document.scenario();
+        QSignalSpy impossible(&document, &ScenarioDocument::impossible);
+        QVERIFY(!document.edit(u"Id"_s, [](Scenario& s) { s.icebergs[1].id = s.icebergs[0].id; }));
+        QVERIFY(
+            !document.edit(u"Far"_s, [](Scenario& s) { s.icebergs[1].position_m.x() = 1e300; }));
+        QCOMPARE(impossible.count(), 2);
+        QVERIFY(document.scenario() == start);
+        QVERIFY(document.isClean());
+    }
+
+    void lockedDocumentIsNotEdited()
+    {
+        ScenarioDocument document;
+        document.reset(randomScenario(1));
+        document.edit(u"Name"_s, [](Scenario& s) { s.name = "edited"; });
+        const Scenario locked = document.scenario();
+        QSignalSpy refused(&document, &ScenarioDocument::refused);
+        document.setLocked(true);
+        QVERIFY(!document.edit(u"Name"_s, [](Scenario& s) { s.name = "again"; }));
+        document.undo();
+        QCOMPARE(refused.count(), 2);
+        QVERIFY(!document.edit(u"Nothing"_s, [](Scenario&) {}));
+        QCOMPARE(refused.count(), 2);
+        QVERIFY(document.scenario() == locked);
+        document.setLocked(false);
+        document.undo();
+        document.redo();
+        QVERIFY(document.scenario() == locked);
+        document.setLocked(true);
+        document.reset(randomScenario(2)); // another scenario altogether
+        QVERIFY(!document.isLocked());
     }
 
     void savesAndOpens()

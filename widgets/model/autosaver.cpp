@@ -91,8 +91,6 @@ void Autosaver::write()
 {
     m_pause.stop();
     m_longest.stop();
-    if (hasErrors(m_document.issues()))
-        return;
     try {
         if (!m_recovery)
             m_recovery = m_store->add();

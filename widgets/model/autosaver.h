@@ -20,9 +20,9 @@ struct AutosaveTimes
 };
 
 /**
- * Keeps a recovery of a document as long as it has changes that are in no file. Serialises and
- * writes on a thread of its own; does nothing before `start`. A scenario that could not be opened
- * again because of errors in it is not written: the last one that could be stays. GUI thread.
+ * Keeps a recovery of a document as long as it has changes that are in no file, whether it can be
+ * flown or not. Serialises and writes on a thread of its own; does nothing before `start`. GUI
+ * thread.
  */
 class Autosaver : public QObject
 {

@@ -123,7 +123,8 @@ FoundRecoveries RecoveryStore::abandoned() const
         if (held.lock.take(held.files.lock()) != FileLock::Outcome::Taken)
             continue;
         try {
-            Scenario scenario = loadScenario(nativePath(held.files.scenario()));
+            Scenario scenario =
+                loadScenario(nativePath(held.files.scenario()), ScenarioUse::Editing);
             RecoveryInfo info = readInfo(held.files, scenario);
             found.usable.push_back({.held = std::move(held),
                                     .info = std::move(info),

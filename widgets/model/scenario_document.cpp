@@ -110,6 +110,11 @@ bool ScenarioDocument::edit(const QString& text, const std::function<void(Scenar
     change(after);
     if (after == m_scenario || refuses())
         return false;
+    if (const std::vector<Issue> issues = unreadable(after);
+        !issues.empty() && unreadable(m_scenario).empty()) {
+        emit impossible(issues.front());
+        return false;
+    }
     const QString key =
         gesture.isEmpty() ? QString() : gesture + u'#' + QString::number(m_gestureNumber);
     m_undoStack->push(new EditScenario(*this, text, std::move(after), key));
@@ -180,7 +185,7 @@ void ScenarioDocument::open(const QString& path)
 {
     const std::string name = QFile::encodeName(path).toStdString();
     const std::string content = readFile(name);
-    begin(scenarioFromJson(content, name), path, true, hashOf(content));
+    begin(scenarioFromJson(content, name, ScenarioUse::Editing), path, true, hashOf(content));
 }
 
 void ScenarioDocument::save(const QString& path)

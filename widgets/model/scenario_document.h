@@ -52,7 +52,8 @@ public:
      * Applies `change` to a copy and makes it the scenario, undoable under `text`. Edits with the
      * same `gesture` (not empty), one directly after the other, are one step; `endGesture` closes
      * it. A change that changes nothing leaves the history alone. Returns whether it changed; while
-     * the document is locked nothing does, and `refused` tells.
+     * the document is locked nothing does, and `refused` tells. Nor is a change made that would
+     * make the scenario `unreadable`: what is saved can be opened.
      */
     bool edit(const QString& text, const std::function<void(Scenario&)>& change,
               const QString& gesture = {});
@@ -83,6 +84,8 @@ signals:
     void cleanChanged(bool clean);
     /** A change was asked for while the document is locked. */
     void refused();
+    /** A change was not made, with which the scenario could not be read again. */
+    void impossible(const berg::Issue& why);
 
 private:
     friend class EditScenario;
