@@ -40,6 +40,19 @@ Interaction::Unsaved DialogInteraction::askUnsaved(QWidget* parent, const QStrin
     }
 }
 
+bool DialogInteraction::askEndFlight(QWidget* parent)
+{
+    QMessageBox box(QMessageBox::Question, Dialogs::tr("Flight under way"),
+                    Dialogs::tr("A flight has begun in the meantime. End it?"),
+                    QMessageBox::NoButton, parent);
+    box.setInformativeText(Dialogs::tr("The scenario can only be changed when no flight is under "
+                                       "way. The flight stays in the list of runs."));
+    const QPushButton* end = box.addButton(Dialogs::tr("End the flight"), QMessageBox::AcceptRole);
+    box.setDefaultButton(box.addButton(Dialogs::tr("Fly on"), QMessageBox::RejectRole));
+    box.exec();
+    return box.clickedButton() == end;
+}
+
 QString DialogInteraction::openPath(QWidget* parent, const QString& filter)
 {
     return QFileDialog::getOpenFileName(parent, Dialogs::tr("Open"), {}, filter);

@@ -102,6 +102,8 @@ public:
 
     /** The scenario has changes that are in no file. */
     [[nodiscard]] virtual Unsaved askUnsaved(QWidget* parent, const QString& name) = 0;
+    /** A flight has begun while another question was open, whose answer would end it. */
+    [[nodiscard]] virtual bool askEndFlight(QWidget* parent) = 0;
     /** Empty: cancelled. `filter` as in `QFileDialog`. */
     [[nodiscard]] virtual QString openPath(QWidget* parent, const QString& filter) = 0;
     [[nodiscard]] virtual QString savePath(QWidget* parent, const QString& suggested,
@@ -140,6 +142,7 @@ class DialogInteraction : public Interaction
 {
 public:
     [[nodiscard]] Unsaved askUnsaved(QWidget* parent, const QString& name) override;
+    [[nodiscard]] bool askEndFlight(QWidget* parent) override;
     [[nodiscard]] QString openPath(QWidget* parent, const QString& filter) override;
     [[nodiscard]] QString savePath(QWidget* parent, const QString& suggested,
                                    const QString& filter) override;

@@ -184,6 +184,8 @@ private:
     // main_window_files.cpp
     void finishTyping();
     [[nodiscard]] bool maySettleChanges();
+    [[nodiscard]] bool mayReplace();
+    [[nodiscard]] bool mayAnswer(bool wasInFlight);
     [[nodiscard]] bool openUnlessInUse(const QString& path);
     [[nodiscard]] Interaction::Overwrite mayOverwrite(const QString& path);
     void newScenario();

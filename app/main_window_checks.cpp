@@ -116,6 +116,8 @@ void MainWindow::generateIcebergs()
     };
     connect(dialog, &GenerateDialog::drawn, this, preview);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        if (!mayAnswer(false))
+            return;
         const int count = dialog->count();
         m_workspace.document().edit(
             count == 1 ? tr("Generate iceberg") : tr("Generate %n icebergs", nullptr, count),

@@ -73,9 +73,27 @@ bool MainWindow::maySettleChanges()
     return false;
 }
 
+/** Whether another scenario may take the place of this one. */
+bool MainWindow::mayReplace()
+{
+    const bool wasInFlight = m_workspace.inFlight();
+    return maySettleChanges() && mayAnswer(wasInFlight);
+}
+
+/** False: a flight has begun since the question was asked, and is to go on. */
+bool MainWindow::mayAnswer(bool wasInFlight)
+{
+    if (wasInFlight || !m_workspace.inFlight())
+        return true;
+    if (!m_interaction.askEndFlight(this))
+        return false;
+    m_workspace.reset();
+    return true;
+}
+
 void MainWindow::newScenario()
 {
-    if (!maySettleChanges())
+    if (!mayReplace())
         return;
     Scenario scenario = randomScenario(1, {.icebergs = 0});
     scenario.name = tr("New scenario").toStdString();
@@ -84,10 +102,11 @@ void MainWindow::newScenario()
 
 void MainWindow::openScenario()
 {
+    const bool wasInFlight = m_workspace.inFlight();
     const QString path =
         m_interaction.openPath(this, tr("Scenarios, runs and studies (*.berg *.bergrun "
                                         "*.bergstudy);;All files (*)"));
-    if (!path.isEmpty())
+    if (!path.isEmpty() && (isStudyFile(path) || mayAnswer(wasInFlight)))
         openFile(path);
 }
 
@@ -120,7 +139,7 @@ bool MainWindow::openFile(const QString& path)
         m_workspace.studyFiles().open(path);
         return true;
     }
-    if (!maySettleChanges())
+    if (!mayReplace())
         return false;
     try {
         if (!openUnlessInUse(path))

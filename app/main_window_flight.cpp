@@ -85,9 +85,10 @@ void MainWindow::askWind()
     const double airspeed_mps = slowestAirspeed_mps(m_workspace.document().scenario());
     if (airspeed_mps <= 0)
         return;
+    const bool wasInFlight = m_workspace.inFlight();
     const std::optional<Point> wind_mps =
         m_interaction.askWind(this, m_workspace.wind_mps(), airspeed_mps);
-    if (wind_mps)
+    if (wind_mps && mayAnswer(wasInFlight))
         m_workspace.setWind(*wind_mps);
 }
 

@@ -57,14 +57,14 @@ void MainWindow::importSightings(const QString& path)
          .present = std::make_shared<const Scenario>(present),
          .intoNew = startPageIsShown(), // there the present one is out of sight
          .theme = m_theme});
-    if (choice)
+    if (choice && mayAnswer(false))
         takeImport(*choice, QFileInfo(path).fileName());
 }
 
 void MainWindow::takeImport(const ImportChoice& choice, const QString& fileName)
 {
     if (choice.intoNew) {
-        if (!maySettleChanges())
+        if (!mayReplace())
             return;
         m_workspace.document().restore(choice.scenario, {}); // it is in no file yet
     } else {

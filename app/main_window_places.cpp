@@ -68,7 +68,7 @@ void MainWindow::moveScenario(const LatLon& suggested)
     ScenarioDocument& document = m_workspace.document();
     const std::optional<OriginChoice> choice =
         m_interaction.askOrigin(this, document.scenario(), suggested, m_theme);
-    if (!choice || m_workspace.inFlight())
+    if (!choice || !mayAnswer(false))
         return;
     document.endGesture();
     document.edit(tr("Move scenario"), [&](Scenario& scenario) {

@@ -115,7 +115,7 @@ bool MainWindow::offerRecoveries()
             break;
         const auto chosen = left.begin() + static_cast<std::ptrdiff_t>(answer.offer);
         if (answer.action == RecoveryAnswer::Action::Restore) {
-            if (maySettleChanges())
+            if (mayReplace())
                 restore(std::move(*chosen));
             break; // the others can be had from the menu, or at the next start
         }

@@ -71,7 +71,7 @@ void MainWindow::closeStartPage()
 
 void MainWindow::openExample(const QString& path)
 {
-    if (!maySettleChanges())
+    if (!mayReplace())
         return;
     try {
         m_workspace.document().reset(loadExample(path));

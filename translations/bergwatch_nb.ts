@@ -299,6 +299,26 @@
         <source>Keep what I see</source>
         <translation>Behold det jeg ser</translation>
     </message>
+    <message>
+        <source>Flight under way</source>
+        <translation>Flyging pågår</translation>
+    </message>
+    <message>
+        <source>A flight has begun in the meantime. End it?</source>
+        <translation>En flyging har begynt i mellomtiden. Avslutte den?</translation>
+    </message>
+    <message>
+        <source>The scenario can only be changed when no flight is under way. The flight stays in the list of runs.</source>
+        <translation>Scenariet kan bare endres når ingen flyging pågår. Flygingen blir stående i listen over flyginger.</translation>
+    </message>
+    <message>
+        <source>End the flight</source>
+        <translation>Avslutt flygingen</translation>
+    </message>
+    <message>
+        <source>Fly on</source>
+        <translation>Fly videre</translation>
+    </message>
 </context>
 <context>
     <name>DomainText</name>

@@ -18,6 +18,7 @@ public:
     InUse inUse = InUse::Cancel;
     Overwrite overwrite = Overwrite::Cancel;
     bool reload = false;
+    bool endsFlight = false;
     std::vector<RecoveryAnswer> recoveryAnswers; ///< one after the other, then Later
     std::optional<ExportRequest> exportChoice;
     std::function<void()> whileExportIsChosen; ///< what happens while the dialog is on screen
@@ -30,6 +31,7 @@ public:
     QStringList unsavedNames; ///< each question about unsaved changes
     QStringList suggested;    ///< each question where to save
     int openQuestions = 0;
+    int endFlightQuestions = 0;
     QStringList holders;          ///< each question about a file in use
     QStringList overwriteReasons; ///< each question before writing over a file
     QStringList reloadQuestions;
@@ -44,12 +46,21 @@ public:
     [[nodiscard]] Unsaved askUnsaved(QWidget*, const QString& name) override
     {
         unsavedNames << name;
+        passTime();
         const auto asked = static_cast<std::size_t>(unsavedNames.size());
         return asked <= unsavedAnswers.size() ? unsavedAnswers[asked - 1] : unsaved;
     }
+    [[nodiscard]] bool askEndFlight(QWidget*) override
+    {
+        ++endFlightQuestions;
+        return endsFlight;
+    }
+    /** What happens while a question about an import, a file or the wind is open. */
+    std::function<void()> meanwhile;
     [[nodiscard]] QString openPath(QWidget*, const QString&) override
     {
         ++openQuestions;
+        passTime();
         return path;
     }
     [[nodiscard]] QString savePath(QWidget*, const QString& suggestion, const QString&) override
@@ -69,17 +80,20 @@ public:
                                                            const ImportOffer& offer) override
     {
         importOffers.push_back(offer);
+        passTime();
         return importAnswer ? importAnswer(runner, offer) : std::nullopt;
     }
     [[nodiscard]] std::optional<OriginChoice> askOrigin(QWidget*, const Scenario&,
                                                         const LatLon& place, const Theme&) override
     {
         suggestedOrigins.push_back(place);
+        passTime();
         return originChoice;
     }
     [[nodiscard]] std::optional<Point> askWind(QWidget*, const Point& present_mps, double) override
     {
         askedWinds_mps.push_back(present_mps);
+        passTime();
         return wind_mps;
     }
     [[nodiscard]] InUse askInUse(QWidget*, const QString&, const QString& holder) override
@@ -110,6 +124,13 @@ public:
     void showInformation(QWidget*, const QString& title, const QString& html) override
     {
         informations << title + QLatin1Char('\n') + html;
+    }
+
+private:
+    void passTime() const
+    {
+        if (meanwhile)
+            meanwhile();
     }
 };
 
