@@ -220,6 +220,7 @@ private:
 
     // main_window_start.cpp
     void connectStartPage(StartPage& page);
+    [[nodiscard]] QString fileToContinue() const;
     void closeStartPage();
     void openExample(const QString& path);
     void startTour();

@@ -1,13 +1,17 @@
 #include "app/main_window.h"
 #include "app/start_page.h"
 #include "app/tour.h"
+#include "core/scenario/presets.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/error_text.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/panels/tradeoff_panel.h"
 
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMenuBar>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -22,7 +26,10 @@ void MainWindow::showStartPage()
 {
     if (m_startPage != nullptr)
         return;
-    const QString name = QString::fromStdString(m_workspace.document().scenario().name);
+    const QString file = fileToContinue();
+    const QString name = file.isEmpty()
+                             ? QString::fromStdString(m_workspace.document().scenario().name)
+                             : QFileInfo(file).fileName();
     m_startPage = new StartPage(name.isEmpty() ? tr("Untitled") : name, wantsStartPage(m_settings),
                                 !m_settings.value(kTourSeenKey, false).toBool(), this);
     m_startPage->setTheme(m_theme);
@@ -32,12 +39,31 @@ void MainWindow::showStartPage()
     m_startPage->show();
 }
 
+/** The last one, as long as there is only what the program begins with; empty: what is there. */
+QString MainWindow::fileToContinue() const
+{
+    const ScenarioDocument& document = m_workspace.document();
+    if (!document.isClean() || !document.filePath().isEmpty() || m_workspace.inFlight() ||
+        !(document.scenario() == defaultScenario()))
+        return {};
+    const QStringList files = m_settings.value(kRecentFilesKey).toStringList();
+    const auto file = std::find_if(files.begin(), files.end(),
+                                   [](const QString& path) { return QFileInfo::exists(path); });
+    return file == files.end() ? QString() : *file;
+}
+
 void MainWindow::connectStartPage(StartPage& page)
 {
-    connect(&page, &StartPage::continueRequested, this, [this] {
+    const auto goOn = [this] {
         closeStartPage();
         if (!m_settings.value(kTourSeenKey, false).toBool())
             startTour();
+    };
+    connect(&page, &StartPage::dismissed, this, goOn);
+    connect(&page, &StartPage::continueRequested, this, [this, goOn] {
+        const QString file = fileToContinue();
+        if (file.isEmpty() || openFile(file))
+            goOn();
     });
     connect(&page, &StartPage::newRequested, this, &MainWindow::newScenario);
     connect(&page, &StartPage::openRequested, this, &MainWindow::openScenario);

@@ -25,8 +25,7 @@ constexpr int kMostColumns = 4;
 
 } // namespace
 
-StartPage::StartPage(const QString& scenarioName, bool showAtStart, bool offersTour,
-                     QWidget* parent)
+StartPage::StartPage(const QString& continued, bool showAtStart, bool offersTour, QWidget* parent)
     : QWidget(parent), m_content(new StartContent(parent))
 {
     setObjectName(u"startPage"_s);
@@ -34,7 +33,7 @@ StartPage::StartPage(const QString& scenarioName, bool showAtStart, bool offersT
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kGap_px);
     row->setSpacing(2 * kMargin_px);
-    row->addWidget(makeCommands(scenarioName, showAtStart, offersTour));
+    row->addWidget(makeCommands(continued, showAtStart, offersTour));
     row->addWidget(makeExamples(), 1);
     connect(m_content, &StartContent::recentRead, this, &StartPage::showRecent);
     connect(m_content, &StartContent::examplePainted, this, &StartPage::showExample);
@@ -58,7 +57,7 @@ QPushButton* StartPage::addCommand(QVBoxLayout& column, const char* name, const 
     return button;
 }
 
-QWidget* StartPage::makeCommands(const QString& scenarioName, bool showAtStart, bool offersTour)
+QWidget* StartPage::makeCommands(const QString& continued, bool showAtStart, bool offersTour)
 {
     auto* commands = new QWidget;
     commands->setFixedWidth(kCommands_px);
@@ -71,7 +70,7 @@ QWidget* StartPage::makeCommands(const QString& scenarioName, bool showAtStart, 
     column->addWidget(m_captions.back());
     column->addSpacing(kGap_px);
     m_continue = addCommand(*column, "continueButton", QString(), &StartPage::continueRequested);
-    const QString wide = tr("Continue with %1").arg(scenarioName);
+    const QString wide = tr("Continue with %1").arg(continued);
     m_continue->setText(
         m_continue->fontMetrics().elidedText(wide, Qt::ElideRight, kCommands_px - 24));
     m_continue->setToolTip(wide);
@@ -258,7 +257,9 @@ bool StartPage::eventFilter(QObject* watched, QEvent* event)
 void StartPage::keyPressEvent(QKeyEvent* event)
 {
     const int key = event->key();
-    if (key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter)
+    if (key == Qt::Key_Escape)
+        emit dismissed();
+    else if (key == Qt::Key_Return || key == Qt::Key_Enter)
         emit continueRequested();
     else
         QWidget::keyPressEvent(event);

@@ -18,16 +18,16 @@ class ExampleCard;
 
 /**
  * What the program opens with when no file is named: files opened before, examples, a new scenario.
- * Covers its parent below `setTop`, whose own keys rest meanwhile. Emits intents; Enter and Esc go
- * on with what lies below.
+ * Covers its parent below `setTop`, whose own keys rest meanwhile. Emits intents.
  */
 class StartPage : public QWidget
 {
     Q_OBJECT
 
 public:
-    /** `offersTour`: the tour was never seen and is pointed out. */
-    StartPage(const QString& scenarioName, bool showAtStart, bool offersTour, QWidget* parent);
+    /** `continued`: what the first button goes on with. `offersTour`: the tour was never seen and
+     * is pointed out. */
+    StartPage(const QString& continued, bool showAtStart, bool offersTour, QWidget* parent);
 
     ~StartPage() override;
 
@@ -38,6 +38,8 @@ public:
 
 signals:
     void continueRequested();
+    /** Esc: with what lies below. */
+    void dismissed();
     void newRequested();
     void openRequested();
     void importRequested();
@@ -58,7 +60,7 @@ protected:
 private:
     QPushButton* addCommand(QVBoxLayout& column, const char* name, const QString& text,
                             void (StartPage::*intent)());
-    QWidget* makeCommands(const QString& scenarioName, bool showAtStart, bool offersTour);
+    QWidget* makeCommands(const QString& continued, bool showAtStart, bool offersTour);
     QWidget* makeExamples();
     void showRecent(const QList<RecentFile>& files);
     void showExample(int place, const Example& example, bool dark);

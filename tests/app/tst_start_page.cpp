@@ -84,6 +84,37 @@ private slots:
         QVERIFY(w.isShown());
     }
 
+    /** Of the same name as the example that the program begins with. */
+    void goesOnWithTheLastFile_data()
+    {
+        QTest::addColumn<int>("key");
+        QTest::newRow("Return") << int{Qt::Key_Return};
+        QTest::newRow("Esc") << int{Qt::Key_Escape};
+    }
+    void goesOnWithTheLastFile()
+    {
+        QFETCH(int, key);
+        WindowFixture w(defaultScenario());
+        Scenario mine = defaultScenario();
+        mine.icebergs.pop_back();
+        const QString path = w.file(u"mine.berg"_s);
+        saveScenario(mine, path.toStdString());
+        w.settings.setValue("files/recent", QStringList{w.file(u"gone.berg"_s), path});
+        w.settings.setValue("start/tourSeen", true);
+        w.window().showStartPage();
+        QCOMPARE(test::child<QPushButton>(w.window(), u"continueButton"_s).text(),
+                 u"Continue with mine.berg"_s);
+        StartWindow::press(static_cast<Qt::Key>(key));
+        QVERIFY(!w.window().startPageIsShown());
+        QVERIFY(w.scenario() == (key == Qt::Key_Return ? mine : defaultScenario()));
+        QCOMPARE(w.document().filePath(), key == Qt::Key_Return ? path : QString());
+        if (key != Qt::Key_Return)
+            return;
+        w.trigger(u"startPageAction"_s); // now it is what lies below
+        StartWindow::press(Qt::Key_Return);
+        QVERIFY(w.scenario() == mine);
+    }
+
     void recentFilesAreListed()
     {
         WindowFixture w(three());
