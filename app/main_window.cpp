@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 
 #include "app/start_page.h"
+#include "app/tab_order.h"
 #include "app/tour.h"
 #include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
@@ -45,10 +46,6 @@
 using namespace Qt::StringLiterals;
 
 namespace berg {
-
-namespace {
-
-} // namespace
 
 MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings& settings)
     : m_workspace(workspace)
@@ -229,6 +226,15 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
         }
     }
     return QMainWindow::eventFilter(watched, event);
+}
+
+/** The next one that can be seen: a field behind another tab would be changed unseen. */
+bool MainWindow::focusNextPrevChild(bool next)
+{
+    QWidget* to = nextInSight(*this, next);
+    if (to != nullptr)
+        to->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+    return to != nullptr;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -1,4 +1,5 @@
 #include "app/main_window.h"
+#include "app/tab_order.h"
 #include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
 #include "widgets/map/map_view.h"
@@ -109,6 +110,14 @@ void MainWindow::buildDocks()
             if (visible)
                 showChartsSoon();
         });
+        connect(
+            widget, &QDockWidget::visibilityChanged, this,
+            [this] { // what is typed is to be seen
+                if (const QWidget* focused = focusWidget();
+                    focused != nullptr && isBehindATab(*focused))
+                    m_map->setFocus();
+            },
+            Qt::QueuedConnection);
         connect(widget->toggleViewAction(), &QAction::triggered, widget, [widget](bool shown) {
             if (shown)
                 widget->raise(); // among its tabs

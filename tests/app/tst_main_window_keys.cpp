@@ -227,6 +227,46 @@ private slots:
     }
 
     /** The brackets go through the rates of the list, one by one. */
+    /** Behind another tab a field would be changed unseen. */
+    void tabStaysInSight()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.workspace.selection().set({"berg-1"});
+        for (const QString& dock : {u"planDock"_s, u"inspectorDock"_s}) {
+            raise(w, dock);
+            w.map().setFocus();
+            QSet<QWidget*> seen;
+            for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_Backtab})
+                for (int i = 0; i < 150; ++i) {
+                    QTest::keyClick(QApplication::focusWidget(), key);
+                    QWidget* focused = QApplication::focusWidget();
+                    QVERIFY(focused != nullptr);
+                    seen << focused;
+                    const QWidget* at = focused;
+                    while (at != nullptr && qobject_cast<const QDockWidget*>(at) == nullptr)
+                        at = at->parentWidget();
+                    QVERIFY2(at == nullptr || !at->visibleRegion().isEmpty(),
+                             qPrintable(focused->objectName()));
+                }
+            QVERIFY(seen.contains(&w.map()));
+            QVERIFY(seen.size() > 10);
+            auto* field = &test::child<QWidget>(w.window(), u"icebergSigma0"_s);
+            QCOMPARE(seen.contains(field), dock == u"inspectorDock"_s);
+        }
+    }
+
+    void focusDoesNotStayBehindATab()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.workspace.selection().set({"berg-1"});
+        raise(w, u"inspectorDock"_s);
+        auto& field = test::child<QWidget>(w.window(), u"icebergSigma0"_s);
+        field.setFocus();
+        QVERIFY(field.hasFocus());
+        raise(w, u"planDock"_s);
+        QTRY_COMPARE(QApplication::focusWidget(), &w.map());
+    }
+
     void bracketsTakeEveryRate()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
