@@ -69,6 +69,7 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     restoreState(m_settings.value("window/state").toByteArray(), kLayoutVersion);
     setAppearance(static_cast<Appearance>(m_settings.value("view/appearance", 0).toInt()));
     setInFlight(m_workspace.inFlight());
+    showGivenUp();
     showTitle();
     m_comparison->setScenario(m_workspace.document().scenario());
     m_study->setScenario(m_workspace.document().scenario());

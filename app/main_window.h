@@ -145,6 +145,7 @@ private:
     void showOverview();
     void showCursor(const Point& position_m);
     void setInFlight(bool inFlight);
+    void showGivenUp();
     void followSystem();
     void togglePlay();
     void askWind();
@@ -323,6 +324,7 @@ private:
     QTimer m_chartTimer; ///< each chart at most 25 times a second
     std::size_t m_nextChart = 0;
     std::size_t m_chartsDue = 0; ///< so many do not show the newest yet
+    QTimer m_givenUpTimer;       ///< until the banner says no more of a flight that was given up
     QTimer m_tableTimer; ///< tables of icebergs and, in flight, of the plan at most 10 times
 };
 

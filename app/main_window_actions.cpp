@@ -255,6 +255,10 @@ void MainWindow::buildFlightMenu()
               {"resetAction", tr("&Reset to the start"), QKeySequence(Qt::CTRL | Qt::Key_Home),
                std::nullopt},
               [this] { m_workspace.reset(); });
+    addAction(menu,
+              {"bringBackAction", tr("Bring the flight b&ack"),
+               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Home), std::nullopt},
+              [this] { m_workspace.bringBackFlight(); });
     menu.addSeparator();
     addAction(menu,
               {"shorterPlanAction", tr("Plan with a s&horter way"),

@@ -16,6 +16,7 @@
 #include "widgets/panels/playback_bar.h"
 #include "widgets/panels/run_time_line.h"
 #include "widgets/panels/tradeoff_panel.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -78,6 +79,17 @@ void MainWindow::togglePlay()
         m_workspace.fly(m_playback->rate());
         return;
     }
+}
+
+/** A flight that was given up can be had again; the banner says so for a while. */
+void MainWindow::showGivenUp()
+{
+    const std::optional<double> flown_s = m_workspace.givenUp_s();
+    findChild<QAction*>(u"bringBackAction"_s)->setEnabled(flown_s.has_value());
+    m_banner->showGivenUp(flown_s ? tr("Flight to %1 given up").arg(clockText(*flown_s))
+                                  : QString());
+    if (flown_s)
+        m_givenUpTimer.start();
 }
 
 void MainWindow::askWind()

@@ -34,7 +34,8 @@ namespace {
 
 constexpr int kChartInterval_ms = 40;
 constexpr int kTableInterval_ms = 100;
-constexpr int kRefusal_ms = 8000; ///< to read why something was not done
+constexpr int kGivenUp_ms = 20'000; ///< then the menu still has it
+constexpr int kRefusal_ms = 8000;   ///< to read why something was not done
 
 } // namespace
 
@@ -283,6 +284,11 @@ void MainWindow::connectPanels()
             [this](const QString& text) { statusBar()->showMessage(text, kRefusal_ms); });
     connect(m_banner, &FlightBanner::stopRequested, &m_workspace, &Workspace::reset);
     connect(m_banner, &FlightBanner::flyOnRequested, &m_workspace, &Workspace::flyOnFromHere);
+    connect(m_banner, &FlightBanner::bringBackRequested, &m_workspace, &Workspace::bringBackFlight);
+    connect(&m_workspace, &Workspace::givenUpChanged, this, &MainWindow::showGivenUp);
+    m_givenUpTimer.setSingleShot(true);
+    m_givenUpTimer.setInterval(kGivenUp_ms);
+    connect(&m_givenUpTimer, &QTimer::timeout, this, [this] { m_banner->showGivenUp({}); });
     connect(m_banner, &FlightBanner::newestRequested, &m_workspace, &Workspace::lookAtNewest);
     connect(m_map, &MapView::contextMenuRequested, this, &MainWindow::showContextMenu);
 

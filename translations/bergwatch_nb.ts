@@ -4712,6 +4712,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Cannot be planned: %1</source>
         <translation>Kan ikke planlegges: %1</translation>
     </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Hent den tilbake</translation>
+    </message>
+    <message>
+        <source>Takes up the flight where it was left.</source>
+        <translation>Tar opp flygingen der den ble forlatt.</translation>
+    </message>
 </context>
 <context>
     <name>berg::GenerateDialog</name>
@@ -6003,6 +6011,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;All files (*)</source>
         <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Flight to %1 given up</source>
+        <translation>Flyging til %1 oppgitt</translation>
+    </message>
+    <message>
+        <source>Bring the flight b&amp;ack</source>
+        <translation>&amp;Hent flygingen tilbake</translation>
     </message>
     <message>
         <source>Not changed: %1</source>
@@ -7640,6 +7656,10 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>The scenario was changed before take-off: nothing was flown.</source>
         <translation>Scenariet ble endret før avgang: ingenting ble fløyet.</translation>
+    </message>
+    <message>
+        <source>Bring the flight back</source>
+        <translation>Hent flygingen tilbake</translation>
     </message>
 </context>
 </TS>

@@ -7,16 +7,52 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include <cmath>
+#include <map>
+
 using namespace berg;
 using namespace Qt::StringLiterals;
 using test::WindowFixture;
 
 namespace {
 
+const QStringList kBannerButtons{u"stopAndEditButton"_s, u"flyOnButton"_s, u"newestButton"_s,
+                                 u"showChecksButton"_s, u"bringBackButton"_s};
+
+QPushButton& button(WindowFixture& w, const QString& name)
+{
+    return test::child<QPushButton>(w.window(), name);
+}
+
+QRect placeOf(const QPushButton& button)
+{
+    return {button.mapTo(button.window(), QPoint()), button.size()};
+}
+
 bool takeOff(WindowFixture& w)
 {
     w.workspace.fly(1);
     return w.until(RunPhase::Flying);
+}
+
+/** Flies so far and pauses. */
+bool flyTo(WindowFixture& w, double time_s)
+{
+    w.workspace.stepTicks(static_cast<int>(std::lround(time_s / w.scenario().dt_s)));
+    return w.until([&] { return w.record().now.time_s >= time_s - 1e-6; });
+}
+
+bool lookBack(WindowFixture& w, double time_s)
+{
+    w.workspace.lookAt(time_s);
+    return w.until([&] { return w.record().instant.has_value(); });
+}
+
+/** A press where `at` is in the window, on whatever is there. */
+void clickAt(WindowFixture& w, const QPoint& at)
+{
+    QWidget* there = w.window().childAt(at);
+    QTest::mouseClick(there, Qt::LeftButton, {}, there->mapFrom(&w.window(), at));
 }
 
 } // namespace
@@ -108,6 +144,94 @@ private slots:
             QVERIFY(w.untilReady());
         }
         QCOMPARE(w.interaction.endFlightQuestions, 2);
+    }
+
+    void buttonsOfTheBannerKeepTheirPlaces()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        std::vector<std::map<QString, QRect>> states;
+        const auto note = [&] {
+            QTest::qWait(20); // laid out
+            states.emplace_back();
+            for (const QString& name : kBannerButtons)
+                if (button(w, name).isVisible())
+                    states.back()[name] = placeOf(button(w, name));
+        };
+        QVERIFY(flyTo(w, 200));
+        note();
+        QVERIFY(lookBack(w, 100));
+        note();
+        button(w, u"flyOnButton"_s).click();
+        QVERIFY(w.until([&] { return w.record().now.time_s < 150; }));
+        note();
+        button(w, u"stopAndEditButton"_s).click();
+        note();
+        for (std::size_t i = 0; i + 1 < states.size(); ++i)
+            for (const auto& [name, place] : states[i])
+                for (const auto& [other, next] : states[i + 1])
+                    QVERIFY2(name == other || !place.intersects(next),
+                             qPrintable(name + u" and "_s + other));
+        QCOMPARE(states.back().size(), 1U); // brings the flight back
+    }
+
+    void secondClickOnFlyOnDoesNoHarm()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(flyTo(w, 200));
+        QVERIFY(lookBack(w, 100));
+        QTest::qWait(20); // laid out
+        const QPoint at = placeOf(button(w, u"flyOnButton"_s)).center();
+        clickAt(w, at);
+        QVERIFY(w.until([&] { return w.record().now.time_s < 150; }));
+        QTest::qWait(20);
+        clickAt(w, at);
+        QTest::qWait(20);
+        QVERIFY(w.workspace.inFlight());
+        QVERIFY(w.record().now.time_s > 50);
+    }
+
+    void givenUpFlightComesBack_data()
+    {
+        QTest::addColumn<QString>("how");
+        for (const char* how : {"stopped", "stopped and edited", "flown on from before"})
+            QTest::newRow(how) << QString::fromLatin1(how);
+    }
+
+    void givenUpFlightComesBack()
+    {
+        QFETCH(QString, how);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const Scenario start = w.scenario();
+        QVERIFY(!w.action(u"bringBackAction"_s).isEnabled());
+        QVERIFY(flyTo(w, 200));
+        const double time_s = w.record().now.time_s;
+        const double zeta_m2s = w.record().now.metrics.zeta_m2s;
+        const std::size_t samples = w.record().history.samples.size();
+        if (how == u"flown on from before"_s) {
+            QVERIFY(lookBack(w, 100));
+            button(w, u"flyOnButton"_s).click();
+            QVERIFY(w.until([&] { return w.record().now.time_s < 150; }));
+        } else {
+            button(w, u"stopAndEditButton"_s).click();
+            QVERIFY(!w.workspace.inFlight());
+        }
+        if (how == u"stopped and edited"_s)
+            w.document().edit(u"Name"_s, [](Scenario& s) { s.icebergs.pop_back(); });
+        QVERIFY(button(w, u"bringBackButton"_s).isVisible());
+        button(w, u"bringBackButton"_s).click();
+        QVERIFY(w.until([&] { return w.record().now.time_s == time_s; }));
+        QVERIFY(w.workspace.inFlight());
+        QVERIFY(w.document().isLocked());
+        QVERIFY(w.scenario() == start);
+        QCOMPARE(w.record().now.phase, RunPhase::Paused);
+        QCOMPARE(w.record().now.metrics.zeta_m2s, zeta_m2s);
+        QCOMPARE(w.record().history.samples.size(), samples);
+        w.workspace.step();
+        QVERIFY(w.until([&] { return w.record().now.time_s > time_s; }));
+        w.workspace.reset();
+        w.document().reset(randomScenario(9)); // another one: nothing to bring back
+        QVERIFY(!w.action(u"bringBackAction"_s).isEnabled());
+        QVERIFY(!button(w, u"bringBackButton"_s).isVisible());
     }
 };
 

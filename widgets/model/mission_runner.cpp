@@ -1,5 +1,6 @@
 #include "widgets/model/mission_runner.h"
 
+#include "widgets/model/flight_record.h"
 #include "widgets/model/mission_worker.h"
 
 using namespace Qt::StringLiterals;
@@ -120,25 +121,36 @@ void MissionRunner::setRun(std::shared_ptr<const RunFile> run)
 {
     m_scenario = run->scenario;
     m_options = run->options;
-    begin(std::move(run));
+    begin({.run = std::move(run)});
 }
 
-void MissionRunner::restart()
+void MissionRunner::restart(bool keepsFlight)
 {
-    begin();
+    begin({.keepsFlight = keepsFlight});
 }
 
-void MissionRunner::begin(std::shared_ptr<const RunFile> run)
+void MissionRunner::bringBack(const Scenario& scenario, bool keepsFlight)
+{
+    m_scenario = scenario;
+    m_options = recordingOf(scenario);
+    begin({.keepsFlight = keepsFlight, .bringsBack = true});
+}
+
+void MissionRunner::begin(MissionRequest request)
 {
     m_stop.request_stop();
     m_stop = std::stop_source();
     ++m_generation;
     (void)m_interventions.take(); // meant for the flight that ends here
-    const bool mustTell = m_requests.put({.generation = m_generation,
-                                          .scenario = m_scenario,
-                                          .options = m_options,
-                                          .run = std::move(run),
-                                          .stop = m_stop.get_token()});
+    request.generation = m_generation;
+    request.scenario = m_scenario;
+    request.options = m_options;
+    request.stop = m_stop.get_token();
+    const bool mustTell =
+        m_requests.put(std::move(request), [](MissionRequest& waiting, MissionRequest next) {
+            next.keepsFlight = next.keepsFlight || waiting.keepsFlight;
+            waiting = std::move(next);
+        });
     if (mustTell)
         post([](MissionWorker& worker) { worker.start(); });
     cancelExportPreview();

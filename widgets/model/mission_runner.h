@@ -19,6 +19,8 @@ struct MissionRequest
     Scenario scenario;
     MissionOptions options;
     std::shared_ptr<const RunFile> run; ///< to be flown again first; null: none
+    bool keepsFlight = false;           ///< that of now, to be brought back
+    bool bringsBack = false;            ///< the flight that was kept
     std::stop_token stop;
 };
 
@@ -52,11 +54,13 @@ public:
     void pause();
     /** Pauses and advances by `seconds` of simulated time. */
     void stepBy(double seconds);
-    /** Back to the start of the same scenario. */
-    void restart();
+    /** Back to the start of the same scenario. `keepsFlight`: it can be brought back. */
+    void restart(bool keepsFlight = false);
+    /** Takes up the flight that was kept last, of this scenario; the one of now is kept for it. */
+    void bringBack(const Scenario& scenario, bool keepsFlight);
     /**
      * Pauses and goes back to `time_s` of the flight to fly on from there in another way: what
-     * came after is given up.
+     * came after is given up, and kept to be brought back.
      */
     void flyOnFrom(double time_s);
     /** Asks for the mission as it was at `time_s`: `instantUpdated` follows; the newest wins. */
@@ -100,7 +104,7 @@ signals:
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
 
 private:
-    void begin(std::shared_ptr<const RunFile> run = nullptr);
+    void begin(MissionRequest request = {});
     [[nodiscard]] std::optional<MissionSnapshot>
     ofNow(std::optional<MissionSnapshot> snapshot) const;
     template <class Command>

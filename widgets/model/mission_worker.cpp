@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace berg {
 
@@ -58,10 +59,12 @@ void MissionWorker::start()
         return; // an earlier call has taken a newer one
     m_timer.stop();
     m_request = std::move(*request);
-    m_mission.reset();
+    Flight present{.mission = std::move(m_mission), .phase = m_phase};
     m_error.reset();
     m_published = {};
     m_phase = RunPhase::Planning;
+    if (settleGivenUp(std::move(present)))
+        return;
     if (m_request.run) {
         flyAgain(*m_request.run);
         return;
@@ -72,6 +75,24 @@ void MissionWorker::start()
         return; // a newer request waits
     m_phase = RunPhase::Ready;
     publish();
+}
+
+bool MissionWorker::settleGivenUp(Flight present)
+{
+    const bool bringsBack = m_request.bringsBack && m_givenUp.mission;
+    if (bringsBack)
+        std::swap(present, m_givenUp);
+    if (!m_request.keepsFlight && bringsBack)
+        m_givenUp = {};
+    else if (m_request.keepsFlight && !bringsBack)
+        m_givenUp = std::move(present);
+    if (!bringsBack)
+        return false;
+    m_mission = std::move(present.mission);
+    listenToIncumbents();
+    m_phase = present.phase == RunPhase::Finished ? RunPhase::Finished : RunPhase::Paused;
+    publish();
+    return true;
 }
 
 void MissionWorker::flyAgain(const RunFile& run)
@@ -198,7 +219,8 @@ void MissionWorker::flyOnFrom(double time_s)
     std::erase_if(run.interventions,
                   [&run](const Intervention& change) { return change.time_s > run.flownUntil_s; });
     m_mission->setIncumbentListener(nullptr);
-    *m_mission = replay(run, m_request.stop);
+    auto again = std::make_unique<Mission>(replay(run, m_request.stop));
+    m_givenUp = {.mission = std::exchange(m_mission, std::move(again)), .phase = m_phase};
     listenToIncumbents();
     m_published = {}; // all of it again: the end that was sent is given up
     m_phase = RunPhase::Paused;

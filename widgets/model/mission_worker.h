@@ -66,6 +66,15 @@ signals:
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
 
 private:
+    /** A mission and how far it is. */
+    struct Flight
+    {
+        std::unique_ptr<Mission> mission;
+        RunPhase phase = RunPhase::Planning;
+    };
+    /** Keeps or takes up what was given up, as the request says; true when there is no more to do.
+     */
+    bool settleGivenUp(Flight present);
     void slice();
     void sliceAsFastAsPossible();
     /** Advances and keeps the phase; false when there is nothing more to fly. */
@@ -83,6 +92,7 @@ private:
     MissionMail m_mail;
     MissionRequest m_request;
     std::unique_ptr<Mission> m_mission;
+    Flight m_givenUp; ///< the last one; no mission: none
     ExportPaint m_paint;
     std::optional<Error> m_error;
     RunPhase m_phase = RunPhase::Planning;

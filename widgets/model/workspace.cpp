@@ -25,6 +25,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
 {
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &Workspace::planAgain);
     connect(&m_document, &ScenarioDocument::replaced, &m_selection, &Selection::clear);
+    connect(&m_document, &ScenarioDocument::replaced, this, [this] { setGivenUp({}); });
     connect(&m_document, &ScenarioDocument::refused, this, [this] {
         emit refused(tr("The scenario is locked in flight. Stop the flight to change it."));
     });
@@ -123,6 +124,8 @@ void Workspace::takeSnapshot()
         m_runs.add(m_record);
     if (inFlight() != wasInFlight)
         tellInFlight();
+    if (m_givenUp && inFlight() && !(m_givenUp->scenario == m_record.scenario))
+        setGivenUp({}); // another world is flown now
     emit flightChanged();
 }
 
@@ -436,6 +439,7 @@ void Workspace::flyOnFromHere()
     if (!m_lookedAt_s)
         return;
     m_runs.add(m_record); // what is given up can still be compared
+    setGivenUp(presentFlight());
     m_runner.flyOnFrom(*m_lookedAt_s);
     lookAtNewest();
 }
@@ -459,13 +463,55 @@ void Workspace::reset()
     m_placed.clear();
     m_playBack.stop();
     m_lookedAt_s.reset();
+    const std::optional<GivenUpFlight> flight = presentFlight();
     m_record.begin(m_document.scenario());
-    m_runner.restart();
+    m_runner.restart(flight.has_value());
     m_curvePlan.reset();
     m_curve.setScenario(m_document.scenario());
     if (wasInFlight)
         tellInFlight();
+    if (flight)
+        setGivenUp(flight);
     emit flightChanged();
+}
+
+std::optional<double> Workspace::givenUp_s() const
+{
+    return m_givenUp ? std::optional(m_givenUp->flown_s) : std::nullopt;
+}
+
+/** None: nothing is flown yet. */
+std::optional<Workspace::GivenUpFlight> Workspace::presentFlight() const
+{
+    if (!inFlight() || m_record.now.time_s <= 0)
+        return std::nullopt;
+    return GivenUpFlight{.scenario = m_record.scenario, .flown_s = m_record.now.time_s};
+}
+
+void Workspace::setGivenUp(std::optional<GivenUpFlight> flight)
+{
+    if (!flight && !m_givenUp)
+        return;
+    m_givenUp = std::move(flight);
+    emit givenUpChanged();
+}
+
+void Workspace::bringBackFlight()
+{
+    if (!m_givenUp)
+        return;
+    const Scenario scenario = m_givenUp->scenario;
+    std::optional<GivenUpFlight> present = presentFlight();
+    if (inFlight())
+        m_runs.add(m_record);
+    emit takeOffAhead();
+    m_document.edit(tr("Bring the flight back"), [&](Scenario& s) { s = scenario; });
+    m_tauWanted.reset();
+    m_playBack.stop();
+    m_lookedAt_s.reset();
+    m_curvePlan.reset();
+    m_runner.bringBack(scenario, present.has_value());
+    setGivenUp(std::move(present));
 }
 
 } // namespace berg

@@ -98,6 +98,10 @@ public:
     void step();
     /** Ends the flight: back to the start, where everything can be edited again. */
     void reset();
+    /** How far the flight was that was given up last, for another start or way; none: none was. */
+    [[nodiscard]] std::optional<double> givenUp_s() const;
+    /** Takes that flight up where it was left; of another scenario it is an edit as well. */
+    void bringBackFlight();
     /** A new rate for a flight under way. */
     void setRate(double rate);
 
@@ -125,8 +129,18 @@ signals:
     /** Take-off or reset: what may be edited has changed. */
     void inFlightChanged(bool inFlight);
     void refused(const QString& message);
+    /** Another flight can be brought back, or none. */
+    void givenUpChanged();
 
 private:
+    /** What is needed to bring a flight back. */
+    struct GivenUpFlight
+    {
+        Scenario scenario;
+        double flown_s = 0;
+    };
+    [[nodiscard]] std::optional<GivenUpFlight> presentFlight() const;
+    void setGivenUp(std::optional<GivenUpFlight> flight);
     void planAgain();
     void prepareTakeOff();
     void tellInFlight();
@@ -152,7 +166,8 @@ private:
     QTimer m_playBack;                  ///< runs while what was flown is played
     QElapsedTimer m_playClock;
     double m_rate = 1;
-    bool m_isTakeOffAsked = false; ///< and the answer of the mission has not come
+    std::optional<GivenUpFlight> m_givenUp; ///< the mission thread has it
+    bool m_isTakeOffAsked = false;          ///< and the answer of the mission has not come
     /** In flight, the plan the curve is of: rewrites of the history, number of the plan. */
     std::optional<std::pair<std::uint64_t, std::size_t>> m_curvePlan;
     CurveRunner m_curve;

@@ -30,23 +30,26 @@ FlightBanner::FlightBanner(QWidget* parent) : QWidget(parent)
     m_column = new QVBoxLayout(this);
     m_column->setContentsMargins(10, 5, 5, 5);
     m_column->setSpacing(kLineGap_px);
+    setAttribute(Qt::WA_NoMousePropagation); // a click between the buttons is none on the map
+    addGivenUpLine();
     m_state = new QWidget;
     m_column->addWidget(m_state);
     auto* row = new QHBoxLayout(m_state);
     row->setContentsMargins(0, 0, 0, 0);
     m_icon = new QLabel;
     m_text = new QLabel;
+    m_stop = addButton(*m_state, u"stopAndEditButton"_s, tr("Stop and edit"),
+                       tr("Ends the flight and goes back to the start, where everything can be "
+                          "edited."));
     row->addWidget(m_icon);
     row->addWidget(m_text, 1);
     row->addSpacing(6);
-    m_stop = addButton(u"stopAndEditButton"_s, tr("Stop and edit"),
-                       tr("Ends the flight and goes back to the start, where everything can be "
-                          "edited."));
-    m_flyOn = addButton(u"flyOnButton"_s, tr("Fly on from here"),
+    m_flyOn = addButton(*m_state, u"flyOnButton"_s, tr("Fly on from here"),
                         tr("Gives up what was flown after this instant. From here the trade-off "
                            "and the policy can be changed and another way flown."));
-    m_newest = addButton(u"newestButton"_s, tr("Newest"), tr("Back to the end of what is flown."));
-    m_checks = addButton(u"showChecksButton"_s, tr("Checks"),
+    m_newest = addButton(*m_state, u"newestButton"_s, tr("Newest"),
+                         tr("Back to the end of what is flown."));
+    m_checks = addButton(*m_state, u"showChecksButton"_s, tr("Checks"),
                          tr("Lists everything that is found about the scenario."));
     connect(m_stop, &QPushButton::clicked, this, &FlightBanner::stopRequested);
     connect(m_flyOn, &QPushButton::clicked, this, &FlightBanner::flyOnRequested);
@@ -57,14 +60,30 @@ FlightBanner::FlightBanner(QWidget* parent) : QWidget(parent)
     showState(false, {});
 }
 
-QPushButton* FlightBanner::addButton(const QString& name, const QString& text,
+void FlightBanner::addGivenUpLine()
+{
+    m_givenUp = new QWidget;
+    auto* row = new QHBoxLayout(m_givenUp);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_givenUpText = new QLabel;
+    m_givenUpText->setObjectName(u"givenUpText"_s);
+    row->addWidget(m_givenUpText, 1);
+    row->addSpacing(6);
+    QPushButton* back = addButton(*m_givenUp, u"bringBackButton"_s, tr("Bring it back"),
+                                  tr("Takes up the flight where it was left."));
+    connect(back, &QPushButton::clicked, this, &FlightBanner::bringBackRequested);
+    m_givenUp->hide();
+    m_column->addWidget(m_givenUp);
+}
+
+QPushButton* FlightBanner::addButton(QWidget& row, const QString& name, const QString& text,
                                      const QString& toolTip)
 {
     auto* button = new QPushButton(text);
     button->setObjectName(name);
     button->setToolTip(toolTip);
     button->setFocusPolicy(Qt::TabFocus);
-    m_state->layout()->addWidget(button);
+    row.layout()->addWidget(button);
     return button;
 }
 
@@ -74,6 +93,7 @@ void FlightBanner::setTheme(const Theme& theme)
     m_icon->setPixmap(
         icon(m_iconName, theme).pixmap(QSize(kIcon_px, kIcon_px), devicePixelRatioF()));
     m_text->setFont(theme.body());
+    m_givenUpText->setFont(theme.body());
     fillNotices();
     place();
     update();
@@ -103,8 +123,21 @@ void FlightBanner::showState(bool inFlight, std::optional<double> lookBack_s, co
     m_checks->setVisible(!m_fault.isEmpty());
     m_hasState = inFlight || !m_fault.isEmpty();
     m_state->setVisible(m_hasState);
-    setVisible(m_hasState || !m_notices.empty());
+    showOrHide();
+}
+
+void FlightBanner::showOrHide()
+{
+    setVisible(m_hasState || m_hasGivenUp || !m_notices.empty());
     place();
+}
+
+void FlightBanner::showGivenUp(const QString& text)
+{
+    m_hasGivenUp = !text.isEmpty();
+    m_givenUpText->setText(text);
+    m_givenUp->setVisible(m_hasGivenUp);
+    showOrHide();
 }
 
 void FlightBanner::showNotices(const std::vector<FlightNotice>& notices)
@@ -113,8 +146,7 @@ void FlightBanner::showNotices(const std::vector<FlightNotice>& notices)
         return;
     m_notices = notices;
     fillNotices();
-    setVisible(m_hasState || !m_notices.empty());
-    place();
+    showOrHide();
 }
 
 FlightBanner::NoticeLine FlightBanner::addNoticeLine()
@@ -162,6 +194,7 @@ void FlightBanner::fitToTexts()
 {
     for (const NoticeLine& shown : m_noticeLines)
         shown.line->layout()->activate();
+    m_givenUp->layout()->activate();
     m_state->layout()->activate();
     adjustSize();
 }

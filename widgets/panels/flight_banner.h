@@ -17,7 +17,9 @@ namespace berg {
 /**
  * Says on top of the map why the scenario is locked, in flight or while one looks back, with the
  * one click that ends it, or why nothing can be planned; above that what the user is to know now.
- * Keeps itself in the middle of its parent's lower edge, between legend and scale.
+ * Keeps itself in the middle of its parent's lower edge, between legend and scale. A button that
+ * comes is never where another one was that has gone: what ends the flight is on the left, what a
+ * double click may be meant for on the right.
  */
 class FlightBanner : public QWidget
 {
@@ -34,8 +36,11 @@ public:
     void showState(bool inFlight, std::optional<double> lookBack_s, const QString& fault = {});
     /** Each in a line of its own. */
     void showNotices(const std::vector<FlightNotice>& notices);
+    /** Says so, with a button that brings the flight back; empty: nothing was given up. */
+    void showGivenUp(const QString& text);
 
 signals:
+    void bringBackRequested();
     void stopRequested();
     /** Give up what came after the instant shown and fly on from it. */
     void flyOnRequested();
@@ -53,7 +58,10 @@ private:
         QLabel* icon;
         QLabel* text;
     };
-    QPushButton* addButton(const QString& name, const QString& text, const QString& toolTip);
+    QPushButton* addButton(QWidget& row, const QString& name, const QString& text,
+                           const QString& toolTip);
+    void addGivenUpLine();
+    void showOrHide();
     NoticeLine addNoticeLine();
     void fillNotices();
     void fitToTexts();
@@ -68,7 +76,10 @@ private:
     std::vector<FlightNotice> m_notices;
     std::vector<NoticeLine> m_noticeLines; ///< at least as many
     QBoxLayout* m_column;
-    QWidget* m_state; ///< the line of the lock or the fault
+    QWidget* m_state;   ///< the line of the lock or the fault
+    QWidget* m_givenUp; ///< the line of the flight that was given up
+    QLabel* m_givenUpText;
+    bool m_hasGivenUp = false;
     QLabel* m_icon;
     QLabel* m_text;
     QPushButton* m_stop;
