@@ -390,7 +390,12 @@ void StagedFile::place()
     removeLeftovers(m_state->path);
     if (!m_state->rename())
         overwrite(m_state->path, to.target, to.exists ? &to.old : nullptr, m_state->content);
-    flushFolder(to.target);
+}
+
+void StagedFile::makeLast() const
+{
+    if (!m_state->destination.inPlace)
+        flushFolder(m_state->destination.target);
 }
 
 void removeLeftovers(const std::string& path)
@@ -414,7 +419,9 @@ void removeLeftovers(const std::string& path)
 
 void writeFileAtomically(const std::string& path, std::string_view content)
 {
-    StagedFile(path, content).place();
+    StagedFile file(path, content);
+    file.place();
+    file.makeLast();
 }
 
 void checkWritable(const std::string& path)

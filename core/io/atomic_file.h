@@ -44,6 +44,8 @@ public:
 
     /** Puts it in the place of the file, at most once. */
     void place();
+    /** Then: through a power cut. Slow, and so apart: those of a set take their places at once. */
+    void makeLast() const;
 
 private:
     struct State;

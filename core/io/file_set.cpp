@@ -65,6 +65,8 @@ void writeFileSet(std::span<const NewFile> files)
             putBack(order[i]->path, before[i]);
         throw;
     }
+    for (const StagedFile& file : staged)
+        file.makeLast();
 }
 
 } // namespace berg
