@@ -21,7 +21,7 @@ constexpr int kMargin_px = 28;
 constexpr int kGap_px = 14;
 constexpr int kCommands_px = 300;
 constexpr int kWidest_px = 1500; ///< beyond, the page stays in the middle of the window
-constexpr int kMostColumns = 4;
+constexpr int kMostCardColumns = 4;
 
 } // namespace
 
@@ -188,7 +188,8 @@ void StartPage::showExample(int place, const Example& example, bool dark)
 void StartPage::arrangeExamples()
 {
     const int room_px = m_examples->viewport()->width() + kGap_px;
-    const int columns = std::clamp(room_px / (m_cards.front()->width() + kGap_px), 1, kMostColumns);
+    const int columns =
+        std::clamp(room_px / (m_cards.front()->width() + kGap_px), 1, kMostCardColumns);
     for (std::size_t i = 0; i < m_cards.size(); ++i)
         m_grid->addWidget(m_cards[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
 }

@@ -245,10 +245,10 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
 }
 
 /** A line for each UAV. */
-std::string orderLines(const std::vector<UavOrder>& uavs)
+std::string orderLines(const std::vector<UavReport>& uavs)
 {
     std::string text;
-    for (const UavOrder& uav : uavs) {
+    for (const UavReport& uav : uavs) {
         text += rowLabel(uav.id);
         for (const std::string& id : uav.ids)
             text += ' ' + word(id);

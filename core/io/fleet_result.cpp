@@ -32,7 +32,7 @@ double ownDistance_m(const PlanRequest& request, const UavRequest& uav, const Sc
     return distance_m;
 }
 
-Json uavJson(const UavOrder& uav)
+Json uavJson(const UavReport& uav)
 {
     Json json{{"id", uav.id},
               {"order", uav.order},
@@ -47,7 +47,7 @@ Json uavJson(const UavOrder& uav)
 
 double FleetReport::distance_m() const
 {
-    return std::accumulate(uavs.begin(), uavs.end(), 0.0, [](double sum_m, const UavOrder& uav) {
+    return std::accumulate(uavs.begin(), uavs.end(), 0.0, [](double sum_m, const UavReport& uav) {
         return sum_m + uav.distance_m;
     });
 }
@@ -68,7 +68,7 @@ FleetReport fleetReport(const Scenario& scenario, const PlanAnswer& answer)
     for (std::size_t k = 0; k < answer.fleet.size(); ++k) {
         const std::vector<int>& order = answer.fleet[k].order;
         const UavRequest& asked = request.fleet[k];
-        UavOrder uav{.id = scenario.uavs[static_cast<std::size_t>(asked.uav)].id,
+        UavReport uav{.id = scenario.uavs[static_cast<std::size_t>(asked.uav)].id,
                      .distance_m = ownDistance_m(request, asked, scenario, order),
                      .thisSortie = thisSortie(start, asked.uav, order, answer.clusters)};
         for (const int iceberg : order) {
@@ -87,7 +87,7 @@ std::string fleetJson(const FleetReport& report)
     std::vector<int> order;
     std::vector<std::string> ids;
     Json uavs = Json::array();
-    for (const UavOrder& uav : report.uavs) {
+    for (const UavReport& uav : report.uavs) {
         order.insert(order.end(), uav.order.begin(), uav.order.end());
         ids.insert(ids.end(), uav.ids.begin(), uav.ids.end());
         uavs.push_back(uavJson(uav));

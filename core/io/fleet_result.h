@@ -10,7 +10,7 @@
 namespace berg {
 
 /** The plan of one UAV of several. */
-struct UavOrder
+struct UavReport
 {
     std::string id;
     std::vector<int> order;        ///< as printed: 1-based
@@ -26,7 +26,7 @@ struct FleetReport
     std::optional<double> objective; ///< none without a plan, and of the policy coverage
     std::optional<double> gap;       ///< relative
     std::optional<double> mu;        ///< weight of distance, of the policy visitation
-    std::vector<UavOrder> uavs;
+    std::vector<UavReport> uavs;
 
     [[nodiscard]] double distance_m() const;
 };

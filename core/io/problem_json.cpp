@@ -13,7 +13,7 @@ constexpr std::string_view kFormat = "bergwatch-problem";
 
 /** Nodes, the UAV included; a matrix of this size takes 8 MB. */
 constexpr std::size_t kMostNodes = 1000;
-constexpr Limits kAmount{.low = 0, .high = kLargestProblemNumber};
+constexpr Limits kProblemNumber{.low = 0, .high = kLargestProblemNumber};
 
 std::vector<double> readSigmas(ObjectReader& object)
 {
@@ -31,7 +31,7 @@ std::vector<double> readSigmas(ObjectReader& object)
     }
     for (std::size_t i = 0; i < list->size(); ++i)
         sigma_m2.push_back(
-            numberOf((*list)[i], entryPath(path, i), object.faults(), kAmount).value_or(0));
+            numberOf((*list)[i], entryPath(path, i), object.faults(), kProblemNumber).value_or(0));
     if (sigma_m2[0] != 0)
         object.faults().add(entryPath(path, 0), "is the UAV's and must be 0");
     return sigma_m2;
@@ -61,7 +61,7 @@ Eigen::MatrixXd readDistances(const Json& rows, std::size_t nodes, ObjectReader&
         for (std::size_t j = 0; j < nodes; ++j)
             if (i != j) // the diagonal is not read, whatever it holds
                 distance_m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-                    numberOf(rows[i][j], entryPath(rowPath, j), object.faults(), kAmount)
+                    numberOf(rows[i][j], entryPath(rowPath, j), object.faults(), kProblemNumber)
                         .value_or(0);
     }
     return distance_m;
@@ -118,7 +118,7 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject)
     file.problem.distance_m = readGeometry(object, file.problem.sigma_m2.size());
     file.problem.route = object.choice("route", Route::Open, kRouteNames);
     const std::optional<double> tau = object.optionalNumber("tau", kTauLimits);
-    const std::optional<double> mu = object.optionalNumber("mu", kAmount);
+    const std::optional<double> mu = object.optionalNumber("mu", kProblemNumber);
     parsed.faults.throwIfAny(subject);
 
     if (mu) {

@@ -254,8 +254,8 @@ void Mission::compareWithLast(Round& plans) const
 {
     if (m_plans.empty())
         return;
-    FleetOrders before(static_cast<std::size_t>(m_simulation.uavCount()));
-    FleetOrders after = before;
+    OrdersByUav before(static_cast<std::size_t>(m_simulation.uavCount()));
+    OrdersByUav after = before;
     // Of both what can be flown.
     const auto ofSortie = [this](int uav, std::vector<int> order,
                                  std::span<const std::vector<int>> together) {

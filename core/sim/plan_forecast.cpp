@@ -91,7 +91,7 @@ std::vector<ForecastVisit*> inOrderOfTime(std::vector<RouteForecast>& routes)
     return visits;
 }
 
-bool isIn(const FleetOrders& orders, int iceberg)
+bool isIn(const OrdersByUav& orders, int iceberg)
 {
     return std::ranges::any_of(orders, [iceberg](const std::vector<int>& order) {
         return std::ranges::find(order, iceberg) != order.end();
@@ -99,9 +99,9 @@ bool isIn(const FleetOrders& orders, int iceberg)
 }
 
 /** The orders, and at their ends what only `others` visit, with the same UAV. */
-FleetOrders withVisitsOf(FleetOrders orders, const FleetOrders& others)
+OrdersByUav withVisitsOf(OrdersByUav orders, const OrdersByUav& others)
 {
-    const FleetOrders own = orders;
+    const OrdersByUav own = orders;
     for (std::size_t uav = 0; uav < others.size(); ++uav)
         for (const int iceberg : others[uav])
             if (!isIn(own, iceberg))
@@ -111,7 +111,7 @@ FleetOrders withVisitsOf(FleetOrders orders, const FleetOrders& others)
 
 } // namespace
 
-PlanForecast forecastPlan(const ForecastStart& start, const FleetOrders& orders, double horizon_s,
+PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders, double horizon_s,
                           std::span<const std::vector<int>> clusters)
 {
     const std::vector<Track>& tracks = start.world.tracks;
@@ -138,8 +138,8 @@ PlanForecast forecastPlan(const ForecastStart& start, const FleetOrders& orders,
 }
 
 std::vector<std::optional<PlanChange>> planChanges(const ForecastStart& start,
-                                                   const FleetOrders& before,
-                                                   const FleetOrders& after, double horizon_s,
+                                                   const OrdersByUav& before,
+                                                   const OrdersByUav& after, double horizon_s,
                                                    const ChangedClusters& clusters)
 {
     std::vector<std::optional<PlanChange>> changes(after.size());

@@ -19,7 +19,7 @@ struct ForecastStart
 };
 
 /** An order for each UAV, as iceberg indices; empty: it visits nothing. */
-using FleetOrders = std::vector<std::vector<int>>;
+using OrdersByUav = std::vector<std::vector<int>>;
 
 /** One iceberg of the order. */
 struct ForecastVisit
@@ -57,7 +57,7 @@ struct PlanForecast
  * So it is good for comparing orders and for the near future; over many rounds the flight, which
  * goes on visiting, stays below it. Throws `std::logic_error` for an index that is not there.
  */
-[[nodiscard]] PlanForecast forecastPlan(const ForecastStart& start, const FleetOrders& orders,
+[[nodiscard]] PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders,
                                         double horizon_s,
                                         std::span<const std::vector<int>> clusters = {});
 
@@ -84,7 +84,7 @@ struct PlanChange
  * UAV, or its new order begins with all that was.
  */
 [[nodiscard]] std::vector<std::optional<PlanChange>>
-planChanges(const ForecastStart& start, const FleetOrders& before, const FleetOrders& after,
+planChanges(const ForecastStart& start, const OrdersByUav& before, const OrdersByUav& after,
             double horizon_s, const ChangedClusters& clusters = {});
 
 } // namespace berg

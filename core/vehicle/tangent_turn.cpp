@@ -12,7 +12,7 @@ namespace {
 /** Turns this close to a full circle are none. */
 constexpr double kNoTurn_rad = 1e-9;
 
-struct SideTurn
+struct TangentSide
 {
     Point course = Point::Zero();
     double arc_rad = 0; ///< >= 0
@@ -21,13 +21,13 @@ struct SideTurn
 };
 
 /** `side` 1: to the left, -1: to the right. */
-SideTurn turnTo(double side, const Pose& start, const LinePast& line, double radius_m)
+TangentSide turnTo(double side, const Pose& start, const LinePast& line, double radius_m)
 {
     const Point toTarget_m = line.target_m - start.position_m - side * radius_m * start.left();
     const double squared_m2 = toTarget_m.squaredNorm();
     const double lateral_m = line.offset_m - side * radius_m;
     const double length_m2 = squared_m2 - lateral_m * lateral_m;
-    SideTurn turn{.length_m = std::sqrt(std::max(0.0, length_m2)), .possible = length_m2 >= 0};
+    TangentSide turn{.length_m = std::sqrt(std::max(0.0, length_m2)), .possible = length_m2 >= 0};
     // The course is the bearing of the target turned by -asin(lateral / distance).
     const double distance_m = turn.possible ? std::sqrt(squared_m2) : std::abs(lateral_m);
     turn.course = rotated(toTarget_m, turn.length_m / distance_m, -lateral_m / distance_m);
@@ -50,9 +50,9 @@ TangentTurn turnOntoLine(const Pose& start, const LinePast& line, double radius_
 {
     const double lateral_m = start.left().dot(line.target_m - start.position_m) - line.offset_m;
     double side = lateral_m >= 0 ? 1 : -1;
-    SideTurn turn = turnTo(side, start, line, radius_m);
+    TangentSide turn = turnTo(side, start, line, radius_m);
     if (!turn.possible || turn.arc_rad >= kPi) {
-        const SideTurn other = turnTo(-side, start, line, radius_m);
+        const TangentSide other = turnTo(-side, start, line, radius_m);
         if (other.possible && (!turn.possible || other.arc_rad < turn.arc_rad)) {
             turn = other;
             side = -side;

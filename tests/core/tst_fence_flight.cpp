@@ -11,7 +11,7 @@ using namespace berg::test;
 
 namespace {
 
-Mission flown(const Scenario& scenario)
+Mission flownFinely(const Scenario& scenario)
 {
     Mission mission(scenario, {.workLimit = 20'000, .sampleInterval_s = 0.1});
     mission.advance(scenario.duration_s);
@@ -56,7 +56,7 @@ private slots:
         for (int seed = 1; seed <= scenarios; ++seed) {
             Scenario s = fencedScenario(seed, {0.8 * wind_mps, -0.6 * wind_mps});
             s.planner.policy = static_cast<PolicyKind>(policy);
-            const Mission mission = flown(s);
+            const Mission mission = flownFinely(s);
             QVERIFY2(samplesOutside(mission) == 0, qPrintable(QString("seed %1").arg(seed)));
             visits += mission.metrics().visits;
         }
@@ -69,7 +69,7 @@ private slots:
         for (int seed = 1; seed <= 10; ++seed) {
             Scenario s = fencedScenario(seed);
             s.geofence = false;
-            outside += samplesOutside(flown(s));
+            outside += samplesOutside(flownFinely(s));
         }
         QVERIFY(outside > 1000);
     }
@@ -79,7 +79,7 @@ private slots:
         for (int seed = 1; seed <= 20; ++seed) {
             Scenario s = fencedScenario(seed);
             s.uavs[0].spec.autopilot_s = 1;
-            QCOMPARE(samplesOutside(flown(s)), std::ptrdiff_t{0});
+            QCOMPARE(samplesOutside(flownFinely(s)), std::ptrdiff_t{0});
         }
     }
 
@@ -121,7 +121,7 @@ private slots:
             Scenario s = fencedScenario(seed, {4, -3});
             s.duration_s = 2000;
             s.reachRadius_m = 40;
-            const Mission mission = flown(s);
+            const Mission mission = flownFinely(s);
             QCOMPARE(samplesOutside(mission), std::ptrdiff_t{0});
             double last_s = 0;
             for (const MissionEvent& event : mission.events())

@@ -34,7 +34,7 @@ Scenario fleetScenario(std::int64_t seed, int uavs, int icebergs = 12)
     return scenario;
 }
 
-Mission flown(const Scenario& scenario, const MissionOptions& options = {})
+Mission flownToEnd(const Scenario& scenario, const MissionOptions& options = {})
 {
     Mission mission(scenario, options);
     mission.advance(scenario.duration_s);
@@ -113,7 +113,7 @@ private slots:
 
     void aVisitByOneIsAPlanForAll()
     {
-        const Mission mission = flown(fleetScenario(1, 2));
+        const Mission mission = flownToEnd(fleetScenario(1, 2));
         int byOther = 0;
         for (const MissionEvent& reached : eventsOf(mission, EventKind::Reached))
             for (int uav = 0; uav < 2; ++uav) {
@@ -130,7 +130,7 @@ private slots:
     /** Legs that a plan does not change go on as they were: the guidance does not start again. */
     void anUnchangedLegGoesOn()
     {
-        const Mission mission = flown(fleetScenario(1, 2));
+        const Mission mission = flownToEnd(fleetScenario(1, 2));
         int unchanged = 0;
         for (std::size_t i = 2; i < mission.plans().size(); ++i) {
             const PlanEvent& plan = mission.plans()[i];
@@ -150,8 +150,8 @@ private slots:
         double one_m2s = 0;
         double two_m2s = 0;
         for (const int seed : {1, 2, 3}) {
-            one_m2s += flown(fleetScenario(seed, 1)).metrics().zeta_m2s;
-            two_m2s += flown(fleetScenario(seed, 2)).metrics().zeta_m2s;
+            one_m2s += flownToEnd(fleetScenario(seed, 1)).metrics().zeta_m2s;
+            two_m2s += flownToEnd(fleetScenario(seed, 2)).metrics().zeta_m2s;
         }
         QVERIFY(two_m2s < 0.85 * one_m2s);
     }
@@ -165,8 +165,8 @@ private slots:
             iceberg.uav = scenario.uavs[0].id;
         Scenario alone = scenario;
         alone.uavs.pop_back();
-        const Mission two = flown(scenario);
-        const Mission one = flown(alone);
+        const Mission two = flownToEnd(scenario);
+        const Mission one = flownToEnd(alone);
         QCOMPARE(two.metrics().zeta_m2s, one.metrics().zeta_m2s);
         QCOMPARE(two.metrics().visits, one.metrics().visits);
         QVERIFY(two.simulation().uav(0).pose == one.simulation().uav(0).pose);
@@ -182,7 +182,7 @@ private slots:
             scenario.planner.policy = policy;
             for (std::size_t i = 0; i < scenario.icebergs.size(); ++i)
                 scenario.icebergs[i].uav = scenario.uavs[i % 2].id;
-            const Mission mission = flown(scenario, {.workLimit = 300'000});
+            const Mission mission = flownToEnd(scenario, {.workLimit = 300'000});
             QVERIFY2(mission.metrics().visits > 3,
                      std::string(nameOf(kPolicyNames, policy)).c_str());
             for (const PlanEvent& plan : mission.plans())
@@ -262,7 +262,7 @@ private slots:
             for (Iceberg& iceberg : scenario.icebergs)
                 iceberg.velocitySd_mps = 0.8;
         }
-        const Mission mission = flown(scenario, {.workLimit = 200'000});
+        const Mission mission = flownToEnd(scenario, {.workLimit = 200'000});
         QVERIFY(!eventsOf(mission, EventKind::Landed).empty());
         QCOMPARE(!eventsOf(mission, EventKind::Lost).empty(), filtered);
         const RunFile run = runFromJson(runToJson(runOf(mission)), "run");
@@ -287,7 +287,7 @@ private slots:
                 scenario.uavs[k].spec.endurance_s = 350 + 70.0 * static_cast<double>(k);
                 scenario.uavs[k].turnaround_s = 120;
             }
-            const Mission mission = flown(scenario, {.workLimit = 20'000});
+            const Mission mission = flownToEnd(scenario, {.workLimit = 20'000});
             QVERIFY(eventsOf(mission, EventKind::LateHome).empty());
             std::array<double, 3> tookOff_s{};
             int landings = 0;
@@ -307,7 +307,7 @@ private slots:
     void uavsOfOneLayerThatMeetAreNamed()
     {
         Scenario scenario = headOn(0);
-        const Mission mission = flown(scenario);
+        const Mission mission = flownToEnd(scenario);
         const std::vector<MissionEvent> close = eventsOf(mission, EventKind::Close);
         QCOMPARE(close.size(), std::size_t{1});
         QCOMPARE(close[0].uav, 0);
@@ -317,8 +317,8 @@ private slots:
         QVERIFY(mission.simulation().state().closest_m.value() < 50);
 
         scenario.separation_m = 0; // not watched
-        QVERIFY(eventsOf(flown(scenario), EventKind::Close).empty());
-        const Mission layered = flown(headOn(kLayerHeight_m));
+        QVERIFY(eventsOf(flownToEnd(scenario), EventKind::Close).empty());
+        const Mission layered = flownToEnd(headOn(kLayerHeight_m));
         QVERIFY(eventsOf(layered, EventKind::Close).empty());
         QVERIFY(!layered.simulation().state().closest_m);
     }
@@ -336,7 +336,7 @@ private slots:
         scenario.uavs.push_back(passer);
         scenario.icebergs[0].uav = scenario.uavs[0].id;
         scenario.icebergs[1].uav = "uav-b";
-        const Mission mission = flown(scenario);
+        const Mission mission = flownToEnd(scenario);
         const auto given = std::ranges::find_if(mission.plans(), [](const PlanEvent& plan) {
             return plan.uav == 0 && plan.reason == PlanReason::SeenByOther;
         });
@@ -357,7 +357,7 @@ private slots:
         const std::optional<Metrics> forecast = forecastOf(scenario, PolicyKind::Visitation);
         Scenario quiet = scenario;
         quiet.noise = false;
-        QCOMPARE(forecast->zeta_m2s, flown(quiet).metrics().zeta_m2s);
+        QCOMPARE(forecast->zeta_m2s, flownToEnd(quiet).metrics().zeta_m2s);
     }
 
     /** What the solver said of the whole fleet: gap, mu and distance belong to one another. */
@@ -404,7 +404,7 @@ private slots:
         waiting.position_m = {-2000, 0};
         waiting.spec.endurance_s = 700; // enough for the near one, not for its own
         scenario.uavs.push_back(waiting);
-        const Mission mission = flown(scenario);
+        const Mission mission = flownToEnd(scenario);
         QVERIFY(!mission.simulation().available(1, 1));
         QVERIFY(mission.metrics().replans < 40);
     }
@@ -412,7 +412,7 @@ private slots:
     void moreUavsThanIcebergs()
     {
         for (const int icebergs : {0, 1, 2}) {
-            const Mission mission = flown(fleetScenario(8, 4, icebergs));
+            const Mission mission = flownToEnd(fleetScenario(8, 4, icebergs));
             QVERIFY(mission.simulation().finished());
             QVERIFY(mission.metrics().replans < 400);
         }
@@ -421,7 +421,7 @@ private slots:
     /** The fleet's change of plan: what both visit is the same, zeta that of all. */
     void changesAreOfTheFleet()
     {
-        const Mission mission = flown(fleetScenario(9, 2));
+        const Mission mission = flownToEnd(fleetScenario(9, 2));
         int changes = 0;
         for (std::size_t i = 0; i + 1 < mission.plans().size(); i += 2) {
             const auto& a = mission.plans()[i].change;

@@ -48,7 +48,7 @@ std::string simple(const char* command, const char* frame, const char* params)
 }
 
 /** A mission of ArduPilot: its home and these rows. */
-std::string wpl(const std::string& rows)
+std::string wplFile(const std::string& rows)
 {
     return "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t60\t-50\t0\t1\n" + rows;
 }
@@ -127,7 +127,7 @@ private slots:
         const std::string nowhere = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t0\t0\t0\t1\n";
         const std::string row = "1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\n";
         QVERIFY(!homeOf(read(nowhere + row)));
-        const SightingTable back = read(wpl(row + "2\t0\t3\t17\t0\t0\t0\t0\t60\t-50\t0\t1\n"));
+        const SightingTable back = read(wplFile(row + "2\t0\t3\t17\t0\t0\t0\t0\t60\t-50\t0\t1\n"));
         QCOMPARE(back.sightings.size(), std::size_t{1});
         QCOMPARE(back.rejected.count, std::size_t{0});
     }
@@ -305,21 +305,22 @@ private slots:
 
         row("old rows", "QGC WPL 100\n", "UnsupportedVersion", "line 1");
         row("no version", "QGC WPL\n", "UnsupportedVersion", "line 1");
-        row("home only", wpl(""), "InvalidInput", "holds no sightings");
-        row("eleven columns", wpl("1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\n"), "SyntaxError",
+        row("home only", wplFile(""), "InvalidInput", "holds no sightings");
+        row("eleven columns", wplFile("1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\n"), "SyntaxError",
             "line 3: has 11 columns");
-        row("thirteen columns", wpl("1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\t2\n"), "SyntaxError",
-            "line 3: has 13 columns");
-        row("decimal commas", wpl("1\t0\t3\t16\t0\t0\t0\t0\t60,5\t-50\t0\t1\n"), "SyntaxError",
+        row("thirteen columns", wplFile("1\t0\t3\t16\t0\t0\t0\t0\t60.5\t-50\t0\t1\t2\n"),
+            "SyntaxError", "line 3: has 13 columns");
+        row("decimal commas", wplFile("1\t0\t3\t16\t0\t0\t0\t0\t60,5\t-50\t0\t1\n"), "SyntaxError",
             "line 3: \"60,5\" is no number: decimals follow a point");
-        row("words", wpl("\n1\t0\t3\tWAYPOINT\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"), "SyntaxError",
+        row("words", wplFile("\n1\t0\t3\tWAYPOINT\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"), "SyntaxError",
             "line 4: \"WAYPOINT\" is no number");
-        row("command out of range", wpl("1\t0\t3\t16e9\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"),
+        row("command out of range", wplFile("1\t0\t3\t16e9\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"),
             "SyntaxError", "line 3: \"16e9\" is no whole number");
-        row("number without end", wpl("1\t0\t3\t16\t0\t0\t0\t0\t" + std::string(5000, '9') + "x\n"),
-            "SyntaxError", "line 3: has 9 columns");
-        row("no place in order", wpl("1\t0\t3\t16\t0\t0\t0\t0\t91\t-50\t0\t1\n"), "InvalidInput",
-            "line 3: latitude");
+        row("number without end",
+            wplFile("1\t0\t3\t16\t0\t0\t0\t0\t" + std::string(5000, '9') + "x\n"), "SyntaxError",
+            "line 3: has 9 columns");
+        row("no place in order", wplFile("1\t0\t3\t16\t0\t0\t0\t0\t91\t-50\t0\t1\n"),
+            "InvalidInput", "line 3: latitude");
     }
 
     void refused()
@@ -339,7 +340,7 @@ private slots:
         std::string rows;
         for (std::size_t i = 0; i <= kMostSightings; ++i)
             rows += "1 0 3 16 0 0 0 0 0 0 0 1\n";
-        QCOMPARE(codeOf([&] { (void)read(wpl(rows)); }), std::string("FileTooLarge"));
+        QCOMPARE(codeOf([&] { (void)read(wplFile(rows)); }), std::string("FileTooLarge"));
     }
 
     /** Ids have the place to 11 m; nearer waypoints are icebergs of their own all the same. */

@@ -4,23 +4,18 @@
 #include "core/plan/subset_solver.h"
 #include "tests/support/approx.h"
 #include "tests/support/hard_problems.h"
+#include "tests/support/orders.h"
 
 #include <QtTest>
 
 using namespace berg;
+using berg::test::ascending;
 
 namespace {
 
 /** Of proofs, relative to the cost; and of sums of some hundred terms. */
 constexpr double kProof = 2e-9;
 constexpr double kRounding = 1e-11;
-
-VisitOrder ascending(int icebergs)
-{
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
-    return order;
-}
 
 /** All a solve without proof may say of a problem with this optimum. */
 bool isHonest(const TvpProblem& problem, const SolveOutcome& outcome, double optimum)

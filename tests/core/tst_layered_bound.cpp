@@ -3,23 +3,18 @@
 #include "core/plan/subset_solver.h"
 #include "tests/support/approx.h"
 #include "tests/support/hard_problems.h"
+#include "tests/support/orders.h"
 
 #include <QtTest>
 
 #include <tuple>
 
 using namespace berg;
+using berg::test::ascending;
 
 namespace {
 
 constexpr std::int64_t kPlenty = 500'000'000;
-
-VisitOrder ascending(int icebergs)
-{
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
-    return order;
-}
 
 VisitOrder shuffled(int icebergs, std::uint64_t seed)
 {

@@ -3,20 +3,15 @@
 #include "core/plan/order_moves.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/orders.h"
 #include "tests/support/problem_rows.h"
 
 #include <QtTest>
 
 using namespace berg;
+using berg::test::ascending;
 
 namespace {
-
-VisitOrder ascending(int icebergs)
-{
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
-    return order;
-}
 
 double gapOf(const TvpProblem& problem, const SolveOutcome& outcome)
 {

@@ -42,7 +42,7 @@ Scenario ghost(double off_m)
     return scenario;
 }
 
-Mission flown(const Scenario& scenario)
+Mission flownToEnd(const Scenario& scenario)
 {
     Mission mission(scenario);
     mission.advance(scenario.duration_s);
@@ -75,8 +75,8 @@ private slots:
             Scenario measured = simple;
             measured.observer = {
                 .model = ObserverModel::Kalman, .positionSd_m = 0, .interval_s = simple.dt_s};
-            const Mission a = flown(simple);
-            const Mission b = flown(measured);
+            const Mission a = flownToEnd(simple);
+            const Mission b = flownToEnd(measured);
             QCOMPARE(b.metrics().visits, a.metrics().visits);
             COMPARE_NEAR(b.metrics().zeta_m2s / a.metrics().zeta_m2s, 1, 1e-9);
             QCOMPARE(count(b, EventKind::Lost), 0);
@@ -130,7 +130,7 @@ private slots:
     void lostSearchedForAndFound()
     {
         const Scenario scenario = ghost(600); // beyond the view of 300 m, within the pattern
-        const Mission mission = flown(scenario);
+        const Mission mission = flownToEnd(scenario);
         QCOMPARE(count(mission, EventKind::Lost), 1);
         QCOMPARE(count(mission, EventKind::Found), 1);
         QCOMPARE(count(mission, EventKind::GivenUp), 0);
@@ -150,13 +150,13 @@ private slots:
     {
         Scenario scenario = ghost(450);
         scenario.observer.search = SearchPattern::Sector;
-        QCOMPARE(count(flown(scenario), EventKind::Found), 1);
+        QCOMPARE(count(flownToEnd(scenario), EventKind::Found), 1);
     }
 
     /** The others are flown to; the one given up is no longer planned, but counts in zeta. */
     void givenUpWhenItIsNowhere()
     {
-        const Mission mission = flown(ghost(20000));
+        const Mission mission = flownToEnd(ghost(20000));
         QCOMPARE(count(mission, EventKind::Lost), 1);
         QCOMPARE(count(mission, EventKind::GivenUp), 1);
         QCOMPARE(count(mission, EventKind::Found), 0);
@@ -175,7 +175,7 @@ private slots:
     {
         Scenario scenario = ghost(600);
         scenario.observer.search = SearchPattern::None;
-        const Mission mission = flown(scenario);
+        const Mission mission = flownToEnd(scenario);
         QCOMPARE(count(mission, EventKind::GivenUp), 1);
         QCOMPARE(count(mission, EventKind::Found), 0);
     }
@@ -190,10 +190,10 @@ private slots:
                     return event.time_s;
             return -1.0;
         };
-        const double patient_s = gaveUp_s(flown(scenario));
+        const double patient_s = gaveUp_s(flownToEnd(scenario));
         scenario.icebergs[1].position_m = {4500, 0};
         scenario.icebergs[1].sigma0_m2 = 1e7;
-        const double impatient_s = gaveUp_s(flown(scenario));
+        const double impatient_s = gaveUp_s(flownToEnd(scenario));
         QVERIFY(impatient_s > 0);
         QVERIFY2(impatient_s + 60 < patient_s, qPrintable(QString::number(patient_s)));
     }
@@ -205,7 +205,7 @@ private slots:
         scenario.noise = true;
         scenario.observer = {.model = ObserverModel::Kalman, .detection = 0.5};
         addIceberg(scenario, 100, 0);
-        const Mission mission = flown(scenario);
+        const Mission mission = flownToEnd(scenario);
         QCOMPARE(count(mission, EventKind::Lost), 0);
         QVERIFY(mission.simulation().track(0).sigma_m2 < 5); // measured every other second
     }
@@ -220,7 +220,7 @@ private slots:
                 Scenario scenario = measuredField(seed, 0.6);
                 scenario.duration_s = 2000;
                 scenario.observer.search = search;
-                const Mission mission = flown(scenario);
+                const Mission mission = flownToEnd(scenario);
                 lost += count(mission, EventKind::Lost);
                 found += count(mission, EventKind::Found);
             }
@@ -234,7 +234,7 @@ private slots:
         Scenario scenario = measuredField(7, 0.6);
         scenario.duration_s = 2000;
         scenario.observer.detection = 0.8;
-        const Mission mission = flown(scenario);
+        const Mission mission = flownToEnd(scenario);
         QVERIFY(count(mission, EventKind::Lost) > 0);
         const RunFile run = runOf(mission);
         const RunFile read = runFromJson(runToJson(run), "run");
@@ -256,9 +256,9 @@ private slots:
             Scenario scenario = measuredField(3, 0.1);
             scenario.planner.policy = policy;
             scenario.observer.detection = 0.9;
-            const Mission mission = flown(scenario);
+            const Mission mission = flownToEnd(scenario);
             scenario.observer = {};
-            QVERIFY2(2 * mission.metrics().visits >= flown(scenario).metrics().visits,
+            QVERIFY2(2 * mission.metrics().visits >= flownToEnd(scenario).metrics().visits,
                      qPrintable(QString::number(int(policy))));
             QVERIFY(zetaLowerBound(scenario, {.workLimit = 10'000'000}).zeta_m2s <=
                     mission.metrics().zeta_m2s);

@@ -48,7 +48,7 @@ Scenario withoutIcebergs()
     return scenario;
 }
 
-QByteArray planText(const Scenario& scenario, const PlanAnswer& plan = fourIcebergPlan())
+QByteArray planFileText(const Scenario& scenario, const PlanAnswer& plan = fourIcebergPlan())
 {
     return bytes(qgcPlan(planContent(scenario, plan)));
 }
@@ -63,22 +63,22 @@ std::vector<std::pair<const char*, QByteArray>> documents()
 {
     ExportOptions path{.what = ExportWhat::Path};
     ExportOptions loiter{.altitude_m = 80.5, .loiterTurns = 3, .returnHome = true};
-    return {{"plan", planText(fourIcebergs())},
-            {"geofence", planText(fenced())},
+    return {{"plan", planFileText(fourIcebergs())},
+            {"geofence", planFileText(fenced())},
             {"path", bytes(qgcPlan(planContent(fourIcebergs(), fourIcebergPlan(), path)))},
             {"loiter", bytes(qgcPlan(planContent(fourIcebergs(), fourIcebergPlan(), loiter)))},
-            {"no icebergs", planText(withoutIcebergs(), planOf({}))},
-            {"no area", planText(changed([](Scenario& s) { s.area_m.clear(); }))},
-            {"closed route", planText(changed([](Scenario& s) {
+            {"no icebergs", planFileText(withoutIcebergs(), planOf({}))},
+            {"no area", planFileText(changed([](Scenario& s) { s.area_m.clear(); }))},
+            {"closed route", planFileText(changed([](Scenario& s) {
                  s.planner.policy = PolicyKind::Visitation;
                  s.planner.route = Route::Closed;
              }))},
-            {"fractional speed, wind", planText(changed([](Scenario& s) {
+            {"fractional speed, wind", planFileText(changed([](Scenario& s) {
                  s.uavs[0].spec.airspeed_mps = 22.5;
                  s.wind_mps = Point(7.25, -3.5);
              }))},
-            {"slow", planText(changed([](Scenario& s) { s.uavs[0].spec.airspeed_mps = 1.3; }))},
-            {"on the equator at 0 E", planText(changed([](Scenario& s) {
+            {"slow", planFileText(changed([](Scenario& s) { s.uavs[0].spec.airspeed_mps = 1.3; }))},
+            {"on the equator at 0 E", planFileText(changed([](Scenario& s) {
                  s.origin = {.latitude_deg = 0, .longitude_deg = 0};
                  s.uavs[0].position_m = Point::Zero();
              }))},
@@ -88,7 +88,7 @@ std::vector<std::pair<const char*, QByteArray>> documents()
 
 QJsonArray itemsOf(const QByteArray& text)
 {
-    return plan_rules::items(berg::test::planText(text));
+    return plan_rules::items(berg::test::planFileText(text));
 }
 
 } // namespace
@@ -110,7 +110,7 @@ private slots:
     void everyReaderAccepts()
     {
         QFETCH(QByteArray, text);
-        const PlanText plan = berg::test::planText(text);
+        const PlanText plan = berg::test::planFileText(text);
         for (const Reader& reader : readers())
             for (const PlanRule& rule : reader.rules)
                 QVERIFY2(rule.fault(plan).isEmpty(),
@@ -130,7 +130,7 @@ private slots:
     {
         QFETCH(int, index);
         const Mutation mutation = mutations()[static_cast<std::size_t>(index)];
-        QJsonObject root = berg::test::planText(planText(fenced())).root;
+        QJsonObject root = berg::test::planFileText(planFileText(fenced())).root;
         mutation.edit(root);
         const QByteArray text = QJsonDocument(root).toJson();
         QStringList expected = mutation.broken;
@@ -159,10 +159,10 @@ private slots:
         QFETCH(QByteArray, from);
         QFETCH(QByteArray, to);
         QFETCH(QStringList, broken);
-        QByteArray text = planText(fourIcebergs());
+        QByteArray text = planFileText(fourIcebergs());
         QVERIFY(text.contains(from));
         text.replace(from, to);
-        const QStringList found = brokenRules(berg::test::planText(text));
+        const QStringList found = brokenRules(berg::test::planFileText(text));
         for (const QString& rule : broken)
             QVERIFY2(found.contains(rule), qPrintable(rule));
     }
@@ -191,7 +191,7 @@ private slots:
     {
         const Scenario scenario = fourIcebergs();
         const PlanAnswer plan = fourIcebergPlan();
-        const QJsonArray items = itemsOf(planText(scenario, plan));
+        const QJsonArray items = itemsOf(planFileText(scenario, plan));
         const std::vector<Visit> visits = plannedVisits(scenario, plan);
         QCOMPARE(items.size(), 6);
         QCOMPARE(items[0]["command"_L1].toInt(), 178);
@@ -230,8 +230,8 @@ private slots:
         QFETCH(double, airspeed_mps);
         QFETCH(int, cruise_mps);
         const QByteArray text =
-            planText(changed([&](Scenario& s) { s.uavs[0].spec.airspeed_mps = airspeed_mps; }));
-        const QJsonValue mission = berg::test::planText(text).root["mission"_L1];
+            planFileText(changed([&](Scenario& s) { s.uavs[0].spec.airspeed_mps = airspeed_mps; }));
+        const QJsonValue mission = berg::test::planFileText(text).root["mission"_L1];
         QCOMPARE(mission["cruiseSpeed"_L1].toInt(-1), cruise_mps);
         QCOMPARE(mission["hoverSpeed"_L1].toInt(-1), cruise_mps);
         QCOMPARE(itemsOf(text)[0]["params"_L1][1].toDouble(), airspeed_mps);
@@ -240,12 +240,12 @@ private slots:
 
     void emptyPlanLoitersAtHome()
     {
-        const QByteArray text = planText(withoutIcebergs(), planOf({}));
+        const QByteArray text = planFileText(withoutIcebergs(), planOf({}));
         const QJsonArray items = itemsOf(text);
         QCOMPARE(items.size(), 2);
         QCOMPARE(items[1]["command"_L1].toInt(), 17);
         const QJsonArray home =
-            berg::test::planText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
+            berg::test::planFileText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
         QCOMPARE(items[1]["params"_L1].toArray()[4], home[0]);
         QCOMPARE(items[1]["params"_L1].toArray()[5], home[1]);
         QCOMPARE(home[2].toDouble(), 0.0);
@@ -253,14 +253,14 @@ private slots:
 
     void closedRouteLoitersAtHome()
     {
-        const QByteArray text = planText(changed([](Scenario& s) {
+        const QByteArray text = planFileText(changed([](Scenario& s) {
             s.planner.policy = PolicyKind::Visitation;
             s.planner.route = Route::Closed;
         }));
         const QJsonArray items = itemsOf(text);
         QCOMPARE(items.size(), 6);
         const QJsonArray home =
-            berg::test::planText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
+            berg::test::planFileText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
         QCOMPARE(items[5]["params"_L1].toArray()[4], home[0]);
         QCOMPARE(items[5]["params"_L1].toArray()[5], home[1]);
     }
@@ -286,7 +286,7 @@ private slots:
     {
         const Scenario scenario = fenced();
         const QJsonObject fence =
-            berg::test::planText(planText(scenario)).root["geoFence"_L1].toObject();
+            berg::test::planFileText(planFileText(scenario)).root["geoFence"_L1].toObject();
         const QJsonArray corners = fence["polygons"_L1][0]["polygon"_L1].toArray();
         QCOMPARE(corners.size(), 4);
         QVERIFY(fence["polygons"_L1][0]["inclusion"_L1].toBool());
@@ -296,13 +296,14 @@ private slots:
                                                   .longitude_deg = corners[i][1].toDouble()});
             QVERIFY((corner_m - scenario.area_m[static_cast<std::size_t>(i)]).norm() < 1e-4);
         }
-        const QByteArray open = planText(fourIcebergs()); // an area, but no fence
-        QVERIFY(berg::test::planText(open).root["geoFence"_L1]["polygons"_L1].toArray().isEmpty());
+        const QByteArray open = planFileText(fourIcebergs()); // an area, but no fence
+        QVERIFY(
+            berg::test::planFileText(open).root["geoFence"_L1]["polygons"_L1].toArray().isEmpty());
     }
 
     void homeIsTheRallyPoint()
     {
-        const QJsonObject root = berg::test::planText(planText(fourIcebergs())).root;
+        const QJsonObject root = berg::test::planFileText(planFileText(fourIcebergs())).root;
         const QJsonArray home = root["mission"_L1]["plannedHomePosition"_L1].toArray();
         QCOMPARE(root["rallyPoints"_L1]["points"_L1].toArray(),
                  (QJsonArray{QJsonArray{home[0], home[1], 120}}));
@@ -310,7 +311,7 @@ private slots:
 
     void golden()
     {
-        const QByteArray actual = planText(fenced());
+        const QByteArray actual = planFileText(fenced());
         const QByteArray expected = berg::test::golden(u"four_icebergs.plan"_s, actual);
         // 1e-9 of 47 degrees is 5 mm: rounding of another processor, not another place.
         const QString found = difference(QJsonDocument::fromJson(actual).object(),

@@ -25,7 +25,7 @@ Scenario enduring(std::int64_t seed, double wind_mps = 0)
     return s;
 }
 
-Mission flown(const Scenario& scenario)
+Mission flownWithin(const Scenario& scenario)
 {
     Mission mission(scenario, {.workLimit = 20'000});
     mission.advance(scenario.duration_s);
@@ -96,7 +96,7 @@ private slots:
         for (int seed = 1; seed <= scenarios; ++seed) {
             Scenario s = enduring(seed, wind_mps);
             s.planner.policy = static_cast<PolicyKind>(policy);
-            const Mission mission = flown(s);
+            const Mission mission = flownWithin(s);
             QCOMPARE(margins_s(mission).size(), std::size_t{2});
             for (const double margin_s : margins_s(mission))
                 QVERIFY2(margin_s >= 0,
@@ -112,7 +112,7 @@ private slots:
             Scenario s = test::fencedScenario(seed, {4, -3});
             s.duration_s = 2500;
             s.uavs[0].spec.endurance_s = kEndurance_s;
-            const Mission mission = flown(s);
+            const Mission mission = flownWithin(s);
             for (const double margin_s : margins_s(mission))
                 QVERIFY(margin_s >= 0);
         }
@@ -123,7 +123,7 @@ private slots:
         for (int seed = 1; seed <= 5; ++seed) {
             Scenario s = enduring(seed, 8);
             s.uavs[0].spec.autopilot_s = 1;
-            for (const double margin_s : margins_s(flown(s)))
+            for (const double margin_s : margins_s(flownWithin(s)))
                 QVERIFY(margin_s >= 0);
         }
     }
@@ -157,7 +157,7 @@ private slots:
                 return issue.message == advised::kNoWayHome ||
                        issue.message == advised::kHomeNearFence;
             });
-            for (const double margin_s : margins_s(flown(s))) {
+            for (const double margin_s : margins_s(flownWithin(s))) {
                 QVERIFY2(margin_s >= 0 || warned, qPrintable(QString("scenario %1").arg(i)));
                 ++landings;
             }
@@ -170,7 +170,7 @@ private slots:
         Scenario s = enduring(3);
         s.uavs[0].turnaround_s = 250;
         s.uavs[0].home_m = Point(2500, 2000);
-        const Mission mission = flown(s);
+        const Mission mission = flownWithin(s);
         const std::vector<double> landed_s = timesOf(mission, EventKind::Landed);
         const std::vector<double> tookOff_s = timesOf(mission, EventKind::TookOff);
         QVERIFY(landed_s.size() >= 2 && tookOff_s.size() >= 2);
@@ -198,7 +198,7 @@ private slots:
         Scenario s = enduring(3);
         s.icebergs[0].position_m = s.uavs[0].position_m;
         s.icebergs[0].velocity_mps = Point::Zero();
-        const Mission mission = flown(s);
+        const Mission mission = flownWithin(s);
         const double landed_s = timesOf(mission, EventKind::Landed).at(0);
         QVERIFY(instantAt(mission, landed_s - 2).simulation.track(0).inView);
         const MissionInstant early = instantAt(mission, landed_s + 100);
@@ -221,7 +221,7 @@ private slots:
             for (int seed = 1; seed <= 10; ++seed) {
                 Scenario s = enduring(seed, wind_mps);
                 s.noise = false;
-                const Mission mission = flown(s);
+                const Mission mission = flownWithin(s);
                 QCOMPARE(brokenPromises(mission), 0);
                 trips += static_cast<int>(timesOf(mission, EventKind::HomeBound).size());
                 for (const PlanEvent& plan : mission.plans()) {
@@ -238,7 +238,7 @@ private slots:
     {
         Scenario s = enduring(1);
         s.uavs[0].spec.endurance_s = 500;
-        const Mission mission = flown(s);
+        const Mission mission = flownWithin(s);
         const PlanEvent& first = mission.plans().front();
         QVERIFY(*first.thisSortie < static_cast<int>(first.order.size()));
         // What it does promise is reached before the UAV turns home.
@@ -255,7 +255,7 @@ private slots:
         s.icebergs.resize(2);
         s.icebergs[0].position_m = {20000, 500}; // 1864 s there and back
         s.icebergs[1].position_m = {3000, 500};
-        const Mission mission = flown(s);
+        const Mission mission = flownWithin(s);
         for (const PlanEvent& plan : mission.plans())
             QVERIFY(plan.target != 0);
         // With the near one in view there is nothing left to fly to: it waits on the ground.
@@ -270,7 +270,7 @@ private slots:
         Scenario s = enduring(1);
         s.icebergs.resize(1);
         s.icebergs[0].position_m = {20000, 500};
-        const Mission mission = flown(s);
+        const Mission mission = flownWithin(s);
         QCOMPARE(timesOf(mission, EventKind::Landed).size(), std::size_t{1});
         QVERIFY(timesOf(mission, EventKind::TookOff).empty());
         QCOMPARE(mission.simulation().uav(0).mode, FlightMode::Ground);
@@ -345,7 +345,7 @@ private slots:
     void slicesDoNotMatter()
     {
         const Scenario s = enduring(7, 4);
-        const Mission whole = flown(s);
+        const Mission whole = flownWithin(s);
         Mission sliced(s, {.workLimit = 20'000});
         for (double t = 0.7; t < s.duration_s + 1; t += 0.7)
             sliced.advance(t);
@@ -361,7 +361,7 @@ private slots:
         s.icebergs.resize(6);
         const ZetaBound bound = zetaLowerBound(s, {.workLimit = 2'000'000});
         QVERIFY(bound.zeta_m2s > 0);
-        QVERIFY(bound.zeta_m2s <= flown(s).metrics().zeta_m2s);
+        QVERIFY(bound.zeta_m2s <= flownWithin(s).metrics().zeta_m2s);
     }
 };
 

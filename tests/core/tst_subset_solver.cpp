@@ -1,21 +1,16 @@
 #include "core/plan/subset_solver.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/orders.h"
 
 #include <QtTest>
 
 using namespace berg;
+using berg::test::ascending;
 
 namespace {
 
 /** The order of the node numbers. */
-VisitOrder ascending(int icebergs)
-{
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
-    return order;
-}
-
 /** All legs and all sigmas alike: every order costs the same. */
 TvpProblem indifferent(int icebergs)
 {

@@ -9,7 +9,7 @@ using namespace berg;
 
 namespace {
 
-const ViewRegion kDisk{.centre_m = {300, -200}, .half_m = {424, 424}};
+const ViewRegion kRound{.centre_m = {300, -200}, .half_m = {424, 424}};
 const ViewRegion kOtherDisk{.centre_m = {1500, 400}, .half_m = {350, 350}};
 const ViewRegion kRectangle{.centre_m = {-900, 700}, .half_m = {300, 150}, .disk = false};
 
@@ -66,7 +66,7 @@ void TestViewCells::noFlightIsFaster()
 {
     QFETCH(double, east_mps);
     QFETCH(int, cells);
-    const std::vector<ViewRegion> regions{kDisk, kRectangle, kOtherDisk};
+    const std::vector<ViewRegion> regions{kRound, kRectangle, kOtherDisk};
     const Travel travel{.airspeed_mps = 22, .wind_mps = {east_mps, 3}};
     const ViewCells cut(regions, cells, travel);
     const Point start_m(-400, 100);
@@ -88,7 +88,7 @@ void TestViewCells::noFlightIsFaster()
 void TestViewCells::finerIsLonger()
 {
     // The nearest points of the two disks: 1341.6 - 424 - 350 m.
-    const std::vector<ViewRegion> regions{kDisk, kOtherDisk};
+    const std::vector<ViewRegion> regions{kRound, kOtherDisk};
     double last_s = 0;
     for (const int cells : {8, 32, 128}) {
         const ViewCells cut(regions, cells, {});
@@ -107,7 +107,7 @@ void TestViewCells::finerIsLonger()
 void TestViewCells::touching()
 {
     const std::vector<ViewRegion> regions{
-        kDisk, kRectangle, {.centre_m = {-500, 400}, .half_m = {350, 350}}};
+        kRound, kRectangle, {.centre_m = {-500, 400}, .half_m = {350, 350}}};
     const int cells = 16;
     const ViewCells cut(regions, cells, {});
     Random random(6);
@@ -125,8 +125,8 @@ void TestViewCells::inside()
 {
     QVERIFY(kRectangle.contains({-1200, 850}));
     QVERIFY(!kRectangle.contains({-1201, 700}));
-    QVERIFY(kDisk.contains({724, -200}));
-    QVERIFY(!kDisk.contains({300 + 310, -200 + 310}));
+    QVERIFY(kRound.contains({724, -200}));
+    QVERIFY(!kRound.contains({300 + 310, -200 + 310}));
 }
 
 QTEST_APPLESS_MAIN(TestViewCells)

@@ -3,6 +3,7 @@
 #include "core/plan/engine.h"
 #include "core/plan/solver.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/orders.h"
 
 #include <QtTest>
 
@@ -92,13 +93,6 @@ inline QString faultOf(const Contestant& contestant, const TvpProblem& problem,
             .arg(outcome.objective)
             .arg(optimum);
     return {};
-}
-
-inline VisitOrder ascending(int icebergs)
-{
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
-    return order;
 }
 
 inline bool same(const SolveOutcome& a, const SolveOutcome& b)

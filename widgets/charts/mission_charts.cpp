@@ -2,7 +2,7 @@
 
 #include "widgets/charts/uav_charts.h"
 #include "widgets/map/mission_picture.h"
-#include "widgets/model/shown_name.h"
+#include "widgets/model/object_names.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/vehicle/dubins.h"
-#include "widgets/model/shown_name.h"
+#include "widgets/model/object_names.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>

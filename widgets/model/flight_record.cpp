@@ -110,7 +110,7 @@ void FlightRecord::noteStartPlan()
     if (now.phase != RunPhase::Ready || now.plans.empty())
         return;
     const auto orders = [](const std::vector<PlanEvent>& plans) {
-        FleetOrders own;
+        OrdersByUav own;
         for (const PlanEvent& plan : plans)
             own.push_back(plan.order);
         return own;

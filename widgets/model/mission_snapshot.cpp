@@ -103,9 +103,9 @@ const PlanEvent* planOf(const MissionSnapshot& snapshot, int uav)
     return it == snapshot.plans.end() ? nullptr : &*it;
 }
 
-FleetOrders ordersOf(const MissionSnapshot& snapshot)
+OrdersByUav ordersOf(const MissionSnapshot& snapshot)
 {
-    FleetOrders orders(snapshot.world.uavs.size());
+    OrdersByUav orders(snapshot.world.uavs.size());
     for (const PlanEvent& plan : snapshot.plans)
         orders.at(static_cast<std::size_t>(plan.uav)) = plan.order;
     return orders;

@@ -80,7 +80,7 @@ struct MissionSnapshot
 [[nodiscard]] const PlanEvent* planOf(const MissionSnapshot& snapshot, int uav);
 
 /** Orders of the plans in force, by UAV. */
-[[nodiscard]] FleetOrders ordersOf(const MissionSnapshot& snapshot);
+[[nodiscard]] OrdersByUav ordersOf(const MissionSnapshot& snapshot);
 
 /** The mission as it is now, without generation, phase and news. */
 [[nodiscard]] MissionSnapshot snapshotOf(const Mission& mission);

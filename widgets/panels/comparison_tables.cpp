@@ -1,6 +1,6 @@
 #include "widgets/panels/comparison_tables.h"
 
-#include "widgets/model/shown_name.h"
+#include "widgets/model/object_names.h"
 #include "widgets/panels/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
 

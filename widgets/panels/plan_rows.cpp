@@ -14,7 +14,7 @@ namespace {
 
 PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
 {
-    FleetOrders orders = ordersOf(now);
+    OrdersByUav orders = ordersOf(now);
     for (std::size_t uav = 0; uav < orders.size(); ++uav)
         if (now.world.uavs[uav].homeward())
             orders[uav].clear();

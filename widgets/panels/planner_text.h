@@ -23,7 +23,7 @@ struct PlanReadout
     std::optional<PlanEvent> plan; ///< of several UAVs that of one of them
     bool solving = false;
     QString fault;      ///< why nothing can be planned; empty: nothing stands in the way
-    FleetOrders others; ///< of the UAVs that were planned together with it
+    OrdersByUav others; ///< of the UAVs that were planned together with it
 
     /** In the orders of all of them. */
     [[nodiscard]] std::size_t icebergs() const;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/plan/tvp.h"
+
+#include <numeric>
+
+namespace berg::test {
+
+/** The icebergs as they are numbered. */
+inline VisitOrder ascending(int icebergs)
+{
+    VisitOrder order(static_cast<std::size_t>(icebergs));
+    std::iota(order.begin(), order.end(), 1);
+    return order;
+}
+
+} // namespace berg::test
