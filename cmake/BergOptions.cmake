@@ -12,6 +12,9 @@ target_compile_options(
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
             # One result on every machine: no fused multiply-add, no value-changing optimisation.
             -ffp-contract=off)
+if(BERGWATCH_UNITY) # these take the other sources of a unit for part of this one; the preset dev keeps them
+  target_compile_options(berg_options INTERFACE -Wno-shadow -Wno-subobject-linkage)
+endif()
 if(BERGWATCH_WERROR)
   target_compile_options(berg_options INTERFACE -Werror)
 endif()
@@ -56,4 +59,5 @@ function(berg_add_module name)
   list(TRANSFORM arg_LINKS PREPEND berg::)
   target_link_libraries(berg_${name} PUBLIC berg_options Eigen3::Eigen ${arg_LINKS}
                                      PRIVATE ${arg_PRIVATE_LINKS})
+  berg_unity(berg_${name})
 endfunction()
