@@ -21,7 +21,7 @@ Json pair(const Point& vector)
     return {vector.x(), vector.y()};
 }
 
-const char* kindOf(ExportWhat what)
+const char* featureKind(ExportWhat what)
 {
     switch (what) {
     case ExportWhat::FirstLeg:
@@ -152,7 +152,7 @@ private:
     void addLine(const ExportUav& uav)
     {
         Json properties;
-        properties["kind"] = kindOf(m_content.what);
+        properties["kind"] = featureKind(m_content.what);
         properties["uav"] = uav.uav.id;
         properties["order"] = Json::array();
         for (const Visit& visit : uav.visits)

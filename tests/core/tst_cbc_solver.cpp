@@ -17,8 +17,6 @@
 using namespace berg;
 using namespace berg::test;
 
-Q_DECLARE_METATYPE(berg::TvpProblem)
-
 namespace {
 
 void addFormulations()

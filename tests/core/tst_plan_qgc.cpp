@@ -88,7 +88,7 @@ std::vector<std::pair<const char*, QByteArray>> documents()
 
 QJsonArray itemsOf(const QByteArray& text)
 {
-    return plan_rules::items(berg::test::planFileText(text));
+    return plan_rules::items(berg::test::planText(text));
 }
 
 } // namespace
@@ -110,7 +110,7 @@ private slots:
     void everyReaderAccepts()
     {
         QFETCH(QByteArray, text);
-        const PlanText plan = berg::test::planFileText(text);
+        const PlanText plan = berg::test::planText(text);
         for (const Reader& reader : readers())
             for (const PlanRule& rule : reader.rules)
                 QVERIFY2(rule.fault(plan).isEmpty(),
@@ -130,7 +130,7 @@ private slots:
     {
         QFETCH(int, index);
         const Mutation mutation = mutations()[static_cast<std::size_t>(index)];
-        QJsonObject root = berg::test::planFileText(planFileText(fenced())).root;
+        QJsonObject root = berg::test::planText(planFileText(fenced())).root;
         mutation.edit(root);
         const QByteArray text = QJsonDocument(root).toJson();
         QStringList expected = mutation.broken;
@@ -162,7 +162,7 @@ private slots:
         QByteArray text = planFileText(fourIcebergs());
         QVERIFY(text.contains(from));
         text.replace(from, to);
-        const QStringList found = brokenRules(berg::test::planFileText(text));
+        const QStringList found = brokenRules(berg::test::planText(text));
         for (const QString& rule : broken)
             QVERIFY2(found.contains(rule), qPrintable(rule));
     }
@@ -231,7 +231,7 @@ private slots:
         QFETCH(int, cruise_mps);
         const QByteArray text =
             planFileText(changed([&](Scenario& s) { s.uavs[0].spec.airspeed_mps = airspeed_mps; }));
-        const QJsonValue mission = berg::test::planFileText(text).root["mission"_L1];
+        const QJsonValue mission = berg::test::planText(text).root["mission"_L1];
         QCOMPARE(mission["cruiseSpeed"_L1].toInt(-1), cruise_mps);
         QCOMPARE(mission["hoverSpeed"_L1].toInt(-1), cruise_mps);
         QCOMPARE(itemsOf(text)[0]["params"_L1][1].toDouble(), airspeed_mps);
@@ -245,7 +245,7 @@ private slots:
         QCOMPARE(items.size(), 2);
         QCOMPARE(items[1]["command"_L1].toInt(), 17);
         const QJsonArray home =
-            berg::test::planFileText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
+            berg::test::planText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
         QCOMPARE(items[1]["params"_L1].toArray()[4], home[0]);
         QCOMPARE(items[1]["params"_L1].toArray()[5], home[1]);
         QCOMPARE(home[2].toDouble(), 0.0);
@@ -260,7 +260,7 @@ private slots:
         const QJsonArray items = itemsOf(text);
         QCOMPARE(items.size(), 6);
         const QJsonArray home =
-            berg::test::planFileText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
+            berg::test::planText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
         QCOMPARE(items[5]["params"_L1].toArray()[4], home[0]);
         QCOMPARE(items[5]["params"_L1].toArray()[5], home[1]);
     }
@@ -286,7 +286,7 @@ private slots:
     {
         const Scenario scenario = fenced();
         const QJsonObject fence =
-            berg::test::planFileText(planFileText(scenario)).root["geoFence"_L1].toObject();
+            berg::test::planText(planFileText(scenario)).root["geoFence"_L1].toObject();
         const QJsonArray corners = fence["polygons"_L1][0]["polygon"_L1].toArray();
         QCOMPARE(corners.size(), 4);
         QVERIFY(fence["polygons"_L1][0]["inclusion"_L1].toBool());
@@ -297,13 +297,12 @@ private slots:
             QVERIFY((corner_m - scenario.area_m[static_cast<std::size_t>(i)]).norm() < 1e-4);
         }
         const QByteArray open = planFileText(fourIcebergs()); // an area, but no fence
-        QVERIFY(
-            berg::test::planFileText(open).root["geoFence"_L1]["polygons"_L1].toArray().isEmpty());
+        QVERIFY(berg::test::planText(open).root["geoFence"_L1]["polygons"_L1].toArray().isEmpty());
     }
 
     void homeIsTheRallyPoint()
     {
-        const QJsonObject root = berg::test::planFileText(planFileText(fourIcebergs())).root;
+        const QJsonObject root = berg::test::planText(planFileText(fourIcebergs())).root;
         const QJsonArray home = root["mission"_L1]["plannedHomePosition"_L1].toArray();
         QCOMPARE(root["rallyPoints"_L1]["points"_L1].toArray(),
                  (QJsonArray{QJsonArray{home[0], home[1], 120}}));

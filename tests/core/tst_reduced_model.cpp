@@ -11,8 +11,6 @@
 using namespace berg;
 using namespace berg::test;
 
-Q_DECLARE_METATYPE(berg::TvpProblem)
-
 namespace {
 
 /** Whether every arc of the order has its column. */

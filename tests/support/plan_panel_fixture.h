@@ -39,7 +39,7 @@ inline std::vector<PlanSection> visiting(const std::vector<std::string>& ids)
 }
 
 /** a and b of uav-1, c of uav-2, for which it is kept. */
-inline std::vector<PlanSection> twoUavs()
+inline std::vector<PlanSection> twoUavSections()
 {
     std::vector<PlanRow> kept = rowsOf({"c"});
     kept.front().isKept = true;

@@ -301,7 +301,7 @@ private slots:
     void menuIsForItsRow()
     {
         Fixture f;
-        f.panel.showPlan(twoUavs());
+        f.panel.showPlan(twoUavSections());
         QSignalSpy menu(&f.panel, &PlanPanel::menuRequested);
         QContextMenuEvent click(QContextMenuEvent::Mouse, f.centre(2), {7, 8});
         QCoreApplication::sendEvent(f.table.viewport(), &click);

@@ -54,7 +54,7 @@ private slots:
         Fixture f;
         const QAbstractItemModelTester tester(&f.model);
         f.panel.resize(600, 240);
-        f.panel.showPlan(twoUavs());
+        f.panel.showPlan(twoUavSections());
         QCOMPARE(f.model.rowCount(), 5);
         QCOMPARE(f.cell(0, PlanModel::Name), u"West"_s);
         QCOMPARE(f.cell(0, PlanModel::Leg), u"2.00 km"_s);
@@ -76,7 +76,7 @@ private slots:
     void homewardUavSaysSo()
     {
         Fixture f;
-        std::vector<PlanSection> sections = twoUavs();
+        std::vector<PlanSection> sections = twoUavSections();
         sections[0].rows.clear();
         sections[0].isHomeward = true;
         f.panel.showPlan(sections);
@@ -88,13 +88,13 @@ private slots:
     void keptIcebergsHaveAPin()
     {
         Fixture f;
-        f.panel.showPlan(twoUavs());
+        f.panel.showPlan(twoUavSections());
         const QModelIndex kept = f.model.index(4, PlanModel::Name);
         QVERIFY(kept.data(PlanModel::KeptRole).toBool());
         QVERIFY(!f.model.index(1, PlanModel::Name).data(PlanModel::KeptRole).toBool());
         QVERIFY(kept.data(Qt::ToolTipRole).toString().endsWith(u"Kept for uav-2"_s));
         QSignalSpy changed(&f.model, &QAbstractItemModel::dataChanged);
-        std::vector<PlanSection> sections = twoUavs();
+        std::vector<PlanSection> sections = twoUavSections();
         sections[1].rows[0].isKept = false; // no text says so
         f.panel.showPlan(sections);
         QCOMPARE(changed.count(), 1);
@@ -105,7 +105,7 @@ private slots:
     void icebergIsDraggedToAUav()
     {
         Fixture f;
-        f.panel.showPlan(twoUavs());
+        f.panel.showPlan(twoUavSections());
         QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDragEnabled));
         QVERIFY(f.model.flags(f.model.index(1, 0)).testFlag(Qt::ItemIsDragEnabled));
         QSignalSpy handedOver(&f.panel, &PlanPanel::handedOver);
