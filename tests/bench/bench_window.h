@@ -46,6 +46,7 @@ public:
     {
         return Overwrite::Cancel;
     }
+    bool askEndFlight(QWidget*) override { return true; }
     bool askReload(QWidget*, const QString&) override { return false; }
     RecoveryAnswer askRecovery(QWidget*, const std::vector<RecoveryOffer>&) override { return {}; }
     void showError(QWidget*, const QString&) override {}

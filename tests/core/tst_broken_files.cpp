@@ -165,7 +165,7 @@ private slots:
             QCOMPARE(codeName(error->code()), std::string("WrongFormat"));
             QVERIFY(std::string(error->what()).find(own) != std::string::npos);
         };
-        check("bergwatch-scenario", loadScenario);
+        check("bergwatch-scenario", [](const std::string& path) { return loadScenario(path); });
         check("bergwatch-problem", loadProblem);
         check("bergwatch-run", loadRun);
     }
