@@ -69,8 +69,8 @@ FleetReport fleetReport(const Scenario& scenario, const PlanAnswer& answer)
         const std::vector<int>& order = answer.fleet[k].order;
         const UavRequest& asked = request.fleet[k];
         UavReport uav{.id = scenario.uavs[static_cast<std::size_t>(asked.uav)].id,
-                     .distance_m = ownDistance_m(request, asked, scenario, order),
-                     .thisSortie = thisSortie(start, asked.uav, order, answer.clusters)};
+                      .distance_m = ownDistance_m(request, asked, scenario, order),
+                      .thisSortie = thisSortie(start, asked.uav, order, answer.clusters)};
         for (const int iceberg : order) {
             uav.order.push_back(iceberg + 1);
             uav.ids.push_back(scenario.icebergs[static_cast<std::size_t>(iceberg)].id);

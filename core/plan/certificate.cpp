@@ -26,7 +26,7 @@ void certifyByRelaxation(const TvpProblem& problem, const VisitOrder& order,
                          const std::stop_token& stop, Proof& proof)
 {
     const Costs costs(problem);
-    BoundOptions options;
+    LayeredBoundOptions options;
     options.gap = costs.icebergs > kMostCertifiedExactly ? kCertifiedGap : 0.0;
     options.workLimit = kMostWork;
     options.cut = [&stop] { return stop.stop_requested(); };

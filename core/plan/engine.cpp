@@ -23,7 +23,7 @@ constexpr std::int64_t kSearchShare = 10;
 /** A few restarts more are not worth while. */
 constexpr std::int64_t kLeastRestarts = 50;
 
-/** As `BoundOptions::manyArcs`; the graphs of latency are larger, and sooner small again. */
+/** As `LayeredBoundOptions::manyArcs`; the graphs of latency are larger, and sooner small again. */
 constexpr std::int64_t kManyLatencyArcs = 6'000'000;
 
 /** First restarts from a disturbed order: the optimum in nine cases of ten at 40 icebergs. */
@@ -60,7 +60,7 @@ public:
             m_search.take(m_options.hint);
         m_search.descend();
 
-        BoundOptions options;
+        LayeredBoundOptions options;
         options.gap = m_options.gap;
         if constexpr (Costs::kWeighted)
             options.manyArcs = kManyLatencyArcs;

@@ -15,7 +15,7 @@ struct FleetSuggestion
     std::int64_t work = 0;
 };
 
-/** As `BoundOptions`. */
+/** As `LayeredBoundOptions`. */
 struct FleetBoundOptions
 {
     double gap = 0;

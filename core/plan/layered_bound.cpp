@@ -87,7 +87,7 @@ template <class Costs>
 class BoundSearch
 {
 public:
-    BoundSearch(const Costs& costs, const VisitOrder& order, const BoundOptions& options)
+    BoundSearch(const Costs& costs, const VisitOrder& order, const LayeredBoundOptions& options)
         : m_costs(costs)
         , m_options(options)
         , m_cost(costs.total(order))
@@ -426,7 +426,7 @@ private:
     }
 
     const Costs& m_costs;
-    const BoundOptions& m_options;
+    const LayeredBoundOptions& m_options;
     BoundResult m_result;
     double m_cost; ///< of m_result.order
     PriceAscent m_ascent;
@@ -443,16 +443,18 @@ private:
 } // namespace
 
 template <class Costs>
-BoundResult improveBound(const Costs& costs, const VisitOrder& order, const BoundOptions& options)
+BoundResult improveBound(const Costs& costs, const VisitOrder& order,
+                         const LayeredBoundOptions& options)
 {
     return BoundSearch(costs, order, options).run();
 }
 
-template BoundResult improveBound(const VisitCosts&, const VisitOrder&, const BoundOptions&);
-template BoundResult improveBound(const LatencyCosts&, const VisitOrder&, const BoundOptions&);
+template BoundResult improveBound(const VisitCosts&, const VisitOrder&, const LayeredBoundOptions&);
+template BoundResult improveBound(const LatencyCosts&, const VisitOrder&,
+                                  const LayeredBoundOptions&);
 
 std::vector<PositionArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
-                                       const BoundOptions& options)
+                                       const LayeredBoundOptions& options)
 {
     return BoundSearch(costs, order, options).arcs();
 }

@@ -20,7 +20,7 @@ struct OrderSuggestion
 };
 
 /** Limits, help and reports of `improveBound`. */
-struct BoundOptions
+struct LayeredBoundOptions
 {
     double gap = 0;             ///< stop at this gap relative to the order's cost
     std::int64_t workLimit = 0; ///< arcs looked at, roughly 2 ns each; checked now and then
@@ -77,7 +77,7 @@ struct PositionArc
  */
 template <class Costs>
 [[nodiscard]] BoundResult improveBound(const Costs& costs, const VisitOrder& order,
-                                       const BoundOptions& options);
+                                       const LayeredBoundOptions& options);
 
 /**
  * The arcs of the position-indexed MILP that are left when all arcs have been deleted which no
@@ -88,6 +88,6 @@ template <class Costs>
  * `onImproved` are not used. With the optimum as `order` about 2 n arcs are left at 20 icebergs.
  */
 [[nodiscard]] std::vector<PositionArc>
-survivingArcs(const VisitCosts& costs, const VisitOrder& order, const BoundOptions& options);
+survivingArcs(const VisitCosts& costs, const VisitOrder& order, const LayeredBoundOptions& options);
 
 } // namespace berg

@@ -56,8 +56,8 @@ ReducedModel reducedModel(const TvpProblem& problem, const SolveOptions& options
 
     constexpr std::int64_t kMostWork = 900'000'000; // seldom used up
     const VisitCosts costs(problem);
-    const BoundOptions bound{.workLimit = kMostWork,
-                             .cut = [&watch] { return watch.cut().has_value(); }};
+    const LayeredBoundOptions bound{.workLimit = kMostWork,
+                                    .cut = [&watch] { return watch.cut().has_value(); }};
     const std::vector<PositionArc> arcs =
         survivingArcs(costs, cheapestNeighbour(costs, reduced.incumbent), bound);
     if (!watch.cut())

@@ -203,7 +203,7 @@ private:
 
     std::optional<Knowledge> prove(const Crossing& crossing)
     {
-        BoundOptions options;
+        LayeredBoundOptions options;
         options.memoryLimit_bytes = kMostMemory_bytes;
         options.workLimit = std::min(kMostWorkOfProof, m_options.workLimit - m_work);
         if (options.workLimit <= 0 || m_problem.icebergCount() > kLargestProven)

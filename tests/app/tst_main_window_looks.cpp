@@ -13,6 +13,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QTabBar>
+#include <QTextDocument>
 #include <QToolButton>
 
 #include <utility>
@@ -69,7 +70,11 @@ QString clippedText(const QWidget& widget)
             return {};
         const QRect room = label->contentsRect();
         const int flags = label->wordWrap() ? int{Qt::TextWordWrap} : 0;
-        const QSize needed = label->fontMetrics().boundingRect(room, flags, label->text()).size();
+        QTextDocument shown; // links are not as long as their tags
+        shown.setHtml(label->text());
+        const QString text =
+            Qt::mightBeRichText(label->text()) ? shown.toPlainText() : label->text();
+        const QSize needed = label->fontMetrics().boundingRect(room, flags, text).size();
         const bool fits = needed.width() <= room.width() && needed.height() <= room.height();
         return fits ? QString()
                     : u"%1 (%2 x %3 in %4 x %5)"_s.arg(label->text())
@@ -361,7 +366,8 @@ private slots:
         QTest::qWait(50); // laid out
         QCOMPARE(w.window().size(), QSize(1280, 800));
         QVERIFY(w.window().minimumSizeHint().width() <= 1280);
-        QCOMPARE(clipped(w.window()), QStringList());
+        const QStringList cut = clipped(w.window());
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
     }
 
     /** Every tool and command of the tool bar is in sight. */

@@ -88,7 +88,7 @@ QString faultOfBound(const TvpProblem& problem, const VisitOrder& start, test::N
 {
     const Costs costs(problem);
     const long double optimum = test::referenceOptimum(problem).cost;
-    BoundOptions options{.workLimit = draw.oneIn(8) ? draw.below(20'000) : kPlenty};
+    LayeredBoundOptions options{.workLimit = draw.oneIn(8) ? draw.below(20'000) : kPlenty};
     const bool plenty = options.workLimit == kPlenty;
     if (draw.oneIn(4))
         options.manyArcs = 0;

@@ -157,7 +157,7 @@ private slots:
         for (int k = 0; k < 144; k += 5) {
             const TvpProblem problem = test::variedLatencyProblem(icebergs, k);
             const double optimum = SubsetSolver().solve(problem, {}).objective;
-            BoundOptions options;
+            LayeredBoundOptions options;
             options.workLimit = 3'000'000'000;
             options.onImproved = [&](const VisitOrder& order, double bound) {
                 QVERIFY(objective(problem, order) >= optimum * (1 - kRounding));

@@ -30,7 +30,7 @@ QString faultOfProof(const TvpProblem& problem, double optimum, int number)
 {
     const VisitCosts costs(problem);
     const VisitOrder start = shuffled(problem.icebergCount(), static_cast<std::uint64_t>(number));
-    BoundOptions options{.workLimit = kPlenty};
+    LayeredBoundOptions options{.workLimit = kPlenty};
     if (number % 2 == 1)
         options.manyArcs = 0; // by way of the gaps that are certified first
     double last = 0;
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(cold.reached);
         QCOMPARE(cold.lambda.size(), Eigen::Index{16});
         QCOMPARE(cold.lambda(0), 0.0);
-        BoundOptions options{.workLimit = kPlenty};
+        LayeredBoundOptions options{.workLimit = kPlenty};
         options.lambda = cold.lambda;
         const BoundResult warm = improveBound(costs, cold.order, options);
         QVERIFY(warm.reached);
@@ -152,7 +152,7 @@ private slots:
         const VisitCosts costs(problem);
         const VisitOrder best = SubsetSolver().solve(problem, {}).order;
         int asked = 0;
-        BoundOptions options{.gap = 1, .workLimit = kPlenty};
+        LayeredBoundOptions options{.gap = 1, .workLimit = kPlenty};
         options.suggest = [&](std::int64_t work, std::int64_t most) {
             ++asked;
             return OrderSuggestion{work + most == kPlenty ? best : VisitOrder{}, 1000};
@@ -272,7 +272,7 @@ private slots:
         double cost = costs.total(ascending(16));
         double bound = 0;
         int reports = 0;
-        BoundOptions options{.workLimit = kPlenty};
+        LayeredBoundOptions options{.workLimit = kPlenty};
         options.onImproved = [&](const VisitOrder& order, double newBound) {
             ++reports;
             if (costs.total(order) > cost || newBound < bound)

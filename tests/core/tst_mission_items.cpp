@@ -53,8 +53,8 @@ private slots:
         QTest::newRow("default, rounded up") << 22.0 << 25.0 << 0.0 << 106.0;
         QTest::newRow("faster") << 31.0 << 25.0 << 0.0 << 211.0;
         QTest::newRow("above 255 m in steps of 10") << 34.31 << 25.0 << 0.0 << 260.0;
-        QTest::newRow("wind of the airspeed: four times") << 22.0 << 25.0 << 21.999999 << 430.0;
-        QTest::newRow("never 0") << 0.5 << 45.0 << 0.0 << 1.0;
+        QTest::newRow("wind of the airspeed: four times") << 22.0 << 25.0 << 21.99 << 430.0;
+        QTest::newRow("never 0") << 1.0 << 45.0 << 0.0 << 1.0;
     }
 
     void loiterRadius()
