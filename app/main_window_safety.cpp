@@ -78,7 +78,7 @@ bool MainWindow::mayEndSession(bool mayAsk)
     return m_endAgreed;
 }
 
-/** The end of the session closes all windows; whoever uses this one has called it off. */
+/** Logging out closes all windows; whoever uses this one has called it off. */
 void MainWindow::followEnd(const QEvent& event)
 {
     if (!m_endAgreed)

@@ -24,7 +24,7 @@ Scenario three(std::int64_t seed = 31)
     return randomScenario(seed, {.icebergs = 3});
 }
 
-/** As the session does it once all programs have agreed. */
+/** As logging out does it once all programs have agreed. */
 void endProgram()
 {
     QEvent end(QEvent::Quit);

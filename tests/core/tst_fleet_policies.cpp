@@ -351,7 +351,7 @@ private slots:
         QCOMPARE(ordersOf(tour.plan(barred))[0].front(), orders[0][2]);
     }
 
-    /** The rest of the last plan, mended where it no longer holds, is what the solve starts from.
+    /** The rest of the last plan, repaired where it no longer holds, is what the solve starts from.
      */
     void hintsAreMended()
     {
@@ -369,10 +369,10 @@ private slots:
         const int handed = orders[0].back();
         request.fleet[0].available[static_cast<std::size_t>(nodeOf(request, handed) - 1)] = false;
         request.fleet[1].lastRest.insert(request.fleet[1].lastRest.begin(), 4711);
-        const PlanAnswer mended = flown.plan(request, {.workLimit = 1});
-        QVERIFY(mended.outcome.hintUsed);
-        QCOMPARE(faultOf(request, mended, false), QString());
-        Orders rest = ordersOf(mended);
+        const PlanAnswer repaired = flown.plan(request, {.workLimit = 1});
+        QVERIFY(repaired.outcome.hintUsed);
+        QCOMPARE(faultOf(request, repaired, false), QString());
+        Orders rest = ordersOf(repaired);
         for (Ids& order : rest)
             std::erase(order, handed);
         Orders expected = orders;
