@@ -5,7 +5,7 @@
 #include "core/tracking/drift.h"
 #include "core/tracking/lost_search.h"
 #include "core/vehicle/los_guidance.h"
-#include "core/vehicle/way_home.h"
+#include "core/vehicle/safety_guard.h"
 
 #include <cstdint>
 #include <span>
@@ -13,8 +13,6 @@
 #include <vector>
 
 namespace berg {
-
-class Geofence;
 
 /** Why a plan is needed at this instant. */
 enum class PlanReason
@@ -355,18 +353,12 @@ private:
     /** As `available`, whether or not the endurance allows it. */
     [[nodiscard]] bool visitable(int uav, int iceberg) const;
     [[nodiscard]] bool affordable(int uav, int iceberg) const;
-    [[nodiscard]] std::optional<Way> wayTo(int uav, const DubinsState& from, const Point& place_m,
-                                           const Point& drift_mps) const;
-    [[nodiscard]] std::optional<double> timeHome_s(int uav, const DubinsState& from) const;
-    [[nodiscard]] DubinsState heldFor(int uav, double u_radps, std::int64_t steps) const;
+    [[nodiscard]] SafetyGuard guardOf(int uav) const;
     [[nodiscard]] double enduranceLeft_s(int uav) const;
-    [[nodiscard]] bool homeInTimeAfter(int uav, double u_radps) const;
     [[nodiscard]] bool nothingAffordable(int uav) const;
     void goHome(int uav);
     [[nodiscard]] PlanReason takeOffWhenDue(int uav);
     void advanceSortie(int uav, const Point& from_m);
-    [[nodiscard]] double roomAfter_m(int uav, double u_radps) const;
-    [[nodiscard]] double guarded(int uav, double u_radps) const;
     void buildFence(int uav);
     void updatePlanReasons();
     [[nodiscard]] PlanReason reasonOf(int uav);

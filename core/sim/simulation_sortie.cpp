@@ -20,23 +20,15 @@ double Simulation::enduranceLeft_s(int uav) const
     return craft.sortie->endurance_s - (me.mode == FlightMode::Ground ? 0 : me.aloft_s);
 }
 
-std::optional<Way> Simulation::wayTo(int uav, const DubinsState& from, const Point& place_m,
-                                     const Point& drift_mps) const
+SafetyGuard Simulation::guardOf(int uav) const
 {
     const Craft& craft = m_crafts[index(uav)];
-    const MovingPlace place{.place_m = place_m, .drift_mps = drift_mps};
-    return craft.fence ? craft.fence->wayTo(from, place, craft.command_s)
-                       : berg::wayTo(from, place, craft.motion, craft.command_s);
-}
-
-std::optional<double> Simulation::timeHome_s(int uav, const DubinsState& from) const
-{
-    const Craft& craft = m_crafts[index(uav)];
-    const std::optional<Way> way = wayTo(uav, from, craft.sortie->home_m, Point::Zero());
-    if (!way)
-        return std::nullopt;
-    // The fence may turn it aside once, and round a circle, where the way leads close by.
-    return way->time_s + (craft.fence ? craft.fence->circle_s() : 0);
+    return SafetyGuard({.motion = craft.motion,
+                        .sortie = craft.sortie,
+                        .fence = craft.fence.get(),
+                        .dt_s = m_dt_s,
+                        .autopilotSteps = craft.autopilotSteps,
+                        .command_s = craft.command_s});
 }
 
 bool Simulation::affordable(int uav, int iceberg) const
@@ -54,49 +46,24 @@ std::optional<int> Simulation::thisSortie(int uav, std::span<const int> order) c
     if (!craft.sortie)
         return std::nullopt;
     const double left_s = enduranceLeft_s(uav) - kHomeReserve_s - kVisitReserve_s;
+    const SafetyGuard guard = guardOf(uav);
     DubinsState at = me.pose;
     double flown_s = 0;
     int visits = 0;
     for (const int iceberg : order) {
         const Point& drift_mps = track(iceberg).velocity_mps;
-        const std::optional<Way> way =
-            wayTo(uav, at, estimate_m(iceberg) + drift_mps * flown_s, drift_mps);
+        const std::optional<Way> way = guard.wayTo(
+            at, {.place_m = estimate_m(iceberg) + drift_mps * flown_s, .drift_mps = drift_mps});
         if (!way)
             break;
         flown_s += way->time_s;
         at = way->end;
-        const std::optional<double> home_s = timeHome_s(uav, at);
+        const std::optional<double> home_s = guard.timeHome_s(at);
         if (!home_s || flown_s + *home_s > left_s)
             break;
         ++visits;
     }
     return visits;
-}
-
-DubinsState Simulation::heldFor(int uav, double u_radps, std::int64_t steps) const
-{
-    const UavState& me = m_state.uavs[index(uav)];
-    const Craft& craft = m_crafts[index(uav)];
-    DubinsState at = me.pose;
-    for (std::int64_t i = 0; i < steps; ++i)
-        at = berg::step(at, craft.motion.airspeed_mps, u_radps, m_dt_s, craft.motion.wind_mps);
-    return at;
-}
-
-/** Whether home can still be reached in time after one more command. */
-bool Simulation::homeInTimeAfter(int uav, double u_radps) const
-{
-    const Craft& craft = m_crafts[index(uav)];
-    const DubinsState after = heldFor(uav, u_radps, craft.autopilotSteps);
-    const double left_s = enduranceLeft_s(uav) - craft.command_s - kHomeReserve_s;
-    const Point& home_m = craft.sortie->home_m;
-    const double longest_s = craft.fence
-                                 ? craft.fence->longestWay_s(after, home_m, craft.command_s)
-                                 : longestWay_s(after, home_m, craft.motion, craft.command_s);
-    if (longest_s <= left_s)
-        return true;
-    const std::optional<double> home_s = timeHome_s(uav, after);
-    return home_s && *home_s <= left_s;
 }
 
 std::optional<double> Simulation::homeMargin_s(int uav) const
@@ -107,7 +74,8 @@ std::optional<double> Simulation::homeMargin_s(int uav) const
         return std::nullopt;
     const std::int64_t held =
         (craft.autopilotSteps - m_state.step % craft.autopilotSteps) % craft.autopilotSteps;
-    const std::optional<double> home_s = timeHome_s(uav, heldFor(uav, me.u_radps, held));
+    const SafetyGuard guard = guardOf(uav);
+    const std::optional<double> home_s = guard.timeHome_s(guard.heldFor(me.pose, me.u_radps, held));
     return home_s ? enduranceLeft_s(uav) - static_cast<double>(held) * m_dt_s - *home_s
                   : -craft.sortie->endurance_s;
 }
@@ -127,10 +95,8 @@ void Simulation::goHome(int uav)
 double Simulation::steerHome(int uav)
 {
     UavState& me = m_state.uavs[index(uav)];
-    const Craft& craft = m_crafts[index(uav)];
     me.crossTrack_m = 0;
-    const std::optional<Way> way = wayTo(uav, me.pose, craft.sortie->home_m, Point::Zero());
-    return way ? turnRateOf(*way, craft.motion, craft.command_s) : 0;
+    return guardOf(uav).homeRate_radps(me.pose);
 }
 
 /** One step of the clocks; lands where home has been passed on the way from `from_m`. */

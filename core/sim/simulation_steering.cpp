@@ -21,11 +21,13 @@ double Simulation::commanded(int uav)
     const Craft& craft = m_crafts[index(uav)];
     if ((m_state.step - 1) % craft.autopilotSteps != 0)
         return me.u_radps;
-    const double u_radps = guarded(uav, steer(uav));
-    if (!craft.sortie || me.mode == FlightMode::Home || homeInTimeAfter(uav, u_radps))
+    const SafetyGuard guard = guardOf(uav);
+    const double u_radps = guard.limitedToFence_radps(me.pose, steer(uav));
+    if (!craft.sortie || me.mode == FlightMode::Home ||
+        guard.homeInTimeAfter(me.pose, u_radps, enduranceLeft_s(uav)))
         return u_radps;
     goHome(uav);
-    return guarded(uav, steerHome(uav));
+    return guard.limitedToFence_radps(me.pose, steerHome(uav));
 }
 
 double Simulation::steer(int uav)
