@@ -6,6 +6,7 @@
 #include "core/io/problem_json.h"
 #include "core/io/result_json.h"
 #include "core/io/scenario_json.h"
+#include "core/plan/fleet_task.h"
 #include "core/plan/tuning.h"
 #include "core/scenario/validate.h"
 #include "core/sim/clusters.h"
@@ -195,6 +196,31 @@ NewFile certificateOf(const SolveReport& report, const SolveArguments& arguments
     return {.path = arguments.certificateFile, .content = certificateJson(certificate)};
 }
 
+/** The same for several UAVs: the problem is made again from the scenario. */
+NewFile certificateOf(const Scenario& scenario, const PlanAnswer& answer,
+                      const SolveArguments& arguments, const std::stop_token& stop)
+{
+    PlanRequest request = requestFor(Simulation(scenario), scenario.planner.policy);
+    for (std::size_t k = 0; k < request.fleet.size(); ++k)
+        request.fleet[k].lastRest = answer.fleet[k].order;
+    FleetTask task = fleetTask(request);
+    task.problem.mu = answer.problem.mu;
+    task.problem.criterion = answer.problem.criterion;
+    task.problem.route =
+        answer.problem.criterion == Criterion::Latency ? Route::Open : scenario.planner.route;
+    const FleetPlan plan = lastRests(request, task);
+    const bool isProblem = scenario.planner.policy == PolicyKind::Visitation ||
+                           task.problem.criterion == Criterion::Latency;
+    if (!isProblem || task.problem.icebergCount() == 0 || !isFleetPlan(task.problem, plan))
+        throw Error(ErrorCode::Unsupported, arguments.file,
+                    "this plan solves no problem that a certificate could be for");
+    const Certificate certificate{.problem = task.problem,
+                                  .proofs = {certify(task.problem, plan, stop)}};
+    if (stop.stop_requested())
+        throw Interrupted{};
+    return {.path = arguments.certificateFile, .content = certificateJson(certificate)};
+}
+
 void checkSolveFiles(const SolveArguments& arguments)
 {
     checkFiles({.inputs = {arguments.file},
@@ -260,30 +286,30 @@ std::string orderLines(const std::vector<UavReport>& uavs)
     return text;
 }
 
-void printFleet(const FleetReport& report)
+std::string fleetText(const FleetReport& report)
 {
     const SolveOutcome& outcome = report.outcome;
-    if (outcome.status == SolveStatus::None) {
-        print(noPlan(outcome));
-        return;
-    }
+    if (outcome.status == SolveStatus::None)
+        return noPlan(outcome);
     const std::string objective =
         report.objective ? fixed(*report.objective, 3) : std::string("none");
-    print(orderLines(report.uavs) + "objective  " + objective + "  (" +
-          provenWords(outcome.status, report.gap) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
-          " ms, " + outcome.backend + ")\ndistance   " + grouped(report.distance_m()) + " m" +
-          (report.mu ? "   mu " + fixed(*report.mu, 6) : std::string()) + '\n');
+    return orderLines(report.uavs) + "objective  " + objective + "  (" +
+           provenWords(outcome.status, report.gap) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
+           " ms, " + outcome.backend + ")\ndistance   " + grouped(report.distance_m()) + " m" +
+           (report.mu ? "   mu " + fixed(*report.mu, 6) : std::string()) + '\n';
 }
 
-int planFleet(const Scenario& scenario, const PlanAnswer& answer, const SolveArguments& arguments)
+int planFleet(const Scenario& scenario, const PlanAnswer& answer, const SolveArguments& arguments,
+              const std::stop_token& stop)
 {
     checkOutcome(answer.outcome, arguments.file);
+    const bool isPlanned = answer.outcome.status != SolveStatus::None;
     const FleetReport report = fleetReport(scenario, answer);
-    if (arguments.json)
-        print(fleetJson(report));
-    else
-        printFleet(report);
-    return report.outcome.status == SolveStatus::None ? kLimitWithoutPlan : kDone;
+    std::vector<NewFile> files;
+    if (isPlanned && !arguments.certificateFile.empty())
+        files.push_back(certificateOf(scenario, answer, arguments, stop));
+    deliver(files, arguments.json ? fleetJson(report) : fleetText(report));
+    return isPlanned ? kDone : kLimitWithoutPlan;
 }
 
 int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
@@ -299,9 +325,6 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     planner.backend = arguments.backend.value_or(planner.backend);
     planner.formulation = arguments.formulation.value_or(planner.formulation);
     const bool isFleet = scenario.uavs.size() > 1;
-    if (isFleet && !arguments.certificateFile.empty())
-        throw UsageError{"plan: --certificate is for one UAV; this scenario has " +
-                         std::to_string(scenario.uavs.size())};
     if (isFleet && arguments.verify)
         throw UsageError{"plan: --verify is for one UAV; this scenario has " +
                          std::to_string(scenario.uavs.size())};
@@ -310,7 +333,7 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     const SolveOptions options = optionsOf(arguments, stop);
     const PlanAnswer answer = planFromStart(scenario, options);
     if (isFleet)
-        return planFleet(scenario, answer, arguments);
+        return planFleet(scenario, answer, arguments, stop);
     SolveReport report{.problem = answer.problem, .outcome = answer.outcome};
     const auto idOf = [&](int iceberg) {
         return scenario.icebergs[static_cast<std::size_t>(iceberg)].id;

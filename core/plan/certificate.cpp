@@ -69,6 +69,8 @@ Proof certify(const TvpProblem& problem, const VisitOrder& order, const std::sto
 
 Proof certify(const FleetProblem& problem, const FleetPlan& plan, const std::stop_token& stop)
 {
+    if (problem.uavCount() == 1)
+        return certify(problemOfUav(problem, 0), plan.front(), stop);
     Proof proof{.mu = problem.mu,
                 .orders = plan,
                 .cost = fleetObjective(problem, plan) + fleetObjectiveShift(problem)};

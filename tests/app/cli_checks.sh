@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Command-line checks: run bergwatch-cli as a stranger would and look at what comes out.
-# Use: cli_checks.sh CLI SOURCE_DIR WORK_DIR CBC(ON|OFF)
+# Use: cli_checks.sh CLI SOURCE_DIR WORK_DIR CBC(ON|OFF) CHECKER
 # Needs bash and python3 only, so that it also runs where there is no Qt.
 set -u
 cli=$1
 source_dir=$2
 work=$3
 with_cbc=$4
+checker=${5:-true} # of certificates
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work" || exit 1
@@ -50,6 +51,8 @@ check "solve --certificate overwrites nothing" exits 2 "$cli" solve problem.json
 check "curve --certificate" exits 0 "$cli" curve "$default" --certificate curve-proof.json --json
 check "curve --certificate: what it proves" python3 -c 'import json; assert all(p["claim"] == "the orders are optimal" for p in json.load(open("curve-proof.json"))["proofs"])'
 check "plan --certificate" exits 0 "$cli" plan "$default" --certificate plan-proof.json --json
+check "plan --certificate of several UAVs" exits 0 "$cli" plan "$source_dir/resources/scenarios/svalbard-two-uavs.berg" --certificate fleet-proof.json --json
+check "certificates are confirmed" "$checker" proof.json plan-proof.json curve-proof.json fleet-proof.json
 check "solve --mu beyond all measure" exits 2 "$cli" solve huge.json --mu 1e300
 check "solve --mu as large as in a file" exits 0 "$cli" solve huge.json --mu 1e15 --json
 check "solve --route closed" exits 0 "$cli" solve problem.json --route closed --json
