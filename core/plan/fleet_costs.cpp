@@ -52,6 +52,8 @@ std::int64_t bytesOf(const FleetProblem& problem, std::int64_t matrices)
 
 UavCosts::UavCosts(std::shared_ptr<const VisitCosts> shared, const FleetProblem& problem, int uav)
     : m_shared(std::move(shared))
+    , m_between(m_shared->legs.data())
+    , m_sigma(m_shared->sigma.data())
     , m_start(problem.mu * problem.distance_m[static_cast<std::size_t>(uav)].row(0).transpose())
     , m_end(Eigen::VectorXd::Zero(problem.nodeCount()))
 {

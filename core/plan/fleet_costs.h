@@ -23,19 +23,19 @@ public:
     [[nodiscard]] int icebergs() const { return m_shared->icebergs; }
     [[nodiscard]] double leg(int from, int to) const
     {
-        if (from == 0)
-            return m_start(to);
-        return to == 0 ? m_end(from) : m_shared->leg(from, to);
+        return to == 0 ? end(from) : legsFrom(from)[to];
     }
     /** Legs to each iceberg; [0] is not that to the end. */
     [[nodiscard]] const double* legsFrom(int from) const
     {
-        return from == 0 ? m_start.data() : m_shared->legs.col(from).data();
+        return from == 0 ? m_start.data() : m_between + std::ptrdiff_t{from} * m_start.size();
     }
-    [[nodiscard]] double sigmaOf(int iceberg) const { return m_shared->sigmaOf(iceberg); }
+    /** The way back from there: 0 on open routes, and from the start. */
+    [[nodiscard]] double end(int from) const { return m_end(from); }
+    [[nodiscard]] double sigmaOf(int iceberg) const { return m_sigma[iceberg]; }
     [[nodiscard]] double visit(int iceberg, int position) const
     {
-        return m_shared->visit(iceberg, position);
+        return sigmaOf(iceberg) * (position + 1);
     }
     [[nodiscard]] double total(std::span<const int> order) const
     {
@@ -49,6 +49,8 @@ public:
 
 private:
     std::shared_ptr<const VisitCosts> m_shared;
+    const double* m_between; ///< its legs
+    const double* m_sigma;   ///< its sigmas
     Eigen::VectorXd m_start; ///< N, legs from the start; [0] is 0
     Eigen::VectorXd m_end;   ///< N, ways back; 0 on open routes
 };

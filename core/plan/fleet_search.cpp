@@ -212,11 +212,14 @@ void FleetSearch::offerPlaces(const VisitOrder& order, int uav, int iceberg, boo
     if constexpr (kWeighted)
         for (std::size_t k = 0; k < order.size(); ++k)
             flown += costs.leg(k > 0 ? order[k - 1] : 0, order[k]);
+    const double* const onwards = costs.legsFrom(iceberg);
     int next = 0;
     for (auto index = static_cast<std::ptrdiff_t>(order.size()); index >= 0; --index) {
         const int last = index > 0 ? order[static_cast<std::size_t>(index - 1)] : 0;
-        const double there = costs.leg(last, iceberg);
-        const double detour = there + costs.leg(iceberg, next) - costs.leg(last, next);
+        const double* const legs = costs.legsFrom(last);
+        const double there = legs[iceberg];
+        const double detour = next == 0 ? there + costs.end(iceberg) - costs.end(last)
+                                        : there + onwards[next] - legs[next];
         double cost = 0;
         if constexpr (kWeighted)
             cost = detour * sigmaBehind + (flown + there) * costs.sigmaOf(iceberg);
