@@ -169,10 +169,9 @@ std::vector<Issue> validate(const FleetProblem& problem)
         issues.push_back({Severity::Error, "uavs", "must hold at least one UAV"});
     for (int uav = 0; uav < problem.uavCount(); ++uav)
         for (Issue& issue : validate(problemOfUav(problem, uav))) {
-            const bool ofUav = issue.field.starts_with("distance_m");
-            if (ofUav)
+            if (issue.field.starts_with("distance_m"))
                 issue.field = "uavs[" + std::to_string(uav) + "]." + issue.field;
-            if (ofUav || uav == 0)
+            if (std::ranges::find(issues, issue) == issues.end()) // what all UAVs share, once
                 issues.push_back(std::move(issue));
         }
     validateAllowed(problem, issues);

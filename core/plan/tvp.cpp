@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace berg {
@@ -147,32 +148,72 @@ void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
 
 /** Costs may reach this, so that every sum and square of them stays finite. */
 constexpr double kLargestCost = 1e100;
+/** What is less, but not 0, would lose digits, as numbers near 1e-308 do. */
+constexpr double kSmallestCost = 1e-290;
 
-/** Bounds on what an order may cost in all: finite factors may have an infinite product. */
+/** The extremes of the numbers of a problem. */
+struct Extremes
+{
+    double sum_m2 = 0;
+    double least_m2 = std::numeric_limits<double>::infinity(); ///< but 0
+    double longest_m = 0;
+    double shortest_m = std::numeric_limits<double>::infinity(); ///< but 0
+};
+
+Extremes extremesOf(const TvpProblem& problem)
+{
+    Extremes found;
+    for (const double sigma_m2 : problem.sigma_m2) {
+        found.sum_m2 += sigma_m2;
+        if (sigma_m2 > 0)
+            found.least_m2 = std::min(found.least_m2, sigma_m2);
+    }
+    for (Eigen::Index j = 0; j < problem.distance_m.cols(); ++j)
+        for (Eigen::Index i = 0; i < problem.distance_m.rows(); ++i) {
+            const double d_m = problem.distance_m(i, j);
+            if (i == j) // the diagonal may be anything
+                continue;
+            found.longest_m = std::max(found.longest_m, d_m);
+            if (d_m > 0)
+                found.shortest_m = std::min(found.shortest_m, d_m);
+        }
+    return found;
+}
+
+/** Bounds on what an order may cost in all: finite factors may have an infinite product, and one
+ * that is nearly nothing. */
 void validateCosts(const TvpProblem& problem, std::vector<Issue>& issues)
 {
     const double n = problem.nodeCount();
-    double sum_m2 = 0;
-    for (const double sigma_m2 : problem.sigma_m2)
-        sum_m2 += sigma_m2;
-    double longest_m = 0; // the diagonal may be anything
-    for (Eigen::Index j = 0; j < problem.distance_m.cols(); ++j)
-        for (Eigen::Index i = 0; i < problem.distance_m.rows(); ++i)
-            if (i != j)
-                longest_m = std::max(longest_m, problem.distance_m(i, j));
-
+    const auto [sum_m2, least_m2, longest_m, shortest_m] = extremesOf(problem);
     const auto expect = [&issues](double cost, const char* field, const std::string& product) {
         if (!(cost <= kLargestCost))
             issues.push_back(
                 {Severity::Error, field, "is too large: " + product + " exceeds 1e100"});
     };
+    const auto expectDigits = [&issues](double cost, const char* field,
+                                        const std::string& product) {
+        if (cost < kSmallestCost)
+            issues.push_back({Severity::Error, field,
+                              "is too small: " + product + " is not 0, but less than 1e-290"});
+    };
     expect(n * sum_m2, "sigma", "the sum of sigma times the number of nodes");
-    if (problem.criterion == Criterion::Latency)
+    expect(n * longest_m, "distance_m", "the longest distance times the number of nodes");
+    expectDigits(least_m2, "sigma", "the least sigma");
+    const bool isLatency = problem.criterion == Criterion::Latency;
+    if (isLatency)
         expect(problem.mu * longest_m * n * sum_m2, "mu",
                "mu times the longest distance, the number of nodes and the sum of sigma");
     else
         expect(problem.mu * longest_m * n, "mu",
                "mu times the longest distance and the number of nodes");
+    // Beside sigma that has all its digits, legs that cost next to nothing may lose theirs.
+    if (problem.mu > 0 && (isLatency || sum_m2 == 0))
+        expectDigits(problem.mu * shortest_m, "mu", "mu times the shortest distance");
+    if (problem.mu > 0 && isLatency) {
+        const double least = std::min(1.0, problem.mu) * shortest_m * least_m2;
+        expectDigits(least, "mu", "mu times the shortest distance and the least sigma");
+    }
 }
 
 } // namespace

@@ -419,6 +419,20 @@ private slots:
         QCOMPARE(faultOfBackEnds(problem, 0), QString());
     }
 
+    /** Near the least number there is, products have no digits that a margin could allow for. */
+    void costsWithoutDigits()
+    {
+        for (const double unit : {1e-150, 1e-300, 1e300}) {
+            TvpProblem problem = test::randomProblem(1, 5, 1, Route::Open);
+            problem.criterion = Criterion::Latency;
+            problem.distance_m *= unit;
+            for (double& sigma_m2 : problem.sigma_m2)
+                sigma_m2 *= std::min(unit, 1.0);
+            problem.mu = std::min(unit, 1 / unit);
+            QVERIFY_EXCEPTION_THROWN((void)makeSolver(Backend::Exact)->solve(problem, {}), Error);
+        }
+    }
+
     void claimsAreTrue_data()
     {
         QTest::addColumn<int>("claim");

@@ -115,6 +115,12 @@ private slots:
             QVERIFY2(test::names(issues, field), field);
 
         problem = withOwner();
+        problem.distance_m[1] *= 1e90; // beyond measure with mu alone
+        problem.mu = 1e20;
+        QCOMPARE(validate(problem).size(), std::size_t{1});
+        QVERIFY(test::names(validate(problem), "mu"));
+
+        problem = withOwner();
         problem.allowed[1].pop_back();
         QVERIFY(test::names(validate(problem), "allowed"));
         problem.allowed = {withOwner().allowed[0]};

@@ -179,6 +179,8 @@ private slots:
         problem.distance_m.diagonal().setConstant(kNan); // ignored
         QVERIFY(validate(problem).empty());
         QVERIFY(validate(test::randomProblem(1, 0, 1, Route::Open)).empty());
+        problem.mu = 1e-320; // beside sigma no leg counts then
+        QVERIFY(validate(problem).empty());
         problem.mu = 1e300; // factors are free as long as the product is in order
         problem.distance_m *= 1e-300;
         QVERIFY(validate(problem).empty());
@@ -218,6 +220,20 @@ private slots:
             p.criterion = Criterion::Latency;
             p.mu = 1e60;
             p.sigma_m2[1] = 1e60;
+        });
+        row("sum of distances infinite", "distance_m", [](TvpProblem& p) {
+            p.distance_m.setConstant(1e308);
+            p.mu = 0;
+        });
+        row("sigma without digits", "sigma", [](TvpProblem& p) { p.sigma_m2[1] = 1e-310; });
+        row("mu times distance without digits", "mu", [](TvpProblem& p) {
+            p.sigma_m2.assign(p.sigma_m2.size(), 0.0);
+            p.mu = 1e-310;
+        });
+        row("mu times latency without digits", "mu", [](TvpProblem& p) {
+            p.criterion = Criterion::Latency;
+            p.mu = 1e-200;
+            p.sigma_m2[1] = 1e-200;
         });
         row("sum of sigmas infinite", "sigma", [](TvpProblem& p) {
             p.sigma_m2[1] = p.sigma_m2[2] = 1.7e308;
