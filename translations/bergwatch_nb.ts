@@ -2848,8 +2848,12 @@
         <translation>Hjemstedet har bare betydning når utholdenheten er begrenset.</translation>
     </message>
     <message>
-        <source>Home is so near the geofence that the UAV may come home late, turning away from it.</source>
-        <translation>Hjemstedet ligger så nær geogjerdet at dronen kan komme sent hjem fordi den må svinge unna.</translation>
+        <source>Home is so near the geofence that the UAV cannot take off there again and be sure to come home.</source>
+        <translation>Hjemstedet ligger så nær geogjerdet at dronen ikke kan ta av der igjen og være sikker på å komme hjem.</translation>
+    </message>
+    <message>
+        <source>For its heading, the UAV has no path home inside the geofence from where it starts: no start is safe.</source>
+        <translation>Med denne kursen har dronen ingen vei hjem innenfor geogjerdet fra startstedet: ingen start er trygg.</translation>
     </message>
     <message>
         <source>The UAV starts so near the geofence, for its heading, that it cannot turn inside it.</source>

@@ -225,6 +225,34 @@ std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults
 
 namespace {
 
+/** Turn rate and number of commands, by turns. */
+std::string returnPathText(const ReturnPath& path)
+{
+    std::vector<double> numbers;
+    for (const ReturnPath::Part& part : path.parts) {
+        numbers.push_back(part.rate_radps);
+        numbers.push_back(static_cast<double>(part.commands));
+    }
+    return jsonArrayOf(numbers);
+}
+
+ReturnPath readReturnPath(const Json& value, const std::string& path, Faults& faults)
+{
+    ReturnPath read;
+    if (!value.is_array() || value.size() % 2 != 0) {
+        faults.add(path, "must be pairs of numbers");
+        return read;
+    }
+    for (std::size_t i = 0; i < value.size(); i += 2) {
+        const auto rate_radps = numberOf(value[i], entryPath(path, i), faults);
+        const auto commands = wholeOf(value[i + 1], entryPath(path, i + 1), faults,
+                                      {.low = 1, .high = kLargestCount});
+        if (rate_radps && commands)
+            read.parts.push_back({.rate_radps = *rate_radps, .commands = *commands});
+    }
+    return read;
+}
+
 void addUav(JsonObject& object, const UavState& uav)
 {
     object.add("position_m", uav.pose.position_m);
@@ -250,6 +278,8 @@ void addUav(JsonObject& object, const UavState& uav)
     object.addUnless("ground_s", uav.ground_s, 0.0);
     if (uav.via_m)
         object.add("via_m", *uav.via_m);
+    if (uav.returnPath)
+        object.addText("return_path", returnPathText(*uav.returnPath));
 }
 
 UavState readUav(ObjectReader& object, const RunContext& context)
@@ -276,6 +306,8 @@ UavState readUav(ObjectReader& object, const RunContext& context)
     uav.ground_s = object.number("ground_s", 0, kAmount);
     if (object.find("via_m") != nullptr)
         uav.via_m = object.point("via_m", Point::Zero());
+    if (const Json* path = object.find("return_path"))
+        uav.returnPath = readReturnPath(*path, object.path("return_path"), object.faults());
     return uav;
 }
 

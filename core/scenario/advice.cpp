@@ -4,8 +4,7 @@
 #include "core/plan/engine.h"
 #include "core/plan/plans_clusters.h"
 #include "core/scenario/checks.h"
-#include "core/vehicle/geofence.h"
-#include "core/vehicle/way_home.h"
+#include "core/vehicle/safety_guard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +132,7 @@ private:
     void adviseLayers();
     void adviseEndurance(const Flyer& flyer);
     void adviseGeofence();
+    void adviseReturn(const Flyer& flyer, const Geofence& fence);
     void adviseShutOff(const std::vector<Geofence>& fences);
     void adviseAsset();
     void adviseIceberg(std::size_t i);
@@ -201,7 +201,7 @@ void Adviser::adviseEndurance(const Flyer& flyer)
     const Point home_m = uav.home_m.value_or(uav.position_m);
     const std::optional<Way> home =
         wayTo(startOf(uav), {.place_m = home_m}, motionOf(m_s, uav), m_s.dt_s);
-    if (!home || home->time_s + kHomeReserve_s > endurance_s)
+    if (!m_s.geofence && (!home || home->time_s + kHomeReserve_s > endurance_s))
         warn(flyer.path + ".endurance_s", advised::kNoWayHome);
     bool visits = false;
     bool returns = false;
@@ -227,13 +227,32 @@ void Adviser::adviseGeofence()
         const Geofence& fence = fences.emplace_back(m_s.area_m, motionOf(m_s, uav));
         if (fence.room_m(startOf(uav)) < 0)
             warn(flyer.path + ".position_m", advised::kStartNearFence);
-        const Point home_m = uav.home_m.value_or(uav.position_m);
-        if (uav.spec.endurance_s > 0 && distanceToEdges(m_s.area_m, home_m) < 2 * fence.radius_m())
-            warn(flyer.path + ".home_m", advised::kHomeNearFence);
+        if (uav.spec.endurance_s > 0)
+            adviseReturn(flyer, fence);
     }
     if (m_s.planner.policy == PolicyKind::Coverage)
         hint("geofence", advised::kFenceUnplanned);
     adviseShutOff(fences);
+}
+
+/** Paths home inside the fence: from the start, and from home for the next sortie. */
+void Adviser::adviseReturn(const Flyer& flyer, const Geofence& fence)
+{
+    const Uav& uav = flyer.uav;
+    const Motion motion = motionOf(m_s, uav);
+    const std::optional<SortieSpec> sortie{
+        {.endurance_s = uav.spec.endurance_s, .home_m = uav.home_m.value_or(uav.position_m)}};
+    const CommandClock clock{
+        .dt_s = m_s.dt_s,
+        .steps = std::max<std::int64_t>(1, std::llround(uav.spec.autopilot_s / m_s.dt_s))};
+    const SafetyGuard guard({.motion = motion, .sortie = sortie, .fence = &fence, .clock = clock});
+    const std::optional<ReturnPath> path = guard.returnPath(startOf(uav));
+    if (!path)
+        warn(flyer.path + ".position_m", advised::kNoSafeReturn);
+    else if (guard.time_s(*path) + kHomeReserve_s > uav.spec.endurance_s)
+        warn(flyer.path + ".endurance_s", advised::kNoWayHome);
+    if (!guard.safeHeading_rad({.position_m = sortie->home_m}, uav.spec.endurance_s))
+        warn(flyer.path + ".home_m", advised::kHomeNearFence);
 }
 
 void Adviser::adviseShutOff(const std::vector<Geofence>& fences)

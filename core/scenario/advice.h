@@ -35,7 +35,9 @@ inline constexpr std::string_view kNoRoundTrip =
     "is too short for the way to the nearest iceberg and back";
 inline constexpr std::string_view kHomeUnused = "is used with a limited endurance only";
 inline constexpr std::string_view kHomeNearFence =
-    "is so near the geofence that the UAV may come home late, turning away from it";
+    "is so near the geofence that the UAV cannot take off there again and be sure to come home";
+inline constexpr std::string_view kNoSafeReturn =
+    "has, for this heading, no path home inside the geofence, so that no start is safe";
 inline constexpr std::string_view kStartNearFence =
     "is so near the geofence, for this heading, that the UAV cannot turn inside it";
 inline constexpr std::string_view kShutOff =

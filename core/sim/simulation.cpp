@@ -102,6 +102,7 @@ void Simulation::addUav(const Uav& uav, const Scenario& scenario)
         .pose = {.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)}};
     state.guidance.startLeg(uav.position_m);
     m_state.uavs.push_back(std::move(state));
+    proveReturn(uavCount() - 1);
 }
 
 /** -1: no UAV is of that name. */
@@ -180,6 +181,7 @@ void Simulation::setWind(const Point& wind_mps)
         craft.motion.wind_mps = wind_mps;
         if (craft.fence)
             buildFence(uav);
+        proveReturn(uav);
         if (const std::optional<double> margin_s = homeMargin_s(uav); margin_s && *margin_s < 0) {
             m_news.push_back({.kind = EventKind::LateHome, .uav = uav});
             if (!this->uav(uav).homeward())

@@ -112,6 +112,8 @@ struct UavState
     double aloft_s = 0;         ///< since take-off
     double ground_s = 0;        ///< left to stand in mode Ground
     std::optional<Point> via_m; ///< corner flown to, round which the geofence leads
+    /** With fence and endurance: a proven path home from the next command on. */
+    std::optional<ReturnPath> returnPath;
 
     /** On its way home or on the ground: no plan is asked for or taken. */
     [[nodiscard]] bool homeward() const
@@ -322,6 +324,10 @@ private:
     void lookAround(double now_s);
     /** Of this step: held between two commands of the autopilot. */
     [[nodiscard]] double commanded(int uav);
+    [[nodiscard]] double commandedHome(int uav);
+    [[nodiscard]] double commandedWithReturn(int uav, double wished_radps);
+    void proveReturn(int uav);
+    [[nodiscard]] std::int64_t stepsHeld(int uav) const;
     void look(std::size_t iceberg, double now_s, Views& views);
     [[nodiscard]] std::int64_t stepsOutOfReach(std::size_t iceberg, const Point& truth_m) const;
     void observeFiltered(double now_s, double dt_s);

@@ -7,6 +7,13 @@
 
 namespace berg {
 
+namespace {
+
+/** On the ground, while no heading is safe to take off with. */
+constexpr double kNextTry_s = 60;
+
+} // namespace
+
 bool Simulation::available(int uav, int iceberg) const
 {
     return visitable(uav, iceberg) && affordable(uav, iceberg);
@@ -26,9 +33,7 @@ SafetyGuard Simulation::guardOf(int uav) const
     return SafetyGuard({.motion = craft.motion,
                         .sortie = craft.sortie,
                         .fence = craft.fence.get(),
-                        .dt_s = m_dt_s,
-                        .autopilotSteps = craft.autopilotSteps,
-                        .command_s = craft.command_s});
+                        .clock = {.dt_s = m_dt_s, .steps = craft.autopilotSteps}});
 }
 
 bool Simulation::affordable(int uav, int iceberg) const
@@ -72,12 +77,30 @@ std::optional<double> Simulation::homeMargin_s(int uav) const
     const Craft& craft = m_crafts[index(uav)];
     if (!craft.sortie || me.mode == FlightMode::Ground)
         return std::nullopt;
-    const std::int64_t held =
-        (craft.autopilotSteps - m_state.step % craft.autopilotSteps) % craft.autopilotSteps;
+    const std::int64_t held = stepsHeld(uav);
     const SafetyGuard guard = guardOf(uav);
-    const std::optional<double> home_s = guard.timeHome_s(guard.heldFor(me.pose, me.u_radps, held));
+    const std::optional<double> home_s =
+        me.returnPath ? guard.time_s(*me.returnPath)
+                      : guard.timeHome_s(guard.heldFor(me.pose, me.u_radps, held));
     return home_s ? enduranceLeft_s(uav) - static_cast<double>(held) * m_dt_s - *home_s
                   : -craft.sortie->endurance_s;
+}
+
+/** Steps for which the command in force is held on. */
+std::int64_t Simulation::stepsHeld(int uav) const
+{
+    const std::int64_t steps = m_crafts[index(uav)].autopilotSteps;
+    return (steps - m_state.step % steps) % steps;
+}
+
+/** From the next command on, whatever there was before. */
+void Simulation::proveReturn(int uav)
+{
+    UavState& me = m_state.uavs[index(uav)];
+    const SafetyGuard guard = guardOf(uav);
+    me.returnPath.reset();
+    if (guard.provesReturn() && me.mode != FlightMode::Ground)
+        me.returnPath = guard.returnPath(guard.heldFor(me.pose, me.u_radps, stepsHeld(uav)));
 }
 
 void Simulation::goHome(int uav)
@@ -118,6 +141,7 @@ void Simulation::advanceSortie(int uav, const Point& from_m)
     me.u_radps = 0;
     me.crossTrack_m = 0;
     me.ground_s = craft.sortie->turnaround_s;
+    me.returnPath.reset();
     m_news.push_back({.kind = EventKind::Landed, .uav = uav});
 }
 
@@ -129,8 +153,18 @@ PlanReason Simulation::takeOffWhenDue(int uav)
                      m_state.step % m_stepsPerSecond == 0;
     if (!due || nearestAvailable(uav) < 0)
         return PlanReason::None;
+    if (const SafetyGuard guard = guardOf(uav); guard.provesReturn()) {
+        const std::optional<double> heading_rad =
+            guard.safeHeading_rad(me.pose, sortie(uav)->endurance_s);
+        if (!heading_rad) { // it would not come home: perhaps in another wind
+            me.ground_s = kNextTry_s;
+            return PlanReason::None;
+        }
+        me.pose.psi_rad = *heading_rad;
+    }
     me.aloft_s = 0;
     me.mode = FlightMode::Idle;
+    proveReturn(uav);
     m_news.push_back({.kind = EventKind::TookOff, .uav = uav});
     return PlanReason::TakeOff;
 }

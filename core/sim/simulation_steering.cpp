@@ -12,6 +12,8 @@ namespace {
 
 /** Circle flown while every iceberg is in view: this much wider than the tightest turn. */
 constexpr double kCircleMargin = 1.2;
+/** Between two searches for a path home, while none is known. */
+constexpr std::int64_t kNextSearch_s = 10;
 
 } // namespace
 
@@ -22,12 +24,57 @@ double Simulation::commanded(int uav)
     if ((m_state.step - 1) % craft.autopilotSteps != 0)
         return me.u_radps;
     const SafetyGuard guard = guardOf(uav);
+    if (me.mode == FlightMode::Home)
+        return commandedHome(uav);
     const double u_radps = guard.limitedToFence_radps(me.pose, steer(uav));
-    if (!craft.sortie || me.mode == FlightMode::Home ||
-        guard.homeInTimeAfter(me.pose, u_radps, enduranceLeft_s(uav)))
+    if (guard.provesReturn())
+        return commandedWithReturn(uav, u_radps);
+    if (!craft.sortie || guard.homeInTimeAfter(me.pose, u_radps, enduranceLeft_s(uav)))
         return u_radps;
     goHome(uav);
-    return guard.limitedToFence_radps(me.pose, steerHome(uav));
+    return commandedHome(uav);
+}
+
+/** Along the proven path; without one, which only a new wind or a bad start leaves, as well as it
+ * goes. */
+double Simulation::commandedHome(int uav)
+{
+    UavState& me = m_state.uavs[index(uav)];
+    const SafetyGuard guard = guardOf(uav);
+    const bool isDue = (m_state.step - 1) % (kNextSearch_s * m_stepsPerSecond) == 0;
+    if (guard.provesReturn() && !me.returnPath && isDue)
+        me.returnPath = guard.returnPath(me.pose);
+    me.crossTrack_m = 0;
+    return me.returnPath ? me.returnPath->takeNext_radps()
+                         : guard.limitedToFence_radps(me.pose, steerHome(uav));
+}
+
+/**
+ * The command wished for, where a path home is proven after it. Else the next one of the path that
+ * is proven now: on the way home for good when time is what lacks.
+ */
+double Simulation::commandedWithReturn(int uav, double wished_radps)
+{
+    UavState& me = m_state.uavs[index(uav)];
+    const SafetyGuard guard = guardOf(uav);
+    const double left_s = enduranceLeft_s(uav);
+    Outlook outlook = guard.outlookAfter(me.pose, wished_radps, left_s);
+    if (outlook.back == Return::InTime) {
+        me.returnPath = std::move(outlook.path);
+        return wished_radps;
+    }
+    const bool isProven = me.returnPath && !me.returnPath->parts.empty();
+    const bool mayFlyOn = isProven ? outlook.back == Return::Unknown
+                                   : guard.homeInTimeAfter(me.pose, wished_radps, left_s);
+    if (!mayFlyOn) {
+        if (!isProven)
+            me.returnPath = guard.returnPath(me.pose);
+        goHome(uav);
+        return commandedHome(uav);
+    }
+    if (!isProven)
+        me.returnPath.reset();
+    return isProven ? me.returnPath->takeNext_radps() : wished_radps;
 }
 
 double Simulation::steer(int uav)

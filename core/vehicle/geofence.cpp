@@ -41,16 +41,29 @@ bool Geofence::contains(const Point& place_m) const
     return insidePolygon(m_fence_m, place_m);
 }
 
+/** The integral of 1/speed over ground round all courses: against the wind it takes longer than
+ * down wind it saves. */
 double Geofence::circle_s() const
 {
     const double airspeed_mps = m_motion.airspeed_mps;
-    return 2 * kPi * m_radius_m /
-           std::sqrt(airspeed_mps * airspeed_mps - m_motion.wind_mps.squaredNorm());
+    const double wind_mps = m_motion.wind_mps.norm();
+    return 4 * m_radius_m * airspeed_mps * std::comp_ellint_2(wind_mps / airspeed_mps) /
+           (airspeed_mps * airspeed_mps - wind_mps * wind_mps);
+}
+
+double Geofence::clearance_m(const Point& place_m) const
+{
+    return distanceToEdges(m_fence_m, place_m);
+}
+
+double Geofence::clearance_m(const Point& from_m, const Point& to_m) const
+{
+    return distanceToEdges(m_fence_m, from_m, to_m);
 }
 
 double Geofence::edgeRoom_m(const Point& place_m) const
 {
-    const double distance_m = distanceToEdges(m_fence_m, place_m);
+    const double distance_m = clearance_m(place_m);
     return contains(place_m) ? distance_m : -distance_m;
 }
 

@@ -32,9 +32,14 @@ public:
     Geofence(std::vector<Point> corners_m, const Motion& motion);
 
     [[nodiscard]] bool contains(const Point& place_m) const;
+    [[nodiscard]] const Motion& motion() const { return m_motion; }
+    /** To the nearest edge, from either side. */
+    [[nodiscard]] double clearance_m(const Point& place_m) const;
+    /** Of the straight line between two places; 0 when it meets an edge. */
+    [[nodiscard]] double clearance_m(const Point& from_m, const Point& to_m) const;
     /** Radius of the circle over ground. */
     [[nodiscard]] double radius_m() const { return m_radius_m; }
-    /** About so long it takes to fly round it. */
+    /** So long it takes to fly round it. */
     [[nodiscard]] double circle_s() const;
     /** From the better of the two circles to the fence; negative: neither is inside. */
     [[nodiscard]] double room_m(const DubinsState& state) const;

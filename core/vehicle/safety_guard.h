@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/vehicle/geofence.h"
-
-#include <cstdint>
+#include "core/vehicle/return_path.h"
 
 namespace berg {
 
@@ -12,9 +10,22 @@ struct GuardedUav
     const Motion& motion;
     const std::optional<SortieSpec>& sortie; ///< none: unlimited endurance
     const Geofence* fence = nullptr;         ///< null: none
-    double dt_s = 0;
-    std::int64_t autopilotSteps = 1; ///< that one command is held
-    double command_s = 0;            ///< the same in seconds
+    CommandClock clock;
+};
+
+/** Whether a command may be given to a UAV with a fence and a limited endurance. */
+enum class Return
+{
+    InTime,
+    Late,   ///< there is a path home, which takes too long
+    Unknown ///< none is known that stays inside
+};
+
+/** What a command leads to, and the path home from there. */
+struct Outlook
+{
+    Return back = Return::Unknown;
+    std::optional<ReturnPath> path; ///< `InTime` only
 };
 
 /**
@@ -43,12 +54,28 @@ public:
     /** Turn rate that begins the way home. */
     [[nodiscard]] double homeRate_radps(const DubinsState& pose) const;
 
+    /** Whether the UAV has a fence and a home, so that a path home is proven at each command. */
+    [[nodiscard]] bool provesReturn() const
+    {
+        return m_uav.fence != nullptr && m_uav.sortie.has_value();
+    }
+    /** Whether a path home inside the fence is proven after one command at this rate. */
+    [[nodiscard]] Outlook outlookAfter(const DubinsState& pose, double u_radps,
+                                       double left_s) const;
+    /** A path home from there, however long; none: no one is known. */
+    [[nodiscard]] std::optional<ReturnPath> returnPath(const DubinsState& pose) const;
+    [[nodiscard]] double time_s(const ReturnPath& path) const;
+    /** The heading nearest to that of the pose with a path home within `left_s`; for take-off. */
+    [[nodiscard]] std::optional<double> safeHeading_rad(const DubinsState& pose,
+                                                        double left_s) const;
+
     /** The pose after so many time steps at this rate, bit for bit as it is flown. */
     [[nodiscard]] DubinsState heldFor(const DubinsState& pose, double u_radps,
                                       std::int64_t steps) const;
 
 private:
     [[nodiscard]] double roomAfter_m(const DubinsState& pose, double u_radps) const;
+    [[nodiscard]] ReturnSearch search() const;
 
     GuardedUav m_uav;
 };

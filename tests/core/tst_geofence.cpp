@@ -70,6 +70,7 @@ private slots:
         QTest::newRow("calm") << 0.0;
         QTest::newRow("5 m/s") << 5.0;
         QTest::newRow("15 m/s") << 15.0;
+        QTest::newRow("0.9 of the airspeed") << 19.8;
     }
     void circleOverGroundIsKept()
     {
@@ -90,6 +91,7 @@ private slots:
                 // Steps of 10 ms leave the circle by centimetres a turn.
                 QVERIFY(std::abs((uav.position_m - centre_m).norm() - fence.radius_m()) < 1);
             }
+            QVERIFY(uav.position_m.norm() < 5); // once round in the time said
         }
     }
 

@@ -21,9 +21,7 @@ struct Guarded
         return SafetyGuard({.motion = motion,
                             .sortie = sortie,
                             .fence = isFenced ? &fence : nullptr,
-                            .dt_s = 0.1,
-                            .autopilotSteps = 1,
-                            .command_s = 0.1});
+                            .clock = {.dt_s = 0.1}});
     }
 };
 

@@ -57,8 +57,11 @@ constexpr AdviceText kAdviceTexts[] = {
     {advised::kHomeUnused,
      QT_TRANSLATE_NOOP("IssueText", "Home counts with a limited endurance only.")},
     {advised::kHomeNearFence,
-     QT_TRANSLATE_NOOP("IssueText", "Home is so near the geofence that the UAV may come home late, "
-                                    "turning away from it.")},
+     QT_TRANSLATE_NOOP("IssueText", "Home is so near the geofence that the UAV cannot take off "
+                                    "there again and be sure to come home.")},
+    {advised::kNoSafeReturn,
+     QT_TRANSLATE_NOOP("IssueText", "For its heading, the UAV has no path home inside the geofence "
+                                    "from where it starts: no start is safe.")},
     {advised::kStartNearFence,
      QT_TRANSLATE_NOOP("IssueText", "The UAV starts so near the geofence, for its heading, that it "
                                     "cannot turn inside it.")},

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "core/base/angles.h"
+#include "core/base/random.h"
+#include "core/scenario/scenario.h"
+#include "core/vehicle/return_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg::test {
+
+/**
+ * A flight that has to come home inside a fence: convex or with corners that point inwards, wind up
+ * to 0.7 of the airspeed, icebergs anywhere. Its endurance is what a path home from the start
+ * takes, with the reserve and up to five minutes more; `isSafe` is whether there is such a path.
+ */
+class ReturnCase
+{
+public:
+    explicit ReturnCase(std::uint64_t seed) : m_random(seed, 22)
+    {
+        m_scenario.seed = static_cast<std::int64_t>(seed);
+        m_scenario.noise = false;
+        m_scenario.geofence = true;
+        drawUav();
+        drawFence();
+        const auto reach_m = [&](const Point& place_m) {
+            return distanceToEdges(m_scenario.area_m, place_m);
+        };
+        Uav& uav = m_scenario.uavs.front();
+        uav.position_m = inside_m();
+        for (int i = 0; i < 50 && reach_m(uav.position_m) < 60; ++i)
+            uav.position_m = inside_m();
+        uav.home_m = inside_m();
+        for (int i = 0; i < 50 && reach_m(*uav.home_m) < 60; ++i)
+            uav.home_m = inside_m();
+        for (int i = 0; i < 3; ++i)
+            m_scenario.icebergs.push_back(
+                {.id = std::to_string(i), .position_m = inside_m(), .velocity_mps = {0, 0}});
+        setEndurance();
+    }
+
+    [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
+    [[nodiscard]] bool isSafe() const { return m_isSafe; }
+
+private:
+    void drawUav()
+    {
+        Uav uav{.id = "u"};
+        uav.spec.airspeed_mps = m_random.uniform(15, 30);
+        uav.heading_deg = m_random.uniform(0, 360);
+        uav.turnaround_s = 1e5;
+        const double wind_mps = m_random.uniform(0, 0.7) * uav.spec.airspeed_mps;
+        const double from_rad = m_random.uniform(-kPi, kPi);
+        m_scenario.wind_mps = wind_mps * Point(std::cos(from_rad), std::sin(from_rad));
+        m_scenario.uavs = {uav};
+    }
+
+    void drawFence()
+    {
+        std::vector<Point>& area_m = m_scenario.area_m;
+        if (m_random.below(4) == 0) { // a corner pointing inwards, near or far
+            const double tip_m = m_random.uniform(-500, 4500);
+            area_m = {{-1500, -1000}, {6000, -1000}, {6000, 5500}, {3000, tip_m}, {-1500, 5500}};
+            return;
+        }
+        const bool isConvex = m_random.below(2) == 0;
+        const auto corners = static_cast<int>(5 + m_random.below(9));
+        for (int i = 0; i < corners; ++i) {
+            const double angle_rad = 2 * kPi * (i + m_random.uniform(-0.3, 0.3)) / corners;
+            const double away_m = isConvex ? 3000 : m_random.uniform(900, 4000);
+            area_m.push_back(Point(2000, 2000) +
+                             away_m * Point(std::cos(angle_rad), std::sin(angle_rad)));
+        }
+    }
+
+    Point inside_m()
+    {
+        for (;;) {
+            const double x_m = m_random.uniform(-2500, 6500);
+            const Point place_m(x_m, m_random.uniform(-2500, 6500));
+            if (insidePolygon(m_scenario.area_m, place_m))
+                return place_m;
+        }
+    }
+
+    void setEndurance()
+    {
+        Uav& uav = m_scenario.uavs.front();
+        const Motion motion{.airspeed_mps = uav.spec.airspeed_mps,
+                            .limit_radps = maxTurnRate_radps(uav.spec),
+                            .wind_mps = m_scenario.wind_mps};
+        const Geofence fence(m_scenario.area_m, motion);
+        const ReturnSearch search(fence, {.dt_s = m_scenario.dt_s}, *uav.home_m);
+        const std::optional<ReturnPath> path = search.anyPath(
+            {.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)});
+        m_isSafe = path.has_value();
+        const double slack_s = m_random.uniform(0, m_random.below(2) == 0 ? 60 : 300);
+        uav.spec.endurance_s = (path ? search.time_s(*path) : 200) + kHomeReserve_s + slack_s + 1;
+        m_scenario.duration_s = uav.spec.endurance_s + 200;
+    }
+
+    Random m_random;
+    Scenario m_scenario;
+    bool m_isSafe = false;
+};
+
+} // namespace berg::test
