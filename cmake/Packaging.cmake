@@ -2,6 +2,14 @@
 set(BERGWATCH_PACKAGE_CONTACT "The Bergwatch developers"
     CACHE STRING "Maintainer named in packages: NAME <ADDRESS>")
 
+# What is packed, and no tests: ./setup package builds this target.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
+get_property(berg_compressed GLOBAL PROPERTY berg_compressed)
+add_custom_target(packed DEPENDS bergwatch-cli ${berg_compressed})
+if(BERGWATCH_BUILD_GUI)
+  add_dependencies(packed bergwatch)
+endif()
+
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/bergwatch)
 
 set(CPACK_GENERATOR DEB TGZ)
