@@ -134,7 +134,7 @@ void addBenchmarkCommand(CLI::App& app, Action& action)
                             allowedNames(kBenchmarkSolverNames));
     command->add_option("--seconds", a.seconds, "Budget for everything")
         ->check(numberFrom(0.001, 1e7));
-    addOutputFile(*command, "--output", a.outputFile, "CSV file for the table");
+    addOutputFile(*command, "-o,--output", a.outputFile, "CSV file for the table");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
     command->callback([arguments, &action] {

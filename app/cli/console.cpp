@@ -137,10 +137,19 @@ void print(const std::string& given)
         throw Error(ErrorCode::FileUnwritable, "standard output", "could not be written");
 }
 
+namespace {
+bool isQuiet = false; // set in main before anything runs
+} // namespace
+
+void beQuiet()
+{
+    isQuiet = true;
+}
+
 void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
 {
     for (const Issue& issue : issues) {
-        if (issue.severity == Severity::Error)
+        if (isQuiet || issue.severity == Severity::Error)
             continue;
         const char* kind = issue.severity == Severity::Warning ? "warning" : "hint";
         tell(word(subject) + ": " + kind + ": " + issue.field + (issue.field.empty() ? "" : ": ") +
@@ -149,7 +158,9 @@ void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
 }
 
 ProgressBar::ProgressBar(std::string label, bool wanted)
-    : m_label(std::move(label)), m_active(wanted && isatty(STDERR_FILENO) == 1), m_start_s(now_s())
+    : m_label(std::move(label))
+    , m_active(wanted && !isQuiet && isatty(STDERR_FILENO) == 1)
+    , m_start_s(now_s())
 {
 }
 

@@ -75,6 +75,9 @@ void print(const std::string& text);
 /** A line on stderr, as `shown`. */
 void tell(const std::string& text);
 
+/** From here on no warnings, hints and progress bars. */
+void beQuiet();
+
 /** Warnings and hints on stderr, one line each; errors are not for here. */
 void printWarnings(const std::string& subject, const std::vector<Issue>& issues);
 

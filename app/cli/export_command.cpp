@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 namespace berg::cli {
@@ -98,11 +99,19 @@ std::vector<ExportFile> filesOf(const ExportArguments& arguments, const ExportFo
                     format);
 }
 
-const ExportFormat& formatNamed(const std::string& id)
+/** That of --format, else the first one whose files end as --output does. */
+const ExportFormat& chosenFormat(const ExportArguments& arguments)
 {
-    if (const ExportFormat* format = findExportFormat(id))
+    if (const ExportFormat* format = findExportFormat(arguments.format))
         return *format;
-    throw UsageError{"--format: " + id + " is none of " + formatIds()};
+    if (!arguments.format.empty())
+        throw UsageError{"--format: " + arguments.format + " is none of " + formatIds()};
+    const std::string suffix = std::filesystem::path(arguments.outputFile).extension().string();
+    for (const ExportFormat& format : exportFormats())
+        if (suffix == '.' + std::string(format.extension))
+            return format;
+    throw UsageError{"--output: no format has the suffix of " + arguments.outputFile +
+                     "; --format names one of " + formatIds()};
 }
 
 /** Returns only where there is no such program. */
@@ -115,13 +124,13 @@ int handOver(const ExportArguments& arguments)
     std::fprintf(stderr,
                  "--format %s: is painted by the program bergwatch, which was found neither beside "
                  "this one nor on the PATH\n",
-                 arguments.format.c_str());
+                 std::string(chosenFormat(arguments).id).c_str());
     return kFailure;
 }
 
 int exportFile(const ExportArguments& arguments, const std::stop_token& stop)
 {
-    const ExportFormat& format = formatNamed(arguments.format);
+    const ExportFormat& format = chosenFormat(arguments);
     if (format.holds.painted && !arguments.painter)
         return handOver(arguments);
     const std::vector<ExportFile> files = filesOf(arguments, format, stop);
@@ -135,8 +144,9 @@ void addOptions(CLI::App& command, ExportArguments& arguments)
 {
     ExportOptions& options = arguments.options;
     command.add_option("FILE", arguments.file, "Scenario (.berg) or run (.bergrun)")->required();
-    command.add_option("--format", arguments.format, formatIds())->required();
-    addOutputFile(command, "--output", arguments.outputFile,
+    command.add_option("-f,--format", arguments.format,
+                       formatIds() + " (that of the suffix of --output)");
+    addOutputFile(command, "-o,--output", arguments.outputFile,
                   "File to write; of formats that hold one UAV, for several, one each with its "
                   "id in the name")
         ->required();

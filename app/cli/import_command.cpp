@@ -203,8 +203,8 @@ void addImportCommand(CLI::App& app, Action& action)
         app.add_subcommand("import", "Make a scenario of sightings of real icebergs");
     const auto arguments = std::make_shared<ImportArguments>();
     command->add_option("FILE", arguments->file, "File of sightings")->required();
-    command->add_option("--format", arguments->format, formatList())->capture_default_str();
-    addOutputFile(*command, "--output", arguments->outputFile, "Scenario to write")->required();
+    command->add_option("-f,--format", arguments->format, formatList())->capture_default_str();
+    addOutputFile(*command, "-o,--output", arguments->outputFile, "Scenario to write")->required();
     addForce(*command, arguments->force);
     command->add_option("--into", arguments->intoFile, "Scenario to add to (default: a new one)");
     command->add_option("--map", arguments->mappings,

@@ -1,11 +1,16 @@
 #include "app/cli/program.h"
 
+#include "app/cli/usage.h"
+#include "core/io/result_json.h"
+
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <sstream>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace berg::cli {
@@ -32,25 +37,78 @@ int exitCodeOf(const Error& error)
     return kFailure;
 }
 
-int run(const Program& program, int argc, char** argv, const std::stop_token& stop)
+/** Which command reads the kind of file that was given in place of another; empty when none does.
+ */
+std::string hintOf(const Error& error)
+{
+    static constexpr std::pair<std::string_view, std::string_view> kHints[] = {
+        {"not \"bergwatch-problem\"", "This is a planning problem: use 'solve'."},
+        {"not \"bergwatch-scenario\"", "This is a scenario: use 'plan', 'simulate' or 'export'."},
+        {"not \"bergwatch-run\"", "This is a run: use 'simulate' or 'export'."},
+        {"not \"bergwatch-study\"", "This is a study: use 'study'."}};
+    if (error.code() == ErrorCode::WrongFormat)
+        for (const auto& [given, hint] : kHints)
+            if (error.issues().front().message.ends_with(given))
+                return '\n' + std::string(hint);
+    return {};
+}
+
+/** What went wrong, told as a sentence and, where the command was asked for JSON, on stdout as
+ * such. */
+int failed(const Program& program, const std::vector<std::string>& words, const Error& error)
+{
+    if (!program.isSilent) {
+        tell(error.what() + hintOf(error));
+        if (std::ranges::find(words, "--json") != words.end())
+            print(failureJson(error));
+    }
+    return exitCodeOf(error);
+}
+
+void addCompletion(CLI::App& app, Action& action)
+{
+    CLI::App* command = app.add_subcommand("completion", "Print a script that completes commands");
+    const auto shell = std::make_shared<std::string>();
+    command->add_option("SHELL", *shell, "bash")->required()->check(CLI::IsMember({"bash"}));
+    command->callback([shell, &app, &action] {
+        action = [&app](const std::stop_token&) {
+            print(bashCompletion(app));
+            return kDone;
+        };
+    });
+}
+
+/** How the line is wrong, in one sentence, and where to read how it should be. */
+int wrongUsage(const CLI::App& app, const std::vector<std::string>& words, const std::string& fault)
+{
+    const std::string command = commandOf(app, words);
+    tell(command + ": " + unknownWord(app, words).value_or(fault) + "\nTry '" + command +
+         " --help'.");
+    return kWrongUsage;
+}
+
+int run(const Program& program, const std::vector<std::string>& words, const std::stop_token& stop)
 {
     CLI::App app{program.about, program.name};
-    app.set_version_flag("--version", program.version);
+    app.set_version_flag("-V,--version", program.version);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     Action action;
     program.addCommands(app, action);
+    addCompletion(app, action);
+    addExamples(app);
+    for (CLI::App* command : app.get_subcommands({}))
+        command->add_flag_callback("-q,--quiet", beQuiet, "No progress, warnings and hints");
     try {
-        app.parse(argc, argv);
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // from the back
+    } catch (const CLI::Success& asked) {
+        std::ostringstream text;
+        app.exit(asked, text, text);
+        if (!program.isSilent)
+            print(wrapped(text.str(), terminalWidth()));
+        return kDone;
     } catch (const CLI::ParseError& error) {
-        std::ostringstream help;
-        std::ostringstream fault;
-        const int code = app.exit(error, help, fault);
-        if (!program.isSilent) {
-            std::fputs(shown(fault.str()).c_str(), stderr);
-            print(help.str());
-        }
-        return code == 0 ? kDone : kWrongUsage;
+        return program.isSilent ? kWrongUsage : wrongUsage(app, words, error.what());
     }
     return action(stop);
 }
@@ -59,12 +117,13 @@ int run(const Program& program, int argc, char** argv, const std::stop_token& st
 
 int runProgram(const Program& program, int argc, char** argv, const std::stop_token& stop)
 {
+    const std::vector<std::string> words = wordsOf(argc, argv);
     const auto complain = [&program](const std::string& text) {
         if (!program.isSilent)
             tell(text);
     };
     try {
-        return run(program, argc, argv, stop);
+        return run(program, words, stop);
     } catch (const Interrupted&) {
         complain(kNothingWritten);
         return kInterrupted;
@@ -72,8 +131,7 @@ int runProgram(const Program& program, int argc, char** argv, const std::stop_to
         complain(error.message);
         return kWrongUsage;
     } catch (const Error& error) {
-        complain(error.what());
-        return exitCodeOf(error);
+        return failed(program, words, error);
     } catch (const std::exception& error) {
         complain(std::string("internal error: ") + error.what());
         return kFailure;

@@ -164,7 +164,7 @@ std::string summary(const Mission& mission, std::optional<double> bound_m2s, dou
     std::string text = scenario.name.empty() ? "" : word(scenario.name) + '\n';
     text += "zeta      " + grouped(metrics.zeta_m2s) + " m2 s\n";
     if (bound_m2s)
-        text += "bound     no flight can do better than " + grouped(*bound_m2s) + " m2 s\n";
+        text += "bound     lower bound on zeta " + grouped(*bound_m2s) + " m2 s\n";
     text += "visits    " + std::to_string(metrics.visits) + "   plans " +
             std::to_string(metrics.replans) + "\nflown     " + grouped(metrics.flown_m) + " m in " +
             grouped(mission.simulation().time_s()) + " s  (policy " +
@@ -218,7 +218,7 @@ void addSimulateCommand(CLI::App& app, Action& action)
     const auto arguments = std::make_shared<SimulateArguments>();
     SimulateArguments& a = *arguments;
     command->add_option("FILE", a.file, "Scenario (.berg) or run (.bergrun)")->required();
-    command->add_option("--tau", a.tau, "Trade-off of the policy visitation")
+    command->add_option("-t,--tau", a.tau, "Trade-off of the policy visitation")
         ->check(numberFrom(0.0, 100.0));
     addNamed(*command, "--policy", a.policy, kPolicyNames, "How the next iceberg is chosen");
     command->add_option("--duration", a.duration_s, "Seconds of flight")
@@ -228,8 +228,8 @@ void addSimulateCommand(CLI::App& app, Action& action)
         ->transform(wholeFrom(0, std::int64_t{1} << 53));
     command->add_flag("--no-noise", a.noNoise, "Icebergs move with their known velocity alone");
     command->add_flag("--bound", a.bound,
-                      "Also find a zeta that no flight of the scenario can do better than");
-    command->add_option("--output", a.outputFolder, "Folder for tables and the run file");
+                      "Also find a lower bound on zeta of any flight of the scenario");
+    command->add_option("-o,--output", a.outputFolder, "Folder for tables and the run file");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
     command->callback([arguments, &action] {

@@ -113,7 +113,7 @@ void addStudyOutput(CLI::App& command, StudyOutput& output, const std::string& s
                      "Replace a --study file of another study");
     command.add_option("--reference", output.reference,
                        "POLICY[:TAU] that differences are measured from; by default tau = 1");
-    addOutputFile(command, "--output", output.tableFile, "CSV file for the table");
+    addOutputFile(command, "-o,--output", output.tableFile, "CSV file for the table");
     addOutputFile(command, "--report", output.reportFile,
                   "Web page with charts, tables and the whole study");
     addForce(command, output.force);

@@ -195,7 +195,7 @@ void addSweepCommand(CLI::App& app, Action& action)
         ->transform(wholeFrom(1, 1000000));
     command->add_option("--first-seed", a.firstSeed, "Seed of the first random scenario (1)")
         ->transform(wholeFrom(0, (std::int64_t{1} << 53) - 1000000));
-    command->add_option("--tau", a.taus, "A:B:STEP, or values with commas")->required();
+    command->add_option("-t,--tau", a.taus, "A:B:STEP, or values with commas")->required();
     command->add_option("--policies", a.policies, "With commas: " + allowedNames(kPolicyNames));
     command->add_option("--runs", a.runs, "Noise seeds for each scenario")
         ->transform(wholeFrom(1, 1000000));

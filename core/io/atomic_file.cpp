@@ -65,6 +65,8 @@ private:
 /** The descriptor that is already open under a name such as /dev/stdout; none for other paths. */
 std::optional<int> openDescriptor(std::string_view path)
 {
+    if (path == "/dev/stdin")
+        return STDIN_FILENO;
     if (path == "/dev/stdout" || path == "/dev/stderr")
         return path == "/dev/stdout" ? STDOUT_FILENO : STDERR_FILENO;
     for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
@@ -260,7 +262,9 @@ void flushFolder(const std::filesystem::path& target)
 
 std::string readFile(const std::string& path)
 {
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    // What is open already (/dev/stdin) may be a pipe; any other pipe could keep us for ever.
+    const bool isGiven = isOpenDescriptor(path);
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (isGiven ? 0 : O_NONBLOCK)));
     if (!file.isOpen()) {
         const bool missing = errno == ENOENT || errno == ENOTDIR;
         throw Error(missing ? ErrorCode::FileNotFound : ErrorCode::FileUnreadable, path,
@@ -271,7 +275,7 @@ std::string readFile(const std::string& path)
     };
     if (::fstat(file.get(), &status) != 0)
         throw Error(ErrorCode::FileUnreadable, path, "cannot be read: " + reason(errno));
-    if (!S_ISREG(status.st_mode))
+    if (!S_ISREG(status.st_mode) && (!isGiven || S_ISDIR(status.st_mode)))
         throw Error(ErrorCode::FileUnreadable, path, "is not a regular file");
 
     // The size is counted, not asked for: a file may grow while it is read.

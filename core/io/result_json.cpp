@@ -32,6 +32,44 @@ const char* severityName(Severity severity)
     return "";
 }
 
+const char* kindOf(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::FileNotFound:
+        return "file-not-found";
+    case ErrorCode::FileUnreadable:
+        return "file-unreadable";
+    case ErrorCode::FileUnwritable:
+        return "file-unwritable";
+    case ErrorCode::FileTooLarge:
+        return "file-too-large";
+    case ErrorCode::SyntaxError:
+        return "syntax-error";
+    case ErrorCode::WrongFormat:
+        return "wrong-format";
+    case ErrorCode::UnsupportedVersion:
+        return "unsupported-version";
+    case ErrorCode::InvalidInput:
+        return "invalid-input";
+    case ErrorCode::Unsupported:
+        return "unsupported";
+    case ErrorCode::SolverFailed:
+        return "solver-failed";
+    case ErrorCode::ReplayMismatch:
+        return "replay-mismatch";
+    }
+    return "";
+}
+
+void addFindings(Json& list, const FileFindings& file)
+{
+    for (const Issue& issue : file.issues)
+        list.push_back({{"file", file.file},
+                        {"severity", severityName(issue.severity)},
+                        {"field", issue.field},
+                        {"message", issue.message}});
+}
+
 Json secondOpinionJson(const SecondOpinion& second)
 {
     const SolveOutcome& outcome = second.outcome;
@@ -237,13 +275,19 @@ std::string benchmarkJson(const std::vector<BenchmarkRow>& rows)
 std::string findingsJson(const std::vector<FileFindings>& files)
 {
     Json list = Json::array();
-    for (const FileFindings& file : files)
-        for (const Issue& issue : file.issues)
-            list.push_back({{"file", file.file},
-                            {"severity", severityName(issue.severity)},
-                            {"field", issue.field},
-                            {"message", issue.message}});
+    for (const FileFindings& file : files) {
+        addFindings(list, file);
+        if (!hasErrors(file.issues))
+            list.push_back({{"file", file.file}, {"severity", "valid"}});
+    }
     return resultText(list);
+}
+
+std::string failureJson(const Error& error)
+{
+    Json list = Json::array();
+    addFindings(list, {.file = error.subject(), .issues = error.issues()});
+    return resultText(Json{{"error", {{"kind", kindOf(error.code())}, {"findings", list}}}});
 }
 
 std::string sweepCsv(const StudySummary& summary)

@@ -53,6 +53,9 @@ struct FileFindings
 };
 [[nodiscard]] std::string findingsJson(const std::vector<FileFindings>& files);
 
+/** `{"error": {"kind", "findings"}}`, the findings as above. */
+[[nodiscard]] std::string failureJson(const Error& error);
+
 // The same as CSV tables (RFC 4180).
 /** A row for each setting; differences are against the reference, in % of its zeta. */
 [[nodiscard]] std::string sweepCsv(const StudySummary& summary);

@@ -33,14 +33,14 @@ json() {
 
 says() { grep -qF -- "$1" stderr.txt; }
 
-# interrupt COMMAND...: exit code of one that gets Ctrl-C after a second.
+# interrupt COMMAND...: exit code of one that gets Ctrl-C after a second, five under sanitizers.
 # From python: a shell lets its background jobs ignore the signal.
 interrupt() {
     python3 - "$@" <<'P'
-import signal, subprocess, sys, time
+import os, signal, subprocess, sys, time
 job = subprocess.Popen(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-time.sleep(1)
+time.sleep(5 if "ASAN_OPTIONS" in os.environ else 1)
 job.send_signal(signal.SIGINT)
 sys.exit(job.wait(60))
 P

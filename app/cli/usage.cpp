@@ -1,0 +1,233 @@
+#include "app/cli/usage.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <sstream>
+#include <string_view>
+#include <sys/ioctl.h>
+#include <unistd.h>
+#include <utility>
+
+namespace berg::cli {
+
+namespace {
+
+constexpr std::size_t kHelpColumn = 34; ///< where explanations begin
+constexpr std::size_t kLeastWidth = 60; ///< narrower than this, lines are left to the terminal
+constexpr std::size_t kUsualWidth = 80;
+constexpr std::size_t kMostWidth = 120; ///< longer lines are hard to read
+
+/** Insertions, deletions and changes of a character from one word to the other. */
+std::size_t editDistance(const std::string& from, const std::string& to)
+{
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t j = 0; j < to.size(); ++j) {
+            const std::size_t changed = diagonal + (from[i] == to[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
+        }
+    }
+    return row.back();
+}
+
+/** "; did you mean x?", empty when nothing known is near. */
+std::string suggestion(const std::string& word, const std::vector<std::string>& known)
+{
+    const auto nearest = std::ranges::min_element(
+        known, {}, [&word](const std::string& one) { return editDistance(word, one); });
+    if (nearest == known.end() ||
+        editDistance(word, *nearest) > std::max<std::size_t>(1, word.size() / 3))
+        return {};
+    return "; did you mean '" + *nearest + "'?";
+}
+
+std::vector<const CLI::App*> commandsOf(const CLI::App& app)
+{
+    return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/** "--tau", "-t", ... */
+std::vector<std::string> optionsOf(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+        for (const std::string& name : option->get_snames())
+            names.push_back('-' + name);
+    }
+    return names;
+}
+
+const CLI::App* chosen(const CLI::App& app, const std::vector<std::string>& words)
+{
+    const std::vector<const CLI::App*> commands = commandsOf(app);
+    const auto found = std::ranges::find_if(commands, [&words](const CLI::App* command) {
+        return !words.empty() && command->get_name() == words.front();
+    });
+    return found == commands.end() ? nullptr : *found;
+}
+
+/** One line under the column of its explanation. */
+std::string wrappedLine(const std::string& line, std::size_t width)
+{
+    std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+    if (line.size() > kHelpColumn && line[kHelpColumn - 1] == ' ' && line.starts_with("  "))
+        indent = kHelpColumn;
+    std::string text;
+    std::string rest = line;
+    while (rest.size() > width) {
+        const std::size_t space = rest.rfind(' ', width);
+        if (space == std::string::npos || space <= indent)
+            break; // a word as long as the line
+        text += rest.substr(0, space) + '\n';
+        rest = std::string(indent, ' ') + rest.substr(space + 1);
+    }
+    return text + rest;
+}
+
+/** Each line with `before` in front. */
+std::string indented(std::string_view lines, const std::string& before)
+{
+    std::istringstream in{std::string(lines)};
+    std::string text;
+    for (std::string line; std::getline(in, line);)
+        text += (text.empty() ? "" : "\n") + before + line;
+    return text;
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+        text += (text.empty() ? "" : " ") + word;
+    return text;
+}
+
+} // namespace
+
+std::vector<std::string> wordsOf(int argc, const char* const* argv)
+{
+    const std::span all(argv, static_cast<std::size_t>(argc));
+    std::vector<std::string> words(all.begin() + (argc > 0 ? 1 : 0), all.end());
+    if (!words.empty() && words.front() == "help") {
+        words.erase(words.begin());
+        words.resize(std::min<std::size_t>(words.size(), 1));
+        words.emplace_back("--help");
+    }
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (words[i] == "-" && !words[i - 1].starts_with('-')) // after an option: standard output
+            words[i] = "/dev/stdin";
+    return words;
+}
+
+std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<std::string>& words)
+{
+    const CLI::App* command = chosen(app, words);
+    if (command == nullptr) {
+        if (words.empty() || words.front().starts_with('-'))
+            return std::nullopt;
+        std::vector<std::string> names;
+        for (const CLI::App* one : commandsOf(app))
+            names.push_back(one->get_name());
+        return "there is no command '" + words.front() + '\'' + suggestion(words.front(), names);
+    }
+    for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i) {
+        const std::string name = words[i].substr(0, words[i].find('='));
+        if (name.starts_with("--") && command->get_option_no_throw(name) == nullptr)
+            return "there is no option '" + name + '\'' + suggestion(name, optionsOf(*command));
+    }
+    return std::nullopt;
+}
+
+std::string commandOf(const CLI::App& app, const std::vector<std::string>& words)
+{
+    const CLI::App* command = chosen(app, words);
+    return command == nullptr ? app.get_name() : app.get_name() + ' ' + command->get_name();
+}
+
+std::string wrapped(const std::string& help, std::size_t width)
+{
+    if (width < kLeastWidth)
+        return help;
+    std::string text;
+    std::size_t begin = 0;
+    while (begin < help.size()) {
+        const std::size_t end = std::min(help.find('\n', begin), help.size());
+        text += wrappedLine(help.substr(begin, end - begin), width) + '\n';
+        begin = end + 1;
+    }
+    return text;
+}
+
+std::size_t terminalWidth()
+{
+    winsize size = {};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
+        return kUsualWidth;
+    return std::min<std::size_t>(size.ws_col, kMostWidth);
+}
+
+void addExamples(CLI::App& app)
+{
+    static constexpr std::pair<std::string_view, std::string_view> kExamples[] = {
+        {"solve", "solve problem.json --gap 0.01"},
+        {"plan", "plan field.berg --tau 1 --json\nplan field.berg --policy latency --certificate "
+                 "proof.json"},
+        {"curve", "curve field.berg --tau-max 5 --output curve.csv"},
+        {"simulate", "simulate field.berg --duration 3600 --output out\nsimulate out/run.bergrun"},
+        {"sweep", "sweep field.berg --tau 0:4:0.5 --runs 20 --study field.bergstudy\n"
+                  "sweep --random 50 --tau 1 --policies visitation,latency,coverage"},
+        {"study", "study part-1.bergstudy part-2.bergstudy --report report.html"},
+        {"benchmark", "benchmark --sizes 8,12,20 --repeat 5"},
+        {"export", "export field.berg --output mission.plan\n"
+                   "export run.bergrun --format brief --output brief.pdf"},
+        {"validate", "validate *.berg"},
+        {"import", "import sightings.csv --output field.berg --map id=name"},
+        {"completion",
+         "completion bash > bergwatch-cli.bash"}};
+    for (CLI::App* command : app.get_subcommands({}))
+        for (const auto& [name, lines] : kExamples)
+            if (command->get_name() == name)
+                command->footer("Examples:\n" + indented(lines, "  " + app.get_name() + ' '));
+}
+
+std::string bashCompletion(const CLI::App& app)
+{
+    std::vector<std::string> names{"help"};
+    std::string cases;
+    for (const CLI::App* command : commandsOf(app)) {
+        names.push_back(command->get_name());
+        cases += "        " + command->get_name() + ") words=\"" + joined(optionsOf(*command)) +
+                 "\" ;;\n";
+    }
+    return "# Completion of " + app.get_name() +
+           " for bash.\n"
+           "_bergwatch_cli() {\n"
+           "    local current=${COMP_WORDS[COMP_CWORD]} words=\"\"\n"
+           "    if [ \"$COMP_CWORD\" -eq 1 ] || [ \"${COMP_WORDS[1]}\" = help ]; then\n"
+           "        mapfile -t COMPREPLY < <(compgen -W \"" +
+           joined(names) +
+           " --help --version\" -- \"$current\")\n"
+           "        return\n"
+           "    fi\n"
+           "    case ${COMP_WORDS[1]} in\n" +
+           cases +
+           "    esac\n"
+           "    if [[ $current == -* ]]; then\n"
+           "        mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n"
+           "    else\n"
+           "        compopt -o filenames\n"
+           "        mapfile -t COMPREPLY < <(compgen -f -- \"$current\")\n"
+           "    fi\n"
+           "}\n"
+           "complete -F _bergwatch_cli " +
+           app.get_name() + '\n';
+}
+
+} // namespace berg::cli
