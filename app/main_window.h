@@ -129,6 +129,12 @@ private:
     void buildPanels();
     void buildDocks();
     void connectPanels();
+    void connectWorkspace();
+    void connectPlanner();
+    void connectFlight();
+    void connectCharts();
+    void connectTables();
+    void connectMap();
     void showFlight();
     void showPlan();
     void showCharts();

@@ -141,11 +141,11 @@ void MainWindow::buildDocks()
     plan->raise();
     QDockWidget* zeta = dock("zetaDock", tr("Chart"), m_charts.front(), Qt::BottomDockWidgetArea);
     QDockWidget* sigma =
-        dock("sigmaDock", tr("Second chart"), m_charts.back(), Qt::BottomDockWidgetArea);
+        dock("sigmaDock", tr("Chart 2"), m_charts.back(), Qt::BottomDockWidgetArea);
     QDockWidget* events = dock("eventsDock", tr("Events"), m_events, Qt::BottomDockWidgetArea);
     splitDockWidget(zeta, sigma, Qt::Horizontal);
-    QDockWidget* comparisonChart =
-        dock("comparisonChartDock", tr("Two runs"), m_comparisonChart, Qt::BottomDockWidgetArea);
+    QDockWidget* comparisonChart = dock("comparisonChartDock", tr("Comparison chart"),
+                                        m_comparisonChart, Qt::BottomDockWidgetArea);
     QDockWidget* checks = dock("checksDock", tr("Checks"), m_checks, Qt::BottomDockWidgetArea);
     tabifyDockWidget(zeta, comparisonChart);
     tabifyDockWidget(comparisonChart, checks);
@@ -182,6 +182,20 @@ void MainWindow::buildDocks()
 
 void MainWindow::connectPanels()
 {
+    connectWorkspace();
+    buildPlaces();
+    connectSafety();
+    connectChecks();
+    connectStudy();
+    connectPlanner();
+    connectFlight();
+    connectCharts();
+    connectTables();
+    connectMap();
+}
+
+void MainWindow::connectWorkspace()
+{
     ScenarioDocument& document = m_workspace.document();
     connect(&m_system, &SystemAppearance::changed, this, &MainWindow::followSystem);
     connect(&m_workspace, &Workspace::flightChanged, this, &MainWindow::showFlight);
@@ -212,13 +226,13 @@ void MainWindow::connectPanels()
         updateActions();
         showSelection();
     });
+}
 
-    buildPlaces();
-    connectSafety();
-    connectChecks();
-    connectStudy();
+void MainWindow::connectPlanner()
+{
     connect(m_tradeoff, &TradeoffPanel::tauEdited, &m_workspace, &Workspace::setTau);
-    connect(m_tradeoff, &TradeoffPanel::tauEditFinished, &document, &ScenarioDocument::endGesture);
+    connect(m_tradeoff, &TradeoffPanel::tauEditFinished, &m_workspace.document(),
+            &ScenarioDocument::endGesture);
     connect(m_tradeoff, &TradeoffPanel::policyEdited, &m_workspace, &Workspace::setPolicy);
     connect(m_tradeoff, &TradeoffPanel::backendEdited, &m_workspace, &Workspace::setBackend);
     connect(m_tradeoff, &TradeoffPanel::routeEdited, &m_workspace, &Workspace::setRoute);
@@ -227,16 +241,31 @@ void MainWindow::connectPanels()
             [this] { m_tradeoff->showForecasts(m_workspace.forecasts().forecasts()); });
     connect(m_pareto, &ParetoChart::tauChosen, m_tradeoff, &TradeoffPanel::chooseTau);
     connect(&m_workspace.curve(), &CurveRunner::updated, this, &MainWindow::showCurve);
-    connect(&m_workspace.bound(), &BoundRunner::updated, this, &MainWindow::showChartsSoon);
     connect(m_solveTime, &SolveTimePanel::saveRequested, this, &MainWindow::saveTable);
+}
 
+void MainWindow::connectFlight()
+{
     connect(m_playback, &PlaybackBar::playRequested, this, &MainWindow::togglePlay);
     connect(m_playback, &PlaybackBar::pauseRequested, &m_workspace, &Workspace::pause);
     connect(m_playback, &PlaybackBar::stepRequested, &m_workspace, &Workspace::step);
     connect(m_playback, &PlaybackBar::resetRequested, &m_workspace, &Workspace::reset);
     connect(m_playback, &PlaybackBar::rateEdited, &m_workspace, &Workspace::setRate);
     connect(m_playback, &PlaybackBar::timeEdited, &m_workspace, &Workspace::lookAt);
+    connect(m_events, &EventPanel::timeChosen, &m_workspace, &Workspace::lookAt);
 
+    connect(m_banner, &FlightBanner::stopRequested, &m_workspace, &Workspace::reset);
+    connect(m_banner, &FlightBanner::flyOnRequested, &m_workspace, &Workspace::flyOnFromHere);
+    connect(m_banner, &FlightBanner::bringBackRequested, &m_workspace, &Workspace::bringBackFlight);
+    connect(&m_workspace, &Workspace::givenUpChanged, this, &MainWindow::showGivenUp);
+    m_givenUpTimer.setSingleShot(true);
+    m_givenUpTimer.setInterval(kGivenUp_ms);
+    connect(&m_givenUpTimer, &QTimer::timeout, this, [this] { m_banner->showGivenUp({}); });
+    connect(m_banner, &FlightBanner::newestRequested, &m_workspace, &Workspace::lookAtNewest);
+}
+
+void MainWindow::connectCharts()
+{
     for (ChartPanel* chart : m_charts) {
         connect(chart, &ChartPanel::timePicked, &m_workspace, &Workspace::lookAt);
         connect(chart, &ChartPanel::kindChanged, this, &MainWindow::showCharts);
@@ -246,8 +275,15 @@ void MainWindow::connectPanels()
     }
     connect(m_comparison, &ComparisonPanel::openRunRequested, this, &MainWindow::openRunToCompare);
     connect(&m_workspace.runs(), &RunList::comparisonChanged, this, &MainWindow::showComparison);
-    connect(m_events, &EventPanel::timeChosen, &m_workspace, &Workspace::lookAt);
+    connect(&m_workspace.bound(), &BoundRunner::updated, this, &MainWindow::showChartsSoon);
 
+    m_chartTimer.setSingleShot(true);
+    m_chartTimer.setInterval(kChartInterval_ms / static_cast<int>(m_charts.size()));
+    connect(&m_chartTimer, &QTimer::timeout, this, &MainWindow::showNextChart);
+}
+
+void MainWindow::connectTables()
+{
     connect(m_plan, &PlanPanel::hovered, m_map, &MapView::setHighlight);
     connect(m_map, &MapView::hovered, m_plan, &PlanPanel::setHighlight);
     connect(m_icebergs, &IcebergTable::hovered, m_map, &MapView::setHighlight);
@@ -267,6 +303,14 @@ void MainWindow::connectPanels()
             [this](const std::string& iceberg, const std::string& uav) {
                 m_workspace.assign({iceberg}, uav);
             });
+
+    m_tableTimer.setSingleShot(true);
+    m_tableTimer.setInterval(kTableInterval_ms);
+    connect(&m_tableTimer, &QTimer::timeout, this, &MainWindow::showTables);
+}
+
+void MainWindow::connectMap()
+{
     connect(m_map, &MapView::outlineChanged, this, &MainWindow::showOverview);
     connect(m_overview, &OverviewInset::placePicked, m_map, &MapView::centreOn);
     connect(m_map, &MapView::followUavChanged, m_followAction, &QAction::setChecked);
@@ -282,22 +326,7 @@ void MainWindow::connectPanels()
     });
     connect(m_map, &MapView::refused, this,
             [this](const QString& text) { statusBar()->showMessage(text, kRefusal_ms); });
-    connect(m_banner, &FlightBanner::stopRequested, &m_workspace, &Workspace::reset);
-    connect(m_banner, &FlightBanner::flyOnRequested, &m_workspace, &Workspace::flyOnFromHere);
-    connect(m_banner, &FlightBanner::bringBackRequested, &m_workspace, &Workspace::bringBackFlight);
-    connect(&m_workspace, &Workspace::givenUpChanged, this, &MainWindow::showGivenUp);
-    m_givenUpTimer.setSingleShot(true);
-    m_givenUpTimer.setInterval(kGivenUp_ms);
-    connect(&m_givenUpTimer, &QTimer::timeout, this, [this] { m_banner->showGivenUp({}); });
-    connect(m_banner, &FlightBanner::newestRequested, &m_workspace, &Workspace::lookAtNewest);
     connect(m_map, &MapView::contextMenuRequested, this, &MainWindow::showContextMenu);
-
-    m_chartTimer.setSingleShot(true);
-    m_chartTimer.setInterval(kChartInterval_ms / static_cast<int>(m_charts.size()));
-    connect(&m_chartTimer, &QTimer::timeout, this, &MainWindow::showNextChart);
-    m_tableTimer.setSingleShot(true);
-    m_tableTimer.setInterval(kTableInterval_ms);
-    connect(&m_tableTimer, &QTimer::timeout, this, &MainWindow::showTables);
 }
 
 } // namespace berg

@@ -77,12 +77,8 @@ void ComparisonPanel::addTables()
     qobject_cast<QVBoxLayout*>(layout())->addLayout(m_content, 1);
 }
 
-void ComparisonPanel::addActions()
+QWidget* ComparisonPanel::progressOfFlight()
 {
-    m_tour = new QPushButton;
-    m_tour->setObjectName(u"compareTour"_s);
-    m_tour->setAccessibleName(tr("Compare with the travelling-salesman tour"));
-    m_tour->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // its text fits itself in
     m_progressText = new QLabel;
     m_progressText->setObjectName(u"comparisonProgressText"_s);
     m_bar = new QProgressBar;
@@ -103,16 +99,26 @@ void ComparisonPanel::addActions()
     progressRow->setSpacing(kGap_px);
     progressRow->addLayout(under, 1);
     progressRow->addWidget(cancel);
+    connect(cancel, &QPushButton::clicked, &m_list, &RunList::cancel);
+    return progress;
+}
+
+void ComparisonPanel::addActions()
+{
+    m_tour = new QPushButton;
+    m_tour->setObjectName(u"compareTour"_s);
+    m_tour->setAccessibleName(tr("Compare with the travelling-salesman tour"));
+    m_tour->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // its text fits itself in
     m_flight = new QStackedWidget;
     m_flight->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_flight->addWidget(m_tour);
-    m_flight->addWidget(progress);
+    m_flight->addWidget(progressOfFlight());
 
     m_tauLabel = new QLabel(tr("τ"));
     m_tau = new NumberField;
     m_tau->setObjectName(u"comparedTau"_s);
     m_tau->setAccessibleName(tr("Trade-off τ to be flown"));
-    m_tau->setToolTip(tr("0: most uncertain first; the larger, the shorter the way."));
+    m_tau->setToolTip(tr("0: most uncertain first; the larger, the shorter the route."));
     m_tau->setNumberFormat({.least = 2, .most = 4}, {});
     m_tau->setSingleStep(0.25);
     m_tau->setRange(0, kMostTau);
@@ -158,7 +164,6 @@ void ComparisonPanel::addActions()
             planner.tau = tau;
         });
     });
-    connect(cancel, &QPushButton::clicked, &m_list, &RunList::cancel);
     connect(m_open, &QToolButton::clicked, this, &ComparisonPanel::openRunRequested);
     connect(m_remove, &QPushButton::clicked, this, [this] { m_runs->removeCurrent(); });
 }

@@ -49,6 +49,7 @@ protected:
 private:
     void addTables();
     void addActions();
+    QWidget* progressOfFlight();
     void showRuns();
     void showFigures();
     void showProgress(double flown_s, double duration_s);
