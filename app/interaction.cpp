@@ -48,7 +48,7 @@ bool DialogInteraction::askEndFlight(QWidget* parent)
     box.setInformativeText(Dialogs::tr("The scenario can only be changed when no flight is under "
                                        "way. The flight stays in the list of runs."));
     const QPushButton* end = box.addButton(Dialogs::tr("End the flight"), QMessageBox::AcceptRole);
-    box.setDefaultButton(box.addButton(Dialogs::tr("Fly on"), QMessageBox::RejectRole));
+    box.setDefaultButton(box.addButton(Dialogs::tr("Continue flight"), QMessageBox::RejectRole));
     box.exec();
     return box.clickedButton() == end;
 }
@@ -131,11 +131,11 @@ Interaction::InUse DialogInteraction::askInUse(QWidget* parent, const QString& f
 Interaction::Overwrite DialogInteraction::askOverwrite(QWidget* parent, const QString& fileName,
                                                        const QString& reason)
 {
-    QMessageBox box(QMessageBox::Warning, Dialogs::tr("Write over the file?"),
-                    Dialogs::tr("Write over \"%1\"?").arg(fileName), QMessageBox::Cancel, parent);
+    QMessageBox box(QMessageBox::Warning, Dialogs::tr("Overwrite the file?"),
+                    Dialogs::tr("Overwrite \"%1\"?").arg(fileName), QMessageBox::Cancel, parent);
     box.setInformativeText(reason);
     const QPushButton* overwrite =
-        box.addButton(Dialogs::tr("Write over it"), QMessageBox::DestructiveRole);
+        box.addButton(Dialogs::tr("Overwrite"), QMessageBox::DestructiveRole);
     QPushButton* saveAs = box.addButton(Dialogs::tr("Save as..."), QMessageBox::AcceptRole);
     box.setDefaultButton(saveAs);
     box.exec();

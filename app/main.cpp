@@ -160,8 +160,7 @@ int makePictures(const Request& request)
         print(stderr, berg::errorReport(error));
         return error.code() == berg::ErrorCode::FileUnwritable ? kFailed : kBadInput;
     } catch (const std::exception& error) {
-        print(stderr, Main::tr("Bergwatch stopped because of a fault of its own: %1")
-                          .arg(QString::fromUtf8(error.what())));
+        print(stderr, Main::tr("Bergwatch has crashed: %1").arg(QString::fromUtf8(error.what())));
         return kFailed;
     }
 }

@@ -73,8 +73,7 @@ void MainWindow::buildFileMenu()
                   [this](bool on) { m_settings.setValue(kKeepOldKey, on); });
     keepOld->setCheckable(true);
     keepOld->setChecked(m_settings.value(kKeepOldKey, true).toBool());
-    keepOld->setStatusTip(tr("Before a file is first written over, what it held is kept as "
-                             "NAME.berg~"));
+    keepOld->setStatusTip(tr("Before a file is first overwritten, a copy is kept as NAME.berg~"));
     addAction(menu, {"recoverAction", tr("Reco&ver unsaved work..."), {}, std::nullopt}, [this] {
         if (!offerRecoveries())
             statusBar()->showMessage(tr("No unsaved work is left to recover"), 4000);
@@ -227,7 +226,7 @@ void MainWindow::buildViewMenu()
     fullScreen->setCheckable(true);
     menu.addSeparator();
     QMenu& appearance = *menu.addMenu(tr("&Appearance"));
-    const QStringList words{tr("Like the system"), tr("Light"), tr("Dark")};
+    const QStringList words{tr("Follow system"), tr("Light"), tr("Dark")};
     for (qsizetype i = 0; i < words.size(); ++i)
         addChoice(appearance, words[i], u"view/appearance"_s, QString::number(i));
     connect(&appearance, &QMenu::triggered, this, [this](QAction* action) {
@@ -235,7 +234,7 @@ void MainWindow::buildViewMenu()
     });
     buildUnitMenu(*menu.addMenu(tr("U&nits")));
     QMenu& language = *menu.addMenu(tr("&Language"));
-    addChoice(language, tr("Like the system"), u"view/language"_s, u""_s);
+    addChoice(language, tr("Follow system"), u"view/language"_s, u""_s);
     addChoice(language, u"English"_s, u"view/language"_s, u"en"_s);
     addChoice(language, u"Norsk bokmål"_s, u"view/language"_s, u"nb"_s);
     connect(&language, &QMenu::triggered, this, [this](QAction* action) {
@@ -251,21 +250,21 @@ void MainWindow::buildFlightMenu()
                              [this] { togglePlay(); });
     addAction(menu, {"stepAction", tr("&Step one second"), Qt::Key_Period, std::nullopt},
               [this] { m_workspace.step(); });
-    addAction(menu,
-              {"resetAction", tr("&Reset to the start"), QKeySequence(Qt::CTRL | Qt::Key_Home),
-               std::nullopt},
-              [this] { m_workspace.reset(); });
+    addAction(
+        menu,
+        {"resetAction", tr("&Stop and edit"), QKeySequence(Qt::CTRL | Qt::Key_Home), std::nullopt},
+        [this] { m_workspace.reset(); });
     addAction(menu,
               {"bringBackAction", tr("Bring the flight b&ack"),
                QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Home), std::nullopt},
               [this] { m_workspace.bringBackFlight(); });
     menu.addSeparator();
     addAction(menu,
-              {"shorterPlanAction", tr("Plan with a s&horter way"),
+              {"shorterPlanAction", tr("Prefer s&horter route"),
                QKeySequence(Qt::ALT | Qt::Key_Right), std::nullopt},
               [this] { m_tradeoff->stepPlan(+1); });
     addAction(menu,
-              {"uncertainPlanAction", tr("Plan with more un&certain ones first"),
+              {"uncertainPlanAction", tr("Prefer more un&certain first"),
                QKeySequence(Qt::ALT | Qt::Key_Left), std::nullopt},
               [this] { m_tradeoff->stepPlan(-1); });
     menu.addSeparator();

@@ -45,7 +45,7 @@ QString phaseText(RunPhase phase, const QString& fault)
     case RunPhase::Paused:
         return MainWindow::tr("Paused");
     case RunPhase::Finished:
-        return MainWindow::tr("Flown to the end");
+        return MainWindow::tr("Run complete");
     case RunPhase::Failed:
         return MainWindow::tr("Cannot be planned: %1").arg(fault);
     }

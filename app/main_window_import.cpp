@@ -29,8 +29,7 @@ bool MainWindow::mayImport()
     if (!m_workspace.inFlight())
         return true;
     statusBar()->showMessage(
-        tr("In flight no sightings can be imported. Reset the flight to import them."),
-        kMessage_ms);
+        tr("In flight no sightings can be imported. Stop the flight to import them."), kMessage_ms);
     return false;
 }
 

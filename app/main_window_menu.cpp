@@ -62,7 +62,7 @@ void MainWindow::addHandOverActions(QMenu& menu, const std::string& id)
     };
     menu.addSeparator();
     for (const Uav& uav : uavs)
-        add(tr("Give to %1").arg(shownName(uav).replace(u'&', u"&&"_s)), uav.id);
+        add(tr("Assign to %1").arg(shownName(uav).replace(u'&', u"&&"_s)), uav.id);
     add(tr("Any UAV may visit it"), {});
 }
 

@@ -120,7 +120,7 @@ void MainWindow::startTour()
           tr("Press I and click on the map: an iceberg. Drag it to move it, double-click it to "
              "set its drift and how uncertain its place is. The plan follows at once.")},
          {tradeoff, tr("2. Drag τ"),
-          tr("To the left the most uncertain icebergs come first, to the right the way gets "
+          tr("To the left the most uncertain icebergs come first, to the right the route gets "
              "shorter. Ticks mark where another order becomes the best one.")},
          {m_playback, tr("3. Press Space"),
           tr("Space flies the plan and pauses it; drag along the time line to look back. Stop and "

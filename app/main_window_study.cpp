@@ -102,8 +102,8 @@ void MainWindow::connectStudy()
             [this](const std::shared_ptr<const Study>& study) {
                 m_workspace.study().restore(*study);
                 showStudy();
-                m_study->showNote(tr("Bergwatch ended unexpectedly, and this study was in no "
-                                     "file. Save it, or fly the rest."));
+                m_study->showNote(tr("Bergwatch ended unexpectedly. This unsaved study was kept. "
+                                     "Save it, or fly the rest."));
             });
     connect(&m_workspace.studyKeeper(), &StudyKeeper::failed, this, [this](const QString& report) {
         statusBar()->showMessage(tr("Autosaving failed: %1").arg(report.section(u'\n', 0, 0)),

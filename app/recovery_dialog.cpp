@@ -22,8 +22,8 @@ RecoveryDialog::RecoveryDialog(const std::vector<RecoveryOffer>& offers, QWidget
 {
     setWindowTitle(tr("Recovered work"));
     auto* column = new QVBoxLayout(this);
-    auto* words = new QLabel(tr("Bergwatch ended unexpectedly. These changes were in no file; "
-                                "restored, they still are to be saved."));
+    auto* words = new QLabel(
+        tr("Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, then save."));
     words->setWordWrap(true);
     column->addWidget(words);
     column->addWidget(m_list, 1);

@@ -264,15 +264,15 @@
         <translation>Åpne likevel</translation>
     </message>
     <message>
-        <source>Write over the file?</source>
+        <source>Overwrite the file?</source>
         <translation>Skrive over filen?</translation>
     </message>
     <message>
-        <source>Write over &quot;%1&quot;?</source>
+        <source>Overwrite &quot;%1&quot;?</source>
         <translation>Skrive over «%1»?</translation>
     </message>
     <message>
-        <source>Write over it</source>
+        <source>Overwrite</source>
         <translation>Skriv over</translation>
     </message>
     <message>
@@ -316,7 +316,7 @@
         <translation>Avslutt flygingen</translation>
     </message>
     <message>
-        <source>Fly on</source>
+        <source>Continue flight</source>
         <translation>Fly videre</translation>
     </message>
 </context>
@@ -354,8 +354,8 @@
 <context>
     <name>DriftArrow</name>
     <message>
-        <source>The arrow is the way drifted in %1. Shift keeps to steps of %2°, Esc takes it back.</source>
-        <translation>Pilen er veien som drives på %1. Skift holder seg til trinn på %2°, Esc angrer.</translation>
+        <source>The arrow is the drift over %1. Shift keeps to steps of %2°, Esc takes it back.</source>
+        <translation>Pilen er driften på %1. Skift holder seg til trinn på %2°, Esc angrer.</translation>
     </message>
     <message>
         <source>Heading %1</source>
@@ -468,11 +468,11 @@
         <translation>observasjon uteblitt</translation>
     </message>
     <message>
-        <source>The planner failed: the last plan is flown on</source>
+        <source>The planner failed: continuing with the previous plan</source>
         <translation>Planleggeren sviktet: forrige plan flys videre</translation>
     </message>
     <message>
-        <source>%1 is on its way into the inner ring</source>
+        <source>%1 will enter the inner ring</source>
         <translation>%1 er på vei inn i den indre ringen</translation>
     </message>
     <message>
@@ -480,7 +480,7 @@
         <translation>Vinden endret</translation>
     </message>
     <message>
-        <source>What is to be protected has changed</source>
+        <source>The protected asset has changed</source>
         <translation>Det som skal beskyttes, er endret</translation>
     </message>
     <message>
@@ -598,7 +598,7 @@
         <translation>QGIS og andre kartprogrammer</translation>
     </message>
     <message>
-        <source>Icebergs, UAVs, ways and area as features with their numbers, longitude and latitude of WGS 84.</source>
+        <source>Icebergs, UAVs, paths and area as features with their numbers, longitude and latitude of WGS 84.</source>
         <translation>Isfjell, UAV-er, veier og område som objekter med sine tall, lengde og bredde i WGS 84.</translation>
     </message>
     <message>
@@ -618,7 +618,7 @@
         <translation>Det samme som KML, pakket i én liten fil.</translation>
     </message>
     <message>
-        <source>Ways in the colours of the UAVs, with times if the scenario has a start; icebergs with their numbers.</source>
+        <source>Paths in the colours of the UAVs, with times if the scenario has a start; icebergs with their numbers.</source>
         <translation>Veier i UAV-enes farger, med tider hvis scenarioet har en start; isfjell med sine tall.</translation>
     </message>
     <message>
@@ -763,7 +763,7 @@
         <translation>Dokumenter og meldinger</translation>
     </message>
     <message>
-        <source>The map with icebergs, ways and area, light, with scale and legend.</source>
+        <source>The map with icebergs, paths and area, light, with scale and legend.</source>
         <translation>Kartet med isfjell, veier og område, lyst, med målestokk og tegnforklaring.</translation>
     </message>
     <message>
@@ -1006,8 +1006,8 @@
         <translation>Ingenting å besøke</translation>
     </message>
     <message>
-        <source>Limit reached, not planned anew</source>
-        <translation>Grensen er nådd, ikke planlagt på nytt</translation>
+        <source>Solver limit reached; previous plan kept</source>
+        <translation>Grensen for løseren er nådd; forrige plan beholdes</translation>
     </message>
     <message>
         <source>Chosen one iceberg at a time</source>
@@ -1103,7 +1103,7 @@
         <translation>På bakken, tar av om %1</translation>
     </message>
     <message>
-        <source>The planner failed: the last plan is flown on</source>
+        <source>The planner failed: continuing with the previous plan</source>
         <translation>Planleggeren sviktet: forrige plan flys videre</translation>
     </message>
     <message>
@@ -1238,7 +1238,7 @@
         <translation>Tilstand</translation>
     </message>
     <message>
-        <source>In view, flown to, or its place in the visiting order</source>
+        <source>In view, next target, or its place in the visiting order</source>
         <translation>I synsfeltet, på vei dit, eller plassen i besøksrekkefølgen</translation>
     </message>
     <message>
@@ -2322,16 +2322,16 @@
         <translation>Fjern området</translation>
     </message>
     <message>
-        <source>Reach radius</source>
-        <translation>Nåradius</translation>
+        <source>Acceptance radius</source>
+        <translation>Godkjenningsradius</translation>
     </message>
     <message>
         <source>How near the UAV has to come to an iceberg; at 0 it is reached when it is in view.</source>
         <translation>Hvor nær UAV-en må komme et isfjell; ved 0 er det nådd når det er i synsfeltet.</translation>
     </message>
     <message>
-        <source>Change reach radius</source>
-        <translation>Endre nåradius</translation>
+        <source>Change acceptance radius</source>
+        <translation>Endre godkjenningsradius</translation>
     </message>
     <message>
         <source>in view</source>
@@ -2580,8 +2580,8 @@
         <translation>Endre posisjonsfeil</translation>
     </message>
     <message>
-        <source>Look every</source>
-        <translation>Ser hvert</translation>
+        <source>Sensor interval</source>
+        <translation>Sensorintervall</translation>
     </message>
     <message>
         <source>Time between two looks of the camera, each of which measures what is in view.</source>
@@ -2592,16 +2592,16 @@
         <translation>Endre tid mellom bilder</translation>
     </message>
     <message>
-        <source>Detection</source>
-        <translation>Deteksjon</translation>
+        <source>Detection probability</source>
+        <translation>Deteksjonssannsynlighet</translation>
     </message>
     <message>
         <source>Chance that one look shows an iceberg in view.</source>
         <translation>Sannsynlighet for at ett bilde viser et isfjell i synsfeltet.</translation>
     </message>
     <message>
-        <source>Change detection</source>
-        <translation>Endre deteksjon</translation>
+        <source>Change detection probability</source>
+        <translation>Endre deteksjonssannsynlighet</translation>
     </message>
     <message>
         <source>Observer</source>
@@ -2648,16 +2648,16 @@
         <translation>sektorer</translation>
     </message>
     <message>
-        <source>Several at once</source>
-        <translation>Flere på en gang</translation>
+        <source>Group nearby icebergs</source>
+        <translation>Grupper nære isfjell</translation>
     </message>
     <message>
         <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
         <translation>Isfjell som får plass i ett synsfelt, planlegges som ett punkt som alle ses fra.</translation>
     </message>
     <message>
-        <source>Change planning of several at once</source>
-        <translation>Endre planlegging av flere på en gang</translation>
+        <source>Change grouping of nearby icebergs</source>
+        <translation>Endre gruppering av nære isfjell</translation>
     </message>
     <message>
         <source>Longest flight: it is home before that; at 0 it never lands.</source>
@@ -2944,8 +2944,8 @@
         <translation>Oppgi én tur- eller scenariofil; %1 ble oppgitt.</translation>
     </message>
     <message>
-        <source>Bergwatch stopped because of a fault of its own: %1</source>
-        <translation>Bergwatch stanset på grunn av en feil i programmet selv: %1</translation>
+        <source>Bergwatch has crashed: %1</source>
+        <translation>Bergwatch har krasjet: %1</translation>
     </message>
     <message>
         <source>Render the window with the scenario into &lt;file&gt;, then end.</source>
@@ -3162,12 +3162,12 @@
         <translation>For nær</translation>
     </message>
     <message>
-        <source>Kept for the UAV of this colour</source>
-        <translation>Holdt av for UAV-en med denne fargen</translation>
+        <source>Assigned to the UAV of this colour</source>
+        <translation>Tildelt UAV-en med denne fargen</translation>
     </message>
     <message>
-        <source>Kept for one</source>
-        <translation>Holdt av for én</translation>
+        <source>Assigned to one</source>
+        <translation>Tildelt én</translation>
     </message>
 </context>
 <context>
@@ -3261,7 +3261,7 @@
         <translation>Klikk begynner en ny linje. Esc fjerner denne.</translation>
     </message>
     <message>
-        <source>Click points to measure the way between them: geodesic length, true bearing, time of flight.</source>
+        <source>Click points to measure the path between them: geodesic length, true bearing, time of flight.</source>
         <translation>Klikk punkter for å måle veien mellom dem: geodetisk lengde, rettvisende peiling, flytid.</translation>
     </message>
     <message>
@@ -3367,8 +3367,8 @@
         <translation>Fløyet</translation>
     </message>
     <message>
-        <source>At %1 %2 are flown.</source>
-        <translation>Ved %1 er %2 fløyet.</translation>
+        <source>Distance flown by %1: %2.</source>
+        <translation>Fløyet distanse ved %1: %2.</translation>
     </message>
     <message>
         <source>Turn rate</source>
@@ -3423,8 +3423,8 @@
         <translation>Avstand gjennom luften, %1</translation>
     </message>
     <message>
-        <source>No flight can do better than</source>
-        <translation>Ingen flyging kan komme under</translation>
+        <source>Lower bound on ζ</source>
+        <translation>Nedre grense for ζ</translation>
     </message>
     <message>
         <source>Weighted</source>
@@ -3738,7 +3738,7 @@
         <translation>Klikk flytter objektet hit. Esc forlater verktøyet.</translation>
     </message>
     <message>
-        <source>Click places the asset to be protected. Esc leaves the tool.</source>
+        <source>Click places the protected asset. Esc leaves the tool.</source>
         <translation>Klikk plasserer objektet som skal vernes. Esc forlater verktøyet.</translation>
     </message>
     <message>
@@ -3876,8 +3876,8 @@
         <translation>Følger ruten som alt er lagt</translation>
     </message>
     <message>
-        <source>Paper: weighted visiting order</source>
-        <translation>Artikkelen: vektet besøksrekkefølge</translation>
+        <source>Weighted visiting order (as published)</source>
+        <translation>Vektet besøksrekkefølge (som publisert)</translation>
     </message>
     <message>
         <source>Least waiting time</source>
@@ -3934,7 +3934,7 @@
         <translation>Veier usikkerhet sett tidlig mot veiens lengde, med τ.</translation>
     </message>
     <message>
-        <source>Flies the shortest way past all icebergs, then the next one.</source>
+        <source>Flies the shortest path past all icebergs, then the next one.</source>
         <translation>Flyr den korteste veien forbi alle isfjell, så den neste.</translation>
     </message>
     <message>
@@ -3954,7 +3954,7 @@
         <translation>Holder ventetiden for alle isfjell kort, vektet med usikkerheten deres.</translation>
     </message>
     <message>
-        <source>Predicts zeta for ways that pass icebergs at an offset and see several at once.</source>
+        <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
         <translation>Forutsier zeta for veier som passerer isfjell på avstand og ser flere på én gang.</translation>
     </message>
     <message>
@@ -4181,8 +4181,8 @@ mot %2</translation>
         <translation>Det er ikke nok minne til dette. Lukk andre programmer, eller be om mindre.</translation>
     </message>
     <message>
-        <source>Bergwatch could not do this because of a fault of its own: %1</source>
-        <translation>Bergwatch klarte ikke dette på grunn av en feil i programmet: %1</translation>
+        <source>Internal error: %1</source>
+        <translation>Intern feil: %1</translation>
     </message>
 </context>
 <context>
@@ -4251,7 +4251,7 @@ mot %2</translation>
 <context>
     <name>berg::CheckPanel</name>
     <message>
-        <source>Error: must be mended before anything is planned</source>
+        <source>Error: must be fixed before planning</source>
         <translation>Feil: må rettes før noe kan planlegges</translation>
     </message>
     <message>
@@ -4263,7 +4263,7 @@ mot %2</translation>
         <translation>Tips: greit å vite</translation>
     </message>
     <message>
-        <source>Nothing to mend</source>
+        <source>No problems found</source>
         <translation>Ingenting å rette</translation>
     </message>
     <message>
@@ -4343,7 +4343,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Avveining τ som skal flys</translation>
     </message>
     <message>
-        <source>0: most uncertain first; the larger, the shorter the way.</source>
+        <source>0: most uncertain first; the larger, the shorter the route.</source>
         <translation>0: mest usikre først; jo større, desto kortere vei.</translation>
     </message>
     <message>
@@ -4677,11 +4677,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Avslutter flygingen og går tilbake til start, der alt kan redigeres.</translation>
     </message>
     <message>
-        <source>Fly on from here</source>
+        <source>Continue from here</source>
         <translation>Fly videre herfra</translation>
     </message>
     <message>
-        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another way flown.</source>
+        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another path flown.</source>
         <translation>Forkaster det som ble fløyet etter dette øyeblikket. Herfra kan avveining og strategi endres og en annen vei flys.</translation>
     </message>
     <message>
@@ -4860,8 +4860,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Et annet</translation>
     </message>
     <message>
-        <source>Throws the dice for another field.</source>
-        <translation>Kaster terning om et nytt felt.</translation>
+        <source>Generates another random field.</source>
+        <translation>Lager et nytt tilfeldig felt.</translation>
     </message>
     <message>
         <source>&amp;Seed</source>
@@ -4933,8 +4933,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Ingen isfjell ennå: trykk I og klikk på kartet, eller kopier rader fra et regneark (navn, øst, nord, fart, retning, σ₀ ...) og lim dem inn her med Ctrl+V.</translation>
     </message>
     <message>
-        <source>In flight the icebergs cannot be edited. Reset the flight to paste.</source>
-        <translation>Under flygingen kan isfjellene ikke endres. Nullstill flygingen for å lime inn.</translation>
+        <source>In flight the icebergs cannot be edited. Stop the flight to paste.</source>
+        <translation>Under flygingen kan isfjellene ikke endres. Stopp flygingen for å lime inn.</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -5104,7 +5104,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Usikkerhetens vekst der observasjonene er for få til å anslå den.</translation>
     </message>
     <message>
-        <source>The present scenario</source>
+        <source>This scenario</source>
         <translation>Scenarioet på skjermen</translation>
     </message>
     <message>
@@ -5112,7 +5112,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Et nytt scenario</translation>
     </message>
     <message>
-        <source>Icebergs that the present scenario has already are updated by their ids.</source>
+        <source>Icebergs that this scenario has already are updated by their ids.</source>
         <translation>Isfjell som scenarioet på skjermen alt har, oppdateres etter id-ene.</translation>
     </message>
     <message>
@@ -5174,8 +5174,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 <context>
     <name>berg::InspectorPanel</name>
     <message>
-        <source>Locked in flight. Reset the flight to edit.</source>
-        <translation>Låst under flyging. Tilbakestill flygingen for å redigere.</translation>
+        <source>Locked in flight. Stop the flight to edit.</source>
+        <translation>Låst under flyging. Stopp flygingen for å redigere.</translation>
     </message>
     <message>
         <source>Id</source>
@@ -5387,8 +5387,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Utsee&amp;nde</translation>
     </message>
     <message>
-        <source>Like the system</source>
-        <translation>Som systemet</translation>
+        <source>Follow system</source>
+        <translation>Følg systemet</translation>
     </message>
     <message>
         <source>Light</source>
@@ -5411,8 +5411,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Steg på ett sekund</translation>
     </message>
     <message>
-        <source>&amp;Reset to the start</source>
-        <translation>&amp;Tilbake til start</translation>
+        <source>&amp;Stop and edit</source>
+        <translation>&amp;Stopp og rediger</translation>
     </message>
     <message>
         <source>&amp;Faster</source>
@@ -5523,8 +5523,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Flown to the end</source>
-        <translation>Fløyet til slutten</translation>
+        <source>Run complete</source>
+        <translation>Flyging fullført</translation>
     </message>
     <message>
         <source>Trade-offs</source>
@@ -5543,7 +5543,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Løsningstider</translation>
     </message>
     <message>
-        <source>Plan with a s&amp;horter way</source>
+        <source>Prefer s&amp;horter route</source>
         <translation>Plan med &amp;kortere vei</translation>
     </message>
     <message>
@@ -5575,7 +5575,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Tabeller (*.csv);;Alle filer (*)</translation>
     </message>
     <message>
-        <source>Plan with more un&amp;certain ones first</source>
+        <source>Prefer more un&amp;certain first</source>
         <translation>Plan med flere &amp;usikre først</translation>
     </message>
     <message>
@@ -5595,16 +5595,16 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Kurver</translation>
     </message>
     <message>
-        <source>Second chart</source>
-        <translation>Flere kurver</translation>
+        <source>Chart 2</source>
+        <translation>Diagram 2</translation>
     </message>
     <message>
         <source>Comparison</source>
         <translation>Sammenligning</translation>
     </message>
     <message>
-        <source>Two runs</source>
-        <translation>To flyginger</translation>
+        <source>Comparison chart</source>
+        <translation>Sammenligningsdiagram</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -5623,7 +5623,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Behold en sikkerhets&amp;kopi</translation>
     </message>
     <message>
-        <source>Before a file is first written over, what it held is kept as NAME.berg~</source>
+        <source>Before a file is first overwritten, a copy is kept as NAME.berg~</source>
         <translation>Før en fil skrives over første gang, tas det som sto i den, vare på som NAVN.berg~</translation>
     </message>
     <message>
@@ -5781,7 +5781,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Mellomrom flyr planen og tar pause; dra langs tidslinjen for å se tilbake. «Stopp og rediger» går tilbake til start.</translation>
     </message>
     <message>
-        <source>To the left the most uncertain icebergs come first, to the right the way gets shorter. Ticks mark where another order becomes the best one.</source>
+        <source>To the left the most uncertain icebergs come first, to the right the route gets shorter. Ticks mark where another order becomes the best one.</source>
         <translation>Til venstre kommer de mest usikre isfjellene først, til høyre blir veien kortere. Merkene viser hvor en annen rekkefølge blir den beste.</translation>
     </message>
     <message>
@@ -5845,8 +5845,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Trykk I og klikk i kartet for å plassere ett, dra videre for å la det drive, eller importer observasjoner.</translation>
     </message>
     <message>
-        <source>In flight no sightings can be imported. Reset the flight to import them.</source>
-        <translation>Under flygingen kan ingen observasjoner importeres. Nullstill flygingen for å importere dem.</translation>
+        <source>In flight no sightings can be imported. Stop the flight to import them.</source>
+        <translation>Under flygingen kan ingen observasjoner importeres. Stopp flygingen for å importere dem.</translation>
     </message>
     <message>
         <source>Import 1 iceberg from %1</source>
@@ -5947,7 +5947,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Fly som i studien</translation>
     </message>
     <message>
-        <source>Bergwatch ended unexpectedly, and this study was in no file. Save it, or fly the rest.</source>
+        <source>Bergwatch ended unexpectedly. This unsaved study was kept. Save it, or fly the rest.</source>
         <translation>Bergwatch ble avsluttet uventet, og denne studien var ikke i noen fil. Lagre den, eller fly resten.</translation>
     </message>
     <message>
@@ -6005,8 +6005,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         </translation>
     </message>
     <message>
-        <source>Give to %1</source>
-        <translation>Gi til %1</translation>
+        <source>Assign to %1</source>
+        <translation>Tildel til %1</translation>
     </message>
     <message>
         <source>Any UAV may visit it</source>
@@ -6281,7 +6281,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Avstand, %1</translation>
     </message>
     <message>
-        <source>The plans for every τ are those of one UAV</source>
+        <source>Available for a single UAV only</source>
         <translation>Planene for hver τ gjelder én UAV</translation>
     </message>
 </context>
@@ -6375,8 +6375,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>%1, fløyet %2</translation>
     </message>
     <message>
-        <source>Kept for %1</source>
-        <translation>Holdt av for %1</translation>
+        <source>Assigned to %1</source>
+        <translation>Tildelt %1</translation>
     </message>
 </context>
 <context>
@@ -6403,7 +6403,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Predicted for straight legs to where the icebergs are now,
-with nothing seen on the way and nothing planned again.</source>
+with nothing seen on the way and no new plans.</source>
         <translation>Beregnet for rette etapper til der isfjellene er nå,
 uten noe sett underveis og uten ny planlegging.</translation>
     </message>
@@ -6416,18 +6416,18 @@ uten noe sett underveis og uten ny planlegging.</translation>
         <translation>ζ ved slutten, denne planen alene: %1 m² s</translation>
     </message>
     <message>
-        <source>Predicted for the way on the map, with every iceberg that comes into view
-on it, and nothing planned again.</source>
+        <source>Predicted for the path on the map, with every iceberg that comes into view
+on it, and no new plans.</source>
         <translation>Forutsagt for veien på kartet, med hvert isfjell som kommer i sikte
 på den, og uten at noe planlegges på nytt.</translation>
     </message>
     <message>
-        <source>No flight can do better than %1 m² s</source>
-        <translation>Ingen flyging kan komme under %1 m² s</translation>
+        <source>Lower bound on ζ: %1 m² s</source>
+        <translation>Nedre grense for ζ: %1 m² s</translation>
     </message>
     <message>
-        <source>No flight can do better than %1 m² s (%2 %…)</source>
-        <translation>Ingen flyging kan komme under %1 m² s (%2 %…)</translation>
+        <source>Lower bound on ζ: %1 m² s (%2 %…)</source>
+        <translation>Nedre grense for ζ: %1 m² s (%2 %…)</translation>
     </message>
     <message>
         <source>That limit is proven for this scenario and the noise that it draws,
@@ -6451,7 +6451,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Avstand</translation>
     </message>
     <message>
-        <source>Way of the whole plan.</source>
+        <source>Length of the whole plan.</source>
         <translation>Hele planens vei.</translation>
     </message>
     <message>
@@ -6467,15 +6467,15 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Målfunksjon</translation>
     </message>
     <message>
-        <source>Price of distance minus uncertainty reward: what the solver makes as small as it can.</source>
+        <source>Distance cost minus uncertainty reward: the objective that the solver minimises.</source>
         <translation>Avstandens pris minus usikkerhetsgevinsten: det løseren gjør så lite som mulig.</translation>
     </message>
     <message>
-        <source>Price of distance μ</source>
+        <source>Distance weight μ</source>
         <translation>Avstandens pris μ</translation>
     </message>
     <message>
-        <source>Uncertainty that one metre of way must be worth; follows from τ.</source>
+        <source>Uncertainty that one metre of path must be worth; follows from τ.</source>
         <translation>Usikkerheten som én meter vei må være verd; følger av τ.</translation>
     </message>
     <message>
@@ -6655,7 +6655,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Gjenopprettet arbeid</translation>
     </message>
     <message>
-        <source>Bergwatch ended unexpectedly. These changes were in no file; restored, they still are to be saved.</source>
+        <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, then save.</source>
         <translation>Bergwatch sluttet uventet. Disse endringene sto ikke i noen fil; etter gjenoppretting må de fortsatt lagres.</translation>
     </message>
     <message>
@@ -7576,11 +7576,11 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Den valgte strategien bruker ikke dette.</translation>
     </message>
     <message>
-        <source>Locked in flight. Reset the flight to change this.</source>
-        <translation>Låst under flyging. Tilbakestill flygingen for å endre dette.</translation>
+        <source>Locked in flight. Stop the flight to change this.</source>
+        <translation>Låst under flyging. Stopp flygingen for å endre dette.</translation>
     </message>
     <message>
-        <source>Small: icebergs of great uncertainty come first. Large: the way gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
+        <source>Small: icebergs of great uncertainty come first. Large: the route gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
         <translation>Liten: isfjell med stor usikkerhet kommer først. Stor: veien blir kort. Piltaster endrer τ med 0,01, Page-taster med 0,25.</translation>
     </message>
     <message>
@@ -7592,7 +7592,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Det som lager planen. Automatisk beviser små problemer og søker i store.</translation>
     </message>
     <message>
-        <source>One way ends at the last iceberg; a round trip counts the way back as well.</source>
+        <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
         <translation>Én vei slutter ved det siste isfjellet; en rundtur regner også med tilbakeveien.</translation>
     </message>
 </context>
@@ -7642,7 +7642,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Endre rutetype</translation>
     </message>
     <message>
-        <source>You are looking back. Fly on from here, or go to the newest picture, to change this.</source>
+        <source>You are looking back. Continue from here, or go back to the latest, to change this.</source>
         <translation>Du ser tilbake. Fly videre herfra, eller gå til det nyeste bildet, for å endre dette.</translation>
     </message>
     <message>
@@ -7650,7 +7650,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Endre vind</translation>
     </message>
     <message>
-        <source>Hand over iceberg</source>
+        <source>Assign iceberg</source>
         <translation>Overlat isfjell</translation>
     </message>
     <message>

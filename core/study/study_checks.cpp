@@ -81,7 +81,7 @@ std::vector<Issue> validate(const StudySpec& spec)
     if (spec.scenarios.empty() && spec.random == 0)
         faults.add("scenarios", "must not be empty when random is 0");
     if (settingCount(spec) == 0)
-        faults.add("policies", "must give a way to fly; visitation needs taus");
+        faults.add("policies", "must name a policy; visitation needs taus");
     const bool exact = countEstimate(spec) < 1e15; // whole numbers of this size are exact
     if (random && runs && (!exact || missionCount(spec) > kMostMissions))
         faults.add("", "would be " + (exact ? std::to_string(missionCount(spec)) : "far too many") +

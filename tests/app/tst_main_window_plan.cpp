@@ -160,11 +160,11 @@ private slots:
         table.setCurrentIndex(table.model()->index(rowOf(w, iceberg), 0));
         QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
         QCoreApplication::sendEvent(&table, &key);
-        choose(u"planMenu"_s, u"Give to uav-2"_s);
+        choose(u"planMenu"_s, u"Assign to uav-2"_s);
         QCOMPARE(w.workspace.keeperOf(iceberg), "uav-2");
         QVERIFY(w.untilReady());
         QTest::mouseClick(&w.map(), Qt::RightButton, {}, w.pixelOf(iceberg));
-        choose(u"mapMenu"_s, u"Give to West"_s);
+        choose(u"mapMenu"_s, u"Assign to West"_s);
         QCOMPARE(w.workspace.keeperOf(iceberg), "uav-1");
         QVERIFY(w.untilReady());
         QTest::mouseClick(&w.map(), Qt::RightButton, {}, w.pixelOf(iceberg));

@@ -74,8 +74,8 @@ private slots:
                              << u"Within 0.8 % of optimal"_s << true;
         QTest::newRow("no bound") << ExportPlan{.status = SolveStatus::Feasible}
                                   << u"Best order found"_s << true;
-        QTest::newRow("fell back")
-            << ExportPlan{.fellBack = true} << u"Limit reached, not planned anew"_s << true;
+        QTest::newRow("fell back") << ExportPlan{.fellBack = true}
+                                   << u"Solver limit reached; previous plan kept"_s << true;
     }
 
     void planIsJudged()

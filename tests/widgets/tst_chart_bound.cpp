@@ -36,7 +36,7 @@ private slots:
         shown.panel.showRecord(shown.record);
         const std::vector<TimeLine>& lines = shown.chart.content().lines;
         QCOMPARE(lines.size(), std::size_t{3});
-        QCOMPARE(lines[2].label, u"No flight can do better than"_s);
+        QCOMPARE(lines[2].label, u"Lower bound on ζ"_s);
         QCOMPARE(lines[2].key, u"zeta_bound_m2s"_s);
         const QList<QPointF>& drawn = shown.chart.drawnPoints()[2];
         COMPARE_NEAR(drawn.front().y(), 0, 1e-9);
@@ -57,7 +57,7 @@ private slots:
         QStringList read;
         for (const ReadoutFlag& flag : shown.chart.readout().flags)
             read << flag.text;
-        QVERIFY2(read.contains(u"No flight can do better than 3\u202f002 m² s"_s),
+        QVERIFY2(read.contains(u"Lower bound on ζ 3\u202f002 m² s"_s),
                  qPrintable(read.join(u'\n')));
     }
 

@@ -98,7 +98,7 @@ private slots:
         QVERIFY(calls >= 3);
         const std::vector<PlanEvent>& plans = mission.plans();
         QVERIFY(plans[1].fellBack);
-        const QString words = u"The planner failed: the last plan is flown on"_s;
+        const QString words = u"The planner failed: continuing with the previous plan"_s;
         QVERIFY(!textsOf(recordAt(mission, plans[1].time_s - 1)).contains(words));
         QVERIFY(textsOf(recordAt(mission, plans[1].time_s)).contains(words));
         QVERIFY(textsOf(recordAt(mission, plans[2].time_s - 1)).contains(words));

@@ -108,10 +108,10 @@ private slots:
         };
         QVERIFY(isPinned(0));
         QVERIFY(!isPinned(1));
-        QVERIFY(legendTexts(picture).contains(u"Kept for the UAV of this colour"_s));
+        QVERIFY(legendTexts(picture).contains(u"Assigned to the UAV of this colour"_s));
         picture.icebergs[0].keptFor = -1;
         QVERIFY(!isPinned(0));
-        QVERIFY(!legendTexts(picture).contains(u"Kept for the UAV of this colour"_s));
+        QVERIFY(!legendTexts(picture).contains(u"Assigned to the UAV of this colour"_s));
     }
 
     void thoseTooCloseAreFound_data()

@@ -54,7 +54,7 @@ private slots:
         Fixture fixture;
         fixture.chart.setOfFleet(true);
         fixture.chart.setCurve({.intervals = {}, .complete = true});
-        QVERIFY(fixture.chart.accessibleDescription().contains(u"one UAV"_s));
+        QVERIFY(fixture.chart.accessibleDescription().contains(u"single UAV"_s));
         fixture.chart.setOfFleet(false);
         QVERIFY(fixture.chart.accessibleDescription().contains(u"No icebergs"_s));
     }

@@ -92,7 +92,7 @@ private slots:
         const QModelIndex kept = f.model.index(4, PlanModel::Name);
         QVERIFY(kept.data(PlanModel::KeptRole).toBool());
         QVERIFY(!f.model.index(1, PlanModel::Name).data(PlanModel::KeptRole).toBool());
-        QVERIFY(kept.data(Qt::ToolTipRole).toString().endsWith(u"Kept for uav-2"_s));
+        QVERIFY(kept.data(Qt::ToolTipRole).toString().endsWith(u"Assigned to uav-2"_s));
         QSignalSpy changed(&f.model, &QAbstractItemModel::dataChanged);
         std::vector<PlanSection> sections = twoUavSections();
         sections[1].rows[0].isKept = false; // no text says so

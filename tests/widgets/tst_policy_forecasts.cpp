@@ -126,7 +126,7 @@ private slots:
     /** What takes too long is given up, and the next one tried. */
     void thereIsALimit()
     {
-        PolicyForecasts runner(nullptr, 50);
+        PolicyForecasts runner(nullptr, 500);
         runner.setScenario(hugeField());
         QVERIFY(completes(runner));
         for (const PolicyKind policy :

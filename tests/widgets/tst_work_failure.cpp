@@ -31,7 +31,7 @@ private slots:
         QTest::newRow("fault") << "fault"
                                << "never so" << false;
         QTest::newRow("number") << "number"
-                                << "fault of its own" << false;
+                                << "Internal error" << false;
     }
     void workThatThrows()
     {

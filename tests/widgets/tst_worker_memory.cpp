@@ -44,6 +44,11 @@ void* operator new(std::size_t size)
     throw std::bad_alloc();
 }
 
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+    return std::malloc(size == 0 ? 1 : size); // of temporary buffers, which do without
+}
+
 void operator delete(void* piece) noexcept
 {
     std::free(piece);

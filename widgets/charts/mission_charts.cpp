@@ -88,7 +88,7 @@ std::optional<TimeLine> boundOfZeta(const FlightRecord& record)
     const KnownBound bound = record.boundOfFlight();
     if (!bound.whole || bound.zeta_m2s <= 0)
         return std::nullopt;
-    TimeLine line{.label = MissionCharts::tr("No flight can do better than"),
+    TimeLine line{.label = MissionCharts::tr("Lower bound on ζ"),
                   .points = {},
                   .role = LineRole::Bound,
                   .onRightAxis = true,

@@ -114,7 +114,7 @@ void ParetoChart::layOut()
     if (plans.empty()) {
         m_frame.plot =
             QRectF(kChartSide_px, top_px, std::max(10.0, width() - 2 * kChartSide_px), height_px);
-        m_frame.emptyText = m_isOfFleet        ? tr("The plans for every τ are those of one UAV")
+        m_frame.emptyText = m_isOfFleet        ? tr("Available for a single UAV only")
                             : m_curve.complete ? tr("No icebergs to plan for")
                                                : tr("Computing the plans for every τ");
         return;

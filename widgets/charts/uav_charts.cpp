@@ -90,7 +90,7 @@ void fillDistance(TimeChartContent& content, const FlightRecord& record, const Q
                              .unit = unit,
                              .key = column});
     content.summary =
-        MissionCharts::tr("At %1 %2 are flown.").arg(clockText(record.now.time_s), flown);
+        MissionCharts::tr("Distance flown by %1: %2.").arg(clockText(record.now.time_s), flown);
     if (!areSeveral(record))
         return;
     content.lines.back().label = MissionCharts::tr("All %1").arg(flown);

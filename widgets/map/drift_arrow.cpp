@@ -75,10 +75,10 @@ Point DriftArrow::velocity_mps(const Iceberg& iceberg, const MapPointer& tip,
 
 QString DriftArrow::status() const
 {
-    return DriftArrowText::
-        tr("The arrow is the way drifted in %1. Shift keeps to steps of %2°, Esc takes it back.")
-            .arg(durationText(m_time_s, m_scene.locale()))
-            .arg(kDirectionStep_deg);
+    return DriftArrowText::tr(
+               "The arrow is the drift over %1. Shift keeps to steps of %2°, Esc takes it back.")
+        .arg(durationText(m_time_s, m_scene.locale()))
+        .arg(kDirectionStep_deg);
 }
 
 QString driftText(const Point& drift_mps, const QLocale& locale)

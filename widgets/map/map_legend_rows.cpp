@@ -182,7 +182,7 @@ void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
              [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
     rows.add(picture.isFleet() &&
                  rows.any([](const MapIceberg& iceberg) { return iceberg.keptFor >= 0; }),
-             MapLegend::tr("Kept for the UAV of this colour"), MapLegend::tr("Kept for one"),
+             MapLegend::tr("Assigned to the UAV of this colour"), MapLegend::tr("Assigned to one"),
              [&](QPainter& p, const QRectF& r) {
                  drawPin(p, r.center() + QPointF(0, 7), theme.ink, theme);
              });

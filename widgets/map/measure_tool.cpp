@@ -215,7 +215,7 @@ QString MeasureTool::status() const
                                    "takes one back, Esc clears.");
     if (!m_points_m.empty())
         return MeasureToolText::tr("Click begins another line. Esc clears this one.");
-    return MeasureToolText::tr("Click points to measure the way between them: geodesic length, "
+    return MeasureToolText::tr("Click points to measure the path between them: geodesic length, "
                                "true bearing, time of flight.");
 }
 

@@ -380,7 +380,7 @@ QString AssetTool::status() const
         return PlacingTools::tr("Let go to place it here. Esc takes it back.");
     if (context().document.scenario().asset)
         return PlacingTools::tr("Click moves the asset here. Esc leaves the tool.");
-    return PlacingTools::tr("Click places the asset to be protected. Esc leaves the tool.");
+    return PlacingTools::tr("Click places the protected asset. Esc leaves the tool.");
 }
 
 } // namespace berg

@@ -32,14 +32,14 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
     case EventKind::Appeared:
         return EventText::tr("%1 appeared").arg(iceberg);
     case EventKind::PlannerFailed:
-        return EventText::tr("The planner failed: the last plan is flown on");
+        return EventText::tr("The planner failed: continuing with the previous plan");
     case EventKind::Alarm:
-        return EventText::tr("%1 is on its way into the inner ring").arg(iceberg);
+        return EventText::tr("%1 will enter the inner ring").arg(iceberg);
     case EventKind::Intervention:
         if (event.detail == kWindChanged)
             return EventText::tr("Wind changed");
         if (event.detail == kAssetChanged)
-            return EventText::tr("What is to be protected has changed");
+            return EventText::tr("The protected asset has changed");
         if (event.detail == kAssigned)
             return EventText::tr("Any UAV may visit %1").arg(iceberg);
         return EventText::tr("Trade-off or policy changed");

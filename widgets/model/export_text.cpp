@@ -48,7 +48,7 @@ ExportFormatText mapText(std::string_view id)
         return {.group = group,
                 .name = u"GeoJSON"_s,
                 .tool = ExportText::tr("QGIS and other map programs"),
-                .about = ExportText::tr("Icebergs, UAVs, ways and area as features with their "
+                .about = ExportText::tr("Icebergs, UAVs, paths and area as features with their "
                                         "numbers, longitude and latitude of WGS 84.")};
     if (id == "gpx")
         return {.group = group,
@@ -67,7 +67,7 @@ ExportFormatText mapText(std::string_view id)
             .tool = u"Google Earth"_s,
             .about = id == "kmz"
                          ? ExportText::tr("The same as KML, packed into one small file.")
-                         : ExportText::tr("Ways in the colours of the UAVs, with times if the "
+                         : ExportText::tr("Paths in the colours of the UAVs, with times if the "
                                           "scenario has a start; icebergs with their numbers.")};
 }
 
@@ -113,7 +113,7 @@ ExportFormatText pageText(std::string_view id)
                          : id.ends_with("svg") ? ExportText::tr("Drawing programs")
                                                : ExportText::tr("Documents and messages");
     const QString about = id.starts_with("map")
-                              ? ExportText::tr("The map with icebergs, ways and area, light, with "
+                              ? ExportText::tr("The map with icebergs, paths and area, light, with "
                                                "scale and legend.")
                               : ExportText::tr("Zeta and the uncertainty of every iceberg over "
                                                "the time of the flight.");

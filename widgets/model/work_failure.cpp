@@ -29,14 +29,10 @@ WorkFailure presentFailure()
     } catch (const std::exception& fault) {
         return {.error = Error(ErrorCode::SolverFailed, "Bergwatch", fault.what()),
                 .report =
-                    WorkFailureText::tr("Bergwatch could not do this because of a fault of its "
-                                        "own: %1")
-                        .arg(QString::fromUtf8(fault.what()))};
+                    WorkFailureText::tr("Internal error: %1").arg(QString::fromUtf8(fault.what()))};
     } catch (...) {
         return {.error = Error(ErrorCode::SolverFailed, "Bergwatch", "unknown fault"),
-                .report = WorkFailureText::tr("Bergwatch could not do this because of a fault of "
-                                              "its own: %1")
-                              .arg(QStringLiteral("?"))};
+                .report = WorkFailureText::tr("Internal error: %1").arg(QStringLiteral("?"))};
     }
 }
 

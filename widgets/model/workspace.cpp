@@ -205,7 +205,7 @@ void Workspace::reportSeen(const std::vector<std::string>& ids)
 void Workspace::assign(const std::vector<std::string>& icebergs, const std::string& uav)
 {
     if (!inFlight()) {
-        m_document.edit(tr("Hand over iceberg"), [&](Scenario& scenario) {
+        m_document.edit(tr("Assign iceberg"), [&](Scenario& scenario) {
             for (const std::string& id : icebergs)
                 if (Iceberg* iceberg = findIceberg(scenario, id))
                     iceberg->uav = uav;
@@ -448,7 +448,7 @@ bool Workspace::refuseWhileLookingBack()
 {
     if (!m_lookedAt_s)
         return false;
-    emit refused(tr("You are looking back. Fly on from here, or go to the newest picture, to "
+    emit refused(tr("You are looking back. Continue from here, or go back to the latest, to "
                     "change this."));
     return true;
 }

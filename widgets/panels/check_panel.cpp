@@ -34,7 +34,7 @@ QString severityText(Severity severity)
 {
     switch (severity) {
     case Severity::Error:
-        return CheckPanel::tr("Error: must be mended before anything is planned");
+        return CheckPanel::tr("Error: must be fixed before planning");
     case Severity::Warning:
         return CheckPanel::tr("Warning: probably not what you want");
     case Severity::Hint:
@@ -49,7 +49,7 @@ CheckPanel::CheckPanel(const ScenarioDocument& document, QWidget* parent)
     : QWidget(parent), m_document(document)
 {
     m_pages = new QStackedLayout(this);
-    m_empty = new CaptionLabel(tr("Nothing to mend"));
+    m_empty = new CaptionLabel(tr("No problems found"));
     m_empty->setObjectName(u"checksEmpty"_s);
     m_empty->setAlignment(Qt::AlignCenter);
     m_pages->addWidget(m_empty);

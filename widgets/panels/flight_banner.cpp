@@ -44,9 +44,9 @@ FlightBanner::FlightBanner(QWidget* parent) : QWidget(parent)
     row->addWidget(m_icon);
     row->addWidget(m_text, 1);
     row->addSpacing(6);
-    m_flyOn = addButton(*m_state, u"flyOnButton"_s, tr("Fly on from here"),
+    m_flyOn = addButton(*m_state, u"flyOnButton"_s, tr("Continue from here"),
                         tr("Gives up what was flown after this instant. From here the trade-off "
-                           "and the policy can be changed and another way flown."));
+                           "and the policy can be changed and another path flown."));
     m_newest = addButton(*m_state, u"newestButton"_s, tr("Newest"),
                          tr("Back to the end of what is flown."));
     m_checks = addButton(*m_state, u"showChecksButton"_s, tr("Checks"),

@@ -186,7 +186,7 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
     if (isPlannerFailing(record))
         notices.push_back(
             {.icon = IconName::Warning,
-             .text = FlightNotices::tr("The planner failed: the last plan is flown on"),
+             .text = FlightNotices::tr("The planner failed: continuing with the previous plan"),
              .toolTip = FlightNotices::tr("It is asked again when the next plan is needed.")});
     if (!record.inFlight())
         return notices;

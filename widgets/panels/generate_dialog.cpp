@@ -222,7 +222,7 @@ void GenerateDialog::addSeed(QFormLayout& form)
     m_seed->setToolTip(tr("The same number draws the same field again."));
     auto* dice = new QPushButton(tr("&Another"));
     dice->setObjectName(u"generateDice"_s);
-    dice->setToolTip(tr("Throws the dice for another field."));
+    dice->setToolTip(tr("Generates another random field."));
     dice->setAutoDefault(false);
     addRow(form, tr("&Seed"), {m_seed, dice});
     connect(m_seed, &QSpinBox::valueChanged, this, &GenerateDialog::draw);

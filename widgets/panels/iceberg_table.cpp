@@ -349,7 +349,7 @@ void IcebergTable::copy()
 void IcebergTable::paste()
 {
     if (m_model->isInFlight()) {
-        say(tr("In flight the icebergs cannot be edited. Reset the flight to paste."));
+        say(tr("In flight the icebergs cannot be edited. Stop the flight to paste."));
         return;
     }
     const QMimeData* clipboard = QApplication::clipboard()->mimeData(); // null: nothing there

@@ -152,7 +152,7 @@ IcebergColumnSpecs icebergColumnSpecs()
         assetDistance,
         assetTime,
         inFlight(u"state"_s, IcebergColumnText::tr("State"), IcebergColumnText::tr("State"),
-                 IcebergColumnText::tr("In view, flown to, or its place in the visiting order")),
+                 IcebergColumnText::tr("In view, next target, or its place in the visiting order")),
         inFlight(u"unseen"_s, IcebergColumnText::tr("Unseen for"),
                  IcebergColumnText::tr("Unseen for, s"),
                  IcebergColumnText::tr("Time since it was last in view, or since it is known")),

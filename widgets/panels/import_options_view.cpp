@@ -94,10 +94,10 @@ void ImportOptionsView::addTarget(const QString& presentName, bool intoNew)
 {
     m_target = new QComboBox;
     m_target->setObjectName(u"importTarget"_s);
-    m_target->addItem(tr("The present scenario"));
+    m_target->addItem(tr("This scenario"));
     m_target->addItem(tr("A new scenario"));
     m_target->setItemData(0, presentName, Qt::ToolTipRole);
-    m_target->setToolTip(tr("Icebergs that the present scenario has already are updated by their "
+    m_target->setToolTip(tr("Icebergs that this scenario has already are updated by their "
                             "ids."));
     m_target->setCurrentIndex(intoNew ? 1 : 0);
     guardWheel(*m_target);

@@ -73,7 +73,7 @@ InspectorPanel::InspectorPanel(ScenarioDocument& document, Selection& selection,
     column->addLayout(heading);
     column->addWidget(m_subtitle);
     m_lock = addNotice(*column, u"inspectorLock"_s);
-    m_lock.text->setText(tr("Locked in flight. Reset the flight to edit."));
+    m_lock.text->setText(tr("Locked in flight. Stop the flight to edit."));
     m_lock.row->hide();
     m_issues = addNotice(*column, u"inspectorIssues"_s);
     column->addSpacing(2);

@@ -28,7 +28,7 @@ NumberRow intervalRow()
 {
     NumberRow row = scenarioRow(
         {.key = u"observerInterval"_s,
-         .label = InspectorRows::tr("Look every"),
+         .label = InspectorRows::tr("Sensor interval"),
          .toolTip =
              InspectorRows::tr("Time between two looks of the camera, each of which measures "
                                "what is in view."),
@@ -46,9 +46,9 @@ NumberRow detectionRow()
 {
     return {
         .words = {.key = u"observerDetection"_s,
-                  .label = InspectorRows::tr("Detection"),
+                  .label = InspectorRows::tr("Detection probability"),
                   .toolTip = InspectorRows::tr("Chance that one look shows an iceberg in view."),
-                  .undoText = InspectorRows::tr("Change detection"),
+                  .undoText = InspectorRows::tr("Change detection probability"),
                   .isShown = isFiltered},
         .unit = u" %"_s,
         .decimals = {.least = 0, .most = 1},

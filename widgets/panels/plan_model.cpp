@@ -229,7 +229,7 @@ QString PlanModel::toolTip(int row, Column column) const
     const PlanRow& planned = line(row).row;
     if (column == Name) {
         const QString name = tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
-        return planned.isKept ? name + u'\n' + tr("Kept for %1").arg(uavOf(row).row.name) : name;
+        return planned.isKept ? name + u'\n' + tr("Assigned to %1").arg(uavOf(row).row.name) : name;
     }
     if (!planned.isSeen && column != Sigma)
         return tr("The plan ends before this iceberg is seen.");

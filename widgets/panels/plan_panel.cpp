@@ -222,8 +222,8 @@ QString PlanPanel::boundText(const PlanOutlook& outlook) const
 {
     const QString bound = significantText(*outlook.bound_m2s, 4, locale());
     if (outlook.boundShare >= 1)
-        return tr("No flight can do better than %1 m² s").arg(bound);
-    return tr("No flight can do better than %1 m² s (%2 %…)")
+        return tr("Lower bound on ζ: %1 m² s").arg(bound);
+    return tr("Lower bound on ζ: %1 m² s (%2 %…)")
         .arg(bound, fixedText(100 * outlook.boundShare, 0, locale()));
 }
 
@@ -236,11 +236,10 @@ QString PlanPanel::summaryToolTip() const
     if (m_outlook->change)
         lines << tr("Order before the change at %1: %2")
                      .arg(clockText(m_outlook->changed_s), m_outlook->before);
-    lines << (m_outlook->isAimed
-                  ? tr("Predicted for the way on the map, with every iceberg that comes into view\n"
-                       "on it, and nothing planned again.")
-                  : tr("Predicted for straight legs to where the icebergs are now,\n"
-                       "with nothing seen on the way and nothing planned again."));
+    lines << (m_outlook->isAimed ? tr("Predicted for the path on the map, with every iceberg that "
+                                      "comes into view\non it, and no new plans.")
+                                 : tr("Predicted for straight legs to where the icebergs are now,\n"
+                                      "with nothing seen on the way and no new plans."));
     if (m_outlook->bound_m2s)
         lines << tr("That limit is proven for this scenario and the noise that it draws,\n"
                     "whatever the policy and however tightly the UAV turns.");

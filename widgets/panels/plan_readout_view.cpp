@@ -35,15 +35,16 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     grid->setRowMinimumHeight(2, kRowGap_px);
     grid->setRowMinimumHeight(5, kRowGap_px);
 
-    m_distance = addFigure(0, 0, u"planDistance"_s, tr("Distance"), tr("Way of the whole plan."));
+    m_distance =
+        addFigure(0, 0, u"planDistance"_s, tr("Distance"), tr("Length of the whole plan."));
     m_reward = addFigure(0, 1, u"planReward"_s, tr("Uncertainty reward"),
                          tr("Each iceberg's σ times the number of places after its own in the "
                             "order: the sooner the uncertain ones come, the more."));
-    m_objective = addFigure(3, 0, u"planObjective"_s, tr("Objective"),
-                            tr("Price of distance minus uncertainty reward: what the solver makes "
-                               "as small as it can."));
-    m_mu = addFigure(3, 1, u"planMu"_s, tr("Price of distance μ"),
-                     tr("Uncertainty that one metre of way must be worth; follows from τ."));
+    m_objective = addFigure(
+        3, 0, u"planObjective"_s, tr("Objective"),
+        tr("Distance cost minus uncertainty reward: the objective that the solver minimises."));
+    m_mu = addFigure(3, 1, u"planMu"_s, tr("Distance weight μ"),
+                     tr("Uncertainty that one metre of path must be worth; follows from τ."));
 
     auto* stateRow = new QHBoxLayout;
     stateRow->setSpacing(6);

@@ -8,10 +8,10 @@ std::vector<InspectorRow> plannerRows()
     // 0 stands for "none": the file leaves the member out.
     NumberRow reach{
         .words = {.key = u"scenarioReach"_s,
-                  .label = InspectorRows::tr("Reach radius"),
+                  .label = InspectorRows::tr("Acceptance radius"),
                   .toolTip = InspectorRows::tr("How near the UAV has to come to an iceberg; at 0 "
                                                "it is reached when it is in view."),
-                  .undoText = InspectorRows::tr("Change reach radius")},
+                  .undoText = InspectorRows::tr("Change acceptance radius")},
         .unit = u" m"_s,
         .decimals = {.least = 0, .most = 1},
         .step = 10,
@@ -40,10 +40,10 @@ std::vector<InspectorRow> plannerRows()
         .range = always({.low = 0, .high = 3600})};
     const FlagRow clusters{
         .words = {.key = u"scenarioClusters"_s,
-                  .label = InspectorRows::tr("Several at once"),
+                  .label = InspectorRows::tr("Group nearby icebergs"),
                   .toolTip = InspectorRows::tr("Icebergs that fit into one field of view are "
                                                "planned as one point, from which all are seen."),
-                  .undoText = InspectorRows::tr("Change planning of several at once")},
+                  .undoText = InspectorRows::tr("Change grouping of nearby icebergs")},
         .read = [](const Scenario& scenario) { return scenario.clusters; },
         .write = [](Scenario& scenario, bool on) { scenario.clusters = on; }};
     return {reach, latency, clusters,

@@ -158,7 +158,7 @@ QString policyName(PolicyKind policy)
 {
     switch (policy) {
     case PolicyKind::Visitation:
-        return PlannerText::tr("Paper: weighted visiting order");
+        return PlannerText::tr("Weighted visiting order (as published)");
     case PolicyKind::Path:
         return PlannerText::tr("Shortest path, repeated");
     case PolicyKind::Tour:
@@ -182,7 +182,7 @@ QString policySentence(PolicyKind policy)
         return PlannerText::tr(
             "Weighs uncertainty seen early against the length of the way, by τ.");
     case PolicyKind::Path:
-        return PlannerText::tr("Flies the shortest way past all icebergs, then the next one.");
+        return PlannerText::tr("Flies the shortest path past all icebergs, then the next one.");
     case PolicyKind::Tour:
         return PlannerText::tr("Flies one shortest round tour again and again.");
     case PolicyKind::Nearest:
@@ -194,7 +194,7 @@ QString policySentence(PolicyKind policy)
             "Keeps the waiting time of all icebergs short, weighted by their uncertainty.");
     case PolicyKind::Coverage:
         return PlannerText::tr(
-            "Predicts zeta for ways that pass icebergs at an offset and see several at once.");
+            "Predicts zeta for paths that pass icebergs at an offset and see several at once.");
     }
     return {};
 }

@@ -347,7 +347,7 @@ void TradeoffPanel::updateEnabled()
     const bool usesSolver = usesTau || policy == PolicyKind::Path || policy == PolicyKind::Tour ||
                             policy == PolicyKind::Latency;
     const QString noUse = tr("The policy chosen does not use this.");
-    const QString locked = tr("Locked in flight. Reset the flight to change this.");
+    const QString locked = tr("Locked in flight. Stop the flight to change this.");
 
     const auto set = [](QWidget& input, const QString& whyNot, const QString& toolTip) {
         input.setEnabled(whyNot.isEmpty());
@@ -355,7 +355,7 @@ void TradeoffPanel::updateEnabled()
     };
     const QString tauWhyNot = usesTau ? QString() : noUse;
     set(*m_slider, tauWhyNot,
-        tr("Small: icebergs of great uncertainty come first. Large: the way gets short. Arrow "
+        tr("Small: icebergs of great uncertainty come first. Large: the route gets short. Arrow "
            "keys change τ by 0.01, Page keys by 0.25."));
     set(*m_tau, tauWhyNot, tr("Trade-off τ from 0 to 100."));
     m_strip->setEnabled(usesTau); // its tool tips are its own
@@ -363,7 +363,7 @@ void TradeoffPanel::updateEnabled()
     set(*m_backend, m_inFlight ? locked : (usesSolver ? QString() : noUse),
         tr("What makes the plan. Automatic proves small problems and searches in large ones."));
     set(*m_route, m_inFlight ? locked : (usesTau ? QString() : noUse),
-        tr("One way ends at the last iceberg; a round trip counts the way back as well."));
+        tr("A one-way plan ends at the last iceberg; a round trip includes the return."));
 }
 
 void TradeoffPanel::updateForecast()

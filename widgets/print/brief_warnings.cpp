@@ -258,7 +258,7 @@ QString planWords(const ExportContent& content, const QLocale& locale)
     if (visitsNothing(content))
         return FlightBrief::tr("Nothing to visit");
     if (content.plan.fellBack)
-        return FlightBrief::tr("Limit reached, not planned anew");
+        return FlightBrief::tr("Solver limit reached; previous plan kept");
     if (isChosenOneByOne(content.planner.policy))
         return FlightBrief::tr("Chosen one iceberg at a time");
     switch (content.plan.status) {

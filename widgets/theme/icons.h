@@ -30,7 +30,7 @@ enum class IconName
     Proven,   ///< a tick in a circle
     Estimate, ///< two waves: about
     Warning,
-    Fault, ///< a cross in an octagon: nothing goes on before it is mended
+    Fault, ///< a cross in an octagon: nothing goes on before it is fixed
     Hint,  ///< an i in a circle
     Locked,
     Pin
