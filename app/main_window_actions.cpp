@@ -252,7 +252,7 @@ void MainWindow::buildFlightMenu()
               [this] { m_workspace.step(); });
     addAction(
         menu,
-        {"resetAction", tr("&Stop and edit"), QKeySequence(Qt::CTRL | Qt::Key_Home), std::nullopt},
+        {"resetAction", tr("Stop and &edit"), QKeySequence(Qt::CTRL | Qt::Key_Home), std::nullopt},
         [this] { m_workspace.reset(); });
     addAction(menu,
               {"bringBackAction", tr("Bring the flight b&ack"),

@@ -5411,8 +5411,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Steg på ett sekund</translation>
     </message>
     <message>
-        <source>&amp;Stop and edit</source>
-        <translation>&amp;Stopp og rediger</translation>
+        <source>Stop and &amp;edit</source>
+        <translation>Stopp og &amp;rediger</translation>
     </message>
     <message>
         <source>&amp;Faster</source>

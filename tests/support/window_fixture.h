@@ -60,7 +60,7 @@ public:
     template <class Condition>
     [[nodiscard]] bool until(const Condition& condition)
     {
-        constexpr int kPatience_ms = 60000;
+        constexpr int kPatience_ms = 240000; // under sanitizers on a busy machine
         return QTest::qWaitFor(condition, kPatience_ms);
     }
     [[nodiscard]] bool until(RunPhase phase)
