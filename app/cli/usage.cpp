@@ -189,8 +189,7 @@ void addExamples(CLI::App& app)
                    "export run.bergrun --format brief --output brief.pdf"},
         {"validate", "validate *.berg"},
         {"import", "import sightings.csv --output field.berg --map id=name"},
-        {"completion",
-         "completion bash > bergwatch-cli.bash"}};
+        {"completion", "completion bash > bergwatch-cli.bash"}};
     for (CLI::App* command : app.get_subcommands({}))
         for (const auto& [name, lines] : kExamples)
             if (command->get_name() == name)
