@@ -7,8 +7,7 @@
 //   sorting      mu = 0: the most uncertain icebergs first
 //   relaxation   Lagrangian multipliers on a layered graph whose nodes remember icebergs
 //                (ng-paths). Each step deletes, with its multipliers, the arcs on no path below the
-//                bound, and may first make nodes remember more. At last all orders still inside the
-//                graph are gone through, and none may be below the bound.
+//                bound, and may first make nodes remember more. No order left may be below it.
 
 #include <nlohmann/json.hpp>
 
@@ -38,8 +37,7 @@ double down(double value)
 {
     return std::isinf(value) ? value : std::nextafter(value, -HUGE_VAL);
 }
-/** A number not above the exact one it stands for; infinite: there is none. Products are of numbers
- * that are not negative. */
+/** A number not above the exact one; infinite: there is none. Products are not negative. */
 struct Low
 {
     double value = 0;
@@ -220,8 +218,7 @@ struct Node
     Low onwards = kNone; ///< least from before its visit to the end
 };
 
-/** The relaxation of one UAV: every path from node 0 to the last level; icebergs rise by `rises`.
- */
+/** The relaxation of one UAV: paths from node 0 to the last level, by the `rises` of icebergs. */
 class Relaxation
 {
 public:
@@ -329,8 +326,11 @@ Low boundOfFleet(const Problem& problem, const Step& step)
     expect(!problem.latency, "no relaxation for the latency of several UAVs");
     Low sum = step.sum;
     for (Index uav = 0; uav < problem.distance.size(); ++uav) {
+        Index most = 0; // visits
+        for (Index i = 1; i <= n; ++i)
+            most += problem.allowed.at(uav).at(i) ? 1U : 0U;
         std::vector<Low> entry(n + 1, kNone); // by iceberg, at the position after
-        for (Index position = n + 1; position-- > 0;) {
+        for (Index position = most + 1; position-- > 0;) {
             std::vector<Low> here(n + 1);
             for (Index i = 0; i <= n; ++i) {
                 Low rest = problem.leg(uav, i, 0);

@@ -67,8 +67,9 @@ public:
     /** Weight that makes both terms of Eq. (1) count, or only one of them, or nothing. */
     [[nodiscard]] double mu(const Eigen::MatrixXd& distance_m, const std::vector<double>& sigma_m2)
     {
-        constexpr std::array kTaus{1e-9, 0.1, 0.5, 1.0, 3.0, 10.0, 1e3};
-        const double tau = kTaus[static_cast<std::size_t>(below(static_cast<int>(kTaus.size())))];
+        constexpr std::array kTradeOffs{1e-9, 0.1, 0.5, 1.0, 3.0, 10.0, 1e3};
+        const double tau =
+            kTradeOffs[static_cast<std::size_t>(below(static_cast<int>(kTradeOffs.size())))];
         double sigmas_m2 = 0;
         for (const double each_m2 : sigma_m2)
             sigmas_m2 += each_m2;
