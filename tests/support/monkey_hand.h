@@ -21,9 +21,8 @@ class Hand
 public:
     Hand()
     {
-        QObject::connect(&m_timer, &QTimer::timeout, [this] { look(); });
-        m_timer.start(kTurn_ms);
         m_clock.start();
+        lookAgain();
     }
 
     /** Something is done to this window from now on. */
@@ -43,6 +42,16 @@ private:
     static constexpr int kMenu_ms = 100;
     static constexpr int kStuck_ms = 3000;
     static constexpr int kPatience = 60; ///< turns until a dialog is simply closed
+
+    /** A timer each time: one that repeats is silent in the event loop of a dialog that it opened.
+     */
+    void lookAgain()
+    {
+        QTimer::singleShot(kTurn_ms, &m_alive, [this] {
+            lookAgain();
+            look();
+        });
+    }
 
     void look()
     {
@@ -117,7 +126,7 @@ private:
 
     QPointer<QWidget> m_window;
     Random m_random{0};
-    QTimer m_timer;
+    QObject m_alive; ///< ends the looking with this
     QElapsedTimer m_clock;
     QPointer<QWidget> m_usedNow;
     QPointer<QWidget> m_last;
