@@ -107,7 +107,6 @@ bool allProven(const TauCurve& curve)
 } // namespace
 
 Q_DECLARE_METATYPE(Shape)
-Q_DECLARE_METATYPE(Route)
 
 class TestTauCurve : public QObject
 {
