@@ -1,17 +1,20 @@
 #include "core/io/atomic_file.h"
 
 #include "core/base/error.h"
+#include "core/base/stopped.h"
+#include "core/io/file_descriptor.h"
+#include "core/io/temporary_file.h"
 
 #include <cerrno>
 #include <charconv>
 #include <fcntl.h>
 #include <filesystem>
 #include <optional>
-#include <sys/file.h>
+#include <set>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
-#include <utility>
+#include <vector>
 
 namespace berg {
 
@@ -22,44 +25,9 @@ std::string reason(int errorNumber)
     return std::generic_category().message(errorNumber);
 }
 
-/** A POSIX file descriptor that closes itself. */
-class Descriptor
-{
-public:
-    explicit Descriptor(int fd) : m_fd(fd) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor()
-    {
-        if (m_fd >= 0)
-            ::close(m_fd);
-    }
-
-    [[nodiscard]] int get() const { return m_fd; }
-    [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
-    /** Closes now; false when the system reports that data were lost. */
-    [[nodiscard]] bool close() { return ::close(std::exchange(m_fd, -1)) == 0; }
-
-private:
-    int m_fd;
-};
-
 [[noreturn]] void failWrite(const std::string& path, const std::string& why)
 {
     throw Error(ErrorCode::FileUnwritable, path, "cannot be written: " + why);
-}
-
-[[nodiscard]] bool writeAll(int fd, std::string_view content)
-{
-    while (!content.empty()) {
-        const ssize_t written = ::write(fd, content.data(), content.size());
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written < 0)
-            return false;
-        content.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
 }
 
 /** The descriptor that is already open under a name such as /dev/stdout; none for other paths. */
@@ -109,118 +77,6 @@ std::filesystem::path withoutLinks(const std::string& path)
     failWrite(path, reason(ELOOP));
 }
 
-/** The folder that a file is in, as system calls want it. */
-std::filesystem::path folderOf(const std::filesystem::path& file)
-{
-    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
-// Names of files that are being written: `.TARGET.PID-NUMBER.tmp`.
-constexpr std::string_view kTemporaryEnding = ".tmp";
-
-std::string temporaryStem(const std::filesystem::path& target)
-{
-    // File names may have 255 bytes at most; the target's own may use them all.
-    constexpr std::size_t kLongestStem = 200;
-    return '.' + target.filename().string().substr(0, kLongestStem) + ".";
-}
-
-/**
- * New file beside the target, removed again unless it was put in the target's place. Where the file
- * system can, it has no name until then: a program that is killed leaves nothing. Locked, which
- * tells it from one whose writer was killed.
- */
-class TemporaryFile
-{
-public:
-    enum class Name
-    {
-        Late,
-        Early
-    };
-
-    explicit TemporaryFile(const std::filesystem::path& target, Name name = Name::Late)
-        : m_target(target)
-    {
-        if (name == Name::Late)
-            m_fd = ::open(folderOf(target).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
-        m_isNamed = m_fd < 0;
-        if (m_isNamed)
-            takeName([this](const char* path) {
-                m_fd = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-                return m_fd >= 0;
-            });
-        if (m_fd >= 0)
-            ::flock(m_fd, LOCK_EX | LOCK_NB);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile()
-    {
-        if (m_fd < 0)
-            return;
-        if (m_isNamed && !m_placed)
-            ::unlink(m_path.c_str());
-        ::close(m_fd);
-    }
-
-    [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
-    [[nodiscard]] bool isNamed() const { return m_isNamed; }
-
-    /** Writes and flushes to the disk; false leaves the reason in errno. */
-    [[nodiscard]] bool fill(std::string_view content) const
-    {
-        if (!writeAll(m_fd, content) || ::fsync(m_fd) != 0)
-            return false;
-        const int copy = ::dup(m_fd); // some file systems tell only when a file is closed
-        return copy >= 0 && ::close(copy) == 0;
-    }
-
-    void copyAttributes(const struct stat& from) const
-    {
-        // Only root may give files away; for everyone else the file simply stays their own.
-        // Ownership comes first, because changing it clears the set-id bits.
-        [[maybe_unused]] const int owner = ::fchown(m_fd, from.st_uid, from.st_gid);
-        [[maybe_unused]] const int mode = ::fchmod(m_fd, from.st_mode & 07777U);
-    }
-
-    /** False when the folder refuses; without a name, also where there is no /proc. */
-    [[nodiscard]] bool place()
-    {
-        if (!m_isNamed) {
-            const std::string self = "/proc/self/fd/" + std::to_string(m_fd);
-            m_isNamed = takeName([&](const char* path) {
-                return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
-            });
-        }
-        m_placed = m_isNamed && ::rename(m_path.c_str(), m_target.c_str()) == 0;
-        return m_placed;
-    }
-
-private:
-    /** The first free name that `make` can use. */
-    template <class Make>
-    bool takeName(const Make& make)
-    {
-        constexpr int kMostTries = 1000;
-        const std::string stem = temporaryStem(m_target) + std::to_string(::getpid()) + "-";
-        for (int i = 0; i < kMostTries; ++i) {
-            m_path = m_target.parent_path() / (stem + std::to_string(i)).append(kTemporaryEnding);
-            if (make(m_path.c_str()))
-                return true;
-            if (errno != EEXIST)
-                return false;
-        }
-        return false;
-    }
-
-    std::filesystem::path m_target;
-    std::filesystem::path m_path;
-    int m_fd = -1;
-    bool m_isNamed = false;
-    bool m_placed = false;
-};
-
 /** Retrying in place would only spoil what is there. */
 [[nodiscard]] bool isFull(int errorNumber)
 {
@@ -260,7 +116,7 @@ void flushFolder(const std::filesystem::path& target)
 
 } // namespace
 
-std::string readFile(const std::string& path)
+std::string readFile(const std::string& path, const std::stop_token& stop)
 {
     // What is open already (/dev/stdin) may be a pipe; any other pipe could keep us for ever.
     const bool isGiven = isOpenDescriptor(path);
@@ -283,6 +139,7 @@ std::string readFile(const std::string& path)
     std::string content;
     std::size_t size = 0;
     while (size <= kLargestFile) {
+        throwIfStopped(stop);
         content.resize(size + kChunk);
         const ssize_t got = ::read(file.get(), content.data() + size, kChunk);
         if (got < 0 && errno == EINTR)
@@ -396,6 +253,24 @@ void StagedFile::place()
         overwrite(m_state->path, to.target, to.exists ? &to.old : nullptr, m_state->content);
 }
 
+std::size_t StagedFile::placeTogether(std::span<StagedFile> files)
+{
+    std::vector<Placing> placings;
+    std::set<std::filesystem::path> folders;
+    for (const StagedFile& file : files) {
+        if (!file.m_state->temporary)
+            break;
+        placings.push_back(file.m_state->temporary->placing());
+        folders.insert(folderOf(file.m_state->destination.target));
+    }
+    for (const std::filesystem::path& folder : folders)
+        removeLeftTemporaries(folder);
+    const std::size_t placed = placeApart(placings);
+    for (std::size_t i = 0; i < placed; ++i)
+        files[i].m_state->temporary->notePlaced();
+    return placed;
+}
+
 void StagedFile::makeLast() const
 {
     if (!m_state->destination.inPlace)
@@ -404,21 +279,7 @@ void StagedFile::makeLast() const
 
 void removeLeftovers(const std::string& path)
 {
-    const std::filesystem::path target = withoutLinks(path);
-    const std::string stem = temporaryStem(target);
-    std::error_code failure;
-    for (std::filesystem::directory_iterator it(folderOf(target), failure), end;
-         !failure && it != end; it.increment(failure)) {
-        const std::string name = it->path().filename().string();
-        const bool isOurs = name.starts_with(stem) && name.ends_with(kTemporaryEnding) &&
-                            name.find_first_not_of("0123456789-", stem.size()) ==
-                                name.size() - kTemporaryEnding.size();
-        if (!isOurs)
-            continue;
-        const Descriptor left(::open(it->path().c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW));
-        if (left.isOpen() && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0)
-            ::unlink(it->path().c_str());
-    }
+    removeLeftTemporaries(folderOf(withoutLinks(path)));
 }
 
 void writeFileAtomically(const std::string& path, std::string_view content)

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -11,9 +13,9 @@ inline constexpr std::size_t kLargestFile = 64U << 20U;
 
 /**
  * Whole content of a regular file. Throws `Error` FileNotFound, FileUnreadable (directory, no
- * permission) or FileTooLarge (over `kLargestFile`), subject = path.
+ * permission) or FileTooLarge (over `kLargestFile`), subject = path; `Stopped` when asked to stop.
  */
-[[nodiscard]] std::string readFile(const std::string& path);
+[[nodiscard]] std::string readFile(const std::string& path, const std::stop_token& stop = {});
 
 /**
  * Writes the file so that a reader sees the old or the new content, never a part: temporary file
@@ -23,11 +25,11 @@ inline constexpr std::size_t kLargestFile = 64U << 20U;
  * the room for it was reserved. Devices, pipes and what is open already (/dev/stdout, /dev/fd/3)
  * are written to as they are. Throws `Error{FileUnwritable}`; then the old content is still there
  * (unless a device failed in the middle of writing it over) and no temporary file is left;
- * those of writers that were killed are removed.
+ * those that writers of the folder have left that were killed are removed.
  */
 void writeFileAtomically(const std::string& path, std::string_view content);
 
-/** Removes what writers of this file have left beside it that were killed in the middle. */
+/** Removes from the folder of this file what writers have left there that were killed. */
 void removeLeftovers(const std::string& path);
 
 /** The two halves of `writeFileAtomically`, for files that belong together: see `writeFileSet`. */
@@ -44,6 +46,11 @@ public:
 
     /** Puts it in the place of the file, at most once. */
     void place();
+    /**
+     * The same of several, the first ones as far as nothing is in the way, and even when this
+     * program is killed meanwhile. How many; the others are to be placed one by one.
+     */
+    [[nodiscard]] static std::size_t placeTogether(std::span<StagedFile> files);
     /** Then: through a power cut. Slow, and so apart: those of a set take their places at once. */
     void makeLast() const;
 

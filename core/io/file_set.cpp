@@ -58,6 +58,8 @@ void writeFileSet(std::span<const NewFile> files)
     }
     std::size_t placed = 0;
     try {
+        if (staged.size() > 1)
+            placed = StagedFile::placeTogether(staged);
         for (; placed < staged.size(); ++placed)
             staged[placed].place();
     } catch (...) {

@@ -139,55 +139,6 @@ private slots:
         QVERIFY(m_dir->isValid());
     }
 
-    void leftoversOfKilledWritersGo_data()
-    {
-        QTest::addColumn<bool>("writes");
-        QTest::newRow("when it is written") << true;
-        QTest::newRow("when it is opened") << false;
-    }
-    void leftoversOfKilledWritersGo()
-    {
-        QFETCH(bool, writes);
-        writeFileAtomically(path("plan.berg"), "old");
-        const QStringList others{".plan.berg.bak", ".plan.berg.tmp", ".plan.berg.x1-0.tmp",
-                                 ".plan2.berg.1-0.tmp", "plan.berg.1-0.tmp"};
-        for (const QString& name :
-             others + QStringList{".plan.berg.1-0.tmp", ".plan.berg.77-12.tmp"})
-            writeFileAtomically(m_dir->filePath(name).toStdString(), "half");
-        const std::string held = path(".plan.berg.2-0.tmp"); // being written by another program
-        writeFileAtomically(held, "half");
-        const int fd = ::open(held.c_str(), O_WRONLY | O_CLOEXEC);
-        QCOMPARE(::flock(fd, LOCK_EX | LOCK_NB), 0);
-        if (writes)
-            writeFileAtomically(path("plan.berg"), "new");
-        else
-            removeLeftovers(path("plan.berg"));
-        QStringList left = others + QStringList{".plan.berg.2-0.tmp", "plan.berg"};
-        left.sort();
-        QCOMPARE(namesIn(*m_dir), left);
-        ::close(fd);
-        QCOMPARE(readFile(path("plan.berg")), std::string(writes ? "new" : "old"));
-    }
-
-    void killedInTheMiddle()
-    {
-        const std::string target = path("plan.berg");
-        writeFileAtomically(target, "old");
-        const std::string content(32U << 20U, 'x');
-        const pid_t writer = ::fork();
-        if (writer == 0)
-            for (;;)
-                writeFileAtomically(target, content);
-        while (namesIn(*m_dir).size() < 2) // it writes
-            QTest::qSleep(1);
-        ::kill(writer, SIGKILL);
-        ::waitpid(writer, nullptr, 0);
-        const std::size_t size = readFile(target).size();
-        QVERIFY(size == 3 || size == content.size());
-        writeFileAtomically(target, "new");
-        QCOMPARE(namesIn(*m_dir), QStringList{"plan.berg"});
-    }
-
     void contents_data()
     {
         QTest::addColumn<QByteArray>("content");

@@ -7,6 +7,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <sys/wait.h>
+#include <unistd.h>
+
 using namespace berg;
 using berg::test::errorOf;
 using namespace Qt::StringLiterals;
@@ -28,6 +34,40 @@ private slots:
         QCOMPARE(readFile(second), std::string("2"));
         writeFileSet(std::vector<NewFile>{{first, "3"}});
         QCOMPARE(readFile(first), std::string("3"));
+    }
+
+    /** Writers of two sets, one after the other; each instant leaves all files of one of them. */
+    void killedInTheMiddle()
+    {
+        constexpr int kFiles = 30;
+        constexpr int kKills = 40;
+        const QTemporaryDir folder;
+        std::array<std::vector<NewFile>, 2> sets;
+        for (int i = 0; i < kFiles; ++i)
+            for (std::size_t set = 0; set < sets.size(); ++set)
+                sets[set].push_back({folder.filePath(QString::number(i)).toStdString(),
+                                     std::string(1, static_cast<char>('a' + set))});
+        writeFileSet(sets[0]);
+        const auto isWhole = [&] {
+            const QStringList names = QDir(folder.path()).entryList(QDir::Files | QDir::Hidden);
+            const std::string first = readFile(sets[0][0].path);
+            return names.size() == kFiles && std::ranges::all_of(sets[0], [&](const NewFile& file) {
+                       return readFile(file.path) == first;
+                   });
+        };
+        for (int kill = 0; kill < kKills; ++kill) {
+            const pid_t writer = ::fork();
+            if (writer == 0)
+                for (std::size_t i = 0;; ++i)
+                    writeFileSet(sets[i % 2]);
+            QTest::qSleep(5 + 7 * kill % 20);
+            ::kill(writer, SIGKILL);
+            ::waitpid(writer, nullptr, 0);
+            // Who places them may have a little left to do.
+            for (int i = 0; i < 1000 && !isWhole(); ++i)
+                QTest::qSleep(10);
+            QVERIFY2(isWhole(), QByteArray::number(kill).constData());
+        }
     }
 
     /** The last one cannot be: what was there before is there again, what was not is not. */

@@ -1,0 +1,48 @@
+#pragma once
+
+// Private to core/io: what is open, as system calls know it.
+
+#include <cerrno>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+
+namespace berg {
+
+/** A POSIX file descriptor that closes itself. */
+class Descriptor
+{
+public:
+    explicit Descriptor(int fd) : m_fd(fd) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor()
+    {
+        if (m_fd >= 0)
+            ::close(m_fd);
+    }
+
+    [[nodiscard]] int get() const { return m_fd; }
+    [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
+    /** Closes now; false when the system reports that data were lost. */
+    [[nodiscard]] bool close() { return ::close(std::exchange(m_fd, -1)) == 0; }
+
+private:
+    int m_fd;
+};
+
+/** False leaves the reason in errno. */
+[[nodiscard]] inline bool writeAll(int fd, std::string_view content)
+{
+    while (!content.empty()) {
+        const ssize_t written = ::write(fd, content.data(), content.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            return false;
+        content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+} // namespace berg
