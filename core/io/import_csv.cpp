@@ -1,6 +1,7 @@
 #include "core/io/import_csv.h"
 
 #include "core/base/error.h"
+#include "core/base/stopped.h"
 #include "core/io/csv_reader.h"
 #include "core/io/import_fields.h"
 #include "core/scenario/checks.h"
@@ -88,12 +89,13 @@ void fill(FieldTexts& texts, const CsvRow& row, const CsvLayout& layout)
 
 /** Calls `use(row)` for each row below the header that is not blank, until it returns false. */
 template <class Use>
-void forRows(std::string_view text, bool header, Use use)
+void forRows(const ImportText& source, bool header, Use use)
 {
-    CsvReader reader(text, csvSeparator(text));
+    CsvReader reader(source.text, csvSeparator(source.text));
     CsvRow row;
     bool first = header;
     while (reader.next(row)) {
+        throwIfStopped(source.stop);
         if (isBlank(row))
             continue;
         if (first)
@@ -104,11 +106,12 @@ void forRows(std::string_view text, bool header, Use use)
 }
 
 /** Day or month first: by the first date that can only be read one way; none: there is none. */
-std::optional<DateOrder> dateOrder(std::string_view text, const CsvLayout& layout, bool timeApart)
+std::optional<DateOrder> dateOrder(const ImportText& source, const CsvLayout& layout,
+                                   bool timeApart)
 {
     std::optional<DateOrder> told;
     FieldTexts texts;
-    forRows(text, layout.header, [&](const CsvRow& row) {
+    forRows(source, layout.header, [&](const CsvRow& row) {
         if (shapeFault(row, layout.width))
             return true;
         fill(texts, row, layout);
@@ -139,11 +142,11 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
     RowRules rules{.timeNeeded = layout.timeNeeded};
     rules.timeApart = reads(layout, SightingField::Date) && reads(layout, SightingField::Time);
     const std::optional<DateOrder> told =
-        source.dates ? source.dates : dateOrder(source.text, layout, rules.timeApart);
+        source.dates ? source.dates : dateOrder(source, layout, rules.timeApart);
     const bool guesses = !told && !layout.isMonthFirst;
     rules.order = told.value_or(DateOrder::MonthFirst);
     FieldTexts texts;
-    forRows(source.text, layout.header, [&](const CsvRow& row) {
+    forRows(source, layout.header, [&](const CsvRow& row) {
         std::variant<Sighting, RejectedRow> result;
         if (const std::optional<RowFault> fault = shapeFault(row, layout.width)) {
             result = RejectedRow{.line = row.line, .fault = *fault, .detail = {}};

@@ -122,7 +122,7 @@ const ImportFormat* findImportFormat(std::string_view id)
 }
 
 SightingTable readSightings(std::string_view bytes, const std::string& subject,
-                            const ReadOptions& options)
+                            const ReadOptions& options, const std::stop_token& stop)
 {
     if (bytes.size() > kLargestFile)
         throw Error(ErrorCode::FileTooLarge, subject,
@@ -135,8 +135,11 @@ SightingTable readSightings(std::string_view bytes, const std::string& subject,
     if (!format.namedColumns && !options.mapping.empty())
         throw Error(ErrorCode::InvalidInput, subject,
                     "columns of the format " + std::string(format.id) + " cannot be mapped");
-    SightingTable table = format.read(
-        {.text = text, .subject = subject, .mapping = options.mapping, .dates = options.dates});
+    SightingTable table = format.read({.text = text,
+                                       .subject = subject,
+                                       .mapping = options.mapping,
+                                       .dates = options.dates,
+                                       .stop = stop});
     table.format = format.id;
     if (!table.sightings.empty())
         return table;

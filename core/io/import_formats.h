@@ -4,6 +4,7 @@
 #include "core/io/import_time.h"
 
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,7 @@ struct ImportText
     const std::string& subject;   ///< names the file in errors
     const ColumnMapping& mapping; ///< columns the user has named; the rest is guessed
     std::optional<DateOrder> dates = {};
+    std::stop_token stop = {};
 };
 
 /** One row of the table that the command line and the dialog share. */
@@ -48,10 +50,11 @@ struct ReadOptions
  * UTF-8 is taken as ISO 8859-1 in tables. Throws `Error`: FileTooLarge above `kLargestFile` bytes
  * or `kMostSightings` rows; WrongFormat for what is no text, of no known format or not of the one
  * asked for; SyntaxError for broken JSON or XML; InvalidInput when a needed column is missing, a
- * mapped one does not exist, or there is no usable row (with the reasons). Cost: linear; 50 MB take
- * a few seconds.
+ * mapped one does not exist, or there is no usable row (with the reasons); `Stopped` when asked to
+ * stop. Cost: linear; 50 MB take a few seconds.
  */
 [[nodiscard]] SightingTable readSightings(std::string_view bytes, const std::string& subject,
-                                          const ReadOptions& options = {});
+                                          const ReadOptions& options = {},
+                                          const std::stop_token& stop = {});
 
 } // namespace berg

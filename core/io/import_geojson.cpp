@@ -1,5 +1,6 @@
 #include "core/io/import_geojson.h"
 
+#include "core/base/stopped.h"
 #include "core/io/import_fields.h"
 #include "core/io/import_geojson_scene.h"
 
@@ -107,7 +108,7 @@ public:
 
     SightingTable take()
     {
-        const ParsedJson file = parseJson(m_source.text, m_source.subject);
+        const ParsedJson file = parseJson(m_source.text, m_source.subject, m_source.stop);
         const std::span<const Json> features = featuresOf(file.root);
         for (const Json& feature : features) {
             const std::string type = typeOf(memberOf(&feature, "geometry"));
@@ -129,6 +130,7 @@ private:
 
     void addFeature(const Json& feature)
     {
+        throwIfStopped(m_source.stop);
         ++m_feature;
         const bool bare = typeOf(&feature) != "Feature";
         const Json* geometry = bare ? &feature : memberOf(&feature, "geometry");
@@ -187,6 +189,7 @@ private:
     void addRoute(const Json& corners)
     {
         for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
+            throwIfStopped(m_source.stop);
             FieldTexts texts;
             if (setPlace(texts, corners[i]))
                 addRow(m_table, sightingOf(texts, {}, m_feature), m_source.subject);
@@ -198,6 +201,7 @@ private:
     void addTrack(const FieldTexts& common, const Json& corners, const Json& times)
     {
         for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
+            throwIfStopped(m_source.stop);
             FieldTexts texts = common;
             const bool placed = setPlace(texts, corners[i]);
             if (i < times.size())

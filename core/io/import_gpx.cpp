@@ -14,7 +14,7 @@ public:
     {
         const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
                                .closed = [this](XmlPath path) { closed(path); }};
-        readXml(m_source.text, m_source.subject, events);
+        readXml(m_source.text, m_source.subject, events, m_source.stop);
         decideOneIceberg(m_table);
         return std::move(m_table);
     }

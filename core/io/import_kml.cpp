@@ -61,7 +61,7 @@ public:
     {
         const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
                                .closed = [this](XmlPath path) { closed(path); }};
-        readXml(m_source.text, m_source.subject, events);
+        readXml(m_source.text, m_source.subject, events, m_source.stop);
         return std::move(m_table);
     }
 

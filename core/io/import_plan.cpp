@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/stopped.h"
 #include "core/io/import_geojson.h"
 #include "core/io/import_mission.h"
 #include "core/io/json_members.h"
@@ -53,7 +54,8 @@ class PlanReading
 public:
     explicit PlanReading(const ImportText& source)
         : m_subject(source.subject)
-        , m_file(parseJson(source.text, source.subject))
+        , m_file(parseJson(source.text, source.subject, source.stop))
+        , m_stop(source.stop)
         , m_places(source)
     {
     }
@@ -93,8 +95,10 @@ private:
         const Json* items = mission.need("items");
         if (items == nullptr || (items = mission.array("items")) == nullptr)
             return;
-        for (std::size_t i = 0; i < items->size(); ++i)
+        for (std::size_t i = 0; i < items->size(); ++i) {
+            throwIfStopped(m_stop);
             readItem((*items)[i], i);
+        }
         if (const Json* cruise = mission.find("cruiseSpeed"); cruise && cruise->is_number())
             m_places.setCruise(cruise->get<double>());
     }
@@ -178,6 +182,7 @@ private:
 
     const std::string& m_subject;
     ParsedJson m_file;
+    const std::stop_token& m_stop;
     const Json* m_rally = nullptr; ///< null: no rally points
     MissionPlaces m_places;
 };

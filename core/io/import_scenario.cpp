@@ -1,6 +1,7 @@
 #include "core/io/import_scenario.h"
 
 #include "core/base/error.h"
+#include "core/base/stopped.h"
 #include "core/io/import_icebergs.h"
 #include "core/io/import_selection.h"
 #include "core/io/import_setting.h"
@@ -91,7 +92,8 @@ void makeRoom(std::vector<IcebergEntry>& entries, std::size_t there)
 }
 
 std::vector<IcebergEntry> entriesOf(const std::vector<SightedIceberg>& icebergs,
-                                    const Scenario& scenario, const ImportOptions& options)
+                                    const Scenario& scenario, const ImportOptions& options,
+                                    const std::stop_token& stop)
 {
     const LocalFrame frame(scenario.origin);
     const IcebergSetting setting{
@@ -104,6 +106,7 @@ std::vector<IcebergEntry> entriesOf(const std::vector<SightedIceberg>& icebergs,
         aircraft.insert(uav.id);
     std::vector<IcebergEntry> entries;
     for (const SightedIceberg& iceberg : icebergs) {
+        throwIfStopped(stop);
         const auto it = known.find(iceberg.id);
         entries.push_back(entryOf(iceberg, it == known.end() ? nullptr : it->second, setting));
         if (aircraft.contains(iceberg.id)) {
@@ -208,7 +211,7 @@ Scenario newScenarioForImport(std::string name)
 }
 
 ImportResult importSightings(const Scenario& base, const SightingTable& table,
-                             const ImportOptions& options)
+                             const ImportOptions& options, const std::stop_token& stop)
 {
     checkOptions(base, options);
     ImportResult result;
@@ -226,12 +229,12 @@ ImportResult importSightings(const Scenario& base, const SightingTable& table,
                 return sighting->time && *sighting->time > *result.at;
             });
     }
-    std::vector<SightedIceberg> icebergs = grouped(sightings, table, result.at);
+    std::vector<SightedIceberg> icebergs = grouped(sightings, table, result.at, stop);
     if (options.moveOrigin.value_or(!holdsPlaces(base)))
         result.scenario.origin = middleOf(icebergs).value_or(base.origin);
-    place(icebergs, LocalFrame(result.scenario.origin), result.rejected);
+    place(icebergs, LocalFrame(result.scenario.origin), result.rejected, stop);
     addScene(table.scene, icebergs, holdsPlaces(base), result);
-    takeIn(entriesOf(icebergs, result.scenario, options), result);
+    takeIn(entriesOf(icebergs, result.scenario, options, stop), result);
 
     std::vector<Issue> issues = validate(result.scenario);
     const std::vector<Issue> before = validate(base); // what was wrong then is not the import's

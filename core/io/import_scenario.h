@@ -5,6 +5,7 @@
 #include "core/tracking/sighting_track.h"
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -124,9 +125,10 @@ struct ImportResult
  *
  * Throws `Error{InvalidInput}` for options out of range, when the origin cannot move because of
  * what is in the scenario, and when moving the start would take some of that off the plane. Cost:
- * linear in the sightings; a million take a few seconds.
+ * linear in the sightings; a million take a few seconds. `Stopped` when asked to stop.
  */
 [[nodiscard]] ImportResult importSightings(const Scenario& base, const SightingTable& table,
-                                           const ImportOptions& options = {});
+                                           const ImportOptions& options = {},
+                                           const std::stop_token& stop = {});
 
 } // namespace berg

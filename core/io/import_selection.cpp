@@ -1,6 +1,7 @@
 #include "core/io/import_selection.h"
 
 #include "core/base/angles.h"
+#include "core/base/stopped.h"
 #include "core/scenario/checks.h"
 
 #include <algorithm>
@@ -144,11 +145,14 @@ private:
 } // namespace
 
 std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sightings,
-                                    const SightingTable& table, std::optional<UtcTime> start)
+                                    const SightingTable& table, std::optional<UtcTime> start,
+                                    const std::stop_token& stop)
 {
     Grouping grouping(table, start);
-    for (const Sighting* sighting : sightings)
+    for (const Sighting* sighting : sightings) {
+        throwIfStopped(stop);
         grouping.add(*sighting);
+    }
     return grouping.take();
 }
 
@@ -176,10 +180,12 @@ std::optional<LatLon> middleOf(const std::vector<SightedIceberg>& icebergs)
                   .longitude_deg = rounded(std::atan2(sum.y(), sum.x()))};
 }
 
-void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejections& rejected)
+void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejections& rejected,
+           const std::stop_token& stop)
 {
     for (SightedIceberg& iceberg : icebergs)
         std::erase_if(iceberg.sightings, [&](PlacedSighting& placed) {
+            throwIfStopped(stop);
             const Sighting& sighting = *placed.sighting;
             placed.fix.position_m = frame.toPlane(sighting.place);
             if (placed.fix.position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m)

@@ -20,7 +20,8 @@ selected(const SightingTable& table, const ImportOptions& options, ImportResult&
 /** Groups by iceberg, in the order of the file; positions are not set yet. */
 [[nodiscard]] std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sightings,
                                                   const SightingTable& table,
-                                                  std::optional<UtcTime> start);
+                                                  std::optional<UtcTime> start,
+                                                  const std::stop_token& stop);
 
 /**
  * The place in the middle of the last sightings, as a mean of directions from the earth's centre,
@@ -29,6 +30,7 @@ selected(const SightingTable& table, const ImportOptions& options, ImportResult&
 [[nodiscard]] std::optional<LatLon> middleOf(const std::vector<SightedIceberg>& icebergs);
 
 /** Sets the positions in the plane; what is too far off is rejected. */
-void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejections& rejected);
+void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejections& rejected,
+           const std::stop_token& stop);
 
 } // namespace berg

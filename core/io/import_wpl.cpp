@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/stopped.h"
 #include "core/io/import_fields.h"
 #include "core/io/import_mission.h"
 #include "core/scenario/checks.h"
@@ -49,7 +50,10 @@ class WplReading
 {
 public:
     explicit WplReading(const ImportText& source)
-        : m_subject(source.subject), m_rest(withoutMark(source.text)), m_places(source)
+        : m_subject(source.subject)
+        , m_stop(source.stop)
+        , m_rest(withoutMark(source.text))
+        , m_places(source)
     {
     }
 
@@ -58,6 +62,7 @@ public:
         const bool firstIsHome = readHead();
         bool first = true;
         while (nextLine()) {
+            throwIfStopped(m_stop);
             if (trimmed(m_text).empty()) {
                 m_comment = {};
                 continue;
@@ -166,6 +171,7 @@ private:
     }
 
     const std::string& m_subject;
+    const std::stop_token& m_stop;
     std::string_view m_rest;
     std::string_view m_text; ///< of the present line
     std::size_t m_line = 0;

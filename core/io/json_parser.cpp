@@ -1,3 +1,4 @@
+#include "core/base/stopped.h"
 #include "core/io/atomic_file.h"
 #include "core/io/json_reader.h"
 
@@ -44,8 +45,8 @@ std::string reasonText(std::string message)
 class TreeBuilder
 {
 public:
-    TreeBuilder(std::string_view text, const std::string& subject)
-        : m_text(text), m_subject(subject)
+    TreeBuilder(std::string_view text, const std::string& subject, const std::stop_token& stop)
+        : m_text(text), m_subject(subject), m_stop(stop)
     {
     }
 
@@ -139,6 +140,7 @@ private:
 
     bool add(Json value)
     {
+        throwIfStopped(m_stop);
         if (++m_values > kMostValues)
             throw Error(ErrorCode::FileTooLarge, m_subject,
                         "holds more than " + std::to_string(kMostValues) + " values");
@@ -153,6 +155,7 @@ private:
 
     std::string_view m_text;
     const std::string& m_subject;
+    const std::stop_token& m_stop;
     std::vector<Level> m_levels;
     std::size_t m_values = 0;
     Json m_root;
@@ -161,7 +164,7 @@ private:
 
 } // namespace
 
-ParsedJson parseJson(std::string_view text, const std::string& subject)
+ParsedJson parseJson(std::string_view text, const std::string& subject, const std::stop_token& stop)
 {
     if (text.size() > kLargestFile)
         throw Error(ErrorCode::FileTooLarge, subject,
@@ -169,7 +172,7 @@ ParsedJson parseJson(std::string_view text, const std::string& subject)
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(kByteOrderMark))
         text.remove_prefix(kByteOrderMark.size());
-    TreeBuilder builder(text, subject);
+    TreeBuilder builder(text, subject, stop);
     require(Json::sax_parse(text, &builder), "parseJson: stopped without a reason");
     return builder.take();
 }

@@ -14,6 +14,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,9 +59,10 @@ struct ParsedJson
  * Parses JSON as RFC 8259 has it; a UTF-8 byte order mark is skipped. Throws `Error` SyntaxError
  * with line and column (byte order, comments, NaN, numbers no double can hold, nesting deeper than
  * 64), FileTooLarge above `kLargestFile` bytes or ten million values. A member given twice is a
- * fault that names it.
+ * fault that names it. `Stopped` when asked to stop.
  */
-[[nodiscard]] ParsedJson parseJson(std::string_view text, const std::string& subject);
+[[nodiscard]] ParsedJson parseJson(std::string_view text, const std::string& subject,
+                                   const std::stop_token& stop = {});
 
 /**
  * Checks `format` and `version` of a file. Throws WrongFormat when it is not an object of that

@@ -1,6 +1,7 @@
 #include "core/io/xml_reader.h"
 
 #include "core/base/error.h"
+#include "core/base/stopped.h"
 
 #include <algorithm>
 #include <exception>
@@ -30,11 +31,11 @@ public:
         XML_SetStartDoctypeDeclHandler(m_parser.get(), &Reading::doctype);
     }
 
-    void run(std::string_view text)
+    void run(std::string_view text, const std::stop_token& stop)
     {
-        // In pieces, because the library counts in int.
-        constexpr std::size_t kPiece = 1U << 20U;
+        constexpr std::size_t kPiece = 1U << 16U; // milliseconds
         for (std::size_t at = 0; at == 0 || at < text.size(); at += kPiece) {
+            throwIfStopped(stop);
             const std::string_view piece = text.substr(at, kPiece);
             const bool last = at + piece.size() >= text.size();
             const XML_Status status = XML_Parse(m_parser.get(), piece.data(),
@@ -127,9 +128,10 @@ std::string XmlElement::attribute(std::string_view wanted) const
     return it == attributes.end() ? std::string() : it->second;
 }
 
-void readXml(std::string_view text, const std::string& subject, const XmlEvents& events)
+void readXml(std::string_view text, const std::string& subject, const XmlEvents& events,
+             const std::stop_token& stop)
 {
-    Reading(subject, events).run(text);
+    Reading(subject, events).run(text, stop);
 }
 
 } // namespace berg

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,8 +35,10 @@ struct XmlEvents
 /**
  * Reads well-formed XML (UTF-8, UTF-16 or ISO 8859-1) and tells of each element in turn. Throws
  * `Error` SyntaxError with line and reason; also for a document type declaration, so that there are
- * no entities but the five of XML, and for nesting deeper than 64. What the callbacks throw passes.
+ * no entities but the five of XML, and for nesting deeper than 64. What the callbacks throw passes;
+ * `Stopped` when asked to stop.
  */
-void readXml(std::string_view text, const std::string& subject, const XmlEvents& events);
+void readXml(std::string_view text, const std::string& subject, const XmlEvents& events,
+             const std::stop_token& stop = {});
 
 } // namespace berg

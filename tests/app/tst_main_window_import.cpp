@@ -3,6 +3,8 @@
 #include "tests/support/window_fixture.h"
 
 #include <QDragEnterEvent>
+#include <QElapsedTimer>
+#include <QFile>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QUndoStack>
@@ -190,6 +192,29 @@ private slots:
         w.trigger(u"undoAction"_s);
         QVERIFY(w.scenario() == tracked);
         QVERIFY(!button.parentWidget()->isHidden());
+    }
+
+    /** Neither the window nor the program waits for a large file that is being read. */
+    void closesWhileALargeFileIsRead()
+    {
+        auto w = std::make_unique<WindowFixture>(test::openSea());
+        QByteArray table("id,latitude,longitude,time\n");
+        for (int i = 0; i < 1'000'000; ++i)
+            table += "berg-" + QByteArray::number(i) + ",47.1234,-48.5678,2021-04-01T00:00:00Z\n";
+        QFile file(w->file(u"large.csv"_s));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(table) == table.size());
+        file.close();
+        w->workspace.imports().start(
+            {.path = file.fileName(), .base = std::make_shared<const Scenario>(test::openSea())},
+            true);
+        QTest::qWait(300); // it is being read
+        QVERIFY(w->workspace.imports().isBusy());
+        constexpr qint64 kLongest_ms = 1000;
+        QElapsedTimer clock;
+        clock.start();
+        QVERIFY(w->window().close());
+        w.reset();
+        QVERIFY2(clock.elapsed() < kLongest_ms, QByteArray::number(clock.elapsed()).constData());
     }
 };
 

@@ -118,15 +118,15 @@ void ImportLoader::forget()
     *this = {};
 }
 
-void ImportLoader::readTable(const ImportRequest& request)
+void ImportLoader::readTable(const ImportRequest& request, const std::stop_token& stop)
 {
     if (m_reading && m_reading->format == request.reading.format &&
         m_reading->mapping == request.reading.mapping)
         return;
     m_reading.reset();
     m_table = {};
-    m_table =
-        readSightings(m_bytes, QFileInfo(request.path).fileName().toStdString(), request.reading);
+    m_table = readSightings(m_bytes, QFileInfo(request.path).fileName().toStdString(),
+                            request.reading, stop);
     m_suggestsOne = m_table.oneIceberg;
     m_reading = request.reading;
 }
@@ -140,19 +140,15 @@ std::optional<ImportPreview> ImportLoader::preview(const ImportRequest& request,
     const auto failure = failureOf([&] {
         if (m_path != request.path) {
             forget();
-            m_bytes = readFile(QFile::encodeName(request.path).toStdString());
+            m_bytes = readFile(QFile::encodeName(request.path).toStdString(), stop);
             m_head = tableHead(m_bytes);
             m_path = request.path;
         }
         preview.head = m_head;
-        if (stop.stop_requested())
-            return;
-        readTable(request);
+        readTable(request, stop);
         m_table.oneIceberg = request.oneIceberg.value_or(m_suggestsOne);
         preview.file = summaryOf(m_table);
-        if (stop.stop_requested())
-            return;
-        preview.result = importSightings(*request.base, m_table, request.options);
+        preview.result = importSightings(*request.base, m_table, request.options, stop);
         takeRows(preview);
     });
     if (stop.stop_requested())

@@ -81,14 +81,14 @@ struct ImportPreview
 class ImportLoader
 {
 public:
-    /** None: stopped. Failures are in the preview. A large file takes seconds to read. */
+    /** None: stopped, soon. Failures are in the preview. A large file takes seconds to read. */
     [[nodiscard]] std::optional<ImportPreview> preview(const ImportRequest& request,
                                                        const std::stop_token& stop);
     /** Lets the file go. */
     void forget();
 
 private:
-    void readTable(const ImportRequest& request);
+    void readTable(const ImportRequest& request, const std::stop_token& stop);
 
     QString m_path; ///< of `m_bytes`; empty: none
     std::string m_bytes;

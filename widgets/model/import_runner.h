@@ -11,8 +11,7 @@ namespace berg {
 
 /**
  * Computes what an import would do, on a thread of its own and a moment after the last change. The
- * newest request wins; a preview of another one is never shown. Reading a large file cannot be
- * interrupted, but nobody has to wait for it. GUI thread.
+ * newest request wins; a preview of another one is never shown. GUI thread.
  */
 class ImportRunner : public QObject
 {
@@ -20,7 +19,7 @@ class ImportRunner : public QObject
 
 public:
     explicit ImportRunner(QObject* parent = nullptr);
-    /** Waits for what is under way: seconds while a large file is read. */
+    /** Stops what is under way and waits for the thread: well under a second. */
     ~ImportRunner() override;
 
     /** Now, or after a moment in which nothing else is requested. */

@@ -1,0 +1,154 @@
+#include "core/base/stopped.h"
+#include "core/io/import_formats.h"
+#include "core/io/import_scenario.h"
+#include "tests/support/import_fixtures.h"
+
+#include <QtTest>
+
+#include <ctime>
+#include <pthread.h>
+#include <thread>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+constexpr int kRows = 50'000; // what was read of them is given back first, which takes time as well
+
+std::string csvRow(int i)
+{
+    return "berg-" + std::to_string(i) + ",47.1234,-48.5678,2021-04-01T00:00:00Z\n";
+}
+
+std::string pointRow(int i)
+{
+    return std::string(i == 0 ? "" : ",") +
+           R"({"type":"Feature","geometry":{"type":"Point","coordinates":[-48.5678,47.1234]},)"
+           R"("properties":{"name":"berg-)" +
+           std::to_string(i) + "\"}}\n";
+}
+
+std::string placemark(int i)
+{
+    return "<Placemark><name>berg-" + std::to_string(i) +
+           "</name><Point><coordinates>-48.5678,47.1234</coordinates></Point></Placemark>\n";
+}
+
+std::string waypoint(int i)
+{
+    return "<wpt lat=\"47.1234\" lon=\"-48.5678\"><name>berg-" + std::to_string(i) +
+           "</name></wpt>\n";
+}
+
+std::string missionItem(int i)
+{
+    return std::to_string(i) + "\t0\t3\t16\t0\t0\t0\t0\t" + std::to_string(47 + i * 1e-6) +
+           "\t-48.5678\t100\t1\n";
+}
+
+/** A file of many rows. */
+std::string large(const std::string& head, std::string (*row)(int), const std::string& tail)
+{
+    std::string text = head;
+    for (int i = 0; i < kRows; ++i)
+        text += row(i);
+    return text + tail;
+}
+
+/** Processor time of the thread, s. */
+double used_s(pthread_t thread)
+{
+    clockid_t clock{};
+    timespec used{};
+    if (pthread_getcpuclockid(thread, &clock) != 0 || clock_gettime(clock, &used) != 0)
+        qFatal("no clock of the thread");
+    return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
+}
+
+/** Work of this thread between a request to stop after `after_s` of it and its end; none: it came
+ * to its own end. */
+template <class Work>
+std::optional<double> workAfterStop_s(double after_s, const Work& work)
+{
+    std::stop_source source;
+    double asked_s = 0;
+    const pthread_t self = pthread_self();
+    const double begun_s = used_s(self);
+    std::jthread other([&](const std::stop_token& ended) {
+        while (!ended.stop_requested() && used_s(self) < begun_s + after_s)
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        asked_s = used_s(self);
+        source.request_stop();
+    });
+    try {
+        work(source.get_token());
+        return std::nullopt;
+    } catch (const Stopped&) {
+        const double ended_s = used_s(self);
+        other.join();
+        return ended_s - asked_s;
+    }
+}
+
+} // namespace
+
+/** An import that nobody wants any more ends soon, however large its file. */
+class TestImportStop : public QObject
+{
+    Q_OBJECT
+
+private:
+    static void checkStops(const std::function<void(const std::stop_token&)>& work)
+    {
+        constexpr double kLongest_s = 0.2; // 0.1 is wanted; sanitizers are slow
+        double worst_s = 0;
+        int stopped = 0;
+        for (double after_s = 0.002; after_s < 4; after_s *= 1.5) {
+            const std::optional<double> after = workAfterStop_s(after_s, work);
+            if (!after)
+                break; // done sooner
+            worst_s = std::max(worst_s, *after);
+            ++stopped;
+        }
+        qInfo("stopped %d times, within %.1f ms of work", stopped, worst_s * 1e3);
+        QVERIFY(stopped > 3);
+        QVERIFY2(worst_s < kLongest_s, QByteArray::number(worst_s).constData());
+    }
+
+private slots:
+    void reading_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        const auto add = [](const char* name, const std::string& text) {
+            QTest::newRow(name) << QByteArray::fromStdString(text);
+        };
+        add("csv", large("id,latitude,longitude,time\n", csvRow, ""));
+        add("geojson", large("{\"type\":\"FeatureCollection\",\"features\":[\n", pointRow, "]}"));
+        add("kml", large("<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>\n", placemark,
+                         "</Document></kml>"));
+        add("gpx", large("<gpx version=\"1.1\" xmlns=\"http://www.topografix.com/GPX/1/1\">\n",
+                         waypoint, "</gpx>"));
+        add("wpl", large("QGC WPL 110\n", missionItem, ""));
+    }
+    void reading()
+    {
+        QFETCH(const QByteArray, text);
+        checkStops([&](const std::stop_token& stop) {
+            (void)readSightings({text.constData(), static_cast<std::size_t>(text.size())}, "file",
+                                {}, stop);
+        });
+    }
+
+    void makingTheScenario()
+    {
+        const SightingTable table =
+            readSightings(large("id,latitude,longitude,time\n", csvRow, ""), "file");
+        checkStops([&](const std::stop_token& stop) {
+            (void)importSightings(openSea(), table, {}, stop);
+        });
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImportStop)
+#include "tst_import_stop.moc"
