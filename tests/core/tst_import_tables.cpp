@@ -1,0 +1,205 @@
+#include "core/io/import_fields.h"
+#include "core/io/import_formats.h"
+#include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/import_fixtures.h"
+
+#include <QtTest>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+/** The sighting of a line; the fixtures have one for each line asked for. */
+Sighting at(const SightingTable& table, std::size_t line)
+{
+    for (const Sighting& sighting : table.sightings)
+        if (sighting.line == line)
+            return sighting;
+    return {};
+}
+
+std::string timeOf(const Sighting& sighting)
+{
+    return sighting.time ? utcText(*sighting.time, 0) : "none";
+}
+
+std::string faultAt(const SightingTable& table, std::size_t line)
+{
+    for (const RejectedRow& row : table.rejected.first)
+        if (row.line == line)
+            return rowFaultText(row);
+    return "not rejected";
+}
+
+SightingTable readText(const std::string& text, const ReadOptions& options = {})
+{
+    return readSightings(text, "file", options);
+}
+
+} // namespace
+
+/** Tables with a header: which column is what, and how their cells are read. */
+class TestImportTables : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** Semicolons, decimal commas, quotes over two lines, hemispheres, units in the header. */
+    void anyTable()
+    {
+        const SightingTable table = readFixture("table.csv");
+        const Sighting first = at(table, 2);
+        QCOMPARE(first.id, std::string("t-1"));
+        QCOMPARE(first.name, std::string("Big; \"tabular\" berg"));
+        QCOMPARE(first.place.latitude_deg, 69.25);
+        COMPARE_NEAR(*first.speed_mps, 0.5 * 1852 / 3600, 1e-12);
+        QCOMPARE(*first.q_m2ps, 0.5);
+        QCOMPARE(*first.radius_m, 150.0);
+        QCOMPARE(at(table, 4).place.longitude_deg, -51.25);
+        QCOMPARE(timeOf(at(table, 4)), std::string("2024-05-01T06:00:00Z"));
+        QCOMPARE(timeOf(at(table, 11)), std::string("2024-05-01T04:30:00Z"));
+        QCOMPARE(faultAt(table, 5), std::string("a number is out of range: \"-4\""));
+        QVERIFY(faultAt(table, 6).starts_with("latitude"));
+        QCOMPARE(faultAt(table, 7), std::string("text follows a closing quote"));
+        QVERIFY(faultAt(table, 8).starts_with("longitude"));
+        QVERIFY(faultAt(table, 12).starts_with("id is too long"));
+        QCOMPARE(faultAt(table, 13), std::string("a quote is opened and never closed"));
+    }
+
+    void columnsAreGuessed_data()
+    {
+        QTest::addColumn<QByteArray>("field"); ///< empty: none
+        QTest::addColumn<double>("factor");
+        const auto row = [](const char* column, const char* field, double factor = 1) {
+            QTest::newRow(column) << QByteArray(field) << factor;
+        };
+        row("Iceberg ID", "id");
+        row("LATITUDE", "latitude");
+        row("lat_deg", "latitude");
+        row("Lon (dd)", "longitude");
+        row("lng", "longitude");
+        row("datetime_utc", "time");
+        row("Date", "date");
+        row("speed_kn", "speed", 1852.0 / 3600);
+        row("Speed (km/h)", "speed", 1 / 3.6);
+        row("speed", "speed");
+        row("COG", "direction");
+        row("sigma_m2", "sigma");
+        row("q_m2ps", "q");
+        row("Length (NM)", "length", 1852);
+        row("length_ft", "length", 0.3048);
+        row("radius", "radius");
+        row("area_km2", "area", 1e6);
+        row("latency", "");
+        row("datetime_transmit", "");
+        row("heading", "");
+        row("temperature", "");
+        row("", "");
+    }
+
+    void columnsAreGuessed()
+    {
+        QFETCH(QByteArray, field);
+        QFETCH(double, factor);
+        const std::optional<FieldUse> use = fieldOfColumn(QTest::currentDataTag());
+        QCOMPARE(use.has_value(), !field.isEmpty());
+        if (!use)
+            return;
+        QCOMPARE(QByteArray::fromStdString(nameOf(kSightingFieldNames, use->field)), field);
+        COMPARE_NEAR(use->factor, factor, 1e-12);
+    }
+
+    void columnsCanBeMapped()
+    {
+        const std::string text = "A,B,C_kn,lat,D\n60,-50,2,1,90\n";
+        const ReadOptions options{.mapping = {{SightingField::Latitude, "A"},
+                                              {SightingField::Longitude, "B"},
+                                              {SightingField::Speed, "C_kn"},
+                                              {SightingField::Direction, "D"}}};
+        const SightingTable table = readText(text, options);
+        QCOMPARE(table.format, std::string("csv"));
+        QCOMPARE(table.sightings[0].place.latitude_deg, 60.0); // not the column called lat
+        COMPARE_NEAR(*table.sightings[0].speed_mps, 2 * 1852.0 / 3600, 1e-12);
+        QCOMPARE(table.columns.size(), std::size_t{5});
+        QCOMPARE(table.mapping.size(), std::size_t{4});
+        QVERIFY(table.mapping[0] == (FieldColumn{SightingField::Latitude, "A"}));
+    }
+
+    void mappingOfMissingColumn()
+    {
+        const std::optional<Error> error = errorOf([] {
+            (void)readText("lat,lon\n1,2\n", {.mapping = {{SightingField::Time, "when"}}});
+        });
+        QVERIFY(error && error->code() == ErrorCode::InvalidInput);
+        QVERIFY(names(error->issues(), "time"));
+    }
+
+    void dateAndTimeApart()
+    {
+        const SightingTable table = readText("id,date,time,lat,lon\na,5/1/2024,605,60,-50\n"
+                                             "b,5/1/2024,,60,-50\nc,5/13/2024,06:07,60,-50\n"
+                                             "d,,6:07,60,-50\n");
+        QCOMPARE(timeOf(at(table, 2)), std::string("2024-05-01T06:05:00Z"));
+        QCOMPARE(faultAt(table, 3), std::string("has no time"));
+        QCOMPARE(timeOf(at(table, 4)), std::string("2024-05-13T06:07:00Z"));
+        QCOMPARE(faultAt(table, 5), std::string("has no time"));
+        const SightingTable both =
+            readText("date,time,datetime,lat,lon\n2024-05-01,06:00,2024-05-02T07:00:00Z,60,-50\n");
+        QCOMPARE(timeOf(both.sightings[0]), std::string("2024-05-02T07:00:00Z"));
+        const SightingTable feature =
+            readText(R"({"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 2]},)"
+                     R"("properties": {"date": "2024-05-01", "time": "06:00"}})");
+        QCOMPARE(timeOf(feature.sightings.at(0)), std::string("2024-05-01T06:00:00Z"));
+    }
+
+    void rowsWithoutIds()
+    {
+        QVERIFY(readText("time,lat,lon\n2024-01-01T00:00:00Z,1,2\n2024-01-01T01:00:00Z,1,2\n")
+                    .oneIceberg);
+        QVERIFY(!readText("time,lat,lon\n2024-01-01T00:00:00Z,1,2\n2024-01-01T00:00:00Z,1,3\n")
+                     .oneIceberg);
+        QVERIFY(!readText("lat,lon\n1,2\n1,3\n").oneIceberg);
+    }
+
+    void commasAmongDigits_data()
+    {
+        QTest::addColumn<QByteArray>("row");
+        QTest::addColumn<double>("radius_m"); // below 0: the row is rejected
+        QTest::newRow("points elsewhere") << QByteArray("60.5;-50.5;1,200") << 1200.0;
+        QTest::newRow("millions") << QByteArray("60.5;-50.5;1,200,000") << -1.0;
+        QTest::newRow("commas elsewhere") << QByteArray("60,5;-50,5;1,200") << 1.2;
+        QTest::newRow("nothing elsewhere") << QByteArray("60;-50;1,200") << -1.0;
+        QTest::newRow("no group") << QByteArray("60.5;-50.5;1,25") << 1.25;
+        QTest::newRow("no group of three") << QByteArray("60.5;-50.5;1234,567") << 1234.567;
+        QTest::newRow("thousands") << QByteArray("60.5;-50.5;12,000") << 12000.0;
+    }
+    void commasAmongDigits()
+    {
+        QFETCH(const QByteArray, row);
+        QFETCH(const double, radius_m);
+        const SightingTable table =
+            readText("lat;lon;radius_m\n" + row.toStdString() + "\n1.5;1.5;1\n");
+        QCOMPARE(table.rejected.count, std::size_t{radius_m < 0 ? 1U : 0U});
+        if (radius_m >= 0)
+            QCOMPARE(table.sightings[0].radius_m, std::optional(radius_m));
+    }
+
+    /** 05/02/2021 is the fifth of February or the second of May. */
+    void datesThatCanBeReadTwoWays()
+    {
+        const std::string open = "lat,lon,time\n60,-50,05/02/2021\n";
+        const SightingTable guessed = readText(open);
+        QCOMPARE(guessed.guessedDate, std::string("05/02/2021"));
+        QCOMPARE(timeOf(guessed.sightings[0]), std::string("2021-05-02T00:00:00Z"));
+        const SightingTable asked = readText(open, {.mapping = {}, .dates = DateOrder::DayFirst});
+        QCOMPARE(asked.guessedDate, std::string());
+        QCOMPARE(timeOf(asked.sightings[0]), std::string("2021-02-05T00:00:00Z"));
+        QCOMPARE(readText(open + "60,-50,13/02/2021\n").guessedDate, std::string());
+        QCOMPARE(readText("lat,lon,time\n60,-50,05/05/2021\n").guessedDate, std::string());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImportTables)
+#include "tst_import_tables.moc"
