@@ -21,14 +21,31 @@ struct Dialogs
     Q_DECLARE_TR_FUNCTIONS(Dialogs)
 };
 
+QString consequence(Interaction::FlightEnd why)
+{
+    switch (why) {
+    case Interaction::FlightEnd::Answer:
+        return Dialogs::tr("The scenario can only be changed when no flight is under way. The "
+                           "flight stays in the list of runs.");
+    case Interaction::FlightEnd::Other:
+        return Dialogs::tr("As far as it went, it stays in the list of runs.");
+    case Interaction::FlightEnd::Closing:
+        return Dialogs::tr("It is lost with the window. Save run keeps it in a file.");
+    }
+    return {};
+}
+
 } // namespace
 
-Interaction::Unsaved DialogInteraction::askUnsaved(QWidget* parent, const QString& name)
+Interaction::Unsaved DialogInteraction::askUnsaved(QWidget* parent, const UnsavedWork& work)
 {
     QMessageBox box(QMessageBox::Question, Dialogs::tr("Unsaved changes"),
-                    Dialogs::tr("Save the changes to \"%1\"?").arg(name),
+                    Dialogs::tr("Save the changes to \"%1\"?").arg(work.name),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
-    box.setInformativeText(Dialogs::tr("They are lost if you do not save them."));
+    box.setInformativeText(work.endsFlight
+                               ? Dialogs::tr("They are lost if you do not save them. The flight "
+                                             "under way ends in either case.")
+                               : Dialogs::tr("They are lost if you do not save them."));
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {
     case QMessageBox::Save:
@@ -40,13 +57,14 @@ Interaction::Unsaved DialogInteraction::askUnsaved(QWidget* parent, const QStrin
     }
 }
 
-bool DialogInteraction::askEndFlight(QWidget* parent)
+bool DialogInteraction::askEndFlight(QWidget* parent, FlightEnd why)
 {
     QMessageBox box(QMessageBox::Question, Dialogs::tr("Flight under way"),
-                    Dialogs::tr("A flight has begun in the meantime. End it?"),
+                    why == FlightEnd::Answer
+                        ? Dialogs::tr("A flight has begun in the meantime. End it?")
+                        : Dialogs::tr("A flight is under way. End it?"),
                     QMessageBox::NoButton, parent);
-    box.setInformativeText(Dialogs::tr("The scenario can only be changed when no flight is under "
-                                       "way. The flight stays in the list of runs."));
+    box.setInformativeText(consequence(why));
     const QPushButton* end = box.addButton(Dialogs::tr("End the flight"), QMessageBox::AcceptRole);
     box.setDefaultButton(box.addButton(Dialogs::tr("Continue flight"), QMessageBox::RejectRole));
     box.exec();

@@ -43,6 +43,13 @@ struct ImportChoice
     int icebergs = 0;     ///< new or updated
 };
 
+/** What is in no file, and about to be lost. */
+struct UnsavedWork
+{
+    QString name;
+    bool endsFlight = false; ///< a flight under way is ended as well
+};
+
 /** Unsaved work of a program that ended unexpectedly, as the user sees it. */
 struct RecoveryOffer
 {
@@ -95,15 +102,21 @@ public:
         Cancel
     };
 
+    /** Why a flight is about to be ended. */
+    enum class FlightEnd
+    {
+        Answer, ///< it has begun while another question was open, whose answer would end it
+        Other,  ///< another scenario or flight takes its place
+        Closing ///< the window is closed
+    };
+
     Interaction() = default;
     Interaction(const Interaction&) = delete;
     Interaction& operator=(const Interaction&) = delete;
     virtual ~Interaction() = default;
 
-    /** The scenario has changes that are in no file. */
-    [[nodiscard]] virtual Unsaved askUnsaved(QWidget* parent, const QString& name) = 0;
-    /** A flight has begun while another question was open, whose answer would end it. */
-    [[nodiscard]] virtual bool askEndFlight(QWidget* parent) = 0;
+    [[nodiscard]] virtual Unsaved askUnsaved(QWidget* parent, const UnsavedWork& work) = 0;
+    [[nodiscard]] virtual bool askEndFlight(QWidget* parent, FlightEnd why) = 0;
     /** Empty: cancelled. `filter` as in `QFileDialog`. */
     [[nodiscard]] virtual QString openPath(QWidget* parent, const QString& filter) = 0;
     [[nodiscard]] virtual QString savePath(QWidget* parent, const QString& suggested,
@@ -141,8 +154,8 @@ public:
 class DialogInteraction : public Interaction
 {
 public:
-    [[nodiscard]] Unsaved askUnsaved(QWidget* parent, const QString& name) override;
-    [[nodiscard]] bool askEndFlight(QWidget* parent) override;
+    [[nodiscard]] Unsaved askUnsaved(QWidget* parent, const UnsavedWork& work) override;
+    [[nodiscard]] bool askEndFlight(QWidget* parent, FlightEnd why) override;
     [[nodiscard]] QString openPath(QWidget* parent, const QString& filter) override;
     [[nodiscard]] QString savePath(QWidget* parent, const QString& suggested,
                                    const QString& filter) override;

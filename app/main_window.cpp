@@ -190,7 +190,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
 {
     if (!m_ends) {
         // The study first: it may take a while to be saved, and then all this is asked again.
-        if (!maySettleStudy([](MainWindow& window) { window.close(); }) || !maySettleChanges()) {
+        if (!maySettleStudy([](MainWindow& window) { window.close(); }) || !maySettleSolveTimes() ||
+            !mayLeaveScene(Interaction::FlightEnd::Closing)) {
             event->ignore();
             return;
         }

@@ -191,8 +191,8 @@ private:
 
     // main_window_files.cpp
     void finishTyping();
-    [[nodiscard]] bool maySettleChanges();
-    [[nodiscard]] bool mayReplace();
+    [[nodiscard]] bool mayLeaveScene(Interaction::FlightEnd why);
+    [[nodiscard]] bool mayEndFlight(Interaction::FlightEnd why);
     [[nodiscard]] bool mayAnswer(bool wasInFlight);
     [[nodiscard]] bool openUnlessInUse(const QString& path);
     [[nodiscard]] Interaction::Overwrite mayOverwrite(const QString& path);
@@ -206,7 +206,6 @@ private:
     [[nodiscard]] bool isStillOf(std::uint64_t generation);
     void writeExport(const std::vector<ExportFile>& files);
     void writeRun(const QString& path, const RunFile& run);
-    void saveTable(const std::string& csv);
     void exportChart(const ChartPanel& chart);
     void openRunToCompare();
     void rememberFile(const QString& path);
@@ -236,6 +235,7 @@ private:
     // main_window_safety.cpp
     void connectSafety();
     void restore(FoundRecovery found);
+    void showDamaged(const QString& path);
     void lookAtFile();
     void followEnd(const QEvent& event);
 
@@ -250,6 +250,9 @@ private:
     using AfterStudy = std::function<void(MainWindow&)>;
     [[nodiscard]] bool maySettleStudy(AfterStudy then);
     void replaceStudy(const AfterStudy& replace);
+    [[nodiscard]] bool isWorthSaving(double unsaved_s) const;
+    bool saveSolveTimes();
+    [[nodiscard]] bool maySettleSolveTimes();
     void openStudyDock(const QString& name, const QSize& best_px);
     void showStudy();
     [[nodiscard]] bool flyOnMap(const Scenario& scenario, const QString& text);

@@ -1,6 +1,5 @@
 #include "app/file_names.h"
 #include "app/main_window.h"
-#include "core/io/atomic_file.h"
 #include "core/io/file_set.h"
 #include "core/io/scenario_json.h"
 #include "core/scenario/presets.h"
@@ -55,29 +54,34 @@ void MainWindow::finishTyping()
     m_tradeoff->finishTyping();
 }
 
-bool MainWindow::maySettleChanges()
+/**
+ * The gate for all that makes the present scene go away: one question about the changes that are in
+ * no file and the flight under way.
+ */
+bool MainWindow::mayLeaveScene(Interaction::FlightEnd why)
 {
     finishTyping();
     const ScenarioDocument& document = m_workspace.document();
     if (document.isClean())
-        return true;
+        return mayEndFlight(why);
+    const bool wasInFlight = m_workspace.inFlight();
     const QString name = QString::fromStdString(document.scenario().name);
-    switch (m_interaction.askUnsaved(this, name.isEmpty() ? tr("Untitled") : name)) {
+    switch (m_interaction.askUnsaved(this, {.name = name.isEmpty() ? tr("Untitled") : name,
+                                            .endsFlight = m_workspace.isMidFlight()})) {
     case Interaction::Unsaved::Save:
-        return saveScenario();
+        return saveScenario() && mayAnswer(wasInFlight);
     case Interaction::Unsaved::Discard:
-        return true;
+        return mayAnswer(wasInFlight);
     case Interaction::Unsaved::Cancel:
         return false;
     }
     return false;
 }
 
-/** Whether another scenario may take the place of this one. */
-bool MainWindow::mayReplace()
+/** A flight that has come to its end is in the list of runs, and nothing is lost. */
+bool MainWindow::mayEndFlight(Interaction::FlightEnd why)
 {
-    const bool wasInFlight = m_workspace.inFlight();
-    return maySettleChanges() && mayAnswer(wasInFlight);
+    return !m_workspace.isMidFlight() || m_interaction.askEndFlight(this, why);
 }
 
 /** False: a flight has begun since the question was asked, and is to go on. */
@@ -85,7 +89,7 @@ bool MainWindow::mayAnswer(bool wasInFlight)
 {
     if (wasInFlight || !m_workspace.inFlight())
         return true;
-    if (!m_interaction.askEndFlight(this))
+    if (!m_interaction.askEndFlight(this, Interaction::FlightEnd::Answer))
         return false;
     m_workspace.reset();
     return true;
@@ -93,7 +97,7 @@ bool MainWindow::mayAnswer(bool wasInFlight)
 
 void MainWindow::newScenario()
 {
-    if (!mayReplace())
+    if (!mayLeaveScene(Interaction::FlightEnd::Other))
         return;
     Scenario scenario = randomScenario(1, {.icebergs = 0});
     scenario.name = tr("New scenario").toStdString();
@@ -139,7 +143,7 @@ bool MainWindow::openFile(const QString& path)
         m_workspace.studyFiles().open(path);
         return true;
     }
-    if (!mayReplace())
+    if (!mayLeaveScene(Interaction::FlightEnd::Other))
         return false;
     try {
         if (!openUnlessInUse(path))
@@ -289,21 +293,6 @@ void MainWindow::writeExport(const std::vector<ExportFile>& files)
             files.size() == 1 ? tr("Exported %1").arg(pathOf(files.front()))
                               : tr("Exported %n files", nullptr, static_cast<int>(files.size())),
             kMessage_ms);
-    } catch (const Error& error) {
-        m_interaction.showError(this, errorReport(error));
-    }
-}
-
-void MainWindow::saveTable(const std::string& csv)
-{
-    const QString chosen =
-        m_interaction.savePath(this, u"solve-time.csv"_s, tr("Tables (*.csv);;All files (*)"));
-    if (chosen.isEmpty())
-        return;
-    const QString path = withExtension(chosen, u"csv"_s);
-    try {
-        writeFileAtomically(QFile::encodeName(path).toStdString(), csv);
-        statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
     } catch (const Error& error) {
         m_interaction.showError(this, errorReport(error));
     }

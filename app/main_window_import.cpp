@@ -63,7 +63,7 @@ void MainWindow::importSightings(const QString& path)
 void MainWindow::takeImport(const ImportChoice& choice, const QString& fileName)
 {
     if (choice.intoNew) {
-        if (!mayReplace())
+        if (!mayLeaveScene(Interaction::FlightEnd::Other))
             return;
         m_workspace.document().restore(choice.scenario, {}); // it is in no file yet
     } else {

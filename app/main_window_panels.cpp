@@ -241,7 +241,6 @@ void MainWindow::connectPlanner()
             [this] { m_tradeoff->showForecasts(m_workspace.forecasts().forecasts()); });
     connect(m_pareto, &ParetoChart::tauChosen, m_tradeoff, &TradeoffPanel::chooseTau);
     connect(&m_workspace.curve(), &CurveRunner::updated, this, &MainWindow::showCurve);
-    connect(m_solveTime, &SolveTimePanel::saveRequested, this, &MainWindow::saveTable);
 }
 
 void MainWindow::connectFlight()

@@ -70,7 +70,8 @@ bool MainWindow::mayEndSession(bool mayAsk)
     const Interaction::Unsaved study = askAboutStudy();
     // There is no time later on: the program may be killed as soon as this returns.
     m_endAgreed = study != Interaction::Unsaved::Cancel &&
-                  (study != Interaction::Unsaved::Save || saveStudyNow()) && maySettleChanges();
+                  (study != Interaction::Unsaved::Save || saveStudyNow()) &&
+                  maySettleSolveTimes() && mayLeaveScene(Interaction::FlightEnd::Closing);
     if (m_endAgreed) {
         m_workspace.autosaver().discard();
         m_workspace.studyKeeper().discard();
@@ -103,10 +104,7 @@ bool MainWindow::offerRecoveries()
     m_workspace.studyKeeper().lookForAbandoned();
     FoundRecoveries found = m_workspace.autosaver().abandoned();
     for (const QString& path : found.damaged)
-        m_interaction.showError(
-            this, tr("Unsaved work of a program that ended unexpectedly cannot be read. It is "
-                     "kept in this file:\n%1")
-                      .arg(QDir::toNativeSeparators(path)));
+        showDamaged(path);
     std::vector<FoundRecovery>& left = found.usable;
     const bool any = !left.empty() || !found.damaged.empty();
     while (!left.empty()) {
@@ -115,7 +113,7 @@ bool MainWindow::offerRecoveries()
             break;
         const auto chosen = left.begin() + static_cast<std::ptrdiff_t>(answer.offer);
         if (answer.action == RecoveryAnswer::Action::Restore) {
-            if (mayReplace())
+            if (mayLeaveScene(Interaction::FlightEnd::Other))
                 restore(std::move(*chosen));
             break; // the others can be had from the menu, or at the next start
         }
@@ -123,6 +121,14 @@ bool MainWindow::offerRecoveries()
         left.erase(chosen);
     }
     return any;
+}
+
+void MainWindow::showDamaged(const QString& path)
+{
+    m_interaction.showError(this,
+                            tr("Unsaved work of a program that ended unexpectedly cannot be read. "
+                               "It is kept in this file:\n%1")
+                                .arg(QDir::toNativeSeparators(path)));
 }
 
 void MainWindow::restore(FoundRecovery found)

@@ -97,7 +97,7 @@ void MainWindow::closeStartPage()
 
 void MainWindow::openExample(const QString& path)
 {
-    if (!mayReplace())
+    if (!mayLeaveScene(Interaction::FlightEnd::Other))
         return;
     try {
         m_workspace.document().reset(loadExample(path));

@@ -2,6 +2,8 @@
 
 #include "app/file_names.h"
 #include "app/main_window.h"
+#include "core/io/atomic_file.h"
+#include "core/io/result_json.h"
 #include "core/io/study_json.h"
 #include "core/study/paper_figures.h"
 #include "widgets/model/error_text.h"
@@ -66,6 +68,11 @@ void MainWindow::connectStudy()
         m_solveTime->showSpec(figure3(benchmarkSolvers()));
         openStudyDock(u"solveTimeDock"_s, m_solveTime->sizeHint());
     });
+    connect(m_solveTime, &SolveTimePanel::startRequested, this, [this] {
+        if (maySettleSolveTimes())
+            m_solveTime->start();
+    });
+    connect(m_solveTime, &SolveTimePanel::saveRequested, this, [this] { saveSolveTimes(); });
     connect(m_study, &StudyPanel::openRunRequested, this, [this](const Scenario& scenario) {
         if (flyOnMap(scenario, tr("Fly as in the study")))
             statusBar()->showMessage(tr("Flown as in the study, which is under View, Study."),
@@ -94,6 +101,7 @@ void MainWindow::connectStudy()
     connect(m_study, &StudyPanel::pictureRequested, this, &MainWindow::saveStudyPicture);
     connect(&files, &StudyFiles::opened, this, [this](const std::shared_ptr<const Study>& study) {
         replaceStudy([study](MainWindow& window) {
+            window.m_study->showNote({}); // of the one before
             window.m_workspace.study().show(*study);
             window.showStudy();
         });
@@ -105,6 +113,7 @@ void MainWindow::connectStudy()
                 m_study->showNote(tr("Bergwatch ended unexpectedly. This unsaved study was kept. "
                                      "Save it, or fly the rest."));
             });
+    connect(&m_workspace.studyKeeper(), &StudyKeeper::damaged, this, &MainWindow::showDamaged);
     connect(&m_workspace.studyKeeper(), &StudyKeeper::failed, this, [this](const QString& report) {
         statusBar()->showMessage(tr("Autosaving failed: %1").arg(report.section(u'\n', 0, 0)),
                                  kMessage_ms);
@@ -162,11 +171,16 @@ bool MainWindow::saveStudyNow()
 Interaction::Unsaved MainWindow::askAboutStudy()
 {
     const StudyRunner& study = m_workspace.study();
-    const double unsaved_s = study.result() ? study.unsaved_s() : 0;
-    if (unsaved_s <= 0 || unsaved_s < m_settings.value(kStudyWorthKey, 60).toDouble())
+    if (!study.result() || !isWorthSaving(study.unsaved_s()))
         return Interaction::Unsaved::Discard;
     const QString name = QString::fromStdString(study.result()->study.spec.name);
-    return m_interaction.askUnsaved(this, tr("Study: %1").arg(name));
+    return m_interaction.askUnsaved(this, {.name = tr("Study: %1").arg(name)});
+}
+
+/** Work that took so long and is in no file. */
+bool MainWindow::isWorthSaving(double unsaved_s) const
+{
+    return unsaved_s > 0 && unsaved_s >= m_settings.value(kStudyWorthKey, 60).toDouble();
 }
 
 /** Asks about what would be lost of the study there is. False: not now; `then` follows once the
@@ -190,6 +204,41 @@ void MainWindow::replaceStudy(const AfterStudy& replace)
 {
     if (maySettleStudy(replace))
         replace(*this);
+}
+
+/** Asks about what would be lost of the measured times. False: not now. */
+bool MainWindow::maySettleSolveTimes()
+{
+    if (!isWorthSaving(m_workspace.benchmark().unsaved_s()))
+        return true;
+    switch (m_interaction.askUnsaved(this, {.name = tr("Solve time")})) {
+    case Interaction::Unsaved::Save:
+        return saveSolveTimes();
+    case Interaction::Unsaved::Discard:
+        return true;
+    case Interaction::Unsaved::Cancel:
+        return false;
+    }
+    return false;
+}
+
+bool MainWindow::saveSolveTimes()
+{
+    const QString chosen =
+        m_interaction.savePath(this, u"solve-time.csv"_s, tr("Tables (*.csv);;All files (*)"));
+    if (chosen.isEmpty())
+        return false;
+    const QString path = withExtension(chosen, u"csv"_s);
+    BenchmarkRunner& benchmark = m_workspace.benchmark();
+    try {
+        writeFileAtomically(QFile::encodeName(path).toStdString(), benchmarkCsv(benchmark.rows()));
+    } catch (const Error& error) {
+        m_interaction.showError(this, errorReport(error));
+        return false;
+    }
+    benchmark.noteSaved();
+    statusBar()->showMessage(tr("Saved %1").arg(path), kMessage_ms);
+    return true;
 }
 
 void MainWindow::saveStudyPicture()
@@ -224,11 +273,12 @@ void MainWindow::showStudy()
     openStudyDock(u"studyDock"_s, m_study->sizeHint());
 }
 
-/** False: the user does not want to give up what is unsaved. */
+/** False: the user does not want to give up what is unsaved, or the flight under way. */
 bool MainWindow::flyOnMap(const Scenario& scenario, const QString& text)
 {
     finishTyping();
-    if (!m_workspace.isVariant(scenario) && !maySettleChanges())
+    constexpr auto kWhy = Interaction::FlightEnd::Other;
+    if (!(m_workspace.isVariant(scenario) ? mayEndFlight(kWhy) : mayLeaveScene(kWhy)))
         return false;
     m_workspace.flyScenario(scenario, text);
     if (auto* dock = findChild<QDockWidget*>(u"studyDock"_s); dock->isFloating())

@@ -232,6 +232,10 @@
         <translation>De går tapt hvis du ikke lagrer dem.</translation>
     </message>
     <message>
+        <source>They are lost if you do not save them. The flight under way ends in either case.</source>
+        <translation>De går tapt hvis du ikke lagrer dem. Flygingen som pågår, avsluttes uansett.</translation>
+    </message>
+    <message>
         <source>Open</source>
         <translation>Åpne</translation>
     </message>
@@ -308,8 +312,20 @@
         <translation>En flyging har begynt i mellomtiden. Avslutte den?</translation>
     </message>
     <message>
+        <source>A flight is under way. End it?</source>
+        <translation>En flyging pågår. Avslutte den?</translation>
+    </message>
+    <message>
         <source>The scenario can only be changed when no flight is under way. The flight stays in the list of runs.</source>
         <translation>Scenariet kan bare endres når ingen flyging pågår. Flygingen blir stående i listen over flyginger.</translation>
+    </message>
+    <message>
+        <source>As far as it went, it stays in the list of runs.</source>
+        <translation>Så langt den kom, blir den stående i listen over flyginger.</translation>
+    </message>
+    <message>
+        <source>It is lost with the window. Save run keeps it in a file.</source>
+        <translation>Den går tapt med vinduet. Lagre flyging beholder den i en fil.</translation>
     </message>
     <message>
         <source>End the flight</source>

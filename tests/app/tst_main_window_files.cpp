@@ -100,6 +100,30 @@ void leave(WindowFixture& w, WayOut way, const QString& other)
     }
 }
 
+/** Files to be opened in place of the scenario, which is in one of its own. */
+QString prepareFiles(WindowFixture& w, WayOut way)
+{
+    const QString other = w.file(u"other.berg"_s);
+    const QString own = w.file(u"own.berg"_s);
+    saveScenario(three(33), other.toStdString());
+    saveRun(test::elsewhere([] { return runOf(Mission(three(33))); }),
+            w.file(u"other.bergrun"_s).toStdString());
+    w.interaction.path = other;
+    w.trigger(u"openAction"_s); // for the recent files
+    w.trigger(u"newAction"_s);
+    saveScenario(three(34), own.toStdString());
+    w.interaction.path = own;
+    w.trigger(u"openAction"_s);
+    if (way == WayOut::Recent) // the other one comes first
+        w.settings.setValue("files/recent", QStringList{other, own});
+    return other;
+}
+
+const std::vector<std::pair<WayOut, const char*>> kWaysOut = {
+    {WayOut::New, "new"},         {WayOut::Open, "open"},     {WayOut::Run, "run"},
+    {WayOut::Example, "example"}, {WayOut::Recent, "recent"}, {WayOut::Drop, "drop"},
+    {WayOut::Close, "close"},     {WayOut::Quit, "quit"}};
+
 /** Something that is in no file. */
 void change(WindowFixture& w, double to = 0.8)
 {
@@ -237,11 +261,7 @@ private slots:
     {
         QTest::addColumn<WayOut>("way");
         QTest::addColumn<Unsaved>("answer");
-        const std::pair<WayOut, const char*> ways[] = {
-            {WayOut::New, "new"},         {WayOut::Open, "open"},     {WayOut::Run, "run"},
-            {WayOut::Example, "example"}, {WayOut::Recent, "recent"}, {WayOut::Drop, "drop"},
-            {WayOut::Close, "close"},     {WayOut::Quit, "quit"}};
-        for (const auto& [way, name] : ways) {
+        for (const auto& [way, name] : kWaysOut) {
             QTest::addRow("%s, cancel", name) << way << Unsaved::Cancel;
             QTest::addRow("%s, discard", name) << way << Unsaved::Discard;
             QTest::addRow("%s, save", name) << way << Unsaved::Save;
@@ -253,19 +273,8 @@ private slots:
         QFETCH(WayOut, way);
         QFETCH(Unsaved, answer);
         WindowFixture w(three());
-        const QString other = w.file(u"other.berg"_s);
-        const QString own = w.file(u"own.berg"_s);
-        saveScenario(three(33), other.toStdString());
-        saveRun(test::elsewhere([] { return runOf(Mission(three(33))); }),
-                w.file(u"other.bergrun"_s).toStdString());
-        w.interaction.path = other;
-        w.trigger(u"openAction"_s); // for the recent files
-        w.trigger(u"newAction"_s);
-        saveScenario(three(34), own.toStdString());
-        w.interaction.path = own;
-        w.trigger(u"openAction"_s);
-        if (way == WayOut::Recent) // the other one comes first
-            w.settings.setValue("files/recent", QStringList{other, own});
+        const QString other = prepareFiles(w, way);
+        const QString own = w.document().filePath();
         change(w);
         const Scenario changed = w.scenario();
 
@@ -290,6 +299,61 @@ private slots:
         } else if (!closes) {
             QVERIFY(w.scenario() == three(33));
         }
+    }
+
+    void everyWayOutAsksAboutTheFlight_data()
+    {
+        QTest::addColumn<WayOut>("way");
+        QTest::addColumn<bool>("changed");
+        for (const auto& [way, name] : kWaysOut) {
+            QTest::addRow("%s", name) << way << false;
+            QTest::addRow("%s, changed", name) << way << true;
+        }
+    }
+
+    /** One question for the flight and what is unsaved. */
+    void everyWayOutAsksAboutTheFlight()
+    {
+        QFETCH(WayOut, way);
+        QFETCH(bool, changed);
+        WindowFixture w(three());
+        const QString other = prepareFiles(w, way);
+        if (changed)
+            change(w);
+        QVERIFY(w.untilReady());
+        w.workspace.stepTicks(50);
+        QVERIFY(w.until([&] { return w.workspace.isMidFlight(); }));
+        const Scenario flown = w.scenario();
+        leave(w, way, other);
+        QCOMPARE(w.interaction.unsavedNames.size(), changed ? 1 : 0);
+        QCOMPARE(w.interaction.toldOfFlight, changed);
+        QCOMPARE(w.interaction.endFlightQuestions, changed ? 0 : 1);
+        QVERIFY(w.window().isVisible() && w.workspace.isMidFlight());
+        QVERIFY(w.scenario() == flown);
+
+        w.interaction.unsaved = Unsaved::Discard;
+        w.interaction.endsFlight = true;
+        leave(w, way, other);
+        QCOMPARE(w.interaction.unsavedNames.size() + w.interaction.endFlightQuestions, 2);
+        const bool closes = way == WayOut::Close || way == WayOut::Quit;
+        QCOMPARE(w.window().isVisible(), !closes);
+        QCOMPARE(w.workspace.inFlight(), closes);
+        QCOMPARE(w.scenario() == flown, closes);
+        if (!changed)
+            QVERIFY(w.interaction.flightEnd ==
+                    (closes ? Interaction::FlightEnd::Closing : Interaction::FlightEnd::Other));
+    }
+
+    /** It is in the list of runs. */
+    void flightThatHasEndedIsLeftWithoutAQuestion()
+    {
+        WindowFixture w(three());
+        w.workspace.fly(0);
+        QVERIFY(w.until(RunPhase::Finished));
+        w.trigger(u"newAction"_s);
+        QVERIFY(w.scenario().icebergs.empty());
+        QCOMPARE(w.interaction.endFlightQuestions, 0);
+        QCOMPARE(w.workspace.runs().runs().size(), std::size_t{1});
     }
 
     /** Saving as a way out that fails or is cancelled is no way out. */

@@ -24,7 +24,7 @@ namespace berg {
 class NoDialogs final : public Interaction
 {
 public:
-    Unsaved askUnsaved(QWidget*, const QString&) override { return Unsaved::Discard; }
+    Unsaved askUnsaved(QWidget*, const UnsavedWork&) override { return Unsaved::Discard; }
     QString openPath(QWidget*, const QString&) override { return {}; }
     QString savePath(QWidget*, const QString&, const QString&) override { return {}; }
     std::optional<ExportRequest> chooseExport(QWidget*, MissionRunner&, const ExportOffer&) override
@@ -46,7 +46,7 @@ public:
     {
         return Overwrite::Cancel;
     }
-    bool askEndFlight(QWidget*) override { return true; }
+    bool askEndFlight(QWidget*, FlightEnd) override { return true; }
     bool askReload(QWidget*, const QString&) override { return false; }
     RecoveryAnswer askRecovery(QWidget*, const std::vector<RecoveryOffer>&) override { return {}; }
     void showError(QWidget*, const QString&) override {}

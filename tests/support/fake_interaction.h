@@ -31,9 +31,11 @@ public:
     QStringList unsavedNames; ///< each question about unsaved changes
     QStringList suggested;    ///< each question where to save
     int openQuestions = 0;
+    bool toldOfFlight = false; ///< in the last of them
     int endFlightQuestions = 0;
-    QStringList holders;          ///< each question about a file in use
-    QStringList overwriteReasons; ///< each question before writing over a file
+    std::optional<FlightEnd> flightEnd; ///< of the last of them
+    QStringList holders;                ///< each question about a file in use
+    QStringList overwriteReasons;       ///< each question before writing over a file
     QStringList reloadQuestions;
     std::vector<std::vector<RecoveryOffer>> recoveryOffers;
     QStringList errors;
@@ -43,16 +45,18 @@ public:
     std::vector<Point> askedWinds_mps; ///< each question about the wind: what blew then
     std::vector<ImportOffer> importOffers;
 
-    [[nodiscard]] Unsaved askUnsaved(QWidget*, const QString& name) override
+    [[nodiscard]] Unsaved askUnsaved(QWidget*, const UnsavedWork& work) override
     {
-        unsavedNames << name;
+        unsavedNames << work.name;
+        toldOfFlight = work.endsFlight;
         passTime();
         const auto asked = static_cast<std::size_t>(unsavedNames.size());
         return asked <= unsavedAnswers.size() ? unsavedAnswers[asked - 1] : unsaved;
     }
-    [[nodiscard]] bool askEndFlight(QWidget*) override
+    [[nodiscard]] bool askEndFlight(QWidget*, FlightEnd why) override
     {
         ++endFlightQuestions;
+        flightEnd = why;
         return endsFlight;
     }
     /** What happens while a question about an import, a file or the wind is open. */

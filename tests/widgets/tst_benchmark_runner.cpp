@@ -97,6 +97,21 @@ private slots:
         QCOMPARE(runner.rows().size(), std::size_t{6});
     }
 
+    void knowsWhatIsUnsaved()
+    {
+        BenchmarkRunner runner;
+        QCOMPARE(runner.unsaved_s(), 0.0);
+        QSignalSpy finished(&runner, &BenchmarkRunner::finished);
+        runner.start(brief());
+        QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, kPatience_ms);
+        QVERIFY(runner.unsaved_s() > 0);
+        runner.noteSaved();
+        QCOMPARE(runner.unsaved_s(), 0.0);
+        runner.start(brief());
+        QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, kPatience_ms);
+        QVERIFY(runner.unsaved_s() > 0);
+    }
+
     /** Closing does not wait for what is under way. */
     void closesWhileMeasuring()
     {

@@ -22,6 +22,8 @@ struct Window
         keeper.start(folder, interval_ms);
         QObject::connect(&keeper, &StudyKeeper::found, &context,
                          [this](const std::shared_ptr<const Study>& study) { found = study; });
+        QObject::connect(&keeper, &StudyKeeper::damaged, &context,
+                         [this](const QString& path) { damaged << path; });
         QObject::connect(&keeper, &StudyKeeper::failed, &context,
                          [this](const QString& report) { failures << report; });
     }
@@ -31,6 +33,7 @@ struct Window
     QObject context;
     std::shared_ptr<const Study> found;
     QStringList failures;
+    QStringList damaged;
 };
 
 } // namespace
@@ -120,7 +123,7 @@ private slots:
         writeFileAtomically(path.toStdString(), "{");
         Window next(folder());
         next.keeper.lookForAbandoned();
-        QTRY_COMPARE_WITH_TIMEOUT(next.failures.size(), 1, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(next.damaged, QStringList{path + u".damaged"_s}, kPatience_ms);
         QVERIFY(next.found == nullptr);
         QCOMPARE(readFile(path.toStdString() + ".damaged"), std::string("{"));
     }

@@ -2,8 +2,6 @@
 
 #include "widgets/model/work_failure.h"
 
-#include <QElapsedTimer>
-
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -36,6 +34,9 @@ void BenchmarkRunner::start(const BenchmarkSpec& spec)
     ++m_generation;
     m_running = true;
     m_rows.clear();
+    m_isSaved = false;
+    m_measured_s = 0;
+    m_sinceStart.start();
     QMetaObject::invokeMethod(
         m_onThread,
         [this,
@@ -44,6 +45,11 @@ void BenchmarkRunner::start(const BenchmarkSpec& spec)
         },
         Qt::QueuedConnection);
     emit updated();
+}
+
+double BenchmarkRunner::unsaved_s() const
+{
+    return m_isSaved || m_rows.empty() ? 0 : m_measured_s;
 }
 
 void BenchmarkRunner::cancel()
@@ -88,6 +94,8 @@ void BenchmarkRunner::take()
         return;
     const bool newRows = result->rows.size() != m_rows.size();
     m_rows = std::move(result->rows);
+    m_isSaved = false;
+    m_measured_s = static_cast<double>(m_sinceStart.elapsed()) / 1000;
     emit progress(result->done, result->count);
     if (newRows || result->ended)
         emit updated();

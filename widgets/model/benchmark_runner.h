@@ -3,6 +3,7 @@
 #include "core/study/benchmark.h"
 #include "widgets/model/mailbox.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QThread>
 
@@ -29,6 +30,10 @@ public:
     [[nodiscard]] bool isRunning() const { return m_running; }
     /** Rows so far, of the benchmark under way or of the last one. */
     [[nodiscard]] const std::vector<BenchmarkRow>& rows() const { return m_rows; }
+    /** Time of measuring that would be lost: of rows that are in no file. */
+    [[nodiscard]] double unsaved_s() const;
+    /** The rows, as they are now, are in a file. */
+    void noteSaved() { m_isSaved = true; }
 
 signals:
     /** Instances done and to do, those that will not be tried included. */
@@ -61,6 +66,9 @@ private:
 
     std::vector<BenchmarkRow> m_rows;
     bool m_running = false;
+    bool m_isSaved = false;  ///< the rows are
+    double m_measured_s = 0; ///< that the rows took
+    QElapsedTimer m_sinceStart;
     std::uint64_t m_generation = 0;
     std::stop_source m_stop; ///< of the generation under way
     Mailbox<Result> m_results;

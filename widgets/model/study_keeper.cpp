@@ -126,9 +126,10 @@ void StudyKeeper::read()
             failureOf([&] { study = std::make_shared<const Study>(loadStudy(path)); });
         if (why && why->isExpected) { // for whoever wants to look into it
             const QString name = QFile::decodeName(QByteArray::fromStdString(path));
-            QFile::rename(name, name + u".damaged"_s);
+            const QString aside = name + u".damaged"_s;
+            emit damaged(QFile::rename(name, aside) ? aside : name);
         }
-        const QString failure = why ? why->report : QString();
+        const QString failure = why && !why->isExpected ? why->report : QString();
         QMetaObject::invokeMethod(
             this, [this, study, failure] { take(study, failure); }, Qt::QueuedConnection);
     });
@@ -142,7 +143,7 @@ void StudyKeeper::take(const std::shared_ptr<const Study>& study, const QString&
         return;
     }
     m_held.reset(); // another one is being flown by now: that one is for the next start
-    if (!study)
+    if (!failure.isEmpty())
         emit failed(failure);
 }
 

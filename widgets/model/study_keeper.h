@@ -39,6 +39,8 @@ signals:
     /** The newest that was left: it is kept on, and to be shown. */
     void found(const std::shared_ptr<const berg::Study>& study);
     void failed(const QString& report);
+    /** Something that was left cannot be read. It is kept, here. */
+    void damaged(const QString& path);
 
 private:
     void write();

@@ -50,6 +50,11 @@ const PlannerSettings& Workspace::planner() const
     return inFlight() ? m_record.shown().planner : m_document.scenario().planner;
 }
 
+bool Workspace::isMidFlight() const
+{
+    return inFlight() && m_record.now.time_s > 0 && m_record.now.phase != RunPhase::Finished;
+}
+
 Point Workspace::wind_mps() const
 {
     return inFlight() ? m_record.shown().motions.front().wind_mps : m_document.scenario().wind_mps;
@@ -334,56 +339,6 @@ bool Workspace::isPlaying() const
     return m_playBack.isActive() || m_record.now.phase == RunPhase::Flying;
 }
 
-void Workspace::playBack()
-{
-    const double time_s =
-        *m_lookedAt_s + m_rate * static_cast<double>(m_playClock.restart()) / 1000;
-    if (time_s < m_record.now.time_s) {
-        m_lookedAt_s = time_s;
-        m_runner.requestInstant(time_s);
-        return;
-    }
-    lookAtNewest(); // caught up: fly on
-    if (m_record.now.phase == RunPhase::Paused)
-        m_runner.fly(m_rate);
-}
-
-void Workspace::lookAt(double time_s)
-{
-    if (!inFlight())
-        return;
-    m_playBack.stop();
-    if (m_record.now.phase == RunPhase::Flying) {
-        m_runner.pause();
-    } else if (time_s >= m_record.now.time_s) {
-        lookAtNewest();
-        return;
-    }
-    m_lookedAt_s = std::clamp(time_s, 0.0, m_record.now.time_s);
-    m_runner.requestInstant(*m_lookedAt_s);
-}
-
-void Workspace::lookAtNewest()
-{
-    m_playBack.stop();
-    m_lookedAt_s.reset();
-    if (m_record.instant) {
-        m_record.instant.reset();
-        updateCurve();
-        emit flightChanged();
-    }
-}
-
-void Workspace::takeInstant()
-{
-    std::optional<MissionSnapshot> instant = m_runner.takeInstant();
-    if (!instant || !m_lookedAt_s)
-        return;
-    m_record.instant = std::move(instant);
-    updateCurve();
-    emit flightChanged();
-}
-
 void Workspace::step()
 {
     if (m_lookedAt_s) {
@@ -393,64 +348,6 @@ void Workspace::step()
     prepareTakeOff();
     flyTau();
     m_runner.stepBy(1);
-}
-
-void Workspace::stepBack()
-{
-    lookAt(m_lookedAt_s.value_or(m_record.now.time_s) - 1);
-}
-
-void Workspace::stepTicks(int ticks)
-{
-    const double dt_s = m_document.scenario().dt_s;
-    if (m_lookedAt_s || ticks < 0) {
-        lookAt(m_lookedAt_s.value_or(m_record.now.time_s) + ticks * dt_s);
-        return;
-    }
-    prepareTakeOff();
-    flyTau();
-    m_runner.stepBy(ticks * dt_s);
-}
-
-void Workspace::stepToEvent(int direction)
-{
-    const std::vector<MissionEvent>& events = m_record.history.events;
-    const double now_s = m_lookedAt_s.value_or(m_record.now.time_s);
-    const double half_s = m_document.scenario().dt_s / 2;
-    if (direction > 0) {
-        const auto next = std::find_if(events.begin(), events.end(), [&](const MissionEvent& e) {
-            return e.time_s > now_s + half_s;
-        });
-        if (next == events.end())
-            lookAtNewest();
-        else
-            lookAt(next->time_s);
-        return;
-    }
-    const auto before = std::find_if(events.rbegin(), events.rend(), [&](const MissionEvent& e) {
-        return e.time_s < now_s - half_s;
-    });
-    if (before != events.rend())
-        lookAt(before->time_s);
-}
-
-void Workspace::flyOnFromHere()
-{
-    if (!m_lookedAt_s)
-        return;
-    m_runs.add(m_record); // what is given up can still be compared
-    setGivenUp(presentFlight());
-    m_runner.flyOnFrom(*m_lookedAt_s);
-    lookAtNewest();
-}
-
-bool Workspace::refuseWhileLookingBack()
-{
-    if (!m_lookedAt_s)
-        return false;
-    emit refused(tr("You are looking back. Continue from here, or go back to the latest, to "
-                    "change this."));
-    return true;
 }
 
 void Workspace::reset()

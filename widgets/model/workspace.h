@@ -55,6 +55,8 @@ public:
     [[nodiscard]] ImportRunner& imports() { return m_imports; }
     [[nodiscard]] const FlightRecord& record() const { return m_record; }
     [[nodiscard]] bool inFlight() const { return m_record.inFlight(); }
+    /** Something has been flown, and has not come to its end. */
+    [[nodiscard]] bool isMidFlight() const;
     /** In force: the document's, or in flight those of the mission at the instant shown. */
     [[nodiscard]] const PlannerSettings& planner() const;
     /** In force, likewise. */

@@ -1,6 +1,5 @@
 #include "widgets/panels/solve_time_panel.h"
 
-#include "core/io/result_json.h"
 #include "widgets/charts/solve_time_chart.h"
 #include "widgets/panels/number_field.h"
 #include "widgets/panels/panel_labels.h"
@@ -84,8 +83,7 @@ SolveTimePanel::SolveTimePanel(BenchmarkRunner& runner, QWidget* parent)
     m_second.setInterval(kSecond_ms);
     connect(&m_second, &QTimer::timeout, this, &SolveTimePanel::showTimeLeft);
     connect(m_start, &QPushButton::clicked, this, &SolveTimePanel::startOrCancel);
-    connect(m_save, &QPushButton::clicked, this,
-            [this] { emit saveRequested(benchmarkCsv(m_runner.rows())); });
+    connect(m_save, &QPushButton::clicked, this, &SolveTimePanel::saveRequested);
     connect(&m_runner, &BenchmarkRunner::progress, this, &SolveTimePanel::showProgress);
     connect(&m_runner, &BenchmarkRunner::updated, this, &SolveTimePanel::showRows);
     connect(&m_runner, &BenchmarkRunner::finished, this, &SolveTimePanel::showEnd);
@@ -226,6 +224,11 @@ void SolveTimePanel::startOrCancel()
         m_start->setEnabled(false); // until it has ended
         return;
     }
+    emit startRequested();
+}
+
+void SolveTimePanel::start()
+{
     m_done = 0;
     m_bar->setValue(0);
     m_sinceStart.start();

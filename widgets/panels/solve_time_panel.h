@@ -35,10 +35,13 @@ public:
     void showSpec(const BenchmarkSpec& spec);
     /** What Start would measure. */
     [[nodiscard]] BenchmarkSpec spec() const;
+    /** Measures that; what was measured before is given up. */
+    void start();
 
 signals:
-    /** The table as CSV, to be saved under a name of the user's choice. */
-    void saveRequested(const std::string& csv);
+    void startRequested();
+    /** The table that the runner has is to be saved. */
+    void saveRequested();
 
 private:
     void addSettings();

@@ -101,7 +101,8 @@ void StudyRunBar::setSpec(const StudySpec& spec, const QString& fault)
 
 void StudyRunBar::showNote(const QString& text)
 {
-    m_state->setText(text);
+    m_note = text;
+    showProgress();
 }
 
 void StudyRunBar::startOrCancel()
@@ -131,7 +132,9 @@ void StudyRunBar::showProgress()
     const double share = count > 0 ? static_cast<double>(m_runner.flown()) / count : 0;
     m_bar->setValue(static_cast<int>(share * kBarSteps));
     if (!m_runner.isRunning()) {
-        if (count > 0)
+        if (!m_note.isEmpty())
+            m_state->setText(m_note);
+        else if (count > 0)
             m_state->setText(flownText());
         return;
     }
@@ -145,6 +148,7 @@ void StudyRunBar::showState()
     const bool running = m_runner.isRunning();
     if (running) {
         m_failure.clear();
+        m_note.clear();
         if (!m_second.isActive())
             m_second.start();
     } else {

@@ -42,6 +42,7 @@ private:
     StudyRunner& m_runner;
     QString m_fault;
     QString m_failure; ///< of the last flight
+    QString m_note;    ///< since then
     QLabel* m_estimate;
     QPushButton* m_start;
     QPushButton* m_carryOn;

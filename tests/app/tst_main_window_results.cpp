@@ -1,0 +1,252 @@
+#include "core/io/study_json.h"
+#include "tests/support/study_builder.h"
+#include "tests/support/window_fixture.h"
+#include "widgets/charts/study_chart.h"
+#include "widgets/panels/solve_time_panel.h"
+
+#include <QAbstractButton>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QTableView>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::WindowFixture;
+using Unsaved = Interaction::Unsaved;
+
+namespace {
+
+/** A window in which whatever was computed is worth a question. */
+struct ResultWindow : WindowFixture
+{
+    ResultWindow() : WindowFixture(test::quickScenario())
+    {
+        settings.setValue("study/worthSaving_s", 0);
+    }
+
+    void press(const QString& button) { test::child<QAbstractButton>(window(), button).click(); }
+    [[nodiscard]] BenchmarkRunner& benchmark() { return workspace.benchmark(); }
+    /** Measures for a moment, as from the panel. */
+    [[nodiscard]] bool measure()
+    {
+        test::child<SolveTimePanel>(window(), {})
+            .showSpec({.sizes = {2, 4},
+                       .solvers = {{.backend = Backend::Exact}},
+                       .repeat = 1,
+                       .budget_s = 1000});
+        press(u"startBenchmark"_s);
+        return until([&] { return !benchmark().isRunning() && !benchmark().rows().empty(); });
+    }
+    /** Opens a flight of the study: of this row of cases, with this setting. */
+    void openRun(std::size_t setting, int row)
+    {
+        trigger(u"studyAction"_s);
+        auto& chart = test::child<StudyChart>(window(), u"studyChart"_s);
+        for (const SettingSpot& spot : chart.spots())
+            if (spot.setting == setting)
+                QTest::mouseClick(&chart, Qt::LeftButton, {}, spot.at.toPoint());
+        test::child<QTableView>(window(), u"studyCases"_s).selectRow(row);
+        press(u"openStudyRun"_s);
+    }
+    [[nodiscard]] bool flyStudy(const StudySpec& spec)
+    {
+        workspace.study().start(spec);
+        return until(
+            [&] { return workspace.study().isComplete() && !workspace.study().isRunning(); });
+    }
+    /** Flies for a while. */
+    [[nodiscard]] bool takeOff()
+    {
+        if (!untilReady())
+            return false;
+        workspace.stepTicks(50);
+        return until([&] { return workspace.isMidFlight(); });
+    }
+    [[nodiscard]] QString studies() const { return file(u"studies"_s); }
+    /** As a program leaves it that ends without a word. */
+    [[nodiscard]] bool leaveStudy() const
+    {
+        StudyRunner runner;
+        StudyKeeper keeper(runner);
+        keeper.start(studies());
+        runner.start(test::quickStudy());
+        const bool isFlown =
+            QTest::qWaitFor([&] { return runner.isComplete() && !runner.isRunning(); }, 60000);
+        keeper.keep();
+        return isFlown;
+    }
+    [[nodiscard]] QStringList kept() const
+    {
+        return QDir(studies()).entryList({u"*.bergstudy"_s}, QDir::Files | QDir::Hidden);
+    }
+};
+
+} // namespace
+
+/** What took long to compute, or to fly, does not go without a question, nor with a crash. */
+class TestMainWindowResults : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void solveTimesAreAskedAbout_data()
+    {
+        QTest::addColumn<QString>("way");
+        for (const char* way : {"measured again", "closed", "logged out"})
+            QTest::newRow(way) << QString::fromLatin1(way);
+    }
+    void solveTimesAreAskedAbout()
+    {
+        QFETCH(QString, way);
+        ResultWindow w;
+        QVERIFY(w.measure());
+        const std::size_t rows = w.benchmark().rows().size();
+        const auto leave = [&] {
+            if (way == u"measured again"_s)
+                w.press(u"startBenchmark"_s);
+            else if (way == u"closed"_s)
+                w.window().close();
+            else if (w.window().mayEndSession(true))
+                w.window().hide();
+        };
+        const auto stays = [&] {
+            return w.window().isVisible() && !w.benchmark().isRunning() &&
+                   w.benchmark().rows().size() == rows;
+        };
+        leave();
+        QCOMPARE(w.interaction.unsavedNames, QStringList{u"Solve time"_s});
+        QVERIFY(stays());
+
+        w.interaction.unsaved = Unsaved::Save;
+        w.interaction.path = w.file(u"nowhere/times.csv"_s);
+        leave();
+        QCOMPARE(w.interaction.errors.size(), 1);
+        QVERIFY(stays());
+
+        w.interaction.path = w.file(u"times.csv"_s);
+        leave();
+        QVERIFY(!stays());
+        QFile saved(w.file(u"times.csv"_s));
+        QVERIFY(saved.open(QIODevice::ReadOnly));
+        const QByteArray csv = saved.readAll();
+        QVERIFY(csv.startsWith("icebergs,backend,"));
+        QCOMPARE(csv.count('\n'), static_cast<qsizetype>(rows) + 1);
+    }
+
+    void savedSolveTimesAreNotAskedAbout()
+    {
+        ResultWindow w;
+        QVERIFY(w.measure());
+        w.interaction.path = w.file(u"times.csv"_s);
+        w.press(u"saveBenchmark"_s);
+        QVERIFY(w.measure());
+        w.press(u"saveBenchmark"_s);
+        QVERIFY(w.window().close());
+        QVERIFY(w.interaction.unsavedNames.isEmpty());
+    }
+
+    void quickSolveTimesAreNotAskedAbout()
+    {
+        ResultWindow w;
+        w.settings.setValue("study/worthSaving_s", 60);
+        QVERIFY(w.measure());
+        QVERIFY(w.window().close());
+        QVERIFY(w.interaction.unsavedNames.isEmpty());
+    }
+
+    void flightFromAStudyAsksAboutTheOneUnderWay_data()
+    {
+        QTest::addColumn<bool>("variant");
+        QTest::newRow("of the scenario on screen") << true;
+        QTest::newRow("of another scenario") << false;
+    }
+    void flightFromAStudyAsksAboutTheOneUnderWay()
+    {
+        QFETCH(bool, variant);
+        ResultWindow w;
+        QVERIFY(w.flyStudy(variant ? test::quickStudy()
+                                   : StudySpec{.random = 2,
+                                               .field = {.icebergs = 4},
+                                               .taus = {1},
+                                               .policies = {PolicyKind::Visitation}}));
+        QVERIFY(w.takeOff());
+        const Scenario flown = w.scenario();
+        w.openRun(0, 1);
+        QCOMPARE(w.interaction.endFlightQuestions, 1);
+        QVERIFY(w.workspace.isMidFlight() && w.scenario() == flown);
+
+        w.interaction.endsFlight = true;
+        w.openRun(0, 1);
+        QCOMPARE(w.interaction.endFlightQuestions, 2);
+        QVERIFY(w.until(RunPhase::Finished));
+        QVERIFY(!(w.scenario() == flown));
+    }
+
+    /** The question about unsaved changes was open when the UAV took off at last. */
+    void flightThatBeganMeanwhileIsNotEndedByAStudy()
+    {
+        ResultWindow w;
+        QVERIFY(w.flyStudy({.random = 1,
+                            .field = {.icebergs = 4},
+                            .taus = {1},
+                            .policies = {PolicyKind::Visitation}}));
+        w.document().edit(u"change"_s, [](Scenario& scenario) { scenario.notes = "mine"; });
+        w.interaction.unsaved = Unsaved::Discard;
+        w.interaction.meanwhile = [&] {
+            w.interaction.meanwhile = nullptr;
+            QVERIFY(w.takeOff());
+        };
+        w.openRun(0, 0);
+        QCOMPARE(w.interaction.endFlightQuestions, 1);
+        QVERIFY(w.interaction.flightEnd == Interaction::FlightEnd::Answer);
+        QVERIFY(w.workspace.isMidFlight());
+        QCOMPARE(w.scenario().notes, std::string("mine"));
+    }
+
+    void studyOfAProgramThatWasKilledIsShown()
+    {
+        ResultWindow w;
+        QVERIFY(w.leaveStudy());
+        QCOMPARE(w.kept().size(), 1);
+        w.workspace.studyKeeper().start(w.studies());
+        QVERIFY(!w.window().offerRecoveries()); // no question: it is simply there
+        QVERIFY(w.until([&] { return w.workspace.study().result() != nullptr; }));
+        QVERIFY(test::child<QDockWidget>(w.window(), u"studyDock"_s).isVisible());
+        QVERIFY(test::child<QLabel>(w.window(), u"studyState"_s)
+                    .text()
+                    .startsWith(u"Bergwatch ended unexpectedly"_s));
+        const Study found = w.workspace.study().result()->study;
+        QCOMPARE(flownCount(found), found.outcomes.size());
+
+        QVERIFY(!w.window().close()); // it is in no file yet
+        QCOMPARE(w.interaction.unsavedNames, QStringList{u"Study: Quick study"_s});
+        w.interaction.path = w.file(u"kept.bergstudy"_s);
+        w.press(u"saveStudy"_s);
+        QVERIFY(w.until([&] { return w.kept().isEmpty(); }));
+        QVERIFY(loadStudy(w.interaction.path.toStdString()) == found);
+        QVERIFY(w.window().close());
+    }
+
+    void damagedStudyIsToldOfAndKept()
+    {
+        ResultWindow w;
+        QVERIFY(w.leaveStudy());
+        const QString name = w.kept().value(0);
+        QFile left(QDir(w.studies()).filePath(name));
+        QVERIFY(left.open(QIODevice::WriteOnly));
+        left.write("{");
+        left.close();
+        w.workspace.studyKeeper().start(w.studies());
+        w.window().offerRecoveries();
+        QVERIFY(w.until([&] { return w.interaction.errors.size() == 1; }));
+        QVERIFY(w.interaction.errors[0].contains(name + u".damaged"_s));
+        QVERIFY(QFile::exists(left.fileName() + u".damaged"_s));
+        QVERIFY(w.workspace.study().result() == nullptr);
+    }
+};
+
+QTEST_MAIN(TestMainWindowResults)
+#include "tst_main_window_results.moc"
