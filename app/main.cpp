@@ -1,3 +1,5 @@
+#include "app/cli/console.h"
+#include "app/cli/output_gate.h"
 #include "app/export_run.h"
 #include "app/pictures.h"
 #include "app/window_run.h"
@@ -47,7 +49,8 @@ struct Request
 {
     berg::PictureOptions options;
     QString input;
-    QString fault; ///< empty: none
+    bool force = false; ///< files that exist are overwritten
+    QString fault;      ///< empty: none
 };
 
 std::optional<QSize> sizeOf(const QString& text)
@@ -71,6 +74,7 @@ struct Options
                                 Main::tr("Write map.png, zeta.png and sigma.png of the run or the "
                                          "scenario flown to its end into <folder>."),
                                 Main::tr("folder")};
+    QCommandLineOption force{u"force"_s, Main::tr("Overwrite files that exist.")};
     QCommandLineOption size{
         u"size"_s,
         Main::tr("Size of each picture in pixels, e.g. 1920x1080 (default: 1600x1000 for the map, "
@@ -122,6 +126,7 @@ Request requestOf(const QCommandLineParser& parser, const Options& options)
 {
     Request request;
     request.options.folder = parser.value(options.pictures);
+    request.force = parser.isSet(options.force);
     if (parser.isSet(options.size)) {
         request.options.size_px = sizeOf(parser.value(options.size));
         if (!request.options.size_px)
@@ -148,17 +153,52 @@ Request requestOf(const QCommandLineParser& parser, const Options& options)
     return request;
 }
 
-int makePictures(const Request& request)
+/** As for all that is written from the command line: before any work. */
+void checkOutputs(const QString& input, std::vector<berg::cli::Output> outputs, bool force)
+{
+    std::vector<std::string> inputs;
+    if (!input.isEmpty())
+        inputs.push_back(QFile::encodeName(input).toStdString());
+    berg::cli::checkFiles({.inputs = inputs, .outputs = std::move(outputs), .force = force});
+}
+
+void makePictures(const Request& request)
+{
+    std::vector<std::string> names;
+    for (const QString& name : berg::pictureNames(request.options.theme))
+        names.push_back(name.toStdString());
+    const std::string folder = QFile::encodeName(request.options.folder).toStdString();
+    checkOutputs(request.input, berg::cli::outputsIn("--pictures", folder, names), request.force);
+    const berg::Mission mission =
+        berg::flownMission(QFile::encodeName(request.input).toStdString());
+    for (const QString& path : berg::writePictures(mission, request.options, QLocale()))
+        print(stdout, path);
+}
+
+void checkScreenshot(const berg::WindowOptions& window, bool force)
+{
+    checkOutputs(
+        window.scenario,
+        {{.option = "--screenshot", .path = QFile::encodeName(window.screenshot).toStdString()}},
+        force);
+}
+
+/** The exit code of `work`; what it throws is told. */
+template <class Work>
+int exitCodeOf(const Work& work)
 {
     try {
-        const berg::Mission mission =
-            berg::flownMission(QFile::encodeName(request.input).toStdString());
-        for (const QString& path : berg::writePictures(mission, request.options, QLocale()))
-            print(stdout, path);
+        work();
         return kDone;
+    } catch (const berg::cli::UsageError& error) {
+        berg::cli::tell(error.message);
+        return kWrongUsage;
     } catch (const berg::Error& error) {
         print(stderr, berg::errorReport(error));
         return error.code() == berg::ErrorCode::FileUnwritable ? kFailed : kBadInput;
+    } catch (const std::bad_alloc&) {
+        print(stderr, Main::tr("There is not enough memory."));
+        return kFailed;
     } catch (const std::exception& error) {
         print(stderr, Main::tr("Bergwatch has crashed: %1").arg(QString::fromUtf8(error.what())));
         return kFailed;
@@ -189,8 +229,8 @@ int main(int argc, char* argv[])
                  "briefs: see \"bergwatch export --help\"."));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
-    parser.addOptions({options.pictures, options.size, options.theme, options.screenshot,
-                       options.at, options.config});
+    parser.addOptions({options.pictures, options.force, options.size, options.theme,
+                       options.screenshot, options.at, options.config});
     parser.addPositionalArgument(Main::tr("file"),
                                  Main::tr("A run (.bergrun) or a scenario (.berg)."));
     if (!parser.parse(QApplication::arguments())) {
@@ -208,15 +248,17 @@ int main(int argc, char* argv[])
     if (!parser.isSet(options.pictures)) {
         QString fault;
         const berg::WindowOptions window = windowOptionsOf(parser, options, fault);
-        if (fault.isEmpty())
-            return berg::runWindow(window);
-        print(stderr, fault);
-        return kWrongUsage;
+        if (!fault.isEmpty()) {
+            print(stderr, fault);
+            return kWrongUsage;
+        }
+        const int code = exitCodeOf([&] { checkScreenshot(window, parser.isSet(options.force)); });
+        return code == kDone ? berg::runWindow(window) : code;
     }
     const Request request = requestOf(parser, options);
     if (!request.fault.isEmpty()) {
         print(stderr, request.fault);
         return kWrongUsage;
     }
-    return makePictures(request);
+    return exitCodeOf([&] { makePictures(request); });
 }

@@ -1,6 +1,7 @@
 #include "app/pictures.h"
 
 #include "core/io/atomic_file.h"
+#include "core/io/file_set.h"
 #include "core/io/run_json.h"
 #include "core/io/scenario_json.h"
 #include "widgets/charts/chart_image.h"
@@ -19,6 +20,10 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
+const QString kMap = u"map"_s;
+const QString kZeta = u"zeta"_s;
+const QString kSigma = u"sigma"_s;
+
 constexpr QSize kMapSize_px{1600, 1000};
 constexpr QSize kChartSize_px{1600, 700};
 
@@ -35,15 +40,30 @@ double layoutScale(const QSize& size_px, const QSizeF& layout)
                     std::min(size_px.width() / layout.width(), size_px.height() / layout.height()));
 }
 
-void writePng(const QImage& image, const QString& path)
+NewFile pngFile(const QImage& image, const QString& path)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (!image.save(&buffer, "PNG"))
         throw Error(ErrorCode::FileUnwritable, path.toStdString(), "the picture is not encodable");
-    writeFileAtomically(QFile::encodeName(path).toStdString(),
-                        {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return {.path = QFile::encodeName(path).toStdString(), .content = bytes.toStdString()};
+}
+
+/** The appearances asked for, and what is appended to the names of their pictures. */
+std::vector<std::pair<Theme, QString>> themesOf(PictureTheme theme)
+{
+    std::vector<std::pair<Theme, QString>> themes;
+    if (theme != PictureTheme::Dark)
+        themes.emplace_back(Theme::light(), QString());
+    if (theme != PictureTheme::Light)
+        themes.emplace_back(Theme::dark(), theme == PictureTheme::Both ? u"-dark"_s : QString());
+    return themes;
+}
+
+QString pictureName(const QString& what, const QString& ending)
+{
+    return what + ending + u".png"_s;
 }
 
 /** Flies the run again with a record to draw from, and checks that it comes out as it did. */
@@ -75,18 +95,21 @@ Mission flownMission(const std::string& path)
     return mission;
 }
 
+QStringList pictureNames(PictureTheme theme)
+{
+    QStringList names;
+    for (const auto& [look, ending] : themesOf(theme))
+        for (const QString& what : {kMap, kZeta, kSigma})
+            names << pictureName(what, ending);
+    return names;
+}
+
 QStringList writePictures(const Mission& mission, const PictureOptions& options,
                           const QLocale& locale)
 {
     if (!QDir().mkpath(options.folder))
         throw Error(ErrorCode::FileUnwritable, options.folder.toStdString(),
                     "the folder cannot be made");
-    std::vector<Theme> themes;
-    if (options.theme != PictureTheme::Dark)
-        themes.push_back(Theme::light());
-    if (options.theme != PictureTheme::Light)
-        themes.push_back(Theme::dark());
-
     const FlightRecord record = recordOf(mission);
     const MapPicture picture = missionPicture(record, locale);
     const TimeChartContent zeta = zetaContent(record, locale);
@@ -97,19 +120,18 @@ QStringList writePictures(const Mission& mission, const PictureOptions& options,
     const double chartScale = layoutScale(chartSize_px, kChartLayout);
 
     QStringList paths;
-    for (const Theme& theme : themes) {
-        const bool named = options.theme == PictureTheme::Both && theme.isDark;
-        const auto write = [&](const QString& name, const QImage& image) {
-            const QString path =
-                QDir(options.folder).filePath(name + (named ? u"-dark.png"_s : u".png"_s));
-            writePng(image, path);
-            paths << path;
+    std::vector<NewFile> files;
+    for (const auto& [look, ending] : themesOf(options.theme)) {
+        const Theme& theme = look;
+        const auto add = [&, &end = ending](const QString& what, const QImage& image) {
+            paths << QDir(options.folder).filePath(pictureName(what, end));
+            files.push_back(pngFile(image, paths.back()));
         };
-        write(u"map"_s,
-              mapImage(picture, {.theme = theme, .locale = locale}, mapSize_px, mapScale));
-        write(u"zeta"_s, chartImage(zeta, theme, chartSize_px, chartScale));
-        write(u"sigma"_s, chartImage(sigma, theme, chartSize_px, chartScale));
+        add(kMap, mapImage(picture, {.theme = theme, .locale = locale}, mapSize_px, mapScale));
+        add(kZeta, chartImage(zeta, theme, chartSize_px, chartScale));
+        add(kSigma, chartImage(sigma, theme, chartSize_px, chartScale));
     }
+    writeFileSet(files);
     return paths;
 }
 

@@ -37,10 +37,13 @@ inline constexpr int kLargestPicture_px = 8192;
  */
 [[nodiscard]] Mission flownMission(const std::string& path);
 
+/** Of the files that are written into the folder. */
+[[nodiscard]] QStringList pictureNames(PictureTheme theme);
+
 /**
- * Writes map.png, zeta.png and sigma.png (`-dark` appended for the dark appearance when both are
- * asked for) into the folder, which is made when missing. Returns the paths written. Throws
- * `Error{FileUnwritable}`. Needs a QApplication.
+ * Writes all or none: map.png, zeta.png and sigma.png (`-dark` appended for the dark appearance
+ * when both are asked for) into the folder, which is made when missing. Returns the paths written.
+ * Throws `Error{FileUnwritable}`. Needs a QApplication.
  */
 QStringList writePictures(const Mission& mission, const PictureOptions& options,
                           const QLocale& locale);

@@ -2911,6 +2911,14 @@
         <translation>Skriv map.png, zeta.png og sigma.png av turen, eller av scenariet fløyet til ende, i &lt;mappe&gt;.</translation>
     </message>
     <message>
+        <source>Overwrite files that exist.</source>
+        <translation>Overskriv filer som finnes.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>Det er ikke nok minne.</translation>
+    </message>
+    <message>
         <source>folder</source>
         <translation>mappe</translation>
     </message>
