@@ -12,6 +12,7 @@
 #include <mutex>
 #include <pthread.h>
 #include <sstream>
+#include <system_error>
 #include <thread>
 #include <unistd.h>
 
@@ -69,6 +70,25 @@ EndsAtOnce::~EndsAtOnce()
     --interrupts().readers;
 }
 
+namespace {
+
+/** Waits for signals in the mask of all threads, from the first on. */
+void awaitInterrupts(const sigset_t& set)
+{
+    int signal = 0;
+    sigwait(&set, &signal);
+    {
+        const std::lock_guard lock(interrupts().mutex);
+        if (interrupts().readers > 0)
+            endAtOnce();
+        interrupts().source.request_stop();
+    }
+    sigwait(&set, &signal);
+    _exit(kInterrupted);
+}
+
+} // namespace
+
 std::stop_token interruptToken()
 {
     // Signals are taken by one waiting thread: a stop request runs callbacks that a signal handler
@@ -78,18 +98,11 @@ std::stop_token interruptToken()
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
-    std::thread([set] {
-        int signal = 0;
-        sigwait(&set, &signal);
-        {
-            const std::lock_guard lock(interrupts().mutex);
-            if (interrupts().readers > 0)
-                endAtOnce();
-            interrupts().source.request_stop();
-        }
-        sigwait(&set, &signal);
-        _exit(kInterrupted);
-    }).detach();
+    try {
+        std::thread([set] { awaitInterrupts(set); }).detach();
+    } catch (const std::system_error&) { // no memory for a thread: they end the program as usual
+        pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    }
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is told as any other failure
     return interrupts().source.get_token();

@@ -5,10 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <sstream>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -16,6 +19,8 @@
 namespace berg::cli {
 
 namespace {
+
+constexpr const char* kNoMemory = "there is not enough memory for this";
 
 int exitCodeOf(const Error& error)
 {
@@ -132,6 +137,14 @@ int runProgram(const Program& program, int argc, char** argv, const std::stop_to
         return kWrongUsage;
     } catch (const Error& error) {
         return failed(program, words, error);
+    } catch (const std::bad_alloc&) {
+        if (!program.isSilent)
+            std::fprintf(stderr, "%s\n", kNoMemory); // which takes none
+        return kFailure;
+    } catch (const std::system_error& error) {
+        const bool isScarce = error.code() == std::errc::resource_unavailable_try_again;
+        complain(isScarce ? kNoMemory : std::string("internal error: ") + error.what());
+        return kFailure;
     } catch (const std::exception& error) {
         complain(std::string("internal error: ") + error.what());
         return kFailure;
