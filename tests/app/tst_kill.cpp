@@ -26,9 +26,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kSteps = 100;                ///< of the slider for each unit of tau
-constexpr qint64 kMostLost_ms = 10'000;    ///< of work
-constexpr qint64 kSlowMachine_ms = 10'000; ///< until what is due then is done
+constexpr int kSteps = 100;             ///< of the slider for each unit of tau
+constexpr qint64 kMostLost_ms = 10'000; ///< of work
 
 /** What the program to be killed has done, line by line, for whoever kills it. */
 class Journal
@@ -192,7 +191,7 @@ private:
                 m_worst_ms = std::max(m_worst_ms, killed_ms - entry.at_ms);
                 break;
             }
-        const qint64 due = lastOf(entries, "edit", killed_ms - kMostLost_ms - kSlowMachine_ms);
+        const qint64 due = lastOf(entries, "edit", killed_ms - kMostLost_ms);
         QVERIFY2(kept >= due, qPrintable(u"%1 of %2"_s.arg(kept).arg(due)));
     }
 

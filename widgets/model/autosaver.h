@@ -16,7 +16,7 @@ class ScenarioDocument;
 struct AutosaveTimes
 {
     int pause_ms = 2000;   ///< after the last change
-    int longest_ms = 8000; ///< after the first, however much is changed
+    int longest_ms = 5000; ///< after the first, however much is changed
 };
 
 /**
