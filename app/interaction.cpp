@@ -44,7 +44,7 @@ Interaction::Unsaved DialogInteraction::askUnsaved(QWidget* parent, const Unsave
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
     box.setInformativeText(work.endsFlight
                                ? Dialogs::tr("They are lost if you do not save them. The flight "
-                                             "under way ends in either case.")
+                                             "under way ends unless you cancel.")
                                : Dialogs::tr("They are lost if you do not save them."));
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {

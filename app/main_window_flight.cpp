@@ -156,6 +156,7 @@ void MainWindow::showChartsSoon()
 void MainWindow::showPlan()
 {
     const FlightRecord& record = m_workspace.record();
+    m_plan->setFaulty(!planFault().isEmpty());
     m_plan->showPlan(planSections(record.shown(), record.scenario));
     m_plan->showOutlook(planOutlook(record));
 }

@@ -11,6 +11,7 @@
 #include <QBuffer>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLibraryInfo>
 #include <QTextStream>
 #include <QTranslator>
@@ -104,8 +105,10 @@ struct NamedFile
     QString fault = {}; ///< why it was not opened, in the user's words; empty: it was
 };
 
-NamedFile openNamed(Workspace& workspace, const QString& path, bool picture)
+NamedFile openNamed(Workspace& workspace, const QString& name, bool picture)
 {
+    // The next start, after a crash, may be in another folder.
+    const QString path = name.isEmpty() ? name : QFileInfo(name).absoluteFilePath();
     const bool later =
         !picture && (MainWindow::isStudyFile(path) || workspace.file().otherHolder(path));
     NamedFile named{.path = path, .later = later};

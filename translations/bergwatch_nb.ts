@@ -232,8 +232,8 @@
         <translation>De går tapt hvis du ikke lagrer dem.</translation>
     </message>
     <message>
-        <source>They are lost if you do not save them. The flight under way ends in either case.</source>
-        <translation>De går tapt hvis du ikke lagrer dem. Flygingen som pågår, avsluttes uansett.</translation>
+        <source>They are lost if you do not save them. The flight under way ends unless you cancel.</source>
+        <translation>De går tapt hvis du ikke lagrer dem. Flygingen som pågår, avsluttes hvis du ikke avbryter.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -6410,6 +6410,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Ingenting å besøke: det er ingen isfjell ennå, eller alle er i synsfeltet.</translation>
     </message>
     <message>
+        <source>There is no plan: see Checks.</source>
+        <translation>Det finnes ingen plan: se Kontroll.</translation>
+    </message>
+    <message>
         <source>Plan: icebergs in visiting order</source>
         <translation>Plan: isfjell i besøksrekkefølge</translation>
     </message>
@@ -6680,7 +6684,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
     </message>
     <message>
         <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, then save.</source>
-        <translation>Bergwatch sluttet uventet. Disse endringene sto ikke i noen fil; etter gjenoppretting må de fortsatt lagres.</translation>
+        <translation>Bergwatch sluttet uventet. Ulagrede endringer er tatt vare på. Gjenopprett dem, og lagre.</translation>
     </message>
     <message>
         <source>&amp;Restore</source>

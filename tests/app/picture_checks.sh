@@ -36,7 +36,7 @@ check "one of both themes exists: says so" says "out/map.png: exists"
 check "no folder for pictures" exits 1 pictures $scenario/out $scenario
 check "no folder for pictures: says so" says "$scenario is no folder"
 check "a file in place of the folder" exits 1 pictures $scenario $scenario
-check "a file in place of the folder: says so" says "$scenario: is no folder"
+check "a file in place of the folder: says so" says "  is no folder"
 cp $scenario map.png
 check "the input is to be overwritten" exits 2 pictures . --force map.png
 check "the input is to be overwritten: says so" says "./map.png is an input of this command"

@@ -87,6 +87,24 @@ private slots:
         QVERIFY(told.contains(name));
     }
 
+    /** It is saved to, and after a crash offered, from other folders as well. */
+    void fileNamedFromItsFolder()
+    {
+        saveScenario(randomScenario(3, {.icebergs = 2}), path(u"own.berg"_s).toStdString());
+        const QString before = QDir::currentPath();
+        QVERIFY(QDir::setCurrent(m_dir.path()));
+        QString shown;
+        const int code =
+            runUntil({.scenario = u"own.berg"_s, .config = path(u"settings.ini"_s)}, [&] {
+                const MainWindow* window = mainWindow();
+                shown = window != nullptr ? window->windowFilePath() : QString();
+                return window != nullptr && window->isVisible();
+            });
+        QVERIFY(QDir::setCurrent(before));
+        QCOMPARE(code, 0);
+        QCOMPARE(shown, path(u"own.berg"_s));
+    }
+
     void studyOpensBesideTheScenario()
     {
         saveStudy(test::fourCases()->study, path(u"a.bergstudy"_s).toStdString());

@@ -287,11 +287,18 @@ void PlanPanel::updateSpans()
 void PlanPanel::updateEmpty()
 {
     const bool isHomeward = !m_sections.empty() && m_sections.front().isHomeward;
-    m_empty->setText(isHomeward ? tr("The UAV is on its way home or on the ground: the next sortie "
-                                     "is planned at take-off.")
-                                : tr("Nothing to visit: there are no icebergs yet, or all of them "
-                                     "are in view."));
+    m_empty->setText(m_isFaulty   ? tr("There is no plan: see Checks.")
+                     : isHomeward ? tr("The UAV is on its way home or on the ground: the next "
+                                       "sortie is planned at take-off.")
+                                  : tr("Nothing to visit: there are no icebergs yet, or all of "
+                                       "them are in view."));
     m_empty->setVisible(m_model->rowCount() == 0);
+}
+
+void PlanPanel::setFaulty(bool isFaulty)
+{
+    m_isFaulty = isFaulty;
+    updateEmpty();
 }
 
 void PlanPanel::showPlan(std::vector<PlanSection> sections)

@@ -30,6 +30,8 @@ public:
     void setSigmaFull(double full_m2);
 
     void showPlan(std::vector<PlanSection> sections);
+    /** Whether there is no plan because the scenario cannot be planned. */
+    void setFaulty(bool isFaulty);
     /** Of the plan shown; none: only its length is told. */
     void showOutlook(std::optional<PlanOutlook> outlook);
     /** Marks the row of this iceberg, e.g. while the pointer is on it on the map; empty: none. */
@@ -71,6 +73,7 @@ private:
     QLabel* m_empty;
     QLabel* m_summary;
     std::vector<PlanSection> m_sections;
+    bool m_isFaulty = false;
     std::optional<PlanOutlook> m_outlook;
     std::vector<int> m_spannedRows; ///< lines of UAVs
     std::string m_hovered;
