@@ -5436,7 +5436,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Stop and &amp;edit</source>
-        <translation>Stopp og &amp;rediger</translation>
+        <translation>Sto&amp;pp og rediger</translation>
     </message>
     <message>
         <source>&amp;Faster</source>
@@ -5568,7 +5568,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Prefer s&amp;horter route</source>
-        <translation>Plan med &amp;kortere vei</translation>
+        <translation>Foretrekk &amp;kortere rute</translation>
     </message>
     <message>
         <source>Step &amp;back one second</source>
@@ -5600,7 +5600,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Prefer more un&amp;certain first</source>
-        <translation>Plan med flere &amp;usikre først</translation>
+        <translation>Foretrekk flere &amp;usikre først</translation>
     </message>
     <message>
         <source>Report as seen no&amp;w</source>
