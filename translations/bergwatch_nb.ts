@@ -363,8 +363,8 @@
         <translation>Kortest ventetid, vektet med usikkerheten</translation>
     </message>
     <message>
-        <source>Balanced visiting order, trade-off τ %1</source>
-        <translation>Balansert besøksrekkefølge, avveining τ %1</translation>
+        <source>Weighted visiting order, trade-off τ %1</source>
+        <translation>Vektet besøksrekkefølge, avveining τ %1</translation>
     </message>
 </context>
 <context>
@@ -4347,8 +4347,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Lengste tid hvert isfjell var ute av syne.</translation>
     </message>
     <message>
-        <source>Compare with the travelling-salesman tour</source>
-        <translation>Sammenlign med handelsreisendes rundtur</translation>
+        <source>Compare with the shortest round tour</source>
+        <translation>Sammenlign med korteste rundtur</translation>
     </message>
     <message>
         <source>Progress of the flight in the background</source>
@@ -6765,8 +6765,8 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Zeta sammenlignet med den for A ved tiden begge har fløyet.</translation>
     </message>
     <message>
-        <source>Runs you have flown come here. The button below flies this scenario along the travelling-salesman tour beside your own settings.</source>
-        <translation>Flyginger du har fløyet, kommer hit. Knappen nedenfor flyr dette scenarioet langs handelsreisendes rundtur ved siden av dine egne innstillinger.</translation>
+        <source>Runs you have flown come here. The button below flies this scenario along the shortest round tour beside your own settings.</source>
+        <translation>Flyginger du har fløyet, kommer hit. Knappen nedenfor flyr dette scenarioet langs korteste rundtur ved siden av dine egne innstillinger.</translation>
     </message>
     <message>
         <source>Another scenario than that of A: they cannot be compared.</source>

@@ -250,7 +250,7 @@ private slots:
         QVERIFY(QCoreApplication::installTranslator(&translator));
         QCOMPARE(policyText(settings, locale), u"Nærmeste isfjell først"_s);
         QCOMPARE(policyText({.tau = 1.5}, locale),
-                 u"Balansert besøksrekkefølge, avveining τ 1,50"_s);
+                 u"Vektet besøksrekkefølge, avveining τ 1,50"_s);
         QCoreApplication::removeTranslator(&translator);
     }
 

@@ -18,7 +18,7 @@ QString policyText(const PlannerSettings& settings, const QLocale& locale)
 {
     switch (settings.policy) {
     case PolicyKind::Visitation:
-        return DomainText::tr("Balanced visiting order, trade-off τ %1")
+        return DomainText::tr("Weighted visiting order, trade-off τ %1")
             .arg(fixedText(settings.tau, 2, locale));
     case PolicyKind::Path:
         return DomainText::tr("Shortest path, repeated");

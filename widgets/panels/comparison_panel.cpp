@@ -107,7 +107,7 @@ void ComparisonPanel::addActions()
 {
     m_tour = new QPushButton;
     m_tour->setObjectName(u"compareTour"_s);
-    m_tour->setAccessibleName(tr("Compare with the travelling-salesman tour"));
+    m_tour->setAccessibleName(tr("Compare with the shortest round tour"));
     m_tour->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // its text fits itself in
     m_flight = new QStackedWidget;
     m_flight->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -289,7 +289,7 @@ void ComparisonPanel::arrangeActions()
 {
     if (m_list.isFlying())
         return; // some are hidden now
-    const QString whole = tr("Compare with the travelling-salesman tour");
+    const QString whole = tr("Compare with the shortest round tour");
     const QString brief = tr("Compare with the tour");
     const auto need_px = [&](const QString& text) {
         return m_tour->fontMetrics().horizontalAdvance(text) + 2 * kCellMargins_px;

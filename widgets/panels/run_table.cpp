@@ -55,7 +55,7 @@ RunTable::RunTable(RunList& list, QWidget* parent)
     });
 
     m_empty = new QLabel(tr("Runs you have flown come here. The button below flies this scenario "
-                            "along the travelling-salesman tour beside your own settings."),
+                            "along the shortest round tour beside your own settings."),
                          viewport());
     m_empty->setObjectName(u"comparisonEmpty"_s);
     m_empty->setAlignment(Qt::AlignCenter);
