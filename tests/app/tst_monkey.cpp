@@ -26,7 +26,7 @@ QString faultNow(MonkeyWindow& w)
 QString faultOf(const Scenario& scenario)
 {
     try {
-        if (scenarioFromJson(scenarioToJson(scenario), "monkey") != scenario)
+        if (scenarioFromJson(scenarioToJson(scenario), "monkey", ScenarioUse::Editing) != scenario)
             return u"the scenario comes back from JSON as another one"_s;
     } catch (const Error& error) {
         return u"the scenario as JSON cannot be read: "_s + QString::fromUtf8(error.what());
