@@ -263,6 +263,7 @@ void addUav(JsonObject& object, const UavState& uav)
     object.add("mode", nameOf(kModeNames, uav.mode));
     object.add("target", uav.target);
     object.add("last_reached", uav.lastReached);
+    object.addUnless("alone", uav.isAlone, false);
     object.addText("guidance", guidanceText(uav.guidance));
     object.add("run_out_m", uav.runOut_m);
     object.add("misses", uav.misses);
@@ -293,6 +294,7 @@ UavState readUav(ObjectReader& object, const RunContext& context)
     uav.mode = object.choice("mode", FlightMode::Idle, kModeNames);
     uav.target = asInt(object.whole("target", -1, context.indices()));
     uav.lastReached = asInt(object.whole("last_reached", -1, context.indices()));
+    uav.isAlone = object.boolean("alone", false);
     uav.guidance = readGuidance(object);
     uav.runOut_m = object.number("run_out_m", 0);
     uav.misses = asInt(object.whole("misses", 0, {.low = 0, .high = kLargestCount}));
@@ -342,6 +344,12 @@ std::string keyframeText(const WorldState& state)
     object.add("zeta_m2s", state.zeta_m2s);
     if (!state.apart.empty())
         object.addText("apart", jsonArrayOf(state.apart));
+    if (!state.givenUp.empty()) {
+        std::vector<std::string> searches;
+        std::transform(state.givenUp.begin(), state.givenUp.end(), std::back_inserter(searches),
+                       searchText);
+        object.addText("given_up", jsonLines(searches, 2));
+    }
     if (state.closest_m)
         object.add("closest_m", *state.closest_m);
     std::vector<std::string> others;
@@ -369,6 +377,11 @@ WorldState readKeyframe(const Json& value, const std::string& path, Faults& faul
     state.sigmaSum_m2 = object.number("sigma_sum_m2", 0, kAmount);
     state.zeta_m2s = object.number("zeta_m2s", 0, kAmount);
     state.apart = readGroup(object, "apart", context);
+    if (object.find("given_up") != nullptr)
+        if (const Json* list = object.array("given_up"))
+            for (std::size_t i = 0; i < list->size(); ++i)
+                state.givenUp.push_back(
+                    readSearch((*list)[i], entryPath(object.path("given_up"), i), faults, context));
     state.closest_m = object.optionalNumber("closest_m", kAmount);
     state.tracks = readTracks(object, context);
     return state;

@@ -167,6 +167,7 @@ void Mission::intervene(Intervention intervention)
 void Mission::apply(const Intervention& intervention, const PlannerSettings& settings)
 {
     if (intervention.tau || intervention.policy) {
+        m_simulation.setPolicy(settings.policy);
         m_simulation.requestPlan();
         note(EventKind::Intervention, -1, -1, nameOf(kPolicyNames, settings.policy));
     }

@@ -99,6 +99,8 @@ private:
 
     void apply(const Intervention& change)
     {
+        if (change.policy)
+            m_world.setPolicy(*change.policy);
         if (change.wind_mps)
             m_world.setWind(*change.wind_mps);
         if (change.asset)

@@ -61,6 +61,7 @@ Simulation::Simulation(const Scenario& scenario, std::span<const DriftNoise> noi
     require(noise.empty() || noise.size() == scenario.icebergs.size(),
             "Simulation: noise of another scenario");
     require(!scenario.uavs.empty(), "Simulation: no UAV");
+    setPolicy(scenario.planner.policy);
     for (const Uav& uav : scenario.uavs)
         addUav(uav, scenario);
     for (std::size_t i = 0; i < scenario.icebergs.size(); ++i) {
@@ -101,6 +102,9 @@ void Simulation::addUav(const Uav& uav, const Scenario& scenario)
     UavState state{
         .pose = {.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)}};
     state.guidance.startLeg(uav.position_m);
+    // A turn rate is held for so long: more than the whole error at a time makes it swing.
+    state.guidance.gains.turn_1ps =
+        std::min(state.guidance.gains.turn_1ps, 1 / m_crafts.back().command_s);
     m_state.uavs.push_back(std::move(state));
     proveReturn(uavCount() - 1);
 }
@@ -199,6 +203,11 @@ void Simulation::assign(int iceberg, int uav)
     requestPlan();
 }
 
+void Simulation::setPolicy(PolicyKind policy)
+{
+    m_plansIdleAlone = policy != PolicyKind::Path && policy != PolicyKind::Tour;
+}
+
 void Simulation::setAsset(const Asset& asset)
 {
     m_asset = asset;
@@ -272,8 +281,11 @@ void Simulation::setTarget(int uav, int iceberg, const std::optional<AimedLeg>& 
     const bool sameLeg = planReason(uav) == PlanReason::Fleet && iceberg >= 0 &&
                          iceberg == me.target && !aim && !me.aim && !me.homeward();
     m_planReasons[index(uav)] = PlanReason::None;
-    if (sameLeg)
+    if (sameLeg) {
+        if (me.mode != FlightMode::Search) // another UAV may have left it its search
+            beginOrEndSearch(uav);
         return;
+    }
     me.target = iceberg;
     me.aim = aim;
     me.misses = 0;
@@ -358,6 +370,12 @@ void Simulation::fly(int uav)
         advanceSortie(uav, from_m);
 }
 
+/** Whether it was on the ground, or nowhere, before this step. */
+bool Simulation::isJustAloft(int uav) const
+{
+    return m_state.step == 1 || (sortie(uav) && this->uav(uav).aloft_s < 1.5 * m_dt_s);
+}
+
 /** Of the pairs aloft in one altitude layer; `before_m`: the places before the step. */
 void Simulation::watchSeparation(std::span<const Point> before_m)
 {
@@ -371,7 +389,7 @@ void Simulation::watchSeparation(std::span<const Point> before_m)
             const double distance_m = (uav(a).pose.position_m - uav(b).pose.position_m).norm();
             m_state.closest_m = std::min(m_state.closest_m.value_or(distance_m), distance_m);
             const bool wasApart =
-                m_state.step == 1 ||
+                isJustAloft(a) || isJustAloft(b) ||
                 (before_m[index(a)] - before_m[index(b)]).norm() >= m_separation_m;
             if (wasApart && distance_m < m_separation_m)
                 m_news.push_back(

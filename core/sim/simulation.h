@@ -102,6 +102,7 @@ struct UavState
     FlightMode mode = FlightMode::Idle;
     int target = -1; ///< index into the icebergs; -1: none
     int lastReached = -1;
+    bool isAlone = false; ///< planned by itself until all are planned again: see `plannedUavs`
     LosGuidance guidance;
     double runOut_m = 0;         ///< left to fly straight in mode RunOut
     int misses = 0;              ///< times the target was passed without reaching it
@@ -132,6 +133,8 @@ struct WorldState
     double sigmaSum_m2 = 0;
     double zeta_m2s = 0;
     std::vector<int> apart; ///< in no cluster until seen: one was passed without them
+    /** Of icebergs given up: where they may be, for when the rest is fresh. */
+    std::vector<Search> givenUp;
     /** Least horizontal distance so far of two UAVs aloft in one altitude layer. */
     std::optional<double> closest_m;
 
@@ -216,7 +219,8 @@ public:
     [[nodiscard]] PlanReason planReason() const;
     /** Why the UAV needs one; `Fleet`: because another one does. */
     [[nodiscard]] PlanReason planReason(int uav) const { return m_planReasons[index(uav)]; }
-    /** UAVs that plans are made for now: not on the way home or on the ground. */
+    /** UAVs that plans are made for now: not on the way home or on the ground; of those, when one
+     * without a target is to be planned alone, that one. */
     [[nodiscard]] std::vector<int> plannedUavs() const;
 
     /**
@@ -257,6 +261,9 @@ public:
 
     /** Something changed from outside (tau, policy): a new plan is needed now. */
     void requestPlan() { needPlans(PlanReason::Intervention); }
+    /** From now on plans are this policy's: routes that are repeated are planned for all at once.
+     */
+    void setPolicy(PolicyKind policy);
     /** The iceberg is to be visited by this UAV alone, -1: by any; a new plan is needed. */
     void assign(int iceberg, int uav);
 
@@ -320,6 +327,7 @@ private:
     void insert(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep);
     void fly(int uav);
     void watchSeparation(std::span<const Point> before_m);
+    [[nodiscard]] bool isJustAloft(int uav) const;
     void observe(double dt_s);
     void lookAround(double now_s);
     /** Of this step: held between two commands of the autopilot. */
@@ -336,13 +344,21 @@ private:
     void miss(std::size_t iceberg, std::span<const FieldOfView> views,
               std::span<const FieldOfView> middles);
     void lose(std::size_t iceberg, int uav, std::span<const FieldOfView> views);
+    void watchEstimates();
+    void growSearches(std::size_t iceberg, double added_m2);
     void endSearchFor(int iceberg);
+    void giveUp(Search search, int uav);
     void giveUpSearch(int uav);
+    void handSearchOn(int uav);
     void beginOrEndSearch(int uav);
+    void searchAgain(int uav);
+    [[nodiscard]] bool maySearch(int uav, int iceberg) const;
+    [[nodiscard]] bool hasSomethingToSearch(int uav) const;
     void watchArea();
     [[nodiscard]] bool appeared(int iceberg) const;
     [[nodiscard]] PlanReason reasonOfNews() const;
-    [[nodiscard]] bool isWorthSearching(int uav) const;
+    [[nodiscard]] bool isWorthSearching(int uav, const Search& search) const;
+    [[nodiscard]] double searchGain_m2ps(int uav, const Search& search) const;
     [[nodiscard]] double steerSearch(int uav);
     [[nodiscard]] double steer(int uav);
     [[nodiscard]] double steerLeg(int uav);
@@ -350,6 +366,7 @@ private:
     [[nodiscard]] double steerCluster(int uav);
     [[nodiscard]] double steerRunOut(int uav);
     [[nodiscard]] double steerCircle(int uav);
+    [[nodiscard]] double circleRadius_m(int uav) const;
     [[nodiscard]] double steerHome(int uav);
     /** Towards the corner that the geofence leads round on the way there; none: it does not. */
     [[nodiscard]] std::optional<double> steerRoundFence(int uav, const Point& end_m);
@@ -370,11 +387,15 @@ private:
     [[nodiscard]] PlanReason reasonOf(int uav);
     [[nodiscard]] PlanReason reasonOfAim(int uav);
     [[nodiscard]] bool somethingForIdle(int uav) const;
+    [[nodiscard]] bool othersFly() const;
+    /** Target of a UAV that is not planned now. */
+    [[nodiscard]] bool isTargetOfUnplanned(int iceberg) const;
 
     // What the scenario says.
     std::vector<Craft> m_crafts;
     std::optional<double> m_reachRadius_m;
     bool m_clusters;
+    bool m_plansIdleAlone = false; ///< as the policy allows
     std::optional<Asset> m_asset;
     std::vector<Point> m_area_m; ///< empty: unbounded
     bool m_geofence;

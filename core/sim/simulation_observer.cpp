@@ -1,10 +1,12 @@
 // What is seen, with measurements: the part of `Simulation` that filters, loses and finds icebergs.
 
+#include "core/sim/clusters.h"
 #include "core/sim/simulation.h"
 #include "core/vehicle/geofence.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace berg {
 
@@ -54,12 +56,50 @@ void Simulation::observeFiltered(double now_s, double dt_s)
             continue;
         const double before_m2 = track.sigma_m2;
         track.grow(dt_s);
-        for (UavState& uav : m_state.uavs)
-            if (uav.search && index(uav.search->iceberg) == i)
-                uav.search->way.grow(track.sigma_m2 - before_m2);
+        growSearches(i, track.sigma_m2 - before_m2);
     }
     if (m_state.step % m_lookSteps == 0)
         lookForMeasurements(now_s);
+}
+
+/** Of the iceberg, whoever searches or has given up. */
+void Simulation::growSearches(std::size_t iceberg, double added_m2)
+{
+    for (UavState& uav : m_state.uavs)
+        if (uav.search && index(uav.search->iceberg) == iceberg)
+            uav.search->way.grow(added_m2);
+    for (Search& search : m_state.givenUp)
+        if (index(search.iceberg) == iceberg)
+            search.way.grow(added_m2);
+}
+
+/** Without measurements, once a second: what is not in view although its estimate is in the middle
+ * of one is lost, and looked for as with measurements. */
+void Simulation::watchEstimates()
+{
+    std::vector<FieldOfView> views;
+    std::vector<FieldOfView> middles;
+    for (int uav = 0; uav < uavCount(); ++uav) {
+        const DubinsState& pose = this->uav(uav).pose;
+        views.push_back(fieldOfView(uav));
+        middles.emplace_back(middleOf(m_crafts[index(uav)].sensor), pose.position_m, pose.psi_rad);
+    }
+    for (std::size_t i = 0; i < m_state.tracks.size(); ++i) {
+        Track& track = m_state.tracks[i];
+        if (!active(static_cast<int>(i)) || track.inView)
+            continue;
+        const Point estimate_m = track.estimate_m(time_s());
+        if (track.status != TrackStatus::Tracked) {
+            growSearches(i, track.q_m2ps);
+            for (UavState& uav : m_state.uavs)
+                if (uav.search && index(uav.search->iceberg) == i)
+                    for (const FieldOfView& view : views)
+                        uav.search->way.miss(view, estimate_m, 1);
+        } else if (firstWith(views, estimate_m) >= 0) {
+            if (const int uav = firstWith(middles, estimate_m); uav >= 0)
+                lose(i, uav, views);
+        }
+    }
 }
 
 void Simulation::lookForMeasurements(double now_s)
@@ -153,14 +193,14 @@ void Simulation::lose(std::size_t iceberg, int uav, std::span<const FieldOfView>
                    me.pose.psi_rad);
     for (const FieldOfView& view : views)
         way.miss(view, track.estimate_m(time_s()), m_observer.detection);
-    track.sigma_m2 = std::max(track.sigma_m2, way.variance_m2());
-    if (!me.search && way.hasCorner()) {
+    if (m_observer.model == ObserverModel::Kalman) // else sigma is that of Eq. (22)
+        track.sigma_m2 = std::max(track.sigma_m2, way.variance_m2());
+    if (!me.search && !me.homeward() && way.hasCorner()) {
         me.search = {.iceberg = i, .way = std::move(way)};
         return;
     }
     // One at a time: by the end of the search for another this one is far behind.
-    track.status = TrackStatus::GivenUp;
-    m_news.push_back({.kind = EventKind::GivenUp, .iceberg = i, .uav = uav});
+    giveUp({.iceberg = i, .way = std::move(way)}, uav);
 }
 
 void Simulation::endSearchFor(int iceberg)
@@ -168,40 +208,122 @@ void Simulation::endSearchFor(int iceberg)
     for (UavState& uav : m_state.uavs)
         if (uav.search && uav.search->iceberg == iceberg)
             uav.search.reset();
+    std::erase_if(m_state.givenUp,
+                  [iceberg](const Search& search) { return search.iceberg == iceberg; });
+}
+
+/** For now: `searchAgain` compares at every plan. */
+void Simulation::giveUp(Search search, int uav)
+{
+    m_state.tracks[index(search.iceberg)].status = TrackStatus::GivenUp;
+    m_news.push_back({.kind = EventKind::GivenUp, .iceberg = search.iceberg, .uav = uav});
+    m_state.givenUp.push_back(std::move(search));
 }
 
 void Simulation::giveUpSearch(int uav)
 {
     UavState& me = m_state.uavs[index(uav)];
-    const int iceberg = me.search->iceberg;
-    m_state.tracks[index(iceberg)].status = TrackStatus::GivenUp;
-    me.search.reset();
-    m_news.push_back({.kind = EventKind::GivenUp, .iceberg = iceberg, .uav = uav});
+    giveUp(std::move(*std::exchange(me.search, std::nullopt)), uav);
+}
+
+/** Of a UAV that goes home: the nearest one that may search goes on with it, else nobody for now.
+ */
+void Simulation::handSearchOn(int uav)
+{
+    Search search = std::move(*std::exchange(m_state.uavs[index(uav)].search, std::nullopt));
+    const Point datum_m = estimate_m(search.iceberg);
+    UavState* next = nullptr;
+    for (int other = 0; other < uavCount(); ++other) {
+        UavState& candidate = m_state.uavs[index(other)];
+        const auto away_m = [&](const UavState& of) {
+            return (of.pose.position_m - datum_m).norm();
+        };
+        if (other != uav && !candidate.homeward() && !candidate.search &&
+            maySearch(other, search.iceberg) &&
+            (next == nullptr || away_m(candidate) < away_m(*next)))
+            next = &candidate;
+    }
+    if (next != nullptr)
+        next->search = std::move(search);
+    else
+        giveUp(std::move(search), uav);
+}
+
+/** Whether it may be sent there at all. */
+bool Simulation::maySearch(int uav, int iceberg) const
+{
+    const int assigned = m_assigned[index(iceberg)];
+    return active(iceberg) && (assigned < 0 || assigned == uav) && affordable(uav, iceberg);
+}
+
+bool Simulation::hasSomethingToSearch(int uav) const
+{
+    return m_observer.search != SearchPattern::None &&
+           std::ranges::any_of(m_state.givenUp, [this, uav](const Search& search) {
+               return maySearch(uav, search.iceberg);
+           });
+}
+
+/**
+ * With a new target: what has been given up is searched for again where that gains more, because
+ * the rest is fresh by now. A new pattern, begun at the datum; what has been seen to be empty stays
+ * so.
+ */
+void Simulation::searchAgain(int uav)
+{
+    UavState& me = m_state.uavs[index(uav)];
+    std::optional<Search> best;
+    double best_m2ps = 0;
+    for (const Search& old : m_state.givenUp) {
+        if (!maySearch(uav, old.iceberg))
+            continue;
+        const LostSearch pattern(m_observer, m_crafts[index(uav)].sensor, old.way.spread_m(),
+                                 me.pose.psi_rad);
+        Search search{.iceberg = old.iceberg,
+                      .way = LostSearch::restored(pattern.corners_m(), 0, old.way.spread_m(),
+                                                  old.way.chances())};
+        const double gain_m2ps = searchGain_m2ps(uav, search);
+        if (gain_m2ps > best_m2ps && isWorthSearching(uav, search)) {
+            best_m2ps = gain_m2ps;
+            best = std::move(search);
+        }
+    }
+    if (!best)
+        return;
+    endSearchFor(best->iceberg);
+    m_state.tracks[index(best->iceberg)].status = TrackStatus::Lost;
+    me.search = std::move(best);
 }
 
 /**
  * Whether the search gains more per second than flying to the target: chance of finding it times
  * its sigma, against the sigma that the target's sighting takes away, over the time until then.
  */
-bool Simulation::isWorthSearching(int uav) const
+bool Simulation::isWorthSearching(int uav, const Search& search) const
 {
     const UavState& me = m_state.uavs[index(uav)];
     const Craft& craft = m_crafts[index(uav)];
-    const Search& search = *me.search;
     if (!search.way.hasCorner())
         return false;
     if (me.target < 0)
         return true;
     const double speed_mps = craft.motion.airspeed_mps;
-    const double reach_m = craft.sensor.fov_m.minCoeff() / 2;
-    const Track& lost = track(search.iceberg);
-    const double found_m2ps =
-        priority(search.iceberg) * lost.sigma_m2 *
-        search.way.chancePerSecond(me.pose.position_m - estimate_m(search.iceberg), speed_mps,
-                                   reach_m, m_observer.detection);
     const Point leg_m = estimate_m(me.target) - me.pose.position_m;
-    const double leg_s = std::max(craft.command_s, (leg_m.norm() - reach_m) / speed_mps);
-    return found_m2ps > priority(me.target) * track(me.target).sigma_m2 / leg_s;
+    const double leg_s =
+        std::max(craft.command_s, (leg_m.norm() - surelySeen_m(craft.sensor)) / speed_mps);
+    return searchGain_m2ps(uav, search) > priority(me.target) * track(me.target).sigma_m2 / leg_s;
+}
+
+/** Chance per second of finding it, times what that takes away. */
+double Simulation::searchGain_m2ps(int uav, const Search& search) const
+{
+    const UavState& me = m_state.uavs[index(uav)];
+    const Craft& craft = m_crafts[index(uav)];
+    const double variance_m2 = std::max(track(search.iceberg).sigma_m2, search.way.variance_m2());
+    return priority(search.iceberg) * variance_m2 *
+           search.way.chancePerSecond(me.pose.position_m - estimate_m(search.iceberg),
+                                      craft.motion.airspeed_mps, surelySeen_m(craft.sensor),
+                                      m_observer.detection);
 }
 
 /** With a new target: searched for first, or no longer. */
@@ -209,8 +331,10 @@ void Simulation::beginOrEndSearch(int uav)
 {
     UavState& me = m_state.uavs[index(uav)];
     if (!me.search)
+        searchAgain(uav);
+    if (!me.search)
         return;
-    if (isWorthSearching(uav))
+    if (isWorthSearching(uav, *me.search))
         me.mode = FlightMode::Search;
     else
         giveUpSearch(uav);
@@ -235,7 +359,7 @@ double Simulation::steerSearch(int uav)
         return command.u_radps;
     way.nextCorner();
     me.guidance.startLeg(me.pose.position_m);
-    if (!isWorthSearching(uav))
+    if (!isWorthSearching(uav, *me.search))
         giveUpSearch(uav);
     return command.u_radps;
 }

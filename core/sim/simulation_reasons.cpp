@@ -1,5 +1,6 @@
 // When a plan is needed, and why: the part of `Simulation` that asks for plans.
 
+#include "core/base/angles.h"
 #include "core/sim/simulation.h"
 
 #include <algorithm>
@@ -21,8 +22,10 @@ void Simulation::needPlan(int uav, PlanReason reason)
 
 void Simulation::needPlans(PlanReason reason)
 {
-    for (int uav = 0; uav < uavCount(); ++uav)
+    for (int uav = 0; uav < uavCount(); ++uav) {
+        m_state.uavs[index(uav)].isAlone = false;
         needPlan(uav, reason);
+    }
 }
 
 PlanReason Simulation::planReason() const
@@ -40,24 +43,56 @@ PlanReason Simulation::planReason() const
 std::vector<int> Simulation::plannedUavs() const
 {
     std::vector<int> uavs;
-    for (int uav = 0; uav < uavCount(); ++uav)
-        if (!this->uav(uav).homeward())
-            uavs.push_back(uav);
-    return uavs;
+    std::vector<int> needing;
+    for (int uav = 0; uav < uavCount(); ++uav) {
+        if (this->uav(uav).homeward())
+            continue;
+        uavs.push_back(uav);
+        if (planReason(uav) != PlanReason::None)
+            needing.push_back(uav);
+    }
+    return needing.empty() ? uavs : needing;
 }
 
-/** All UAVs are planned together: where one needs a plan the others get one too. */
+bool Simulation::othersFly() const
+{
+    return std::ranges::any_of(m_state.uavs,
+                               [](const UavState& other) { return other.target >= 0; });
+}
+
+bool Simulation::isTargetOfUnplanned(int iceberg) const
+{
+    for (int uav = 0; uav < uavCount(); ++uav)
+        if (this->uav(uav).target == iceberg && planReason(uav) == PlanReason::None)
+            return true;
+    return false;
+}
+
+/**
+ * All UAVs are planned together: where one needs a plan the others get one too. But for one without
+ * a target: whenever it finds something, a new plan for all would turn the others round too.
+ */
 void Simulation::updatePlanReasons()
 {
     bool needed = false;
+    const bool mayBeAlone = m_plansIdleAlone && othersFly();
     for (int uav = 0; uav < uavCount(); ++uav) {
-        m_planReasons[index(uav)] = reasonOf(uav);
-        needed = needed || m_planReasons[index(uav)] != PlanReason::None;
+        const PlanReason reason = reasonOf(uav);
+        m_planReasons[index(uav)] = reason;
+        UavState& me = m_state.uavs[index(uav)];
+        const bool ofOneAlone = reason == PlanReason::OutOfView ||
+                                (me.isAlone && (reason == PlanReason::TargetReached ||
+                                                reason == PlanReason::SeenByOther));
+        if (mayBeAlone && ofOneAlone)
+            me.isAlone = true;
+        else
+            needed = needed || reason != PlanReason::None;
     }
-    if (needed)
-        for (int uav = 0; uav < uavCount(); ++uav)
-            if (planReason(uav) == PlanReason::None)
-                needPlan(uav, PlanReason::Fleet);
+    for (int uav = 0; needed && uav < uavCount(); ++uav) {
+        m_state.uavs[index(uav)].isAlone = false;
+        if (planReason(uav) == PlanReason::None)
+            needPlan(uav, PlanReason::Fleet);
+    }
 }
 
 PlanReason Simulation::reasonOf(int uav)
@@ -101,16 +136,26 @@ PlanReason Simulation::reasonOfAim(int uav)
 
 /**
  * Whether a UAV without a target should be planned again. While others of the fleet fly to targets
- * it waits for the plan that follows their next visit, unless an iceberg is kept for it.
+ * it has what none of them flies to and it has not seen on the last round of its circle; where
+ * routes are repeated, only what is kept for it.
  */
 bool Simulation::somethingForIdle(int uav) const
 {
-    const bool othersFly =
-        std::ranges::any_of(m_state.uavs, [](const UavState& other) { return other.target >= 0; });
-    if (othersFly && m_state.step % m_stepsPerSecond != 0)
+    const bool isOneOfFleet = othersFly();
+    if (isOneOfFleet && m_state.step % m_stepsPerSecond != 0)
         return false; // a planner that leaves it out is not asked at each step
+    // What is beside its circle comes into view again.
+    const double round_s = 2 * kPi * circleRadius_m(uav) / motion(uav).airspeed_mps;
+    const auto isForIt = [&](int i) {
+        if (!isOneOfFleet)
+            return visitable(uav, i);
+        const bool isForAny = m_plansIdleAlone && time_s() - track(i).anchor_s > round_s;
+        return (isForAny || assignedTo(i) == uav) &&
+               std::ranges::find(m_state.uavs, i, &UavState::target) == m_state.uavs.end() &&
+               available(uav, i);
+    };
     for (int i = 0; i < icebergCount(); ++i)
-        if (othersFly ? assignedTo(i) == uav && available(uav, i) : visitable(uav, i))
+        if (isForIt(i))
             return true;
     return false;
 }

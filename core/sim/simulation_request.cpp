@@ -56,7 +56,7 @@ PlanRequest Simulation::requestOf(int uav) const
         if (!active(i))
             continue;
         request.ids.push_back(i);
-        request.available.push_back(available(uav, i));
+        request.available.push_back(available(uav, i) && !isTargetOfUnplanned(i));
         const double weight = priority(i);
         request.problem.sigma_m2.push_back(weight * track(i).sigma_m2);
         nodes_m.push_back(estimate_m(i));

@@ -111,6 +111,8 @@ void Simulation::goHome(int uav)
     me.aim.reset();
     me.members.clear();
     me.via_m.reset();
+    if (me.search)
+        handSearchOn(uav);
     m_planReasons[index(uav)] = PlanReason::None;
     m_news.push_back({.kind = EventKind::HomeBound, .uav = uav});
 }
@@ -151,7 +153,7 @@ PlanReason Simulation::takeOffWhenDue(int uav)
     UavState& me = m_state.uavs[index(uav)];
     const bool due = me.mode == FlightMode::Ground && me.ground_s < m_dt_s / 2 &&
                      m_state.step % m_stepsPerSecond == 0;
-    if (!due || nearestAvailable(uav) < 0)
+    if (!due || (nearestAvailable(uav) < 0 && !hasSomethingToSearch(uav)))
         return PlanReason::None;
     if (const SafetyGuard guard = guardOf(uav); guard.provesReturn()) {
         const std::optional<double> heading_rad =

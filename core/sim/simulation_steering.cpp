@@ -161,15 +161,20 @@ double Simulation::steerRunOut(int uav)
     return 0;
 }
 
+/** Of the circle flown while every iceberg is in view. */
+double Simulation::circleRadius_m(int uav) const
+{
+    const Motion& air = motion(uav);
+    return kCircleMargin * (air.airspeed_mps + air.wind_mps.norm()) / air.limit_radps;
+}
+
 double Simulation::steerCircle(int uav)
 {
     UavState& me = m_state.uavs[index(uav)];
     const Craft& craft = m_crafts[index(uav)];
     me.crossTrack_m = 0;
     const Point from_m = me.pose.position_m - estimate_m(me.lastReached);
-    const double wind_mps = craft.motion.wind_mps.norm();
-    const double radius_m =
-        kCircleMargin * (craft.motion.airspeed_mps + wind_mps) / craft.motion.limit_radps;
+    const double radius_m = circleRadius_m(uav);
     // Counter-clockwise tangent, turned inwards outside the circle and outwards inside it.
     const double bearing_rad = std::atan2(from_m.y(), from_m.x());
     const double course_rad =

@@ -48,6 +48,8 @@ void Simulation::observe(double dt_s)
         observeFiltered(now_s, dt_s);
     else if (m_nextLookStep <= m_state.step)
         lookAround(now_s);
+    if (!isFiltered && m_state.step % m_stepsPerSecond == 0)
+        watchEstimates();
     if (!m_area_m.empty() && m_state.step % m_stepsPerSecond == 0)
         watchArea();
     double sigmaSum_m2 = 0;
@@ -96,6 +98,12 @@ void Simulation::look(std::size_t iceberg, double now_s, Views& views)
     if (!track.inView)
         m_newlySeen.push_back({.iceberg = static_cast<int>(iceberg), .uav = uav});
     track.seen(truth_m, now_s);
+    if (track.status != TrackStatus::Tracked) {
+        track.status = TrackStatus::Tracked;
+        endSearchFor(static_cast<int>(iceberg));
+        m_news.push_back(
+            {.kind = EventKind::Found, .iceberg = static_cast<int>(iceberg), .uav = uav});
+    }
 }
 
 /**

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 using namespace berg;
@@ -83,7 +84,8 @@ private slots:
                     << policy.value << uavs;
     }
 
-    /** At each instant the targets differ, and a re-planning tells every UAV. */
+    /** At each instant the targets differ, and a re-planning tells every UAV, or one without a
+     * target alone. */
     void everyPolicyFliesAFleet()
     {
         QFETCH(PolicyKind, policy);
@@ -100,13 +102,16 @@ private slots:
                              qPrintable(QString::number(until_s)));
         }
         QVERIFY(mission.metrics().visits > 5);
-        int told = 0;
-        for (const PlanEvent& plan : mission.plans()) {
-            QCOMPARE(plan.uav, plan.sameSolve ? told : 0);
-            told = plan.uav + 1;
-            QVERIFY(told <= uavs);
+        // One for each UAV, or for those alone that had no target.
+        std::map<double, std::vector<int>> told;
+        for (const PlanEvent& plan : mission.plans())
+            told[plan.time_s].push_back(plan.uav);
+        for (const auto& [time_s, uavsTold] : told) {
+            QVERIFY(std::ranges::is_sorted(uavsTold));
+            const bool isForAll = static_cast<int>(uavsTold.size()) == uavs;
+            QVERIFY(isForAll || time_s > 0);
         }
-        QCOMPARE(static_cast<int>(mission.plans().size()), mission.metrics().replans * uavs);
+        QVERIFY(static_cast<int>(mission.plans().size()) <= mission.metrics().replans * uavs);
         for (int uav = 0; uav < uavs; ++uav)
             COMPARE_NEAR(mission.simulation().uav(uav).flown_m, 22 * scenario.duration_s, 1e-6);
     }

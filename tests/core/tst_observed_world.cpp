@@ -153,15 +153,16 @@ private slots:
         QCOMPARE(count(flownToEnd(scenario), EventKind::Found), 1);
     }
 
-    /** The others are flown to; the one given up is no longer planned, but counts in zeta. */
+    /** The others are flown to, and between them it is searched for again; the one given up is not
+     * planned, but counts in zeta. */
     void givenUpWhenItIsNowhere()
     {
         const Mission mission = flownToEnd(ghost(20000));
         QCOMPARE(count(mission, EventKind::Lost), 1);
-        QCOMPARE(count(mission, EventKind::GivenUp), 1);
+        QVERIFY(count(mission, EventKind::GivenUp) >= 1);
         QCOMPARE(count(mission, EventKind::Found), 0);
         const Simulation& end = mission.simulation();
-        QCOMPARE(end.track(0).status, TrackStatus::GivenUp);
+        QVERIFY(end.track(0).status != TrackStatus::Tracked);
         QVERIFY(end.active(0));
         QVERIFY(!end.available(0, 0));
         QVERIFY(end.track(0).sigma_m2 > 300 * 300 / 2); // it is outside what was seen

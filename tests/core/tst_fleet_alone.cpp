@@ -1,0 +1,111 @@
+#include "core/sim/mission.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace berg;
+
+namespace {
+
+Scenario calm()
+{
+    Scenario s;
+    s.noise = false;
+    s.planner.policy = PolicyKind::Latency;
+    return s;
+}
+
+} // namespace
+
+/** What a UAV of a fleet does without the others. */
+class TestFleetAlone : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** Each time that both are in the air within the separation is an event, from take-off on. */
+    void takingOffTogetherIsClose()
+    {
+        Scenario s = calm();
+        s.duration_s = 3000;
+        for (const char* id : {"u1", "u2"}) {
+            Uav uav{.id = id};
+            uav.heading_deg = 90;
+            uav.spec.endurance_s = 600;
+            uav.turnaround_s = 200;
+            s.uavs.push_back(uav);
+        }
+        s.icebergs = {{.id = "a", .position_m = {3000, 200}, .velocity_mps = {0, 0}},
+                      {.id = "b", .position_m = {3000, -200}, .velocity_mps = {0, 0}}};
+        Mission mission(s, {.workLimit = 20'000});
+        mission.advance(s.duration_s);
+        std::vector<double> close_s;
+        std::vector<double> tookOff_s{0};
+        for (const MissionEvent& event : mission.events()) {
+            if (event.kind == EventKind::Close)
+                close_s.push_back(event.time_s);
+            if (event.kind == EventKind::TookOff)
+                tookOff_s.push_back(event.time_s);
+        }
+        QVERIFY(tookOff_s.size() >= 5);
+        for (const double time_s : tookOff_s) {
+            const bool isTogether = time_s == 0 || std::ranges::count(tookOff_s, time_s) == 2;
+            const bool isNoted = std::ranges::any_of(
+                close_s, [&](double at_s) { return at_s >= time_s && at_s <= time_s + 0.2; });
+            QVERIFY2(!isTogether || isNoted, qPrintable(QString::number(time_s)));
+        }
+    }
+
+    /** While the other one is on a long leg, what is beside the idle one is not left alone. */
+    void theIdleOneHasWhatNobodyFliesTo()
+    {
+        Scenario s = calm();
+        s.duration_s = 2000;
+        s.uavs = {{.id = "u1"}, {.id = "u2", .position_m = {0, -3000}}};
+        s.uavs[0].heading_deg = 90;
+        s.uavs[1].heading_deg = 90;
+        s.uavs[1].spec.altitude_m = 200;
+        s.icebergs = {{.id = "far", .position_m = {45'000, 0}, .velocity_mps = {0, 0}},
+                      {.id = "b", .position_m = {2000, -3000}, .velocity_mps = {0, 0}},
+                      {.id = "c", .position_m = {2600, -3300}, .velocity_mps = {0, 0}}};
+        s.icebergs[0].uav = "u1";
+        Mission mission(s, {.workLimit = 20'000});
+        const Simulation& world = mission.simulation();
+        int longest_s = 0;
+        int idle_s = 0;
+        for (double t_s = 1; t_s <= s.duration_s; ++t_s) {
+            mission.advance(t_s);
+            bool isBeside = false;
+            for (int i = 0; i < 3; ++i)
+                isBeside = isBeside || (world.available(1, i) && world.uav(0).target != i);
+            idle_s = world.uav(1).target < 0 && isBeside ? idle_s + 1 : 0;
+            longest_s = std::max(longest_s, idle_s);
+        }
+        QVERIFY2(longest_s <= 60, qPrintable(QString::number(longest_s))); // was 1900
+        // The other one's leg is left alone.
+        const auto plansOfOther = std::ranges::count(mission.plans(), 0, &PlanEvent::uav);
+        QVERIFY2(plansOfOther <= 10, qPrintable(QString::number(plansOfOther)));
+    }
+
+    /** One command in ten seconds: held turn rates made it swing, 5 visits in an hour. */
+    void slowAutopilotsFollowTheLeg()
+    {
+        Scenario s = calm();
+        s.duration_s = 3600;
+        s.uavs = {{.id = "u"}};
+        s.uavs[0].heading_deg = 80;
+        s.uavs[0].spec.autopilot_s = 10;
+        s.icebergs = {{.id = "a", .position_m = {20'000, 0}, .velocity_mps = {0, 0}}};
+        Mission mission(s, {.workLimit = 20'000, .record = false});
+        mission.advance(s.duration_s);
+        QVERIFY2(mission.metrics().visits >= 40,
+                 qPrintable(QString::number(mission.metrics().visits)));
+        QCOMPARE(mission.simulation().uav(0).guidance.gains.turn_1ps, 0.1);
+        s.uavs[0].spec.autopilot_s = 1;
+        QCOMPARE(Simulation(s).uav(0).guidance.gains.turn_1ps, 1.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFleetAlone)
+#include "tst_fleet_alone.moc"

@@ -1,0 +1,165 @@
+#include "core/scenario/presets.h"
+#include "core/sim/mission.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace berg;
+
+namespace {
+
+Scenario calm()
+{
+    Scenario s;
+    s.noise = false;
+    s.planner.policy = PolicyKind::Latency;
+    return s;
+}
+
+/** One iceberg whose velocity nobody knows: it is lost on the way to it. */
+Scenario lostOnTheWay()
+{
+    Scenario s = calm();
+    s.noise = true;
+    s.duration_s = 8000;
+    s.observer.model = ObserverModel::Kalman;
+    Uav uav{.id = "u1", .position_m = {0, 0}};
+    uav.heading_deg = 90;
+    uav.spec.endurance_s = 620;
+    uav.turnaround_s = 300;
+    s.uavs = {uav};
+    Iceberg iceberg{.id = "a", .position_m = {4500, 0}, .velocity_mps = {0, 0}};
+    iceberg.sigma0_m2 = 250'000;
+    iceberg.velocitySd_mps = 0.3;
+    s.icebergs = {iceberg};
+    return s;
+}
+
+/** Icebergs with doubtful velocities, two UAVs that have to come home. */
+Scenario doubtfulField(std::int64_t seed)
+{
+    Scenario s = randomScenario(seed);
+    s.duration_s = 1500;
+    s.observer.model = ObserverModel::Kalman;
+    for (Iceberg& iceberg : s.icebergs)
+        iceberg.velocitySd_mps = 1.5;
+    s.icebergs.resize(6);
+    s.uavs.push_back(s.uavs.front());
+    s.uavs.back().id = "u2";
+    s.uavs.back().position_m = {5000, 4000};
+    for (Uav& uav : s.uavs) {
+        uav.spec.endurance_s = 500;
+        uav.turnaround_s = 100;
+    }
+    return s;
+}
+
+int countOf(const Mission& mission, EventKind kind)
+{
+    return static_cast<int>(std::ranges::count(mission.events(), kind, &MissionEvent::kind));
+}
+
+} // namespace
+
+/** Icebergs that are not where they should be: who searches, and for how long nobody does. */
+class TestLostAgain : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** It stayed on the ground for ever, the iceberg lost and nobody allowed to look. */
+    void whoWentHomeComesBackToSearch()
+    {
+        Mission mission(lostOnTheWay(), {.workLimit = 20'000});
+        mission.advance(8000);
+        QVERIFY(countOf(mission, EventKind::Lost) >= 1);
+        QVERIFY(countOf(mission, EventKind::TookOff) >= 3);
+        QVERIFY(countOf(mission, EventKind::Found) >= 1);
+    }
+
+    /** Lost is searched for by one UAV that flies; given up is kept for later. */
+    void whatIsLostIsSearchedFor()
+    {
+        int handedOn = 0;
+        int losses = 0;
+        for (int seed = 1; seed <= 12; ++seed) {
+            Mission mission(doubtfulField(seed), {.workLimit = 20'000});
+            const Simulation& world = mission.simulation();
+            std::vector<int> searchedBy(static_cast<std::size_t>(world.icebergCount()), -1);
+            for (double t_s = 1; t_s <= 1500; ++t_s) {
+                mission.advance(t_s);
+                for (int i = 0; i < world.icebergCount(); ++i) {
+                    int& before = searchedBy[static_cast<std::size_t>(i)];
+                    int searching = -1;
+                    for (int uav = 0; uav < world.uavCount(); ++uav)
+                        if (world.uav(uav).search && world.uav(uav).search->iceberg == i &&
+                            !world.uav(uav).homeward())
+                            searching = uav;
+                    const bool isLost =
+                        world.active(i) && world.track(i).status == TrackStatus::Lost;
+                    QCOMPARE(isLost, searching >= 0);
+                    handedOn += before >= 0 && searching >= 0 && before != searching ? 1 : 0;
+                    before = searching;
+                    const bool isKept =
+                        std::ranges::find(world.state().givenUp, i, &Search::iceberg) !=
+                        world.state().givenUp.end();
+                    QCOMPARE(isKept,
+                             world.active(i) && world.track(i).status == TrackStatus::GivenUp);
+                }
+            }
+            losses += countOf(mission, EventKind::Lost);
+        }
+        QVERIFY2(losses >= 8, qPrintable(QString::number(losses)));
+        QVERIFY2(handedOn >= 1, qPrintable(QString::number(handedOn)));
+    }
+
+    /** When the rest is fresh the search is worth while again. */
+    void givenUpIsNotForEver()
+    {
+        int again = 0;
+        for (int seed = 1; seed <= 6; ++seed) {
+            Scenario s = randomScenario(seed);
+            s.duration_s = 2000;
+            s.observer.model = ObserverModel::Kalman;
+            for (Iceberg& iceberg : s.icebergs)
+                iceberg.velocitySd_mps = 0.6;
+            Mission mission(s, {.workLimit = 20'000});
+            const Simulation& world = mission.simulation();
+            std::vector<TrackStatus> before(s.icebergs.size(), TrackStatus::Tracked);
+            for (double t_s = 1; t_s <= s.duration_s; ++t_s) {
+                mission.advance(t_s);
+                for (std::size_t i = 0; i < before.size(); ++i) {
+                    const TrackStatus now = world.track(static_cast<int>(i)).status;
+                    again += before[i] == TrackStatus::GivenUp && now == TrackStatus::Lost ? 1 : 0;
+                    before[i] = now;
+                }
+            }
+        }
+        QVERIFY2(again >= 5, qPrintable(QString::number(again)));
+    }
+
+    /** The simple observer too: a beacon 0.3 m/s off its dead reckoning held the UAV for ever. */
+    void anEmptyPlaceIsAFinding()
+    {
+        Scenario s = calm();
+        s.duration_s = 14'400;
+        s.uavs = {{.id = "u"}};
+        s.icebergs = {{.id = "near1", .position_m = {3000, 0}, .velocity_mps = {0, 0}},
+                      {.id = "near2", .position_m = {0, 3000}, .velocity_mps = {0, 0}},
+                      {.id = "beacon", .position_m = {30'000, 10'000}, .velocity_mps = {0.2, 0}}};
+        s.icebergs[2].track = {.time_s = {0, 14'400},
+                               .position_m = {{30'000, 10'000}, {32'880, 14'320}}};
+        Mission mission(s, {.workLimit = 20'000});
+        mission.advance(s.duration_s);
+        QVERIFY(countOf(mission, EventKind::Lost) >= 1);
+        double last_s = 0;
+        for (const MissionEvent& event : mission.events())
+            if (event.kind == EventKind::Reached)
+                last_s = event.time_s;
+        QVERIFY2(last_s > 10'000, qPrintable(QString::number(last_s))); // was 1770
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLostAgain)
+#include "tst_lost_again.moc"
