@@ -2868,6 +2868,10 @@
         <translation>Hjemstedet ligger så nær geogjerdet at dronen ikke kan ta av der igjen og være sikker på å komme hjem.</translation>
     </message>
     <message>
+        <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
+        <translation>Tiden mellom to kommandoer fra autopiloten er for lang til at dronen kan følge en etappe.</translation>
+    </message>
+    <message>
         <source>For its heading, the UAV has no path home inside the geofence from where it starts: no start is safe.</source>
         <translation>Med denne kursen har dronen ingen vei hjem innenfor geogjerdet fra startstedet: ingen start er trygg.</translation>
     </message>

@@ -171,6 +171,8 @@ void Adviser::adviseUavs()
             hint(flyer.path + ".position_m", advised::kUavOutside);
         if (flyer.isWide && !m_s.reachRadius_m)
             hint(flyer.path + ".fov_m", advised::kWideTurn);
+        if (flyer.uav.spec.autopilot_s * flyer.uav.spec.airspeed_mps > LosGains().lookahead_m)
+            warn(flyer.path + ".autopilot_s", advised::kSlowAutopilot);
     }
     if (m_s.reachRadius_m && std::any_of(m_flyers.begin(), m_flyers.end(),
                                          [](const Flyer& flyer) { return flyer.isWide; }))

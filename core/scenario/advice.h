@@ -42,6 +42,8 @@ inline constexpr std::string_view kStartNearFence =
     "is so near the geofence, for this heading, that the UAV cannot turn inside it";
 inline constexpr std::string_view kShutOff = "is so near the geofence that the UAV, to be within "
                                              "the acceptance radius, cannot be sent there";
+inline constexpr std::string_view kSlowAutopilot =
+    "is so long between two commands that the UAV cannot follow a leg";
 inline constexpr std::string_view kFenceNoArea = "needs an area, area_m, to stay inside";
 inline constexpr std::string_view kOutsideFence = "must be inside the area, which is a geofence";
 inline constexpr std::string_view kFenceUnplanned =

@@ -140,7 +140,7 @@ private slots:
               advised::kTrackShort,     advised::kTrackFar,         advised::kAssetInIce,
               advised::kNoSigma,        advised::kBeyondProof,      advised::kSolverUnable,
               advised::kLongProof,      advised::kVelocitySdUnused, advised::kClustersIgnored,
-              advised::kClustersOneUav, advised::kNoSafeReturn}) {
+              advised::kClustersOneUav, advised::kNoSafeReturn,     advised::kSlowAutopilot}) {
             const Issue issue{Severity::Hint, "field", std::string(message)};
             QVERIFY2(!issueText(issue).startsWith(u"field: "), issue.message.c_str());
         }

@@ -62,6 +62,9 @@ constexpr AdviceText kAdviceTexts[] = {
     {advised::kNoSafeReturn,
      QT_TRANSLATE_NOOP("IssueText", "For its heading, the UAV has no path home inside the geofence "
                                     "from where it starts: no start is safe.")},
+    {advised::kSlowAutopilot,
+     QT_TRANSLATE_NOOP("IssueText", "The time between two commands of the autopilot is too long "
+                                    "for the UAV to follow a leg.")},
     {advised::kStartNearFence,
      QT_TRANSLATE_NOOP("IssueText", "The UAV starts so near the geofence, for its heading, that it "
                                     "cannot turn inside it.")},
