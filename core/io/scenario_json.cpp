@@ -50,7 +50,8 @@ void readPlanner(const Json& value, Scenario& scenario, ObjectReader& parent)
     planner.route = object.choice("route", planner.route, kRouteNames);
     planner.backend = object.choice("backend", planner.backend, kBackendNames);
     planner.formulation = object.choice("formulation", planner.formulation, kFormulationNames);
-    scenario.planningTime_s = object.number("latency_s", scenario.planningTime_s);
+    const double before_s = object.number("latency_s", scenario.planningTime_s); // in older files
+    scenario.planningTime_s = object.number("planning_delay_s", before_s);
     scenario.reachRadius_m = object.optionalNumber("reach_radius_m");
     scenario.fovShape = object.choice("fov_shape", scenario.fovShape, kFovShapeNames);
     scenario.clusters = object.boolean("clusters", scenario.clusters);
@@ -175,7 +176,7 @@ std::string plannerText(const Scenario& scenario)
         object.add("backend", nameOf(kBackendNames, planner.backend));
     if (planner.formulation != standard.formulation)
         object.add("formulation", nameOf(kFormulationNames, planner.formulation));
-    object.addUnless("latency_s", scenario.planningTime_s, 0.0);
+    object.addUnless("planning_delay_s", scenario.planningTime_s, 0.0);
     if (scenario.reachRadius_m)
         object.add("reach_radius_m", *scenario.reachRadius_m);
     if (scenario.fovShape != FovShape::Body)

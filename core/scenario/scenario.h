@@ -86,8 +86,8 @@ struct Scenario
     std::vector<Iceberg> icebergs;
     std::optional<Asset> asset;
     PlannerSettings planner;
-    double planningTime_s = 0;           ///< file: planner.latency_s; a plan is in force so late
-    bool clusters = false;               ///< file: planner.clusters; several in one view: a point
+    double planningTime_s = 0; ///< file: planner.planning_delay_s; a plan is in force so late
+    bool clusters = false;     ///< file: planner.clusters; several in one view: a point
     std::optional<double> reachRadius_m; ///< file: planner.reach_radius_m; none: reached in view
     FovShape fovShape = FovShape::Body;  ///< file: planner.fov_shape
     std::string plannerExtraJson;

@@ -384,7 +384,8 @@ void checkObserver(const Scenario& s, Findings& findings)
 void checkPlanner(const Scenario& s, Findings& findings)
 {
     findings.inRange(s.planner.tau, {.low = 0, .high = kLargestTau}, "planner.tau");
-    findings.inRange(s.planningTime_s, {.low = 0, .high = kLongestPlanning_s}, "planner.latency_s");
+    findings.inRange(s.planningTime_s, {.low = 0, .high = kLongestPlanning_s},
+                     "planner.planning_delay_s");
     if (s.reachRadius_m)
         findings.inRange(*s.reachRadius_m, kExtent_m, "planner.reach_radius_m");
 }

@@ -116,6 +116,21 @@ private slots:
         QCOMPARE(s.extraJson, std::string(R"({"camera":{"tilt_deg":10}})"));
     }
 
+    /** Written by the present name, which counts when both are there. */
+    void formerNamesAreRead()
+    {
+        const auto planned = [](const std::string& planner) {
+            return read(textWith(kUav + R"(, "icebergs": [], "planner": )" + planner));
+        };
+        const Scenario former = planned(R"({"latency_s": 7.5})");
+        QCOMPARE(former.planningTime_s, 7.5);
+        QVERIFY(former.plannerExtraJson.empty());
+        const std::string text = scenarioToJson(former);
+        QVERIFY(text.find("latency_s") == std::string::npos);
+        QVERIFY(text.find(R"("planning_delay_s": 7.5)") != std::string::npos);
+        QCOMPARE(planned(R"({"latency_s": 7.5, "planning_delay_s": 3})").planningTime_s, 3.0);
+    }
+
     void everyFieldOfObjectsIsRead()
     {
         const Scenario s = loadScenario(kData + "every-field.berg");
