@@ -109,7 +109,9 @@ public:
             putTogether();
             takeSuggestion();
             report();
-            m_result.memoryOut = m_result.memoryOut || (!finer && m_statesOut);
+            // A memory that holds all icebergs cannot grow.
+            const bool isFinest = !finer || cap > m_costs.icebergs();
+            m_result.memoryOut = m_result.memoryOut || (isFinest && m_statesOut);
         }
         return std::move(m_result);
     }

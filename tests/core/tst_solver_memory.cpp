@@ -1,4 +1,6 @@
+#include "core/plan/fleet_bound.h"
 #include "core/plan/fleet_costs.h"
+#include "core/plan/fleet_ranks.h"
 #include "core/plan/fleet_solver.h"
 #include "tests/support/fleet_problems.h"
 #include "tests/support/hard_problems.h"
@@ -87,6 +89,17 @@ private slots:
         const FleetProblem unlike = test::randomFleet(6, 20, 50, 1, test::FleetKind::Unlike);
         QVERIFY(FleetCosts(alike).bytes() < 2 * 2 * 8 * 51 * 51);
         QCOMPARE(FleetCosts(unlike).bytes(), FleetCosts::mostBytesFor(unlike));
+    }
+
+    /** A graph that cannot be refined any more, and no room for the states: that is the end. */
+    void noRoomForTheStates()
+    {
+        const FleetProblem problem = test::randomFleet(47, 5, 2, 1, test::FleetKind::Assigned);
+        const FleetBoundResult result =
+            improveFleetBound(FleetCosts(problem), inTurn(problem),
+                              {.workLimit = 10'000'000, .memoryLimit_bytes = 2000});
+        QVERIFY(result.memoryOut && !result.reached);
+        QVERIFY(result.work < 1'000'000);
     }
 
     void noRoomForTheCosts()
