@@ -46,11 +46,14 @@ struct Flyer
 Flyer flyerOf(const Scenario& scenario, std::size_t i)
 {
     const Uav& uav = scenario.uavs[i];
-    const Point half_m = 0.5 * uav.fov_m;
+    // A disk has one extent, the first.
+    const bool isDisk = scenario.fovShape == FovShape::Disk;
+    const double farthest_m = isDisk ? uav.fov_m.x() / 2 : uav.fov_m.norm() / 2;
+    const double nearest_m = isDisk ? uav.fov_m.x() / 2 : uav.fov_m.minCoeff() / 2;
     return {.uav = uav,
             .path = entryPath("uavs", i),
-            .reach_m = scenario.reachRadius_m.value_or(half_m.norm()),
-            .isWide = turnRadius_m(uav.spec) > scenario.reachRadius_m.value_or(half_m.minCoeff())};
+            .reach_m = scenario.reachRadius_m.value_or(farthest_m),
+            .isWide = turnRadius_m(uav.spec) > scenario.reachRadius_m.value_or(nearest_m)};
 }
 
 /** The findings about one scenario without errors. */
@@ -98,11 +101,14 @@ private:
     {
         return iceberg.appears_s <= m_s.duration_s;
     }
-    /** Of the estimate: straight on from where it appears. */
+    /** Of the estimate, which drifts from time 0 on, whenever the iceberg appears. */
+    [[nodiscard]] Point estimateAt(const Iceberg& iceberg, double time_s) const
+    {
+        return iceberg.position_m + (iceberg.velocity_mps + m_s.current_mps) * time_s;
+    }
     [[nodiscard]] Point endOf(const Iceberg& iceberg) const
     {
-        return iceberg.position_m + (iceberg.velocity_mps + m_s.current_mps) *
-                                        std::max(0.0, m_s.duration_s - iceberg.appears_s);
+        return estimateAt(iceberg, std::max(iceberg.appears_s, m_s.duration_s));
     }
     /** Straight until it is reached or comes into view, without the turn at the start. */
     [[nodiscard]] double timeOf_s(const Flyer& flyer, const Point& from_m, const Point& to_m) const
@@ -284,7 +290,7 @@ void Adviser::adviseIceberg(std::size_t i)
 {
     const Iceberg& iceberg = m_s.icebergs[i];
     const std::string path = entryPath("icebergs", i);
-    if (isOutside(iceberg.position_m))
+    if (isOutside(estimateAt(iceberg, iceberg.appears_s)))
         warn(path + ".position_m", advised::kOutsideArea);
     else if (comesInTime(iceberg) &&
              isOutside(iceberg.track.empty() ? endOf(iceberg) : iceberg.track.at(m_s.duration_s)))

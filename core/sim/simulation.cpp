@@ -3,6 +3,7 @@
 #include "core/base/angles.h"
 #include "core/scenario/advice.h"
 #include "core/scenario/true_start.h"
+#include "core/sim/clusters.h"
 #include "core/vehicle/geofence.h"
 
 #include <algorithm>
@@ -14,10 +15,10 @@ namespace {
 
 /** Memory for noise drawn at once. */
 constexpr std::size_t kMostNoise_bytes = 32'000'000;
-bool turnsInsideReach(const Uav& uav, const std::optional<double>& reachRadius_m)
+bool turnsInsideReach(const Uav& uav, const SensorSpec& sensor,
+                      const std::optional<double>& reachRadius_m)
 {
-    const double reach_m = reachRadius_m ? *reachRadius_m : uav.fov_m.minCoeff() / 2;
-    return reach_m < turnRadius_m(uav.spec);
+    return reachRadius_m.value_or(surelySeen_m(sensor)) < turnRadius_m(uav.spec);
 }
 
 } // namespace
@@ -87,7 +88,7 @@ void Simulation::addUav(const Uav& uav, const Scenario& scenario)
                 .altitude_m = uav.spec.altitude_m,
                 .reach_m = FieldOfView::reach_m(sensor),
                 .turnRadius_m = turnRadius_m(uav.spec),
-                .needsRunOut = turnsInsideReach(uav, scenario.reachRadius_m),
+                .needsRunOut = turnsInsideReach(uav, sensor, scenario.reachRadius_m),
                 .autopilotSteps =
                     std::max<std::int64_t>(1, std::llround(uav.spec.autopilot_s / m_dt_s))};
     craft.command_s = static_cast<double>(craft.autopilotSteps) * m_dt_s;

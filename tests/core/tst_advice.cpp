@@ -284,10 +284,12 @@ private slots:
         s.icebergs[1].velocity_mps = {0.2, 0}; // 200 m in 1000 s
         QVERIFY(isOne(adviceInArea(s, 2100), {Severity::Hint, "icebergs[1].velocity_mps",
                                               std::string(advised::kLeavesArea)}));
-        s.icebergs[1].appears_s = 600;
-        QVERIFY(adviceInArea(s, 2100).empty());
+        s.icebergs[1].appears_s = 600; // 120 m on
+        QVERIFY(isOne(adviceInArea(s, 2100), {Severity::Warning, "icebergs[1].position_m",
+                                              std::string(advised::kOutsideArea)}));
+        QVERIFY(adviceInArea(s, 2250).empty());
         s.current_mps = {0.2, 0};
-        QVERIFY(isOne(adviceInArea(s, 2100), {Severity::Hint, "icebergs[1].velocity_mps",
+        QVERIFY(isOne(adviceInArea(s, 2250), {Severity::Hint, "icebergs[1].velocity_mps",
                                               std::string(advised::kLeavesArea)}));
         s.icebergs[1].appears_s = 1001; // never comes
         QVERIFY(!adviceInArea(s, 2100).empty());
@@ -364,6 +366,25 @@ private slots:
         const std::vector<Issue> issues = validate(s);
         QVERIFY(std::ranges::find(issues, Issue{Severity::Warning, "icebergs[1].position_m",
                                                 std::string(advised::kShutOff)}) != issues.end());
+    }
+
+    /** The estimate drifts from time 0 on: where the iceberg appears is not where it is given. */
+    void icebergsThatAppearOutsideTheArea()
+    {
+        Scenario s = calmSea();
+        s.duration_s = 3600;
+        s.area_m = square(2500);
+        s.icebergs.resize(1);
+        s.icebergs[0].position_m = {1500, 0};
+        s.icebergs[0].velocity_mps = {0.5, 0};
+        s.icebergs[0].appears_s = 3000;
+        const Issue outside{Severity::Warning, "icebergs[0].position_m",
+                            std::string(advised::kOutsideArea)};
+        const std::vector<Issue> late = validate(s);
+        QVERIFY(std::ranges::find(late, outside) != late.end());
+        s.icebergs[0].appears_s = 0;
+        const std::vector<Issue> early = validate(s);
+        QVERIFY(std::ranges::find(early, outside) == early.end());
     }
 
     void assetInIce()
