@@ -1,6 +1,6 @@
 #include "app/export_options_view.h"
 
-#include "widgets/panels/wheel_guard.h"
+#include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QComboBox>

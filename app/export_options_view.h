@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/formats.h"
+#include "core/io/export/formats.h"
 
 #include <QWidget>
 

@@ -3,7 +3,7 @@
 #include "widgets/model/export_preview.h"
 #include "widgets/model/scenario_document.h"
 #include "widgets/model/selection.h"
-#include "widgets/panels/import_cells.h"
+#include "widgets/panels/dialogs/import_cells.h"
 
 #include <QTabWidget>
 

@@ -3,10 +3,10 @@
 #include "widgets/map/map_view.h"
 #include "widgets/map/scenario_picture.h"
 #include "widgets/model/import_text.h"
-#include "widgets/panels/import_columns_view.h"
-#include "widgets/panels/import_options_view.h"
-#include "widgets/panels/panel_labels.h"
-#include "widgets/panels/wheel_guard.h"
+#include "widgets/panels/dialogs/import_columns_view.h"
+#include "widgets/panels/dialogs/import_options_view.h"
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/panels/fields/wheel_guard.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

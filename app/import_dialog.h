@@ -4,7 +4,7 @@
 #include "widgets/model/import_runner.h"
 #include "widgets/model/scenario_document.h"
 #include "widgets/model/selection.h"
-#include "widgets/panels/import_cells.h"
+#include "widgets/panels/dialogs/import_cells.h"
 
 #include <QDialog>
 

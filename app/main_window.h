@@ -4,7 +4,7 @@
 #include "app/system_appearance.h"
 #include "widgets/map/map_tools.h"
 #include "widgets/model/workspace.h"
-#include "widgets/panels/run_time_line.h"
+#include "widgets/panels/flight/run_time_line.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 

@@ -2,9 +2,9 @@
 #include "widgets/map/map_view.h"
 #include "widgets/map/overview_inset.h"
 #include "widgets/model/scenario_edits.h"
-#include "widgets/panels/playback_bar.h"
-#include "widgets/panels/solve_time_panel.h"
-#include "widgets/panels/tradeoff_panel.h"
+#include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/panels/study/solve_time_panel.h"
 
 #include <QActionGroup>
 #include <QApplication>

@@ -3,11 +3,11 @@
 #include "app/main_window.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/error_text.h"
-#include "widgets/panels/check_panel.h"
-#include "widgets/panels/flight_banner.h"
-#include "widgets/panels/generate_dialog.h"
-#include "widgets/panels/issue_text.h"
-#include "widgets/panels/tradeoff_panel.h"
+#include "widgets/panels/dialogs/generate_dialog.h"
+#include "widgets/panels/flight/flight_banner.h"
+#include "widgets/panels/inspector/check_panel.h"
+#include "widgets/panels/inspector/issue_text.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
 
 #include <QDockWidget>
 #include <QStatusBar>

@@ -1,14 +1,14 @@
 #include "app/file_names.h"
 #include "app/main_window.h"
-#include "core/io/file_set.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/text/file_set.h"
 #include "core/scenario/presets.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/error_text.h"
-#include "widgets/panels/chart_panel.h"
-#include "widgets/panels/iceberg_table.h"
-#include "widgets/panels/inspector_panel.h"
-#include "widgets/panels/tradeoff_panel.h"
+#include "widgets/panels/flight/chart_panel.h"
+#include "widgets/panels/icebergs/iceberg_table.h"
+#include "widgets/panels/inspector/inspector_panel.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
 
 #include <QCloseEvent>
 #include <QDir>

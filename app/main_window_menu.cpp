@@ -4,7 +4,7 @@
 #include "widgets/map/map_view.h"
 #include "widgets/model/object_names.h"
 #include "widgets/model/scenario_edits.h"
-#include "widgets/panels/inspector_panel.h"
+#include "widgets/panels/inspector/inspector_panel.h"
 
 #include <QDockWidget>
 #include <QMenu>

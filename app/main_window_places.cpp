@@ -3,7 +3,7 @@
 #include "app/main_window.h"
 #include "widgets/map/map_view.h"
 #include "widgets/map/place_mark.h"
-#include "widgets/panels/goto_bar.h"
+#include "widgets/panels/dialogs/goto_bar.h"
 #include "widgets/theme/unit_settings.h"
 
 #include <QMenu>

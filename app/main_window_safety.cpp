@@ -1,7 +1,7 @@
 #include "app/main_window.h"
-#include "widgets/panels/panel_labels.h"
-#include "widgets/panels/solve_time_panel.h"
-#include "widgets/panels/study_panel.h"
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/panels/study/solve_time_panel.h"
+#include "widgets/panels/study/study_panel.h"
 
 #include <QDir>
 #include <QFileInfo>

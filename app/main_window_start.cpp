@@ -4,8 +4,8 @@
 #include "core/scenario/presets.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/error_text.h"
-#include "widgets/panels/playback_bar.h"
-#include "widgets/panels/tradeoff_panel.h"
+#include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
 
 #include <QDockWidget>
 #include <QFileInfo>

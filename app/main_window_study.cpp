@@ -2,15 +2,15 @@
 
 #include "app/file_names.h"
 #include "app/main_window.h"
-#include "core/io/atomic_file.h"
-#include "core/io/result_json.h"
-#include "core/io/study_json.h"
+#include "core/io/results/result_json.h"
+#include "core/io/study/study_json.h"
+#include "core/io/text/atomic_file.h"
 #include "core/study/paper_figures.h"
 #include "widgets/model/error_text.h"
-#include "widgets/panels/chart_panel.h"
-#include "widgets/panels/solve_time_panel.h"
-#include "widgets/panels/study_panel.h"
-#include "widgets/panels/study_results.h"
+#include "widgets/panels/flight/chart_panel.h"
+#include "widgets/panels/study/solve_time_panel.h"
+#include "widgets/panels/study/study_panel.h"
+#include "widgets/panels/study/study_results.h"
 
 #include <QDockWidget>
 #include <QFile>

@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "widgets/map/overview_inset.h"
-#include "widgets/panels/place_field.h"
+#include "widgets/panels/fields/place_field.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QDialogButtonBox>

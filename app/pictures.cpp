@@ -1,9 +1,9 @@
 #include "app/pictures.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/file_set.h"
-#include "core/io/run_json.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/text/atomic_file.h"
+#include "core/io/text/file_set.h"
 #include "widgets/charts/chart_image.h"
 #include "widgets/charts/mission_charts.h"
 #include "widgets/map/map_painter.h"

@@ -1,6 +1,6 @@
 #include "app/start_content.h"
 
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/sim/mission.h"
 #include "widgets/map/map_painter.h"
 #include "widgets/map/scenario_picture.h"

@@ -1,7 +1,7 @@
 #include "app/wind_dialog.h"
 
 #include "widgets/model/wind.h"
-#include "widgets/panels/number_field.h"
+#include "widgets/panels/fields/number_field.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QDialogButtonBox>

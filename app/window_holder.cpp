@@ -2,8 +2,8 @@
 
 #include "app/window_run.h"
 #include "widgets/map/map_view.h"
-#include "widgets/panels/chart_panel.h"
-#include "widgets/panels/playback_bar.h"
+#include "widgets/panels/flight/chart_panel.h"
+#include "widgets/panels/flight/playback_bar.h"
 #include "widgets/theme/unit_settings.h"
 
 namespace berg {

@@ -2,7 +2,7 @@
 
 #include "app/run_settings.h"
 #include "app/window_holder.h"
-#include "core/io/atomic_file.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "widgets/map/map_view.h"
 #include "widgets/model/error_text.h"

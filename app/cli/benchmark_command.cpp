@@ -1,7 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
-#include "core/io/result_json.h"
+#include "core/io/results/result_json.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/cli/console.h"
-#include "core/io/export_files.h"
+#include "core/io/export/export_files.h"
 
 #include <functional>
 #include <stop_token>

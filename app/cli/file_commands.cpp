@@ -1,10 +1,10 @@
 #include "app/cli/commands.h"
-#include "core/io/atomic_file.h"
-#include "core/io/problem_json.h"
-#include "core/io/result_json.h"
-#include "core/io/run_json.h"
-#include "core/io/scenario_json.h"
-#include "core/io/study_json.h"
+#include "core/io/files/problem_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/results/result_json.h"
+#include "core/io/study/study_json.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>

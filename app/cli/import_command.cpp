@@ -1,10 +1,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
-#include "core/io/atomic_file.h"
-#include "core/io/import_formats.h"
-#include "core/io/import_report.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/import/import_formats.h"
+#include "core/io/import/import_report.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,7 @@
 #include "app/cli/shard_flight.h"
 #include "app/cli/sweep_flight.h"
 #include "core/base/random.h"
-#include "core/io/study_json.h"
+#include "core/io/study/study_json.h"
 
 #include <chrono>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/names.h"
+#include "core/plan/solve/names.h"
 #include "core/scenario/checks.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #include "app/cli/output_gate.h"
 
 #include "app/cli/console.h"
-#include "core/io/atomic_file.h"
+#include "core/io/text/atomic_file.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/file_set.h"
+#include "core/io/text/file_set.h"
 
 #include <functional>
 #include <span>

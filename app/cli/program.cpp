@@ -1,7 +1,7 @@
 #include "app/cli/program.h"
 
 #include "app/cli/usage.h"
-#include "core/io/result_json.h"
+#include "core/io/results/result_json.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -2,11 +2,11 @@
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "core/bound/zeta_bound.h"
-#include "core/io/atomic_file.h"
-#include "core/io/result_csv.h"
-#include "core/io/result_json.h"
-#include "core/io/run_json.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/results/result_csv.h"
+#include "core/io/results/result_json.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>

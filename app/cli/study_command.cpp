@@ -1,9 +1,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/study_file.h"
 #include "app/cli/study_output.h"
-#include "core/io/atomic_file.h"
-#include "core/io/study_json.h"
-#include "core/io/study_report.h"
+#include "core/io/study/study_json.h"
+#include "core/io/study/study_report.h"
+#include "core/io/text/atomic_file.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>

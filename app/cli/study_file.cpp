@@ -1,7 +1,7 @@
 #include "app/cli/study_file.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/study_json.h"
+#include "core/io/study/study_json.h"
+#include "core/io/text/atomic_file.h"
 
 #include <algorithm>
 #include <sys/stat.h>

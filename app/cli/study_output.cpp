@@ -1,11 +1,11 @@
 #include "app/cli/study_output.h"
 
 #include "app/cli/console.h"
-#include "core/io/machine_text.h"
-#include "core/io/result_json.h"
-#include "core/io/study_report.h"
-#include "core/io/utc_time.h"
-#include "core/plan/names.h"
+#include "core/io/results/result_json.h"
+#include "core/io/study/study_report.h"
+#include "core/io/text/machine_text.h"
+#include "core/io/text/utc_time.h"
+#include "core/plan/policy/policy.h"
 
 #include <CLI/CLI.hpp>
 #include <chrono>

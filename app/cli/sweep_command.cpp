@@ -3,8 +3,8 @@
 #include "app/cli/study_file.h"
 #include "app/cli/study_output.h"
 #include "app/cli/sweep_flight.h"
-#include "core/io/scenario_json.h"
-#include "core/plan/names.h"
+#include "core/io/files/scenario_json.h"
+#include "core/plan/policy/policy.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>

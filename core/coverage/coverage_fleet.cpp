@@ -2,7 +2,7 @@
 
 #include "core/coverage/described_fleet.h"
 #include "core/coverage/fleet_coverage_search.h"
-#include "core/plan/fleet_solver.h"
+#include "core/plan/fleet/fleet_solver.h"
 
 #include <algorithm>
 #include <limits>

@@ -4,7 +4,7 @@
 #include "core/coverage/coverage_fleet.h"
 #include "core/coverage/coverage_search.h"
 #include "core/coverage/described_plan.h"
-#include "core/plan/tuning.h"
+#include "core/plan/solve/tuning.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/policy.h"
+#include "core/plan/policy/policy.h"
 
 namespace berg {
 

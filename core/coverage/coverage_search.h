@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/coverage/coverage_moves.h"
-#include "core/plan/solve_watch.h"
+#include "core/plan/solve/solve_watch.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/coverage/coverage_model.h"
-#include "core/plan/policy.h"
+#include "core/plan/policy/policy.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #include "core/scenario/advice.h"
 
 #include "core/base/angles.h"
-#include "core/plan/engine.h"
-#include "core/plan/plans_clusters.h"
+#include "core/plan/policy/plans_clusters.h"
+#include "core/plan/solve/engine.h"
 #include "core/scenario/checks.h"
 #include "core/vehicle/safety_guard.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/geodesy.h"
-#include "core/plan/policy.h"
+#include "core/plan/policy/policy.h"
 #include "core/tracking/drift.h"
 #include "core/tracking/observer.h"
 #include "core/vehicle/dubins.h"

@@ -1,6 +1,6 @@
 #include "core/scenario/validate.h"
 
-#include "core/plan/names.h"
+#include "core/plan/solve/names.h"
 #include "core/scenario/advice.h"
 #include "core/scenario/checks.h"
 #include "core/vehicle/geofence.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/policy.h"
+#include "core/plan/policy/policy.h"
 #include "core/tracking/observer.h"
 #include "core/vehicle/geofence.h"
 

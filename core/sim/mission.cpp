@@ -2,7 +2,7 @@
 
 #include "core/base/solving_guard.h"
 #include "core/coverage/coverage_policy.h"
-#include "core/plan/names.h"
+#include "core/plan/policy/policy.h"
 #include "core/scenario/validate.h"
 #include "core/sim/clusters.h"
 

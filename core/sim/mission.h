@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/planner.h"
+#include "core/plan/policy/planner.h"
 #include "core/sim/recorder.h"
 
 #include <functional>

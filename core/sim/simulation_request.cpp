@@ -1,6 +1,6 @@
 // What planners are asked: the part of `Simulation` that makes problems of what is known.
 
-#include "core/plan/plans_clusters.h"
+#include "core/plan/policy/plans_clusters.h"
 #include "core/sim/clusters.h"
 #include "core/sim/simulation.h"
 #include "core/vehicle/geofence.h"

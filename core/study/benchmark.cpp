@@ -1,7 +1,7 @@
 #include "core/study/benchmark.h"
 
 #include "core/base/random.h"
-#include "core/plan/tuning.h"
+#include "core/plan/solve/tuning.h"
 
 #include <algorithm>
 #include <memory>

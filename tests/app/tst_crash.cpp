@@ -1,6 +1,6 @@
 #include "app/window_run.h"
-#include "core/io/atomic_file.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/workspace.h"

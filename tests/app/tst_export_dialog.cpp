@@ -1,6 +1,6 @@
 #include "app/export_dialog.h"
 #include "app/export_options_view.h"
-#include "core/io/atomic_file.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/window_fixture.h"

@@ -1,7 +1,7 @@
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
-#include "widgets/panels/check_panel.h"
-#include "widgets/panels/generate_dialog.h"
+#include "widgets/panels/dialogs/generate_dialog.h"
+#include "widgets/panels/inspector/check_panel.h"
 
 #include <QDockWidget>
 #include <QLabel>

@@ -1,5 +1,5 @@
-#include "core/io/atomic_file.h"
-#include "core/io/formats.h"
+#include "core/io/export/formats.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/print/export_painter.h"

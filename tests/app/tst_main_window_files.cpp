@@ -1,6 +1,6 @@
 #include "app/start_items.h"
-#include "core/io/run_json.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/window_fixture.h"
 

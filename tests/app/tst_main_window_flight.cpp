@@ -1,5 +1,5 @@
-#include "core/io/run_json.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/scenario_builder.h"

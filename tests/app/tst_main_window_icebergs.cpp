@@ -1,8 +1,8 @@
 #include "core/scenario/presets.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
-#include "widgets/panels/iceberg_table.h"
-#include "widgets/panels/iceberg_table_columns.h"
+#include "widgets/panels/icebergs/iceberg_table.h"
+#include "widgets/panels/icebergs/iceberg_table_columns.h"
 
 #include <QDockWidget>
 #include <QTableView>

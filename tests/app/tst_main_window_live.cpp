@@ -1,8 +1,8 @@
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/mission_picture.h"
-#include "widgets/panels/run_time_line.h"
+#include "widgets/panels/flight/run_time_line.h"
 
 #include <QSignalSpy>
 

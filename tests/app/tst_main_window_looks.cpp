@@ -2,7 +2,7 @@
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/overview_inset.h"
-#include "widgets/panels/panel_labels.h"
+#include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>

@@ -4,8 +4,8 @@
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/overview_inset.h"
-#include "widgets/panels/goto_bar.h"
-#include "widgets/panels/number_field.h"
+#include "widgets/panels/dialogs/goto_bar.h"
+#include "widgets/panels/fields/number_field.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QLabel>

@@ -1,7 +1,7 @@
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
-#include "widgets/panels/plan_model.h"
+#include "widgets/panels/plan/plan_model.h"
 
 #include <QContextMenuEvent>
 #include <QDropEvent>

@@ -1,8 +1,8 @@
-#include "core/io/study_json.h"
+#include "core/io/study/study_json.h"
 #include "tests/support/study_builder.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/charts/study_chart.h"
-#include "widgets/panels/solve_time_panel.h"
+#include "widgets/panels/study/solve_time_panel.h"
 
 #include <QAbstractButton>
 #include <QDir>

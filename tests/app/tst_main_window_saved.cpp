@@ -1,9 +1,9 @@
 #include "core/base/random.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/model/recovery_store.h"
-#include "widgets/panels/inspector_panel.h"
+#include "widgets/panels/inspector/inspector_panel.h"
 
 #include <QAbstractSpinBox>
 #include <QCheckBox>

@@ -1,8 +1,8 @@
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
-#include "widgets/panels/generate_dialog.h"
+#include "widgets/panels/dialogs/generate_dialog.h"
 
 #include <QPushButton>
 #include <QSpinBox>

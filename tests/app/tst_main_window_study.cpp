@@ -1,11 +1,11 @@
-#include "core/io/atomic_file.h"
-#include "core/io/study_json.h"
+#include "core/io/study/study_json.h"
+#include "core/io/text/atomic_file.h"
 #include "tests/support/study_builder.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/charts/study_chart.h"
-#include "widgets/panels/number_field.h"
-#include "widgets/panels/solve_time_panel.h"
-#include "widgets/panels/study_panel.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/study/solve_time_panel.h"
+#include "widgets/panels/study/study_panel.h"
 
 #include <QDockWidget>
 #include <QLabel>

@@ -1,12 +1,12 @@
 #include "app/wind_dialog.h"
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "tests/support/approx.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/mission_picture.h"
 #include "widgets/map/wind_panel.h"
 #include "widgets/model/wind.h"
-#include "widgets/panels/number_field.h"
+#include "widgets/panels/fields/number_field.h"
 
 #include <QLabel>
 #include <QMenu>

@@ -1,5 +1,5 @@
 #include "app/run_settings.h"
-#include "core/io/atomic_file.h"
+#include "core/io/text/atomic_file.h"
 
 #include <QDir>
 #include <QTest>

@@ -1,7 +1,7 @@
 #include "app/start_items.h"
 #include "app/start_page.h"
 #include "app/tour.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/map_view.h"

@@ -6,7 +6,7 @@
 // the gap is within 2 % and within 0.3 %, until the end; each median and worst. "gap" is the worst
 // one left. Every row runs in a process of its own, so that its peak memory can be told.
 
-#include "core/plan/fleet_solver.h"
+#include "core/plan/fleet/fleet_solver.h"
 #include "tests/support/fleet_problems.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 //
 // Use: bench_mission [missions] [icebergs of the cbc rows]
 
-#include "core/plan/names.h"
+#include "core/plan/solve/names.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
 #include "core/study/statistics.h"

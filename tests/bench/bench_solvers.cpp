@@ -9,8 +9,8 @@
 // 0.2 % of the order, "total" until the end; each median and worst. "gap" is the worst one left.
 
 #include "core/base/error.h"
-#include "core/plan/solver.h"
-#include "core/plan/subset_solver.h"
+#include "core/plan/solve/solver.h"
+#include "core/plan/solve/subset_solver.h"
 #include "tests/support/hard_problems.h"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 // see kShapes; without any, all. A solve that was over before the stop does not count. What large
 // problems leave behind is freed on another thread, and not counted either.
 
-#include "core/plan/fleet_solver.h"
-#include "core/plan/subset_solver.h"
-#include "core/plan/tau_curve.h"
+#include "core/plan/fleet/fleet_solver.h"
+#include "core/plan/policy/tau_curve.h"
+#include "core/plan/solve/subset_solver.h"
 #include "tests/support/fleet_problems.h"
 #include "tests/support/hard_problems.h"
 

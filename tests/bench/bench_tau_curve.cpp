@@ -1,7 +1,7 @@
 // CPU time of whole trade-off curves, tau 0 .. 5, on the paper's Table 1 instances:
 //   bench_tau_curve [instances per size, default 10] [size ...]
 
-#include "core/plan/tau_curve.h"
+#include "core/plan/policy/tau_curve.h"
 #include "tests/support/brute_force.h"
 
 #include <algorithm>

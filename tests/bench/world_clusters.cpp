@@ -1,4 +1,4 @@
-#include "core/plan/names.h"
+#include "core/plan/policy/policy.h"
 #include "core/scenario/presets.h"
 #include "core/sim/clusters.h"
 #include "tests/bench/world_parts.h"

@@ -1,6 +1,6 @@
 // Several UAVs.
 
-#include "core/plan/names.h"
+#include "core/plan/policy/policy.h"
 #include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
 #include "tests/bench/world_parts.h"

@@ -1,6 +1,6 @@
 #include "core/bound/stays_inside.h"
 #include "core/bound/zeta_bound.h"
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
 #include "tests/support/approx.h"

@@ -1,8 +1,8 @@
 #include "core/base/angles.h"
 #include "core/base/random.h"
-#include "core/io/area_outline.h"
-#include "core/io/export_numbers.h"
-#include "core/io/geo_shapes.h"
+#include "core/io/export/geo_shapes.h"
+#include "core/io/import/area_outline.h"
+#include "core/io/text/export_numbers.h"
 
 #include <QtTest>
 

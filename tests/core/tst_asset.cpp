@@ -1,6 +1,6 @@
 #include "core/coverage/coverage_model.h"
-#include "core/io/result_csv.h"
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/results/result_csv.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/approx.h"

@@ -1,7 +1,7 @@
-#include "core/io/atomic_file.h"
-#include "core/io/problem_json.h"
-#include "core/io/run_json.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/problem_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/text/atomic_file.h"
 #include "tests/support/expect_error.h"
 
 #include <QDir>

@@ -1,6 +1,6 @@
 #include "core/base/angles.h"
 #include "core/base/enclosing_circle.h"
-#include "core/plan/planner.h"
+#include "core/plan/policy/planner.h"
 #include "core/sim/clusters.h"
 #include "core/sim/mission.h"
 #include "tests/support/approx.h"

@@ -1,6 +1,6 @@
 #include "core/coverage/coverage_model.h"
 #include "core/coverage/coverage_policy.h"
-#include "core/plan/planner.h"
+#include "core/plan/policy/planner.h"
 #include "core/scenario/presets.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scenario_builder.h"

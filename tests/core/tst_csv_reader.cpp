@@ -1,4 +1,4 @@
-#include "core/io/csv_reader.h"
+#include "core/io/text/csv_reader.h"
 
 #include <QtTest>
 

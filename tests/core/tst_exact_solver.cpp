@@ -1,6 +1,6 @@
-#include "core/plan/exact_solver.h"
-#include "core/plan/order_moves.h"
-#include "core/plan/subset_solver.h"
+#include "core/plan/solve/exact_solver.h"
+#include "core/plan/solve/order_moves.h"
+#include "core/plan/solve/subset_solver.h"
 #include "tests/support/approx.h"
 #include "tests/support/hard_problems.h"
 

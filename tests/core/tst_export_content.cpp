@@ -1,6 +1,6 @@
 #include "core/base/angles.h"
-#include "core/io/export_content.h"
-#include "core/io/plan_csv.h"
+#include "core/io/export/export_content.h"
+#include "core/io/export/plan_csv.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/mission_builder.h"

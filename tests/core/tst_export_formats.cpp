@@ -1,9 +1,9 @@
 // The table of formats: what every one of them must stand, and what it says about itself.
 
-#include "core/io/export_files.h"
-#include "core/io/export_notes.h"
-#include "core/io/thinned_way.h"
-#include "core/io/zip_file.h"
+#include "core/io/export/export_files.h"
+#include "core/io/export/export_notes.h"
+#include "core/io/export/thinned_way.h"
+#include "core/io/text/zip_file.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/export_fixtures.h"

@@ -1,4 +1,4 @@
-#include "core/io/export_numbers.h"
+#include "core/io/text/export_numbers.h"
 
 #include <QTest>
 

@@ -1,4 +1,4 @@
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/fenced_scenario.h"
 

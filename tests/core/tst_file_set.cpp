@@ -1,5 +1,5 @@
-#include "core/io/atomic_file.h"
-#include "core/io/file_set.h"
+#include "core/io/text/atomic_file.h"
+#include "core/io/text/file_set.h"
 #include "tests/support/expect_error.h"
 
 #include <QDir>

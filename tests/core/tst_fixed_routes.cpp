@@ -1,4 +1,4 @@
-#include "core/plan/policy.h"
+#include "core/plan/policy/policy.h"
 #include "tests/support/approx.h"
 #include "tests/support/request_builder.h"
 #include "tests/support/test_solvers.h"

@@ -1,9 +1,9 @@
-#include "core/plan/fleet_cover.h"
+#include "core/plan/fleet/fleet_cover.h"
 #if BERG_EXPECT_CBC
-#include "core/plan/cbc_cover.h"
+#include "core/plan/fleet/cbc_cover.h"
 #endif
-#include "core/plan/fleet_subsets.h"
-#include "core/plan/ng_memory.h"
+#include "core/plan/fleet/fleet_subsets.h"
+#include "core/plan/solve/ng_memory.h"
 #include "tests/support/fleet_rows.h"
 
 #include <QtTest>

@@ -1,5 +1,5 @@
-#include "core/io/run_json.h"
-#include "core/plan/names.h"
+#include "core/io/files/run_json.h"
+#include "core/plan/policy/policy.h"
 #include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"

@@ -1,7 +1,6 @@
-#include "core/plan/assignment.h"
-#include "core/plan/fleet_solver.h"
-#include "core/plan/names.h"
-#include "core/plan/policy.h"
+#include "core/plan/fleet/fleet_solver.h"
+#include "core/plan/policy/policy.h"
+#include "core/plan/solve/assignment.h"
 #include "tests/support/approx.h"
 #include "tests/support/fleet_requests.h"
 

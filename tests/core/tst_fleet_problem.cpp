@@ -1,4 +1,4 @@
-#include "core/plan/fleet_problem.h"
+#include "core/plan/fleet/fleet_problem.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fleet_rows.h"

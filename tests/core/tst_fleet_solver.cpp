@@ -1,6 +1,6 @@
 #include "core/base/solving_guard.h"
-#include "core/plan/fleet_solver.h"
-#include "core/plan/fleet_subsets.h"
+#include "core/plan/fleet/fleet_solver.h"
+#include "core/plan/fleet/fleet_subsets.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fleet_rows.h"
 

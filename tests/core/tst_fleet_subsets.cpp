@@ -1,4 +1,4 @@
-#include "core/plan/fleet_subsets.h"
+#include "core/plan/fleet/fleet_subsets.h"
 #include "tests/support/fleet_rows.h"
 
 #include <QtTest>

@@ -1,4 +1,4 @@
-#include "core/io/export_flight.h"
+#include "core/io/export/export_flight.h"
 #include "core/scenario/presets.h"
 #include "tests/support/approx.h"
 

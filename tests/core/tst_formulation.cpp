@@ -1,4 +1,4 @@
-#include "core/plan/formulation.h"
+#include "core/plan/solve/formulation.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 

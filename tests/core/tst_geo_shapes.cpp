@@ -1,4 +1,4 @@
-#include "core/io/visits.h"
+#include "core/sim/visits.h"
 #include "tests/support/geojson_rules.h"
 #include "tests/support/geojson_view.h"
 

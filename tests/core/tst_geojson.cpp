@@ -1,5 +1,5 @@
 #include "core/base/angles.h"
-#include "core/io/visits.h"
+#include "core/sim/visits.h"
 #include "tests/support/geojson_rules.h"
 #include "tests/support/geojson_view.h"
 

@@ -1,4 +1,4 @@
-#include "core/io/iceberg_json.h"
+#include "core/io/files/iceberg_json.h"
 #include "tests/support/random_scenario.h"
 
 #include <QtTest>

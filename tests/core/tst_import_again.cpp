@@ -1,4 +1,4 @@
-#include "core/io/import_scenario.h"
+#include "core/io/import/import_scenario.h"
 #include "core/scenario/validate.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"

@@ -1,6 +1,6 @@
 #include "core/base/angles.h"
-#include "core/io/import_fields.h"
-#include "core/io/import_formats.h"
+#include "core/io/import/import_fields.h"
+#include "core/io/import/import_formats.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/import_fixtures.h"

@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/io/import_scenario.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/import/import_scenario.h"
 #include "core/scenario/validate.h"
 #include "tests/support/import_fixtures.h"
 

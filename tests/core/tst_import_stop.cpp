@@ -1,6 +1,6 @@
 #include "core/base/stopped.h"
-#include "core/io/import_formats.h"
-#include "core/io/import_scenario.h"
+#include "core/io/import/import_formats.h"
+#include "core/io/import/import_scenario.h"
 #include "tests/support/import_fixtures.h"
 
 #include <QtTest>

@@ -1,4 +1,4 @@
-#include "core/io/import_time.h"
+#include "core/io/import/import_time.h"
 
 #include <QtTest>
 

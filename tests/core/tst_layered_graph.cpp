@@ -1,5 +1,5 @@
-#include "core/plan/graph_search.h"
-#include "core/plan/layered_graph.h"
+#include "core/plan/solve/graph_search.h"
+#include "core/plan/solve/layered_graph.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 

@@ -1,4 +1,4 @@
-#include "core/plan/milp_relaxation.h"
+#include "core/plan/solve/milp_relaxation.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 

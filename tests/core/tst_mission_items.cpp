@@ -1,4 +1,4 @@
-#include "core/io/mission_items.h"
+#include "core/io/export/mission_items.h"
 #include "tests/support/mission_builder.h"
 
 #include <QTest>

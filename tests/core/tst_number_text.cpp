@@ -1,4 +1,4 @@
-#include "core/io/number_text.h"
+#include "core/io/text/number_text.h"
 
 #include <QtTest>
 

@@ -1,5 +1,5 @@
 #include "core/bound/zeta_bound.h"
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/approx.h"

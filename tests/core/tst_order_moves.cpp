@@ -1,4 +1,4 @@
-#include "core/plan/order_moves.h"
+#include "core/plan/solve/order_moves.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 

@@ -1,5 +1,5 @@
-#include "core/plan/order_search.h"
-#include "core/plan/subset_solver.h"
+#include "core/plan/solve/order_search.h"
+#include "core/plan/solve/subset_solver.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/problem_rows.h"
 

@@ -1,5 +1,5 @@
-#include "core/io/plan_wpl.h"
-#include "core/io/visits.h"
+#include "core/io/export/plan_wpl.h"
+#include "core/sim/visits.h"
 #include "tests/support/golden.h"
 #include "tests/support/mission_builder.h"
 #include "tests/support/wpl_readers.h"

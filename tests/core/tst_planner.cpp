@@ -1,4 +1,4 @@
-#include "core/plan/planner.h"
+#include "core/plan/policy/planner.h"
 #include "tests/support/approx.h"
 #include "tests/support/fleet_requests.h"
 #include "tests/support/request_builder.h"

@@ -1,4 +1,4 @@
-#include "core/plan/names.h"
+#include "core/plan/policy/policy.h"
 #include "core/scenario/presets.h"
 #include "core/sim/policy_forecast.h"
 #include "tests/support/scenario_builder.h"

@@ -1,5 +1,5 @@
-#include "core/io/problem_json.h"
-#include "core/plan/tuning.h"
+#include "core/io/files/problem_json.h"
+#include "core/plan/solve/tuning.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/expect_error.h"
 

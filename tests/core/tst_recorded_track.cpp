@@ -1,9 +1,9 @@
-#include "core/io/run_json.h"
-#include "core/io/scenario_json.h"
-#include "core/io/visits.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"
+#include "core/sim/visits.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/scenario_builder.h"
 

@@ -1,4 +1,4 @@
-#include "core/plan/reduced_model.h"
+#include "core/plan/solve/reduced_model.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 

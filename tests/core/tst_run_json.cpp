@@ -1,4 +1,4 @@
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/expect_error.h"
 

@@ -1,4 +1,4 @@
-#include "core/plan/second_opinion.h"
+#include "core/plan/solve/second_opinion.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 

@@ -1,7 +1,7 @@
-#include "core/plan/fleet_bound.h"
-#include "core/plan/fleet_costs.h"
-#include "core/plan/fleet_ranks.h"
-#include "core/plan/fleet_solver.h"
+#include "core/plan/fleet/fleet_bound.h"
+#include "core/plan/fleet/fleet_costs.h"
+#include "core/plan/fleet/fleet_ranks.h"
+#include "core/plan/fleet/fleet_solver.h"
 #include "tests/support/fleet_problems.h"
 #include "tests/support/hard_problems.h"
 

@@ -1,5 +1,5 @@
 #include "core/bound/zeta_bound.h"
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "core/scenario/advice.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"

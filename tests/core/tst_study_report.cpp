@@ -1,9 +1,9 @@
-#include "core/io/atomic_file.h"
-#include "core/io/html_text.h"
-#include "core/io/machine_text.h"
-#include "core/io/report_style.h"
-#include "core/io/study_json.h"
-#include "core/io/study_report.h"
+#include "core/io/study/report_style.h"
+#include "core/io/study/study_json.h"
+#include "core/io/study/study_report.h"
+#include "core/io/text/atomic_file.h"
+#include "core/io/text/html_text.h"
+#include "core/io/text/machine_text.h"
 #include "tests/support/approx.h"
 
 #include <QRegularExpression>

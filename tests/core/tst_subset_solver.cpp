@@ -1,4 +1,4 @@
-#include "core/plan/subset_solver.h"
+#include "core/plan/solve/subset_solver.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/orders.h"

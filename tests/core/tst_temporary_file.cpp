@@ -1,5 +1,5 @@
-#include "core/io/atomic_file.h"
 #include "core/io/temporary_file.h"
+#include "core/io/text/atomic_file.h"
 
 #include <QDir>
 #include <QTemporaryDir>

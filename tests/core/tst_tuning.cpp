@@ -1,4 +1,4 @@
-#include "core/plan/tuning.h"
+#include "core/plan/solve/tuning.h"
 #include "tests/support/approx.h"
 
 #include <QtTest>

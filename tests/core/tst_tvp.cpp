@@ -1,4 +1,4 @@
-#include "core/plan/tvp.h"
+#include "core/plan/solve/tvp.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/expect_error.h"

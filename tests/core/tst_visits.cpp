@@ -1,4 +1,4 @@
-#include "core/io/visits.h"
+#include "core/sim/visits.h"
 #include "tests/support/mission_builder.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 #include "core/base/angles.h"
 #include "core/base/random.h"
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/approx.h"

@@ -1,4 +1,4 @@
-#include "core/io/xml_reader.h"
+#include "core/io/text/xml_reader.h"
 #include "tests/support/expect_error.h"
 
 #include <QtTest>

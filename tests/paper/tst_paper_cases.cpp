@@ -1,4 +1,4 @@
-#include "core/plan/names.h"
+#include "core/plan/policy/policy.h"
 #include "core/study/study_summary.h"
 
 #include <QtTest>

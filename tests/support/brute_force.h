@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "core/plan/tuning.h"
-#include "core/plan/tvp.h"
+#include "core/plan/solve/tuning.h"
+#include "core/plan/solve/tvp.h"
 
 #include <algorithm>
 #include <cstdint>

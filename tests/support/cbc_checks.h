@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/tvp.h"
+#include "core/plan/solve/tvp.h"
 
 #include <numeric>
 

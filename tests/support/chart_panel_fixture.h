@@ -3,7 +3,7 @@
 #include "tests/support/panel_test.h"
 #include "tests/support/synthetic_flight.h"
 #include "widgets/charts/time_chart.h"
-#include "widgets/panels/chart_panel.h"
+#include "widgets/panels/flight/chart_panel.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/formats.h"
+#include "core/io/export/formats.h"
 #include "tests/support/czml_rules.h"
 #include "tests/support/geojson_rules.h"
 #include "tests/support/golden.h"

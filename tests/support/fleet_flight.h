@@ -2,7 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/coverage/flight_picture.h"
-#include "core/plan/policy.h"
+#include "core/plan/policy/policy.h"
 #include "core/scenario/scenario.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "core/plan/fleet_problem.h"
+#include "core/plan/fleet/fleet_problem.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/geojson.h"
+#include "core/io/export/geojson.h"
 #include "tests/support/golden.h"
 #include "tests/support/mission_builder.h"
 

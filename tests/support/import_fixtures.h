@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/io/atomic_file.h"
-#include "core/io/import_formats.h"
-#include "core/io/import_scenario.h"
+#include "core/io/import/import_formats.h"
+#include "core/io/import/import_scenario.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/scenario.h"
 
 #include <algorithm>

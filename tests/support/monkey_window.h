@@ -4,9 +4,9 @@
 #include "app/window_run.h"
 #include "core/base/random.h"
 #include "core/base/solving_guard.h"
-#include "core/io/run_json.h"
-#include "core/io/scenario_json.h"
-#include "core/io/study_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/study/study_json.h"
 #include "tests/support/study_builder.h"
 #include "widgets/map/map_view.h"
 

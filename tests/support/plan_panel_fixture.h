@@ -2,8 +2,8 @@
 
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
-#include "widgets/panels/plan_model.h"
-#include "widgets/panels/plan_panel.h"
+#include "widgets/panels/plan/plan_model.h"
+#include "widgets/panels/plan/plan_panel.h"
 
 #include <QSignalSpy>
 #include <QTableView>

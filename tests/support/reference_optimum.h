@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/fleet_problem.h"
+#include "core/plan/fleet/fleet_problem.h"
 
 #include <algorithm>
 #include <bit>

@@ -2,7 +2,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/random.h"
-#include "core/plan/policy.h"
+#include "core/plan/policy/policy.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/plan/engine.h"
-#include "core/plan/solver.h"
+#include "core/plan/solve/engine.h"
+#include "core/plan/solve/solver.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/orders.h"
 

@@ -2,7 +2,7 @@
 
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
-#include "widgets/panels/iceberg_table_model.h"
+#include "widgets/panels/icebergs/iceberg_table_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QUndoStack>

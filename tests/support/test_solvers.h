@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/solver.h"
+#include "core/plan/solve/solver.h"
 #include "tests/support/brute_force.h"
 
 #include <functional>

@@ -1,4 +1,4 @@
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/autosaver.h"

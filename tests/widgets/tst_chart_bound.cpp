@@ -1,4 +1,4 @@
-#include "core/io/atomic_file.h"
+#include "core/io/text/atomic_file.h"
 #include "tests/support/approx.h"
 #include "tests/support/chart_panel_fixture.h"
 

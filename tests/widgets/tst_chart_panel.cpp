@@ -1,5 +1,5 @@
 #include "core/base/error.h"
-#include "core/io/atomic_file.h"
+#include "core/io/text/atomic_file.h"
 #include "tests/support/approx.h"
 #include "tests/support/chart_panel_fixture.h"
 #include "widgets/theme/palette.h"

@@ -1,8 +1,8 @@
 #include "core/scenario/advice.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
-#include "widgets/panels/check_panel.h"
-#include "widgets/panels/issue_text.h"
+#include "widgets/panels/inspector/check_panel.h"
+#include "widgets/panels/inspector/issue_text.h"
 
 #include <QListWidget>
 #include <QSignalSpy>

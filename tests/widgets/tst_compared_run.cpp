@@ -3,7 +3,7 @@
 #include "tests/support/panel_test.h"
 #include "widgets/map/comparison_track.h"
 #include "widgets/model/compared_run.h"
-#include "widgets/panels/comparison_tables.h"
+#include "widgets/panels/study/comparison_tables.h"
 
 using namespace berg;
 using namespace test;

@@ -2,10 +2,10 @@
 #include "tests/support/comparison_builder.h"
 #include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
-#include "widgets/panels/comparison_panel.h"
-#include "widgets/panels/comparison_tables.h"
-#include "widgets/panels/number_field.h"
-#include "widgets/panels/run_table.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/study/comparison_panel.h"
+#include "widgets/panels/study/comparison_tables.h"
+#include "widgets/panels/study/run_table.h"
 
 #include <QLabel>
 #include <QProgressBar>

@@ -1,5 +1,5 @@
-#include "core/io/atomic_file.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/panel_test.h"

@@ -1,7 +1,7 @@
 #include "core/scenario/presets.h"
 #include "tests/support/panel_test.h"
-#include "widgets/panels/event_model.h"
-#include "widgets/panels/event_panel.h"
+#include "widgets/panels/flight/event_model.h"
+#include "widgets/panels/flight/event_panel.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>

@@ -2,8 +2,8 @@
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
 #include "tests/support/test_solvers.h"
-#include "widgets/panels/flight_banner.h"
-#include "widgets/panels/flight_notices.h"
+#include "widgets/panels/flight/flight_banner.h"
+#include "widgets/panels/flight/flight_notices.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -3,8 +3,8 @@
 #include "tests/support/approx.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
-#include "widgets/panels/generate_dialog.h"
-#include "widgets/panels/number_field.h"
+#include "widgets/panels/dialogs/generate_dialog.h"
+#include "widgets/panels/fields/number_field.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCheckBox>

@@ -2,9 +2,9 @@
 #include "tests/support/mission_builder.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
-#include "widgets/panels/iceberg_table.h"
-#include "widgets/panels/iceberg_table_columns.h"
-#include "widgets/panels/number_field.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/icebergs/iceberg_table.h"
+#include "widgets/panels/icebergs/iceberg_table_columns.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,8 +1,8 @@
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
 #include "tests/support/approx.h"
 #include "tests/support/mission_builder.h"
 #include "tests/support/table_fixture.h"
-#include "widgets/panels/plan_rows.h"
+#include "widgets/panels/plan/plan_rows.h"
 
 #include <QSignalSpy>
 

@@ -1,8 +1,8 @@
 #include "tests/support/approx.h"
 #include "tests/support/scenario_builder.h"
 #include "widgets/model/scenario_edits.h"
-#include "widgets/panels/iceberg_table_paste.h"
-#include "widgets/panels/iceberg_table_text.h"
+#include "widgets/panels/icebergs/iceberg_table_paste.h"
+#include "widgets/panels/icebergs/iceberg_table_text.h"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "tests/support/mission_builder.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/scenario_edits.h"
-#include "widgets/panels/inspector_panel.h"
-#include "widgets/panels/number_field.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/inspector/inspector_panel.h"
 #include "widgets/theme/palette.h"
 
 #include <QComboBox>

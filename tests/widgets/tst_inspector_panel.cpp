@@ -1,10 +1,10 @@
 #include "tests/support/approx.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
-#include "widgets/panels/inspector_panel.h"
-#include "widgets/panels/inspector_rows.h"
-#include "widgets/panels/issue_text.h"
-#include "widgets/panels/number_field.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/inspector/inspector_panel.h"
+#include "widgets/panels/inspector/inspector_rows.h"
+#include "widgets/panels/inspector/issue_text.h"
 
 #include <QCheckBox>
 #include <QLabel>

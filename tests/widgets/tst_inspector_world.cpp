@@ -1,8 +1,8 @@
 #include "core/scenario/validate.h"
 #include "tests/support/mission_builder.h"
 #include "tests/support/panel_test.h"
-#include "widgets/panels/inspector_panel.h"
-#include "widgets/panels/number_field.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/inspector/inspector_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

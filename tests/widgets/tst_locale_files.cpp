@@ -1,9 +1,9 @@
-#include "core/io/atomic_file.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/text/atomic_file.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/panel_test.h"
-#include "widgets/panels/inspector_panel.h"
-#include "widgets/panels/number_field.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/inspector/inspector_panel.h"
 
 #include <QClipboard>
 #include <QTemporaryDir>

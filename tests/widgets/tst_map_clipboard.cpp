@@ -1,4 +1,4 @@
-#include "core/io/iceberg_json.h"
+#include "core/io/files/iceberg_json.h"
 #include "core/scenario/validate.h"
 #include "tests/support/map_fixture.h"
 #include "widgets/model/iceberg_clipboard.h"

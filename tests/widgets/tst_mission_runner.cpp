@@ -1,4 +1,4 @@
-#include "core/io/export_content.h"
+#include "core/io/export/export_content.h"
 #include "core/scenario/presets.h"
 #include "widgets/model/flight_record.h"
 #include "widgets/model/mission_runner.h"

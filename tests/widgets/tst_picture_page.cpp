@@ -1,4 +1,4 @@
-#include "core/io/atomic_file.h"
+#include "core/io/text/atomic_file.h"
 #include "tests/support/expect_error.h"
 #include "widgets/theme/picture_page.h"
 

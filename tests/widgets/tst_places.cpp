@@ -1,6 +1,6 @@
 #include "tests/support/approx.h"
 #include "tests/support/panel_test.h"
-#include "widgets/panels/goto_bar.h"
+#include "widgets/panels/dialogs/goto_bar.h"
 
 #include <QAbstractItemView>
 #include <QCompleter>

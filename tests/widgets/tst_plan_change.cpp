@@ -3,7 +3,7 @@
 #include "widgets/map/mission_picture.h"
 #include "widgets/map/scenario_picture.h"
 #include "widgets/model/workspace.h"
-#include "widgets/panels/plan_rows.h"
+#include "widgets/panels/plan/plan_rows.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 #include "tests/support/panel_test.h"
-#include "widgets/panels/playback_bar.h"
-#include "widgets/panels/run_time_line.h"
+#include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/flight/run_time_line.h"
 #include "widgets/theme/icons.h"
 
 #include <QComboBox>

@@ -1,6 +1,6 @@
 #include "tests/support/panel_test.h"
-#include "widgets/panels/policy_combo.h"
-#include "widgets/panels/tradeoff_panel.h"
+#include "widgets/panels/plan/policy_combo.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
 
 #include <QAbstractItemView>
 #include <QLabel>

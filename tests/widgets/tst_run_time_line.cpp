@@ -1,5 +1,5 @@
 #include "tests/support/panel_test.h"
-#include "widgets/panels/run_time_line.h"
+#include "widgets/panels/flight/run_time_line.h"
 
 #include <QSignalSpy>
 

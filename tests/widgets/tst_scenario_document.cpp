@@ -1,5 +1,5 @@
 #include "core/base/random.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "widgets/model/scenario_document.h"
 

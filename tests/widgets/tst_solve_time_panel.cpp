@@ -1,7 +1,7 @@
 #include "tests/support/panel_test.h"
 #include "widgets/charts/solve_time_chart.h"
-#include "widgets/panels/number_field.h"
-#include "widgets/panels/solve_time_panel.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/study/solve_time_panel.h"
 
 #include <QCheckBox>
 #include <QLabel>

@@ -1,5 +1,5 @@
-#include "core/io/atomic_file.h"
-#include "core/io/study_json.h"
+#include "core/io/study/study_json.h"
+#include "core/io/text/atomic_file.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/study_builder.h"
 #include "widgets/model/study_keeper.h"

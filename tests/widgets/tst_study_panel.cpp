@@ -3,12 +3,12 @@
 #include "tests/support/panel_test.h"
 #include "tests/support/study_builder.h"
 #include "widgets/charts/study_chart.h"
-#include "widgets/panels/number_field.h"
-#include "widgets/panels/study_panel.h"
-#include "widgets/panels/study_results.h"
-#include "widgets/panels/study_run_bar.h"
-#include "widgets/panels/study_setup.h"
-#include "widgets/panels/study_tables.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/study/study_panel.h"
+#include "widgets/panels/study/study_results.h"
+#include "widgets/panels/study/study_run_bar.h"
+#include "widgets/panels/study/study_setup.h"
+#include "widgets/panels/study/study_tables.h"
 
 #include <QCheckBox>
 #include <QComboBox>

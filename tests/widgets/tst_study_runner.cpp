@@ -1,6 +1,6 @@
 #include "core/base/solving_guard.h"
-#include "core/io/atomic_file.h"
-#include "core/io/study_json.h"
+#include "core/io/study/study_json.h"
+#include "core/io/text/atomic_file.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/study_builder.h"
 #include "widgets/model/study_estimate.h"

@@ -2,7 +2,7 @@
 #include "tests/support/curve_builder.h"
 #include "tests/support/panel_test.h"
 #include "widgets/model/curve_choice.h"
-#include "widgets/panels/tau_strip.h"
+#include "widgets/panels/plan/tau_strip.h"
 
 #include <QMouseEvent>
 #include <QSignalSpy>

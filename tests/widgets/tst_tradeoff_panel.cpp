@@ -1,8 +1,8 @@
-#include "core/plan/names.h"
+#include "core/plan/policy/policy.h"
 #include "tests/support/approx.h"
 #include "tests/support/panel_test.h"
-#include "widgets/panels/number_field.h"
-#include "widgets/panels/tradeoff_panel.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
 
 #include <QComboBox>
 #include <QLabel>

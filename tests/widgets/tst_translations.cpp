@@ -249,8 +249,7 @@ private slots:
         QVERIFY(translator.load(locale, u"bergwatch"_s, u"_"_s, u":/i18n"_s));
         QVERIFY(QCoreApplication::installTranslator(&translator));
         QCOMPARE(policyText(settings, locale), u"Nærmeste isfjell først"_s);
-        QCOMPARE(policyText({.tau = 1.5}, locale),
-                 u"Vektet besøksrekkefølge, avveining τ 1,50"_s);
+        QCOMPARE(policyText({.tau = 1.5}, locale), u"Vektet besøksrekkefølge, avveining τ 1,50"_s);
         QCoreApplication::removeTranslator(&translator);
     }
 

@@ -1,7 +1,7 @@
 // Memory runs out on the threads that plan, fly and read. A program of its own: it has `new` of its
 // own, which fails where the test says.
 
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/study_builder.h"
 #include "widgets/model/benchmark_runner.h"

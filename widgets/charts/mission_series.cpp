@@ -1,6 +1,6 @@
 #include "widgets/charts/mission_series.h"
 
-#include "core/io/result_csv.h"
+#include "core/io/results/result_csv.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/nice_ticks.h"
-#include "core/plan/tau_curve.h"
+#include "core/plan/policy/tau_curve.h"
 #include "widgets/charts/chart_frame.h"
 
 #include <QWidget>

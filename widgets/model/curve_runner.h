@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/tau_curve.h"
+#include "core/plan/policy/tau_curve.h"
 #include "core/scenario/scenario.h"
 #include "widgets/model/mailbox.h"
 

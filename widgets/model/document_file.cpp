@@ -1,6 +1,6 @@
 #include "widgets/model/document_file.h"
 
-#include "core/io/atomic_file.h"
+#include "core/io/text/atomic_file.h"
 #include "widgets/model/scenario_document.h"
 
 #include <QCryptographicHash>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/io/export_files.h"
-#include "core/io/export_notes.h"
+#include "core/io/export/export_files.h"
+#include "core/io/export/export_notes.h"
 
 #include <QImage>
 #include <QString>

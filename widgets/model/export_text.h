@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/export_notes.h"
+#include "core/io/export/export_notes.h"
 
 #include <QLocale>
 #include <QString>

@@ -1,6 +1,6 @@
 #include "widgets/model/iceberg_clipboard.h"
 
-#include "core/io/iceberg_json.h"
+#include "core/io/files/iceberg_json.h"
 
 #include <QCoreApplication>
 

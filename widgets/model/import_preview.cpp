@@ -1,7 +1,7 @@
 #include "widgets/model/import_preview.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/csv_reader.h"
+#include "core/io/text/atomic_file.h"
+#include "core/io/text/csv_reader.h"
 #include "core/scenario/checks.h"
 #include "widgets/model/work_failure.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/io/import_formats.h"
-#include "core/io/import_scenario.h"
+#include "core/io/import/import_formats.h"
+#include "core/io/import/import_scenario.h"
 
 #include <QString>
 #include <QStringList>

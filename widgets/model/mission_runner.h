@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/run_json.h"
+#include "core/io/files/run_json.h"
 #include "widgets/model/export_worker.h"
 #include "widgets/model/mailbox.h"
 #include "widgets/model/mission_snapshot.h"

@@ -1,6 +1,6 @@
 #include "widgets/model/mission_worker.h"
 
-#include "core/io/export_flight.h"
+#include "core/io/export/export_flight.h"
 #include "widgets/model/error_text.h"
 
 #include <algorithm>

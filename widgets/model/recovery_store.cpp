@@ -1,7 +1,7 @@
 #include "widgets/model/recovery_store.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/text/atomic_file.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,7 +1,7 @@
 #include "widgets/model/scenario_document.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/scenario_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/text/atomic_file.h"
 #include "core/scenario/validate.h"
 
 #include <QCryptographicHash>

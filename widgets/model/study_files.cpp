@@ -1,10 +1,10 @@
 #include "widgets/model/study_files.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/machine_text.h"
-#include "core/io/result_json.h"
-#include "core/io/study_json.h"
-#include "core/io/study_report.h"
+#include "core/io/results/result_json.h"
+#include "core/io/study/study_json.h"
+#include "core/io/study/study_report.h"
+#include "core/io/text/atomic_file.h"
+#include "core/io/text/machine_text.h"
 #include "widgets/model/work_failure.h"
 
 #include <QCoreApplication>

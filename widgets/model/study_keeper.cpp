@@ -1,6 +1,6 @@
 #include "widgets/model/study_keeper.h"
 
-#include "core/io/study_json.h"
+#include "core/io/study/study_json.h"
 #include "widgets/model/error_text.h"
 #include "widgets/model/work_failure.h"
 

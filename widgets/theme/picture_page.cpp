@@ -1,7 +1,7 @@
 #include "widgets/theme/picture_page.h"
 
 #include "core/base/error.h"
-#include "core/io/atomic_file.h"
+#include "core/io/text/atomic_file.h"
 
 #include <QBuffer>
 #include <QFile>

@@ -1,0 +1,212 @@
+#include "core/io/export/czml.h"
+
+#include "core/io/export/uav_colours.h"
+#include "core/io/text/export_numbers.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json colour(const Rgb& rgb)
+{
+    Json json;
+    json["rgba"] = {rgb.red, rgb.green, rgb.blue, 255};
+    return json;
+}
+
+constexpr Rgb kIceColour{120, 200, 240};
+constexpr Rgb kAssetColour{220, 60, 60};
+constexpr Rgb kAreaColour{128, 128, 128};
+
+Json solid(const Rgb& rgb)
+{
+    Json material;
+    material["solidColor"]["color"] = colour(rgb);
+    return material;
+}
+
+class CzmlWriter
+{
+public:
+    explicit CzmlWriter(const ExportContent& content) : m_content(content) {}
+
+    std::string text()
+    {
+        addDocument();
+        for (const ExportIceberg& now : m_content.icebergs)
+            if (now.isListed)
+                addIceberg(now);
+        addArea();
+        if (m_content.asset)
+            add(mark("asset", m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
+                     assetPlace_m(m_content), kAssetColour));
+        for (const ExportUav& uav : m_content.uavs) {
+            add(mark("home/" + uav.uav.id, "Home of " + titleOf(uav.uav), uav.home_m,
+                     uavColour(uav.row)));
+            addUav(uav);
+        }
+        return "[\n" + m_packets + "\n]\n";
+    }
+
+private:
+    void add(const Json& packet)
+    {
+        if (!m_packets.empty())
+            m_packets += ",\n";
+        // Names may hold bytes that are not UTF-8 when they come from elsewhere than a file.
+        m_packets += packet.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+
+    void append(Json& list, const Point& position_m, double altitude_m) const
+    {
+        const LatLon place = roundedPlace(m_content.frame.toGeographic(position_m));
+        list.push_back(place.longitude_deg);
+        list.push_back(place.latitude_deg);
+        list.push_back(altitude_m);
+    }
+
+    /** ISO 8601 interval of the ways; there must be a start. */
+    [[nodiscard]] std::string interval(double from_s, double to_s) const
+    {
+        return utcText(*m_content.start, from_s) + '/' + utcText(*m_content.start, to_s);
+    }
+
+    void addDocument()
+    {
+        Json packet;
+        packet["id"] = "document";
+        packet["name"] = m_content.name.empty() ? "Bergwatch" : m_content.name;
+        packet["version"] = "1.0";
+        if (m_content.start) {
+            double from_s = m_content.now_s;
+            double to_s = m_content.now_s + 1; // an interval is never empty
+            for (const ExportUav& uav : m_content.uavs) {
+                from_s = std::min(from_s, uav.start_s);
+                to_s = std::max(to_s, wayOf(uav).back().time_s);
+            }
+            Json& clock = packet["clock"];
+            clock["interval"] = interval(from_s, to_s);
+            clock["currentTime"] = utcText(*m_content.start, from_s);
+            clock["multiplier"] = 10;
+        }
+        add(packet);
+    }
+
+    [[nodiscard]] Json mark(const std::string& id, const std::string& name, const Point& position_m,
+                            const Rgb& rgb) const
+    {
+        Json packet;
+        packet["id"] = id;
+        packet["name"] = name;
+        Json place = Json::array();
+        append(place, position_m, 0);
+        packet["position"]["cartographicDegrees"] = std::move(place);
+        packet["point"]["pixelSize"] = 8;
+        packet["point"]["color"] = colour(rgb);
+        packet["label"]["text"] = name;
+        packet["label"]["font"] = "12px sans-serif";
+        packet["label"]["horizontalOrigin"] = "LEFT";
+        packet["label"]["pixelOffset"]["cartesian2"] = {10, 0};
+        return packet;
+    }
+
+    void addIceberg(const ExportIceberg& now)
+    {
+        Json packet =
+            mark("iceberg/" + now.iceberg.id, titleOf(now.iceberg), now.position_m, kIceColour);
+        const Point drift_mps = eastNorth_mps(m_content, now.drift_mps, now.position_m);
+        Json& properties = packet["properties"];
+        properties["id"] = now.iceberg.id;
+        properties["state"] = nameOf(kIcebergStateNames, now.state);
+        properties["sigma_m2"] = now.sigma_m2;
+        properties["q_m2ps"] = now.iceberg.q_m2ps;
+        properties["radius_m"] = now.iceberg.radius_m;
+        properties["drift_east_mps"] = drift_mps.x();
+        properties["drift_north_mps"] = drift_mps.y();
+        add(packet);
+    }
+
+    void addArea()
+    {
+        if (m_content.area_m.empty())
+            return;
+        Json outline = Json::array();
+        for (const Point& corner_m : m_content.area_m)
+            append(outline, corner_m, 0);
+        append(outline, m_content.area_m.front(), 0);
+        Json packet;
+        packet["id"] = "area";
+        packet["name"] = "Area";
+        packet["polyline"]["positions"]["cartographicDegrees"] = std::move(outline);
+        packet["polyline"]["width"] = 2;
+        packet["polyline"]["material"] = solid(kAreaColour);
+        add(packet);
+    }
+
+    void addUav(const ExportUav& uav)
+    {
+        const std::vector<TimedPoint> way = wayOf(uav);
+        const Rgb rgb = uavColour(uav.row);
+        Json packet;
+        packet["id"] = "uav/" + uav.uav.id;
+        packet["name"] = titleOf(uav.uav);
+        packet["point"]["pixelSize"] = 10;
+        packet["point"]["color"] = colour(rgb);
+        packet["properties"]["airspeed_mps"] = uav.uav.spec.airspeed_mps;
+        packet["properties"]["altitude_m"] = uav.uav.spec.altitude_m;
+        if (m_content.start && way.size() > 1 && way.back().time_s > way.front().time_s) {
+            packet["availability"] = interval(way.front().time_s, way.back().time_s);
+            packet["position"] = moving(way, uav.uav.spec.altitude_m);
+            packet["path"]["width"] = 3;
+            packet["path"]["material"] = solid(rgb);
+        } else {
+            Json place = Json::array();
+            append(place, way.front().position_m, uav.uav.spec.altitude_m);
+            packet["position"]["cartographicDegrees"] = std::move(place);
+            Json line = Json::array();
+            for (const TimedPoint& point : way)
+                append(line, point.position_m, uav.uav.spec.altitude_m);
+            packet["polyline"]["positions"]["cartographicDegrees"] = std::move(line);
+            packet["polyline"]["width"] = 3;
+            packet["polyline"]["material"] = solid(rgb);
+        }
+        add(packet);
+    }
+
+    /** Samples at rising times: Cesium takes no two at one. */
+    [[nodiscard]] Json moving(const std::vector<TimedPoint>& way, double altitude_m) const
+    {
+        Json samples = Json::array();
+        std::optional<double> last_s;
+        for (const TimedPoint& point : way) {
+            const double time_s = roundedSeconds(point.time_s);
+            if (last_s && time_s <= *last_s)
+                continue;
+            last_s = time_s;
+            samples.push_back(time_s);
+            append(samples, point.position_m, altitude_m);
+        }
+        Json position;
+        position["epoch"] = utcText(*m_content.start, 0);
+        position["cartographicDegrees"] = std::move(samples);
+        return position;
+    }
+
+    const ExportContent& m_content;
+    std::string m_packets;
+};
+
+} // namespace
+
+std::string czmlText(const ExportContent& content)
+{
+    return CzmlWriter(content).text();
+}
+
+} // namespace berg

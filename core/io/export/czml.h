@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/io/export/export_content.h"
+
+#include <string>
+
+namespace berg {
+
+/**
+ * CZML 1.0 for Cesium: a packet for each iceberg (what is known of it as `properties`), for the
+ * area, asset and homes, and for each UAV, which moves along its way when the scenario has a start
+ * time; without one its way is a line.
+ */
+[[nodiscard]] std::string czmlText(const ExportContent& content);
+
+} // namespace berg

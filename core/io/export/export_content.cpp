@@ -1,0 +1,356 @@
+#include "core/io/export/export_content.h"
+
+#include "core/base/angles.h"
+#include "core/io/export/export_flight.h"
+#include "core/scenario/checks.h"
+#include "core/scenario/validate.h"
+#include "core/sim/clusters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace berg {
+
+namespace {
+
+/** A quarter of the way round the Earth, beyond which the plane tears maps apart. */
+constexpr double kEndOfPlane_m = 1e7;
+
+[[noreturn]] void refuse(const std::string& option, const std::string& reason)
+{
+    throw Error(ErrorCode::InvalidInput, option, reason);
+}
+
+void checkRange(const std::string& option, const std::optional<double>& value, const Limits& limits)
+{
+    if (value)
+        if (const std::string fault = limitsFault(*value, limits); !fault.empty())
+            refuse(option, fault);
+}
+
+void checkOptions(const ExportSource& source, const ExportOptions& options)
+{
+    constexpr Limits kExtent_m{.low = kSmallestExtent_m, .high = kLargestLength_m};
+    checkRange("altitude", options.altitude_m, kExtent_m);
+    checkRange("speed", options.airspeed_mps,
+               {.low = kSlowestAirspeed_mps, .high = kFastestAirspeed_mps});
+    checkRange("acceptance", options.acceptance_m, kExtent_m);
+    if (options.loiterTurns < 0 || options.loiterTurns > kMostLoiterTurns)
+        refuse("loiter", "must be 0 to " + std::to_string(kMostLoiterTurns) + " turns");
+    if (options.what == ExportWhat::Track && source.mission == nullptr)
+        refuse("what", "a scenario has no track: nothing was flown");
+    const Point wind_mps =
+        source.mission ? source.mission->simulation().motion(0).wind_mps : source.scenario.wind_mps;
+    if (options.airspeed_mps && *options.airspeed_mps <= wind_mps.norm())
+        refuse("speed", "must be above the speed of the wind");
+    const auto& uavs = source.scenario.uavs;
+    if (!options.uav.empty() && std::ranges::find(uavs, options.uav, &Uav::id) == uavs.end())
+        refuse("uav", "there is no UAV " + options.uav);
+}
+
+IcebergState stateOf(const Simulation& simulation, int index)
+{
+    const Track& track = simulation.track(index);
+    if (track.left)
+        return IcebergState::Left;
+    if (!simulation.active(index))
+        return IcebergState::Expected;
+    switch (track.status) {
+    case TrackStatus::Tracked:
+        return IcebergState::Tracked;
+    case TrackStatus::Lost:
+        return IcebergState::Lost;
+    case TrackStatus::GivenUp:
+        return IcebergState::GivenUp;
+    }
+    throw std::logic_error("stateOf: unknown status");
+}
+
+ExportIceberg enteredIceberg(const Scenario& scenario, const Iceberg& iceberg)
+{
+    return {.iceberg = iceberg,
+            .position_m = iceberg.position_m,
+            .drift_mps = iceberg.velocity_mps + scenario.current_mps,
+            .sigma_m2 = initialSigma_m2(iceberg),
+            .state = iceberg.appears_s > 0 ? IcebergState::Expected : IcebergState::Tracked};
+}
+
+ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportWhat what)
+{
+    const Simulation& simulation = mission.simulation();
+    const int index = static_cast<int>(row);
+    const Iceberg& iceberg = mission.icebergs()[row];
+    ExportIceberg now = enteredIceberg(mission.scenario(), iceberg);
+    now.state = stateOf(simulation, index);
+    now.isListed = now.state != IcebergState::Expected && now.state != IcebergState::Left;
+    if (now.state == IcebergState::Expected)
+        return now;
+    now.position_m =
+        what == ExportWhat::Track ? simulation.truth_m(index) : simulation.estimate_m(index);
+    if (what != ExportWhat::Track)
+        now.drift_mps = simulation.track(index).velocity_mps;
+    now.sigma_m2 = simulation.track(index).sigma_m2;
+    return now;
+}
+
+/** Only what comes before the second visit; home after it is the options' business. */
+std::vector<Visit> firstVisit(std::vector<Visit> visits)
+{
+    if (visits.size() > 1)
+        visits.resize(1);
+    return visits;
+}
+
+/** The flight home added or taken away, as chosen. */
+void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& wind_mps)
+{
+    const bool ends = !uav.visits.empty() && uav.visits.back().iceberg < 0;
+    if (!wanted || *wanted == ends)
+        return;
+    if (ends) {
+        uav.visits.pop_back();
+        return;
+    }
+    const TimedPoint last = wayOf(uav).back();
+    const double flight_s =
+        flightTime_s(uav.home_m - last.position_m, uav.uav.spec.airspeed_mps, wind_mps);
+    uav.visits.push_back({.time_s = last.time_s + flight_s, .position_m = uav.home_m});
+}
+
+/** Icebergs of the order that none of the visits is of. */
+std::size_t leftOf(const UavOrder& order, const std::vector<Visit>& visits)
+{
+    std::set<int> left(order.icebergs.begin(), order.icebergs.end());
+    for (const Visit& visit : visits)
+        if (visit.iceberg >= 0)
+            for (const int iceberg : icebergsOf(visit))
+                left.erase(iceberg);
+    return left.size();
+}
+
+/** Without the way home that a limited endurance makes the end of a path. */
+void endOverTheLastIceberg(FlyablePath& path)
+{
+    if (path.visits.empty() || path.visits.back().iceberg >= 0)
+        return;
+    path.visits.pop_back();
+    const double end_s =
+        path.visits.empty() ? path.track.front().time_s : path.visits.back().time_s;
+    std::erase_if(path.track, [end_s](const TrackPoint& point) { return point.time_s > end_s; });
+}
+
+void addWay(ExportUav& uav, const ExportSource& source, const ExportContent& content,
+            const Scenario& scene)
+{
+    if (content.what == ExportWhat::Track) {
+        uav.track = flownTrack(*source.mission, uav.row);
+        uav.visits = flownVisits(*source.mission, static_cast<int>(uav.row));
+        endAtHome(uav, content.options.returnHome, scene.wind_mps);
+        return;
+    }
+    UavOrder order = presentOrder(source, uav.row);
+    if (content.options.airspeed_mps)
+        order.legs.clear(); // planned for another speed
+    PlanAnswer plan;
+    plan.order = order.icebergs;
+    plan.clusters = order.clusters;
+    uav.visits = plannedVisits(scene, plan);
+    if (content.what == ExportWhat::FirstLeg)
+        uav.visits = firstVisit(std::move(uav.visits));
+    endAtHome(uav, content.options.returnHome, scene.wind_mps);
+    if (content.what == ExportWhat::Path) {
+        const bool home = !uav.visits.empty() && uav.visits.back().iceberg < 0;
+        FlyablePath path = flyOrder(scene, order, home);
+        if (!home)
+            endOverTheLastIceberg(path);
+        uav.track = std::move(path.track);
+        uav.visits = std::move(path.visits);
+    }
+    if (uav.uav.spec.endurance_s > 0 && content.what != ExportWhat::FirstLeg)
+        uav.laterSorties = leftOf(order, uav.visits);
+    for (Visit& visit : uav.visits)
+        visit.time_s += content.now_s;
+    for (TrackPoint& point : uav.track)
+        point.time_s += content.now_s;
+}
+
+ExportUav exportUav(const ExportSource& source, const ExportContent& content, std::size_t row)
+{
+    const ExportOptions& options = content.options;
+    Scenario scene = presentScene(source, row);
+    UavSpec& spec = scene.uavs.front().spec;
+    spec.altitude_m = options.altitude_m.value_or(spec.altitude_m);
+    spec.airspeed_mps = options.airspeed_mps.value_or(spec.airspeed_mps);
+    const Uav& uav = scene.uavs.front();
+    const double seen_m = surelySeen_m({.fov_m = uav.fov_m, .shape = scene.fovShape});
+    const double faster = 1 + scene.wind_mps.norm() / spec.airspeed_mps;
+    ExportUav result{.row = row,
+                     .uav = uav,
+                     .start_s = content.what == ExportWhat::Track ? 0 : content.now_s,
+                     .home_m = uav.home_m.value_or(uav.position_m),
+                     .reach_m = options.acceptance_m.value_or(scene.reachRadius_m.value_or(seen_m)),
+                     .reachChosen = options.acceptance_m.has_value(),
+                     .circle_m = turnRadius_m(spec) * faster * faster};
+    if (content.what == ExportWhat::Track) {
+        result.uav.position_m = source.scenario.uavs[row].position_m;
+        result.uav.heading_deg = source.scenario.uavs[row].heading_deg;
+    }
+    if (source.mission)
+        result.flown_m = source.mission->simulation().uav(static_cast<int>(row)).flown_m;
+    addWay(result, source, content, scene);
+    return result;
+}
+
+/** Writers reckon with places on one side of the Earth and with dates that calendars have. */
+void checkPlace(const std::string& what, const Point& place_m, double time_s)
+{
+    if (!std::isfinite(time_s) || std::abs(time_s) > kLargestTime_s)
+        throw Error(ErrorCode::Unsupported, what,
+                    "cannot be exported: at " + shortText(time_s) +
+                        " s of the flight, later than any date");
+    if (!(place_m.norm() <= kEndOfPlane_m))
+        throw Error(ErrorCode::Unsupported, what,
+                    "cannot be exported: at " + shortText(time_s) + " s it is " +
+                        shortText(place_m.norm()) + " m from the origin of the map, which holds " +
+                        shortText(kEndOfPlane_m) + " m");
+}
+
+/** Refuses what no file can hold: numbers that are not finite, places off the plane. */
+void checkContent(const ExportContent& content)
+{
+    for (const ExportUav& uav : content.uavs) {
+        checkPlace("home of " + uav.uav.id, uav.home_m, uav.start_s);
+        for (const Visit& visit : uav.visits)
+            checkPlace("a visit of " + uav.uav.id, visit.position_m, visit.time_s);
+        for (const TimedPoint& point : wayOf(uav))
+            checkPlace(uav.uav.id, point.position_m, point.time_s);
+        if (!std::isfinite(uav.reach_m) || !std::isfinite(uav.circle_m))
+            throw Error(ErrorCode::Unsupported, uav.uav.id,
+                        "cannot be exported: its turns are not finite");
+    }
+    for (const ExportIceberg& iceberg : content.icebergs)
+        checkPlace(iceberg.iceberg.id, iceberg.position_m, content.now_s);
+    if (content.asset)
+        checkPlace("the asset", assetPlace_m(content), content.now_s);
+}
+
+ExportPlan planOf(const ExportSource& source)
+{
+    if (source.mission && !source.mission->plans().empty()) {
+        const PlanEvent& last = source.mission->plans().back();
+        return {.status = last.status, .gap = last.gap, .fellBack = last.fellBack};
+    }
+    const SolveOutcome& outcome = source.plan.outcome;
+    ExportPlan plan{
+        .status = outcome.status, .gap = source.plan.gap, .fellBack = source.plan.fellBack};
+    if (source.plan.fleet.empty() && outcome.bound && outcome.status != SolveStatus::None)
+        plan.gap = relativeGap(source.plan.problem, outcome.objective, *outcome.bound);
+    return plan;
+}
+
+} // namespace
+
+ExportContent exportContent(const ExportSource& source, const ExportOptions& options)
+{
+    checkOptions(source, options);
+    const Scenario& scenario = source.scenario;
+    ExportContent content{
+        .what = options.what.value_or(source.mission ? ExportWhat::Track : ExportWhat::Order),
+        .options = options,
+        .name = scenario.name,
+        .scenario = std::make_shared<const Scenario>(scenario),
+        .frame = LocalFrame(scenario.origin),
+        .start = parseUtc(scenario.startUtc),
+        .now_s = source.mission ? source.mission->simulation().time_s() : 0,
+        .uavs = {},
+        .icebergs = {},
+        .area_m = scenario.area_m,
+        .geofence = scenario.geofence,
+        .asset = source.mission ? source.mission->simulation().asset() : scenario.asset,
+        .planner = source.mission ? source.mission->plannerSettings() : scenario.planner,
+        .plan = planOf(source),
+        .wind_mps =
+            source.mission ? source.mission->simulation().motion(0).wind_mps : scenario.wind_mps,
+        .zeta_m2s = {},
+        .mission = source.mission};
+    if (source.mission)
+        content.zeta_m2s = source.mission->metrics().zeta_m2s;
+    if (source.mission)
+        for (std::size_t row = 0; row < source.mission->icebergs().size(); ++row)
+            content.icebergs.push_back(presentIceberg(*source.mission, row, content.what));
+    else
+        for (const Iceberg& iceberg : scenario.icebergs)
+            content.icebergs.push_back(enteredIceberg(scenario, iceberg));
+    for (std::size_t row = 0; row < scenario.uavs.size(); ++row)
+        if (options.uav.empty() || options.uav == scenario.uavs[row].id)
+            content.uavs.push_back(exportUav(source, content, row));
+    checkContent(content);
+    return content;
+}
+
+std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit)
+{
+    std::vector<std::string> ids;
+    if (visit.iceberg >= 0)
+        for (const int index : icebergsOf(visit))
+            ids.push_back(content.icebergs.at(static_cast<std::size_t>(index)).iceberg.id);
+    return ids;
+}
+
+std::string titleOf(const ExportContent& content, const Visit& visit)
+{
+    if (visit.iceberg < 0)
+        return "Home";
+    if (visit.members.empty())
+        return titleOf(content.icebergs.at(static_cast<std::size_t>(visit.iceberg)).iceberg);
+    std::string title;
+    for (const std::string& id : idsOf(content, visit))
+        title += (title.empty() ? "" : ", ") + id;
+    return title;
+}
+
+const std::string& titleOf(const Iceberg& iceberg)
+{
+    return iceberg.name.empty() ? iceberg.id : iceberg.name;
+}
+
+const std::string& titleOf(const Uav& uav)
+{
+    return uav.name.empty() ? uav.id : uav.name;
+}
+
+Point eastNorth_mps(const ExportContent& content, const Point& velocity_mps, const Point& at_m)
+{
+    const double north_rad = content.frame.trueNorth_rad(content.frame.toGeographic(at_m));
+    return (turned(velocity_mps, -north_rad) * 1e9).array().round().matrix() / 1e9;
+}
+
+double trueHeading_deg(const ExportContent& content, double heading_deg, const Point& at_m)
+{
+    const double north_rad = content.frame.trueNorth_rad(content.frame.toGeographic(at_m));
+    const double heading = heading_deg + degFromRad(north_rad);
+    const double whole = std::round((heading - 360 * std::floor(heading / 360)) * 1e6) / 1e6;
+    return whole >= 360 ? 0 : whole;
+}
+
+Point assetPlace_m(const ExportContent& content)
+{
+    return content.asset->position_m + content.asset->velocity_mps * content.now_s;
+}
+
+std::vector<TimedPoint> wayOf(const ExportUav& uav)
+{
+    std::vector<TimedPoint> way;
+    for (const TrackPoint& point : uav.track)
+        way.push_back({.position_m = point.state.position_m, .time_s = point.time_s});
+    if (!way.empty())
+        return way;
+    way.push_back({.position_m = uav.uav.position_m, .time_s = uav.start_s});
+    for (const Visit& visit : uav.visits)
+        way.push_back({.position_m = visit.position_m, .time_s = visit.time_s});
+    return way;
+}
+
+} // namespace berg

@@ -1,0 +1,168 @@
+#pragma once
+
+#include "core/io/export/geo_shapes.h"
+#include "core/io/results/result_csv.h"
+#include "core/io/text/utc_time.h"
+#include "core/plan/solve/names.h"
+#include "core/sim/mission.h"
+#include "core/sim/visits.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace berg {
+
+/**
+ * What there is to export: the scenario, the plan from its start and, for a run, the mission. A
+ * mission is exported as it stands: its plan in force, and what was flown until now.
+ */
+struct ExportSource
+{
+    const Scenario& scenario;
+    const PlanAnswer& plan;           ///< of `planFromStart`, or `startPlan` of the mission
+    const Mission* mission = nullptr; ///< null: nothing flown
+};
+
+enum class ExportWhat
+{
+    FirstLeg, ///< to the first iceberg of the order, or the first cluster
+    Order,    ///< the whole present order, in straight legs
+    Path,     ///< the present order as an aircraft with these turns flies it
+    Track     ///< what was flown
+};
+
+inline constexpr std::array<Named<ExportWhat>, 4> kExportWhatNames{{
+    {ExportWhat::FirstLeg, "first-leg"},
+    {ExportWhat::Order, "order"},
+    {ExportWhat::Path, "path"},
+    {ExportWhat::Track, "track"},
+}};
+
+/** What a user chooses; what is left out is as the scenario says. */
+struct ExportOptions
+{
+    std::optional<ExportWhat> what = {}; ///< none: the track of a mission, else the order
+    std::string uav = {};                ///< id; empty: all
+    std::optional<double> altitude_m = {};
+    std::optional<double> airspeed_mps = {};
+    std::optional<double> acceptance_m = {}; ///< radius within which a waypoint counts as passed
+    int loiterTurns = 0;                     ///< over each iceberg; 0: fly over it
+    std::optional<bool> returnHome = {};     ///< none: with limited endurance or on a closed route
+    bool operator==(const ExportOptions&) const = default;
+};
+
+/** Turns that ArduPlane can store: 8 bits. */
+inline constexpr int kMostLoiterTurns = 255;
+
+/** One UAV with its way. */
+struct ExportUav
+{
+    std::size_t row = 0; ///< in the scenario; writers choose its colour by it
+    Uav uav;             ///< as the way begins: place, heading, altitude and speed chosen
+    double start_s = 0;  ///< when it begins
+    Point home_m = Point::Zero();
+    double reach_m = 0;                 ///< acceptance radius wanted over a single iceberg
+    bool reachChosen = false;           ///< by the options: the same over clusters
+    double circle_m = 0;                ///< radius of the tightest circle over ground
+    std::size_t laterSorties = 0;       ///< icebergs of the order that are left for them
+    std::vector<Visit> visits = {};     ///< to come or made, in order; home is iceberg -1
+    std::vector<TrackPoint> track = {}; ///< of `Path` and `Track`
+    double flown_m = 0;                 ///< through the air until now
+};
+
+enum class IcebergState
+{
+    Expected, ///< has not appeared yet
+    Tracked,
+    Lost,
+    GivenUp, ///< the search for it has ended without it
+    Left     ///< the area
+};
+
+inline constexpr std::array<Named<IcebergState>, 5> kIcebergStateNames{{
+    {IcebergState::Expected, "expected"},
+    {IcebergState::Tracked, "tracked"},
+    {IcebergState::Lost, "lost"},
+    {IcebergState::GivenUp, "given up"},
+    {IcebergState::Left, "left"},
+}};
+
+/** One iceberg at `ExportContent::now_s`. */
+struct ExportIceberg
+{
+    Iceberg iceberg;                  ///< as entered
+    Point position_m = Point::Zero(); ///< estimate; of a track, where it truly is
+    Point drift_mps = Point::Zero();  ///< believed, with the current, in the plane
+    double sigma_m2 = 0;
+    IcebergState state = IcebergState::Tracked;
+    bool isListed = true; ///< there at `now_s`, or to come in a scenario that was not flown
+};
+
+/** What the solver said of the plan. */
+struct ExportPlan
+{
+    SolveStatus status = SolveStatus::None;
+    std::optional<double> gap; ///< relative; none: no bound
+    bool fellBack = false;     ///< the rest of the plan before
+};
+
+/** Everything that writers of exported files read, made once by `exportContent`. */
+struct ExportContent
+{
+    ExportWhat what = ExportWhat::Order;
+    ExportOptions options;
+    std::string name;                         ///< of the scenario
+    std::shared_ptr<const Scenario> scenario; ///< as entered
+    LocalFrame frame{LatLon{}};
+    std::optional<UtcTime> start;        ///< time 0; none: times are relative
+    double now_s = 0;                    ///< time of the icebergs
+    std::vector<ExportUav> uavs;         ///< those chosen, at least one
+    std::vector<ExportIceberg> icebergs; ///< by the indices that visits name
+    std::vector<Point> area_m;
+    bool geofence = false;
+    std::optional<Asset> asset;
+    PlannerSettings planner;
+    ExportPlan plan;                  ///< in force, or the last one
+    Point wind_mps = Point::Zero();   ///< at `now_s`, in the plane
+    std::optional<double> zeta_m2s;   ///< until now, of all UAVs; none: nothing was flown
+    const Mission* mission = nullptr; ///< for formats that are `flownOnly` alone; borrowed
+};
+
+/**
+ * The content of an export. Throws `Error{InvalidInput}` for options that cannot be met, subject =
+ * the option: a UAV that is not there, a track when nothing was flown, a number out of range; and
+ * `Error{Unsupported}` of what no file can hold, subject = whose it is: a time or place that is not
+ * finite or off the plane. A path is flown here (`flyOrder`): milliseconds for each hour of flight.
+ */
+[[nodiscard]] ExportContent exportContent(const ExportSource& source,
+                                          const ExportOptions& options = {});
+
+/** Ids of the icebergs in view at a visit. */
+[[nodiscard]] std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit);
+
+/** Name of what is visited for people: name or id of the iceberg, ids of a cluster, "Home". */
+[[nodiscard]] std::string titleOf(const ExportContent& content, const Visit& visit);
+
+/** Its name, or its id when it has none. */
+[[nodiscard]] const std::string& titleOf(const Iceberg& iceberg);
+[[nodiscard]] const std::string& titleOf(const Uav& uav);
+
+/** A velocity in the plane as east and north at the place, to 1e-9 m/s. */
+[[nodiscard]] Point eastNorth_mps(const ExportContent& content, const Point& velocity_mps,
+                                  const Point& at_m);
+
+/** Heading in the plane as true heading at the place, degrees in [0, 360). */
+[[nodiscard]] double trueHeading_deg(const ExportContent& content, double heading_deg,
+                                     const Point& at_m);
+
+/** Where the asset is at `now_s`; there must be one. */
+[[nodiscard]] Point assetPlace_m(const ExportContent& content);
+
+/** The way: its track, or straight from the start to each visit. */
+[[nodiscard]] std::vector<TimedPoint> wayOf(const ExportUav& uav);
+
+} // namespace berg

@@ -1,0 +1,129 @@
+#include "core/io/export/export_flight.h"
+
+#include "core/base/angles.h"
+#include "core/sim/policy_forecast.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+/** Later than any flight ends. */
+constexpr double kNever_s = 2 * kLargestTime_s;
+
+/** Where the iceberg is believed to be, as one of a scenario that starts now. */
+Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, int index)
+{
+    Iceberg now = iceberg;
+    now.track = {};
+    const double appears_s = iceberg.appears_s - simulation.time_s();
+    now.appears_s = simulation.active(index) ? 0 : appears_s > 0 ? appears_s : kNever_s;
+    if (now.appears_s > 0)
+        return now;
+    const Track& track = simulation.track(index);
+    now.position_m = simulation.estimate_m(index);
+    now.velocity_mps = track.velocity_mps;
+    now.sigma0_m2 = track.sigma_m2;
+    now.observed_s = 0;
+    return now;
+}
+
+void moveOn(Uav& uav, const UavState& now, double least_s)
+{
+    uav.home_m = uav.home_m.value_or(uav.position_m);
+    uav.position_m = now.pose.position_m;
+    uav.heading_deg = headingFromPsi(now.pose.psi_rad);
+    if (uav.spec.endurance_s > 0)
+        uav.spec.endurance_s = std::max(least_s, uav.spec.endurance_s - now.aloft_s);
+}
+
+/** The scene, which has UAV `row` alone, as the mission stands. */
+void moveOn(Scenario& scene, const Mission& mission, int row)
+{
+    const Simulation& simulation = mission.simulation();
+    scene.planner = mission.plannerSettings();
+    scene.wind_mps = simulation.motion(row).wind_mps;
+    scene.asset = simulation.asset();
+    scene.icebergs.clear();
+    for (const Iceberg& iceberg : mission.icebergs())
+        scene.icebergs.push_back(
+            presentIceberg(iceberg, simulation, static_cast<int>(scene.icebergs.size())));
+    for (Iceberg& iceberg : scene.icebergs)
+        if (iceberg.appears_s > 0) // the others have it in their velocity
+            iceberg.velocity_mps += scene.current_mps;
+    scene.current_mps = Point::Zero();
+    moveOn(scene.uavs.front(), simulation.uav(row), simulation.dt_s());
+}
+
+UavOrder orderAtStart(const PlanAnswer& plan, std::size_t row)
+{
+    if (plan.fleet.empty())
+        return row > 0
+                   ? UavOrder{}
+                   : UavOrder{.icebergs = plan.order, .clusters = plan.clusters, .legs = plan.legs};
+    if (row >= plan.fleet.size()) // at the start all UAVs are planned
+        return {};
+    return {
+        .icebergs = plan.fleet[row].order, .clusters = plan.clusters, .legs = plan.fleet[row].legs};
+}
+
+} // namespace
+
+PlanAnswer startPlan(const Mission& mission)
+{
+    PlanAnswer answer;
+    for (const PlanEvent& plan : mission.plans()) {
+        if (&plan != &mission.plans().front() && !plan.sameSolve)
+            break; // made later
+        answer.fleet.push_back({.order = plan.order, .legs = plan.legs});
+        answer.clusters = plan.clusters;
+        answer.outcome.status = plan.status;
+        answer.gap = plan.gap;
+        answer.fellBack = plan.fellBack;
+    }
+    if (mission.simulation().uavCount() > 1 || answer.fleet.empty())
+        return answer;
+    answer.order = std::move(answer.fleet.front().order);
+    answer.legs = std::move(answer.fleet.front().legs);
+    answer.fleet.clear();
+    return answer;
+}
+
+UavOrder presentOrder(const ExportSource& source, std::size_t row)
+{
+    const int uav = static_cast<int>(row);
+    const PlanEvent* plan = source.mission ? lastPlanOf(source.mission->plans(), uav) : nullptr;
+    if (plan == nullptr)
+        return orderAtStart(source.plan, row);
+    const Simulation& simulation = source.mission->simulation();
+    if (simulation.uav(uav).homeward())
+        return {};
+    UavOrder order{.icebergs = plan->order, .clusters = plan->clusters, .legs = plan->legs};
+    if (!order.legs.empty() && simulation.uav(uav).aim)
+        order.legs.front() = *simulation.uav(uav).aim; // what is left of its turn
+    for (AimedLeg& leg : order.legs)
+        leg.sighting_s -= simulation.time_s();
+    return order;
+}
+
+Scenario presentScene(const ExportSource& source, std::size_t row)
+{
+    Scenario scene = foreseen(source.scenario, source.scenario.planner.policy);
+    scene.uavs = {source.scenario.uavs.at(row)};
+    if (source.mission != nullptr)
+        moveOn(scene, *source.mission, static_cast<int>(row));
+    for (Iceberg& iceberg : scene.icebergs)
+        iceberg.uav.clear(); // the order says who visits it
+    return scene;
+}
+
+std::vector<TrackPoint> flownTrack(const Mission& mission, std::size_t row)
+{
+    std::vector<TrackPoint> track;
+    for (const Sample& sample : mission.recorder().samples())
+        track.push_back(trackPointOf(sample, row));
+    return track;
+}
+
+} // namespace berg

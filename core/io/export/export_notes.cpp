@@ -1,0 +1,173 @@
+#include "core/io/export/export_notes.h"
+
+#include "core/io/export/export_files.h"
+#include "core/io/export/mission_items.h"
+#include "core/io/text/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace berg {
+
+namespace {
+
+constexpr std::string_view kArduPlane = "ArduPlane";
+constexpr std::string_view kMissionPlanner = "Mission Planner";
+constexpr std::string_view kGroundStations = "QGroundControl, Mission Planner";
+
+constexpr std::array<Named<ExportNoteKind>, 12> kNoteIds{{
+    {ExportNoteKind::OneFileEach, "one-file-each"},
+    {ExportNoteKind::NoTimes, "no-times"},
+    {ExportNoteKind::NoFence, "no-fence"},
+    {ExportNoteKind::FenceAcross180, "fence-across-180"},
+    {ExportNoteKind::VisitsOnly, "visits-only"},
+    {ExportNoteKind::PathAsWaypoints, "path-as-waypoints"},
+    {ExportNoteKind::AcceptanceCut, "acceptance-cut"},
+    {ExportNoteKind::LoiterInSteps, "loiter-in-steps"},
+    {ExportNoteKind::WholeSpeed, "whole-speed"},
+    {ExportNoteKind::ChoiceNotUsed, "choice-not-used"},
+    {ExportNoteKind::NothingToFly, "nothing-to-fly"},
+    {ExportNoteKind::LaterSorties, "later-sorties"},
+}};
+
+std::string_view idOf(ExportNoteKind kind)
+{
+    return std::ranges::find(kNoteIds, kind, &Named<ExportNoteKind>::value)->name;
+}
+
+class NoteList
+{
+public:
+    void add(ExportNoteKind kind, std::string_view tool = {}, double value = 0, double limit = 0)
+    {
+        m_notes.push_back(
+            {.kind = kind, .id = idOf(kind), .tool = tool, .value = value, .limit = limit});
+    }
+
+    std::vector<ExportNote> take() { return std::move(m_notes); }
+
+private:
+    std::vector<ExportNote> m_notes;
+};
+
+bool fenceCrosses180(const ExportContent& content)
+{
+    if (!content.geofence || content.area_m.empty())
+        return false;
+    return geographicPolygon(content.frame, content.area_m).size() > 1;
+}
+
+/** What the autopilots' own storage makes of the numbers. */
+void addAutopilotNotes(NoteList& notes, const ExportContent& content)
+{
+    double reach_m = 0;
+    double circle_m = 0;
+    double speed_mps = 0;
+    double shown_mps = 0;
+    for (const ExportUav& uav : content.uavs) {
+        reach_m = std::max(reach_m, uav.reach_m);
+        circle_m = std::max(circle_m, uav.circle_m);
+        const double whole_mps = std::max(1.0, std::round(uav.uav.spec.airspeed_mps));
+        if (whole_mps != uav.uav.spec.airspeed_mps) {
+            speed_mps = uav.uav.spec.airspeed_mps;
+            shown_mps = whole_mps;
+        }
+    }
+    const bool waypointsAreCut = content.options.loiterTurns == 0 &&
+                                 (content.what != ExportWhat::Path || content.options.acceptance_m);
+    if (reach_m > kLargestByte_m && waypointsAreCut)
+        notes.add(ExportNoteKind::AcceptanceCut, kArduPlane, reach_m, kLargestByte_m);
+    if (circle_m > kLargestByte_m)
+        notes.add(ExportNoteKind::LoiterInSteps, kArduPlane, circle_m,
+                  loiterRadius_m({.uav = {}, .circle_m = circle_m}));
+    if (speed_mps > 0)
+        notes.add(ExportNoteKind::WholeSpeed, kMissionPlanner, speed_mps, shown_mps);
+}
+
+void addMissionNotes(NoteList& notes, const ExportContent& content)
+{
+    if (content.what == ExportWhat::Track)
+        notes.add(ExportNoteKind::VisitsOnly);
+    if (content.what == ExportWhat::Path) {
+        std::size_t waypoints = 0;
+        for (const ExportUav& uav : content.uavs)
+            waypoints = std::max(waypoints, pathCorners(uav).size());
+        notes.add(ExportNoteKind::PathAsWaypoints, {}, static_cast<double>(waypoints));
+    }
+    addAutopilotNotes(notes, content);
+}
+
+} // namespace
+
+std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportContent& content)
+{
+    NoteList notes;
+    const ExportHolds& holds = format.holds;
+    if (const std::size_t files = fileCount(format, content); files > 1)
+        notes.add(ExportNoteKind::OneFileEach, {}, static_cast<double>(files));
+    if (holds.flownOnly) {
+        if (content.options.what)
+            notes.add(ExportNoteKind::ChoiceNotUsed);
+        return notes.take();
+    }
+    const auto idle = std::ranges::count_if(
+        content.uavs, [](const ExportUav& uav) { return uav.visits.empty() && uav.track.empty(); });
+    if (idle > 0)
+        notes.add(ExportNoteKind::NothingToFly, {}, static_cast<double>(idle));
+    std::size_t later = 0;
+    for (const ExportUav& uav : content.uavs)
+        later += uav.laterSorties;
+    if (later > 0)
+        notes.add(ExportNoteKind::LaterSorties, {}, static_cast<double>(later));
+    if (holds.times && !content.start)
+        notes.add(ExportNoteKind::NoTimes);
+    if (content.geofence && !holds.fence)
+        notes.add(ExportNoteKind::NoFence);
+    if (holds.mission && holds.fence && fenceCrosses180(content))
+        notes.add(ExportNoteKind::FenceAcross180, kGroundStations);
+    if (holds.mission)
+        addMissionNotes(notes, content);
+    return notes.take();
+}
+
+std::string noteText(const ExportNote& note)
+{
+    const std::string tool(note.tool);
+    const std::string value = fixedText(note.value, 0);
+    const std::string limit = fixedText(note.limit, 0);
+    switch (note.kind) {
+    case ExportNoteKind::OneFileEach:
+        return "a file holds one UAV: " + value + " files are written, named after the UAVs";
+    case ExportNoteKind::NoTimes:
+        return "the scenario has no start time, so the file has no dates";
+    case ExportNoteKind::NoFence:
+        return "the geofence is left out: the format has no place for it";
+    case ExportNoteKind::FenceAcross180:
+        return tool + " may draw the fence the long way round: it crosses the antimeridian";
+    case ExportNoteKind::VisitsOnly:
+        return "the places where icebergs were reached are written, not the track";
+    case ExportNoteKind::PathAsWaypoints:
+        return "the path becomes " + value + " waypoints within " + fixedText(kPathTolerance_m, 0) +
+               " m of it";
+    case ExportNoteKind::AcceptanceCut:
+        return tool + " keeps acceptance radii up to " + limit + " m: " + value + " m becomes " +
+               limit + " m";
+    case ExportNoteKind::LoiterInSteps:
+        return tool + " keeps loiter radii above 255 m in steps of 10 m: " + value + " m becomes " +
+               limit + " m";
+    case ExportNoteKind::WholeSpeed:
+        return tool + " reads the cruise speed as a whole number: " + fixedText(note.value, 2) +
+               " m/s becomes " + limit + " m/s; the speed in the mission is exact";
+    case ExportNoteKind::ChoiceNotUsed:
+        return "the file is about the whole flight, whatever is chosen to be exported";
+    case ExportNoteKind::NothingToFly:
+        return "UAVs without an iceberg to visit: " + value;
+    case ExportNoteKind::LaterSorties:
+        return "this sortie alone is written: icebergs of the order left for later ones: " + value;
+    }
+    throw std::logic_error("noteText: unknown kind");
+}
+
+} // namespace berg

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/io/export/formats.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace berg {
+
+/** What a format leaves out, or a tool will change. */
+enum class ExportNoteKind
+{
+    OneFileEach,    ///< value: UAVs, each in a file of its own
+    NoTimes,        ///< the scenario has no start time, so there are no dates
+    NoFence,        ///< the format has no place for the geofence
+    FenceAcross180, ///< ground stations may draw a fence across the antimeridian the long way round
+    VisitsOnly,     ///< of a track: waypoints where icebergs were reached
+    PathAsWaypoints, ///< value: waypoints that stand for the path
+    AcceptanceCut,   ///< value m wanted, limit m kept
+    LoiterInSteps,   ///< value m needed, limit m kept
+    WholeSpeed,      ///< value m/s, limit m/s shown
+    ChoiceNotUsed,   ///< what is to be exported does not matter: it is the whole flight
+    NothingToFly,    ///< value: UAVs without anything to visit
+    LaterSorties     ///< value: icebergs of the orders that the endurance leaves for them
+};
+
+struct ExportNote
+{
+    ExportNoteKind kind = ExportNoteKind::NoTimes;
+    std::string_view id;   ///< of the kind, for translations and scripts, e.g. "acceptance-cut"
+    std::string_view tool; ///< whose doing it is; empty: the format's
+    double value = 0;
+    double limit = 0;
+    bool operator==(const ExportNote&) const = default;
+};
+
+/** What the user should know before writing this; each kind at most once, the worst case of the
+ * UAVs. */
+[[nodiscard]] std::vector<ExportNote> exportNotes(const ExportFormat& format,
+                                                  const ExportContent& content);
+
+/** A sentence, English. */
+[[nodiscard]] std::string noteText(const ExportNote& note);
+
+} // namespace berg

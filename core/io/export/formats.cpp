@@ -1,0 +1,109 @@
+#include "core/io/export/formats.h"
+
+#include "core/io/export/czml.h"
+#include "core/io/export/export_files.h"
+#include "core/io/export/geojson.h"
+#include "core/io/export/gpx.h"
+#include "core/io/export/kml.h"
+#include "core/io/export/plan_csv.h"
+#include "core/io/export/plan_qgc.h"
+#include "core/io/export/plan_wpl.h"
+#include "core/io/results/result_csv.h"
+
+#include <algorithm>
+#include <array>
+
+namespace berg {
+
+namespace {
+
+std::string csv(const ExportContent& content)
+{
+    const bool line = content.what == ExportWhat::Path || content.what == ExportWhat::Track;
+    return line ? trackCsv(content) : planCsv(content);
+}
+
+/** A table of a flight. */
+template <std::string (*Table)(const Mission&)>
+std::string flightTable(const ExportContent& content)
+{
+    if (content.mission == nullptr)
+        throw Error(ErrorCode::InvalidInput, "format",
+                    "a scenario has no such table: nothing was flown");
+    return Table(*content.mission);
+}
+
+constexpr ExportHolds kMissionHolds{.order = true, .mission = true, .radii = true};
+constexpr ExportHolds kMapHolds{
+    .order = true, .way = true, .fleet = true, .times = true, .icebergs = true, .fence = true};
+constexpr ExportHolds kFlightTableHolds{.fleet = true, .flownOnly = true};
+constexpr ExportHolds kPictureHolds{
+    .order = true, .way = true, .fleet = true, .icebergs = true, .fence = true, .painted = true};
+constexpr ExportHolds kBriefHolds{.order = true,
+                                  .way = true,
+                                  .fleet = true,
+                                  .times = true,
+                                  .icebergs = true,
+                                  .fence = true,
+                                  .radii = true,
+                                  .painted = true};
+constexpr ExportHolds kChartsHold{.fleet = true, .flownOnly = true, .painted = true};
+
+constexpr std::array kFormats{
+    ExportFormat{"plan",
+                 "plan",
+                 "QGroundControl, Mission Planner, MAVSDK",
+                 {.order = true, .fence = true, .mission = true, .radii = true},
+                 qgcPlan},
+    ExportFormat{"wpl", "waypoints", "ArduPilot: Mission Planner, MAVProxy (home row)",
+                 kMissionHolds, wplText},
+    ExportFormat{"geojson", "geojson", "QGIS and other map programs", kMapHolds, geoJson},
+    ExportFormat{
+        "csv", "csv", "spreadsheets and scripts", {.order = true, .way = true, .fleet = true}, csv},
+    ExportFormat{"sigma-csv", "csv", "spreadsheets: sigma of every iceberg over time",
+                 kFlightTableHolds, flightTable<sigmaCsv>},
+    ExportFormat{"decisions-csv", "csv", "spreadsheets: plans, visits and what else happened",
+                 kFlightTableHolds, flightTable<eventsCsv>},
+    ExportFormat{"zeta-csv", "csv", "spreadsheets: zeta over time", kFlightTableHolds,
+                 flightTable<zetaCsv>},
+    ExportFormat{"gpx",
+                 "gpx",
+                 "chart plotters, Garmin devices, GPSBabel",
+                 {.order = true, .way = true, .fleet = true, .times = true, .icebergs = true},
+                 gpxText},
+    ExportFormat{"kml", "kml", "Google Earth and other globes", kMapHolds, kmlText},
+    ExportFormat{"kmz", "kmz", "Google Earth, packed", kMapHolds, kmzFile},
+    ExportFormat{"czml", "czml", "Cesium", kMapHolds, czmlText},
+    ExportFormat{"brief", "pdf", "paper: a page to fly by", kBriefHolds, nullptr},
+    ExportFormat{"map-pdf", "pdf", "paper: the map", kPictureHolds, nullptr},
+    ExportFormat{"map-svg", "svg", "drawing programs: the map", kPictureHolds, nullptr},
+    ExportFormat{"map-png", "png", "documents and messages: the map", kPictureHolds, nullptr},
+    ExportFormat{"charts-pdf", "pdf", "paper: zeta and sigma over time", kChartsHold, nullptr},
+    ExportFormat{"charts-svg", "svg", "drawing programs: zeta and sigma over time", kChartsHold,
+                 nullptr},
+    ExportFormat{"charts-png", "png", "documents and messages: zeta and sigma over time",
+                 kChartsHold, nullptr}};
+
+} // namespace
+
+std::string ExportFormat::write(const ExportSource& source, const ExportOptions& options) const
+{
+    const ExportContent content = exportContent(source, options);
+    if (fileCount(*this, content) > 1)
+        throw Error(ErrorCode::InvalidInput, "uav", std::string(id) + " holds one UAV: choose one");
+    return exportFiles(*this, content, "").front().content;
+}
+
+std::span<const ExportFormat> exportFormats()
+{
+    return kFormats;
+}
+
+const ExportFormat* findExportFormat(std::string_view id)
+{
+    const auto it = std::find_if(kFormats.begin(), kFormats.end(),
+                                 [&](const ExportFormat& format) { return format.id == id; });
+    return it == kFormats.end() ? nullptr : &*it;
+}
+
+} // namespace berg

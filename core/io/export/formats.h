@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/io/export/export_content.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace berg {
+
+/** What a file of a format can hold. */
+struct ExportHolds
+{
+    bool order = false; ///< a way as waypoints
+    bool way = false;   ///< a way as a line of any number of points
+    bool fleet = false; ///< several UAVs; else one file each
+    bool times = false; ///< dates, so only with a start time
+    bool icebergs = false;
+    bool fence = false;
+    bool flownOnly = false; ///< it is about a flight, whatever `ExportOptions::what` says
+    bool mission = false;   ///< items for an autopilot
+    bool radii = false;     ///< acceptance radius and turns over each iceberg
+    bool painted = false;   ///< a picture or a page: an `ExportPainter` makes it, `text` is null
+};
+
+/** One row of the table that the command line, the file dialog and the tests share. */
+struct ExportFormat
+{
+    std::string_view id;        ///< e.g. "plan"
+    std::string_view extension; ///< without dot
+    std::string_view reader;    ///< the tool it is meant for
+    ExportHolds holds;
+    std::string (*text)(const ExportContent&); ///< of one UAV unless it holds a fleet; may be null
+
+    /**
+     * One file of it. Throws as `exportContent`, and `Error{InvalidInput}` when there are more UAVs
+     * than it holds (`exportFiles` makes one for each), Unsupported for what is painted.
+     */
+    [[nodiscard]] std::string write(const ExportSource& source,
+                                    const ExportOptions& options = {}) const;
+};
+
+[[nodiscard]] std::span<const ExportFormat> exportFormats();
+/** Null when there is no such format. */
+[[nodiscard]] const ExportFormat* findExportFormat(std::string_view id);
+
+} // namespace berg

@@ -1,0 +1,238 @@
+#include "core/io/export/geo_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace berg {
+
+namespace {
+
+/** Largest distance between a leg and its image. */
+constexpr double kTolerance_m = 1;
+/** Legs of less change in longitude stay within 0.3 m of their image: R dlon^2 / 16. */
+constexpr double kShortLeg_deg = 0.05;
+
+struct Vertex
+{
+    Point position_m;
+    TimedPlace at;
+};
+
+Vertex vertexOf(const LocalFrame& frame, const TimedPoint& point)
+{
+    return {.position_m = point.position_m,
+            .at = {.place = frame.toGeographic(point.position_m), .time_s = point.time_s}};
+}
+
+/** Longitude of `b` as the next one after `a` the shorter way round; may leave [-180, 180]. */
+double nextLongitude_deg(const LatLon& a, const LatLon& b)
+{
+    return a.longitude_deg + std::remainder(b.longitude_deg - a.longitude_deg, 360.0);
+}
+
+/** Appends the vertices after `a` up to `b`. */
+void appendLeg(const LocalFrame& frame, const Vertex& a, const Vertex& b,
+               std::vector<TimedPlace>& line)
+{
+    const double longitude_deg = nextLongitude_deg(a.at.place, b.at.place);
+    const double change_deg = std::abs(longitude_deg - a.at.place.longitude_deg);
+    if (change_deg > kShortLeg_deg && (b.position_m - a.position_m).norm() > kTolerance_m) {
+        const TimedPoint middle{.position_m = (a.position_m + b.position_m) / 2,
+                                .time_s = (a.at.time_s + b.at.time_s) / 2};
+        const LatLon image{.latitude_deg = (a.at.place.latitude_deg + b.at.place.latitude_deg) / 2,
+                           .longitude_deg = (a.at.place.longitude_deg + longitude_deg) / 2};
+        if ((frame.toPlane(image) - middle.position_m).norm() > kTolerance_m) {
+            const Vertex split = vertexOf(frame, middle);
+            appendLeg(frame, a, split, line);
+            appendLeg(frame, split, b, line);
+            return;
+        }
+    }
+    line.push_back(b.at);
+}
+
+std::vector<TimedPlace> lineOf(const LocalFrame& frame, std::span<const TimedPoint> points)
+{
+    std::vector<TimedPlace> line;
+    std::optional<Vertex> last;
+    for (const TimedPoint& point : points) {
+        const Vertex vertex = vertexOf(frame, point);
+        if (last)
+            appendLeg(frame, *last, vertex, line);
+        else
+            line.push_back(vertex.at);
+        last = vertex;
+    }
+    return line;
+}
+
+/** Where the line from `a` to `b` leaves across the antimeridian: its end on the side of `a`. */
+std::optional<TimedPlace> crossing(const TimedPlace& a, const TimedPlace& b)
+{
+    const double change_deg = b.place.longitude_deg - a.place.longitude_deg;
+    if (std::abs(change_deg) <= 180)
+        return std::nullopt;
+    const double border_deg = change_deg < 0 ? 180 : -180; // eastwards, westwards
+    const double step_deg = nextLongitude_deg(a.place, b.place) - a.place.longitude_deg;
+    const double part = step_deg == 0 ? 0 : (border_deg - a.place.longitude_deg) / step_deg;
+    return TimedPlace{
+        .place = {.latitude_deg = std::lerp(a.place.latitude_deg, b.place.latitude_deg, part),
+                  .longitude_deg = border_deg},
+        .time_s = std::lerp(a.time_s, b.time_s, part)};
+}
+
+void appendNew(std::vector<TimedPlace>& part, const TimedPlace& vertex)
+{
+    if (part.empty() || !(part.back().place == vertex.place))
+        part.push_back(vertex);
+}
+
+/** The line in parts that do not cross the antimeridian; the first and last may be single points.
+ */
+std::vector<std::vector<TimedPlace>> cutAtAntimeridian(const std::vector<TimedPlace>& line)
+{
+    std::vector<std::vector<TimedPlace>> parts(1);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (i > 0) {
+            if (std::optional<TimedPlace> border = crossing(line[i - 1], line[i])) {
+                appendNew(parts.back(), *border);
+                border->place.longitude_deg *= -1;
+                parts.push_back({*border});
+                appendNew(parts.back(), line[i]);
+                continue;
+            }
+        }
+        parts.back().push_back(line[i]);
+    }
+    return parts;
+}
+
+bool onBorder(const TimedPlace& vertex)
+{
+    return std::abs(vertex.place.longitude_deg) == 180;
+}
+
+using Ring = std::vector<LatLon>;
+
+/**
+ * Puts the parts of a counter-clockwise ring together to rings along the border of the map. The
+ * inside is on the left, so that a part that ends on the east border goes on northwards from there
+ * to the next part that starts on it, one that ends on the west border southwards; where there is
+ * none, the pole is inside and the border is followed over it to the other side.
+ */
+class RingAssembler
+{
+public:
+    explicit RingAssembler(std::vector<Ring> parts)
+        : m_parts(std::move(parts)), m_used(m_parts.size(), false)
+    {
+    }
+
+    std::vector<Ring> rings()
+    {
+        std::vector<Ring> rings;
+        for (std::size_t first = 0; first < m_parts.size(); ++first) {
+            if (m_used[first])
+                continue;
+            m_used[first] = true;
+            Ring ring = m_parts[first];
+            for (std::size_t next = nextPart(ring, first); next != first;
+                 next = nextPart(ring, first)) {
+                m_used[next] = true;
+                ring.insert(ring.end(), m_parts[next].begin(), m_parts[next].end());
+            }
+            ring.push_back(ring.front());
+            rings.push_back(std::move(ring));
+        }
+        return rings;
+    }
+
+private:
+    /** The part that goes on from the end of `ring`; adds the corners at a pole to the ring. */
+    std::size_t nextPart(Ring& ring, std::size_t first) const
+    {
+        LatLon at = ring.back();
+        for (int side = 0; side < 2; ++side) {
+            if (const std::optional<std::size_t> next = startOnBorder(at, first))
+                return *next;
+            const double pole_deg = at.longitude_deg > 0 ? 90 : -90;
+            ring.push_back({.latitude_deg = pole_deg, .longitude_deg = at.longitude_deg});
+            at = {.latitude_deg = pole_deg, .longitude_deg = -at.longitude_deg};
+            ring.push_back(at);
+        }
+        return first; // the ring's own start is on one of the two borders
+    }
+
+    /** First start of an unused part (or of `first`) on the border of `at` beyond it. */
+    [[nodiscard]] std::optional<std::size_t> startOnBorder(const LatLon& at,
+                                                           std::size_t first) const
+    {
+        const double sense = at.longitude_deg > 0 ? 1 : -1;
+        std::optional<std::size_t> best;
+        double bestAhead_deg = 0;
+        for (std::size_t i = 0; i < m_parts.size(); ++i) {
+            const LatLon& start = m_parts[i].front();
+            const double ahead_deg = (start.latitude_deg - at.latitude_deg) * sense;
+            if ((m_used[i] && i != first) || start.longitude_deg != at.longitude_deg ||
+                ahead_deg < 0)
+                continue;
+            if (!best || ahead_deg < bestAhead_deg) {
+                best = i;
+                bestAhead_deg = ahead_deg;
+            }
+        }
+        return best;
+    }
+
+    std::vector<Ring> m_parts;
+    std::vector<bool> m_used;
+};
+
+Ring placesOf(const std::vector<TimedPlace>& line)
+{
+    Ring ring;
+    for (const TimedPlace& vertex : line)
+        ring.push_back(vertex.place);
+    return ring;
+}
+
+} // namespace
+
+std::vector<std::vector<TimedPlace>> geographicLine(const LocalFrame& frame,
+                                                    std::span<const TimedPoint> points)
+{
+    if (points.size() < 2)
+        return {};
+    std::vector<std::vector<TimedPlace>> parts = cutAtAntimeridian(lineOf(frame, points));
+    std::erase_if(parts, [](const std::vector<TimedPlace>& part) { return part.size() < 2; });
+    return parts;
+}
+
+std::vector<std::vector<LatLon>> geographicPolygon(const LocalFrame& frame,
+                                                   std::span<const Point> corners_m)
+{
+    std::vector<TimedPoint> outline;
+    for (const Point& corner_m : corners_m)
+        outline.push_back({.position_m = corner_m});
+    if (signedArea(corners_m) < 0)
+        std::reverse(outline.begin(), outline.end());
+    outline.push_back(outline.front());
+
+    std::vector<std::vector<TimedPlace>> parts = cutAtAntimeridian(lineOf(frame, outline));
+    if (parts.size() == 1)
+        return {placesOf(parts.front())};
+    // The outline starts and ends at the same corner, in the middle of a part.
+    const std::vector<TimedPlace> head = std::move(parts.front());
+    parts.erase(parts.begin());
+    parts.back().insert(parts.back().end(), head.begin() + 1, head.end());
+
+    std::vector<Ring> rings;
+    for (const std::vector<TimedPlace>& part : parts)
+        if (!std::all_of(part.begin(), part.end(), onBorder)) // what only touches the border
+            rings.push_back(placesOf(part));
+    return RingAssembler(std::move(rings)).rings();
+}
+
+} // namespace berg

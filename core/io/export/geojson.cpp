@@ -1,0 +1,246 @@
+#include "core/io/export/geojson.h"
+
+#include "core/io/export/geo_shapes.h"
+#include "core/io/text/export_numbers.h"
+
+#include <nlohmann/json.hpp>
+
+namespace berg {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json coordinates(const LatLon& place)
+{
+    return {roundedDegrees(place.longitude_deg), roundedDegrees(place.latitude_deg)};
+}
+
+Json pair(const Point& vector)
+{
+    return {vector.x(), vector.y()};
+}
+
+const char* featureKind(ExportWhat what)
+{
+    switch (what) {
+    case ExportWhat::FirstLeg:
+    case ExportWhat::Order:
+        return "plan";
+    case ExportWhat::Path:
+        return "path";
+    case ExportWhat::Track:
+        return "track";
+    }
+    return "";
+}
+
+/** Builds the features of one content. */
+class Collection
+{
+public:
+    explicit Collection(const ExportContent& content) : m_content(content) {}
+
+    std::string text()
+    {
+        for (const ExportUav& uav : m_content.uavs)
+            addUav(uav);
+        for (const ExportIceberg& iceberg : m_content.icebergs)
+            if (iceberg.isListed)
+                addIceberg(iceberg);
+        for (const ExportUav& uav : m_content.uavs) {
+            addVisits(uav);
+            addLine(uav);
+        }
+        addArea();
+        addAsset();
+        return "{\"type\":\"FeatureCollection\",\"features\":[\n" + m_features + "\n]}\n";
+    }
+
+private:
+    void add(Json geometry, Json properties)
+    {
+        Json feature;
+        feature["type"] = "Feature";
+        feature["geometry"] = std::move(geometry);
+        feature["properties"] = std::move(properties);
+        if (!m_features.empty())
+            m_features += ",\n";
+        // Names may hold bytes that are not UTF-8 when they come from elsewhere than a file.
+        m_features += feature.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+
+    static Json shape(const char* type, Json coordinates)
+    {
+        Json geometry;
+        geometry["type"] = type;
+        geometry["coordinates"] = std::move(coordinates);
+        return geometry;
+    }
+
+    [[nodiscard]] Json point(const Point& position_m) const
+    {
+        return shape("Point", coordinates(roundedPlace(m_content.frame.toGeographic(position_m))));
+    }
+
+    void addTime(Json& properties, double time_s) const
+    {
+        properties["time_s"] = roundedSeconds(time_s);
+        if (m_content.start)
+            properties["time"] = utcText(*m_content.start, time_s);
+    }
+
+    void addUav(const ExportUav& uav)
+    {
+        Json properties;
+        properties["kind"] = "uav";
+        properties["id"] = uav.uav.id;
+        properties["name"] = uav.uav.name;
+        addTime(properties, uav.start_s);
+        properties["heading_deg"] =
+            trueHeading_deg(m_content, uav.uav.heading_deg, uav.uav.position_m);
+        properties["airspeed_mps"] = uav.uav.spec.airspeed_mps;
+        properties["altitude_m"] = uav.uav.spec.altitude_m;
+        add(point(uav.uav.position_m), std::move(properties));
+        if (uav.home_m == uav.uav.position_m)
+            return;
+        Json home;
+        home["kind"] = "home";
+        home["uav"] = uav.uav.id;
+        add(point(uav.home_m), std::move(home));
+    }
+
+    void addIceberg(const ExportIceberg& now)
+    {
+        Json properties;
+        properties["kind"] = "iceberg";
+        properties["id"] = now.iceberg.id;
+        properties["name"] = now.iceberg.name;
+        addTime(properties, m_content.now_s);
+        properties["sigma_m2"] = now.sigma_m2;
+        properties["q_m2ps"] = now.iceberg.q_m2ps;
+        properties["velocity_mps"] =
+            pair(eastNorth_mps(m_content, now.iceberg.velocity_mps, now.position_m));
+        properties["drift_mps"] = pair(eastNorth_mps(m_content, now.drift_mps, now.position_m));
+        properties["radius_m"] = now.iceberg.radius_m;
+        properties["appears_s"] = now.iceberg.appears_s;
+        properties["state"] = nameOf(kIcebergStateNames, now.state);
+        add(point(now.position_m), std::move(properties));
+    }
+
+    void addVisits(const ExportUav& uav)
+    {
+        int sequence = 0;
+        for (const Visit& visit : uav.visits) {
+            if (visit.iceberg < 0)
+                continue;
+            const Iceberg& iceberg =
+                m_content.icebergs.at(static_cast<std::size_t>(visit.iceberg)).iceberg;
+            Json properties;
+            properties["kind"] = "visit";
+            properties["sequence"] = ++sequence;
+            properties["iceberg"] = iceberg.id;
+            properties["name"] = iceberg.name;
+            if (!visit.members.empty())
+                properties["cluster"] = idsOf(m_content, visit);
+            properties["uav"] = uav.uav.id;
+            addTime(properties, visit.time_s);
+            add(point(visit.position_m), std::move(properties));
+        }
+    }
+
+    void addLine(const ExportUav& uav)
+    {
+        Json properties;
+        properties["kind"] = featureKind(m_content.what);
+        properties["uav"] = uav.uav.id;
+        properties["order"] = Json::array();
+        for (const Visit& visit : uav.visits)
+            for (const std::string& id : idsOf(m_content, visit))
+                properties["order"].push_back(id);
+        if (m_content.what == ExportWhat::Track) {
+            properties["flown_m"] = uav.flown_m;
+            properties["zeta_m2s"] = *m_content.zeta_m2s; // of all UAVs
+        } else {
+            properties["policy"] = nameOf(kPolicyNames, m_content.planner.policy);
+            properties["tau"] = m_content.planner.tau;
+        }
+        const std::vector<std::vector<TimedPlace>> parts =
+            geographicLine(m_content.frame, wayOf(uav));
+        if (!parts.empty())
+            addParts(parts, std::move(properties));
+    }
+
+    /** A LineString, or a MultiLineString with nested times. */
+    void addParts(const std::vector<std::vector<TimedPlace>>& parts, Json properties)
+    {
+        Json lines = Json::array();
+        Json times = Json::array();
+        for (const std::vector<TimedPlace>& part : parts) {
+            Json line = Json::array();
+            Json lineTimes = Json::array();
+            for (const TimedPlace& vertex : part) {
+                line.push_back(coordinates(vertex.place));
+                lineTimes.push_back(m_content.start ? Json(utcText(*m_content.start, vertex.time_s))
+                                                    : Json(roundedSeconds(vertex.time_s)));
+            }
+            lines.push_back(std::move(line));
+            times.push_back(std::move(lineTimes));
+        }
+        const bool single = parts.size() == 1;
+        properties["coordinateProperties"][m_content.start ? "times" : "times_s"] =
+            single ? std::move(times[0]) : std::move(times);
+        if (single)
+            add(shape("LineString", std::move(lines[0])), std::move(properties));
+        else
+            add(shape("MultiLineString", std::move(lines)), std::move(properties));
+    }
+
+    void addArea()
+    {
+        if (m_content.area_m.empty())
+            return;
+        Json polygons = Json::array();
+        for (const std::vector<LatLon>& ring :
+             geographicPolygon(m_content.frame, m_content.area_m)) {
+            Json exterior = Json::array();
+            for (const LatLon& place : ring)
+                exterior.push_back(coordinates(place));
+            polygons.push_back(Json::array({std::move(exterior)}));
+        }
+        Json properties;
+        properties["kind"] = "area";
+        properties["geofence"] = m_content.geofence;
+        if (polygons.size() == 1)
+            add(shape("Polygon", std::move(polygons[0])), std::move(properties));
+        else
+            add(shape("MultiPolygon", std::move(polygons)), std::move(properties));
+    }
+
+    void addAsset()
+    {
+        if (!m_content.asset)
+            return;
+        const Asset& asset = *m_content.asset;
+        Json properties;
+        properties["kind"] = "asset";
+        properties["name"] = asset.name;
+        addTime(properties, m_content.now_s);
+        const Point place_m = assetPlace_m(m_content);
+        properties["velocity_mps"] = pair(eastNorth_mps(m_content, asset.velocity_mps, place_m));
+        properties["range_m"] = asset.range_m;
+        add(point(place_m), std::move(properties));
+    }
+
+    const ExportContent& m_content;
+    std::string m_features;
+};
+
+} // namespace
+
+std::string geoJson(const ExportContent& content)
+{
+    return Collection(content).text();
+}
+
+} // namespace berg

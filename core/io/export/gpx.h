@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/io/export/export_content.h"
+
+#include <string>
+
+namespace berg {
+
+/**
+ * GPX 1.1: a waypoint for each iceberg, home and the asset (`type` says which), a route for each
+ * UAV with the visits to come, a track for each path or flown track, in segments that do not cross
+ * the antimeridian. Times only when the scenario has a start time. What is known of an iceberg is
+ * in `extensions`, in a namespace of our own.
+ */
+[[nodiscard]] std::string gpxText(const ExportContent& content);
+
+} // namespace berg

@@ -1,0 +1,224 @@
+#include "core/io/export/kml.h"
+
+#include "core/io/export/uav_colours.h"
+#include "core/io/export/xml_text.h"
+#include "core/io/text/export_numbers.h"
+#include "core/io/text/zip_file.h"
+
+namespace berg {
+
+namespace {
+
+constexpr const char* kHead = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                              "<kml xmlns=\"http://www.opengis.net/kml/2.2\" "
+                              "xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n<Document>\n";
+
+/** `aabbggrr` */
+std::string colourText(const Rgb& colour)
+{
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "ff";
+    for (const unsigned part :
+         {unsigned{colour.blue}, unsigned{colour.green}, unsigned{colour.red}})
+        (text += kDigits[part / 16U]) += kDigits[part % 16U];
+    return text;
+}
+
+std::string styleId(const ExportUav& uav)
+{
+    return "uav-" + std::to_string(uav.row);
+}
+
+/** `longitude,latitude,altitude` or with blanks; +180 is kept where a cut line ends there. */
+std::string coordinates(const LatLon& place, double altitude_m, char separator)
+{
+    return decimalText(roundedDegrees(place.longitude_deg)) + separator +
+           decimalText(roundedDegrees(place.latitude_deg)) + separator + decimalText(altitude_m);
+}
+
+std::string altitudeMode(double altitude_m)
+{
+    return altitude_m > 0 ? "<altitudeMode>relativeToGround</altitudeMode>" : std::string();
+}
+
+std::string extendedData(const std::vector<XmlData>& data)
+{
+    std::string text;
+    for (const XmlData& item : data)
+        text += "<Data name=\"" + std::string(item.name) + "\">" + xmlElement("value", item.value) +
+                "</Data>";
+    return text.empty() ? text : "<ExtendedData>" + text + "</ExtendedData>";
+}
+
+class KmlWriter
+{
+public:
+    explicit KmlWriter(const ExportContent& content) : m_content(content), m_text(kHead) {}
+
+    std::string text()
+    {
+        m_text += xmlElement("name", m_content.name.empty() ? "Bergwatch" : m_content.name) + "\n";
+        addStyles();
+        addArea();
+        m_text += "<Folder><name>Icebergs</name>\n";
+        for (const ExportIceberg& now : m_content.icebergs)
+            if (now.isListed)
+                addIceberg(now);
+        m_text += "</Folder>\n";
+        if (m_content.asset)
+            addPoint({.name = m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
+                      .style = "asset",
+                      .position_m = assetPlace_m(m_content),
+                      .time_s = m_content.now_s,
+                      .data = assetData(m_content)});
+        for (const ExportUav& uav : m_content.uavs)
+            addUav(uav);
+        return m_text + "</Document>\n</kml>\n";
+    }
+
+private:
+    struct Mark
+    {
+        std::string name;
+        std::string style;
+        Point position_m = Point::Zero();
+        double altitude_m = 0;
+        std::optional<double> time_s = {};
+        std::string description = {};
+        std::vector<XmlData> data = {};
+    };
+
+    void addPoint(const Mark& mark)
+    {
+        m_text += "<Placemark>" + xmlElement("name", mark.name);
+        if (!mark.description.empty())
+            m_text += xmlElement("description", mark.description);
+        if (mark.time_s && m_content.start)
+            m_text += "<TimeStamp>" + xmlElement("when", timeText(m_content, *mark.time_s)) +
+                      "</TimeStamp>";
+        m_text += xmlElement("styleUrl", "#" + mark.style);
+        m_text += extendedData(mark.data);
+        const LatLon place = roundedPlace(m_content.frame.toGeographic(mark.position_m));
+        m_text += "<Point>" + altitudeMode(mark.altitude_m) + "<coordinates>" +
+                  coordinates(place, mark.altitude_m, ',') + "</coordinates></Point></Placemark>\n";
+    }
+
+    void addStyles()
+    {
+        const auto point = [&](const std::string& id, const std::string& colour) {
+            m_text += "<Style id=\"" + id + "\"><IconStyle><color>" + colour +
+                      "</color><scale>0.8</scale></IconStyle></Style>\n";
+        };
+        point("iceberg", "fff0c878");
+        point("asset", "ff3c3cdc");
+        m_text +=
+            "<Style id=\"area\"><LineStyle><color>ff808080</color><width>2</width></LineStyle>"
+            "<PolyStyle><fill>0</fill></PolyStyle></Style>\n";
+        for (const ExportUav& uav : m_content.uavs) {
+            const std::string colour = colourText(uavColour(uav.row));
+            m_text += "<Style id=\"" + styleId(uav) + "\"><IconStyle><color>" + colour +
+                      "</color><scale>0.6</scale></IconStyle><LineStyle><color>" + colour +
+                      "</color><width>3</width></LineStyle></Style>\n";
+        }
+    }
+
+    void addIceberg(const ExportIceberg& now)
+    {
+        addPoint({.name = titleOf(now.iceberg),
+                  .style = "iceberg",
+                  .position_m = now.position_m,
+                  .time_s = m_content.now_s,
+                  .description = aboutText(m_content, now),
+                  .data = dataOf(m_content, now)});
+    }
+
+    void addArea()
+    {
+        if (m_content.area_m.empty())
+            return;
+        m_text += "<Placemark><name>Area</name><styleUrl>#area</styleUrl>" +
+                  extendedData({{"geofence", m_content.geofence ? "true" : "false"}}) +
+                  "<MultiGeometry>";
+        for (const std::vector<LatLon>& ring :
+             geographicPolygon(m_content.frame, m_content.area_m)) {
+            m_text += "<Polygon><tessellate>1</tessellate><outerBoundaryIs><LinearRing>"
+                      "<coordinates>";
+            for (const LatLon& corner : ring)
+                m_text += coordinates(corner, 0, ',') + "\n";
+            m_text += "</coordinates></LinearRing></outerBoundaryIs></Polygon>";
+        }
+        m_text += "</MultiGeometry></Placemark>\n";
+    }
+
+    void addUav(const ExportUav& uav)
+    {
+        m_text += "<Folder>" + xmlElement("name", titleOf(uav.uav)) + "\n";
+        addPoint({.name = "Home of " + titleOf(uav.uav),
+                  .style = styleId(uav),
+                  .position_m = uav.home_m,
+                  .data = dataOf(m_content, uav)});
+        for (const Visit& visit : uav.visits)
+            if (visit.iceberg >= 0)
+                addPoint({.name = titleOf(m_content, visit),
+                          .style = styleId(uav),
+                          .position_m = visit.position_m,
+                          .altitude_m = uav.uav.spec.altitude_m,
+                          .time_s = visit.time_s});
+        const std::vector<std::vector<TimedPlace>> parts =
+            geographicLine(m_content.frame, wayOf(uav));
+        if (!parts.empty())
+            addWay(uav, parts);
+        m_text += "</Folder>\n";
+    }
+
+    void addWay(const ExportUav& uav, const std::vector<std::vector<TimedPlace>>& parts)
+    {
+        const bool timed = m_content.start && !uav.track.empty();
+        m_text += "<Placemark>" + xmlElement("name", titleOf(uav.uav)) +
+                  xmlElement("styleUrl", "#" + styleId(uav));
+        if (parts.size() > 1)
+            m_text +=
+                timed ? "<gx:MultiTrack><gx:interpolate>0</gx:interpolate>" : "<MultiGeometry>";
+        for (const std::vector<TimedPlace>& part : parts)
+            timed ? addTrack(part, uav.uav.spec.altitude_m)
+                  : addLine(part, uav.uav.spec.altitude_m);
+        if (parts.size() > 1)
+            m_text += timed ? "</gx:MultiTrack>" : "</MultiGeometry>";
+        m_text += "</Placemark>\n";
+    }
+
+    void addTrack(const std::vector<TimedPlace>& part, double altitude_m)
+    {
+        m_text += "<gx:Track>" + altitudeMode(altitude_m) + "\n";
+        for (const TimedPlace& vertex : part)
+            m_text += xmlElement("when", timeText(m_content, vertex.time_s)) + "\n";
+        for (const TimedPlace& vertex : part)
+            m_text += "<gx:coord>" + coordinates(vertex.place, altitude_m, ' ') + "</gx:coord>\n";
+        m_text += "</gx:Track>";
+    }
+
+    void addLine(const std::vector<TimedPlace>& part, double altitude_m)
+    {
+        m_text += "<LineString>" + altitudeMode(altitude_m) + "<coordinates>";
+        for (const TimedPlace& vertex : part)
+            m_text += coordinates(vertex.place, altitude_m, ',') + "\n";
+        m_text += "</coordinates></LineString>";
+    }
+
+    const ExportContent& m_content;
+    std::string m_text;
+};
+
+} // namespace
+
+std::string kmlText(const ExportContent& content)
+{
+    return KmlWriter(content).text();
+}
+
+std::string kmzFile(const ExportContent& content)
+{
+    return zipFile("doc.kml", kmlText(content));
+}
+
+} // namespace berg

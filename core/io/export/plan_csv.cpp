@@ -1,0 +1,69 @@
+#include "core/io/export/plan_csv.h"
+
+#include "core/io/text/export_numbers.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+void addVisit(std::string& text, const ExportContent& content, const ExportUav& uav,
+              const Visit& visit, const Point& from_m, int sequence)
+{
+    const LatLon place = content.frame.toGeographic(visit.position_m);
+    double leg_m = (visit.position_m - from_m).norm();
+    for (const int index : icebergsOf(visit)) {
+        const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(index));
+        const double arrival_m2 =
+            now.sigma_m2 + now.iceberg.q_m2ps * (visit.time_s - content.now_s);
+        text += std::to_string(sequence) + ',' + csvField(now.iceberg.id) + ',' +
+                csvField(now.iceberg.name);
+        for (const double value :
+             {leg_m, visit.time_s, place.latitude_deg, place.longitude_deg, visit.position_m.x(),
+              visit.position_m.y(), now.sigma_m2, arrival_m2}) {
+            text += ',';
+            appendNumber(text, value);
+        }
+        text += ',' + csvField(uav.uav.id) + '\n';
+        leg_m = 0; // the others of a cluster are there already
+    }
+}
+
+} // namespace
+
+std::string planCsv(const ExportContent& content)
+{
+    std::string text = "sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,east_m,"
+                       "north_m,sigma_now_m2,sigma_at_arrival_m2,uav\n";
+    for (const ExportUav& uav : content.uavs) {
+        Point from_m = uav.uav.position_m;
+        int sequence = 0;
+        for (const Visit& visit : uav.visits) {
+            if (visit.iceberg < 0)
+                continue; // the way home
+            addVisit(text, content, uav, visit, from_m, ++sequence);
+            from_m = visit.position_m;
+        }
+    }
+    return text;
+}
+
+std::string trackCsv(const ExportContent& content)
+{
+    // The UAVs of one mission have their samples at the same times, so a row of each in turn.
+    std::size_t longest = 0;
+    std::vector<std::string> ids;
+    for (const ExportUav& uav : content.uavs) {
+        longest = std::max(longest, uav.track.size());
+        ids.push_back(csvField(uav.uav.id));
+    }
+    std::string text(trajectoryHeader());
+    for (std::size_t row = 0; row < longest; ++row)
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            if (const std::vector<TrackPoint>& track = content.uavs[i].track; row < track.size())
+                appendTrajectoryRow(text, content.frame, ids[i], track[row]);
+    return text;
+}
+
+} // namespace berg

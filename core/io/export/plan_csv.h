@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/io/export/export_content.h"
+
+#include <string>
+
+namespace berg {
+
+// Ways as tables, in the form of core/io/results/result_csv.h.
+
+/**
+ * The order, one row per iceberg in visiting order, UAV after UAV:
+ * `sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,east_m,north_m,sigma_now_m2,`
+ * `sigma_at_arrival_m2,uav`. A leg is measured over ground. Icebergs of a cluster share number,
+ * place and time.
+ */
+[[nodiscard]] std::string planCsv(const ExportContent& content);
+
+/** The path or track as `trajectoryCsv` has it: by time, then by UAV. */
+[[nodiscard]] std::string trackCsv(const ExportContent& content);
+
+} // namespace berg

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/io/export/export_content.h"
+
+namespace berg {
+
+/**
+ * QGroundControl `.plan` (JSON) of the only UAV of the content that QGroundControl, MAVSDK and
+ * Mission Planner all read. The geofence of the scenario becomes an inclusion fence, whether or not
+ * start and icebergs lie within it; home is the rally point.
+ */
+[[nodiscard]] std::string qgcPlan(const ExportContent& content);
+
+} // namespace berg

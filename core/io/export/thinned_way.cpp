@@ -1,0 +1,40 @@
+#include "core/io/export/thinned_way.h"
+
+#include <utility>
+
+namespace berg {
+
+std::vector<TimedPoint> thinnedWay(std::span<const TimedPoint> way, double tolerance_m)
+{
+    if (way.size() < 3)
+        return {way.begin(), way.end()};
+    std::vector<bool> kept(way.size(), false);
+    kept.front() = kept.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> stretches{{0, way.size() - 1}};
+    while (!stretches.empty()) {
+        const auto [first, last] = stretches.back();
+        stretches.pop_back();
+        std::size_t farthest = first;
+        double distance_m = tolerance_m;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            const double here_m =
+                distanceToSegment(way[first].position_m, way[last].position_m, way[i].position_m);
+            if (here_m > distance_m) {
+                farthest = i;
+                distance_m = here_m;
+            }
+        }
+        if (farthest == first)
+            continue;
+        kept[farthest] = true;
+        stretches.emplace_back(first, farthest);
+        stretches.emplace_back(farthest, last);
+    }
+    std::vector<TimedPoint> thinned;
+    for (std::size_t i = 0; i < way.size(); ++i)
+        if (kept[i])
+            thinned.push_back(way[i]);
+    return thinned;
+}
+
+} // namespace berg

@@ -1,0 +1,141 @@
+#include "core/io/files/certificate_json.h"
+
+#include "core/io/text/json_writer.h"
+#include "core/plan/solve/layered_graph.h"
+#include "core/plan/solve/names.h"
+
+#include <cstdio>
+
+namespace berg {
+
+namespace {
+
+std::string numbers(const Eigen::VectorXd& values)
+{
+    return jsonArrayOf(std::vector<double>(values.begin(), values.end()));
+}
+
+std::string matrixText(const Eigen::MatrixXd& distance_m)
+{
+    std::vector<std::string> rows;
+    for (Eigen::Index i = 0; i < distance_m.rows(); ++i) {
+        Eigen::VectorXd row = distance_m.row(i).transpose();
+        row(i) = 0; // may be anything
+        rows.push_back(numbers(row));
+    }
+    return jsonLines(rows, 2);
+}
+
+/** Bit i is iceberg i. */
+std::string setText(const NodeSet& set)
+{
+    std::array<char, 40> text{};
+    if (set.words[1] != 0)
+        std::snprintf(text.data(), text.size(), "%llx%016llx",
+                      static_cast<unsigned long long>(set.words[1]),
+                      static_cast<unsigned long long>(set.words[0]));
+    else
+        std::snprintf(text.data(), text.size(), "%llx",
+                      static_cast<unsigned long long>(set.words[0]));
+    return text.data();
+}
+
+std::string stepText(const ProofStep& step)
+{
+    JsonObject object;
+    object.addText("lambda", numbers(step.lambda));
+    if (step.sets) {
+        const auto n = static_cast<int>(step.lambda.size()) - 1;
+        std::vector<std::string> bands;
+        for (int band = 1; band <= n; ++band) {
+            std::vector<std::string> sets;
+            for (int i = 1; i <= n; ++i)
+                sets.push_back(setText(step.sets->at(band, i)));
+            bands.push_back(jsonArrayOf(sets));
+        }
+        object.addText("sets", jsonLines(bands, 4));
+    }
+    return object.inLine();
+}
+
+const char* nameOf(ProofMethod method)
+{
+    switch (method) {
+    case ProofMethod::Enumeration:
+        return "enumeration";
+    case ProofMethod::Sorting:
+        return "sorting";
+    case ProofMethod::Relaxation:
+        return "relaxation";
+    }
+    return "";
+}
+
+/** In words, for whoever opens the file. */
+std::string claimOf(const Proof& proof)
+{
+    constexpr double kOptimal = 1e-8; // rounding is left room for
+    const double gap = proof.cost > 0 ? (proof.cost - proof.bound) / proof.cost : 0.0;
+    if (gap <= kOptimal)
+        return "the orders are optimal";
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "the orders are within %.3g %% of optimal", 100 * gap);
+    return text.data();
+}
+
+std::string proofText(const Proof& proof)
+{
+    std::vector<std::string> orders;
+    for (const VisitOrder& order : proof.orders)
+        orders.push_back(jsonArrayOf(order));
+    JsonObject object;
+    object.add("claim", claimOf(proof));
+    object.add("mu", proof.mu);
+    object.addText("orders", jsonArray(orders));
+    object.add("cost", proof.cost);
+    object.add("bound", proof.bound);
+    object.add("method", nameOf(proof.method));
+    if (!proof.rises.empty())
+        object.addText("rises", jsonArrayOf(proof.rises));
+    if (!proof.steps.empty()) {
+        std::vector<std::string> steps;
+        for (const ProofStep& step : proof.steps)
+            steps.push_back(stepText(step));
+        object.addText("steps", jsonLines(steps, 3));
+    }
+    return object.inLines(2);
+}
+
+} // namespace
+
+std::string certificateJson(const Certificate& certificate)
+{
+    const FleetProblem& problem = certificate.problem;
+    JsonObject object;
+    object.add("format", "bergwatch-certificate");
+    object.add("version", 1);
+    object.add("criterion", problem.criterion == Criterion::Latency ? "latency" : "visitation");
+    object.add("route", nameOf(kRouteNames, problem.route));
+    object.addText("sigma", jsonArrayOf(problem.sigma_m2));
+    std::vector<std::string> matrices;
+    for (const Eigen::MatrixXd& distance_m : problem.distance_m)
+        matrices.push_back(matrixText(distance_m));
+    object.addText("distance_m", jsonLines(matrices, 1));
+    if (!problem.allowed.empty()) {
+        std::vector<std::string> rows;
+        for (const std::vector<bool>& row : problem.allowed) {
+            std::vector<std::string> entries;
+            for (const bool entry : row)
+                entries.push_back(jsonText(entry));
+            rows.push_back(jsonArray(entries));
+        }
+        object.addText("allowed", jsonLines(rows, 1));
+    }
+    std::vector<std::string> proofs;
+    for (const Proof& proof : certificate.proofs)
+        proofs.push_back(proofText(proof));
+    object.addText("proofs", jsonLines(proofs, 1));
+    return object.inLines(0) + '\n';
+}
+
+} // namespace berg

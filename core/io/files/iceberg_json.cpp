@@ -1,0 +1,66 @@
+#include "core/io/files/iceberg_json.h"
+
+#include "core/io/files/scenario_parts.h"
+#include "core/scenario/validate.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+constexpr std::string_view kFormat = "bergwatch-icebergs";
+
+/** Adds what makes them unfit for a scenario, apart from their ids and those of UAVs. */
+void addFindings(std::vector<Iceberg> icebergs, Faults& faults)
+{
+    Scenario scenario;
+    scenario.uavs.push_back({.id = "uav-1"});
+    for (std::size_t i = 0; i < icebergs.size(); ++i) {
+        icebergs[i].id = "berg-" + std::to_string(i + 1);
+        icebergs[i].uav.clear();
+    }
+    scenario.icebergs = std::move(icebergs);
+    for (Issue& issue : validate(scenario))
+        if (issue.severity == Severity::Error && !faults.has(issue.field))
+            faults.add(std::move(issue.field), std::move(issue.message));
+}
+
+} // namespace
+
+std::string icebergsToJson(std::span<const Iceberg> icebergs)
+{
+    std::vector<std::string> texts;
+    texts.reserve(icebergs.size());
+    std::transform(icebergs.begin(), icebergs.end(), std::back_inserter(texts), &icebergText);
+    JsonObject object;
+    object.add("format", kFormat);
+    object.add("version", 1);
+    object.addText("icebergs", jsonLines(texts, 1));
+    return object.inLines(0) + '\n';
+}
+
+std::vector<Iceberg> icebergsFromJson(std::string_view text, const std::string& subject)
+{
+    if (text.size() > kLargestIcebergText)
+        throw Error(ErrorCode::FileTooLarge, subject,
+                    "is larger than " + std::to_string(kLargestIcebergText >> 20U) + " MiB");
+    ParsedJson file = parseJson(text, subject);
+    requireFormat(file, kFormat, subject);
+    ObjectReader object(file.root, "", file.faults);
+    (void)object.need("icebergs");
+    std::vector<Iceberg> icebergs;
+    if (const Json* list = object.array("icebergs")) {
+        if (list->size() > kMostIcebergs)
+            file.faults.add("icebergs", "must hold at most " + std::to_string(kMostIcebergs) +
+                                            " icebergs, not " + std::to_string(list->size()));
+        else
+            for (std::size_t i = 0; i < list->size(); ++i)
+                icebergs.push_back(readIceberg((*list)[i], entryPath("icebergs", i), file.faults));
+    }
+    addFindings(icebergs, file.faults);
+    file.faults.throwIfAny(subject);
+    return icebergs;
+}
+
+} // namespace berg

@@ -1,0 +1,164 @@
+#include "core/io/files/problem_json.h"
+
+#include "core/io/files/scenario_parts.h"
+#include "core/io/text/atomic_file.h"
+#include "core/io/text/json_writer.h"
+#include "core/plan/solve/tuning.h"
+
+namespace berg {
+
+namespace {
+
+constexpr std::string_view kFormat = "bergwatch-problem";
+
+/** Nodes, the UAV included; a matrix of this size takes 8 MB. */
+constexpr std::size_t kMostNodes = 1000;
+constexpr Limits kProblemNumber{.low = 0, .high = kLargestProblemNumber};
+
+std::vector<double> readSigmas(ObjectReader& object)
+{
+    std::vector<double> sigma_m2;
+    if (object.need("sigma") == nullptr)
+        return sigma_m2;
+    const Json* list = object.array("sigma");
+    if (list == nullptr)
+        return sigma_m2;
+    const std::string path = object.path("sigma");
+    if (list->empty() || list->size() > kMostNodes) {
+        object.faults().add(path, "must hold from 1 to " + std::to_string(kMostNodes) +
+                                      " numbers, not " + std::to_string(list->size()));
+        return sigma_m2;
+    }
+    for (std::size_t i = 0; i < list->size(); ++i)
+        sigma_m2.push_back(
+            numberOf((*list)[i], entryPath(path, i), object.faults(), kProblemNumber).value_or(0));
+    if (sigma_m2[0] != 0)
+        object.faults().add(entryPath(path, 0), "is the UAV's and must be 0");
+    return sigma_m2;
+}
+
+/** False, with a fault noted, when `list` is no array of `size` entries. */
+bool hasSize(const Json& list, std::size_t size, const std::string& path, Faults& faults)
+{
+    if (list.is_array() && list.size() == size)
+        return true;
+    faults.add(path, "must hold " + std::to_string(size) + " entries as sigma does, not " +
+                         (list.is_array() ? std::to_string(list.size()) : typeText(list)));
+    return false;
+}
+
+Eigen::MatrixXd readDistances(const Json& rows, std::size_t nodes, ObjectReader& object)
+{
+    const auto n = static_cast<Eigen::Index>(nodes);
+    Eigen::MatrixXd distance_m = Eigen::MatrixXd::Zero(n, n);
+    const std::string path = object.path("distance_m");
+    if (!hasSize(rows, nodes, path, object.faults()))
+        return distance_m;
+    for (std::size_t i = 0; i < nodes; ++i) {
+        const std::string rowPath = entryPath(path, i);
+        if (!hasSize(rows[i], nodes, rowPath, object.faults()))
+            continue;
+        for (std::size_t j = 0; j < nodes; ++j)
+            if (i != j) // the diagonal is not read, whatever it holds
+                distance_m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                    numberOf(rows[i][j], entryPath(rowPath, j), object.faults(), kProblemNumber)
+                        .value_or(0);
+    }
+    return distance_m;
+}
+
+Eigen::MatrixXd readPositions(const Json& rows, std::size_t nodes, ObjectReader& object)
+{
+    constexpr Limits kCoordinate{.low = -kLargestProblemNumber, .high = kLargestProblemNumber};
+    Eigen::MatrixX2d position_m = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(nodes), 2);
+    const std::string path = object.path("position_m");
+    if (!hasSize(rows, nodes, path, object.faults()))
+        return euclideanDistances(position_m);
+    for (std::size_t i = 0; i < nodes; ++i) {
+        const std::string rowPath = entryPath(path, i);
+        const std::optional<Point> point = pointOf(rows[i], rowPath, object.faults());
+        if (!point)
+            continue;
+        for (const Eigen::Index axis : {0, 1}) {
+            const std::string fault = limitsFault((*point)[axis], kCoordinate);
+            if (!fault.empty())
+                object.faults().add(entryPath(rowPath, static_cast<std::size_t>(axis)), fault);
+        }
+        position_m.row(static_cast<Eigen::Index>(i)) = point->transpose();
+    }
+    return euclideanDistances(position_m);
+}
+
+/** The distances of `distance_m` or `position_m`, whichever is given; exactly one must be. */
+Eigen::MatrixXd readGeometry(ObjectReader& object, std::size_t nodes)
+{
+    const Json* distances = object.find("distance_m");
+    const Json* positions = object.find("position_m");
+    if (distances != nullptr && positions != nullptr)
+        object.faults().add(object.path("position_m"), "must not be given beside distance_m");
+    if (distances == nullptr && positions == nullptr)
+        object.faults().add(object.path("distance_m"), "is missing, and so is position_m");
+    if (nodes > 0 && distances != nullptr)
+        return readDistances(*distances, nodes, object);
+    if (nodes > 0 && positions != nullptr)
+        return readPositions(*positions, nodes, object);
+    return {};
+}
+
+} // namespace
+
+ProblemFile problemFromJson(std::string_view text, const std::string& subject)
+{
+    ParsedJson parsed = parseJson(text, subject);
+    requireFormat(parsed, kFormat, subject);
+    ObjectReader object(parsed.root, "", parsed.faults);
+
+    ProblemFile file;
+    file.problem.sigma_m2 = readSigmas(object);
+    file.problem.distance_m = readGeometry(object, file.problem.sigma_m2.size());
+    file.problem.route = object.choice("route", Route::Open, kRouteNames);
+    const std::optional<double> tau = object.optionalNumber("tau", kTauLimits);
+    const std::optional<double> mu = object.optionalNumber("mu", kProblemNumber);
+    parsed.faults.throwIfAny(subject);
+
+    if (mu) {
+        file.problem.mu = *mu;
+    } else {
+        file.tau = tau.value_or(1);
+        file.problem.mu = tuningWeight(file.problem, *file.tau).mu;
+    }
+    // All numbers are in order; the mu of tau may not be, where distances are next to nothing.
+    if (std::vector<Issue> issues = validate(file.problem); !issues.empty())
+        throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
+    return file;
+}
+
+std::string problemToJson(const ProblemFile& file)
+{
+    const TvpProblem& problem = file.problem;
+    std::vector<std::string> rows;
+    for (Eigen::Index i = 0; i < problem.distance_m.rows(); ++i) {
+        std::vector<std::string> row;
+        for (Eigen::Index j = 0; j < problem.distance_m.cols(); ++j)
+            row.push_back(jsonText(i == j ? 0.0 : problem.distance_m(i, j)));
+        rows.push_back(jsonArray(row));
+    }
+    JsonObject object;
+    object.add("format", kFormat);
+    object.add("version", 1);
+    object.addText("sigma", jsonArrayOf(problem.sigma_m2));
+    object.addText("distance_m", jsonLines(rows, 1));
+    if (file.tau)
+        object.add("tau", *file.tau);
+    else
+        object.add("mu", problem.mu);
+    object.add("route", nameOf(kRouteNames, problem.route));
+    return object.inLines(0) + '\n';
+}
+
+ProblemFile loadProblem(const std::string& path)
+{
+    return problemFromJson(readFile(path), path);
+}
+
+} // namespace berg

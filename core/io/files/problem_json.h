@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/plan/solve/tvp.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace berg {
+
+/** Of distances, sigmas and mu: a problem's units are its author's business. */
+inline constexpr double kLargestProblemNumber = 1e15;
+
+/** A problem file: one path-planning problem without simulation. */
+struct ProblemFile
+{
+    TvpProblem problem;        ///< `mu` is set: from the file, or from `tau` by the tuning rule
+    std::optional<double> tau; ///< as in the file; none when it gives `mu`
+};
+
+/** Errors as for `scenarioFromJson`. Without `tau` and `mu`, tau is 1. */
+[[nodiscard]] ProblemFile problemFromJson(std::string_view text, const std::string& subject);
+[[nodiscard]] std::string problemToJson(const ProblemFile& file);
+[[nodiscard]] ProblemFile loadProblem(const std::string& path);
+
+} // namespace berg

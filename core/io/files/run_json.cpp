@@ -1,0 +1,443 @@
+#include "core/io/files/run_json.h"
+
+#include "core/io/files/run_keyframe.h"
+#include "core/io/files/scenario_parts.h"
+#include "core/io/text/atomic_file.h"
+#include "core/scenario/checks.h"
+#include "core/scenario/validate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+constexpr std::string_view kFormat = "bergwatch-run";
+constexpr Limits kInterval_s{.low = 0, .high = 1e9, .above = true};
+
+std::string optionsText(const MissionOptions& options)
+{
+    JsonObject object;
+    if (options.workLimit)
+        object.add("work_limit", *options.workLimit);
+    if (options.timeLimit_s)
+        object.add("time_limit_s", *options.timeLimit_s);
+    object.add("gap", options.gap);
+    object.add("warm_start", options.warmStart);
+    object.add("record", options.record);
+    object.add("sample_interval_s", options.sampleInterval_s);
+    object.add("keyframe_interval_s", options.keyframeInterval_s);
+    return object.inLine();
+}
+
+std::string interventionText(const Intervention& intervention)
+{
+    JsonObject object;
+    object.add("time_s", intervention.time_s);
+    if (intervention.tau)
+        object.add("tau", *intervention.tau);
+    if (intervention.policy)
+        object.add("policy", nameOf(kPolicyNames, *intervention.policy));
+    if (intervention.wind_mps)
+        object.add("wind_mps", *intervention.wind_mps);
+    if (intervention.asset)
+        object.addText("asset", assetText(*intervention.asset));
+    if (intervention.appears)
+        object.addText("appears", icebergText(*intervention.appears));
+    if (intervention.seen)
+        object.add("seen", *intervention.seen);
+    if (intervention.assigned) {
+        JsonObject assigned;
+        assigned.add("iceberg", intervention.assigned->iceberg);
+        assigned.add("uav", intervention.assigned->uav);
+        object.addText("assigned", assigned.inLine());
+    }
+    return object.inLine();
+}
+
+std::string planText(const RecordedPlan& plan)
+{
+    JsonObject object;
+    object.add("time_s", plan.time_s);
+    object.addUnless("uav", plan.uav, 0);
+    object.add("target", plan.target);
+    object.addText("order", jsonArrayOf(plan.order));
+    if (!plan.clusters.empty()) {
+        std::vector<std::string> clusters;
+        std::transform(plan.clusters.begin(), plan.clusters.end(), std::back_inserter(clusters),
+                       [](const std::vector<int>& members) { return jsonArrayOf(members); });
+        object.addText("clusters", jsonArray(clusters));
+    }
+    if (!plan.legs.empty()) {
+        std::vector<std::string> legs;
+        std::transform(plan.legs.begin(), plan.legs.end(), std::back_inserter(legs), legText);
+        object.addText("legs", jsonArray(legs));
+    }
+    return object.inLine();
+}
+
+std::string metricsText(const Metrics& metrics)
+{
+    JsonObject object;
+    object.add("zeta_m2s", metrics.zeta_m2s);
+    object.add("visits", metrics.visits);
+    object.add("replans", metrics.replans);
+    object.add("flown_m", metrics.flown_m);
+    return object.inLine();
+}
+
+template <class Entry>
+std::string listText(const std::vector<Entry>& entries, std::string (*text)(const Entry&))
+{
+    std::vector<std::string> texts;
+    texts.reserve(entries.size());
+    std::transform(entries.begin(), entries.end(), std::back_inserter(texts), text);
+    return jsonLines(texts, 1);
+}
+
+MissionOptions readOptions(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    MissionOptions options;
+    if (object.find("work_limit") != nullptr)
+        options.workLimit =
+            object.whole("work_limit", 1, {.low = 1, .high = std::int64_t{1} << 53});
+    options.timeLimit_s = object.optionalNumber("time_limit_s", kInterval_s);
+    options.gap = object.number("gap", options.gap, Limits{.low = 0, .high = 1});
+    options.warmStart = object.boolean("warm_start", options.warmStart);
+    options.record = object.boolean("record", options.record);
+    options.sampleInterval_s =
+        object.number("sample_interval_s", options.sampleInterval_s, kInterval_s);
+    options.keyframeInterval_s =
+        object.number("keyframe_interval_s", options.keyframeInterval_s, kInterval_s);
+    return options;
+}
+
+/** A time within the run, not before that of the entry before it. */
+double readTime(ObjectReader& object, double flownUntil_s, double before_s)
+{
+    const Json* value = object.need("time_s");
+    const double time_s = object.number("time_s", before_s, Limits{.low = 0, .high = flownUntil_s});
+    if (value != nullptr && time_s < before_s)
+        object.faults().add(object.path("time_s"), "is before that of the entry above");
+    return std::max(time_s, before_s);
+}
+
+Assignment readAssignment(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    Assignment assignment;
+    if (object.need("iceberg") != nullptr)
+        assignment.iceberg = object.text("iceberg");
+    assignment.uav = object.text("uav");
+    return assignment;
+}
+
+std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil_s)
+{
+    std::vector<Intervention> interventions;
+    const Json* list = run.array("interventions");
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        ObjectReader object((*list)[i], entryPath(run.path("interventions"), i), run.faults());
+        Intervention intervention;
+        intervention.time_s =
+            readTime(object, flownUntil_s, i == 0 ? 0 : interventions.back().time_s);
+        intervention.tau = object.optionalNumber("tau", kTauLimits);
+        if (object.find("policy") != nullptr)
+            intervention.policy = object.choice("policy", PolicyKind::Visitation, kPolicyNames);
+        if (object.find("wind_mps") != nullptr)
+            intervention.wind_mps = object.point("wind_mps", Point::Zero());
+        if (const Json* asset = object.find("asset"))
+            intervention.asset = readAsset(*asset, object.path("asset"), run.faults());
+        if (const Json* appears = object.find("appears"))
+            intervention.appears = readIceberg(*appears, object.path("appears"), run.faults());
+        if (object.find("seen") != nullptr)
+            intervention.seen = object.text("seen");
+        if (const Json* assigned = object.find("assigned"))
+            intervention.assigned =
+                readAssignment(*assigned, object.path("assigned"), run.faults());
+        interventions.push_back(std::move(intervention));
+    }
+    return interventions;
+}
+
+/** Who is reported seen or kept for a UAV must be there by then. */
+void checkNamed(const RunFile& file, Faults& faults)
+{
+    std::vector<Iceberg> there = file.scenario.icebergs;
+    const auto appearing = std::ranges::count_if(
+        file.interventions, [](const Intervention& change) { return change.appears.has_value(); });
+    if (there.size() + static_cast<std::size_t>(appearing) > kMostIcebergs)
+        return; // `checkAppearing` says so
+    for (std::size_t i = 0; i < file.interventions.size(); ++i) {
+        const Intervention& change = file.interventions[i];
+        if (change.appears)
+            there.push_back(*change.appears);
+        const auto isThere = [&](const std::string& id) {
+            return std::ranges::any_of(there, [&](const Iceberg& iceberg) {
+                return iceberg.id == id && iceberg.appears_s <= change.time_s + file.scenario.dt_s;
+            });
+        };
+        const std::string path = entryPath("interventions", i);
+        constexpr const char* kUnknown = "no iceberg of this id is there at this time";
+        if (change.seen && !isThere(*change.seen))
+            faults.add(path + ".seen", kUnknown);
+        if (!change.assigned)
+            continue;
+        if (!isThere(change.assigned->iceberg))
+            faults.add(path + ".assigned.iceberg", kUnknown);
+        const std::string& uav = change.assigned->uav;
+        if (!uav.empty() &&
+            std::ranges::find(file.scenario.uavs, uav, &Uav::id) == file.scenario.uavs.end())
+            faults.add(path + ".assigned.uav", "no UAV of this id is in the scenario");
+    }
+}
+
+/** Wind and asset must be such as a scenario may hold. */
+void checkSurroundings(const RunFile& file, Faults& faults)
+{
+    Scenario after; // without what takes time to check and does not change
+    after.uavs = file.scenario.uavs;
+    for (std::size_t i = 0; i < file.interventions.size(); ++i) {
+        const Intervention& change = file.interventions[i];
+        if (!change.wind_mps && !change.asset)
+            continue;
+        after.wind_mps = change.wind_mps.value_or(file.scenario.wind_mps);
+        after.asset = change.asset ? change.asset : file.scenario.asset;
+        for (const Issue& issue : validate(after))
+            if (issue.severity == Severity::Error)
+                faults.add(entryPath("interventions", i) + '.' + issue.field, issue.message);
+    }
+}
+
+/** What a replay keeps must fit into memory: intervals below the usual ones are for short runs. */
+void checkRecording(const RunFile& file, Faults& faults)
+{
+    constexpr double kMostKeyframeTracks = 5e5;
+    constexpr double kMostSampleTracks = 5e7;
+    const MissionOptions usual;
+    const auto bodies = static_cast<double>(file.scenario.icebergs.size() +
+                                            file.scenario.uavs.size() + file.interventions.size());
+    const auto check = [&](const char* field, double interval_s, double usual_s, double most) {
+        const double step_s = std::max(interval_s, file.scenario.dt_s);
+        const double least_s = std::min(usual_s, file.flownUntil_s * bodies / most);
+        if (step_s < least_s)
+            faults.add(std::string("options.") + field,
+                       "must be at least " + shortText(std::ceil(least_s)) +
+                           " for a run of this length and so many icebergs, not " +
+                           shortText(interval_s));
+    };
+    check("keyframe_interval_s", file.options.keyframeInterval_s, usual.keyframeInterval_s,
+          kMostKeyframeTracks);
+    check("sample_interval_s", file.options.sampleInterval_s, usual.sampleInterval_s,
+          kMostSampleTracks);
+}
+
+/** The icebergs of the interventions must fit to the scenario as those in it do. */
+void checkAppearing(const RunFile& file, Faults& faults)
+{
+    Scenario after = file.scenario;
+    std::vector<std::size_t> origin; // intervention that each further iceberg comes from
+    for (std::size_t i = 0; i < file.interventions.size(); ++i)
+        if (file.interventions[i].appears) {
+            after.icebergs.push_back(*file.interventions[i].appears);
+            origin.push_back(i);
+        }
+    if (origin.empty())
+        return;
+    for (const Issue& issue : validate(after)) {
+        if (issue.severity != Severity::Error)
+            continue;
+        if (issue.field == "icebergs")
+            faults.add("interventions", "with these, the run " + issue.message);
+        for (std::size_t k = 0; k < origin.size(); ++k) {
+            const std::string path = entryPath("icebergs", file.scenario.icebergs.size() + k);
+            const std::string field = entryPath("interventions", origin[k]) + ".appears" +
+                                      issue.field.substr(std::min(path.size(), issue.field.size()));
+            if (issue.field.starts_with(path + '.') && !faults.has(field))
+                faults.add(field, issue.message);
+        }
+    }
+}
+
+/** Groups of at least two icebergs, no iceberg in two of them. */
+std::vector<std::vector<int>> readClusters(ObjectReader& object, const RunContext& context)
+{
+    std::vector<std::vector<int>> clusters;
+    if (object.find("clusters") == nullptr)
+        return clusters;
+    std::vector<bool> seen(context.icebergs, false);
+    const Json* list = object.array("clusters");
+    for (std::size_t k = 0; list != nullptr && k < list->size(); ++k) {
+        const std::string path = entryPath(object.path("clusters"), k);
+        clusters.push_back(readIcebergs((*list)[k], path, object.faults(), context, seen));
+        if (clusters.back().size() < 2)
+            object.faults().add(path, "must hold two icebergs or more");
+    }
+    return clusters;
+}
+
+std::vector<AimedLeg> readLegs(ObjectReader& object, const RunContext& context)
+{
+    std::vector<AimedLeg> legs;
+    if (object.find("legs") == nullptr)
+        return legs;
+    const Json* list = object.array("legs");
+    for (std::size_t k = 0; list != nullptr && k < list->size(); ++k)
+        legs.push_back(
+            readLeg((*list)[k], entryPath(object.path("legs"), k), object.faults(), context));
+    return legs;
+}
+
+std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context)
+{
+    std::vector<RecordedPlan> plans;
+    const Json* list = run.array("plans");
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        ObjectReader object((*list)[i], entryPath(run.path("plans"), i), run.faults());
+        RecordedPlan plan;
+        plan.time_s = readTime(object, context.flownUntil_s, i == 0 ? 0 : plans.back().time_s);
+        plan.uav = asInt(object.whole(
+            "uav", 0, {.low = 0, .high = static_cast<std::int64_t>(context.uavs) - 1}));
+        plan.target = asInt(object.whole("target", -1, context.indices()));
+        std::vector<bool> seen(context.icebergs, false);
+        if (const Json* order = object.find("order"))
+            plan.order = readIcebergs(*order, object.path("order"), run.faults(), context, seen);
+        plan.clusters = readClusters(object, context);
+        plan.legs = readLegs(object, context);
+        plans.push_back(std::move(plan));
+    }
+    return plans;
+}
+
+std::vector<WorldState> readKeyframes(ObjectReader& run, const RunContext& context)
+{
+    std::vector<WorldState> keyframes;
+    const Json* list = run.array("keyframes");
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        const std::string path = entryPath(run.path("keyframes"), i);
+        keyframes.push_back(readKeyframe((*list)[i], path, run.faults(), context));
+        const bool hasStep = !run.faults().has(path + ".step");
+        if (hasStep && i > 0 && keyframes[i].step <= keyframes[i - 1].step)
+            run.faults().add(path + ".step", "must be above that of the keyframe before");
+    }
+    return keyframes;
+}
+
+Metrics readMetrics(const Json& value, const std::string& path, Faults& faults)
+{
+    constexpr WholeLimits kCount{.low = 0, .high = kLargestCount};
+    ObjectReader object(value, path, faults);
+    Metrics metrics;
+    metrics.zeta_m2s = object.number("zeta_m2s", 0, kAmount);
+    metrics.visits = asInt(object.whole("visits", 0, kCount));
+    metrics.replans = asInt(object.whole("replans", 0, kCount));
+    metrics.flown_m = object.number("flown_m", 0, kAmount);
+    return metrics;
+}
+
+/** Of a run whose scenario, end and interventions have no faults. */
+RunContext contextOf(const RunFile& file)
+{
+    const Scenario& scenario = file.scenario;
+    RunContext context{
+        .flownUntil_s = file.flownUntil_s,
+        .lastStep = std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s)),
+        .icebergsAtStart = scenario.icebergs.size(),
+        .icebergs = scenario.icebergs.size(),
+        .uavs = scenario.uavs.size()};
+    for (const Intervention& intervention : file.interventions)
+        if (intervention.appears)
+            ++context.icebergs;
+    return context;
+}
+
+RunFile readRun(ObjectReader& run)
+{
+    RunFile file;
+    if (const Json* value = run.need("scenario")) {
+        ObjectReader scenario(*value, run.path("scenario"), run.faults());
+        file.scenario = readScenario(scenario);
+    }
+    if (const Json* value = run.find("options"))
+        file.options = readOptions(*value, run.path("options"), run.faults());
+    // The last step may end half a step after the duration.
+    const double latest_s = file.scenario.duration_s + std::abs(file.scenario.dt_s);
+    if (run.need("flown_until_s") != nullptr)
+        file.flownUntil_s =
+            run.number("flown_until_s", latest_s, Limits{.low = 0, .high = latest_s});
+    if (const Json* value = run.need("metrics"))
+        file.metrics = readMetrics(*value, run.path("metrics"), run.faults());
+    // What follows is checked against what came before: pointless when that is faulty.
+    if (!run.faults().empty())
+        return file;
+    file.interventions = readInterventions(run, file.flownUntil_s);
+    checkSurroundings(file, run.faults());
+    checkAppearing(file, run.faults());
+    checkNamed(file, run.faults());
+    checkRecording(file, run.faults());
+    if (!run.faults().empty())
+        return file;
+    const RunContext context = contextOf(file);
+    file.plans = readPlans(run, context);
+    file.keyframes = readKeyframes(run, context);
+    return file;
+}
+
+} // namespace
+
+std::string runToJson(const RunFile& run)
+{
+    JsonObject object;
+    object.add("format", kFormat);
+    object.add("version", 1);
+    object.addText("scenario", scenarioText(run.scenario, 1));
+    object.addText("options", optionsText(run.options));
+    object.add("flown_until_s", run.flownUntil_s);
+    object.addText("interventions", listText(run.interventions, interventionText));
+    object.addText("plans", listText(run.plans, planText));
+    object.addText("metrics", metricsText(run.metrics));
+    object.addText("keyframes", listText(run.keyframes, keyframeText));
+    return object.inLines(0) + '\n';
+}
+
+RunFile runFromJson(std::string_view text, const std::string& subject)
+{
+    ParsedJson parsed = parseJson(text, subject);
+    requireFormat(parsed, kFormat, subject);
+    ObjectReader object(parsed.root, "", parsed.faults);
+    RunFile file = readRun(object);
+    parsed.faults.throwIfAny(subject);
+    return file;
+}
+
+RunFile loadRun(const std::string& path)
+{
+    return runFromJson(readFile(path), path);
+}
+
+void saveRun(const RunFile& run, const std::string& path)
+{
+    writeFileAtomically(path, runToJson(run));
+}
+
+std::string formatOf(std::string_view text, const std::string& subject)
+{
+    constexpr std::array<std::string_view, 4> kFormats = {"bergwatch-scenario", "bergwatch-problem",
+                                                          kFormat, "bergwatch-study"};
+    const ParsedJson parsed = parseJson(text, subject);
+    if (parsed.root.is_object()) {
+        const auto format = parsed.root.find("format");
+        if (format != parsed.root.end() && format->is_string())
+            for (const std::string_view known : kFormats)
+                if (format->get_ref<const std::string&>() == known)
+                    return std::string(known);
+    }
+    throw Error(ErrorCode::WrongFormat, subject,
+                {{Severity::Error, "format",
+                  "must be \"bergwatch-scenario\", \"bergwatch-problem\", \"bergwatch-run\" or "
+                  "\"bergwatch-study\""}});
+}
+
+} // namespace berg

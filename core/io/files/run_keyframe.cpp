@@ -1,0 +1,390 @@
+#include "core/io/files/run_keyframe.h"
+
+#include "core/io/text/json_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+constexpr std::array<Named<FlightMode>, 7> kModeNames{{
+    {FlightMode::Idle, "idle"},
+    {FlightMode::Leg, "leg"},
+    {FlightMode::RunOut, "run-out"},
+    {FlightMode::Circle, "circle"},
+    {FlightMode::Search, "search"},
+    {FlightMode::Home, "home"},
+    {FlightMode::Ground, "ground"},
+}};
+
+/** What the filter's part of a track is in the simple model; left out then. */
+const std::vector<double> kPlainFilter{0, 0, 1, 0, 0};
+constexpr std::size_t kPlainTrack = 8;
+constexpr std::size_t kFilteredTrack = 13;
+
+std::string trackText(const Track& track)
+{
+    std::vector<double> numbers{track.anchor_m.x(),     track.anchor_m.y(),      track.anchor_s,
+                                track.velocity_mps.x(), track.velocity_mps.y(),  track.sigma_m2,
+                                track.q_m2ps,           track.inView ? 1.0 : 0.0};
+    const std::vector<double> filter{track.mixed_m2ps, track.velocity_m2ps2, track.presence,
+                                     static_cast<double>(track.status), track.left ? 1.0 : 0.0};
+    if (filter != kPlainFilter)
+        numbers.insert(numbers.end(), filter.begin(), filter.end());
+    return jsonArrayOf(numbers);
+}
+
+std::string guidanceText(const LosGuidance& guidance)
+{
+    return jsonArrayOf(std::vector<double>{guidance.gains.lookahead_m, guidance.gains.integral_mps,
+                                           guidance.gains.turn_1ps, guidance.start_m.x(),
+                                           guidance.start_m.y(), guidance.integral_s});
+}
+
+/** An array of exactly `Count` numbers; zeros and a fault when it is anything else. */
+template <std::size_t Count>
+std::array<double, Count> readNumbers(const Json& value, const std::string& path, Faults& faults)
+{
+    std::array<double, Count> numbers{};
+    if (!value.is_array() || value.size() != Count) {
+        faults.add(path, "must be " + std::to_string(Count) + " numbers");
+        return numbers;
+    }
+    for (std::size_t i = 0; i < Count; ++i)
+        if (!value[i].is_number())
+            faults.add(entryPath(path, i), "must be a number, not " + typeText(value[i]));
+        else
+            numbers[i] = value[i].get<double>();
+    return numbers;
+}
+
+Track readTrack(const Json& value, const std::string& path, Faults& faults)
+{
+    std::array<double, kFilteredTrack> n{};
+    if (value.is_array() && value.size() == kFilteredTrack) {
+        n = readNumbers<kFilteredTrack>(value, path, faults);
+    } else {
+        const auto plain = readNumbers<kPlainTrack>(value, path, faults);
+        std::copy(plain.begin(), plain.end(), n.begin());
+        std::copy(kPlainFilter.begin(), kPlainFilter.end(), n.begin() + kPlainTrack);
+    }
+    TrackStatus status = TrackStatus::Tracked;
+    if (n[11] == 1 || n[11] == 2)
+        status = n[11] == 1 ? TrackStatus::Lost : TrackStatus::GivenUp;
+    else if (n[11] != 0)
+        faults.add(entryPath(path, 11), "must be 0, 1 or 2");
+    return {.anchor_m = {n[0], n[1]},
+            .anchor_s = n[2],
+            .velocity_mps = {n[3], n[4]},
+            .sigma_m2 = n[5],
+            .q_m2ps = n[6],
+            .inView = n[7] != 0,
+            .mixed_m2ps = n[8],
+            .velocity_m2ps2 = n[9],
+            .presence = n[10],
+            .status = status,
+            .left = n[12] != 0};
+}
+
+std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
+{
+    std::vector<Track> tracks;
+    if (object.need("tracks") == nullptr)
+        return tracks;
+    const Json* list = object.array("tracks");
+    if (list == nullptr)
+        return tracks;
+    if (list->size() < context.icebergsAtStart || list->size() > context.icebergs)
+        object.faults().add(object.path("tracks"),
+                            "must hold one entry for each iceberg there is, not " +
+                                std::to_string(list->size()));
+    for (std::size_t i = 0; i < list->size(); ++i)
+        tracks.push_back(
+            readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults()));
+    return tracks;
+}
+
+/** An index of the run's icebergs; 0 and a fault when it is none. */
+int icebergOf(double number, const std::string& path, Faults& faults, const RunContext& context)
+{
+    if (number >= 0 && number < static_cast<double>(context.icebergs) &&
+        number == std::floor(number))
+        return static_cast<int>(number);
+    faults.add(path, "must be the index of an iceberg");
+    return 0;
+}
+
+LosGuidance readGuidance(ObjectReader& object)
+{
+    LosGuidance guidance;
+    if (const Json* value = object.need("guidance")) {
+        const auto n = readNumbers<6>(*value, object.path("guidance"), object.faults());
+        guidance.gains = {.lookahead_m = n[0], .integral_mps = n[1], .turn_1ps = n[2]};
+        guidance.start_m = {n[3], n[4]};
+        guidance.integral_s = n[5];
+    }
+    return guidance;
+}
+
+/** Icebergs of a member that may be missing. */
+std::vector<int> readGroup(ObjectReader& object, const char* member, const RunContext& context)
+{
+    std::vector<bool> seen(context.icebergs, false);
+    const Json* list = object.find(member);
+    return list == nullptr
+               ? std::vector<int>()
+               : readIcebergs(*list, object.path(member), object.faults(), context, seen);
+}
+
+std::string searchText(const Search& search)
+{
+    JsonObject object;
+    object.add("iceberg", search.iceberg);
+    object.addText("corners_m", jsonArrayOf(search.way.corners_m()));
+    object.add("next", static_cast<std::int64_t>(search.way.next()));
+    object.add("spread_m", search.way.spread_m());
+    object.addText("chances", jsonArrayOf(search.way.chances()));
+    return object.inLine();
+}
+
+std::vector<double> readList(ObjectReader& object, const char* member)
+{
+    std::vector<double> numbers;
+    if (object.need(member) == nullptr)
+        return numbers;
+    if (const Json* list = object.array(member))
+        for (std::size_t i = 0; i < list->size(); ++i)
+            if (const auto number =
+                    numberOf((*list)[i], entryPath(object.path(member), i), object.faults()))
+                numbers.push_back(*number);
+    return numbers;
+}
+
+Search readSearch(const Json& value, const std::string& path, Faults& faults,
+                  const RunContext& context)
+{
+    ObjectReader object(value, path, faults);
+    Search search{.iceberg = asInt(object.whole("iceberg", 0, context.indices()))};
+    std::vector<Point> corners_m;
+    if (const Json* list = object.array("corners_m"))
+        for (std::size_t i = 0; i < list->size(); ++i)
+            if (const auto corner_m =
+                    pointOf((*list)[i], entryPath(object.path("corners_m"), i), faults))
+                corners_m.push_back(*corner_m);
+    const auto next = object.whole("next", 0, {.low = 0, .high = kLargestCount});
+    const double spread_m = object.number("spread_m", 0);
+    search.way = LostSearch::restored(std::move(corners_m), static_cast<std::size_t>(next),
+                                      spread_m, readList(object, "chances"));
+    return search;
+}
+
+} // namespace
+
+std::string legText(const AimedLeg& leg)
+{
+    return jsonArrayOf(std::vector<double>{static_cast<double>(leg.iceberg), leg.turn_rad,
+                                           leg.from_m.x(), leg.from_m.y(), leg.abeam_m.x(),
+                                           leg.abeam_m.y(), leg.sighting_s});
+}
+
+AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
+                 const RunContext& context)
+{
+    const auto n = readNumbers<7>(value, path, faults);
+    return {.iceberg = icebergOf(n[0], entryPath(path, 0), faults, context),
+            .turn_rad = n[1],
+            .from_m = {n[2], n[3]},
+            .abeam_m = {n[4], n[5]},
+            .sighting_s = n[6]};
+}
+
+std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults& faults,
+                              const RunContext& context, std::vector<bool>& seen)
+{
+    std::vector<int> icebergs;
+    if (!value.is_array()) {
+        faults.add(path, "must be an array, not " + typeText(value));
+        return icebergs;
+    }
+    const WholeLimits indices{.low = 0, .high = context.indices().high};
+    for (std::size_t k = 0; k < value.size(); ++k) {
+        const std::string entry = entryPath(path, k);
+        const std::optional<std::int64_t> iceberg = wholeOf(value[k], entry, faults, indices);
+        if (!iceberg)
+            continue;
+        const auto i = static_cast<std::size_t>(*iceberg);
+        if (seen[i])
+            faults.add(entry, "must not repeat an iceberg");
+        seen[i] = true;
+        icebergs.push_back(asInt(*iceberg));
+    }
+    return icebergs;
+}
+
+namespace {
+
+/** Turn rate and number of commands, by turns. */
+std::string returnPathText(const ReturnPath& path)
+{
+    std::vector<double> numbers;
+    for (const ReturnPath::Part& part : path.parts) {
+        numbers.push_back(part.rate_radps);
+        numbers.push_back(static_cast<double>(part.commands));
+    }
+    return jsonArrayOf(numbers);
+}
+
+ReturnPath readReturnPath(const Json& value, const std::string& path, Faults& faults)
+{
+    ReturnPath read;
+    if (!value.is_array() || value.size() % 2 != 0) {
+        faults.add(path, "must be pairs of numbers");
+        return read;
+    }
+    for (std::size_t i = 0; i < value.size(); i += 2) {
+        const auto rate_radps = numberOf(value[i], entryPath(path, i), faults);
+        const auto commands = wholeOf(value[i + 1], entryPath(path, i + 1), faults,
+                                      {.low = 1, .high = kLargestCount});
+        if (rate_radps && commands)
+            read.parts.push_back({.rate_radps = *rate_radps, .commands = *commands});
+    }
+    return read;
+}
+
+void addUav(JsonObject& object, const UavState& uav)
+{
+    object.add("position_m", uav.pose.position_m);
+    object.add("psi_rad", uav.pose.psi_rad);
+    object.add("u_radps", uav.u_radps);
+    object.add("cross_track_m", uav.crossTrack_m);
+    object.add("flown_m", uav.flown_m);
+    object.add("mode", nameOf(kModeNames, uav.mode));
+    object.add("target", uav.target);
+    object.add("last_reached", uav.lastReached);
+    object.addUnless("alone", uav.isAlone, false);
+    object.addText("guidance", guidanceText(uav.guidance));
+    object.add("run_out_m", uav.runOut_m);
+    object.add("misses", uav.misses);
+    if (uav.aim)
+        object.addText("aim", legText(*uav.aim));
+    if (uav.search)
+        object.addText("search", searchText(*uav.search));
+    if (!uav.members.empty()) {
+        object.addText("members", jsonArrayOf(uav.members));
+        object.add("members_by_s", uav.membersBy_s);
+    }
+    object.addUnless("aloft_s", uav.aloft_s, 0.0);
+    object.addUnless("ground_s", uav.ground_s, 0.0);
+    if (uav.via_m)
+        object.add("via_m", *uav.via_m);
+    if (uav.returnPath)
+        object.addText("return_path", returnPathText(*uav.returnPath));
+}
+
+UavState readUav(ObjectReader& object, const RunContext& context)
+{
+    UavState uav;
+    uav.pose.position_m = object.point("position_m", Point::Zero());
+    uav.pose.psi_rad = object.number("psi_rad", 0);
+    uav.u_radps = object.number("u_radps", 0);
+    uav.crossTrack_m = object.number("cross_track_m", 0);
+    uav.flown_m = object.number("flown_m", 0, kAmount);
+    uav.mode = object.choice("mode", FlightMode::Idle, kModeNames);
+    uav.target = asInt(object.whole("target", -1, context.indices()));
+    uav.lastReached = asInt(object.whole("last_reached", -1, context.indices()));
+    uav.isAlone = object.boolean("alone", false);
+    uav.guidance = readGuidance(object);
+    uav.runOut_m = object.number("run_out_m", 0);
+    uav.misses = asInt(object.whole("misses", 0, {.low = 0, .high = kLargestCount}));
+    if (const Json* aim = object.find("aim"))
+        uav.aim = readLeg(*aim, object.path("aim"), object.faults(), context);
+    if (const Json* search = object.find("search"))
+        uav.search = readSearch(*search, object.path("search"), object.faults(), context);
+    uav.members = readGroup(object, "members", context);
+    uav.membersBy_s = object.number("members_by_s", 0);
+    uav.aloft_s = object.number("aloft_s", 0, kAmount);
+    uav.ground_s = object.number("ground_s", 0, kAmount);
+    if (object.find("via_m") != nullptr)
+        uav.via_m = object.point("via_m", Point::Zero());
+    if (const Json* path = object.find("return_path"))
+        uav.returnPath = readReturnPath(*path, object.path("return_path"), object.faults());
+    return uav;
+}
+
+/** The UAVs after the first one, which is in the keyframe itself: one for each of the scenario. */
+std::vector<UavState> readOtherUavs(ObjectReader& keyframe, const RunContext& context)
+{
+    std::vector<UavState> uavs;
+    const std::string path = keyframe.path("other_uavs");
+    const Json* list = keyframe.find("other_uavs");
+    const std::size_t count = list != nullptr && list->is_array() ? list->size() : 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        ObjectReader object((*list)[i], entryPath(path, i), keyframe.faults());
+        uavs.push_back(readUav(object, context));
+    }
+    if (count + 1 != context.uavs)
+        keyframe.faults().add(path, "must hold " + std::to_string(context.uavs - 1) +
+                                        " UAVs, as the scenario does");
+    return uavs;
+}
+
+} // namespace
+
+std::string keyframeText(const WorldState& state)
+{
+    std::vector<std::string> tracks;
+    tracks.reserve(state.tracks.size());
+    std::transform(state.tracks.begin(), state.tracks.end(), std::back_inserter(tracks), trackText);
+    JsonObject object;
+    object.add("step", state.step);
+    addUav(object, state.uavs.front());
+    object.add("sigma_sum_m2", state.sigmaSum_m2);
+    object.add("zeta_m2s", state.zeta_m2s);
+    if (!state.apart.empty())
+        object.addText("apart", jsonArrayOf(state.apart));
+    if (!state.givenUp.empty()) {
+        std::vector<std::string> searches;
+        std::transform(state.givenUp.begin(), state.givenUp.end(), std::back_inserter(searches),
+                       searchText);
+        object.addText("given_up", jsonLines(searches, 2));
+    }
+    if (state.closest_m)
+        object.add("closest_m", *state.closest_m);
+    std::vector<std::string> others;
+    for (std::size_t i = 1; i < state.uavs.size(); ++i) {
+        JsonObject other;
+        addUav(other, state.uavs[i]);
+        others.push_back(other.inLine());
+    }
+    if (!others.empty())
+        object.addText("other_uavs", jsonLines(others, 2));
+    object.addText("tracks", jsonLines(tracks, 2));
+    return object.inLine();
+}
+
+WorldState readKeyframe(const Json& value, const std::string& path, Faults& faults,
+                        const RunContext& context)
+{
+    ObjectReader object(value, path, faults);
+    WorldState state;
+    if (object.need("step") != nullptr)
+        state.step = object.whole("step", 0, {.low = 0, .high = context.lastStep});
+    state.uavs.push_back(readUav(object, context));
+    for (UavState& uav : readOtherUavs(object, context))
+        state.uavs.push_back(std::move(uav));
+    state.sigmaSum_m2 = object.number("sigma_sum_m2", 0, kAmount);
+    state.zeta_m2s = object.number("zeta_m2s", 0, kAmount);
+    state.apart = readGroup(object, "apart", context);
+    if (object.find("given_up") != nullptr)
+        if (const Json* list = object.array("given_up"))
+            for (std::size_t i = 0; i < list->size(); ++i)
+                state.givenUp.push_back(
+                    readSearch((*list)[i], entryPath(object.path("given_up"), i), faults, context));
+    state.closest_m = object.optionalNumber("closest_m", kAmount);
+    state.tracks = readTracks(object, context);
+    return state;
+}
+
+} // namespace berg

@@ -1,0 +1,235 @@
+#include "core/io/files/run_json.h"
+#include "core/scenario/checks.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Tracks over all keyframes that a file keeps: about 15 MB of text. */
+constexpr std::size_t kMostTracks = 100'000;
+
+std::vector<WorldState> thinned(const std::vector<Simulation>& keyframes)
+{
+    std::size_t tracks = 0;
+    for (const Simulation& keyframe : keyframes)
+        tracks += keyframe.state().tracks.size();
+    const std::size_t stride = tracks / kMostTracks + 1;
+    std::vector<WorldState> kept;
+    for (std::size_t i = 0; i < keyframes.size(); ++i)
+        if (i % stride == 0 || i + 1 == keyframes.size())
+            kept.push_back(keyframes[i].state());
+    return kept;
+}
+
+std::string entry(const std::string& list, std::size_t i)
+{
+    return list + '[' + std::to_string(i) + ']';
+}
+
+/** A number of a keyframe and its name. */
+using Field = std::pair<std::string, double>;
+
+/** Every number of one UAV, in the order in which differences are worth telling. */
+void addFields(std::vector<Field>& fields, const std::string& at, const UavState& uav)
+{
+    const LosGuidance& guidance = uav.guidance;
+    for (Field field : std::vector<Field>{{"position_m[0]", uav.pose.position_m.x()},
+                                          {"position_m[1]", uav.pose.position_m.y()},
+                                          {"psi_rad", uav.pose.psi_rad},
+                                          {"u_radps", uav.u_radps},
+                                          {"cross_track_m", uav.crossTrack_m},
+                                          {"mode", static_cast<double>(uav.mode)},
+                                          {"target", uav.target},
+                                          {"last_reached", uav.lastReached},
+                                          {"flown_m", uav.flown_m},
+                                          {"guidance[0]", guidance.gains.lookahead_m},
+                                          {"guidance[1]", guidance.gains.integral_mps},
+                                          {"guidance[2]", guidance.gains.turn_1ps},
+                                          {"guidance[3]", guidance.start_m.x()},
+                                          {"guidance[4]", guidance.start_m.y()},
+                                          {"guidance[5]", guidance.integral_s},
+                                          {"run_out_m", uav.runOut_m},
+                                          {"misses", uav.misses},
+                                          {"aim", uav.aim ? 1.0 : 0.0},
+                                          {"search", uav.search ? 1.0 : 0.0},
+                                          {"aloft_s", uav.aloft_s},
+                                          {"ground_s", uav.ground_s},
+                                          {"via_m", uav.via_m ? 1.0 : 0.0},
+                                          {"members", static_cast<double>(uav.members.size())},
+                                          {"members_by_s", uav.membersBy_s}})
+        fields.emplace_back(at + field.first, field.second);
+    if (uav.aim)
+        for (const Field& field : std::vector<Field>{{"aim[0]", uav.aim->iceberg},
+                                                     {"aim[1]", uav.aim->turn_rad},
+                                                     {"aim[2]", uav.aim->from_m.x()},
+                                                     {"aim[3]", uav.aim->from_m.y()},
+                                                     {"aim[4]", uav.aim->abeam_m.x()},
+                                                     {"aim[5]", uav.aim->abeam_m.y()},
+                                                     {"aim[6]", uav.aim->sighting_s}})
+            fields.emplace_back(at + field.first, field.second);
+    for (std::size_t i = 0; i < uav.members.size(); ++i)
+        fields.emplace_back(at + entry("members", i), uav.members[i]);
+}
+
+/** Every number of a keyframe. */
+std::vector<Field> fieldsOf(const WorldState& state)
+{
+    std::vector<Field> fields;
+    for (std::size_t i = 0; i < state.uavs.size(); ++i)
+        addFields(fields, i == 0 ? "" : entry("other_uavs", i - 1) + '.', state.uavs[i]);
+    fields.insert(fields.end(), {{"sigma_sum_m2", state.sigmaSum_m2},
+                                 {"zeta_m2s", state.zeta_m2s},
+                                 {"closest_m", state.closest_m.value_or(-1)},
+                                 {"apart", static_cast<double>(state.apart.size())},
+                                 {"tracks", static_cast<double>(state.tracks.size())}});
+    for (std::size_t i = 0; i < state.apart.size(); ++i)
+        fields.emplace_back(entry("apart", i), state.apart[i]);
+    for (std::size_t i = 0; i < state.tracks.size(); ++i) {
+        const Track& track = state.tracks[i];
+        const std::string name = entry("tracks", i);
+        fields.insert(fields.end(), {{name + "[0]", track.anchor_m.x()},
+                                     {name + "[1]", track.anchor_m.y()},
+                                     {name + "[2]", track.anchor_s},
+                                     {name + "[3]", track.velocity_mps.x()},
+                                     {name + "[4]", track.velocity_mps.y()},
+                                     {name + "[5]", track.sigma_m2},
+                                     {name + "[6]", track.q_m2ps},
+                                     {name + "[7]", track.inView ? 1.0 : 0.0},
+                                     {name + "[8]", track.mixed_m2ps},
+                                     {name + "[9]", track.velocity_m2ps2},
+                                     {name + "[10]", track.presence},
+                                     {name + "[11]", static_cast<double>(track.status)},
+                                     {name + "[12]", track.left ? 1.0 : 0.0}});
+    }
+    return fields;
+}
+
+std::string versus(double recorded, double replayed)
+{
+    return "recorded " + shortText(recorded) + ", replayed " + shortText(replayed);
+}
+
+void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
+{
+    auto other = replayed.keyframes.begin();
+    for (std::size_t i = 0; i < recorded.keyframes.size(); ++i) {
+        const WorldState& keyframe = recorded.keyframes[i];
+        const std::string path = entry("keyframes", i);
+        const std::string when =
+            "at " + shortText(static_cast<double>(keyframe.step) * recorded.scenario.dt_s) + " s: ";
+        other = std::find_if(other, replayed.keyframes.end(),
+                             [&](const WorldState& state) { return state.step == keyframe.step; });
+        if (other == replayed.keyframes.end()) {
+            issues.push_back({Severity::Error, path, when + "not reached by the replay"});
+            return;
+        }
+        if (*other == keyframe)
+            continue;
+        const std::vector<Field> left = fieldsOf(keyframe);
+        const std::vector<Field> right = fieldsOf(*other);
+        const auto [a, b] = std::mismatch(left.begin(), left.end(), right.begin(), right.end());
+        if (a == left.end() || b == right.end()) // in the particulars of a search or a way
+            issues.push_back({Severity::Error, path, when + "another search or way"});
+        else
+            issues.push_back(
+                {Severity::Error, path + '.' + a->first, when + versus(a->second, b->second)});
+        return;
+    }
+}
+
+void comparePlans(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
+{
+    const auto [a, b] = std::mismatch(recorded.plans.begin(), recorded.plans.end(),
+                                      replayed.plans.begin(), replayed.plans.end());
+    const auto i = static_cast<std::size_t>(a - recorded.plans.begin());
+    if (a == recorded.plans.end() && b == replayed.plans.end())
+        return;
+    if (a == recorded.plans.end() || b == replayed.plans.end()) {
+        issues.push_back({Severity::Error, "plans",
+                          versus(static_cast<double>(recorded.plans.size()),
+                                 static_cast<double>(replayed.plans.size()))});
+        return;
+    }
+    const std::string path = entry("plans", i);
+    if (a->time_s != b->time_s)
+        issues.push_back({Severity::Error, path + ".time_s", versus(a->time_s, b->time_s)});
+    else if (a->uav != b->uav)
+        issues.push_back({Severity::Error, path + ".uav",
+                          "at " + shortText(a->time_s) + " s: " + versus(a->uav, b->uav)});
+    else if (a->target != b->target)
+        issues.push_back({Severity::Error, path + ".target",
+                          "at " + shortText(a->time_s) + " s: " + versus(a->target, b->target)});
+    else if (a->clusters != b->clusters)
+        issues.push_back({Severity::Error, path + ".clusters",
+                          "at " + shortText(a->time_s) + " s: other clusters"});
+    else if (a->order == b->order)
+        issues.push_back({Severity::Error, path + ".legs",
+                          "at " + shortText(a->time_s) + " s: other aim points"});
+    else
+        issues.push_back(
+            {Severity::Error, path + ".order", "at " + shortText(a->time_s) + " s: another order"});
+}
+
+void compareMetrics(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
+{
+    const auto compare = [&](const std::string& field, double a, double b) {
+        if (a != b)
+            issues.push_back({Severity::Error, field, versus(a, b)});
+    };
+    compare("flown_until_s", recorded.flownUntil_s, replayed.flownUntil_s);
+    compare("metrics.zeta_m2s", recorded.metrics.zeta_m2s, replayed.metrics.zeta_m2s);
+    compare("metrics.visits", recorded.metrics.visits, replayed.metrics.visits);
+    compare("metrics.replans", recorded.metrics.replans, replayed.metrics.replans);
+    compare("metrics.flown_m", recorded.metrics.flown_m, replayed.metrics.flown_m);
+}
+
+} // namespace
+
+RunFile runOf(const Mission& mission)
+{
+    RunFile run{.scenario = mission.scenario(),
+                .options = mission.options(),
+                .flownUntil_s = mission.simulation().time_s(),
+                .interventions = mission.interventions(),
+                .plans = {},
+                .keyframes = thinned(mission.recorder().keyframes()),
+                .metrics = mission.metrics()};
+    for (const PlanEvent& plan : mission.plans())
+        run.plans.push_back({.time_s = plan.time_s,
+                             .uav = plan.uav,
+                             .target = plan.target,
+                             .order = plan.order,
+                             .clusters = plan.clusters,
+                             .legs = plan.legs});
+    return run;
+}
+
+Mission replay(const RunFile& run, const std::stop_token& stop,
+               const std::function<void(double)>& onProgress)
+{
+    Mission mission(run.scenario, run.options);
+    for (const Intervention& intervention : run.interventions) {
+        if (mission.advance(intervention.time_s, stop, onProgress) == AdvanceStatus::Cancelled)
+            return mission;
+        mission.intervene(intervention);
+    }
+    mission.advance(run.flownUntil_s, stop, onProgress);
+    return mission;
+}
+
+std::vector<Issue> compareRun(const RunFile& recorded, const RunFile& replayed)
+{
+    std::vector<Issue> issues;
+    compareKeyframes(recorded, replayed, issues);
+    comparePlans(recorded, replayed, issues);
+    compareMetrics(recorded, replayed, issues);
+    if (!issues.empty() && recorded.options.timeLimit_s)
+        issues.push_back({Severity::Warning, "options.time_limit_s",
+                          "solves were cut by the clock, so this run is not bound to repeat"});
+    return issues;
+}
+
+} // namespace berg

@@ -1,0 +1,165 @@
+// UAVs, icebergs and the asset of a scenario file.
+
+#include "core/io/files/scenario_parts.h"
+
+namespace berg {
+
+namespace {
+
+/** A position may not be left out: a wrong default would be flown without notice. */
+Point readPosition(ObjectReader& object)
+{
+    const Json* value = object.need("position_m");
+    return value == nullptr ? Point(Point::Zero()) : object.point("position_m", Point::Zero());
+}
+
+/** Both lists of the recorded track; what they must hold is up to `validate`. */
+void readTrack(const Json& value, const std::string& path, Faults& faults, Iceberg& iceberg)
+{
+    ObjectReader object(value, path, faults);
+    const bool whole = object.need("time_s") != nullptr && object.need("position_m") != nullptr;
+    const Json* times = object.array("time_s");
+    const Json* places = object.array("position_m");
+    iceberg.trackExtraJson = object.unknown();
+    if (!whole || times == nullptr || places == nullptr)
+        return;
+    if (times->empty())
+        faults.add(object.path("time_s"), "must have at least 2 entries");
+    for (std::size_t i = 0; i < times->size(); ++i)
+        if (const auto time_s = numberOf((*times)[i], entryPath(object.path("time_s"), i), faults))
+            iceberg.track.time_s.push_back(*time_s);
+    for (std::size_t i = 0; i < places->size(); ++i)
+        if (const auto place_m =
+                pointOf((*places)[i], entryPath(object.path("position_m"), i), faults))
+            iceberg.track.position_m.push_back(*place_m);
+    // With an entry missing the rest does not fit together: nothing more is said about it.
+    if (iceberg.track.time_s.size() != times->size() ||
+        iceberg.track.position_m.size() != places->size())
+        iceberg.track = {};
+}
+
+std::string trackText(const Iceberg& iceberg)
+{
+    JsonObject object;
+    object.addText("time_s", jsonArrayOf(iceberg.track.time_s));
+    object.addText("position_m", jsonArrayOf(iceberg.track.position_m));
+    object.addExtra(iceberg.trackExtraJson);
+    return object.inLine();
+}
+
+} // namespace
+
+Uav readUav(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    Uav uav;
+    uav.id = object.text("id");
+    uav.name = object.text("name");
+    uav.position_m = readPosition(object);
+    uav.heading_deg = object.number("heading_deg", uav.heading_deg);
+    uav.spec.airspeed_mps = object.number("airspeed_mps", uav.spec.airspeed_mps);
+    uav.spec.maxBank_deg = object.number("max_bank_deg", uav.spec.maxBank_deg);
+    uav.fov_m = object.point("fov_m", uav.fov_m);
+    uav.spec.altitude_m = object.number("altitude_m", uav.spec.altitude_m);
+    // No member means no limit, which memory writes as 0; a file that says 0 is mistaken.
+    uav.spec.endurance_s =
+        object.number("endurance_s", 0, Limits{.low = 0, .high = 1e9, .above = true});
+    if (object.find("home_m") != nullptr)
+        uav.home_m = object.point("home_m", uav.position_m);
+    uav.turnaround_s = object.number("turnaround_s", uav.turnaround_s);
+    uav.spec.autopilot_s = object.number("autopilot_s", uav.spec.autopilot_s);
+    uav.extraJson = object.unknown();
+    return uav;
+}
+
+std::string uavText(const Uav& uav)
+{
+    const Uav standard;
+    JsonObject object;
+    object.add("id", uav.id);
+    object.addUnless("name", uav.name, standard.name);
+    object.add("position_m", uav.position_m);
+    object.add("heading_deg", uav.heading_deg);
+    object.addUnless("airspeed_mps", uav.spec.airspeed_mps, standard.spec.airspeed_mps);
+    object.addUnless("max_bank_deg", uav.spec.maxBank_deg, standard.spec.maxBank_deg);
+    object.addUnless("fov_m", uav.fov_m, standard.fov_m);
+    object.addUnless("altitude_m", uav.spec.altitude_m, standard.spec.altitude_m);
+    object.addUnless("endurance_s", uav.spec.endurance_s, 0.0);
+    if (uav.home_m)
+        object.add("home_m", *uav.home_m);
+    object.addUnless("turnaround_s", uav.turnaround_s, standard.turnaround_s);
+    object.addUnless("autopilot_s", uav.spec.autopilot_s, 0.0);
+    object.addExtra(uav.extraJson);
+    return object.inLine();
+}
+
+Iceberg readIceberg(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    Iceberg iceberg;
+    iceberg.id = object.text("id");
+    iceberg.name = object.text("name");
+    iceberg.position_m = readPosition(object);
+    iceberg.velocity_mps = object.point("velocity_mps", iceberg.velocity_mps);
+    iceberg.velocitySd_mps = object.number("velocity_sd_mps", iceberg.velocitySd_mps);
+    iceberg.q_m2ps = object.number("q_m2ps", iceberg.q_m2ps);
+    iceberg.sigma0_m2 = object.number("sigma0_m2", iceberg.sigma0_m2);
+    iceberg.observed_s = object.number("observed_s", iceberg.observed_s);
+    iceberg.appears_s = object.number("appears_s", iceberg.appears_s);
+    iceberg.radius_m = object.number("radius_m", iceberg.radius_m);
+    iceberg.uav = object.text("uav");
+    if (const Json* track = object.find("track"))
+        readTrack(*track, object.path("track"), faults, iceberg);
+    iceberg.extraJson = object.unknown();
+    return iceberg;
+}
+
+std::string icebergText(const Iceberg& iceberg)
+{
+    const Iceberg standard;
+    JsonObject object;
+    object.add("id", iceberg.id);
+    object.addUnless("name", iceberg.name, standard.name);
+    object.add("position_m", iceberg.position_m);
+    object.add("velocity_mps", iceberg.velocity_mps);
+    object.addUnless("velocity_sd_mps", iceberg.velocitySd_mps, standard.velocitySd_mps);
+    object.addUnless("q_m2ps", iceberg.q_m2ps, standard.q_m2ps);
+    object.add("sigma0_m2", iceberg.sigma0_m2);
+    object.addUnless("observed_s", iceberg.observed_s, standard.observed_s);
+    object.addUnless("appears_s", iceberg.appears_s, standard.appears_s);
+    object.addUnless("radius_m", iceberg.radius_m, standard.radius_m);
+    object.addUnless("uav", iceberg.uav, standard.uav);
+    if (!iceberg.track.empty())
+        object.addText("track", trackText(iceberg));
+    object.addExtra(iceberg.extraJson);
+    return object.inLine();
+}
+
+Asset readAsset(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    Asset asset;
+    asset.name = object.text("name");
+    asset.position_m = readPosition(object);
+    asset.velocity_mps = object.point("velocity_mps", asset.velocity_mps);
+    asset.range_m = object.number("range_m", asset.range_m);
+    asset.gain = object.number("gain", asset.gain);
+    asset.alarm_m = object.number("alarm_m", asset.alarm_m);
+    asset.extraJson = object.unknown();
+    return asset;
+}
+
+std::string assetText(const Asset& asset)
+{
+    JsonObject object;
+    object.addUnless("name", asset.name, {});
+    object.add("position_m", asset.position_m);
+    object.addUnless("velocity_mps", asset.velocity_mps, Point(Point::Zero()));
+    object.add("range_m", asset.range_m);
+    object.add("gain", asset.gain);
+    object.addUnless("alarm_m", asset.alarm_m, 0.0);
+    object.addExtra(asset.extraJson);
+    return object.inLine();
+}
+
+} // namespace berg

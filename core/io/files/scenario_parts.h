@@ -1,0 +1,35 @@
+#pragma once
+
+// Private to core/io: parts of the scenario file that the run file holds too.
+
+#include "core/io/files/scenario_json.h"
+#include "core/io/text/json_reader.h"
+#include "core/io/text/json_writer.h"
+#include "core/scenario/scenario.h"
+
+namespace berg {
+
+inline constexpr Limits kTauLimits{.low = 0, .high = 100};
+
+/**
+ * Scenario of an object whose format and version are checked already. Notes what has the wrong
+ * type, is missing or is wrong for this use; the value returned is whole only without faults.
+ */
+[[nodiscard]] Scenario readScenario(ObjectReader& object, ScenarioUse use = ScenarioUse::Flying);
+
+/** One entry of `uavs`; its id is empty when the file gives none. */
+[[nodiscard]] Uav readUav(const Json& value, const std::string& path, Faults& faults);
+
+/** One entry of `icebergs`; its id is empty when the file gives none. */
+[[nodiscard]] Iceberg readIceberg(const Json& value, const std::string& path, Faults& faults);
+
+/** The member `asset`. */
+[[nodiscard]] Asset readAsset(const Json& value, const std::string& path, Faults& faults);
+
+/** The scenario as an object whose braces stand at `indent`. */
+[[nodiscard]] std::string scenarioText(const Scenario& scenario, int indent);
+[[nodiscard]] std::string uavText(const Uav& uav);
+[[nodiscard]] std::string icebergText(const Iceberg& iceberg);
+[[nodiscard]] std::string assetText(const Asset& asset);
+
+} // namespace berg

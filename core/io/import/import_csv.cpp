@@ -1,0 +1,372 @@
+#include "core/io/import/import_csv.h"
+
+#include "core/base/error.h"
+#include "core/base/stopped.h"
+#include "core/io/import/import_fields.h"
+#include "core/io/text/csv_reader.h"
+#include "core/scenario/checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+/** A column of the file that is read. */
+struct ReadColumn
+{
+    std::size_t index = 0;
+    FieldUse use;
+};
+
+/** How the rows of one file are read. */
+struct CsvLayout
+{
+    std::vector<ReadColumn> columns;
+    std::size_t width = 0; ///< cells of a whole row
+    bool header = true;
+    bool timeNeeded = true;
+    bool isMonthFirst = true; ///< by the customs of the format, where no date tells otherwise
+    /** A last look at a sighting that is otherwise in order; may be null. */
+    std::optional<RowFault> (*finish)(Sighting& sighting, const CsvRow& row) = nullptr;
+};
+
+bool isBlank(const CsvRow& row)
+{
+    return row.fault == CsvRow::Fault::None &&
+           std::all_of(row.cells.begin(), row.cells.end(),
+                       [](const std::string& cell) { return trimmed(cell).empty(); });
+}
+
+/** The first row with anything in it; no cells when there is none. */
+CsvRow firstRow(std::string_view text)
+{
+    CsvReader reader(text, csvSeparator(text));
+    CsvRow row;
+    while (reader.next(row))
+        if (!isBlank(row))
+            return row;
+    return {};
+}
+
+std::vector<std::string> plainHeader(std::string_view text)
+{
+    std::vector<std::string> names;
+    for (const std::string& cell : firstRow(text).cells)
+        names.push_back(plainName(cell));
+    return names;
+}
+
+bool has(const std::vector<std::string>& names, std::string_view name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/** Whether the row can be used at all: its quotes, and as many cells as the header. */
+std::optional<RowFault> shapeFault(const CsvRow& row, std::size_t width)
+{
+    if (row.fault == CsvRow::Fault::UnclosedQuote)
+        return RowFault::UnclosedQuote;
+    if (row.fault == CsvRow::Fault::TextAfterQuote)
+        return RowFault::TextAfterQuote;
+    // Empty cells beyond the last column are what spreadsheets leave behind.
+    const bool tooWide =
+        row.cells.size() > width &&
+        std::any_of(row.cells.begin() + static_cast<std::ptrdiff_t>(width), row.cells.end(),
+                    [](const std::string& cell) { return !trimmed(cell).empty(); });
+    if (row.cells.size() < width || tooWide)
+        return RowFault::ColumnCount;
+    return std::nullopt;
+}
+
+void fill(FieldTexts& texts, const CsvRow& row, const CsvLayout& layout)
+{
+    texts.clear();
+    for (const ReadColumn& column : layout.columns)
+        texts.set(column.use, row.cells[column.index]);
+}
+
+/** Calls `use(row)` for each row below the header that is not blank, until it returns false. */
+template <class Use>
+void forRows(const ImportText& source, bool header, Use use)
+{
+    CsvReader reader(source.text, csvSeparator(source.text));
+    CsvRow row;
+    bool first = header;
+    while (reader.next(row)) {
+        throwIfStopped(source.stop);
+        if (isBlank(row))
+            continue;
+        if (first)
+            first = false;
+        else if (!use(row))
+            return;
+    }
+}
+
+/** Day or month first: by the first date that can only be read one way; none: there is none. */
+std::optional<DateOrder> dateOrder(const ImportText& source, const CsvLayout& layout,
+                                   bool timeApart)
+{
+    std::optional<DateOrder> told;
+    FieldTexts texts;
+    forRows(source, layout.header, [&](const CsvRow& row) {
+        if (shapeFault(row, layout.width))
+            return true;
+        fill(texts, row, layout);
+        told = dateOrderOf(timeText(texts, timeApart));
+        return !told;
+    });
+    return told;
+}
+
+bool reads(const CsvLayout& layout, SightingField field)
+{
+    return std::any_of(layout.columns.begin(), layout.columns.end(),
+                       [&](const ReadColumn& column) { return column.use.field == field; });
+}
+
+SightingTable readRows(const ImportText& source, const CsvLayout& layout)
+{
+    SightingTable table;
+    const CsvRow header = firstRow(source.text);
+    if (layout.header)
+        for (const std::string& cell : header.cells)
+            table.columns.push_back(cleanText(cell, kLongestName));
+    for (const ReadColumn& column : layout.columns)
+        if (column.index < table.columns.size())
+            table.mapping.push_back(
+                {.field = column.use.field, .column = table.columns[column.index]});
+
+    RowRules rules{.timeNeeded = layout.timeNeeded};
+    rules.timeApart = reads(layout, SightingField::Date) && reads(layout, SightingField::Time);
+    const std::optional<DateOrder> told =
+        source.dates ? source.dates : dateOrder(source, layout, rules.timeApart);
+    const bool guesses = !told && !layout.isMonthFirst;
+    rules.order = told.value_or(DateOrder::MonthFirst);
+    FieldTexts texts;
+    forRows(source, layout.header, [&](const CsvRow& row) {
+        std::variant<Sighting, RejectedRow> result;
+        if (const std::optional<RowFault> fault = shapeFault(row, layout.width)) {
+            result = RejectedRow{.line = row.line, .fault = *fault, .detail = {}};
+        } else {
+            fill(texts, row, layout);
+            result = sightingOf(texts, rules, row.line);
+            if (guesses && table.guessedDate.empty())
+                if (const std::string time = timeText(texts, rules.timeApart); hasTwoReadings(time))
+                    table.guessedDate = cleanText(time, 60);
+            auto* const sighting = std::get_if<Sighting>(&result);
+            const std::optional<RowFault> late = sighting != nullptr && layout.finish != nullptr
+                                                     ? layout.finish(*sighting, row)
+                                                     : std::nullopt;
+            if (late)
+                result = RejectedRow{
+                    .line = row.line, .fault = *late, .detail = timeText(texts, rules.timeApart)};
+        }
+        addRow(table, std::move(result), source.subject);
+        return true;
+    });
+    return table;
+}
+
+/** Columns of a header: for each field the one that fits best. */
+std::vector<ReadColumn> columnsOf(const std::vector<std::string>& header, FieldNames& names)
+{
+    std::vector<ReadColumn> columns;
+    for (std::size_t i = 0; i < header.size(); ++i) {
+        const std::optional<FieldUse> use = names.of(header[i]);
+        if (!use)
+            continue;
+        const auto rival =
+            std::find_if(columns.begin(), columns.end(),
+                         [&](const ReadColumn& column) { return column.use.field == use->field; });
+        if (rival == columns.end())
+            columns.push_back({.index = i, .use = *use});
+        else if (use->rank < rival->use.rank)
+            *rival = {.index = i, .use = *use};
+    }
+    return columns;
+}
+
+void requireMappedColumns(const ImportText& source, const std::vector<std::string>& header)
+{
+    std::vector<Issue> issues;
+    for (const FieldColumn& mapped : source.mapping)
+        if (std::find(header.begin(), header.end(), mapped.column) == header.end())
+            issues.push_back({Severity::Error, nameOf(kSightingFieldNames, mapped.field),
+                              "there is no column \"" + mapped.column + '"'});
+    if (!issues.empty())
+        throw Error(ErrorCode::InvalidInput, source.subject, std::move(issues));
+}
+
+/** Two columns of one name: which of them holds the field, nobody can tell. */
+void refuseTwins(const std::vector<ReadColumn>& columns, const std::vector<std::string>& header,
+                 const std::string& subject)
+{
+    std::vector<Issue> issues;
+    for (const ReadColumn& column : columns)
+        for (std::size_t i = column.index + 1; i < header.size(); ++i)
+            if (plainName(header[i]) == plainName(header[column.index]))
+                issues.push_back({Severity::Error, nameOf(kSightingFieldNames, column.use.field),
+                                  "columns " + std::to_string(column.index + 1) + " and " +
+                                      std::to_string(i + 1) + " are both called \"" +
+                                      printable(header[i]) + "\": rename one"});
+    if (!issues.empty())
+        throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
+}
+
+/** Layout of a table with a header, of which `fields` (all: empty) are read. */
+CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingField> fields = {})
+{
+    const CsvRow header = firstRow(source.text);
+    if (header.cells.empty() || header.cells.size() > kMostColumns)
+        throw Error(ErrorCode::WrongFormat, source.subject,
+                    "the first line must name from 1 to " + std::to_string(kMostColumns) +
+                        " columns");
+    std::vector<std::string> cells;
+    for (const std::string& cell : header.cells)
+        cells.push_back(cleanText(cell, kLongestName));
+    requireMappedColumns(source, cells);
+    FieldNames names(source.mapping);
+    CsvLayout layout{.columns = columnsOf(cells, names), .width = cells.size()};
+    refuseTwins(layout.columns, cells, source.subject);
+    if (fields.size() > 0)
+        std::erase_if(layout.columns, [&](const ReadColumn& column) {
+            return std::find(fields.begin(), fields.end(), column.use.field) == fields.end();
+        });
+    return layout;
+}
+
+void requireField(const CsvLayout& layout, SightingField field, const std::string& subject)
+{
+    if (!reads(layout, field))
+        throw Error(ErrorCode::InvalidInput, subject,
+                    {{Severity::Error, nameOf(kSightingFieldNames, field),
+                      "no column holds it; name one with a mapping"}});
+}
+
+void requirePlace(const CsvLayout& layout, const std::string& subject)
+{
+    requireField(layout, SightingField::Latitude, subject);
+    requireField(layout, SightingField::Longitude, subject);
+}
+
+constexpr std::size_t kIipColumns = 10;
+
+bool isNumber(const std::string& cell)
+{
+    return decimalOf(trimmed(cell)).has_value();
+}
+
+/** A row of data of the IIP, told by its numbers. */
+bool isIipRow(const CsvRow& row)
+{
+    return row.cells.size() == kIipColumns && isNumber(row.cells[0]) && isNumber(row.cells[4]) &&
+           isNumber(row.cells[5]) && trimmed(row.cells[0]).size() == 4;
+}
+
+/** Id of season and number; the season holds the date. */
+std::optional<RowFault> finishIip(Sighting& sighting, const CsvRow& row)
+{
+    using namespace std::chrono;
+    const std::optional<double> season = decimalOf(trimmed(row.cells[0]));
+    if (!season || *season < 1900 || *season > 2100 || *season != std::floor(*season))
+        return RowFault::TimeOutsideSeason;
+    const int last = static_cast<int>(*season);
+    constexpr days kMargin(31);
+    const sys_days start = sys_days(year(last - 1) / October / 1) - kMargin;
+    const sys_days end = sys_days(year(last) / October / 1) + kMargin;
+    if (*sighting.time < start || *sighting.time >= end)
+        return RowFault::TimeOutsideSeason;
+    if (!sighting.id.empty())
+        sighting.id = std::to_string(last) + '-' + sighting.id;
+    return std::nullopt;
+}
+
+} // namespace
+
+bool isAnyCsv(std::string_view text)
+{
+    bool latitude = false;
+    bool longitude = false;
+    for (const std::string& cell : firstRow(text).cells) {
+        const std::optional<FieldUse> use = fieldOfColumn(cell);
+        latitude = latitude || (use && use->field == SightingField::Latitude);
+        longitude = longitude || (use && use->field == SightingField::Longitude);
+    }
+    return latitude && longitude;
+}
+
+SightingTable readAnyCsv(const ImportText& source)
+{
+    CsvLayout layout = layoutByName(source);
+    requirePlace(layout, source.subject);
+    layout.timeNeeded = reads(layout, SightingField::Time) || reads(layout, SightingField::Date);
+    layout.isMonthFirst = false;
+    SightingTable table = readRows(source, layout);
+    decideOneIceberg(table);
+    return table;
+}
+
+bool isIip(std::string_view text)
+{
+    const CsvRow first = firstRow(text);
+    if (isIipRow(first))
+        return true;
+    const std::vector<std::string> names = plainHeader(text);
+    return names.size() == kIipColumns && (has(names, "icebergnumber") || has(names, "bergnumber"));
+}
+
+SightingTable readIip(const ImportText& source)
+{
+    using enum SightingField;
+    const CsvRow first = firstRow(source.text);
+    if (first.cells.size() != kIipColumns)
+        throw Error(ErrorCode::WrongFormat, source.subject,
+                    "IIP sightings have " + std::to_string(kIipColumns) + " columns, not " +
+                        std::to_string(first.cells.size()));
+    CsvLayout layout{.width = kIipColumns,
+                     .header = !isIipRow(first) && !isNumber(first.cells[0]),
+                     .finish = finishIip};
+    constexpr std::array kByPosition = {Id, Date, Time, Latitude, Longitude};
+    for (std::size_t i = 0; i < kByPosition.size(); ++i)
+        layout.columns.push_back({.index = i + 1, .use = {.field = kByPosition[i]}});
+    layout.columns.push_back({.index = 7, .use = {.field = SizeClass}});
+    return readRows(source, layout);
+}
+
+bool isCisBeacon(std::string_view text)
+{
+    const std::vector<std::string> names = plainHeader(text);
+    return has(names, "beaconid") && has(names, "datetimedata");
+}
+
+SightingTable readCisBeacon(const ImportText& source)
+{
+    using enum SightingField;
+    // Its speed and direction are differences of positions, which the estimate does better.
+    const CsvLayout layout = layoutByName(source, {Id, Time, Latitude, Longitude});
+    requirePlace(layout, source.subject);
+    requireField(layout, Time, source.subject);
+    SightingTable table = readRows(source, layout);
+    decideOneIceberg(table);
+    return table;
+}
+
+bool isUsnic(std::string_view text)
+{
+    const std::vector<std::string> names = plainHeader(text);
+    return has(names, "iceberg") && has(names, "lastupdate") && has(names, "latitude");
+}
+
+SightingTable readUsnic(const ImportText& source)
+{
+    using enum SightingField;
+    const CsvLayout layout = layoutByName(source, {Id, Time, Latitude, Longitude, Length, Remarks});
+    requirePlace(layout, source.subject);
+    requireField(layout, Time, source.subject);
+    return readRows(source, layout);
+}
+
+} // namespace berg

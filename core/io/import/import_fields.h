@@ -1,0 +1,114 @@
+#pragma once
+
+// Private to core/io: from the texts of one row or feature to a sighting, for every format.
+
+#include "core/io/import/import_table.h"
+#include "core/io/import/import_time.h"
+
+#include <map>
+#include <variant>
+
+namespace berg {
+
+inline constexpr std::size_t kFieldCount = kSightingFieldNames.size();
+
+/** How a column is taken: the field, the factor to SI units and how well the name fits. */
+struct FieldUse
+{
+    SightingField field = SightingField::Id;
+    double factor = 1;
+    std::size_t rank = 0; ///< of several columns for one field the lowest serves
+};
+
+/** Field that a column of this name holds by the customs of the trade; none for any other name. */
+[[nodiscard]] std::optional<FieldUse> fieldOfColumn(std::string_view name);
+
+/** The columns of one file: those mapped explicitly, and guesses for the fields left. */
+class FieldNames
+{
+public:
+    explicit FieldNames(const ColumnMapping& mapping) : m_mapping(mapping) {}
+
+    /** What the column serves as. */
+    [[nodiscard]] std::optional<FieldUse> of(const std::string& column);
+
+private:
+    [[nodiscard]] std::optional<FieldUse> find(const std::string& column) const;
+
+    const ColumnMapping& m_mapping;
+    std::map<std::string, std::optional<FieldUse>> m_known;
+};
+
+/** Texts of one row or feature by field. */
+class FieldTexts
+{
+public:
+    void clear();
+    /** Taken unless a column that fits better has given one that is not blank. */
+    void set(const FieldUse& use, std::string_view text);
+    void set(SightingField field, std::string_view text) { set(FieldUse{.field = field}, text); }
+    void drop(SightingField field) { m_entries[static_cast<std::size_t>(field)] = {}; }
+    [[nodiscard]] const std::string& text(SightingField field) const { return at(field).text; }
+    [[nodiscard]] double factor(SightingField field) const { return at(field).factor; }
+
+private:
+    struct Entry
+    {
+        std::string text; ///< without blanks around it
+        double factor = 1;
+        std::size_t rank = 0;
+    };
+    [[nodiscard]] const Entry& at(SightingField field) const
+    {
+        return m_entries[static_cast<std::size_t>(field)];
+    }
+
+    std::array<Entry, kFieldCount> m_entries;
+};
+
+/** What holds for all rows of a file. */
+struct RowRules
+{
+    DateOrder order = DateOrder::MonthFirst;
+    bool timeNeeded = false; ///< a row without time is rejected
+    bool timeApart = false;  ///< date and time of day have a column each
+};
+
+/** The sighting that the texts describe, or why there is none; `line` is set in both. */
+[[nodiscard]] std::variant<Sighting, RejectedRow>
+sightingOf(const FieldTexts& texts, const RowRules& rules, std::size_t line);
+
+/** Components of a drift over ground in the plane, m/s, as exports of our own write them. */
+struct DriftTexts
+{
+    std::string east;
+    std::string north;
+};
+/** A row with its drift; rejected when that is out of range. Without either text as it is. */
+[[nodiscard]] std::variant<Sighting, RejectedRow> withDrift(std::variant<Sighting, RejectedRow> row,
+                                                            const DriftTexts& drift);
+
+/** Date and time of day from one text, or from two; with `timeApart` neither may be missing. */
+[[nodiscard]] std::string timeText(const FieldTexts& texts, bool timeApart);
+
+/** Number in the C locale or with a decimal comma; none for anything else, and for NaN. */
+[[nodiscard]] std::optional<double> decimalOf(std::string_view text);
+
+/** UTF-8 without control characters and blanks around it, cut to `most` bytes; without the
+ * apostrophe that keeps spreadsheets from running it as a formula. */
+[[nodiscard]] std::string cleanText(std::string_view text, std::size_t most);
+
+/** Without blanks on either side. */
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/** Small letters and digits of a name, for comparing: "Length (NM)" is "lengthnm". */
+[[nodiscard]] std::string plainName(std::string_view name);
+
+/** Adds what was read of a row to the table. Throws `Error{FileTooLarge}` beyond the limit. */
+void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row,
+            const std::string& subject);
+
+/** Sets `oneIceberg`: rows without ids, at different times, are the track of one beacon. */
+void decideOneIceberg(SightingTable& table);
+
+} // namespace berg

@@ -1,0 +1,151 @@
+#include "core/io/import/import_formats.h"
+
+#include "core/base/error.h"
+#include "core/io/import/import_csv.h"
+#include "core/io/import/import_fields.h"
+#include "core/io/import/import_geojson.h"
+#include "core/io/import/import_mission.h"
+#include "core/io/import/import_xml.h"
+#include "core/io/text/atomic_file.h"
+#include "core/scenario/checks.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+constexpr std::array kFormats{
+    ImportFormat{"kml", "Google Earth and other map programs", true, isKml, readKml},
+    ImportFormat{"gpx", "satellite navigation: waypoints, routes and tracks", false, isGpx,
+                 readGpx},
+    ImportFormat{"plan", "QGroundControl: the places of a mission", false, isPlan, readPlan},
+    ImportFormat{"wpl", "ArduPilot: the places of a mission (QGC WPL)", false, isWpl, readWpl},
+    ImportFormat{"metno", "MET Norway and Copernicus: icebergs seen by radar", true, isMetno,
+                 readMetno},
+    ImportFormat{"geojson", "QGIS and other map programs: points and tracks", true, isGeoJson,
+                 readGeoJson},
+    ImportFormat{"iip", "International Ice Patrol sightings (NSIDC G00807)", false, isIip, readIip},
+    ImportFormat{"cis-beacon", "Canadian Ice Service beacons", true, isCisBeacon, readCisBeacon},
+    ImportFormat{"usnic", "US National Ice Center, Antarctic icebergs", true, isUsnic, readUsnic},
+    ImportFormat{"csv", "any table with a header", true, isAnyCsv, readAnyCsv}};
+
+std::string formatIds()
+{
+    std::string ids;
+    for (const ImportFormat& format : kFormats)
+        ids += (ids.empty() ? "" : ", ") + std::string(format.id);
+    return ids;
+}
+
+/** What is not text is told apart as far as it helps the user. */
+void requireText(std::string_view bytes, const std::string& subject)
+{
+    const auto fail = [&](const char* reason) {
+        throw Error(ErrorCode::WrongFormat, subject, reason);
+    };
+    if (trimmed(bytes).empty())
+        fail("is empty");
+    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+        fail("is UTF-16 text; save it as UTF-8");
+    if (bytes.starts_with("PK\x03\x04"))
+        fail("is a compressed archive (such as XLSX or KMZ); export it as CSV or KML");
+    if (bytes.find('\0') != std::string_view::npos)
+        fail("is no text file");
+}
+
+std::string utf8FromLatin1(std::string_view bytes)
+{
+    std::string text;
+    text.reserve(bytes.size() + bytes.size() / 8);
+    for (const char c : bytes) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80U) {
+            text += c;
+        } else {
+            text += static_cast<char>(0xC0U | (byte >> 6U));
+            text += static_cast<char>(0x80U | (byte & 0x3FU));
+        }
+    }
+    return text;
+}
+
+const ImportFormat& chosenFormat(std::string_view text, const std::string& subject,
+                                 const ReadOptions& options)
+{
+    if (options.format != "auto") {
+        if (const ImportFormat* format = findImportFormat(options.format))
+            return *format;
+        throw Error(ErrorCode::Unsupported, subject,
+                    "no import format \"" + printable(options.format) + "\"; there are " +
+                        formatIds());
+    }
+    // Whoever names columns says that it is a table, unless it is plainly something else.
+    const auto it = std::find_if(kFormats.begin(), kFormats.end(), [&](const ImportFormat& format) {
+        return format.matches(text) && (format.namedColumns || options.mapping.empty());
+    });
+    if (it != kFormats.end())
+        return *it;
+    if (!options.mapping.empty())
+        return *findImportFormat("csv");
+    throw Error(ErrorCode::WrongFormat, subject,
+                "is of no known format, and no columns for latitude and longitude are named; "
+                "known formats: " +
+                    formatIds());
+}
+
+/** Reasons of the first rejected rows, for a file without a usable one. */
+std::vector<Issue> issuesOf(const Rejections& rejected)
+{
+    constexpr std::size_t kMostTold = 20;
+    std::vector<Issue> issues;
+    for (const RejectedRow& row : rejected.first) {
+        if (issues.size() == kMostTold)
+            break;
+        issues.push_back({Severity::Error, "line " + std::to_string(row.line), rowFaultText(row)});
+    }
+    return issues;
+}
+
+} // namespace
+
+std::span<const ImportFormat> importFormats()
+{
+    return kFormats;
+}
+
+const ImportFormat* findImportFormat(std::string_view id)
+{
+    const auto it = std::find_if(kFormats.begin(), kFormats.end(),
+                                 [&](const ImportFormat& format) { return format.id == id; });
+    return it == kFormats.end() ? nullptr : &*it;
+}
+
+SightingTable readSightings(std::string_view bytes, const std::string& subject,
+                            const ReadOptions& options, const std::stop_token& stop)
+{
+    if (bytes.size() > kLargestFile)
+        throw Error(ErrorCode::FileTooLarge, subject,
+                    "is larger than " + std::to_string(kLargestFile >> 20U) + " MiB");
+    requireText(bytes, subject);
+    const std::string decoded =
+        isUtf8(bytes) || isKml(bytes) || isGpx(bytes) ? std::string() : utf8FromLatin1(bytes);
+    const std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
+    const ImportFormat& format = chosenFormat(text, subject, options);
+    if (!format.namedColumns && !options.mapping.empty())
+        throw Error(ErrorCode::InvalidInput, subject,
+                    "columns of the format " + std::string(format.id) + " cannot be mapped");
+    SightingTable table = format.read({.text = text,
+                                       .subject = subject,
+                                       .mapping = options.mapping,
+                                       .dates = options.dates,
+                                       .stop = stop});
+    table.format = format.id;
+    if (!table.sightings.empty())
+        return table;
+    if (table.rejected.count > 0)
+        throw Error(ErrorCode::InvalidInput, subject, issuesOf(table.rejected));
+    throw Error(ErrorCode::InvalidInput, subject, "holds no sightings");
+}
+
+} // namespace berg

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/io/import/import_table.h"
+#include "core/io/import/import_time.h"
+
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+namespace berg {
+
+/** What a reader is given. */
+struct ImportText
+{
+    std::string_view text;
+    const std::string& subject;   ///< names the file in errors
+    const ColumnMapping& mapping; ///< columns the user has named; the rest is guessed
+    std::optional<DateOrder> dates = {};
+    std::stop_token stop = {};
+};
+
+/** One row of the table that the command line and the dialog share. */
+struct ImportFormat
+{
+    std::string_view id;      ///< e.g. "iip"
+    std::string_view source;  ///< where such files come from
+    bool namedColumns = true; ///< whether a mapping says anything
+    bool (*matches)(std::string_view text);
+    SightingTable (*read)(const ImportText&);
+};
+
+/** In the order in which they are tried: the special before the general. */
+[[nodiscard]] std::span<const ImportFormat> importFormats();
+/** Null when there is no such format. */
+[[nodiscard]] const ImportFormat* findImportFormat(std::string_view id);
+
+/** How a file is to be read. */
+struct ReadOptions
+{
+    std::string format = "auto"; ///< id of a format; "auto": by content
+    ColumnMapping mapping;       ///< explicit columns or properties; the rest is guessed
+    /** Of dates such as 05/02/2021 in tables; none: as the format or the file's other dates tell.
+     */
+    std::optional<DateOrder> dates = {};
+};
+
+/**
+ * Sightings of a file's bytes; rows that cannot be used are rejected one by one. Text that is not
+ * UTF-8 is taken as ISO 8859-1 in tables. Throws `Error`: FileTooLarge above `kLargestFile` bytes
+ * or `kMostSightings` rows; WrongFormat for what is no text, of no known format or not of the one
+ * asked for; SyntaxError for broken JSON or XML; InvalidInput when a needed column is missing, a
+ * mapped one does not exist, or there is no usable row (with the reasons); `Stopped` when asked to
+ * stop. Cost: linear; 50 MB take a few seconds.
+ */
+[[nodiscard]] SightingTable readSightings(std::string_view bytes, const std::string& subject,
+                                          const ReadOptions& options = {},
+                                          const std::stop_token& stop = {});
+
+} // namespace berg

@@ -1,0 +1,253 @@
+#include "core/io/import/import_geojson.h"
+
+#include "core/base/stopped.h"
+#include "core/io/import/import_fields.h"
+#include "core/io/import/import_geojson_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace berg {
+
+namespace {
+
+std::string typeOf(const Json* object)
+{
+    return textOf(memberOf(object, "type"));
+}
+
+/** A value as a cell of a table would have it. */
+std::string cellText(const Json& value)
+{
+    if (value.is_string())
+        return value.get<std::string>();
+    return value.is_number() ? value.dump() : std::string();
+}
+
+/** Longitude and latitude of a position; false when it is none. */
+bool setPlace(FieldTexts& texts, const Json& position)
+{
+    if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
+        !position[1].is_number())
+        return false;
+    texts.set(SightingField::Longitude, position[0].dump());
+    texts.set(SightingField::Latitude, position[1].dump());
+    return true;
+}
+
+/** Middle of the corners of the outer ring, the one that closes it left out; null without one. */
+Json middleOf(const Json& rings)
+{
+    if (!rings.is_array() || rings.empty() || !rings[0].is_array() || rings[0].size() < 4)
+        return nullptr;
+    const std::size_t corners = rings[0].size() - 1;
+    double longitude_deg = 0;
+    double latitude_deg = 0;
+    for (std::size_t i = 0; i < corners; ++i) {
+        const Json& corner = rings[0][i];
+        if (!corner.is_array() || corner.size() < 2 || !corner[0].is_number() ||
+            !corner[1].is_number())
+            return nullptr;
+        // Counted from the first corner, the shorter way round: rings cross the antimeridian.
+        const double first_deg = rings[0][0][0].get<double>();
+        const double east_deg = std::remainder(corner[0].get<double>() - first_deg, 360.0);
+        longitude_deg += (first_deg + east_deg) / static_cast<double>(corners);
+        latitude_deg += corner[1].get<double>() / static_cast<double>(corners);
+    }
+    return Json::array({std::remainder(longitude_deg, 360.0), latitude_deg});
+}
+
+/** Times of the corners of a line; null without. */
+const Json* timesOf(const Json* properties)
+{
+    const Json* perCorner = memberOf(properties, "coordinateProperties");
+    for (const Json* times : {memberOf(perCorner, "times"), memberOf(properties, "coordTimes"),
+                              memberOf(properties, "times")})
+        if (times != nullptr && times->is_array())
+            return times;
+    return nullptr;
+}
+
+/** Of an export of our own; empty texts without it. */
+DriftTexts driftOf(const Json* properties)
+{
+    const Json* drift = memberOf(properties, "drift_mps");
+    if (drift == nullptr || !drift->is_array() || drift->size() != 2)
+        return {};
+    return {.east = cellText((*drift)[0]), .north = cellText((*drift)[1])};
+}
+
+/** Seconds from the time of an iceberg of such an export until it appears. */
+std::optional<double> appearsIn_s(const Json* properties)
+{
+    const Json* appears_s = memberOf(properties, "appears_s");
+    const Json* time_s = memberOf(properties, "time_s");
+    if (appears_s == nullptr || time_s == nullptr || !appears_s->is_number() ||
+        !time_s->is_number())
+        return std::nullopt;
+    return appears_s->get<double>() - time_s->get<double>();
+}
+
+/** The features of a collection, or the one that the file is. */
+std::span<const Json> featuresOf(const Json& root)
+{
+    const Json* features = memberOf(&root, "features");
+    if (typeOf(&root) != "FeatureCollection" || features == nullptr || !features->is_array())
+        return {&root, 1};
+    return features->get_ref<const Json::array_t&>();
+}
+
+/** Gathers the sightings of one file. */
+class GeoJsonSightings
+{
+public:
+    explicit GeoJsonSightings(const ImportText& source) : m_source(source), m_names(source.mapping)
+    {
+    }
+
+    SightingTable take()
+    {
+        const ParsedJson file = parseJson(m_source.text, m_source.subject, m_source.stop);
+        const std::span<const Json> features = featuresOf(file.root);
+        for (const Json& feature : features) {
+            const std::string type = typeOf(memberOf(&feature, "geometry"));
+            m_isRoute = m_isRoute && type != "Point" && type != "Polygon";
+            m_isOwn = m_isOwn || isOwnGeoJson(memberOf(&feature, "properties"));
+        }
+        for (const Json& feature : features)
+            addFeature(feature);
+        return std::move(m_table);
+    }
+
+private:
+    void reject(RowFault fault, const std::string& detail = {})
+    {
+        addRow(m_table,
+               RejectedRow{.line = m_feature, .fault = fault, .detail = cleanText(detail, 60)},
+               m_source.subject);
+    }
+
+    void addFeature(const Json& feature)
+    {
+        throwIfStopped(m_source.stop);
+        ++m_feature;
+        const bool bare = typeOf(&feature) != "Feature";
+        const Json* geometry = bare ? &feature : memberOf(&feature, "geometry");
+        const Json* properties = bare ? nullptr : memberOf(&feature, "properties");
+        const Json* coordinates = memberOf(geometry, "coordinates");
+        const std::string type = typeOf(geometry);
+        if (m_isOwn && !kindOf(properties).empty() && kindOf(properties) != "iceberg") {
+            addSceneFeature(m_table.scene, feature);
+            return;
+        }
+        FieldTexts texts;
+        readProperties(properties, texts);
+        if (const Json* id = bare ? nullptr : memberOf(&feature, "id"))
+            texts.set({.field = SightingField::Id, .rank = 1000}, cellText(*id));
+        if (coordinates == nullptr)
+            reject(RowFault::PositionMissing);
+        else if (type == "Point")
+            addPoint(texts, *coordinates, properties);
+        else if (type == "Polygon")
+            addPoint(texts, middleOf(*coordinates), properties);
+        else if (const Json* times = timesOf(properties); times && type == "LineString")
+            addTrack(texts, *coordinates, *times);
+        else if (m_isRoute && type == "LineString")
+            addRoute(*coordinates);
+        else
+            reject(RowFault::NotAPoint, type);
+    }
+
+    void readProperties(const Json* properties, FieldTexts& texts)
+    {
+        if (properties == nullptr || !properties->is_object())
+            return;
+        for (const auto& [name, value] : properties->items()) {
+            const std::optional<FieldUse> use = m_names.of(name);
+            // The place is the geometry's.
+            if (use && use->field != SightingField::Latitude &&
+                use->field != SightingField::Longitude)
+                texts.set(*use, cellText(value));
+        }
+    }
+
+    void addPoint(FieldTexts& texts, const Json& position, const Json* properties)
+    {
+        if (!setPlace(texts, position)) {
+            reject(RowFault::PositionMissing);
+            return;
+        }
+        std::variant<Sighting, RejectedRow> row =
+            withDrift(sightingOf(texts, {}, m_feature), driftOf(properties));
+        if (auto* const sighting = std::get_if<Sighting>(&row))
+            sighting->appearsIn_s = appearsIn_s(properties);
+        addRow(m_table, std::move(row), m_source.subject);
+    }
+
+    /** Corners of a line are places without a name of their own. */
+    void addRoute(const Json& corners)
+    {
+        for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
+            throwIfStopped(m_source.stop);
+            FieldTexts texts;
+            if (setPlace(texts, corners[i]))
+                addRow(m_table, sightingOf(texts, {}, m_feature), m_source.subject);
+            else
+                reject(RowFault::PositionMissing);
+        }
+    }
+
+    void addTrack(const FieldTexts& common, const Json& corners, const Json& times)
+    {
+        for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
+            throwIfStopped(m_source.stop);
+            FieldTexts texts = common;
+            const bool placed = setPlace(texts, corners[i]);
+            if (i < times.size())
+                texts.set(SightingField::Time, cellText(times[i]));
+            if (placed)
+                addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_feature),
+                       m_source.subject);
+            else
+                reject(RowFault::PositionMissing);
+        }
+    }
+
+    const ImportText& m_source;
+    FieldNames m_names;
+    SightingTable m_table;
+    bool m_isOwn = false;  ///< an export of our own
+    bool m_isRoute = true; ///< no feature has a place of its own
+    std::size_t m_feature = 0;
+};
+
+} // namespace
+
+bool isJsonObject(std::string_view text)
+{
+    return text.substr(0, 16).find('{') != std::string_view::npos && trimmed(text)[0] != '<';
+}
+
+SightingTable readGeoJson(const ImportText& source)
+{
+    return GeoJsonSightings(source).take();
+}
+
+bool isGeoJson(std::string_view text)
+{
+    return isJsonObject(text) && text.find("\"coordinates\"") != std::string_view::npos;
+}
+
+SightingTable readMetno(const ImportText& source)
+{
+    return GeoJsonSightings(source).take();
+}
+
+bool isMetno(std::string_view text)
+{
+    return isGeoJson(text) && (text.find("\"BRGARE\"") != std::string_view::npos ||
+                               text.find("\"IA_BLN\"") != std::string_view::npos);
+}
+
+} // namespace berg

@@ -1,0 +1,133 @@
+#include "core/io/import/import_geojson_scene.h"
+
+#include "core/io/import/import_fields.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+std::optional<double> numberAt(const Json* properties, const char* name)
+{
+    const Json* value = memberOf(properties, name);
+    return value != nullptr && value->is_number() ? std::optional(value->get<double>())
+                                                  : std::nullopt;
+}
+
+std::string nameAt(const Json* properties, const char* name, std::size_t most)
+{
+    return cleanText(textOf(memberOf(properties, name)), most);
+}
+
+std::optional<LatLon> pointOf(const Json& feature)
+{
+    return placeOf(memberOf(memberOf(&feature, "geometry"), "coordinates"),
+                   AxisOrder::LongitudeFirst);
+}
+
+void addUav(FileScene& scene, const Json& feature, const Json* properties)
+{
+    SceneUav* uav = scene.addUav();
+    if (uav == nullptr)
+        return;
+    uav->id = nameAt(properties, "id", kLongestId);
+    uav->name = nameAt(properties, "name", kLongestName);
+    uav->start = pointOf(feature);
+    uav->home = uav->start;
+    uav->heading_deg = numberAt(properties, "heading_deg");
+    uav->airspeed_mps = numberAt(properties, "airspeed_mps");
+    uav->altitude_m = numberAt(properties, "altitude_m");
+}
+
+void addHome(FileScene& scene, const Json& feature, const Json* properties)
+{
+    const std::string id = nameAt(properties, "uav", kLongestId);
+    const auto it = std::find_if(scene.uavs.begin(), scene.uavs.end(),
+                                 [&](const SceneUav& uav) { return uav.id == id; });
+    const std::optional<LatLon> home = pointOf(feature);
+    if (it != scene.uavs.end() && home)
+        it->home = home;
+}
+
+/** Exterior ring of the rings of a polygon; false when it is none. */
+bool addPolygon(FileScene& scene, SceneArea& area, const Json& rings)
+{
+    if (!rings.is_array() || rings.empty())
+        return false;
+    std::optional<std::vector<LatLon>> exterior =
+        placesOf(&rings.front(), AxisOrder::LongitudeFirst);
+    if (!exterior)
+        return false;
+    area.rings.push_back(std::move(*exterior));
+    for (std::size_t i = 1; i < rings.size(); ++i)
+        addFinding(scene.findings, SceneNote::AreaHoles);
+    return true;
+}
+
+void addArea(FileScene& scene, const Json& feature, const Json* properties)
+{
+    const Json* geometry = memberOf(&feature, "geometry");
+    const Json* coordinates = arrayOf(geometry, "coordinates");
+    const std::string type = textOf(memberOf(geometry, "type"));
+    const Json* geofence = memberOf(properties, "geofence");
+    SceneArea area{.rings = {}, .geofence = geofence != nullptr && *geofence == true};
+    bool isRead = coordinates != nullptr && !coordinates->empty();
+    if (isRead && type == "Polygon")
+        isRead = addPolygon(scene, area, *coordinates);
+    else if (isRead && type == "MultiPolygon")
+        isRead = std::all_of(coordinates->begin(), coordinates->end(),
+                             [&](const Json& rings) { return addPolygon(scene, area, rings); });
+    else
+        isRead = false;
+    if (isRead)
+        scene.addArea(std::move(area));
+    else
+        addFinding(scene.findings, SceneNote::AreaUnreadable);
+}
+
+void addAsset(FileScene& scene, const Json& feature, const Json* properties)
+{
+    const std::optional<LatLon> place = pointOf(feature);
+    if (!place) {
+        addFinding(scene.findings, SceneNote::NumberWrong, "asset");
+        return;
+    }
+    SceneAsset asset{.name = nameAt(properties, "name", kLongestName),
+                     .place = *place,
+                     .time = parseUtc(textOf(memberOf(properties, "time"))),
+                     .range_m = numberAt(properties, "range_m")};
+    const Json* velocity = arrayOf(properties, "velocity_mps");
+    if (velocity != nullptr && velocity->size() == 2 && (*velocity)[0].is_number() &&
+        (*velocity)[1].is_number())
+        asset.velocity_mps = Point((*velocity)[0].get<double>(), (*velocity)[1].get<double>());
+    scene.addAsset(std::move(asset));
+}
+
+} // namespace
+
+std::string kindOf(const Json* properties)
+{
+    return textOf(memberOf(properties, "kind"));
+}
+
+bool isOwnGeoJson(const Json* properties)
+{
+    return kindOf(properties) == "uav" && memberOf(properties, "airspeed_mps") != nullptr;
+}
+
+void addSceneFeature(FileScene& scene, const Json& feature)
+{
+    const Json* properties = memberOf(&feature, "properties");
+    const std::string kind = kindOf(properties);
+    if (isOwnGeoJson(properties))
+        addUav(scene, feature, properties);
+    else if (kind == "home")
+        addHome(scene, feature, properties);
+    else if (kind == "area")
+        addArea(scene, feature, properties);
+    else if (kind == "asset")
+        addAsset(scene, feature, properties);
+}
+
+} // namespace berg

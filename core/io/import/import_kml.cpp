@@ -1,0 +1,245 @@
+#include "core/io/import/import_xml.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+constexpr std::string_view kExterior = "outerBoundaryIs";
+constexpr std::string_view kBlanks = " \t\r\n";
+
+/** Longitude, latitude and perhaps a height, set apart by any of `separators`. */
+void setPlace(FieldTexts& texts, std::string_view tuple, std::string_view separators)
+{
+    const std::string_view whole = trimmed(tuple);
+    const std::size_t first = whole.find_first_of(separators);
+    if (first == std::string_view::npos)
+        return;
+    const std::string_view rest = whole.substr(first + 1);
+    texts.set(SightingField::Longitude, whole.substr(0, first));
+    texts.set(SightingField::Latitude, rest.substr(0, rest.find_first_of(separators)));
+}
+
+/** Places of the tuples, set apart by blanks; none when one of them is no place. */
+std::optional<std::vector<LatLon>> ringOf(std::string_view tuples)
+{
+    std::vector<LatLon> ring;
+    for (std::string_view rest = trimmed(tuples); !rest.empty(); rest = trimmed(rest)) {
+        const std::string_view tuple = rest.substr(0, rest.find_first_of(kBlanks));
+        const std::size_t comma = std::min(tuple.find(','), tuple.size() - 1);
+        const std::string_view second = tuple.substr(comma + 1);
+        const std::optional<double> longitude_deg = decimalOf(tuple.substr(0, comma));
+        const std::optional<double> latitude_deg = decimalOf(second.substr(0, second.find(',')));
+        const std::optional<LatLon> place = longitude_deg && latitude_deg
+                                                ? scenePlace(*latitude_deg, *longitude_deg)
+                                                : std::nullopt;
+        if (!place)
+            return std::nullopt;
+        ring.push_back(*place);
+        rest.remove_prefix(tuple.size());
+    }
+    return ring;
+}
+
+bool isOwnKml(std::string_view text)
+{
+    return text.find("<Style id=\"iceberg\">") != std::string_view::npos &&
+           text.find("<Style id=\"uav-") != std::string_view::npos;
+}
+
+/** Gathers the sightings of a KML file, Placemark by Placemark. */
+class KmlSightings
+{
+public:
+    explicit KmlSightings(const ImportText& source)
+        : m_source(source), m_names(source.mapping), m_isOwn(isOwnKml(source.text))
+    {
+    }
+
+    SightingTable take()
+    {
+        const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
+                               .closed = [this](XmlPath path) { closed(path); }};
+        readXml(m_source.text, m_source.subject, events, m_source.stop);
+        return std::move(m_table);
+    }
+
+private:
+    /** A gx:coord, and the line it stands on. */
+    struct Coordinate
+    {
+        std::size_t line = 0;
+        std::string text;
+    };
+
+    void opened(const XmlElement& element)
+    {
+        if (element.name != "Placemark")
+            return;
+        m_inside = true;
+        m_line = element.line;
+        m_texts.clear();
+        m_name.clear();
+        m_style.clear();
+        m_drift = {};
+        m_point.clear();
+        m_data.clear();
+        m_rings.clear();
+        m_holes = 0;
+        m_whens.clear();
+        m_coordinates.clear();
+        // A name or an id of the data is a better name for the iceberg.
+        m_texts.set({.field = SightingField::Id, .rank = 1001}, element.attribute("id"));
+    }
+
+    void closed(XmlPath path)
+    {
+        if (!m_inside)
+            return;
+        const XmlElement& element = path.back();
+        const std::string_view parent = parentName(path);
+        if (element.name == "Placemark")
+            finish();
+        else if (element.name == "name" && parent == "Placemark")
+            m_name = element.text;
+        else if (element.name == "styleUrl" && parent == "Placemark")
+            m_style = trimmed(element.text);
+        else if (element.name == "when" && parent == "Track")
+            m_whens.push_back(element.text);
+        else if (element.name == "coord")
+            m_coordinates.push_back({.line = element.line, .text = element.text});
+        else if (element.name == "when" || (element.name == "begin" && parent == "TimeSpan"))
+            m_texts.set(SightingField::Time, element.text);
+        else if (element.name == "coordinates" && parent == "Point" && m_point.empty())
+            m_point = element.text;
+        else if (element.name == "coordinates" && m_isOwn)
+            shape(path);
+        else if (element.name == "value" && parent == "Data")
+            property(path[path.size() - 2].attribute("name"), element.text);
+        else if (element.name == "SimpleData")
+            property(element.attribute("name"), element.text);
+    }
+
+    /** Outlines of an export of our own. */
+    void shape(XmlPath path)
+    {
+        const std::string& text = path.back().text;
+        const std::string_view parent = parentName(path);
+        if (parent == "LinearRing" && parentName(path.first(path.size() - 1)) == kExterior)
+            m_rings.push_back(text);
+        else if (parent == "LinearRing")
+            ++m_holes;
+    }
+
+    void property(const std::string& name, const std::string& text)
+    {
+        m_data[name] = text;
+        if (name == "drift_east_mps")
+            m_drift.east = text;
+        else if (name == "drift_north_mps")
+            m_drift.north = text;
+        else if (const std::optional<FieldUse> use = m_names.of(name))
+            m_texts.set(*use, text);
+    }
+
+    void finish()
+    {
+        m_inside = false;
+        setName(m_texts, m_name);
+        if (m_isOwn && (m_style == "#area" || m_style == "#asset" || isOfAircraft())) {
+            readOwn();
+        } else if (!m_coordinates.empty()) {
+            finishTrack();
+        } else if (m_point.empty()) {
+            addRow(m_table, RejectedRow{.line = m_line, .fault = RowFault::NotAPoint, .detail = {}},
+                   m_source.subject);
+        } else {
+            setPlace(m_texts, m_point, ",");
+            std::variant<Sighting, RejectedRow> row =
+                withDrift(sightingOf(m_texts, {}, m_line), m_drift);
+            if (auto* const sighting = std::get_if<Sighting>(&row))
+                setData(*sighting, m_data);
+            addRow(m_table, std::move(row), m_source.subject);
+        }
+    }
+
+    [[nodiscard]] bool isOfAircraft() const { return m_style.starts_with("#uav-"); }
+
+    /** Of an export of our own what is no iceberg; ways and visits say nothing more. */
+    void readOwn()
+    {
+        setPlace(m_texts, m_point, ",");
+        const OwnMark mark{.title = m_name,
+                           .place = placeOf(m_texts),
+                           .time = parseUtc(m_texts.text(SightingField::Time)),
+                           .data = m_data};
+        if (m_style == "#area")
+            readArea();
+        else if (m_style == "#asset")
+            addOwnAsset(m_table.scene, mark);
+        else if (m_data.contains("airspeed_mps"))
+            addOwnUav(m_table.scene, mark);
+    }
+
+    void readArea()
+    {
+        const auto fence = m_data.find("geofence");
+        SceneArea area{.rings = {},
+                       .geofence = fence != m_data.end() && trimmed(fence->second) == "true"};
+        for (const std::string& text : m_rings) {
+            std::optional<std::vector<LatLon>> ring = ringOf(text);
+            if (ring)
+                area.rings.push_back(std::move(*ring));
+        }
+        for (std::size_t i = 0; i < m_holes; ++i)
+            addFinding(m_table.scene.findings, SceneNote::AreaHoles);
+        if (!area.rings.empty() && area.rings.size() == m_rings.size())
+            m_table.scene.addArea(std::move(area));
+        else
+            addFinding(m_table.scene.findings, SceneNote::AreaUnreadable);
+    }
+
+    void finishTrack()
+    {
+        for (std::size_t i = 0; i < m_coordinates.size(); ++i) {
+            const std::size_t line = m_coordinates[i].line;
+            FieldTexts texts = m_texts;
+            if (i < m_whens.size())
+                texts.set(SightingField::Time, m_whens[i]);
+            setPlace(texts, m_coordinates[i].text, " \t\n");
+            addRow(m_table, sightingOf(texts, {.timeNeeded = true}, line), m_source.subject);
+        }
+    }
+
+    const ImportText& m_source;
+    FieldNames m_names;
+    bool m_isOwn; ///< an export of our own
+    SightingTable m_table;
+    bool m_inside = false; ///< of a Placemark
+    std::size_t m_line = 0;
+    FieldTexts m_texts;
+    std::string m_name;
+    std::string m_style;
+    DriftTexts m_drift;
+    std::string m_point;
+    std::vector<std::string> m_rings;
+    std::size_t m_holes = 0;
+    OwnData m_data;
+    std::vector<std::string> m_whens;
+    std::vector<Coordinate> m_coordinates;
+};
+
+} // namespace
+
+SightingTable readKml(const ImportText& source)
+{
+    return KmlSightings(source).take();
+}
+
+bool isKml(std::string_view text)
+{
+    return rootIs(text, "kml");
+}
+
+} // namespace berg

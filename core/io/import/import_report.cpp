@@ -1,0 +1,108 @@
+#include "core/io/import/import_report.h"
+
+#include "core/io/text/json_writer.h"
+
+#include <algorithm>
+#include <map>
+
+namespace berg {
+
+namespace {
+
+constexpr std::array<Named<ImportOutcome>, 4> kOutcomeNames{{
+    {ImportOutcome::Added, "added"},
+    {ImportOutcome::Updated, "updated"},
+    {ImportOutcome::Unchanged, "unchanged"},
+    {ImportOutcome::LeftOut, "left-out"},
+}};
+
+std::string count(std::size_t n)
+{
+    return jsonText(static_cast<std::int64_t>(n));
+}
+
+std::string icebergText(const ImportedIceberg& imported, const Iceberg* iceberg)
+{
+    std::vector<std::string> notes;
+    for (const ImportNote note : imported.notes)
+        notes.push_back(importNoteText(note));
+    JsonObject object;
+    object.add("id", imported.id);
+    object.add("outcome", nameOf(kOutcomeNames, imported.outcome));
+    object.addText("sightings", count(imported.sightings));
+    object.addText("used", count(imported.used));
+    object.add("age_s", imported.age_s);
+    if (iceberg != nullptr) {
+        object.add("velocity_mps", iceberg->velocity_mps);
+        object.add("q_m2ps", iceberg->q_m2ps);
+    }
+    object.addText("notes", jsonArrayOf(notes));
+    return object.inLine();
+}
+
+std::string findingText(const SceneFinding& finding)
+{
+    JsonObject object;
+    object.add("note", sceneFindingText(finding));
+    object.addText("count", count(finding.count));
+    return object.inLine();
+}
+
+std::string rejectedText(const RejectedRow& row)
+{
+    JsonObject object;
+    object.addText("line", count(row.line));
+    object.add("reason", rowFaultText(row));
+    return object.inLine();
+}
+
+std::string originText(const LatLon& origin)
+{
+    JsonObject object;
+    object.add("latitude_deg", origin.latitude_deg);
+    object.add("longitude_deg", origin.longitude_deg);
+    return object.inLine();
+}
+
+} // namespace
+
+std::string importJson(const SightingTable& table, const ImportResult& result)
+{
+    std::map<std::string, const Iceberg*> byId;
+    for (const Iceberg& iceberg : result.scenario.icebergs)
+        byId.emplace(iceberg.id, &iceberg);
+    std::vector<std::string> icebergs;
+    for (const ImportedIceberg& imported : result.icebergs) {
+        const auto it = byId.find(imported.id);
+        const bool taken = imported.outcome != ImportOutcome::LeftOut && it != byId.end();
+        icebergs.push_back(icebergText(imported, taken ? it->second : nullptr));
+    }
+    std::vector<std::string> rejected;
+    for (const RejectedRow& row : result.rejected.first)
+        rejected.push_back(rejectedText(row));
+    std::vector<std::string> scene;
+    for (const SceneFinding& finding : result.scene)
+        scene.push_back(findingText(finding));
+
+    JsonObject object;
+    object.add("format", table.format);
+    object.addText("sightings", count(table.sightings.size()));
+    object.addText("rejected", count(result.rejected.count));
+    object.addText("outside_area", count(result.outsideArea));
+    object.addText("outside_time", count(result.outsideTime));
+    object.addText("added", count(result.added));
+    object.addText("updated", count(result.updated));
+    object.addText("unchanged", count(result.unchanged));
+    object.addText("left_out", count(result.leftOut));
+    if (result.at)
+        object.add("start_utc", result.scenario.startUtc);
+    else
+        object.addText("start_utc", "null");
+    object.addText("origin", originText(result.scenario.origin));
+    object.addText("scene", jsonLines(scene, 1));
+    object.addText("icebergs", jsonLines(icebergs, 1));
+    object.addText("rejected_rows", jsonLines(rejected, 1));
+    return object.inLines(0) + '\n';
+}
+
+} // namespace berg

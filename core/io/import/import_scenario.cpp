@@ -1,0 +1,250 @@
+#include "core/io/import/import_scenario.h"
+
+#include "core/base/error.h"
+#include "core/base/stopped.h"
+#include "core/io/import/import_icebergs.h"
+#include "core/io/import/import_selection.h"
+#include "core/io/import/import_setting.h"
+#include "core/scenario/checks.h"
+#include "core/scenario/validate.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace berg {
+
+namespace {
+
+bool holdsPlaces(const Scenario& scenario)
+{
+    return !scenario.icebergs.empty() || scenario.asset || !scenario.area_m.empty();
+}
+
+void checkOptions(const Scenario& base, const ImportOptions& options)
+{
+    std::vector<Issue> issues;
+    const auto check = [&](const char* field, double value, const Limits& limits) {
+        if (std::string fault = limitsFault(value, limits); !fault.empty())
+            issues.push_back({Severity::Error, field, std::move(fault)});
+    };
+    check("sigma", options.sigma0_m2, {.low = 0, .high = kLargestSigma_m2});
+    check("q", options.q_m2ps, {.low = 0, .high = kLargestGrowth_m2ps});
+    check("window", options.track.window_s, {.low = 0, .high = kLargestTime_s});
+    check("tolerance", options.tolerance_m, {.low = 0, .high = kLargestLength_m});
+    if (options.area) {
+        check("area: south", options.area->south_deg, {.low = -90, .high = 90});
+        check("area: north", options.area->north_deg, {.low = options.area->south_deg, .high = 90});
+        check("area: west", options.area->west_deg, {.low = -180, .high = 360});
+        check("area: east", options.area->east_deg, {.low = -180, .high = 360});
+    }
+    if (options.since && options.until && *options.since > *options.until)
+        issues.push_back({Severity::Error, "since", "must not be after until"});
+    if (options.moveOrigin.value_or(false) && holdsPlaces(base))
+        issues.push_back({Severity::Error, "origin",
+                          "cannot move while the scenario holds icebergs, an asset or an area"});
+    if (!issues.empty())
+        throw Error(ErrorCode::InvalidInput, "import", std::move(issues));
+}
+
+void moveBy(Point& position_m, const Point& way_m, const std::string& who)
+{
+    position_m += way_m;
+    if (!position_m.allFinite() || position_m.cwiseAbs().maxCoeff() > kLargestCoordinate_m)
+        throw Error(ErrorCode::InvalidInput, "import",
+                    {{Severity::Error, "at", "by then " + printable(who) + " is off the plane"}});
+}
+
+/** Carries what is in the scenario on to a start `later_s` later. */
+void moveStart(Scenario& scenario, double later_s)
+{
+    for (Iceberg& iceberg : scenario.icebergs) {
+        moveBy(iceberg.position_m, (iceberg.velocity_mps + scenario.current_mps) * later_s,
+               iceberg.id);
+        iceberg.observed_s = std::clamp(iceberg.observed_s + later_s, 0.0, kLargestTime_s);
+        iceberg.appears_s = std::clamp(iceberg.appears_s - later_s, 0.0, kLargestTime_s);
+        for (double& time_s : iceberg.track.time_s)
+            time_s -= later_s;
+    }
+    if (scenario.asset)
+        moveBy(scenario.asset->position_m, scenario.asset->velocity_mps * later_s,
+               scenario.asset->name);
+}
+
+/** So many new icebergs as the scenario has room for stay, those sighted last; others are left out.
+ */
+void makeRoom(std::vector<IcebergEntry>& entries, std::size_t there)
+{
+    std::vector<IcebergEntry*> added;
+    for (IcebergEntry& entry : entries)
+        if (entry.report.outcome == ImportOutcome::Added)
+            added.push_back(&entry);
+    const std::size_t room = kMostIcebergs - std::min(there, kMostIcebergs);
+    if (added.size() <= room)
+        return;
+    std::stable_sort(added.begin(), added.end(), [](const IcebergEntry* a, const IcebergEntry* b) {
+        return a->report.age_s < b->report.age_s;
+    });
+    for (std::size_t i = room; i < added.size(); ++i) {
+        added[i]->report.outcome = ImportOutcome::LeftOut;
+        added[i]->report.notes = {ImportNote::TooMany};
+    }
+}
+
+std::vector<IcebergEntry> entriesOf(const std::vector<SightedIceberg>& icebergs,
+                                    const Scenario& scenario, const ImportOptions& options,
+                                    const std::stop_token& stop)
+{
+    const LocalFrame frame(scenario.origin);
+    const IcebergSetting setting{
+        .options = options, .frame = frame, .current_mps = scenario.current_mps};
+    std::map<std::string, const Iceberg*, std::less<>> known;
+    for (const Iceberg& iceberg : scenario.icebergs)
+        known.emplace(iceberg.id, &iceberg);
+    std::set<std::string, std::less<>> aircraft;
+    for (const Uav& uav : scenario.uavs)
+        aircraft.insert(uav.id);
+    std::vector<IcebergEntry> entries;
+    for (const SightedIceberg& iceberg : icebergs) {
+        throwIfStopped(stop);
+        const auto it = known.find(iceberg.id);
+        entries.push_back(entryOf(iceberg, it == known.end() ? nullptr : it->second, setting));
+        if (aircraft.contains(iceberg.id)) {
+            entries.back().report.outcome = ImportOutcome::LeftOut;
+            entries.back().report.notes = {ImportNote::IdTaken};
+        }
+    }
+    makeRoom(entries, scenario.icebergs.size());
+    return entries;
+}
+
+/** What the file says beside its icebergs. */
+void addScene(const FileScene& scene, const std::vector<SightedIceberg>& icebergs, bool inUse,
+              ImportResult& result)
+{
+    if (scene.isEmpty())
+        return;
+    if (inUse) {
+        addFinding(result.scene, SceneNote::InUse);
+        return;
+    }
+    std::set<std::string, std::less<>> ids;
+    for (const SightedIceberg& iceberg : icebergs)
+        ids.insert(iceberg.id);
+    takeScene(scene, ids, result);
+}
+
+/** Puts the entries into the scenario and counts them. */
+void takeIn(std::vector<IcebergEntry> entries, ImportResult& result)
+{
+    std::map<std::string, std::size_t, std::less<>> rows;
+    for (std::size_t i = 0; i < result.scenario.icebergs.size(); ++i)
+        rows.emplace(result.scenario.icebergs[i].id, i);
+    for (IcebergEntry& entry : entries) {
+        switch (entry.report.outcome) {
+        case ImportOutcome::Added:
+            ++result.added;
+            result.scenario.icebergs.push_back(std::move(entry.iceberg));
+            break;
+        case ImportOutcome::Updated:
+            ++result.updated;
+            result.scenario.icebergs[rows.at(entry.report.id)] = std::move(entry.iceberg);
+            break;
+        case ImportOutcome::Unchanged:
+            ++result.unchanged;
+            break;
+        case ImportOutcome::LeftOut:
+            ++result.leftOut;
+            break;
+        }
+        result.icebergs.push_back(std::move(entry.report));
+    }
+}
+
+} // namespace
+
+std::string importNoteText(ImportNote note)
+{
+    switch (note) {
+    case ImportNote::VelocityUnknown:
+        return "velocity unknown";
+    case ImportNote::VelocityGiven:
+        return "velocity from the file";
+    case ImportNote::VelocityClamped:
+        return "velocity limited to 5 m/s per axis";
+    case ImportNote::GrowthEstimated:
+        return "q estimated";
+    case ImportNote::GrowthClamped:
+        return "q limited to 1e6 m2/s";
+    case ImportNote::Stationary:
+        return "stationary";
+    case ImportNote::Repeated:
+        return "sightings of one time";
+    case ImportNote::Jumped:
+        return "sightings at impossible places not used";
+    case ImportNote::TrackAttached:
+        return "recorded track attached";
+    case ImportNote::NoTrack:
+        return "no track: not sighted after the start";
+    case ImportNote::Older:
+        return "older than what the scenario has";
+    case ImportNote::SeenLater:
+        return "sighted only after the start";
+    case ImportNote::DriftedAway:
+        return "more than 1000 km from the origin at the start";
+    case ImportNote::TooMany:
+        return "the scenario is full";
+    case ImportNote::IdTaken:
+        return "an aircraft has this id";
+    }
+    return {};
+}
+
+Scenario newScenarioForImport(std::string name)
+{
+    Scenario scenario;
+    scenario.name = std::move(name);
+    Uav uav;
+    uav.id = "uav-1";
+    scenario.uavs.push_back(uav);
+    return scenario;
+}
+
+ImportResult importSightings(const Scenario& base, const SightingTable& table,
+                             const ImportOptions& options, const std::stop_token& stop)
+{
+    checkOptions(base, options);
+    ImportResult result;
+    result.scenario = base;
+    result.rejected = table.rejected;
+    std::vector<const Sighting*> sightings = selected(table, options, result);
+    result.at = startOf(base, sightings, options);
+    if (result.at) {
+        if (const std::optional<UtcTime> before = parseUtc(base.startUtc);
+            before && *before != *result.at)
+            moveStart(result.scenario, secondsBetween(*before, *result.at));
+        result.scenario.startUtc = utcText(*result.at, 0);
+        if (!options.withTracks)
+            result.outsideTime += std::erase_if(sightings, [&](const Sighting* sighting) {
+                return sighting->time && *sighting->time > *result.at;
+            });
+    }
+    std::vector<SightedIceberg> icebergs = grouped(sightings, table, result.at, stop);
+    if (options.moveOrigin.value_or(!holdsPlaces(base)))
+        result.scenario.origin = middleOf(icebergs).value_or(base.origin);
+    place(icebergs, LocalFrame(result.scenario.origin), result.rejected, stop);
+    addScene(table.scene, icebergs, holdsPlaces(base), result);
+    takeIn(entriesOf(icebergs, result.scenario, options, stop), result);
+
+    std::vector<Issue> issues = validate(result.scenario);
+    const std::vector<Issue> before = validate(base); // what was wrong then is not the import's
+    std::erase_if(issues, [&](const Issue& issue) {
+        return issue.severity != Severity::Error ||
+               std::ranges::find(before, issue) != before.end();
+    });
+    if (!issues.empty())
+        throw Error(ErrorCode::InvalidInput, "import", std::move(issues));
+    return result;
+}
+
+} // namespace berg

@@ -1,0 +1,203 @@
+#include "core/io/import/import_selection.h"
+
+#include "core/base/angles.h"
+#include "core/base/stopped.h"
+#include "core/scenario/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace berg {
+
+namespace {
+
+/**
+ * Id of an iceberg that the file does not name: the same when the file is read again, another for
+ * another file. A track has that of its first time, a point that of its place.
+ */
+std::string unnamedId(const Sighting& sighting, const SightingTable& table)
+{
+    if (const std::optional<UtcTime>& first = table.sightings.front().time; table.oneIceberg)
+        return first ? "track " + utcText(*first, 0) : "track";
+    const auto angle = [](double angle_deg) {
+        return shortText(std::round(std::abs(angle_deg) * 1e4) / 1e4);
+    };
+    const LatLon& place = sighting.place;
+    return angle(place.latitude_deg) + (place.latitude_deg < 0 ? "S " : "N ") +
+           angle(place.longitude_deg) + (place.longitude_deg < 0 ? 'W' : 'E');
+}
+
+} // namespace
+
+bool GeoBox::contains(const LatLon& place) const
+{
+    if (place.latitude_deg < south_deg || place.latitude_deg > north_deg)
+        return false;
+    if (east_deg - west_deg >= 360)
+        return true;
+    const auto eastOfWest = [&](double longitude_deg) {
+        const double turn_deg = std::fmod(longitude_deg - west_deg, 360.0);
+        return turn_deg < 0 ? turn_deg + 360 : turn_deg;
+    };
+    return eastOfWest(place.longitude_deg) <= eastOfWest(east_deg);
+}
+
+double secondsBetween(UtcTime from, UtcTime to)
+{
+    return std::chrono::duration<double>(to - from).count();
+}
+
+std::vector<const Sighting*> selected(const SightingTable& table, const ImportOptions& options,
+                                      ImportResult& result)
+{
+    std::vector<const Sighting*> kept;
+    for (const Sighting& sighting : table.sightings) {
+        const std::optional<UtcTime>& time = sighting.time;
+        const bool early = time && options.since && *time < *options.since;
+        const bool late = time && options.until && *time > *options.until;
+        if (options.area && !options.area->contains(sighting.place))
+            ++result.outsideArea;
+        else if (early || late)
+            ++result.outsideTime;
+        else
+            kept.push_back(&sighting);
+    }
+    return kept;
+}
+
+std::optional<UtcTime> startOf(const Scenario& base, const std::vector<const Sighting*>& sightings,
+                               const ImportOptions& options)
+{
+    if (options.at)
+        return options.at;
+    std::optional<UtcTime> start = parseUtc(base.startUtc);
+    if (base.icebergs.empty())
+        start.reset();
+    for (const Sighting* sighting : sightings)
+        if (sighting->time && (!start || *sighting->time > *start))
+            start = sighting->time;
+    return start ? start : parseUtc(base.startUtc);
+}
+
+namespace {
+
+/** Gathers the sightings of each iceberg. */
+class Grouping
+{
+public:
+    Grouping(const SightingTable& table, std::optional<UtcTime> start)
+        : m_table(table), m_start(start)
+    {
+    }
+
+    void add(const Sighting& sighting)
+    {
+        std::string id = idOf(sighting);
+        const auto [it, isNew] = m_rows.try_emplace(id, m_icebergs.size());
+        if (isNew)
+            m_icebergs.push_back({.id = std::move(id), .sightings = {}});
+        PlacedSighting placed{.sighting = &sighting, .timeKnown = sighting.time && m_start};
+        if (placed.timeKnown)
+            placed.fix.time_s = secondsBetween(*m_start, *sighting.time);
+        placed.fix.variance_m2 = sighting.sigma_m2.value_or(0);
+        m_icebergs[it->second].sightings.push_back(placed);
+    }
+
+    std::vector<SightedIceberg> take() { return std::move(m_icebergs); }
+
+private:
+    std::string idOf(const Sighting& sighting)
+    {
+        if (!sighting.id.empty())
+            return sighting.id;
+        std::string plain = unnamedId(sighting, m_table);
+        if (m_table.oneIceberg || sighting.time)
+            return plain;
+        // Waypoints at two places are two, however near the id takes them to be.
+        const std::pair place(sighting.place.latitude_deg, sighting.place.longitude_deg);
+        if (const auto known = m_places.find(place); known != m_places.end())
+            return known->second;
+        int& number = m_numbers.try_emplace(plain, 1).first->second;
+        const auto id = [&] { return number == 1 ? plain : plain + ' ' + std::to_string(number); };
+        while (isOfAnotherWaypoint(id()))
+            ++number;
+        return m_places.emplace(place, id()).first->second;
+    }
+
+    [[nodiscard]] bool isOfAnotherWaypoint(const std::string& id) const
+    {
+        const auto it = m_rows.find(id);
+        if (it == m_rows.end())
+            return false;
+        const Sighting& first = *m_icebergs[it->second].sightings.front().sighting;
+        return !first.time && first.id.empty();
+    }
+
+    const SightingTable& m_table;
+    std::optional<UtcTime> m_start;
+    std::vector<SightedIceberg> m_icebergs;
+    std::map<std::string, std::size_t, std::less<>> m_rows;
+    std::map<std::pair<double, double>, std::string> m_places; ///< of waypoints without name
+    std::map<std::string, int> m_numbers; ///< the last that was given to a place of this id
+};
+
+} // namespace
+
+std::vector<SightedIceberg> grouped(const std::vector<const Sighting*>& sightings,
+                                    const SightingTable& table, std::optional<UtcTime> start,
+                                    const std::stop_token& stop)
+{
+    Grouping grouping(table, start);
+    for (const Sighting* sighting : sightings) {
+        throwIfStopped(stop);
+        grouping.add(*sighting);
+    }
+    return grouping.take();
+}
+
+std::optional<LatLon> middleOf(const std::vector<SightedIceberg>& icebergs)
+{
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const SightedIceberg& iceberg : icebergs) {
+        const auto last = std::max_element(iceberg.sightings.begin(), iceberg.sightings.end(),
+                                           [](const PlacedSighting& a, const PlacedSighting& b) {
+                                               return a.fix.time_s < b.fix.time_s;
+                                           });
+        const LatLon& place = last->sighting->place;
+        const double latitude_rad = radFromDeg(place.latitude_deg);
+        const double longitude_rad = radFromDeg(place.longitude_deg);
+        sum += Eigen::Vector3d(std::cos(latitude_rad) * std::cos(longitude_rad),
+                               std::cos(latitude_rad) * std::sin(longitude_rad),
+                               std::sin(latitude_rad));
+    }
+    if (sum.norm() < 1e-9)
+        return std::nullopt;
+    const auto rounded = [](double angle_rad) {
+        return std::round(degFromRad(angle_rad) * 1e4) / 1e4;
+    };
+    return LatLon{.latitude_deg = rounded(std::atan2(sum.z(), std::hypot(sum.x(), sum.y()))),
+                  .longitude_deg = rounded(std::atan2(sum.y(), sum.x()))};
+}
+
+void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejections& rejected,
+           const std::stop_token& stop)
+{
+    for (SightedIceberg& iceberg : icebergs)
+        std::erase_if(iceberg.sightings, [&](PlacedSighting& placed) {
+            throwIfStopped(stop);
+            const Sighting& sighting = *placed.sighting;
+            placed.fix.position_m = frame.toPlane(sighting.place);
+            if (placed.fix.position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m)
+                return false;
+            rejected.add({.line = sighting.line,
+                          .fault = RowFault::TooFar,
+                          .detail = shortText(sighting.place.latitude_deg) + ' ' +
+                                    shortText(sighting.place.longitude_deg)});
+            return true;
+        });
+    std::erase_if(icebergs,
+                  [](const SightedIceberg& iceberg) { return iceberg.sightings.empty(); });
+}
+
+} // namespace berg

@@ -1,0 +1,143 @@
+#pragma once
+
+#include "core/base/geodesy.h"
+#include "core/base/geometry.h"
+#include "core/io/import/import_scene.h"
+#include "core/io/text/utc_time.h"
+#include "core/plan/solve/names.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace berg {
+
+/** What a column of a table, or a property of a feature, can tell about a sighting. */
+enum class SightingField
+{
+    Id,
+    Name,
+    Date, ///< only where the time of day has a column of its own
+    Time,
+    Latitude,
+    Longitude,
+    Speed,
+    Direction, ///< that it drifts towards, clockwise from north
+    Sigma,
+    Growth,
+    Length,
+    Radius,
+    Area,
+    SizeClass,
+    Remarks
+};
+
+/** Names for `--map` and the dialog. */
+inline constexpr std::array<Named<SightingField>, 15> kSightingFieldNames{{
+    {SightingField::Id, "id"},
+    {SightingField::Name, "name"},
+    {SightingField::Date, "date"},
+    {SightingField::Time, "time"},
+    {SightingField::Latitude, "latitude"},
+    {SightingField::Longitude, "longitude"},
+    {SightingField::Speed, "speed"},
+    {SightingField::Direction, "direction"},
+    {SightingField::Sigma, "sigma"},
+    {SightingField::Growth, "q"},
+    {SightingField::Length, "length"},
+    {SightingField::Radius, "radius"},
+    {SightingField::Area, "area"},
+    {SightingField::SizeClass, "size"},
+    {SightingField::Remarks, "remarks"},
+}};
+
+/** One row of a file: an iceberg was at this place. What the file does not tell is empty. */
+struct Sighting
+{
+    std::size_t line = 0; ///< of the file; the feature's number in GeoJSON
+    std::string id;       ///< empty: the file names no iceberg
+    std::string name;
+    std::optional<UtcTime> time;
+    LatLon place; ///< longitude in [-180, 180)
+    std::optional<double> speed_mps;
+    std::optional<double> direction_deg; ///< drifts towards, clockwise from north
+    std::optional<Point> drift_mps;      ///< true east and north, as exports of our own have it
+    std::optional<double> appearsIn_s;   ///< from its time on; likewise
+    std::optional<double> sigma_m2;
+    std::optional<double> q_m2ps;
+    std::optional<double> radius_m;
+    bool grounded = false;
+};
+
+/** Why a row, or an iceberg, is not taken. */
+enum class RowFault
+{
+    ColumnCount,
+    UnclosedQuote,
+    TextAfterQuote,
+    TimeMissing,
+    TimeUnreadable,
+    TimeOutsideSeason,
+    PositionMissing,
+    LatitudeWrong,
+    LongitudeWrong,
+    NumberWrong,
+    IdTooLong,
+    NotAPoint,
+    TooFar ///< more than 1000 km east, west, north or south of the origin
+};
+
+struct RejectedRow
+{
+    std::size_t line = 0;
+    RowFault fault = RowFault::ColumnCount;
+    std::string detail; ///< the text in question, shortened; may be empty
+    bool operator==(const RejectedRow&) const = default;
+};
+
+/** English words for a rejected row, without its line: `latitude is not from -90 to 90: "91"`. */
+[[nodiscard]] std::string rowFaultText(const RejectedRow& row);
+
+/** Rejected rows: all are counted, the first thousand kept. */
+struct Rejections
+{
+    std::vector<RejectedRow> first;
+    std::size_t count = 0;
+
+    void add(RejectedRow row);
+};
+
+/** Which column of the file serves as which field. */
+struct FieldColumn
+{
+    SightingField field = SightingField::Id;
+    std::string column; ///< its name in the file
+    bool operator==(const FieldColumn&) const = default;
+};
+using ColumnMapping = std::vector<FieldColumn>;
+
+/** What a file of sightings holds. */
+struct SightingTable
+{
+    std::string format; ///< id of the format it was read as
+    std::vector<Sighting> sightings;
+    FileScene scene;
+    Rejections rejected;
+    std::vector<std::string> columns; ///< of the file by name; empty where there are none
+    ColumnMapping mapping;            ///< as used
+    /** Without ids the rows are one iceberg (a beacon's track) rather than one each. */
+    bool oneIceberg = false;
+    /** A date that was read month first although nothing in the file tells; empty: none. */
+    std::string guessedDate;
+};
+
+// Hostile or mistaken files end here.
+inline constexpr std::size_t kMostSightings = 1'000'000; ///< rows or features of a file
+inline constexpr std::size_t kMostColumns = 1000;
+inline constexpr std::size_t kLongestId = 64;    ///< bytes
+inline constexpr std::size_t kLongestName = 200; ///< bytes; longer ones are cut
+
+} // namespace berg

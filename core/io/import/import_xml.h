@@ -1,0 +1,61 @@
+#pragma once
+
+// Private to core/io: sightings in XML.
+
+#include "core/io/import/import_fields.h"
+#include "core/io/import/import_formats.h"
+#include "core/io/text/xml_reader.h"
+
+#include <map>
+
+namespace berg {
+
+/**
+ * KML: Placemarks with a Point (time from TimeStamp or TimeSpan) and gx:Tracks with one sighting
+ * for each `when`. An iceberg's id is that of ExtendedData, else the Placemark's name, else its id.
+ * Placemarks of any other shape are rejected rows. Of an export of our own the icebergs are taken
+ * with their drift, and area, asset and UAVs as the scene; visits are
+ * passed over.
+ */
+[[nodiscard]] SightingTable readKml(const ImportText& source);
+[[nodiscard]] bool isKml(std::string_view text);
+
+/**
+ * GPX: waypoints, points of routes (whose times say nothing of when an iceberg was seen) and points
+ * of tracks with their times; the iceberg is the name of the point or the track. Of an export of
+ * our own the icebergs are taken with their drift, and asset and UAVs as the scene; routes and
+ * tracks are passed over.
+ */
+[[nodiscard]] SightingTable readGpx(const ImportText& source);
+[[nodiscard]] bool isGpx(std::string_view text);
+
+// What both share.
+
+/** Name of the element's parent, empty for the root. */
+[[nodiscard]] std::string_view parentName(XmlPath path);
+/** An id or, where something else is the id, the name. */
+void setName(FieldTexts& texts, const std::string& name);
+/** None when the texts are no place. */
+[[nodiscard]] std::optional<LatLon> placeOf(const FieldTexts& texts);
+
+/** Values that an export of our own has for programs, by their names. */
+using OwnData = std::map<std::string, std::string, std::less<>>;
+void setData(Sighting& sighting, const OwnData& data);
+
+/** A mark of an export of our own that is no iceberg. */
+struct OwnMark
+{
+    const std::string& title;
+    std::optional<LatLon> place;
+    std::optional<UtcTime> time = {};
+    const OwnData& data;
+};
+/** The UAV whose home it is. */
+void addOwnUav(FileScene& scene, const OwnMark& home);
+/** A finding when it has no place. */
+void addOwnAsset(FileScene& scene, const OwnMark& asset);
+
+/** Whether `name` is the first element of the text. */
+[[nodiscard]] bool rootIs(std::string_view text, std::string_view name);
+
+} // namespace berg

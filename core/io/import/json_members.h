@@ -1,0 +1,32 @@
+#pragma once
+
+// Private to core/io: members of files of others, which may be missing or of any type.
+
+#include "core/base/geodesy.h"
+#include "core/io/text/json_reader.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berg {
+
+/** A member of an object; null when it is not there or `value` is no object. */
+[[nodiscard]] const Json* memberOf(const Json* value, const char* name);
+/** A member that is an array; null otherwise. */
+[[nodiscard]] const Json* arrayOf(const Json* value, const char* name);
+/** Empty when it is no text. */
+[[nodiscard]] std::string textOf(const Json* value);
+
+enum class AxisOrder
+{
+    LongitudeFirst, ///< GeoJSON
+    LatitudeFirst   ///< QGroundControl
+};
+
+/** A place, `scenePlace`; none when it is anything else. */
+[[nodiscard]] std::optional<LatLon> placeOf(const Json* position, AxisOrder order);
+/** All of them; none when one is no place. */
+[[nodiscard]] std::optional<std::vector<LatLon>> placesOf(const Json* positions, AxisOrder order);
+
+} // namespace berg

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/sim/visits.h"
+
+#include <string>
+#include <string_view>
+
+namespace berg {
+
+/** Of an event in events.csv and in the JSON of a run. */
+[[nodiscard]] std::string_view eventName(EventKind kind);
+
+// Result tables of a recorded mission: RFC 4180, UTF-8, '.' decimals, numbers that read back
+// exactly, a header row with units.
+
+/** `time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,turn_rate_radps,cross_track_m`
+ */
+[[nodiscard]] std::string trajectoryCsv(const Mission& mission);
+/** `time_s,iceberg,sigma_m2,east_m,north_m,in_view` (true positions) */
+[[nodiscard]] std::string sigmaCsv(const Mission& mission);
+/** `time_s,event,uav,iceberg,detail` */
+[[nodiscard]] std::string eventsCsv(const Mission& mission);
+/** `time_s,sigma_sum_m2,zeta_m2s`, and `weighted_sigma_sum_m2` where there is an asset */
+[[nodiscard]] std::string zetaCsv(const Mission& mission);
+
+/** Of UAV `row` of the scenario. */
+[[nodiscard]] TrackPoint trackPointOf(const Sample& sample, std::size_t row);
+
+/** Header of `trajectoryCsv`, with its line end. */
+[[nodiscard]] std::string_view trajectoryHeader();
+/** One row of it; `uav` is a CSV field. */
+void appendTrajectoryRow(std::string& text, const LocalFrame& frame, const std::string& uav,
+                         const TrackPoint& point);
+
+/** Shortest text that reads back as the same double, C locale; for CSV and XML. */
+[[nodiscard]] std::string numberText(double value);
+/**
+ * One CSV field, quoted when it must be. A text that a spreadsheet would run as a formula gets an
+ * apostrophe in front, which imports take off again (`cleanText`).
+ */
+[[nodiscard]] std::string csvField(const std::string& text);
+
+} // namespace berg

@@ -1,0 +1,102 @@
+#include "core/io/study/study_report.h"
+
+#include "core/io/study/report_style.h"
+#include "core/io/study/study_charts.h"
+#include "core/io/study/study_json.h"
+#include "core/io/study/study_report_parts.h"
+#include "core/io/text/html_text.h"
+
+namespace berg {
+
+namespace {
+
+constexpr std::string_view kStudyOpens = R"(<script type="application/json" id="study">)";
+constexpr std::string_view kStudyCloses = "</script>";
+
+std::string headHtml(const std::string& title, const ReportOrigin& origin)
+{
+    // The policy lets nothing be loaded and nothing be run, whatever else the page may hold.
+    return "<!DOCTYPE html>\n"
+           "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
+           "<meta charset=\"utf-8\"/>\n"
+           "<meta http-equiv=\"Content-Security-Policy\" "
+           "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+           "<meta name=\"generator\" content=\"" +
+           htmlText(origin.program) + "\"/>\n<title>" + htmlText(title) + "</title>\n<style>" +
+           std::string(kReportStyle) + "</style>\n</head>\n";
+}
+
+std::string figureHtml(const std::string& heading, const std::string& drawing,
+                       const std::string& caption)
+{
+    if (drawing.empty())
+        return {};
+    return "<section>\n<h2>" + heading + "</h2>\n<figure>\n" + drawing + "<figcaption>" + caption +
+           "</figcaption>\n</figure>\n</section>\n";
+}
+
+std::string zetaCaption(const StudySummary& summary)
+{
+    std::string caption = "ζ is the integral over the flight of the uncertainty σ of all icebergs "
+                          "together: less is better. ";
+    if (summary.cases.size() == 1)
+        return caption + "One case, so there is no spread to show.";
+    return caption + "The line is the mean over " + std::to_string(summary.cases.size()) +
+           " cases, the bands hold the middle half and 80\u00a0% of them. Lines across are the "
+           "means of "
+           "policies that have no τ.";
+}
+
+std::string differenceCaption(const StudySummary& summary)
+{
+    std::string caption =
+        "Each case is compared with itself, on the same icebergs and the same "
+        "noise; the bars are 95\u00a0% intervals of the mean (Student’s t). Left of 0 "
+        "is better than the reference.";
+    if (drawnDifferences(summary).size() < summary.settings.size())
+        caption += " Not every τ is drawn; all are in the table.";
+    return caption;
+}
+
+std::string figuresHtml(const StudySummary& summary)
+{
+    return figureHtml("ζ against τ", zetaChart(summary), zetaCaption(summary)) +
+           figureHtml("Differences to the reference", differenceChart(summary),
+                      differenceCaption(summary)) +
+           figureHtml("Best τ of each case", bestTauChart(summary),
+                      "The τ with the lowest ζ of a case, chosen in hindsight: nobody knows it "
+                      "before the flight. Of equal ones the smallest counts.");
+}
+
+} // namespace
+
+std::string studyReportHtml(const Study& study, const StudySummary& summary,
+                            const ReportOrigin& origin)
+{
+    const std::string title = titleOf(study.spec);
+    return headHtml(title, origin) + "<body>\n<header>\n<h1>" + htmlName(title) + "</h1>\n" +
+           "<p class=\"lead\">" + htmlText(origin.program) + ", " + htmlText(origin.madeUtc) +
+           "</p>\n</header>\n<main>\n" + reportFindings(study, summary) + figuresHtml(summary) +
+           reportTables(summary) + reportFacts(study, origin) + reportRecipe(study.spec) +
+           "</main>\n" + std::string(kStudyOpens) + '\n' + scriptJson(studyToJson(study)) +
+           std::string(kStudyCloses) + "\n</body>\n</html>\n";
+}
+
+bool isReport(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    return first != std::string_view::npos && text[first] == '<';
+}
+
+std::string studyOfReport(std::string_view html, const std::string& subject)
+{
+    const std::size_t opens = html.find(kStudyOpens);
+    const std::size_t first = opens == std::string_view::npos ? opens : opens + kStudyOpens.size();
+    const std::size_t closes = html.find(kStudyCloses, first);
+    if (opens == std::string_view::npos || closes == std::string_view::npos)
+        throw Error(ErrorCode::WrongFormat, subject, "no study is kept in this page");
+    return std::string(html.substr(first, closes - first));
+}
+
+} // namespace berg

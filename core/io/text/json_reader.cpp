@@ -1,0 +1,241 @@
+#include "core/io/text/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+constexpr std::size_t kMostFaults = 100;
+constexpr std::int64_t kLargestWhole = std::int64_t{1} << 53;
+
+} // namespace
+
+void Faults::add(std::string field, std::string message)
+{
+    if (m_issues.size() < kMostFaults)
+        m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
+    else
+        ++m_notKept;
+}
+
+bool Faults::has(const std::string& field) const
+{
+    return std::any_of(m_issues.begin(), m_issues.end(),
+                       [&](const Issue& issue) { return issue.field == field; });
+}
+
+void Faults::throwIfAny(const std::string& subject) const
+{
+    if (m_issues.empty())
+        return;
+    std::vector<Issue> issues = m_issues;
+    if (m_notKept > 0)
+        issues.push_back(
+            {Severity::Error, "", "and " + std::to_string(m_notKept) + " more faults"});
+    throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
+}
+
+void requireFormat(ParsedJson& file, std::string_view format, const std::string& subject)
+{
+    const std::string wanted(format);
+    if (!file.root.is_object())
+        throw Error(ErrorCode::WrongFormat, subject,
+                    "is no " + wanted + " file: must be an object, not " + typeText(file.root));
+    const auto given = file.root.find("format");
+    const bool isText = given != file.root.end() && given->is_string();
+    if (!isText || given->get_ref<const std::string&>() != wanted)
+        throw Error(
+            ErrorCode::WrongFormat, subject,
+            {{Severity::Error, "format",
+              "must be \"" + wanted + "\"" +
+                  (isText ? ", not \"" + printable(given->get<std::string>()) + '"' : "")}});
+    const auto version = file.root.find("version");
+    if (version == file.root.end())
+        file.faults.add("version", "is missing");
+    else if (!version->is_number())
+        file.faults.add("version", "must be the number 1, not " + typeText(*version));
+    else if (version->get<double>() != 1)
+        throw Error(ErrorCode::UnsupportedVersion, subject,
+                    {{Severity::Error, "version",
+                      shortText(version->get<double>()) + " is not known: this program reads 1"}});
+}
+
+std::string memberPath(const std::string& object, const std::string& member)
+{
+    return object.empty() ? printable(member) : object + '.' + printable(member);
+}
+
+std::string typeText(const Json& value)
+{
+    switch (value.type()) {
+    case Json::value_t::null:
+        return "null";
+    case Json::value_t::object:
+        return "an object";
+    case Json::value_t::array:
+        return "an array";
+    case Json::value_t::string:
+        return "a string";
+    case Json::value_t::boolean:
+        return value.get<bool>() ? "true" : "false";
+    case Json::value_t::number_integer:
+    case Json::value_t::number_unsigned:
+    case Json::value_t::number_float:
+        return "a number";
+    case Json::value_t::binary:
+    case Json::value_t::discarded:
+        break;
+    }
+    throw std::logic_error("typeText: no such type in a JSON text");
+}
+
+std::optional<double> numberOf(const Json& value, const std::string& path, Faults& faults,
+                               const std::optional<Limits>& limits)
+{
+    if (!value.is_number()) {
+        faults.add(path, "must be a number, not " + typeText(value));
+        return std::nullopt;
+    }
+    const auto number = value.get<double>();
+    std::string fault = limits ? limitsFault(number, *limits) : std::string();
+    if (fault.empty())
+        return number;
+    faults.add(path, std::move(fault));
+    return std::nullopt;
+}
+
+std::optional<std::int64_t> wholeOf(const Json& value, const std::string& path, Faults& faults,
+                                    const WholeLimits& limits)
+{
+    require(limits.low >= -kLargestWhole && limits.high <= kLargestWhole,
+            "wholeOf: limits beyond what a double holds exactly");
+    const auto number = value.is_number() ? value.get<double>() : 0.5;
+    // 5.0 and 1e3 are whole numbers too: JSON knows one kind of number only.
+    if (number == std::floor(number) && number >= static_cast<double>(limits.low) &&
+        number <= static_cast<double>(limits.high))
+        return static_cast<std::int64_t>(number);
+    faults.add(path, "must be a whole number from " + std::to_string(limits.low) + " to " +
+                         std::to_string(limits.high) + ", not " +
+                         (value.is_number() ? value.dump() : typeText(value)));
+    return std::nullopt;
+}
+
+std::optional<Point> pointOf(const Json& value, const std::string& path, Faults& faults)
+{
+    if (!value.is_array() || value.size() != 2) {
+        faults.add(path, "must be two numbers, not " +
+                             (value.is_array() ? std::to_string(value.size()) : typeText(value)));
+        return std::nullopt;
+    }
+    const std::optional<double> east = numberOf(value[0], entryPath(path, 0), faults);
+    const std::optional<double> north = numberOf(value[1], entryPath(path, 1), faults);
+    if (!east || !north)
+        return std::nullopt;
+    return Point(*east, *north);
+}
+
+ObjectReader::ObjectReader(const Json& value, std::string path, Faults& faults)
+    : m_object(value.is_object() ? &value : nullptr), m_path(std::move(path)), m_faults(&faults)
+{
+    if (m_object == nullptr)
+        faults.add(m_path, "must be an object, not " + typeText(value));
+}
+
+std::string ObjectReader::path(std::string_view member) const
+{
+    return memberPath(m_path, std::string(member));
+}
+
+const Json* ObjectReader::find(const char* member)
+{
+    m_read.insert(member);
+    if (m_object == nullptr)
+        return nullptr;
+    const auto it = m_object->find(member);
+    return it == m_object->end() ? nullptr : &*it;
+}
+
+const Json* ObjectReader::need(const char* member)
+{
+    const Json* value = find(member);
+    if (value == nullptr && m_object != nullptr)
+        m_faults->add(path(member), "is missing");
+    return value;
+}
+
+const Json* ObjectReader::array(const char* member)
+{
+    const Json* value = find(member);
+    if (value == nullptr || value->is_array())
+        return value;
+    m_faults->add(path(member), "must be an array, not " + typeText(*value));
+    return nullptr;
+}
+
+double ObjectReader::number(const char* member, double fallback,
+                            const std::optional<Limits>& limits)
+{
+    return optionalNumber(member, limits).value_or(fallback);
+}
+
+std::optional<double> ObjectReader::optionalNumber(const char* member,
+                                                   const std::optional<Limits>& limits)
+{
+    const Json* value = find(member);
+    return value == nullptr ? std::nullopt : numberOf(*value, path(member), *m_faults, limits);
+}
+
+std::int64_t ObjectReader::whole(const char* member, std::int64_t fallback,
+                                 const WholeLimits& limits)
+{
+    const Json* value = find(member);
+    if (value == nullptr)
+        return fallback;
+    return wholeOf(*value, path(member), *m_faults, limits).value_or(fallback);
+}
+
+bool ObjectReader::boolean(const char* member, bool fallback)
+{
+    const Json* value = find(member);
+    if (value == nullptr)
+        return fallback;
+    if (!value->is_boolean()) {
+        m_faults->add(path(member), "must be true or false, not " + typeText(*value));
+        return fallback;
+    }
+    return value->get<bool>();
+}
+
+std::string ObjectReader::text(const char* member, std::string fallback)
+{
+    const Json* value = find(member);
+    if (value == nullptr)
+        return fallback;
+    if (!value->is_string()) {
+        m_faults->add(path(member), "must be a string, not " + typeText(*value));
+        return fallback;
+    }
+    return value->get<std::string>();
+}
+
+Point ObjectReader::point(const char* member, const Point& fallback)
+{
+    const Json* value = find(member);
+    return value == nullptr ? fallback
+                            : pointOf(*value, path(member), *m_faults).value_or(fallback);
+}
+
+std::string ObjectReader::unknown() const
+{
+    Json rest = Json::object();
+    if (m_object != nullptr)
+        for (const auto& [name, value] : m_object->items())
+            if (!m_read.contains(name))
+                membersOf(rest).emplace_back(name, value);
+    return rest.empty() ? std::string() : rest.dump();
+}
+
+} // namespace berg

@@ -1,0 +1,152 @@
+#pragma once
+
+// Private to core/io: the one header that knows the JSON library.
+
+#include "core/base/error.h"
+#include "core/base/geometry.h"
+#include "core/plan/solve/names.h"
+#include "core/scenario/checks.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace berg {
+
+/** Members in the order of the file. */
+using Json = nlohmann::ordered_json;
+
+using Members = std::vector<Json::object_t::value_type>;
+
+/** Members of an object, to append names known to be new without a search for each of them. */
+[[nodiscard]] inline Members& membersOf(Json& object)
+{
+    return object.get_ref<Json::object_t&>();
+}
+
+/** Faults of one file, gathered until all of it is read. Beyond a hundred they are only counted. */
+class Faults
+{
+public:
+    void add(std::string field, std::string message);
+    [[nodiscard]] bool empty() const { return m_issues.empty(); }
+    /** True when a fault of exactly this field was noted. */
+    [[nodiscard]] bool has(const std::string& field) const;
+    /** Throws `Error{InvalidInput}` with all of them when there is one. */
+    void throwIfAny(const std::string& subject) const;
+
+private:
+    std::vector<Issue> m_issues;
+    std::size_t m_notKept = 0;
+};
+
+/** A file's content and the faults found so far (duplicate members). */
+struct ParsedJson
+{
+    Json root;
+    Faults faults;
+};
+
+/**
+ * Parses JSON as RFC 8259 has it; a UTF-8 byte order mark is skipped. Throws `Error` SyntaxError
+ * with line and column (byte order, comments, NaN, numbers no double can hold, nesting deeper than
+ * 64), FileTooLarge above `kLargestFile` bytes or ten million values. A member given twice is a
+ * fault that names it. `Stopped` when asked to stop.
+ */
+[[nodiscard]] ParsedJson parseJson(std::string_view text, const std::string& subject,
+                                   const std::stop_token& stop = {});
+
+/**
+ * Checks `format` and `version` of a file. Throws WrongFormat when it is not an object of that
+ * format, UnsupportedVersion when it is not version 1.
+ */
+void requireFormat(ParsedJson& file, std::string_view format, const std::string& subject);
+
+/** Path of a member: `asset.name`; `object` is empty for the file's root. */
+[[nodiscard]] std::string memberPath(const std::string& object, const std::string& member);
+
+/** The value's type with its article, for messages: "a string". */
+[[nodiscard]] std::string typeText(const Json& value);
+
+/** A whole number's range, within +-2^53. */
+struct WholeLimits
+{
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+};
+
+/** `value` as a number in the limits (any finite number without them); a fault otherwise. */
+[[nodiscard]] std::optional<double> numberOf(const Json& value, const std::string& path,
+                                             Faults& faults,
+                                             const std::optional<Limits>& limits = {});
+[[nodiscard]] std::optional<std::int64_t> wholeOf(const Json& value, const std::string& path,
+                                                  Faults& faults, const WholeLimits& limits);
+/** Two numbers, east and north. */
+[[nodiscard]] std::optional<Point> pointOf(const Json& value, const std::string& path,
+                                           Faults& faults);
+
+/**
+ * One object of a file read member by member. Every fault is noted under the member's path and the
+ * fallback returned, so that reading goes on. Members never asked for are `unknown()`.
+ */
+class ObjectReader
+{
+public:
+    /** When `value` is no object, that is noted and the reader stands for an empty one. */
+    ObjectReader(const Json& value, std::string path, Faults& faults);
+
+    [[nodiscard]] std::string path(std::string_view member) const;
+    [[nodiscard]] Faults& faults() { return *m_faults; }
+    [[nodiscard]] bool isObject() const { return m_object != nullptr; }
+
+    /** The member, null when it is missing. Counts as read. */
+    [[nodiscard]] const Json* find(const char* member);
+    /** The same, and a missing one is a fault. */
+    [[nodiscard]] const Json* need(const char* member);
+    /** The member when it is an array; another type is a fault. */
+    [[nodiscard]] const Json* array(const char* member);
+
+    [[nodiscard]] double number(const char* member, double fallback,
+                                const std::optional<Limits>& limits = {});
+    [[nodiscard]] std::optional<double> optionalNumber(const char* member,
+                                                       const std::optional<Limits>& limits = {});
+    [[nodiscard]] std::int64_t whole(const char* member, std::int64_t fallback,
+                                     const WholeLimits& limits);
+    [[nodiscard]] bool boolean(const char* member, bool fallback);
+    [[nodiscard]] std::string text(const char* member, std::string fallback = {});
+    [[nodiscard]] Point point(const char* member, const Point& fallback);
+
+    template <class Enum, std::size_t Size>
+    [[nodiscard]] Enum choice(const char* member, Enum fallback,
+                              const std::array<Named<Enum>, Size>& names)
+    {
+        const Json* value = find(member);
+        if (value == nullptr)
+            return fallback;
+        std::optional<Enum> chosen;
+        if (value->is_string())
+            chosen = valueOf(names, value->get_ref<const std::string&>());
+        if (!chosen)
+            m_faults->add(path(member), "must be one of " + allowedNames(names));
+        return chosen.value_or(fallback);
+    }
+
+    /** Text of an object with the members that were not read, empty when there are none. */
+    [[nodiscard]] std::string unknown() const;
+
+private:
+    const Json* m_object; ///< null: was no object
+    std::string m_path;
+    Faults* m_faults;
+    std::set<std::string, std::less<>> m_read;
+};
+
+} // namespace berg

@@ -1,0 +1,57 @@
+#include "core/io/text/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace berg {
+
+std::string fixedText(double value, int decimals)
+{
+    std::array<char, 400> buffer{}; // 309 digits before the point at most
+    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                    std::chars_format::fixed, decimals)
+                          .ptr;
+    std::string text(buffer.data(), end);
+    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos)
+        text.erase(0, 1);
+    return text;
+}
+
+std::string groupedText(double value, int decimals, std::string_view separator)
+{
+    std::string text = fixedText(value, decimals);
+    const std::size_t first = text.starts_with('-') ? 1 : 0;
+    if (!std::isfinite(value))
+        return text;
+    for (std::size_t i = std::min(text.find('.'), text.size()); i > first + 3;) {
+        i -= 3;
+        text.insert(i, separator);
+    }
+    return text;
+}
+
+std::string printedNumber(double value, int decimals)
+{
+    std::string text = groupedText(value, decimals, "\u202f");
+    if (text.starts_with('-'))
+        text.replace(0, 1, "\u2212");
+    return text;
+}
+
+std::string signedNumber(double value, int decimals)
+{
+    const std::string text = printedNumber(value, decimals);
+    return value > 0 && text.find_first_not_of("0.") != std::string::npos ? '+' + text : text;
+}
+
+int decimalsFor(double size, int digits)
+{
+    if (!(std::abs(size) > 0) || !std::isfinite(size))
+        return 0;
+    const int before = static_cast<int>(std::floor(std::log10(std::abs(size)))) + 1;
+    return std::clamp(digits - before, 0, 9);
+}
+
+} // namespace berg

@@ -1,0 +1,107 @@
+#include "core/plan/fleet/certificate.h"
+
+#include "core/plan/fleet/fleet_bound.h"
+#include "core/plan/fleet/fleet_graph.h"
+#include "core/plan/fleet/fleet_subsets.h"
+#include "core/plan/solve/layered_bound.h"
+#include "core/plan/solve/layered_graph.h"
+#include "core/plan/solve/order_moves.h"
+#include "core/plan/solve/subset_solver.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+constexpr int kMostEnumerated = 14;
+constexpr double kCertifiedGap = 0.001;
+/** Room for the rounding of whoever checks: he may round every number down. */
+constexpr double kRoom = 2e-9;
+/** Some minutes: whoever wants a certificate waits for it. */
+constexpr std::int64_t kMostWork = 100'000'000'000;
+
+template <class Costs>
+void certifyByRelaxation(const TvpProblem& problem, const VisitOrder& order,
+                         const std::stop_token& stop, Proof& proof)
+{
+    const Costs costs(problem);
+    LayeredBoundOptions options;
+    options.gap = costs.icebergs > kMostCertifiedExactly ? kCertifiedGap : 0.0;
+    options.workLimit = kMostWork;
+    options.cut = [&stop] { return stop.stop_requested(); };
+    options.onStep = [&proof](const ProofStep& step) { proof.steps.push_back(step); };
+    const BoundResult result = improveBound(costs, order, options);
+    proof.bound = result.bound;
+    if (!result.reached) { // the steps prove nothing: without memory then
+        proof.steps = {{.lambda = result.lambda}};
+        LayeredPaths<Costs> paths(costs);
+        const Prices prices = certifiedPrices(result.lambda, proof.cost);
+        proof.bound = prices.certified(paths.sweep(prices, {}));
+    }
+    if constexpr (Costs::kWeighted)
+        proof.rises = costs.steps;
+}
+
+} // namespace
+
+Proof certify(const TvpProblem& problem, const VisitOrder& order, const std::stop_token& stop)
+{
+    const double shift = objectiveShift(problem);
+    Proof proof{.mu = problem.mu, .orders = {order}, .cost = objective(problem, order) + shift};
+    if (problem.icebergCount() <= kMostEnumerated) {
+        const SolveOutcome best = SubsetSolver().solve(problem, {.stop = stop});
+        if (best.status == SolveStatus::Optimal)
+            proof.bound = best.objective + shift;
+    } else if (problem.mu == 0 && problem.criterion == Criterion::Visitation) {
+        proof.method = ProofMethod::Sorting;
+        proof.bound = objective(problem, sigmaOrder(problem)) + shift;
+    } else {
+        proof.method = ProofMethod::Relaxation;
+        if (problem.criterion == Criterion::Latency)
+            certifyByRelaxation<LatencyCosts>(problem, order, stop, proof);
+        else
+            certifyByRelaxation<VisitCosts>(problem, order, stop, proof);
+    }
+    proof.bound = std::max(0.0, proof.bound - kRoom * proof.cost);
+    return proof;
+}
+
+Proof certify(const FleetProblem& problem, const FleetPlan& plan, const std::stop_token& stop)
+{
+    if (problem.uavCount() == 1)
+        return certify(problemOfUav(problem, 0), plan.front(), stop);
+    Proof proof{.mu = problem.mu,
+                .orders = plan,
+                .cost = fleetObjective(problem, plan) + fleetObjectiveShift(problem)};
+    const FleetCosts costs(problem);
+    const auto cut = [&stop] { return stop.stop_requested(); };
+    if (costs.icebergs() <= kMostEnumerated) {
+        if (const std::optional<FleetPlan> best = bestFleetPlan(costs, cut))
+            proof.bound = costs.total(*best);
+    } else {
+        proof.method = ProofMethod::Relaxation;
+        if (isBounded(costs)) {
+            const FleetBoundResult result = improveFleetBound(costs, plan,
+                                                              {.workLimit = kMostWork,
+                                                               .memoryLimit_bytes = 1'500'000'000,
+                                                               .cut = cut,
+                                                               .plainOnly = true});
+            proof.bound = result.bound;
+            proof.steps.push_back({.lambda = result.lambda});
+        }
+    }
+    proof.bound = std::max(0.0, proof.bound - kRoom * proof.cost);
+    return proof;
+}
+
+Certificate certificateFor(const TvpProblem& problem)
+{
+    return {.problem = {.distance_m = {problem.distance_m},
+                        .sigma_m2 = problem.sigma_m2,
+                        .mu = problem.mu,
+                        .route = problem.route,
+                        .criterion = problem.criterion}};
+}
+
+} // namespace berg

@@ -1,0 +1,181 @@
+#include "core/plan/fleet/fleet_problem.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace berg {
+
+bool isFleetPlan(const FleetProblem& problem, const FleetPlan& plan)
+{
+    if (static_cast<int>(plan.size()) != problem.uavCount())
+        return false;
+    std::vector<bool> seen(problem.sigma_m2.size(), false);
+    int visits = 0;
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        for (const int node : plan[static_cast<std::size_t>(uav)]) {
+            if (node < 1 || node >= problem.nodeCount() || seen[static_cast<std::size_t>(node)] ||
+                !problem.allows(uav, node))
+                return false;
+            seen[static_cast<std::size_t>(node)] = true;
+            ++visits;
+        }
+    return visits == problem.icebergCount();
+}
+
+FleetPlan validPart(const FleetProblem& problem, FleetPlan plan)
+{
+    std::vector<bool> seen(problem.sigma_m2.size(), false);
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        std::erase_if(plan[static_cast<std::size_t>(uav)], [&](int node) {
+            if (node < 1 || node >= problem.nodeCount() || seen[static_cast<std::size_t>(node)] ||
+                !problem.allows(uav, node))
+                return true;
+            seen[static_cast<std::size_t>(node)] = true;
+            return false;
+        });
+    return plan;
+}
+
+TvpProblem problemOfUav(const FleetProblem& problem, int uav)
+{
+    return {.distance_m = problem.distance_m[static_cast<std::size_t>(uav)],
+            .sigma_m2 = problem.sigma_m2,
+            .mu = problem.mu,
+            .route = problem.route,
+            .criterion = problem.criterion};
+}
+
+namespace {
+
+/** `visit(node, distance flown until there)` along an order; returns what is flown in all. Without
+ * the copy of the matrix that `problemOfUav` makes: this is asked for with every better plan. */
+template <class Visit>
+double follow(const FleetProblem& problem, const FleetPlan& plan, int uav, const Visit& visit)
+{
+    const VisitOrder& order = plan[static_cast<std::size_t>(uav)];
+    const Eigen::MatrixXd& between_m = problem.distance_m[static_cast<std::size_t>(uav)];
+    double distance_m = 0;
+    int from = 0;
+    for (const int node : order) {
+        distance_m += between_m(from, node);
+        visit(node, distance_m);
+        from = node;
+    }
+    if (problem.route == Route::Closed && !order.empty())
+        distance_m += between_m(from, 0);
+    return distance_m;
+}
+
+} // namespace
+
+double fleetDistance(const FleetProblem& problem, const FleetPlan& plan)
+{
+    double distance_m = 0;
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        distance_m += follow(problem, plan, uav, [](int, double) {});
+    return distance_m;
+}
+
+double fleetObjective(const FleetProblem& problem, const FleetPlan& plan)
+{
+    require(isFleetPlan(problem, plan), "fleetObjective: not a plan of this problem");
+    if (problem.criterion == Criterion::Latency) {
+        double latency = 0;
+        for (int uav = 0; uav < problem.uavCount(); ++uav) {
+            double ofUav = 0;
+            follow(problem, plan, uav, [&](int node, double distance_m) {
+                ofUav += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
+            });
+            latency += ofUav;
+        }
+        return problem.mu * latency;
+    }
+    double reward = 0;
+    for (const VisitOrder& order : plan) {
+        int t = 1;
+        for (const int node : order)
+            reward +=
+                problem.sigma_m2[static_cast<std::size_t>(node)] * (problem.nodeCount() - ++t);
+    }
+    return problem.mu * fleetDistance(problem, plan) - reward;
+}
+
+double fleetObjectiveShift(const FleetProblem& problem)
+{
+    if (problem.criterion == Criterion::Latency)
+        return 0;
+    return problem.nodeCount() *
+           std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
+}
+
+double fleetGap(const FleetProblem& problem, double objective, double bound)
+{
+    const double scale = objective + fleetObjectiveShift(problem);
+    return scale > 0 ? std::max(0.0, objective - bound) / scale : 0.0;
+}
+
+TuningWeight fleetTuningWeight(const FleetProblem& problem, const Eigen::MatrixXd& betweenStarts_m,
+                               double tau)
+{
+    const Eigen::Index uavs = problem.uavCount();
+    const Eigen::Index n = problem.icebergCount();
+    require(betweenStarts_m.rows() == uavs && betweenStarts_m.cols() == uavs,
+            "fleetTuningWeight: one row and column for each UAV");
+    if (n < 1)
+        return {};
+    double sum_m = betweenStarts_m.sum() - betweenStarts_m.diagonal().sum();
+    for (const Eigen::MatrixXd& all_m : problem.distance_m) {
+        const Eigen::MatrixXd between_m = all_m.bottomRightCorner(n, n);
+        sum_m += all_m.row(0).tail(n).sum() + all_m.col(0).tail(n).sum();
+        sum_m += (between_m.sum() - between_m.diagonal().sum()) / static_cast<double>(uavs);
+    }
+    const auto places = static_cast<double>(uavs + n);
+    // The rule for one UAV, on a matrix that has this average everywhere.
+    return tuningWeight(
+        {.distance_m = Eigen::MatrixXd::Constant(n + 1, n + 1, sum_m / (places * (places - 1))),
+         .sigma_m2 = problem.sigma_m2},
+        tau);
+}
+
+namespace {
+
+void validateAllowed(const FleetProblem& problem, std::vector<Issue>& issues)
+{
+    if (problem.allowed.empty())
+        return;
+    const auto right = [&](const std::vector<bool>& row) {
+        return row.size() == problem.sigma_m2.size();
+    };
+    if (problem.allowed.size() != problem.distance_m.size() ||
+        !std::ranges::all_of(problem.allowed, right)) {
+        issues.push_back(
+            {Severity::Error, "allowed", "must be empty or hold one entry per UAV and sigma"});
+        return;
+    }
+    for (std::size_t i = 1; i < problem.sigma_m2.size(); ++i)
+        if (std::ranges::none_of(problem.allowed, [i](const auto& row) { return row[i]; }))
+            issues.push_back({Severity::Error, "allowed[][" + std::to_string(i) + "]",
+                              "must be true for one UAV at least"});
+}
+
+} // namespace
+
+std::vector<Issue> validate(const FleetProblem& problem)
+{
+    std::vector<Issue> issues;
+    if (problem.distance_m.empty())
+        issues.push_back({Severity::Error, "uavs", "must hold at least one UAV"});
+    for (int uav = 0; uav < problem.uavCount(); ++uav)
+        for (Issue& issue : validate(problemOfUav(problem, uav))) {
+            if (issue.field.starts_with("distance_m"))
+                issue.field = "uavs[" + std::to_string(uav) + "]." + issue.field;
+            if (std::ranges::find(issues, issue) == issues.end()) // what all UAVs share, once
+                issues.push_back(std::move(issue));
+        }
+    validateAllowed(problem, issues);
+    return issues;
+}
+
+} // namespace berg

@@ -1,0 +1,94 @@
+#include "core/plan/fleet/fleet_ranks.h"
+
+#include "core/plan/fleet/fleet_costs.h"
+#include "core/plan/fleet/fleet_search.h"
+#include "core/plan/solve/assignment.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace berg {
+
+namespace {
+
+/** Empty when cut. */
+FleetPlan byAssignment(const FleetProblem& problem, const std::function<bool()>& cut)
+{
+    const Eigen::Index n = problem.icebergCount();
+    const Eigen::Index uavs = problem.uavCount();
+    const double sum_m2 = std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
+    // More than all the rest together.
+    const double barred = static_cast<double>(2 * (n + 1)) * (sum_m2 + 1);
+    Eigen::MatrixXd cost(uavs * n, n); // row: place * uavs + uav
+    for (Eigen::Index i = 0; i < n; ++i) {
+        if (cut && cut())
+            return {};
+        for (Eigen::Index place = 0; place < n; ++place)
+            for (Eigen::Index uav = 0; uav < uavs; ++uav)
+                cost(place * uavs + uav, i) =
+                    problem.allows(static_cast<int>(uav), static_cast<int>(i) + 1)
+                        ? problem.sigma_m2[static_cast<std::size_t>(i) + 1] *
+                              static_cast<double>(place + 2)
+                        : barred;
+    }
+    const std::vector<int> places = cheapestAssignment(cost, cut);
+    if (places.empty())
+        return {};
+    std::vector<int> icebergAt(static_cast<std::size_t>(uavs * n), 0);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        icebergAt[static_cast<std::size_t>(places[i])] = static_cast<int>(i) + 1;
+    FleetPlan plan(static_cast<std::size_t>(uavs));
+    for (std::size_t place = 0; place < icebergAt.size(); ++place)
+        if (icebergAt[place] != 0)
+            plan[place % plan.size()].push_back(icebergAt[place]);
+    return plan;
+}
+
+} // namespace
+
+FleetPlan inTurn(const FleetProblem& problem)
+{
+    std::vector<int> icebergs(static_cast<std::size_t>(problem.icebergCount()));
+    std::iota(icebergs.begin(), icebergs.end(), 1);
+    const auto sigma_m2 = [&](int i) { return problem.sigma_m2[static_cast<std::size_t>(i)]; };
+    std::ranges::stable_sort(icebergs, std::ranges::greater{}, sigma_m2);
+    FleetPlan plan(static_cast<std::size_t>(problem.uavCount()));
+    for (const int i : icebergs) {
+        int best = -1;
+        for (int uav = 0; uav < problem.uavCount(); ++uav)
+            if (problem.allows(uav, i) &&
+                (best < 0 || plan[static_cast<std::size_t>(uav)].size() <
+                                 plan[static_cast<std::size_t>(best)].size()))
+                best = uav;
+        plan[static_cast<std::size_t>(best)].push_back(i);
+    }
+    return plan;
+}
+
+FleetRanks bestRanks(const FleetProblem& problem, const std::function<bool()>& cut)
+{
+    FleetPlan plan = byAssignment(problem, cut);
+    if (plan.empty())
+        return {.plan = inTurn(problem)};
+    const double distance_m = fleetDistance(problem, plan);
+    const double value = fleetObjective(problem, plan);
+    const double scale = value + fleetObjectiveShift(problem);
+    if (distance_m <= 0)
+        return {.plan = plan, .isBest = true};
+    // So little that it settles nothing but ties.
+    constexpr double kWeight = 1e-7;
+    FleetProblem tied = problem;
+    tied.mu = scale > 0 ? kWeight * scale / distance_m : 1;
+    const FleetCosts costs(tied);
+    SearchEffort effort{.cut = cut};
+    FleetSearch search(costs, effort);
+    search.take(plan);
+    search.descend();
+    constexpr double kRounding = 1e-12;
+    if (fleetObjective(problem, search.best()) <= value + kRounding * scale)
+        plan = search.best();
+    return {.plan = plan, .isBest = true};
+}
+
+} // namespace berg

@@ -1,0 +1,240 @@
+#include "core/plan/fleet/fleet_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** No more strings are taken out at so many icebergs; the longest string. */
+constexpr std::size_t kEnoughOut = 16;
+constexpr int kLongestString = 10;
+/** Chance that a place is overlooked when an iceberg is put back. */
+constexpr double kBlink = 0.01;
+/** Temperatures of the annealing, of the mean cost of an iceberg; by measurement. */
+constexpr double kFirstHeat = 1;
+constexpr double kLastHeat = 0.01;
+
+std::vector<std::vector<int>> nearestOf(const UavCosts& costs)
+{
+    std::vector<std::vector<int>> near(static_cast<std::size_t>(costs.icebergs()) + 1);
+    for (int i = 1; i <= costs.icebergs(); ++i) {
+        std::vector<int>& others = near[static_cast<std::size_t>(i)];
+        others.resize(static_cast<std::size_t>(costs.icebergs()));
+        std::iota(others.begin(), others.end(), 1);
+        const auto key = [&](int j) {
+            return std::pair(j == i ? -1.0 : costs.leg(i, j) + costs.leg(j, i), j);
+        };
+        std::sort(others.begin(), others.end(), [&](int a, int b) { return key(a) < key(b); });
+    }
+    return near;
+}
+
+} // namespace
+
+FleetSearch::FleetSearch(const FleetCosts& costs, SearchEffort& effort)
+    : m_costs(costs), m_effort(effort), m_random(1), m_near(nearestOf(costs.of(0)))
+{
+}
+
+std::int64_t FleetSearch::random(std::int64_t count)
+{
+    return static_cast<std::int64_t>(m_random.below(static_cast<std::uint64_t>(count)));
+}
+
+void FleetSearch::keep(const FleetPlan& plan, double cost)
+{
+    constexpr double kBetter = 1 - 1e-12; // less may be rounding
+    if (!m_best.empty() && cost >= m_bestCost * kBetter)
+        return;
+    m_best = plan;
+    m_bestCost = cost;
+    if (onImproved)
+        onImproved(m_best);
+}
+
+void FleetSearch::take(const FleetPlan& plan)
+{
+    keep(plan, m_costs.total(plan));
+}
+
+void FleetSearch::complete(FleetPlan plan)
+{
+    std::vector<bool> there(static_cast<std::size_t>(m_costs.icebergs()) + 1, false);
+    for (const VisitOrder& order : plan)
+        for (const int iceberg : order)
+            there[static_cast<std::size_t>(iceberg)] = true;
+    std::vector<int> icebergs;
+    for (int i = 1; i <= m_costs.icebergs(); ++i)
+        if (!there[static_cast<std::size_t>(i)])
+            icebergs.push_back(i);
+    std::stable_sort(icebergs.begin(), icebergs.end(), [&](int a, int b) {
+        return m_costs.of(0).sigmaOf(a) > m_costs.of(0).sigmaOf(b);
+    });
+    for (const int iceberg : icebergs)
+        put(plan, iceberg, false);
+    take(plan);
+}
+
+void FleetSearch::descend()
+{
+    FleetRoutes routes(m_costs, m_best);
+    const int uavs = m_costs.uavs();
+    // A pair of orders is looked at again when one of them has changed since.
+    std::vector<int> changed(static_cast<std::size_t>(uavs), 0);
+    std::vector<int> looked(static_cast<std::size_t>(uavs) * static_cast<std::size_t>(uavs), -1);
+    int time = 0;
+    for (bool moved = true; moved;) {
+        moved = false;
+        for (int a = 0; a < uavs; ++a)
+            for (int b = 0; b < uavs; ++b) {
+                int& last = looked[static_cast<std::size_t>(a * uavs + b)];
+                while (!m_effort.spent() && last < std::max(changed[static_cast<std::size_t>(a)],
+                                                            changed[static_cast<std::size_t>(b)])) {
+                    const FleetMove move = a == b ? bestMoveWithin(routes, a, m_effort)
+                                                  : bestMoveBetween(routes, a, b, m_effort);
+                    last = time;
+                    if (move.partCount == 0 || !apply(routes, move))
+                        break;
+                    changed[static_cast<std::size_t>(a)] = ++time;
+                    changed[static_cast<std::size_t>(b)] = time;
+                    moved = true;
+                }
+            }
+    }
+    take(routes.plan());
+}
+
+void FleetSearch::disturb(std::int64_t times)
+{
+    FleetPlan plan = m_best;
+    double cost = m_bestCost;
+    const double before = m_bestCost;
+    const double first = kFirstHeat * cost / m_costs.icebergs();
+    const double cooling = std::log(kLastHeat / kFirstHeat) / static_cast<double>(times);
+    for (std::int64_t k = 0; k < times && !m_effort.spent(); ++k) {
+        FleetPlan next = plan;
+        std::vector<int> out = takeOut(next);
+        putBack(next, out);
+        const double nextCost = m_costs.total(next);
+        m_effort.work += 4 * m_costs.icebergs();
+        const double heat = first * std::exp(cooling * static_cast<double>(k));
+        if (nextCost >= cost - heat * std::log(1 - m_random.uniform()))
+            continue;
+        plan = std::move(next);
+        cost = nextCost;
+        keep(plan, cost);
+    }
+    if (m_bestCost < before)
+        descend();
+}
+
+std::vector<int> FleetSearch::takeOut(FleetPlan& plan)
+{
+    const auto seed = static_cast<std::size_t>(1 + random(m_costs.icebergs()));
+    const auto mostStrings = static_cast<std::int64_t>(m_costs.uavs());
+    const auto strings = static_cast<std::size_t>(1 + random(mostStrings));
+    std::vector<bool> ruined(plan.size(), false);
+    std::vector<int> out;
+    std::size_t done = 0;
+    for (const int iceberg : m_near[seed]) {
+        const auto order = std::find_if(plan.begin(), plan.end(), [&](const VisitOrder& other) {
+            return std::find(other.begin(), other.end(), iceberg) != other.end();
+        });
+        if (order == plan.end() || ruined[static_cast<std::size_t>(order - plan.begin())])
+            continue;
+        ruined[static_cast<std::size_t>(order - plan.begin())] = true;
+        takeString(*order, iceberg, out);
+        if (++done == strings || out.size() >= kEnoughOut)
+            break;
+    }
+    return out;
+}
+
+void FleetSearch::takeString(VisitOrder& order, int iceberg, std::vector<int>& out)
+{
+    const auto size = static_cast<std::int64_t>(order.size());
+    const std::int64_t length = 1 + random(std::min<std::int64_t>(size, kLongestString));
+    const std::int64_t place = std::find(order.begin(), order.end(), iceberg) - order.begin();
+    const std::int64_t lowest = std::max<std::int64_t>(0, place - length + 1);
+    const std::int64_t highest = std::min(place, size - length);
+    const auto begin = order.begin() + lowest + random(highest - lowest + 1);
+    out.insert(out.end(), begin, begin + length);
+    order.erase(begin, begin + length);
+}
+
+void FleetSearch::sortForPuttingBack(std::vector<int>& icebergs)
+{
+    for (std::size_t k = icebergs.size(); k > 1; --k)
+        std::swap(icebergs[k - 1],
+                  icebergs[static_cast<std::size_t>(random(static_cast<std::int64_t>(k)))]);
+    if (random(2) == 0)
+        std::stable_sort(icebergs.begin(), icebergs.end(), [&](int a, int b) {
+            return m_costs.of(0).sigmaOf(a) > m_costs.of(0).sigmaOf(b);
+        });
+}
+
+void FleetSearch::putBack(FleetPlan& plan, std::vector<int>& icebergs)
+{
+    sortForPuttingBack(icebergs);
+    for (const int iceberg : icebergs)
+        put(plan, iceberg, true);
+}
+
+void FleetSearch::put(FleetPlan& plan, int iceberg, bool blink)
+{
+    Place best{.cost = std::numeric_limits<double>::infinity()};
+    for (int uav = 0; uav < m_costs.uavs(); ++uav) {
+        if (!m_costs.allows(uav, iceberg))
+            continue;
+        const VisitOrder& order = plan[static_cast<std::size_t>(uav)];
+        m_effort.work += 3 * static_cast<std::int64_t>(order.size() + 1);
+        if (m_costs.weighted())
+            offerPlaces<true>(order, uav, iceberg, blink, best);
+        else
+            offerPlaces<false>(order, uav, iceberg, blink, best);
+    }
+    VisitOrder& order = plan[static_cast<std::size_t>(best.uav)];
+    order.insert(order.begin() + best.index, iceberg);
+}
+
+template <bool kWeighted>
+void FleetSearch::offerPlaces(const VisitOrder& order, int uav, int iceberg, bool blink,
+                              Place& best)
+{
+    const UavCosts& costs = m_costs.of(uav);
+    double sigmaBehind = 0;
+    double flown = 0; // until `last`
+    if constexpr (kWeighted)
+        for (std::size_t k = 0; k < order.size(); ++k)
+            flown += costs.leg(k > 0 ? order[k - 1] : 0, order[k]);
+    const double* const onwards = costs.legsFrom(iceberg);
+    int next = 0;
+    for (auto index = static_cast<std::ptrdiff_t>(order.size()); index >= 0; --index) {
+        const int last = index > 0 ? order[static_cast<std::size_t>(index - 1)] : 0;
+        const double* const legs = costs.legsFrom(last);
+        const double there = legs[iceberg];
+        const double detour = next == 0 ? there + costs.end(iceberg) - costs.end(last)
+                                        : there + onwards[next] - legs[next];
+        double cost = 0;
+        if constexpr (kWeighted)
+            cost = detour * sigmaBehind + (flown + there) * costs.sigmaOf(iceberg);
+        else
+            cost = detour + sigmaBehind + costs.visit(iceberg, static_cast<int>(index) + 1);
+        const bool better = cost < best.cost;
+        if (better && !(blink && best.uav >= 0 && m_random.uniform() < kBlink))
+            best = {.cost = cost, .uav = uav, .index = index};
+        sigmaBehind += costs.sigmaOf(last);
+        if constexpr (kWeighted)
+            if (index > 0)
+                flown -=
+                    costs.leg(index > 1 ? order[static_cast<std::size_t>(index - 2)] : 0, last);
+        next = last;
+    }
+}
+
+} // namespace berg

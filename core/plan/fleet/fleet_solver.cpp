@@ -1,0 +1,343 @@
+#include "core/plan/fleet/fleet_solver.h"
+
+#include "core/base/solving_guard.h"
+#include "core/plan/fleet/fleet_bound.h"
+#include "core/plan/fleet/fleet_costs.h"
+#include "core/plan/fleet/fleet_ranks.h"
+#include "core/plan/fleet/fleet_search.h"
+#include "core/plan/fleet/fleet_subsets.h"
+#include "core/plan/solve/certified.h"
+#include "core/plan/solve/engine.h"
+#include "core/plan/solve/names.h"
+#ifdef BERG_WITH_CBC
+#include "core/plan/fleet/cbc_cover.h"
+#endif
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Share of all work that goes into more local search while the proof is under way: 1 / this. */
+constexpr std::int64_t kSearchShare = 4;
+/** Annealings are at least so long. */
+constexpr std::int64_t kLeastTimes = 2000;
+/** Work of taking out and putting back, per iceberg. */
+constexpr std::int64_t kWorkOfTime = 50;
+/** Length of the first annealing, per iceberg, without a hint and with one; by measurement. */
+constexpr std::int64_t kFirstTimes = 600;
+constexpr std::int64_t kFirstTimesFromHint = 100;
+
+constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max() / 4;
+
+std::int64_t firstTimes(const FleetOptions& options)
+{
+    return options.hint.empty() ? kFirstTimes : kFirstTimesFromHint;
+}
+
+/** Why a solve must end now, if it must. */
+std::optional<StopReason> cutOf(const FleetOptions& options, const Stopwatch& watch)
+{
+    if (options.stop.stop_requested())
+        return StopReason::Cancelled;
+    if (options.timeLimit_s && watch.elapsed_s() >= *options.timeLimit_s)
+        return StopReason::TimeLimit;
+    return std::nullopt;
+}
+
+/** One solve: local search and bound take turns. */
+class FleetEngine
+{
+public:
+    FleetEngine(const FleetProblem& problem, const FleetOptions& options,
+                std::optional<std::int64_t> effort)
+        : m_problem(problem)
+        , m_options(options)
+        , m_costs(problem)
+        , m_shift(fleetObjectiveShift(problem))
+        , m_own(effort.value_or(kNoLimit))
+        , m_most(std::min(m_own, options.workLimit.value_or(kNoLimit)))
+        , m_search(m_costs, m_effort)
+    {
+        m_effort.cut = [this] { return cut(); };
+        m_effort.limit = m_most;
+        m_search.onImproved = [this](const FleetPlan& plan) {
+            m_objective = fleetObjective(m_problem, plan);
+            report();
+        };
+    }
+
+    /** Dynamic programming is faster, and keeps to the limits. */
+    [[nodiscard]] bool subsetsSuffice() const
+    {
+        const int n = m_costs.icebergs();
+        return n <= kMostFleetSubsets &&
+               fleetSubsetWork(m_costs.uavs(), n) <= m_options.workLimit.value_or(kNoLimit) &&
+               fleetSubsetBytes(m_costs.uavs(), n) + m_costs.bytes() <=
+                   m_options.memoryLimit_bytes.value_or(kNoLimit);
+    }
+
+    FleetOutcome bySubsets()
+    {
+        const std::optional<FleetPlan> plan = bestFleetPlan(m_costs, m_effort.cut);
+        if (!plan)
+            return {.reason = *m_cut, .plan = {}};
+        m_search.take(*plan);
+        return {.status = SolveStatus::Optimal,
+                .plan = *plan,
+                .work = fleetSubsetWork(m_costs.uavs(), m_costs.icebergs()),
+                .backend = "exact"};
+    }
+
+    FleetOutcome byEngine(CoverFunction cover)
+    {
+        if (m_options.hint.empty())
+            m_search.startGreedily();
+        else
+            m_search.complete(m_options.hint);
+        m_search.descend();
+
+        const std::int64_t before = m_effort.work;
+        const FleetBoundResult result = improveFleetBound(
+            m_costs, m_search.best(),
+            {.gap = m_options.gap,
+             .workLimit = m_most - before,
+             .memoryLimit_bytes = m_options.memoryLimit_bytes.value_or(kNoLimit) - m_costs.bytes(),
+             .cover = cover,
+             .cut = m_effort.cut,
+             .onImproved =
+                 [this](const FleetPlan& plan, double bound) {
+                     m_search.take(plan);
+                     takeBound(bound);
+                 },
+             .suggest = [this](std::int64_t work,
+                               std::int64_t most) { return suggest(work, most); }});
+        m_search.take(result.plan);
+        takeBound(result.bound);
+        return outcome(result, before + result.work);
+    }
+
+private:
+    /** Remembers the reason. */
+    bool cut()
+    {
+        if (!m_cut)
+            m_cut = cutOf(m_options, m_watch);
+        return m_cut.has_value();
+    }
+
+    FleetSuggestion suggest(std::int64_t work, std::int64_t most)
+    {
+        const std::int64_t before = m_effort.work;
+        m_effort.limit = before + most;
+        const std::int64_t n = m_costs.icebergs();
+        std::int64_t times = firstTimes(m_options) * n;
+        if (m_searched) {
+            times = (work / kSearchShare - (before - *m_searched)) / (kWorkOfTime * n);
+            // Without a bound the search is all there is.
+            if (!isBounded(m_costs))
+                times = firstTimes(m_options) * n;
+        }
+        if (times >= kLeastTimes || !m_searched)
+            m_search.disturb(times);
+        if (!m_searched)
+            m_searched = m_effort.work;
+        return {.plan = m_search.best(), .work = m_effort.work - before};
+    }
+
+    /** Rounded down: the shift may be far larger than the objective. */
+    [[nodiscard]] double boundOnObjective() const
+    {
+        return m_bound - m_shift - roundingMargin(m_costs.icebergs(), m_shift);
+    }
+    /** 0 says nothing: that every cost is positive goes without saying. */
+    void takeBound(double bound)
+    {
+        if (bound <= 0 || bound <= m_bound)
+            return;
+        m_bound = bound;
+        report();
+    }
+    void report() const
+    {
+        if (!m_options.onProgress)
+            return;
+        FleetProgress progress{.plan = m_search.best(),
+                               .objective = m_objective,
+                               .bound = {},
+                               .elapsed_s = m_watch.elapsed_s()};
+        if (m_bound > 0)
+            progress.bound = std::min(boundOnObjective(), m_objective);
+        m_options.onProgress(progress);
+    }
+
+    FleetOutcome outcome(const FleetBoundResult& result, std::int64_t work)
+    {
+        FleetOutcome outcome{.status = SolveStatus::Feasible,
+                             .plan = m_search.best(),
+                             .work = work,
+                             .hintUsed = !m_options.hint.empty()};
+        if (m_bound > 0)
+            outcome.bound = boundOnObjective();
+        const double cost = m_costs.total(outcome.plan);
+        if (result.reached && isProven(cost, result.bound))
+            outcome.status = SolveStatus::Optimal;
+        else if (result.reached)
+            outcome.reason = StopReason::GapReached;
+        else if (m_cut)
+            outcome.reason = *m_cut;
+        else if (result.memoryOut)
+            outcome.reason = StopReason::MemoryLimit;
+        else if (m_options.workLimit && *m_options.workLimit <= m_own)
+            outcome.reason = StopReason::WorkLimit;
+        return outcome;
+    }
+
+    const FleetProblem& m_problem;
+    const FleetOptions& m_options;
+    Stopwatch m_watch;
+    FleetCosts m_costs;
+    double m_shift;      ///< cost = objective + shift
+    std::int64_t m_own;  ///< the back end's own limit of work
+    std::int64_t m_most; ///< that and the caller's
+    SearchEffort m_effort;
+    FleetSearch m_search;
+    std::optional<std::int64_t> m_searched; ///< work of the first annealing, once it is done
+    std::optional<StopReason> m_cut;
+    double m_objective = 0; ///< of the best plan
+    double m_bound = 0;     ///< on the cost, not on the objective
+};
+
+/** Of the back ends that must answer while someone waits. Without a proof to come, that of a few
+ * annealings. */
+std::int64_t ownEffort(const FleetProblem& problem, const FleetOptions& options)
+{
+    constexpr std::int64_t kAnnealings = 3;
+    const std::int64_t n = problem.icebergCount();
+    const std::int64_t responsive = responsiveEffort(problem.icebergCount());
+    return problem.criterion == Criterion::Latency
+               ? std::min(responsive, kAnnealings * firstTimes(options) * kWorkOfTime * n * n)
+               : responsive;
+}
+
+/** Distance does not count. */
+FleetOutcome byRanks(const FleetProblem& problem, const FleetOptions& options)
+{
+    const Stopwatch watch;
+    const std::int64_t n = problem.icebergCount();
+    FleetRanks ranks = bestRanks(problem, [&] { return cutOf(options, watch).has_value(); });
+    FleetOutcome outcome{.status = ranks.isBest ? SolveStatus::Optimal : SolveStatus::Feasible,
+                         .plan = std::move(ranks.plan),
+                         .work = n * n * n * problem.uavCount(),
+                         .backend = "assignment"};
+    if (!ranks.isBest)
+        outcome.reason = cutOf(options, watch).value_or(StopReason::Finished);
+    if (options.onProgress) {
+        const double value = fleetObjective(problem, outcome.plan);
+        options.onProgress({.plan = outcome.plan,
+                            .objective = value,
+                            .bound = ranks.isBest ? std::optional(value) : std::nullopt,
+                            .elapsed_s = watch.elapsed_s()});
+    }
+    return outcome;
+}
+
+/** The costs alone are too much: the hint, or a plan made without any. */
+FleetOutcome withoutMemory(const FleetProblem& problem, const FleetOptions& options)
+{
+    const bool isPlan = isFleetPlan(problem, options.hint);
+    return {.status = SolveStatus::Feasible,
+            .reason = StopReason::MemoryLimit,
+            .plan = isPlan ? options.hint : inTurn(problem),
+            .hintUsed = isPlan};
+}
+
+CoverFunction coverOf(Backend backend)
+{
+    if (backend != Backend::Cbc)
+        return bestCover;
+#ifdef BERG_WITH_CBC
+    return bestCoverByCbc;
+#else
+    throw Error(ErrorCode::Unsupported, "backend cbc", "this build was made without COIN-OR CBC");
+#endif
+}
+
+FleetOutcome solveValid(const FleetProblem& problem, Backend backend, const FleetOptions& options)
+{
+    if (backend == Backend::Cbc && problem.criterion == Criterion::Latency)
+        return {.reason = StopReason::Unable,
+                .plan = {},
+                .detail = "the set partitioning is that of Eq. (1), not of latency"};
+    const bool mustProve = backend == Backend::Exact || backend == Backend::Cbc;
+    if (mustProve && problem.icebergCount() > kMostProvenByEngine)
+        return {.reason = StopReason::Unable,
+                .plan = {},
+                .detail = nameOf(kBackendNames, backend) + " proves plans of up to " +
+                          std::to_string(kMostProvenByEngine) + " icebergs"};
+    if (backend == Backend::Exact && problem.criterion == Criterion::Latency &&
+        problem.icebergCount() > kMostFleetSubsets)
+        return {.reason = StopReason::Unable,
+                .plan = {},
+                .detail = "exact proves latency plans of several UAVs up to " +
+                          std::to_string(kMostFleetSubsets) + " icebergs"};
+    if (options.stop.stop_requested())
+        return {.reason = StopReason::Cancelled, .plan = {}};
+    if (problem.icebergCount() == 0)
+        return {.status = SolveStatus::Optimal,
+                .plan = FleetPlan(static_cast<std::size_t>(problem.uavCount()))};
+    if (problem.mu == 0 && problem.criterion == Criterion::Visitation &&
+        problem.icebergCount() <= kMostProvenByEngine)
+        return byRanks(problem, options);
+    if (options.memoryLimit_bytes &&
+        FleetCosts::mostBytesFor(problem) > *options.memoryLimit_bytes &&
+        FleetCosts::bytesFor(problem) > *options.memoryLimit_bytes)
+        return withoutMemory(problem, options);
+    std::optional<std::int64_t> effort;
+    if (!mustProve)
+        effort = ownEffort(problem, options);
+    FleetEngine engine(problem, options, effort);
+    const bool subsets = backend == Backend::Exact || backend == Backend::Auto;
+    if (subsets && engine.subsetsSuffice())
+        return engine.bySubsets();
+    return engine.byEngine(coverOf(backend));
+}
+
+/** Of a hint; empty when there is none. */
+FleetPlan usablePart(const FleetProblem& problem, FleetPlan hint)
+{
+    if (static_cast<int>(hint.size()) != problem.uavCount())
+        return {};
+    hint = validPart(problem, std::move(hint));
+    const bool nothing = std::ranges::all_of(hint, &VisitOrder::empty);
+    return nothing ? FleetPlan{} : hint;
+}
+
+} // namespace
+
+FleetOutcome solveFleet(const FleetProblem& problem, Backend backend, const FleetOptions& options)
+{
+    requireSolvingAllowed();
+    const Stopwatch watch;
+    if (std::vector<Issue> issues = validate(problem); !issues.empty())
+        throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
+    FleetOptions checked = options;
+    checked.hint = usablePart(problem, std::move(checked.hint));
+    FleetOutcome outcome = solveValid(problem, backend, checked);
+    if (outcome.status != SolveStatus::None)
+        outcome.objective = fleetObjective(problem, outcome.plan);
+    if (outcome.status == SolveStatus::Optimal)
+        outcome.bound = outcome.objective;
+    else if (outcome.bound)
+        outcome.bound = std::min(*outcome.bound, outcome.objective);
+    if (outcome.backend.empty())
+        outcome.backend =
+            nameOf(kBackendNames, backend == Backend::Auto ? Backend::Heuristic : backend);
+    outcome.elapsed_s = watch.elapsed_s();
+    return outcome;
+}
+
+} // namespace berg

@@ -1,0 +1,124 @@
+#include "core/plan/policy/fleet_task.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+double distanceOf(const PlanRequest& request, const UavRequest& uav, const std::vector<int>& order)
+{
+    double distance_m = 0;
+    int from = 0;
+    for (const int id : order) {
+        const int to = nodeOfId(request, id);
+        distance_m += uav.distance_m(from, to);
+        from = to;
+    }
+    return distance_m;
+}
+
+std::vector<std::vector<bool>> allowedOf(const PlanRequest& request, const FleetTask& task,
+                                         const std::vector<int>& nodes)
+{
+    bool all = true;
+    std::vector<std::vector<bool>> allowed;
+    for (const int uav : task.uavs) {
+        std::vector<bool>& row = allowed.emplace_back(1, false);
+        for (const int node : nodes) {
+            row.push_back(request.fleet[static_cast<std::size_t>(uav)]
+                              .available[static_cast<std::size_t>(node - 1)]);
+            all = all && row.back();
+        }
+    }
+    return all ? std::vector<std::vector<bool>>{} : allowed;
+}
+
+} // namespace
+
+int nodeOfId(const PlanRequest& request, int id)
+{
+    const auto it = std::find(request.ids.begin(), request.ids.end(), id);
+    require(it != request.ids.end(), "nodeOfId: not in the request");
+    return static_cast<int>(it - request.ids.begin()) + 1;
+}
+
+bool isAvailable(const PlanRequest& request, const UavRequest& uav, int id)
+{
+    return uav.available[static_cast<std::size_t>(nodeOfId(request, id) - 1)];
+}
+
+FleetTask fleetTask(const PlanRequest& request)
+{
+    FleetTask task;
+    std::vector<bool> wanted(request.ids.size(), false);
+    for (std::size_t uav = 0; uav < request.fleet.size(); ++uav) {
+        const std::vector<bool>& available = request.fleet[uav].available;
+        require(available.size() == request.ids.size(), "fleetTask: an entry for each iceberg");
+        if (std::ranges::find(available, true) != available.end())
+            task.uavs.push_back(static_cast<int>(uav));
+        for (std::size_t k = 0; k < wanted.size(); ++k)
+            wanted[k] = wanted[k] || available[k];
+    }
+    std::vector<int> nodes;
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+        if (wanted[k]) {
+            nodes.push_back(static_cast<int>(k) + 1);
+            task.ids.push_back(request.ids[k]);
+        }
+    TvpProblem all = request.problem;
+    for (const int uav : task.uavs) {
+        all.distance_m = request.fleet[static_cast<std::size_t>(uav)].distance_m;
+        TvpProblem own = restrictedTo(all, nodes);
+        task.problem.distance_m.push_back(std::move(own.distance_m));
+        task.problem.sigma_m2 = std::move(own.sigma_m2);
+    }
+    if (task.uavs.empty())
+        task.problem.sigma_m2 = {0};
+    task.problem.mu = request.problem.mu;
+    task.problem.route = request.problem.route;
+    task.problem.allowed = allowedOf(request, task, nodes);
+    return task;
+}
+
+Eigen::MatrixXd betweenStarts(const PlanRequest& request, const FleetTask& task)
+{
+    const auto size = static_cast<Eigen::Index>(request.fleet.size());
+    require(request.betweenUavs_m.rows() == size && request.betweenUavs_m.cols() == size,
+            "betweenStarts: one row and column for each UAV");
+    return request.betweenUavs_m(task.uavs, task.uavs);
+}
+
+std::vector<std::vector<int>> ordersInIds(const PlanRequest& request, const FleetTask& task,
+                                          const FleetPlan& plan)
+{
+    std::vector<std::vector<int>> orders(request.fleet.size());
+    for (std::size_t k = 0; k < plan.size(); ++k)
+        for (const int node : plan[k])
+            orders[static_cast<std::size_t>(task.uavs[k])].push_back(
+                task.ids[static_cast<std::size_t>(node - 1)]);
+    return orders;
+}
+
+FleetPlan lastRests(const PlanRequest& request, const FleetTask& task)
+{
+    FleetPlan plan(task.uavs.size());
+    for (std::size_t k = 0; k < plan.size(); ++k)
+        for (const int id : request.fleet[static_cast<std::size_t>(task.uavs[k])].lastRest)
+            if (const auto it = std::ranges::find(task.ids, id); it != task.ids.end())
+                plan[k].push_back(static_cast<int>(it - task.ids.begin()) + 1);
+    return validPart(task.problem, std::move(plan));
+}
+
+PlanAnswer fleetAnswer(const PlanRequest& request, const std::vector<std::vector<int>>& orders)
+{
+    PlanAnswer answer;
+    for (std::size_t uav = 0; uav < orders.size(); ++uav) {
+        answer.distance_m += distanceOf(request, request.fleet[uav], orders[uav]);
+        answer.fleet.emplace_back().order = orders[uav];
+    }
+    return answer;
+}
+
+} // namespace berg

@@ -1,0 +1,213 @@
+#include "core/plan/policy/planner.h"
+
+#include "core/base/solving_guard.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace berg {
+
+namespace {
+
+bool contains(std::span<const int> ids, int id)
+{
+    return std::ranges::find(ids, id) != ids.end();
+}
+
+/** Members of `order` that may be planned now. */
+std::vector<int> stillAvailable(const std::vector<int>& order, const PlanRequest& request,
+                                const std::vector<bool>& available)
+{
+    std::vector<int> rest;
+    for (const int id : order) {
+        const auto it = std::find(request.ids.begin(), request.ids.end(), id);
+        if (it == request.ids.end())
+            continue;
+        if (available[static_cast<std::size_t>(it - request.ids.begin())])
+            rest.push_back(id);
+    }
+    return rest;
+}
+
+/** Each first one of a cluster with the others behind it. */
+std::vector<int> withMembers(std::span<const int> order, std::span<const std::vector<int>> clusters)
+{
+    std::vector<int> ids;
+    for (const int id : order) {
+        const auto cluster = std::ranges::find_if(
+            clusters, [id](const std::vector<int>& members) { return members.front() == id; });
+        if (cluster == clusters.end())
+            ids.push_back(id);
+        else
+            ids.insert(ids.end(), cluster->begin(), cluster->end());
+    }
+    return ids;
+}
+
+/** The clusters flown to. */
+std::vector<std::vector<int>> clustersIn(std::span<const int> order,
+                                         std::vector<std::vector<int>> clusters)
+{
+    std::erase_if(clusters, [order](const std::vector<int>& members) {
+        return std::ranges::find(order, members.front()) == order.end();
+    });
+    return clusters;
+}
+
+/** With no plan in hand at all: the nearest available iceberg, the smallest node among equals. */
+std::vector<int> nearestAvailable(const std::vector<int>& ids, const std::vector<bool>& available,
+                                  const Eigen::MatrixXd& distance_m)
+{
+    int best = -1;
+    for (int k = 0; k < static_cast<int>(ids.size()); ++k)
+        if (available[static_cast<std::size_t>(k)] &&
+            (best < 0 || distance_m(0, k + 1) < distance_m(0, best + 1)))
+            best = k;
+    return best < 0 ? std::vector<int>{} : std::vector<int>{ids[static_cast<std::size_t>(best)]};
+}
+
+/** Whatever the policy says: no order begins with what is not available to its UAV, or with what
+ * another one begins with. */
+void keepFirstsApart(const PlanRequest& request, std::vector<UavAnswer>& answers)
+{
+    std::vector<int> firsts;
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+        std::vector<int>& order = answers[k].order;
+        const auto first = std::ranges::find_if(order, [&](int id) {
+            return !contains(firsts, id) &&
+                   !stillAvailable({id}, request, request.fleet[k].available).empty();
+        });
+        if (first != order.begin())
+            answers[k].legs.clear(); // they lead to the one that goes
+        order.erase(order.begin(), first);
+        if (!order.empty())
+            firsts.push_back(order.front());
+    }
+}
+
+} // namespace
+
+Planner::Planner(const PlannerSettings& settings, std::unique_ptr<TvpSolver> solver,
+                 PolicyMaker maker)
+    : m_settings(settings)
+    , m_maker(maker)
+    , m_ownSolver(solver != nullptr)
+    , m_solver(solver ? std::move(solver) : makeSolver(settings.backend, settings.formulation))
+    , m_policy(m_maker(settings, *m_solver))
+{
+}
+
+void Planner::setSettings(const PlannerSettings& settings)
+{
+    if (settings == m_settings)
+        return;
+    std::unique_ptr<TvpSolver> solver;
+    if (!m_ownSolver)
+        solver = makeSolver(settings.backend, settings.formulation);
+    std::unique_ptr<Policy> policy = m_maker(settings, solver ? *solver : *m_solver);
+    m_policy = std::move(policy);
+    if (solver)
+        m_solver = std::move(solver);
+    m_settings = settings;
+}
+
+PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options, bool warmStart)
+{
+    requireSolvingAllowed(); // not one of the failures that are flown over
+    return request.fleet.empty() ? planOne(request, options, warmStart)
+                                 : planFleet(request, options, warmStart);
+}
+
+PlanAnswer Planner::planOne(const PlanRequest& request, const SolveOptions& options, bool warmStart)
+{
+    SolveOptions telling = options;
+    if (options.onProgress && !request.clusters.empty())
+        telling.onProgress = [&](SolveProgress progress) {
+            progress.order = withMembers(progress.order, request.clusters);
+            options.onProgress(progress);
+        };
+    const std::vector<int> lastRest = stillAvailable(m_lastOrder, request, request.available);
+    PlanAnswer answer;
+    try {
+        answer = m_policy->plan(request, warmStart ? lastRest : std::vector<int>{}, telling);
+    } catch (const std::exception& failure) {
+        // The autopilot always has a next iceberg, whatever becomes of the planner.
+        answer = {.failure = failure.what()};
+    }
+    if (answer.outcome.reason == StopReason::Cancelled)
+        return answer; // nothing is remembered: the same call will be made again
+    if (answer.order.empty()) {
+        answer.order = lastRest.empty() ? nearestAvailable(request.ids, request.available,
+                                                           request.problem.distance_m)
+                                        : lastRest;
+        answer.fellBack = !answer.order.empty();
+    }
+    answer.clusters = clustersIn(answer.order, request.clusters);
+    answer.order = withMembers(answer.order, request.clusters);
+    m_lastOrder = answer.order;
+    return answer;
+}
+
+PlanAnswer Planner::planFleet(const PlanRequest& request, const SolveOptions& options,
+                              bool warmStart)
+{
+    SolveOptions telling = options;
+    if (options.onProgress && !request.clusters.empty())
+        telling.onProgress = [&](SolveProgress progress) {
+            for (std::vector<int>& order : progress.fleet)
+                order = withMembers(order, request.clusters);
+            options.onProgress(progress);
+        };
+    PlanRequest asked = request;
+    for (UavRequest& uav : asked.fleet)
+        uav.lastRest = warmStart ? stillAvailable(m_lastOrders[uav.uav], request, uav.available)
+                                 : std::vector<int>{};
+    PlanAnswer answer;
+    try {
+        answer = m_policy->plan(asked, {}, telling);
+    } catch (const std::exception& failure) {
+        answer = {.failure = failure.what()};
+    }
+    if (answer.outcome.reason == StopReason::Cancelled)
+        return answer;
+    answer.fleet.resize(request.fleet.size());
+    keepFirstsApart(request, answer.fleet);
+    if (std::ranges::all_of(answer.fleet, [](const UavAnswer& uav) { return uav.order.empty(); }))
+        answer.fellBack = fallBack(request, answer.fleet);
+    std::vector<int> flown;
+    for (std::size_t k = 0; k < answer.fleet.size(); ++k) {
+        std::vector<int>& order = answer.fleet[k].order;
+        flown.insert(flown.end(), order.begin(), order.end());
+        order = withMembers(order, request.clusters);
+        m_lastOrders[request.fleet[k].uav] = order;
+    }
+    answer.clusters = clustersIn(flown, request.clusters);
+    return answer;
+}
+
+bool Planner::fallBack(const PlanRequest& request, std::vector<UavAnswer>& answers) const
+{
+    std::vector<int> taken;
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+        const UavRequest& uav = request.fleet[k];
+        const auto last = m_lastOrders.find(uav.uav);
+        if (last == m_lastOrders.end())
+            continue;
+        answers[k].order = stillAvailable(last->second, request, uav.available);
+        std::erase_if(answers[k].order, [&](int id) { return contains(taken, id); });
+        taken.insert(taken.end(), answers[k].order.begin(), answers[k].order.end());
+    }
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+        if (!answers[k].order.empty())
+            continue;
+        const UavRequest& uav = request.fleet[k];
+        std::vector<bool> left = uav.available;
+        for (std::size_t i = 0; i < left.size(); ++i)
+            left[i] = left[i] && !contains(taken, request.ids[i]);
+        answers[k].order = nearestAvailable(request.ids, left, uav.distance_m);
+        taken.insert(taken.end(), answers[k].order.begin(), answers[k].order.end());
+    }
+    return !taken.empty();
+}
+
+} // namespace berg

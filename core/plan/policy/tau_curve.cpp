@@ -1,0 +1,324 @@
+#include "core/plan/policy/tau_curve.h"
+
+#include "core/base/solving_guard.h"
+#include "core/plan/solve/certified.h"
+#include "core/plan/solve/layered_bound.h"
+#include "core/plan/solve/order_search.h"
+#include "core/plan/solve/subset_solver.h"
+#include "core/plan/solve/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace berg {
+
+namespace {
+
+/** Above, the layered bound is faster than dynamic programming. */
+constexpr int kLargestByTable = 13;
+/** Above, `improveBound` proves nothing. */
+constexpr int kLargestProven = 127;
+/** Of one proof, so that a single hard one does not use up all. */
+constexpr std::int64_t kMostWorkOfProof = 900'000'000;
+
+constexpr std::int64_t kMostMemory_bytes = 500'000'000; ///< a curve is made beside other work
+
+/** Restarts of the local search at one crossing: fewer than usual, a neighbour starts it well. */
+std::int64_t restartsFor(std::int64_t icebergs)
+{
+    return std::min<std::int64_t>(icebergs * icebergs / 50, 150);
+}
+
+/** What is known of the optimum at a crossing of two lines. */
+enum class Knowledge
+{
+    Searched, ///< the local search found nothing better
+    Proven,
+    GivenUp ///< not proven within the limits
+};
+
+/** A known order: F = tau k D - R. */
+struct Line
+{
+    VisitOrder order;
+    double distance_m = 0;
+    double reward_m2 = 0;
+};
+
+/** A place where the curve is examined: lines `left` and `right` meet at `tau`. */
+struct Crossing
+{
+    int left = 0;
+    int right = -1; ///< -1: the end of the curve
+    double tau = 0;
+};
+
+class CurveSearch
+{
+public:
+    CurveSearch(const TvpProblem& problem, const TauCurveOptions& options, double muPerTau)
+        : m_problem(problem), m_options(options), m_muPerTau(muPerTau)
+    {
+        m_problem.mu = 0;
+        // No order costs less than 2 sum(sigma): a tenth of the tolerance at most.
+        m_same_m2 = 0.1 * kProofTolerance * 2 * objectiveShift(problem) / problem.nodeCount();
+        addLine(sigmaOrder(m_problem)); // the largest reward there is: optimal at tau = 0
+    }
+
+    TauCurve run()
+    {
+        while (const std::optional<Crossing> crossing = nextToExamine()) {
+            if (m_options.stop.stop_requested())
+                return curve(StopReason::Cancelled);
+            examine(*crossing);
+            if (m_options.onProgress)
+                m_options.onProgress(curve(StopReason::Finished));
+        }
+        TauCurve result = curve(StopReason::Finished);
+        result.complete = true;
+        if (std::any_of(result.intervals.begin(), result.intervals.end(),
+                        [](const CurveInterval& interval) { return !interval.proven; }))
+            result.reason = StopReason::WorkLimit;
+        return result;
+    }
+
+private:
+    /** Where two lines of which the first has the larger reward and distance are equal. */
+    [[nodiscard]] double crossing(int a, int b) const
+    {
+        const Line& first = line(a);
+        const Line& second = line(b);
+        return (first.reward_m2 - second.reward_m2) /
+               (m_muPerTau * (first.distance_m - second.distance_m));
+    }
+    [[nodiscard]] const Line& line(int number) const
+    {
+        return m_lines[static_cast<std::size_t>(number)];
+    }
+
+    void addLine(const VisitOrder& order)
+    {
+        m_lines.push_back({.order = order,
+                           .distance_m = flownDistance(m_problem, order),
+                           .reward_m2 = uncertaintyReward(m_problem, order)});
+        refreshEnvelope();
+    }
+
+    /** The lower envelope of the lines over (0, tauMax): what is best, and where it ends. */
+    void refreshEnvelope()
+    {
+        std::vector<int> numbers(m_lines.size());
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            numbers[i] = static_cast<int>(i);
+        std::sort(numbers.begin(), numbers.end(), [this](int a, int b) {
+            return std::tuple(-line(a).reward_m2, line(a).distance_m, a) <
+                   std::tuple(-line(b).reward_m2, line(b).distance_m, b);
+        });
+        m_envelope.clear();
+        for (const int number : numbers) {
+            if (!m_envelope.empty() &&
+                line(number).distance_m >= line(m_envelope.back().left).distance_m)
+                continue; // less reward for no less distance
+            while (!m_envelope.empty()) {
+                Crossing& last = m_envelope.back();
+                last.right = number;
+                last.tau = crossing(last.left, number);
+                const bool same = line(last.left).reward_m2 - line(number).reward_m2 <= m_same_m2;
+                const bool hidden =
+                    m_envelope.size() > 1 && last.tau <= m_envelope[m_envelope.size() - 2].tau;
+                if (!same && !hidden)
+                    break;
+                m_envelope.pop_back();
+            }
+            m_envelope.push_back({.left = number});
+        }
+        const auto beyond =
+            std::find_if(m_envelope.begin(), m_envelope.end(), [this](const Crossing& c) {
+                return c.right < 0 || c.tau >= m_options.tauMax;
+            });
+        beyond->right = -1;
+        beyond->tau = m_options.tauMax;
+        m_envelope.erase(beyond + 1, m_envelope.end());
+    }
+
+    [[nodiscard]] std::optional<Knowledge> knowledge(const Crossing& crossing) const
+    {
+        const auto it = m_known.find({crossing.left, crossing.right});
+        return it == m_known.end() ? std::nullopt : std::optional(it->second);
+    }
+
+    /** Searches come before proofs: they give the proofs good incumbents, and fewer to prove. */
+    [[nodiscard]] std::optional<Crossing> nextToExamine() const
+    {
+        std::optional<Crossing> toProve;
+        for (const Crossing& crossing : m_envelope) {
+            const std::optional<Knowledge> known = knowledge(crossing);
+            if (!known)
+                return crossing;
+            if (known == Knowledge::Searched && !toProve)
+                toProve = crossing;
+        }
+        return toProve;
+    }
+
+    /** Leaves the crossing as it was when cancelled. */
+    void examine(const Crossing& crossing)
+    {
+        m_problem.mu = m_muPerTau * crossing.tau;
+        std::optional<Knowledge> known;
+        if (m_problem.icebergCount() <= kLargestByTable)
+            known = solve(crossing);
+        else if (!knowledge(crossing))
+            known = search(crossing);
+        else
+            known = prove(crossing);
+        if (known)
+            m_known[{crossing.left, crossing.right}] = *known;
+    }
+
+    std::optional<Knowledge> solve(const Crossing& crossing)
+    {
+        const SolveOutcome outcome = SubsetSolver().solve(m_problem, {.stop = m_options.stop});
+        if (outcome.status != SolveStatus::Optimal)
+            return std::nullopt;
+        offer(outcome.order, crossing);
+        return Knowledge::Proven;
+    }
+
+    std::optional<Knowledge> search(const Crossing& crossing)
+    {
+        const VisitCosts costs(m_problem);
+        SearchEffort effort{.cut = [this] { return m_options.stop.stop_requested(); }};
+        OrderSearch search(costs, effort);
+        search.take(line(crossing.left).order);
+        search.disturb(restartsFor(costs.icebergs));
+        if (m_options.stop.stop_requested())
+            return std::nullopt;
+        offer(search.best(), crossing);
+        return Knowledge::Searched;
+    }
+
+    std::optional<Knowledge> prove(const Crossing& crossing)
+    {
+        LayeredBoundOptions options;
+        options.memoryLimit_bytes = kMostMemory_bytes;
+        options.workLimit = std::min(kMostWorkOfProof, m_options.workLimit - m_work);
+        if (options.workLimit <= 0 || m_problem.icebergCount() > kLargestProven)
+            return Knowledge::GivenUp;
+        options.cut = [this] { return m_options.stop.stop_requested(); };
+        options.lambda = multipliersNear(crossing.tau);
+        const BoundResult result =
+            improveBound(VisitCosts(m_problem), line(crossing.left).order, options);
+        m_work += result.work;
+        if (m_options.stop.stop_requested())
+            return std::nullopt;
+        m_multipliers[crossing.tau] = result.lambda;
+        offer(result.order, crossing);
+        return result.reached ? Knowledge::Proven : Knowledge::GivenUp;
+    }
+
+    /** Makes an order that is better at the crossing a line of its own. */
+    void offer(const VisitOrder& order, const Crossing& crossing)
+    {
+        const double shift = objectiveShift(m_problem);
+        const double known = objective(m_problem, line(crossing.left).order) + shift;
+        if (objective(m_problem, order) + shift < cutoffBelow(known, 0))
+            addLine(order);
+    }
+
+    /**
+     * Multipliers to start a proof with: between those of the nearest crossings examined before.
+     * The bound is concave in multipliers and tau together, so it is as good as there.
+     */
+    [[nodiscard]] std::optional<Eigen::VectorXd> multipliersNear(double tau) const
+    {
+        const auto above = m_multipliers.lower_bound(tau);
+        if (above == m_multipliers.end())
+            return m_multipliers.empty() ? std::nullopt : std::optional(std::prev(above)->second);
+        if (above == m_multipliers.begin())
+            return above->second;
+        const auto below = std::prev(above);
+        const double share = (tau - below->first) / (above->first - below->first);
+        return (1 - share) * below->second + share * above->second;
+    }
+
+    [[nodiscard]] TauCurve curve(StopReason reason) const
+    {
+        TauCurve result{.intervals = {}, .reason = reason};
+        bool fromProven = true; // tau = 0: the first line has the largest reward there is
+        for (const Crossing& end : m_envelope) {
+            const bool toProven = knowledge(end) == Knowledge::Proven;
+            const Line& best = line(end.left);
+            // Optimal at both ends is optimal between: the optimum is concave, this line straight.
+            result.intervals.push_back(
+                {.tauFrom = result.intervals.empty() ? 0 : result.intervals.back().tauTo,
+                 .tauTo = end.tau,
+                 .order = best.order,
+                 .distance_m = best.distance_m,
+                 .reward_m2 = best.reward_m2,
+                 .proven = fromProven && toProven});
+            fromProven = toProven;
+        }
+        return result;
+    }
+
+    TvpProblem m_problem; ///< its mu is that of the crossing under examination
+    const TauCurveOptions& m_options;
+    double m_muPerTau;
+    double m_same_m2 = 0; ///< rewards so close are equal: sigmas that differ by rounding are ties
+    std::vector<Line> m_lines;
+    std::vector<Crossing> m_envelope; ///< left to right; the last one is the end
+    std::map<std::pair<int, int>, Knowledge> m_known;
+    std::map<double, Eigen::VectorXd> m_multipliers; ///< by tau of the crossing
+    std::int64_t m_work = 0;
+};
+
+/** One order for every tau: mu does not depend on it, or there is nothing to visit. */
+TauCurve constantCurve(TvpProblem problem, const TauCurveOptions& options, double mu)
+{
+    problem.mu = mu;
+    const SolveOutcome outcome = makeSolver(Backend::Auto)->solve(problem, {.stop = options.stop});
+    TauCurve curve{.intervals = {}, .reason = outcome.reason};
+    if (outcome.status != SolveStatus::None)
+        curve.intervals.push_back({.tauFrom = 0,
+                                   .tauTo = options.tauMax,
+                                   .order = outcome.order,
+                                   .distance_m = flownDistance(problem, outcome.order),
+                                   .reward_m2 = uncertaintyReward(problem, outcome.order),
+                                   .proven = outcome.status == SolveStatus::Optimal});
+    curve.complete = outcome.reason != StopReason::Cancelled;
+    return curve;
+}
+
+} // namespace
+
+TauCurve tauCurve(const TvpProblem& problem, const TauCurveOptions& options)
+{
+    requireSolvingAllowed();
+    require(options.tauMax > 0, "tauCurve: tauMax must be positive");
+    TvpProblem checked = problem;
+    checked.mu = 0;
+    if (std::vector<Issue> issues = validate(checked); !issues.empty())
+        throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
+
+    const TuningWeight weight = tuningWeight(checked, 1);
+    checked.mu = weight.mu * options.tauMax;
+    if (std::vector<Issue> issues = validate(checked); !issues.empty())
+        throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
+    if (weight.distanceOnly || weight.mu == 0)
+        return constantCurve(std::move(checked), options, weight.mu);
+    return CurveSearch(checked, options, weight.mu).run();
+}
+
+int intervalAt(const TauCurve& curve, double tau)
+{
+    const auto above = std::find_if(curve.intervals.begin(), curve.intervals.end(),
+                                    [tau](const CurveInterval& i) { return tau < i.tauTo; });
+    const auto count = static_cast<int>(curve.intervals.size());
+    return std::min(static_cast<int>(above - curve.intervals.begin()), count - 1);
+}
+
+} // namespace berg

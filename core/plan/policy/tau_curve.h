@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/plan/policy/policy.h"
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+namespace berg {
+
+/** One order and the trade-offs it is best for. */
+struct CurveInterval
+{
+    double tauFrom = 0;
+    double tauTo = 0;
+    VisitOrder order;
+    double distance_m = 0; ///< D of Eq. (2)
+    double reward_m2 = 0;  ///< first term of Eq. (1) with its sign changed
+    bool proven = false;   ///< optimal for every tau of the interval, to 1e-9 of the cost
+    bool operator==(const CurveInterval&) const = default;
+};
+
+/**
+ * The optimum of Eq. (1) as a function of tau: a concave, piecewise linear curve, since F of an
+ * order is linear in mu and mu in tau, Eq. (14). Also the supported Pareto front of distance
+ * against reward: along tau both go down.
+ */
+struct TauCurve
+{
+    std::vector<CurveInterval> intervals; ///< without gap over [0, tauMax]; empty: nothing known
+    StopReason reason = StopReason::Finished;
+    bool complete = false; ///< nothing is left to be searched or proven within the limits
+    bool operator==(const TauCurve&) const = default;
+};
+
+struct TauCurveOptions
+{
+    double tauMax = 5; ///< > 0
+    /** Arcs looked at by proofs, about 2 ns each; repeats. What is left unproven says so. */
+    std::int64_t workLimit = 10'000'000'000;
+    std::stop_token stop;                              ///< checked at least every 10 ms
+    std::function<void(const TauCurve&)> onProgress{}; ///< the curve as known so far; may be empty
+};
+
+/**
+ * All optimal orders of a problem over [0, tauMax] with exact breakpoints, by the dichotomic
+ * scheme of Aneja and Nair (1979): where the lines of two known neighbours cross, either an order
+ * below both is found, or the two are neighbours for good. `mu` of the problem is not read. The
+ * first interval holds what is optimal for tau -> 0+: ties of sigma broken by distance.
+ *
+ * Proven up to 13 icebergs by dynamic programming, above by `improveBound` as far as the work
+ * limit allows. Throws `Error{InvalidInput}` for problems that `validate` faults.
+ */
+[[nodiscard]] TauCurve tauCurve(const TvpProblem& problem, const TauCurveOptions& options);
+
+/**
+ * Index of the interval that holds tau (at a breakpoint the one to its right, outside the curve the
+ * nearest one); -1 when there is none.
+ */
+[[nodiscard]] int intervalAt(const TauCurve& curve, double tau);
+
+} // namespace berg

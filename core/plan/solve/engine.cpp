@@ -1,0 +1,216 @@
+#include "core/plan/solve/engine.h"
+
+#include "core/plan/solve/certified.h"
+#include "core/plan/solve/layered_bound.h"
+#include "core/plan/solve/order_search.h"
+#include "core/plan/solve/solve_watch.h"
+#include "core/plan/solve/subset_solver.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace berg {
+
+namespace {
+
+/** Largest problems that dynamic programming solves faster; measured by bench_solvers. */
+constexpr int kMostBySubsets = 14;
+constexpr int kMostLatencyBySubsets = 16;
+/** Work of one restart of the local search, per iceberg squared; by measurement. */
+constexpr std::int64_t kWorkOfRestart = 11;
+/** Share of all work that goes into more local search while the proof is under way: 1 / this. */
+constexpr std::int64_t kSearchShare = 10;
+/** A few restarts more are not worth while. */
+constexpr std::int64_t kLeastRestarts = 50;
+
+/** As `LayeredBoundOptions::manyArcs`; the graphs of latency are larger, and sooner small again. */
+constexpr std::int64_t kManyLatencyArcs = 6'000'000;
+
+/** First restarts from a disturbed order: the optimum in nine cases of ten at 40 icebergs. */
+std::int64_t firstRestarts(std::int64_t icebergs)
+{
+    return std::max<std::int64_t>(10, std::min(icebergs * icebergs / 8, 150'000 / icebergs));
+}
+
+/** One solve: local search and bound take turns. */
+template <class Costs>
+class Engine
+{
+public:
+    Engine(const TvpProblem& problem, const SolveOptions& options,
+           std::optional<std::int64_t> effort)
+        : m_problem(problem)
+        , m_options(options)
+        , m_watch(options)
+        , m_costs(problem)
+        , m_shift(objectiveShift(problem))
+        , m_own(effort.value_or(std::numeric_limits<std::int64_t>::max()))
+        , m_search(m_costs, m_effort)
+    {
+        m_effort.cut = [this] { return cut(); };
+        m_effort.limit = mostWork();
+        m_search.onImproved = [this](const VisitOrder& order) { takeOrder(order); };
+    }
+
+    SolveOutcome run()
+    {
+        if (m_options.hint.empty())
+            m_search.startGreedily();
+        else
+            m_search.take(m_options.hint);
+        m_search.descend();
+
+        LayeredBoundOptions options;
+        options.gap = m_options.gap;
+        if constexpr (Costs::kWeighted)
+            options.manyArcs = kManyLatencyArcs;
+        options.workLimit = mostWork() - m_effort.work;
+        options.memoryLimit_bytes =
+            m_options.memoryLimit_bytes.value_or(std::numeric_limits<std::int64_t>::max() / 4);
+        options.cut = m_effort.cut;
+        options.onImproved = [this](const VisitOrder& order, double bound) {
+            m_search.take(order);
+            takeBound(bound);
+        };
+        options.suggest = [this](std::int64_t work, std::int64_t most) {
+            return suggest(work, most);
+        };
+        const std::int64_t before = m_effort.work;
+        const BoundResult result = improveBound(m_costs, m_search.best(), options);
+        m_search.take(result.order);
+        takeBound(result.bound);
+        return outcome(result, before + result.work);
+    }
+
+private:
+    [[nodiscard]] std::int64_t mostWork() const
+    {
+        return std::min(m_own, m_options.workLimit.value_or(m_own));
+    }
+
+    /** Remembers the reason. */
+    bool cut()
+    {
+        if (!m_cut)
+            m_cut = m_watch.cut();
+        return m_cut.has_value();
+    }
+
+    OrderSuggestion suggest(std::int64_t work, std::int64_t most)
+    {
+        const std::int64_t before = m_effort.work;
+        m_effort.limit = before + most;
+        const std::int64_t n = m_costs.icebergs;
+        if (!m_searched) {
+            m_search.descendFromGreedyOrders();
+            m_search.disturb(firstRestarts(n));
+            m_searched = m_effort.work;
+        } else {
+            const std::int64_t due = work / kSearchShare - (before - *m_searched);
+            if (const std::int64_t restarts = due / (kWorkOfRestart * n * n);
+                restarts >= kLeastRestarts)
+                m_search.disturb(restarts);
+        }
+        return {.order = m_search.best(), .work = m_effort.work - before};
+    }
+
+    void takeOrder(const VisitOrder& order)
+    {
+        m_objective = objective(m_problem, order);
+        report();
+    }
+    /** Rounded down: the shift may be far larger than the objective. */
+    [[nodiscard]] double boundOnObjective() const
+    {
+        return m_bound - m_shift - roundingMargin(m_costs.icebergs, m_shift);
+    }
+    /** 0 says nothing: that every cost is positive goes without saying. */
+    void takeBound(double bound)
+    {
+        if (bound <= 0 || bound <= m_bound)
+            return;
+        m_bound = bound;
+        report();
+    }
+    void report() const
+    {
+        const double bound = std::min(boundOnObjective(), m_objective);
+        m_watch.report(m_search.best(), m_objective,
+                       m_bound > 0 ? std::optional(bound) : std::nullopt);
+    }
+
+    SolveOutcome outcome(const BoundResult& result, std::int64_t work)
+    {
+        SolveOutcome outcome;
+        outcome.status = SolveStatus::Feasible;
+        outcome.order = m_search.best();
+        outcome.work = work;
+        outcome.hintUsed = !m_options.hint.empty();
+        if (m_bound > 0)
+            outcome.bound = boundOnObjective();
+
+        const double cost = m_costs.total(outcome.order);
+        if (result.reached && isProven(cost, result.bound))
+            outcome.status = SolveStatus::Optimal;
+        else if (result.reached)
+            outcome.reason = StopReason::GapReached;
+        else if (m_cut)
+            outcome.reason = *m_cut;
+        else if (result.memoryOut)
+            outcome.reason = StopReason::MemoryLimit;
+        else if (m_options.workLimit && *m_options.workLimit <= m_own &&
+                 (m_costs.icebergs <= kMostProvenByEngine || work >= *m_options.workLimit))
+            outcome.reason = StopReason::WorkLimit;
+        return outcome;
+    }
+
+    const TvpProblem& m_problem;
+    const SolveOptions& m_options;
+    SolveWatch m_watch;
+    Costs m_costs;
+    double m_shift;     ///< cost = objective + shift
+    std::int64_t m_own; ///< the back end's own limit of work
+    SearchEffort m_effort;
+    OrderSearch<Costs> m_search;
+    std::optional<std::int64_t> m_searched; ///< work of the first local search, once it is done
+    std::optional<StopReason> m_cut;
+    double m_objective = 0; ///< of the best order
+    double m_bound = 0;     ///< on the cost, not on the objective
+};
+
+} // namespace
+
+SolveOutcome solveByEngine(const TvpProblem& problem, const SolveOptions& options,
+                           std::optional<std::int64_t> effort)
+{
+    if (problem.mu > 0)
+        return problem.criterion == Criterion::Latency
+                   ? Engine<LatencyCosts>(problem, options, effort).run()
+                   : Engine<VisitCosts>(problem, options, effort).run();
+
+    SolveOutcome outcome;
+    outcome.status = SolveStatus::Optimal;
+    outcome.order = sigmaOrder(problem);
+    const double value = objective(problem, outcome.order);
+    SolveWatch(options).report(outcome.order, value, value);
+    return outcome;
+}
+
+std::int64_t responsiveEffort(int icebergs)
+{
+    // The plain relaxation of many icebergs is slower to pay.
+    return icebergs <= kMostProvenByEngine ? 900'000'000 : 2'000'000'000;
+}
+
+bool subsetsPay(const TvpProblem& problem, const SolveOptions& options)
+{
+    const int n = problem.icebergCount();
+    const int most =
+        problem.criterion == Criterion::Latency ? kMostLatencyBySubsets : kMostBySubsets;
+    return n <= most && problem.mu > 0 &&
+           SubsetSolver::workFor(n) <= options.workLimit.value_or(SubsetSolver::workFor(n)) &&
+           SubsetSolver::bytesFor(n) <=
+               options.memoryLimit_bytes.value_or(SubsetSolver::bytesFor(n));
+}
+
+} // namespace berg

@@ -1,0 +1,462 @@
+#include "core/plan/solve/layered_bound.h"
+
+#include "core/base/error.h"
+#include "core/plan/solve/graph_search.h"
+#include "core/plan/solve/layered_graph.h"
+#include "core/plan/solve/ng_memory.h"
+#include "core/plan/solve/piece_list.h"
+#include "core/plan/solve/price_ascent.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/** Steps of the multipliers: before the first suggestion, in all without a graph (at least, and
+ * with multipliers given), on the first graph, on later graphs. */
+constexpr std::int64_t kFirstSteps = 10;
+constexpr std::int64_t kPlainSteps = 80;
+constexpr std::int64_t kWarmSteps = 20;
+constexpr int kFirstGraphSteps = 60;
+constexpr int kLaterSteps = 20;
+/** Work counts the arcs of a sweep as 1; the rest by measurement. */
+constexpr std::int64_t kWorkOfNode = 3;
+constexpr std::int64_t kWorkOfRefining = 10;
+constexpr std::int64_t kWorkOfSearching = 25;
+/** Relaxed paths whose cycles make the memory grow: those of the last steps. */
+constexpr std::size_t kRecentPaths = 20;
+/** Most that the exact search may be wider than usual. */
+constexpr int kWidest = 1024;
+/** Gaps certified on the way when the graph gets large: what can beat the order by so much is
+ * little, and soon deleted. */
+constexpr std::array kStages{0.005, 0.002};
+
+/** The arcs of a graph without their memories, sorted. */
+std::vector<PositionArc> arcsOf(const LayeredGraph<VisitCosts>& graph)
+{
+    std::vector<PositionArc> arcs;
+    const auto less = [](const PositionArc& a, const PositionArc& b) {
+        return std::tie(a.position, a.from, a.to) < std::tie(b.position, b.from, b.to);
+    };
+    int node = 0;
+    for (int p = 0; p < graph.icebergs(); ++p) {
+        const std::size_t begin = arcs.size();
+        for (const int end = graph.layerEnd(p); node < end; ++node)
+            for (const int to : graph.successors(node))
+                arcs.push_back({graph.iceberg(node), graph.iceberg(to), p + 1});
+        const auto first = arcs.begin() + static_cast<std::ptrdiff_t>(begin);
+        std::sort(first, arcs.end(), less);
+        arcs.erase(std::unique(first, arcs.end()), arcs.end());
+    }
+    return arcs;
+}
+
+/** All arcs there are, sorted. */
+std::vector<PositionArc> completeArcs(int icebergs)
+{
+    std::vector<PositionArc> arcs;
+    for (int p = 1; p <= icebergs; ++p)
+        for (int from = p == 1 ? 0 : 1; from <= (p == 1 ? 0 : icebergs); ++from)
+            for (int to = 1; to <= icebergs; ++to)
+                if (to != from)
+                    arcs.push_back({from, to, p});
+    return arcs;
+}
+
+/** A graph, the memory it is to be refined with next, and how it came about. Copies share the
+ * graph, which its refinement replaces. */
+template <class Costs>
+struct Stage
+{
+    std::shared_ptr<LayeredGraph<Costs>> graph;
+    NgSets sets;
+    int cap = 0; ///< icebergs that a memory may grow to
+    PriceAscent ascent;
+};
+
+/** The run of `improveBound`: an incumbent, a bound, and a graph of what may lie between. */
+template <class Costs>
+class BoundSearch
+{
+public:
+    BoundSearch(const Costs& costs, const VisitOrder& order, const LayeredBoundOptions& options)
+        : m_costs(costs)
+        , m_options(options)
+        , m_cost(costs.total(order))
+        , m_ascent(options.lambda ? *options.lambda : firstPrices(costs, order))
+    {
+        require(!options.lambda || options.lambda->size() == costs.icebergs + 1,
+                "improveBound: one multiplier for each node");
+        m_result.order = order;
+    }
+
+    BoundResult run()
+    {
+        LayeredPaths<Costs> paths(m_costs);
+        relax(paths, kFirstSteps);
+        takeSuggestion();
+        m_gap = m_options.gap;
+        takeBound(m_result.bound);
+        relax(paths, plainSteps() - kFirstSteps);
+        if (!finished() && m_costs.icebergs < NodeSet::kCapacity)
+            tighten(paths);
+        tellStep();
+        m_result.lambda = m_ascent.best();
+        return std::move(m_result);
+    }
+
+    std::vector<PositionArc> arcs()
+    {
+        m_keepEqual = true;
+        LayeredPaths<Costs> paths(m_costs);
+        relax(paths, plainSteps());
+        Stage<Costs> stage = firstStage(paths);
+        if (cut())
+            return completeArcs(m_costs.icebergs);
+        std::vector<PositionArc> arcs = arcsOf(*stage.graph);
+        if (m_costs.icebergs >= NodeSet::kCapacity)
+            return arcs;
+        constexpr double kPays = 0.98;
+        for (bool pays = true; pays && !finished() && refine(stage, 0);) {
+            ascend(*stage.graph);
+            if (m_cut)
+                break;
+            std::vector<PositionArc> fewer = arcsOf(*stage.graph);
+            pays = m_graphs == 1 ||
+                   static_cast<double>(fewer.size()) < kPays * static_cast<double>(arcs.size());
+            arcs = std::move(fewer);
+            forbidCycles(stage.sets, m_costs, m_recent, ++stage.cap);
+        }
+        return arcs;
+    }
+
+private:
+    /** After a poor order multipliers may be so large that rounding leaves nothing of the cost. */
+    void renewMultipliers()
+    {
+        if (!allowsProof(best().margin, m_cost))
+            m_ascent = PriceAscent(firstPrices(m_costs, m_result.order));
+    }
+    /** Orders of at least this cost are of no interest. */
+    [[nodiscard]] double cutoff() const
+    {
+        return m_keepEqual ? cutoffAbove(m_cost) : cutoffBelow(m_cost, m_gap);
+    }
+    [[nodiscard]] Prices here() const { return certifiedPrices(m_ascent.here(), cutoff()); }
+    [[nodiscard]] Prices best() const { return certifiedPrices(m_ascent.best(), cutoff()); }
+    bool cut()
+    {
+        m_cut = m_cut || (m_options.cut && m_options.cut());
+        return m_cut;
+    }
+    bool finished()
+    {
+        return m_result.reached || m_result.memoryOut || m_workOut ||
+               m_result.work >= m_options.workLimit || cut();
+    }
+    [[nodiscard]] CutQuestion cutQuestion()
+    {
+        return [this] { return cut(); };
+    }
+    [[nodiscard]] std::int64_t plainSteps() const
+    {
+        // The order of magnitude of a bound matters more than the last tenth of it.
+        return m_options.lambda ? kWarmSteps
+                                : std::max<std::int64_t>(kPlainSteps, 2 * m_costs.icebergs);
+    }
+
+    [[nodiscard]] static std::int64_t workOfSweep(const LayeredGraph<Costs>& graph)
+    {
+        return graph.arcCount() + kWorkOfNode * graph.nodeCount();
+    }
+
+    /** Takes a certified lower bound on all orders below the cutoff. */
+    void takeBound(double bound)
+    {
+        bound = std::max(bound, 0.0); // no cost is negative
+        if (bound >= cutoff()) {
+            m_result.bound = std::max(m_result.bound, cutoff());
+            m_stageDone = true;
+            m_result.reached = m_gap <= m_options.gap;
+        } else {
+            m_result.bound = std::max(m_result.bound, bound);
+        }
+    }
+    /** Takes an order; returns whether it is a better one. */
+    bool takeOrder(const VisitOrder& order)
+    {
+        const double cost = m_costs.total(order);
+        if (m_keepEqual || !replaces(cost, m_cost))
+            return false;
+        m_cost = cost;
+        m_result.order = order;
+        return true;
+    }
+    void takePath(const std::vector<int>& path)
+    {
+        NodeSet visited;
+        for (const int i : path) {
+            if (i >= NodeSet::kCapacity || visited.contains(i))
+                return;
+            visited.insert(i);
+        }
+        if (takeOrder(path))
+            report();
+    }
+    void takeSuggestion()
+    {
+        if (!m_options.suggest || finished())
+            return;
+        const OrderSuggestion found =
+            m_options.suggest(m_result.work, m_options.workLimit - m_result.work);
+        m_result.work += found.work;
+        if (!found.order.empty() && takeOrder(found.order))
+            report();
+    }
+    void report() const
+    {
+        if (m_options.onImproved && !m_keepEqual)
+            m_options.onImproved(m_result.order, m_result.bound);
+    }
+
+    void relax(LayeredPaths<Costs>& paths, std::int64_t steps)
+    {
+        renewMultipliers();
+        for (std::int64_t k = 0; k < steps && !finished(); ++k) {
+            const Prices prices = here();
+            const double bound = paths.sweep(prices, cutQuestion());
+            m_result.work += paths.workOfSweep();
+            if (!std::isfinite(bound))
+                return;
+            if (!climb(paths.shortestPath(), bound, prices.margin))
+                break;
+            if (k % kFirstSteps == 0)
+                report();
+        }
+        report();
+    }
+
+    /** Takes what a sweep at the multipliers `here` gave; false when there are no better ones. */
+    bool climb(std::vector<int> path, double bound, double margin)
+    {
+        takePath(path);
+        const bool steps =
+            m_ascent.step({.visits = std::move(path), .bound = bound, .margin = margin}, m_cost);
+        takeBound(m_ascent.bound());
+        return steps;
+    }
+
+    /** The graph without memory, and the memory to begin with. */
+    Stage<Costs> firstStage(LayeredPaths<Costs>& paths)
+    {
+        const std::int64_t n = m_costs.icebergs;
+        const int nearest = n <= 50 ? 3 : 2; // large graphs must grow slowly
+        const Prices prices = best();
+        paths.sweep(prices, cutQuestion());
+        m_result.work += 4 * paths.workOfSweep();
+        tellStep();
+        return {.graph = shared(LayeredGraph(m_costs, paths, prices, cutQuestion())),
+                .sets = nearestSets(m_costs, nearest),
+                .cap = nearest,
+                .ascent = m_ascent};
+    }
+
+    /** Arcs have been deleted at the best multipliers, or nothing below the cutoff is left. */
+    void tellStep(const NgSets* sets = nullptr) const
+    {
+        if (m_options.onStep)
+            m_options.onStep({.lambda = m_ascent.best(),
+                              .sets = sets ? std::make_shared<const NgSets>(*sets) : nullptr});
+    }
+
+    [[nodiscard]] static std::shared_ptr<LayeredGraph<Costs>> shared(LayeredGraph<Costs>&& graph)
+    {
+        return {new LayeredGraph<Costs>(std::move(graph)), FreeElsewhere()};
+    }
+
+    /** Rounds of refining, ascent, exact search and more memory. */
+    void tighten(LayeredPaths<Costs>& paths)
+    {
+        Stage<Costs> stage = firstStage(paths);
+        std::optional<Stage<Costs>> saved; // where the next gap is gone for from
+        bool staged = false;
+        while (!finished()) {
+            if (!staged && !m_options.onStep && isLarge(*stage.graph)) {
+                staged = true;
+                m_gap = nextGap();
+                if (m_gap > m_options.gap) {
+                    stage.ascent = m_ascent;
+                    saved = stage;
+                }
+            }
+            const std::int64_t saved_bytes = saved ? saved->graph->bytes() : 0;
+            if (!refine(stage, saved && saved->graph != stage.graph ? saved_bytes : 0))
+                return;
+            ascend(*stage.graph);
+            if (!finished() && !m_stageDone)
+                searchIn(*stage.graph, saved_bytes);
+            report();
+            takeSuggestion();
+            if (finished())
+                return;
+            if (m_stageDone) {
+                m_stageDone = false;
+                m_gap = nextGap();
+                stage = *saved;
+                m_ascent = stage.ascent;
+                if (m_gap == m_options.gap)
+                    saved.reset();
+            } else {
+                forbidCycles(stage.sets, m_costs, m_recent, ++stage.cap);
+            }
+        }
+    }
+
+    /** Whether it is time to certify other gaps first. */
+    [[nodiscard]] bool isLarge(const LayeredGraph<Costs>& graph) const
+    {
+        constexpr std::int64_t kMemoryShare = 20;
+        return graph.arcCount() > m_options.manyArcs ||
+               graph.bytes() > m_options.memoryLimit_bytes / kMemoryShare;
+    }
+
+    /** The next gap worth certifying. */
+    [[nodiscard]] double nextGap() const
+    {
+        for (const double gap : kStages)
+            if (gap > m_options.gap && m_result.bound < m_cost * (1 - gap))
+                return gap;
+        return m_options.gap;
+    }
+
+    /** False when cut, or when the refined graph would be larger than the limits allow. */
+    bool refine(Stage<Costs>& stage, std::int64_t otherBytes)
+    {
+        constexpr std::int64_t kGrowth = 3; // of vectors, and what the search needs
+        const Prices prices = best();
+        stage.graph->sweep(prices, cutQuestion());
+        if (cut())
+            return false;
+        const std::int64_t left = m_options.workLimit - m_result.work;
+        const std::int64_t left_bytes =
+            m_options.memoryLimit_bytes - stage.graph->bytes() - otherBytes;
+        Refinement<Costs> refined = stage.graph->refined(
+            stage.sets, prices,
+            {.arcs = left / (kWorkOfRefining + kLaterSteps), .bytes = left_bytes / kGrowth},
+            cutQuestion());
+        m_result.memoryOut = refined.memoryOut;
+        m_workOut = !refined.graph;
+        if (!refined.graph)
+            return false;
+        stage.graph = shared(std::move(*refined.graph));
+        tellStep(&stage.sets);
+        m_result.work += kWorkOfRefining * workOfSweep(*stage.graph);
+        ++m_graphs;
+        return true;
+    }
+
+    void ascend(LayeredGraph<Costs>& graph)
+    {
+        const int steps = m_graphs == 1 ? kFirstGraphSteps : kLaterSteps;
+        renewMultipliers();
+        m_ascent.restart();
+        m_recent.clear();
+        for (int k = 0; k < steps && !finished() && !m_stageDone; ++k) {
+            const Prices prices = here();
+            const double bound = graph.sweep(prices, cutQuestion());
+            m_result.work += workOfSweep(graph);
+            if (cut())
+                return;
+            std::vector<int> path = graph.shortestPath();
+            if (path.empty()) {
+                takeBound(kInfinity); // nothing below the cutoff is left
+                return;
+            }
+            m_recent.push_back(path);
+            if (m_recent.size() > kRecentPaths)
+                m_recent.erase(m_recent.begin());
+            if (!climb(std::move(path), bound, prices.margin)) {
+                // What is missing now, only the exact search can find.
+                m_width = std::min(2 * m_width, kWidest);
+                break;
+            }
+            // Early steps gain most, so they are followed by a clearing up sooner.
+            if (k == 0 || k % 20 == 6)
+                trim(graph);
+        }
+        if (!finished())
+            trim(graph);
+    }
+
+    void trim(LayeredGraph<Costs>& graph)
+    {
+        const Prices prices = best();
+        graph.sweep(prices, cutQuestion());
+        if (!cut() && !graph.trim(prices, cutQuestion()))
+            m_cut = true;
+        tellStep();
+        m_result.work += 3 * workOfSweep(graph);
+    }
+
+    void searchIn(LayeredGraph<Costs>& graph, std::int64_t otherBytes)
+    {
+        const Prices prices = best();
+        graph.sweep(prices, cutQuestion());
+        if (cut())
+            return;
+        // Half the mean width of the graph: the work of a few sweeps.
+        const int states = m_width * std::max(100, graph.nodeCount() / (2 * m_costs.icebergs));
+        const GraphSearchResult found =
+            searchGraph(graph, prices,
+                        {.mostStates = states,
+                         .memory_bytes = m_options.memoryLimit_bytes - graph.bytes() - otherBytes,
+                         .cut = cutQuestion()});
+        m_result.work += kWorkOfSearching * found.work;
+        if (!found.order.empty())
+            takeOrder(found.order);
+        takeBound(prices.certified(found.bound));
+    }
+
+    const Costs& m_costs;
+    const LayeredBoundOptions& m_options;
+    BoundResult m_result;
+    double m_cost; ///< of m_result.order
+    PriceAscent m_ascent;
+    std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
+    double m_gap = 0;                       ///< that is being certified
+    int m_graphs = 0;                       ///< refined so far
+    int m_width = 1;                        ///< of the exact search, in usual widths
+    bool m_stageDone = false;               ///< m_gap has been certified
+    bool m_keepEqual = false;               ///< orders as good as the given one are to be kept
+    bool m_workOut = false; ///< the work that is left does not suffice for a refined graph
+    bool m_cut = false;
+};
+
+} // namespace
+
+template <class Costs>
+BoundResult improveBound(const Costs& costs, const VisitOrder& order,
+                         const LayeredBoundOptions& options)
+{
+    return BoundSearch(costs, order, options).run();
+}
+
+template BoundResult improveBound(const VisitCosts&, const VisitOrder&, const LayeredBoundOptions&);
+template BoundResult improveBound(const LatencyCosts&, const VisitOrder&,
+                                  const LayeredBoundOptions&);
+
+std::vector<PositionArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
+                                       const LayeredBoundOptions& options)
+{
+    return BoundSearch(costs, order, options).arcs();
+}
+
+} // namespace berg

@@ -1,0 +1,17 @@
+#include "core/plan/solve/local_search.h"
+
+#include "core/plan/solve/engine.h"
+
+namespace berg {
+
+std::string LocalSearch::whyNot(const TvpProblem&) const
+{
+    return {};
+}
+
+SolveOutcome LocalSearch::doSolve(const TvpProblem& problem, const SolveOptions& options) const
+{
+    return solveByEngine(problem, options, responsiveEffort(problem.icebergCount()));
+}
+
+} // namespace berg

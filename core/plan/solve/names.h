@@ -1,0 +1,78 @@
+#pragma once
+
+#include "core/plan/solve/solver.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace berg {
+
+/** One value of a setting and its name in files and on the command line. */
+template <class Enum>
+struct Named
+{
+    Enum value;
+    std::string_view name;
+};
+
+inline constexpr std::array<Named<Route>, 2> kRouteNames{{
+    {Route::Open, "open"},
+    {Route::Closed, "closed"},
+}};
+
+inline constexpr std::array<Named<Backend>, 4> kBackendNames{{
+    {Backend::Auto, "auto"},
+    {Backend::Exact, "exact"},
+    {Backend::Cbc, "cbc"},
+    {Backend::Heuristic, "heuristic"},
+}};
+
+inline constexpr std::array<Named<Formulation>, 3> kFormulationNames{{
+    {Formulation::Position, "position"},
+    {Formulation::Printed, "printed"},
+    {Formulation::Reduced, "reduced"},
+}};
+
+inline constexpr std::array<Named<SolveStatus>, 3> kStatusNames{{
+    {SolveStatus::Optimal, "optimal"},
+    {SolveStatus::Feasible, "feasible"},
+    {SolveStatus::None, "none"},
+}};
+
+/** Name of a value; every value of these enumerations is in its table. */
+template <class Table, class Enum>
+[[nodiscard]] std::string nameOf(const Table& table, Enum value)
+{
+    for (const auto& row : table)
+        if (row.value == value)
+            return std::string(row.name);
+    return {};
+}
+
+/** Value of a name, none when the table does not have it. */
+template <class Enum, std::size_t Size>
+[[nodiscard]] std::optional<Enum> valueOf(const std::array<Named<Enum>, Size>& table,
+                                          std::string_view name)
+{
+    for (const auto& row : table)
+        if (row.name == name)
+            return row.value;
+    return std::nullopt;
+}
+
+/** "open, closed": for messages that list what is allowed. */
+template <class Table>
+[[nodiscard]] std::string allowedNames(const Table& table)
+{
+    std::string text;
+    for (const auto& row : table) {
+        if (!text.empty())
+            text += ", ";
+        text += row.name;
+    }
+    return text;
+}
+
+} // namespace berg

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "core/plan/solve/tvp.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace berg {
+
+/** Sum of the legs and visits of an order. */
+template <class Costs>
+[[nodiscard]] double costOfVisits(const Costs& costs, std::span<const int> order)
+{
+    double sum = 0;
+    int from = 0;
+    int position = 0;
+    for (const int node : order) {
+        sum += costs.leg(from, node) + costs.visit(node, ++position);
+        from = node;
+    }
+    return sum + costs.leg(from, 0);
+}
+
+/** Sum of the sigmas, each times the legs flown until there. */
+template <class Costs>
+[[nodiscard]] double weightedLength(const Costs& costs, std::span<const int> order)
+{
+    double length = 0;
+    double sum = 0;
+    int from = 0;
+    for (const int node : order) {
+        length += costs.leg(from, node);
+        sum += costs.sigmaOf(node) * length;
+        from = node;
+    }
+    return sum;
+}
+
+/**
+ * What the costs of both criteria share, laid out for inner loops. Search, graph and bound are
+ * templates over `VisitCosts` and `LatencyCosts`, which have the same members:
+ *
+ * - levels: an iceberg raises the level of a path by `step(iceberg)` >= 1, from 0 at the UAV to
+ *   `lastLevel()` at the end of every order. Levels are the layers of the relaxation's graph.
+ * - `visit(iceberg, level)` is added where the visit raises the path to that level.
+ * - `kWeighted`: a leg counts as many times as there is sigma unseen, else once.
+ */
+struct LegTable
+{
+    explicit LegTable(const TvpProblem& problem);
+
+    [[nodiscard]] double leg(int from, int to) const { return legs(to, from); }
+    [[nodiscard]] double sigmaOf(int node) const { return sigma[static_cast<std::size_t>(node)]; }
+    int icebergs = 0;
+    Eigen::MatrixXd legs;      ///< N x N, column = from, row = to, mu d; row 0 is the end of the
+                               ///< route: 0 when open, the way back when closed
+    std::vector<double> sigma; ///< N, m^2
+};
+
+/**
+ * Eq. (1) plus the constant N sum(sigma): a leg from i to j flown into position p (1 for the first
+ * iceberg, so t = p + 1) costs mu d(i,j) + sigma_j (p + 1) >= 0. Levels are positions.
+ */
+struct VisitCosts : LegTable
+{
+    static constexpr bool kWeighted = false;
+
+    explicit VisitCosts(const TvpProblem& problem) : LegTable(problem) {}
+
+    [[nodiscard]] static int step(int /*iceberg*/) { return 1; }
+    [[nodiscard]] int lastLevel() const { return icebergs; }
+    [[nodiscard]] double visit(int node, int position) const
+    {
+        return sigmaOf(node) * (position + 1);
+    }
+    /** Sum of an order's costs: `objective` + `objectiveShift`. */
+    [[nodiscard]] double total(std::span<const int> order) const
+    {
+        return costOfVisits(*this, order);
+    }
+};
+
+/**
+ * Weighted latency: a leg costs mu d(i,j) times the sigma still unseen, that of j included. Levels
+ * count the sigma seen in units of about a fourteenth of the mean sigma, rounded for each iceberg:
+ * real sigmas stay as they are, only that a place in the graph, which knows its level, knows no
+ * more than bounds on the sigma unseen.
+ */
+struct LatencyCosts : LegTable
+{
+    static constexpr bool kWeighted = true;
+
+    explicit LatencyCosts(const TvpProblem& problem);
+
+    [[nodiscard]] int step(int iceberg) const { return steps[static_cast<std::size_t>(iceberg)]; }
+    [[nodiscard]] int lastLevel() const { return last; }
+    [[nodiscard]] static double visit(int /*node*/, int /*level*/) { return 0; }
+    /** Sum of an order's costs: `objective`. */
+    [[nodiscard]] double total(std::span<const int> order) const
+    {
+        return weightedLength(*this, order);
+    }
+
+    double sigmaSum = 0;
+    std::vector<int> steps; ///< N, at least 1; [0] is 0
+    int last = 0;           ///< sum of the steps
+    /** By level: the least sigma that a set of icebergs leaves unseen; infinite when none has it.
+     */
+    Eigen::ArrayXd leastUnseen;
+};
+
+} // namespace berg

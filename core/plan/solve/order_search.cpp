@@ -1,0 +1,236 @@
+#include "core/plan/solve/order_search.h"
+
+#include "core/plan/solve/certified.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Work of looking at one partner of an iceberg: seven moves valued. By measurement. */
+template <class Costs>
+constexpr std::int64_t kWorkOfNeighbour = Costs::kWeighted ? 20 : 8;
+
+/**
+ * Descent by first improvement over icebergs, best move of each iceberg. Icebergs whose
+ * neighbours have not changed since they were looked at in vain are not looked at again.
+ */
+template <class Costs>
+class Descent
+{
+public:
+    Descent(const Costs& costs, const VisitOrder& order, SearchEffort& effort)
+        : m_moves(costs, order), m_effort(effort), m_active(order.size() + 1, true)
+    {
+    }
+
+    [[nodiscard]] double cost() const { return m_moves.cost(); }
+    [[nodiscard]] VisitOrder order() const { return m_moves.order(); }
+
+    void assign(const VisitOrder& order) { m_moves.assign(order); }
+    /** Makes a move, good or bad. */
+    void make(const OrderMove& move)
+    {
+        const int end = m_moves.icebergs() + 1;
+        for (const int position : {move.first - 1, move.first, move.first + 1, move.last - 1,
+                                   move.last, move.last + 1, move.after, move.after + 1})
+            m_active[static_cast<std::size_t>(m_moves.at(std::clamp(position, 0, end)))] = true;
+        m_moves.apply(move);
+    }
+
+    /** Goes down to a local optimum, or until the effort is spent. */
+    void run()
+    {
+        const double least = kLeastGain * cost();
+        for (bool again = true; again;) {
+            again = false;
+            for (int position = 1; position <= m_moves.icebergs(); ++position) {
+                const auto node = static_cast<std::size_t>(m_moves.at(position));
+                if (!m_active[node])
+                    continue;
+                m_effort.work += kWorkOfNeighbour<Costs> * m_moves.icebergs();
+                if (m_effort.work >= m_effort.limit)
+                    return;
+                if (++m_looks % kLooksPerCheck == 0 && m_effort.cut && m_effort.cut())
+                    return;
+                again = true;
+                const OrderMove move = m_moves.bestMoveAt(position);
+                if (move.delta < -std::max(least, m_moves.rounding()))
+                    make(move);
+                else
+                    m_active[node] = false;
+            }
+        }
+    }
+
+private:
+    static constexpr int kLooksPerCheck = 16;
+
+    OrderMoves<Costs> m_moves;
+    SearchEffort& m_effort;
+    std::vector<bool> m_active; ///< by node
+    int m_looks = 0;
+};
+
+/** What the next iceberg of a greedy order is chosen by. */
+enum class Greed
+{
+    Nearest,  ///< shortest leg
+    Ratio,    ///< shortest leg per sigma
+    Sigma,    ///< largest sigma
+    Earlier,  ///< leg less the cost of waiting for a part of the time that is left, Eq. (1)
+    Earliest, ///< the same with twice that part
+};
+
+/** The smaller the better. */
+double greedyValue(Greed greed, double leg, double sigma, int left)
+{
+    constexpr double kPart = 0.125;
+    switch (greed) {
+    case Greed::Nearest:
+        return leg;
+    case Greed::Ratio:
+        return leg / (sigma + 1e-9); // sigma 0 comes last
+    case Greed::Sigma:
+        return -sigma;
+    case Greed::Earlier:
+        return leg - kPart * sigma * left;
+    case Greed::Earliest:
+        return leg - 2 * kPart * sigma * left;
+    }
+    return leg;
+}
+
+/** Ties go to the shorter leg, then to the smaller number. */
+VisitOrder greedyOrder(const LegTable& costs, Greed greed)
+{
+    VisitOrder order;
+    std::vector<bool> used(costs.sigma.size(), false);
+    for (int left = costs.icebergs; left > 0; --left) {
+        const int from = order.empty() ? 0 : order.back();
+        int best = 0;
+        std::pair<double, double> least;
+        for (int j = 1; j <= costs.icebergs; ++j) {
+            if (used[static_cast<std::size_t>(j)])
+                continue;
+            const double leg = costs.leg(from, j);
+            const std::pair value{
+                greedyValue(greed, leg, costs.sigma[static_cast<std::size_t>(j)], left), leg};
+            if (best == 0 || value < least) {
+                best = j;
+                least = value;
+            }
+        }
+        used[static_cast<std::size_t>(best)] = true;
+        order.push_back(best);
+    }
+    return order;
+}
+
+/** Two neighbouring pieces of the order change places: no single move of the descent undoes it. */
+OrderMove disturbance(Random& random, int icebergs)
+{
+    constexpr int kWidest = 50;
+    const int width = std::min(icebergs, kWidest);
+    const auto draw = [&random](int count) {
+        return static_cast<int>(random.below(static_cast<std::uint64_t>(count)));
+    };
+    const int start = draw(icebergs - width + 1);
+    std::array<int, 3> ends{};
+    do {
+        for (int& end : ends)
+            end = start + draw(width + 1);
+        std::sort(ends.begin(), ends.end());
+    } while (ends[0] == ends[1] || ends[1] == ends[2]);
+    OrderMove move;
+    move.kind = OrderMove::Kind::Relocate;
+    move.first = ends[0] + 1;
+    move.last = ends[1];
+    move.after = ends[2];
+    return move;
+}
+
+} // namespace
+
+template <class Costs>
+OrderSearch<Costs>::OrderSearch(const Costs& costs, SearchEffort& effort)
+    : m_costs(costs), m_effort(effort), m_random(2015, static_cast<std::uint64_t>(costs.icebergs))
+{
+}
+
+template <class Costs>
+void OrderSearch<Costs>::startGreedily()
+{
+    take(greedyOrder(m_costs, Greed::Nearest));
+}
+
+template <class Costs>
+void OrderSearch<Costs>::descend()
+{
+    descendFrom(m_best);
+}
+
+template <class Costs>
+void OrderSearch<Costs>::descendFromGreedyOrders()
+{
+    for (const Greed greed :
+         {Greed::Nearest, Greed::Ratio, Greed::Sigma, Greed::Earlier, Greed::Earliest}) {
+        if (m_effort.spent())
+            return;
+        descendFrom(greedyOrder(m_costs, greed));
+        m_effort.work += std::int64_t{m_costs.icebergs} * m_costs.icebergs;
+    }
+}
+
+template <class Costs>
+void OrderSearch<Costs>::disturb(std::int64_t restarts)
+{
+    if (m_costs.icebergs < 3)
+        return; // a descent tries everything
+    Descent descent(m_costs, m_best, m_effort);
+    VisitOrder current = m_best;
+    double currentCost = m_bestCost;
+    for (std::int64_t done = 0; done < restarts && !m_effort.spent(); ++done) {
+        descent.make(disturbance(m_random, m_costs.icebergs));
+        descent.run();
+        take(descent.order());
+        // Slightly worse orders are accepted, less and less so: without that the search stays in
+        // one valley.
+        const double progress = static_cast<double>(done) / static_cast<double>(restarts);
+        const double tolerance = 0.4 / m_costs.icebergs * (1 - progress);
+        if (descent.cost() <= currentCost * (1 + tolerance)) {
+            currentCost = descent.cost();
+            current = descent.order();
+        } else {
+            descent.assign(current);
+        }
+    }
+}
+
+template <class Costs>
+void OrderSearch<Costs>::descendFrom(const VisitOrder& order)
+{
+    Descent descent(m_costs, order, m_effort);
+    descent.run();
+    take(descent.order());
+}
+
+template <class Costs>
+void OrderSearch<Costs>::take(const VisitOrder& order)
+{
+    const double cost = m_costs.total(order);
+    if (!m_best.empty() && cost >= m_bestCost * (1 - kLeastGain))
+        return;
+    m_best = order;
+    m_bestCost = cost;
+    if (onImproved)
+        onImproved(m_best);
+}
+
+template class OrderSearch<VisitCosts>;
+template class OrderSearch<LatencyCosts>;
+
+} // namespace berg

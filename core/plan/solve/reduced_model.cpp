@@ -1,0 +1,68 @@
+#include "core/plan/solve/reduced_model.h"
+
+#include "core/plan/solve/layered_bound.h"
+#include "core/plan/solve/local_search.h"
+#include "core/plan/solve/order_moves.h"
+#include "core/plan/solve/solve_watch.h"
+
+namespace berg {
+
+namespace {
+
+/** The cheapest order one move away that costs more; the order itself when there is none. */
+VisitOrder cheapestNeighbour(const VisitCosts& costs, const VisitOrder& order)
+{
+    using Kind = OrderMove::Kind;
+    OrderMoves moves(costs, order);
+    const double least = 1e-7 * costs.total(order); // what is nearer is the same but for rounding
+    OrderMove cheapest;
+    const auto consider = [&](double delta, const OrderMove& move) {
+        if (delta > least && (cheapest.kind == Kind::None || delta < cheapest.delta)) {
+            cheapest = move;
+            cheapest.delta = delta;
+        }
+    };
+    for (int a = 1; a < costs.icebergs; ++a)
+        for (int b = a + 1; b <= costs.icebergs; ++b) {
+            consider(moves.reversal(a, b), {.kind = Kind::Reverse, .first = a, .last = b});
+            consider(moves.exchange(a, b), {.kind = Kind::Exchange, .first = a, .last = b});
+        }
+    moves.apply(cheapest);
+    return moves.order();
+}
+
+std::vector<MilpArc> milpArcs(const std::vector<PositionArc>& arcs)
+{
+    std::vector<MilpArc> result;
+    for (const PositionArc& arc : arcs)
+        result.push_back({.from = arc.from, .to = arc.to, .position = arc.position});
+    return result;
+}
+
+} // namespace
+
+ReducedModel reducedModel(const TvpProblem& problem, const SolveOptions& options)
+{
+    const SolveWatch watch(options);
+    ReducedModel reduced;
+    // With the optimum as incumbent few columns are left; so it pays to look for it with the bound.
+    reduced.incumbent =
+        LocalSearch()
+            .solve(problem,
+                   {.timeLimit_s = options.timeLimit_s, .hint = options.hint, .stop = options.stop})
+            .order;
+    if (reduced.incumbent.empty() || watch.cut())
+        return reduced;
+
+    constexpr std::int64_t kMostWork = 900'000'000; // seldom used up
+    const VisitCosts costs(problem);
+    const LayeredBoundOptions bound{.workLimit = kMostWork,
+                                    .cut = [&watch] { return watch.cut().has_value(); }};
+    const std::vector<PositionArc> arcs =
+        survivingArcs(costs, cheapestNeighbour(costs, reduced.incumbent), bound);
+    if (!watch.cut())
+        reduced.milp = positionModel(problem, milpArcs(arcs));
+    return reduced;
+}
+
+} // namespace berg

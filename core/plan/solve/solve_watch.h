@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/plan/solve/solver.h"
+
+namespace berg {
+
+/**
+ * Stop token, time limit and progress reports of one solve. Borrows the options. Work is counted
+ * by the back end itself.
+ */
+class SolveWatch
+{
+public:
+    explicit SolveWatch(const SolveOptions& options) : m_options(options) {}
+
+    /** Why the solve must end now, if it must. About 50 ns: ask at least every 10 ms. */
+    [[nodiscard]] std::optional<StopReason> cut() const
+    {
+        if (m_options.stop.stop_requested())
+            return StopReason::Cancelled;
+        if (m_options.timeLimit_s && m_watch.elapsed_s() >= *m_options.timeLimit_s)
+            return StopReason::TimeLimit;
+        return std::nullopt;
+    }
+
+    /** Hands a progress report to the caller, if he wants any. `bound` in terms of Eq. (1). */
+    void report(const VisitOrder& order, double objective, std::optional<double> bound) const
+    {
+        if (m_options.onProgress)
+            m_options.onProgress({.order = order,
+                                  .objective = objective,
+                                  .bound = bound,
+                                  .elapsed_s = m_watch.elapsed_s()});
+    }
+
+private:
+    const SolveOptions& m_options;
+    Stopwatch m_watch;
+};
+
+} // namespace berg

@@ -1,0 +1,117 @@
+#include "core/plan/solve/solver.h"
+
+#include "core/base/solving_guard.h"
+#include "core/plan/solve/engine.h"
+#include "core/plan/solve/exact_solver.h"
+#include "core/plan/solve/local_search.h"
+#ifdef BERG_WITH_CBC
+#include "core/plan/solve/cbc_solver.h"
+#endif
+
+#include <algorithm>
+#include <chrono>
+
+namespace berg {
+
+namespace {
+
+std::int64_t now_ns()
+{
+    return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+}
+
+/** Dynamic programming where that is faster, else the engine with about a second's work. */
+class AutoSolver final : public TvpSolver
+{
+public:
+    [[nodiscard]] std::string name() const override { return "auto"; }
+    [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
+
+protected:
+    [[nodiscard]] SolveOutcome doSolve(const TvpProblem& problem,
+                                       const SolveOptions& options) const override
+    {
+        if (subsetsPay(problem, options))
+            return m_exact.solve(problem, options);
+        return m_heuristic.solve(problem, options);
+    }
+
+private:
+    ExactSolver m_exact;
+    LocalSearch m_heuristic;
+};
+
+/** Puts the answer of a back end into the shape `SolveOutcome` promises. */
+void settle(const TvpProblem& problem, SolveOutcome& outcome)
+{
+    if (outcome.status == SolveStatus::None) {
+        outcome.order.clear();
+        outcome.objective = 0;
+        return;
+    }
+    require(isVisitOrder(problem, outcome.order), "solver returned no valid visiting order");
+    outcome.objective = objective(problem, outcome.order);
+    if (outcome.status == SolveStatus::Optimal)
+        outcome.bound = outcome.objective;
+    else if (outcome.bound)
+        outcome.bound = std::min(*outcome.bound, outcome.objective);
+}
+
+} // namespace
+
+Stopwatch::Stopwatch() : m_start_ns(now_ns()) {}
+
+double Stopwatch::elapsed_s() const
+{
+    return static_cast<double>(now_ns() - m_start_ns) * 1e-9;
+}
+
+SolveOutcome TvpSolver::solve(const TvpProblem& problem, const SolveOptions& options) const
+{
+    requireSolvingAllowed();
+    const Stopwatch watch;
+    if (std::vector<Issue> issues = validate(problem); !issues.empty())
+        throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
+
+    SolveOutcome outcome;
+    if (problem.icebergCount() == 0) {
+        outcome = {.status = SolveStatus::Optimal, .bound = 0.0};
+    } else if (std::string reason = whyNot(problem); !reason.empty()) {
+        outcome = {.reason = StopReason::Unable, .detail = std::move(reason)};
+    } else if (options.stop.stop_requested()) {
+        outcome = {.reason = StopReason::Cancelled};
+    } else if (options.hint.empty() || isVisitOrder(problem, options.hint)) {
+        outcome = doSolve(problem, options);
+    } else {
+        SolveOptions withoutHint = options;
+        withoutHint.hint.clear();
+        outcome = doSolve(problem, withoutHint);
+    }
+    settle(problem, outcome);
+    if (outcome.backend.empty())
+        outcome.backend = name();
+    outcome.elapsed_s = watch.elapsed_s();
+    return outcome;
+}
+
+std::unique_ptr<TvpSolver> makeSolver(Backend backend, [[maybe_unused]] Formulation formulation)
+{
+    switch (backend) {
+    case Backend::Auto:
+        return std::make_unique<AutoSolver>();
+    case Backend::Exact:
+        return std::make_unique<ExactSolver>();
+    case Backend::Heuristic:
+        return std::make_unique<LocalSearch>();
+    case Backend::Cbc:
+#ifdef BERG_WITH_CBC
+        return std::make_unique<CbcSolver>(formulation);
+#else
+        throw Error(ErrorCode::Unsupported, "backend cbc",
+                    "this build was made without COIN-OR CBC");
+#endif
+    }
+    throw std::logic_error("makeSolver: unknown back end");
+}
+
+} // namespace berg

@@ -1,0 +1,138 @@
+#pragma once
+
+#include "core/plan/solve/aimed_leg.h"
+#include "core/plan/solve/tvp.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+namespace berg {
+
+enum class SolveStatus
+{
+    Optimal,  ///< proven
+    Feasible, ///< an order, not proven; the bound may be missing
+    None      ///< a limit, a cancellation or an unable back end came before any order
+};
+
+/** Why a solve ended. */
+enum class StopReason
+{
+    Finished,
+    GapReached,
+    TimeLimit,
+    WorkLimit,
+    MemoryLimit,
+    Cancelled,
+    Unable
+};
+
+/** What a long solve tells while it runs; each one is at least as good as the one before. */
+struct SolveProgress
+{
+    VisitOrder order; ///< incumbent; empty when there is none yet
+    double objective = 0;
+    std::optional<double> bound; ///< valid lower bound on the optimum
+    double elapsed_s = 0;
+    std::vector<AimedLeg> legs;          ///< how the order is flown, of plans with aim points
+    std::vector<std::vector<int>> fleet; ///< of several UAVs in place of `order`: one for each
+};
+
+struct SolveOptions
+{
+    std::optional<double> timeLimit_s;     ///< elapsed time; a run cut by it may not repeat
+    std::optional<std::int64_t> workLimit; ///< back end's own unit (nodes, arcs); repeats
+    /** About what a solve may use at its peak; none = no limit. CBC does not know it. */
+    std::optional<std::int64_t> memoryLimit_bytes = 1'500'000'000;
+    double gap = 0;       ///< stop when the relative gap is at most this
+    VisitOrder hint;      ///< warm start; ignored when not a valid order
+    std::stop_token stop; ///< checked at least every 10 ms
+    std::function<void(const SolveProgress&)> onProgress; ///< called on the solving thread
+};
+
+struct SolveOutcome
+{
+    SolveStatus status = SolveStatus::None;
+    StopReason reason = StopReason::Finished;
+    VisitOrder order;            ///< empty when status is None (or there is no iceberg)
+    double objective = 0;        ///< Eq. (1) of `order`, re-scored outside the back end
+    std::optional<double> bound; ///< valid lower bound, never above `objective`
+    double elapsed_s = 0;
+    std::int64_t work = 0; ///< what `workLimit` counts
+    bool hintUsed = false; ///< the hint was accepted as starting incumbent
+    std::string backend;   ///< e.g. "exact"
+    std::string detail;    ///< the back end's own words, for a tooltip
+};
+
+/**
+ * One way to solve the target visitation problem. Stateless: one object may solve on several
+ * threads at once. `solve` checks the problem, the hint and the answer; a back end writes
+ * `doSolve`.
+ */
+class TvpSolver
+{
+public:
+    TvpSolver() = default;
+    TvpSolver(const TvpSolver&) = delete;
+    TvpSolver& operator=(const TvpSolver&) = delete;
+    virtual ~TvpSolver() = default;
+
+    /** Short name as in files and on the command line. */
+    [[nodiscard]] virtual std::string name() const = 0;
+
+    /** Empty when the back end is able to solve the problem, else the reason in a sentence. */
+    [[nodiscard]] virtual std::string whyNot(const TvpProblem& problem) const = 0;
+
+    /**
+     * Solves the problem within the options' limits. Limits and cancellation are outcomes, not
+     * errors; a problem that `validate` faults throws `Error{InvalidInput}`.
+     */
+    [[nodiscard]] SolveOutcome solve(const TvpProblem& problem, const SolveOptions& options) const;
+
+protected:
+    /** `problem` is valid and has at least one iceberg; `options.hint` is empty or valid. */
+    [[nodiscard]] virtual SolveOutcome doSolve(const TvpProblem& problem,
+                                               const SolveOptions& options) const = 0;
+};
+
+enum class Backend
+{
+    Auto,
+    Exact,
+    Cbc,
+    Heuristic
+};
+
+/** MILP used by `Backend::Cbc`: position-indexed, as printed in the paper, or reduced. */
+enum class Formulation
+{
+    Position,
+    Printed,
+    Reduced
+};
+
+/**
+ * The solver of that name. `Exact`, `Auto` and `Heuristic` share one engine: `Exact` goes on until
+ * the proof, the other two end after about a second's work, the same for every run; `Auto` proves
+ * small problems by dynamic programming. Throws `Error{Unsupported}` for what this build lacks.
+ */
+[[nodiscard]] std::unique_ptr<TvpSolver>
+makeSolver(Backend backend, Formulation formulation = Formulation::Position);
+
+/** Monotonic seconds since construction: the one clock of the solvers. */
+class Stopwatch
+{
+public:
+    Stopwatch();
+    [[nodiscard]] double elapsed_s() const;
+
+private:
+    std::int64_t m_start_ns;
+};
+
+} // namespace berg

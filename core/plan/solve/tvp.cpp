@@ -1,0 +1,242 @@
+#include "core/plan/solve/tvp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace berg {
+
+bool isVisitOrder(const TvpProblem& problem, std::span<const int> order)
+{
+    if (static_cast<int>(order.size()) != problem.icebergCount())
+        return false;
+    std::vector<bool> seen(problem.sigma_m2.size(), false);
+    for (const int node : order) {
+        if (node < 1 || node >= problem.nodeCount() || seen[static_cast<std::size_t>(node)])
+            return false;
+        seen[static_cast<std::size_t>(node)] = true;
+    }
+    return true;
+}
+
+double flownDistance(const TvpProblem& problem, std::span<const int> order)
+{
+    double distance_m = 0;
+    int from = 0;
+    for (const int to : order) {
+        distance_m += problem.distance_m(from, to);
+        from = to;
+    }
+    if (problem.route == Route::Closed && !order.empty())
+        distance_m += problem.distance_m(from, 0);
+    return distance_m;
+}
+
+double uncertaintyReward(const TvpProblem& problem, std::span<const int> order)
+{
+    double reward = 0;
+    int t = 1; // t(UAV) = 1, Eq. (6)
+    for (const int node : order) {
+        ++t;
+        reward += problem.sigma_m2[static_cast<std::size_t>(node)] * (problem.nodeCount() - t);
+    }
+    return reward;
+}
+
+double objective(const TvpProblem& problem, std::span<const int> order)
+{
+    require(isVisitOrder(problem, order), "objective: not a visiting order of this problem");
+    if (problem.criterion == Criterion::Latency)
+        return problem.mu * weightedLatency(problem, order);
+    return problem.mu * flownDistance(problem, order) - uncertaintyReward(problem, order);
+}
+
+double weightedLatency(const TvpProblem& problem, std::span<const int> order)
+{
+    double distance_m = 0;
+    double sum = 0;
+    int from = 0;
+    for (const int node : order) {
+        distance_m += problem.distance_m(from, node);
+        sum += problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
+        from = node;
+    }
+    return sum;
+}
+
+double objectiveShift(const TvpProblem& problem)
+{
+    if (problem.criterion == Criterion::Latency)
+        return 0;
+    return problem.nodeCount() *
+           std::accumulate(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
+}
+
+double relativeGap(const TvpProblem& problem, double objective, double bound)
+{
+    const double scale = objective + objectiveShift(problem);
+    return scale > 0 ? std::max(0.0, objective - bound) / scale : 0.0;
+}
+
+TvpProblem restrictedTo(const TvpProblem& problem, std::span<const int> nodes)
+{
+    const auto size = static_cast<Eigen::Index>(nodes.size()) + 1;
+    std::vector<int> all{0};
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    TvpProblem sub{.distance_m = Eigen::MatrixXd(size, size),
+                   .sigma_m2 = {},
+                   .mu = problem.mu,
+                   .route = problem.route,
+                   .criterion = problem.criterion};
+    for (Eigen::Index j = 0; j < size; ++j)
+        for (Eigen::Index i = 0; i < size; ++i)
+            sub.distance_m(i, j) = problem.distance_m(all[static_cast<std::size_t>(i)],
+                                                      all[static_cast<std::size_t>(j)]);
+    for (const int node : all)
+        sub.sigma_m2.push_back(problem.sigma_m2[static_cast<std::size_t>(node)]);
+    return sub;
+}
+
+Eigen::MatrixXd euclideanDistances(const Eigen::MatrixX2d& points_m)
+{
+    const Eigen::Index n = points_m.rows();
+    Eigen::MatrixXd distance_m(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = 0; i < n; ++i)
+            distance_m(i, j) = std::hypot(points_m(i, 0) - points_m(j, 0), //
+                                          points_m(i, 1) - points_m(j, 1));
+    return distance_m;
+}
+
+namespace {
+
+std::string at(const char* field, Eigen::Index i)
+{
+    return std::string(field) + '[' + std::to_string(i) + ']';
+}
+
+/** Along the columns, which is several times faster than by row. */
+bool areDistances(const Eigen::MatrixXd& distance_m)
+{
+    for (Eigen::Index j = 0; j < distance_m.cols(); ++j)
+        for (Eigen::Index i = 0; i < distance_m.rows(); ++i)
+            if (i != j && !(std::isfinite(distance_m(i, j)) && distance_m(i, j) >= 0))
+                return false;
+    return true;
+}
+
+void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
+{
+    const Eigen::Index n = problem.nodeCount();
+    if (problem.distance_m.rows() != n || problem.distance_m.cols() != n) {
+        issues.push_back({Severity::Error, "distance_m",
+                          "must be a square matrix with one row and column per sigma"});
+        return;
+    }
+    if (areDistances(problem.distance_m))
+        return;
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const double d_m = problem.distance_m(i, j);
+            if (i != j && !(std::isfinite(d_m) && d_m >= 0))
+                issues.push_back({Severity::Error,
+                                  at("distance_m", i) + '[' + std::to_string(j) + ']',
+                                  "must be a finite number of at least 0"});
+        }
+}
+
+/** Costs may reach this, so that every sum and square of them stays finite. */
+constexpr double kLargestCost = 1e100;
+/** What is less, but not 0, would lose digits, as numbers near 1e-308 do. */
+constexpr double kSmallestCost = 1e-290;
+
+/** The extremes of the numbers of a problem. */
+struct Extremes
+{
+    double sum_m2 = 0;
+    double least_m2 = std::numeric_limits<double>::infinity(); ///< but 0
+    double longest_m = 0;
+    double shortest_m = std::numeric_limits<double>::infinity(); ///< but 0
+};
+
+Extremes extremesOf(const TvpProblem& problem)
+{
+    Extremes found;
+    for (const double sigma_m2 : problem.sigma_m2) {
+        found.sum_m2 += sigma_m2;
+        if (sigma_m2 > 0)
+            found.least_m2 = std::min(found.least_m2, sigma_m2);
+    }
+    for (Eigen::Index j = 0; j < problem.distance_m.cols(); ++j)
+        for (Eigen::Index i = 0; i < problem.distance_m.rows(); ++i) {
+            const double d_m = problem.distance_m(i, j);
+            if (i == j) // the diagonal may be anything
+                continue;
+            found.longest_m = std::max(found.longest_m, d_m);
+            if (d_m > 0)
+                found.shortest_m = std::min(found.shortest_m, d_m);
+        }
+    return found;
+}
+
+/** Bounds on what an order may cost in all: finite factors may have an infinite product, and one
+ * that is nearly nothing. */
+void validateCosts(const TvpProblem& problem, std::vector<Issue>& issues)
+{
+    const double n = problem.nodeCount();
+    const auto [sum_m2, least_m2, longest_m, shortest_m] = extremesOf(problem);
+    const auto expect = [&issues](double cost, const char* field, const std::string& product) {
+        if (!(cost <= kLargestCost))
+            issues.push_back(
+                {Severity::Error, field, "is too large: " + product + " exceeds 1e100"});
+    };
+    const auto expectDigits = [&issues](double cost, const char* field,
+                                        const std::string& product) {
+        if (cost < kSmallestCost)
+            issues.push_back({Severity::Error, field,
+                              "is too small: " + product + " is not 0, but less than 1e-290"});
+    };
+    expect(n * sum_m2, "sigma", "the sum of sigma times the number of nodes");
+    expect(n * longest_m, "distance_m", "the longest distance times the number of nodes");
+    expectDigits(least_m2, "sigma", "the least sigma");
+    const bool isLatency = problem.criterion == Criterion::Latency;
+    if (isLatency)
+        expect(problem.mu * longest_m * n * sum_m2, "mu",
+               "mu times the longest distance, the number of nodes and the sum of sigma");
+    else
+        expect(problem.mu * longest_m * n, "mu",
+               "mu times the longest distance and the number of nodes");
+    // Beside sigma that has all its digits, legs that cost next to nothing may lose theirs.
+    if (problem.mu > 0 && (isLatency || sum_m2 == 0))
+        expectDigits(problem.mu * shortest_m, "mu", "mu times the shortest distance");
+    if (problem.mu > 0 && isLatency) {
+        const double least = std::min(1.0, problem.mu) * shortest_m * least_m2;
+        expectDigits(least, "mu", "mu times the shortest distance and the least sigma");
+    }
+}
+
+} // namespace
+
+std::vector<Issue> validate(const TvpProblem& problem)
+{
+    std::vector<Issue> issues;
+    if (problem.sigma_m2.empty())
+        issues.push_back({Severity::Error, "sigma", "must hold at least the UAV's entry"});
+    for (std::size_t i = 0; i < problem.sigma_m2.size(); ++i) {
+        const double sigma_m2 = problem.sigma_m2[i];
+        if (!(std::isfinite(sigma_m2) && sigma_m2 >= 0))
+            issues.push_back({Severity::Error, at("sigma", static_cast<Eigen::Index>(i)),
+                              "must be a finite number of at least 0"});
+        else if (i == 0 && sigma_m2 != 0)
+            issues.push_back({Severity::Error, "sigma[0]", "is the UAV's and must be 0"});
+    }
+    validateDistances(problem, issues);
+    if (!(std::isfinite(problem.mu) && problem.mu >= 0))
+        issues.push_back({Severity::Error, "mu", "must be a finite number of at least 0"});
+    if (issues.empty())
+        validateCosts(problem, issues);
+    return issues;
+}
+
+} // namespace berg

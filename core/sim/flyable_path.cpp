@@ -1,0 +1,219 @@
+#include "core/sim/flyable_path.h"
+
+#include "core/base/enclosing_circle.h"
+#include "core/coverage/aimed_way.h"
+#include "core/sim/clusters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+constexpr double kSample_s = 1;
+/** A flight that takes so many times as long as its straight legs does not get there. */
+constexpr double kPatience = 4;
+constexpr double kLeastPatience_s = 3600;
+
+/** Time enough to fly the order, seconds. */
+double longestFlight_s(const Scenario& scene, const UavOrder& order)
+{
+    PlanAnswer plan;
+    plan.order = order.icebergs;
+    plan.clusters = order.clusters;
+    const std::vector<Visit> visits = plannedVisits(scene, plan);
+    const double straight_s = visits.empty() ? 0 : visits.back().time_s;
+    return std::min(604800.0, kLeastPatience_s + kPatience * straight_s);
+}
+
+Scenario withTime(Scenario scene, double duration_s)
+{
+    scene.duration_s = duration_s;
+    return scene;
+}
+
+class OrderFlight
+{
+public:
+    OrderFlight(const Scenario& scene, const UavOrder& order)
+        : m_order(order)
+        , m_rest(order.icebergs)
+        , m_simulation(withTime(scene, longestFlight_s(scene, order)))
+        , m_sampleSteps(std::max<std::int64_t>(1, std::llround(kSample_s / scene.dt_s)))
+        , m_ways(aimedWays(order.legs, m_simulation.uav(0).pose, 0, m_simulation.motion(0)))
+    {
+    }
+
+    FlyablePath fly()
+    {
+        sample();
+        while (!m_simulation.finished() && goOn()) {
+            m_simulation.advanceStep();
+            if (m_simulation.state().step % m_sampleSteps == 0)
+                sample();
+        }
+        if (m_path.track.back().time_s < m_simulation.time_s())
+            sample();
+        return std::move(m_path);
+    }
+
+private:
+    /** The only one of the scene. */
+    [[nodiscard]] const UavState& uav() const { return m_simulation.uav(0); }
+
+    /** Whether there is something left to fly to; tells the autopilot what. */
+    bool goOn()
+    {
+        if (uav().mode == FlightMode::Ground)
+            return landed();
+        const PlanReason reason = m_simulation.planReason(0);
+        const bool hasLegs = m_leg < m_ways.size();
+        const bool isLegOver = hasLegs && m_simulation.time_s() >= wayEnd_s();
+        if ((reason == PlanReason::None && !isLegOver) || uav().homeward())
+            return true;
+        if (hasLegs)
+            passOverAllVisible();
+        else if (isDone(reason))
+            finishTarget();
+        passOverVisible();
+        if (isLegOver)
+            ++m_leg;
+        if (!m_rest.empty()) {
+            flyOn(isLegOver);
+            return true;
+        }
+        m_simulation.setTarget(0, -1);
+        return uav().homeward();
+    }
+
+    [[nodiscard]] double wayEnd_s() const { return m_ways[m_leg].points.back().time_s; }
+
+    /** Along the leg that there is, or straight to the next one. */
+    void flyOn(bool isNewLeg)
+    {
+        if (m_leg >= m_ways.size()) {
+            flyToNext();
+            return;
+        }
+        const bool goesOn = !isNewLeg && uav().aim;
+        AimedLeg leg = goesOn ? *uav().aim : m_order.legs[m_leg];
+        leg.sighting_s = wayEnd_s(); // whatever is seen before, it is flown to its end
+        m_simulation.setTarget(0, m_rest.front(), leg);
+    }
+
+    bool landed()
+    {
+        m_path.visits.push_back(
+            {.time_s = m_simulation.time_s(), .position_m = uav().pose.position_m});
+        return false;
+    }
+
+    [[nodiscard]] bool isDone(PlanReason reason) const
+    {
+        return uav().target >= 0 && reason == PlanReason::TargetReached;
+    }
+
+    void finishTarget()
+    {
+        const int target = m_rest.front();
+        const std::span<const int> members = clusterWith(m_order.clusters, target);
+        std::vector<int> together =
+            members.empty() ? std::vector{target} : std::vector(members.begin(), members.end());
+        std::erase_if(together, [this](int member) { // seen on the way to the others
+            return std::ranges::find(m_rest, member) == m_rest.end();
+        });
+        visit(together);
+        while (!m_rest.empty() && std::ranges::find(together, m_rest.front()) != together.end())
+            m_rest.erase(m_rest.begin());
+    }
+
+    /** Those next in the order that are in view, or too far to be home in time after. */
+    void passOverVisible()
+    {
+        while (!m_rest.empty() && !m_simulation.available(0, m_rest.front())) {
+            if (m_simulation.track(m_rest.front()).inView)
+                visit({m_rest.front()});
+            m_rest.erase(m_rest.begin());
+        }
+    }
+
+    /** On legs with aims whatever comes into view is seen, in whatever order. */
+    void passOverAllVisible()
+    {
+        std::erase_if(m_rest, [this](int iceberg) {
+            const bool isSeen = m_simulation.track(iceberg).inView;
+            if (isSeen)
+                visit({iceberg});
+            return isSeen;
+        });
+    }
+
+    void flyToNext()
+    {
+        const int target = m_rest.front();
+        std::vector<int> members;
+        for (const int member : clusterWith(m_order.clusters, target))
+            if (m_simulation.available(0, member))
+                members.push_back(member);
+        if (members.size() < 2)
+            members.clear();
+        m_simulation.setTarget(0, target, std::nullopt, members);
+    }
+
+    void visit(const std::vector<int>& icebergs)
+    {
+        std::vector<Point> places_m;
+        for (const int iceberg : icebergs)
+            places_m.push_back(m_simulation.estimate_m(iceberg));
+        const Circle circle = enclosingCircle(places_m);
+        m_path.visits.push_back({.iceberg = icebergs.front(),
+                                 .time_s = m_simulation.time_s(),
+                                 .position_m = circle.centre_m,
+                                 .members = icebergs.size() > 1 ? icebergs : std::vector<int>{},
+                                 .spread_m = circle.radius_m});
+    }
+
+    void sample()
+    {
+        m_path.track.push_back({.time_s = m_simulation.time_s(),
+                                .state = uav().pose,
+                                .u_radps = uav().u_radps,
+                                .crossTrack_m = uav().crossTrack_m});
+    }
+
+    const UavOrder& m_order;
+    std::vector<int> m_rest; ///< icebergs still to be visited
+    Simulation m_simulation;
+    std::int64_t m_sampleSteps;
+    std::vector<AimedWay> m_ways; ///< of the legs with aims
+    std::size_t m_leg = 0;        ///< of those, the one that is flown
+    FlyablePath m_path;
+};
+
+void flyHome(FlyablePath& path, const Scenario& scene)
+{
+    const Uav& uav = scene.uavs.front();
+    const TrackPoint& last = path.track.back();
+    const Point home_m = uav.home_m.value_or(uav.position_m);
+    const Point way_m = home_m - last.state.position_m;
+    const double time_s = last.time_s + flightTime_s(way_m, uav.spec.airspeed_mps, scene.wind_mps);
+    path.visits.push_back({.time_s = time_s, .position_m = home_m});
+    if (time_s > last.time_s)
+        path.track.push_back(
+            {.time_s = time_s,
+             .state = {.position_m = home_m, .psi_rad = std::atan2(way_m.y(), way_m.x())}});
+}
+
+} // namespace
+
+FlyablePath flyOrder(const Scenario& scene, const UavOrder& order, bool home)
+{
+    FlyablePath path = OrderFlight(scene, order).fly();
+    const bool isHome = !path.visits.empty() && path.visits.back().iceberg < 0;
+    if (home && !isHome)
+        flyHome(path, scene);
+    return path;
+}
+
+} // namespace berg

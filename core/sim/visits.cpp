@@ -1,0 +1,183 @@
+#include "core/sim/visits.h"
+
+#include "core/base/enclosing_circle.h"
+#include "core/sim/clusters.h"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+
+namespace berg {
+
+namespace {
+
+/** A UAV under way along the plan. */
+class Flight
+{
+public:
+    explicit Flight(const Scenario& scenario)
+        : m_airspeed_mps(scenario.uavs.at(0).spec.airspeed_mps)
+        , m_wind_mps(scenario.wind_mps)
+        , m_position_m(scenario.uavs[0].position_m)
+    {
+    }
+
+    [[nodiscard]] double time_s() const { return m_time_s; }
+
+    /** Flies to what is at `place_m` now and drifts with `drift_mps`; returns where it is met. */
+    Point flyTo(const Point& place_m, const Point& drift_mps)
+    {
+        const Point relativeWind_mps = m_wind_mps - drift_mps;
+        const bool sure = relativeWind_mps.norm() < m_airspeed_mps;
+        const Point leg_m = place_m - m_position_m;
+        const double flight_s =
+            flightTime_s(leg_m, m_airspeed_mps, sure ? relativeWind_mps : m_wind_mps);
+        m_time_s += flight_s;
+        m_position_m = sure ? Point(place_m + drift_mps * flight_s) : place_m;
+        return m_position_m;
+    }
+
+    /** Flies to a place that moves, slower than the UAV makes way; returns where it is then. */
+    template <class PlaceAt>
+    Circle flyTo(const PlaceAt& placeAt)
+    {
+        constexpr int kRounds = 20; // each as much nearer as the place is slower
+        double arrival_s = m_time_s;
+        for (int round = 0; round < kRounds; ++round)
+            arrival_s = m_time_s + flightTime_s(placeAt(arrival_s).centre_m - m_position_m,
+                                                m_airspeed_mps, m_wind_mps);
+        const Circle met = placeAt(arrival_s);
+        m_time_s = arrival_s;
+        m_position_m = met.centre_m;
+        return met;
+    }
+
+private:
+    double m_airspeed_mps;
+    Point m_wind_mps;
+    Point m_position_m;
+    double m_time_s = 0;
+};
+
+/** The drift of one iceberg of a mission, as its simulation made it. */
+DriftModel driftOf(const Mission& mission, std::size_t iceberg)
+{
+    const Scenario& scenario = mission.scenario();
+    const Iceberg& spec = mission.icebergs().at(iceberg);
+    double start_s = 0;
+    std::size_t added = scenario.icebergs.size();
+    for (const Intervention& intervention : mission.interventions())
+        if (intervention.appears && added++ == iceberg)
+            start_s = intervention.time_s;
+    return {DriftSpec{.position_m = spec.position_m,
+                      .start_s = start_s,
+                      .velocity_mps = spec.velocity_mps + scenario.current_mps,
+                      .q_m2ps = spec.q_m2ps,
+                      .track = spec.track.empty()
+                                   ? nullptr
+                                   : std::make_shared<const RecordedTrack>(spec.track)},
+            static_cast<std::uint64_t>(scenario.seed), spec.id, scenario.noise};
+}
+
+template <class PlaceOf>
+Circle circleRound(std::span<const int> members, const PlaceOf& placeOf)
+{
+    std::vector<Point> places_m;
+    for (const int member : members)
+        places_m.push_back(placeOf(member));
+    return enclosingCircle(places_m);
+}
+
+/** The flight goes on to the cluster. */
+Visit visitOf(std::span<const int> members, const Scenario& scenario, Flight& flight)
+{
+    const Circle met = flight.flyTo([&](double time_s) {
+        return circleRound(members, [&](int member) {
+            const Iceberg& iceberg = scenario.icebergs.at(static_cast<std::size_t>(member));
+            return Point(iceberg.position_m +
+                         (iceberg.velocity_mps + scenario.current_mps) * time_s);
+        });
+    });
+    return {.iceberg = members.front(),
+            .time_s = flight.time_s(),
+            .position_m = met.centre_m,
+            .members = {members.begin(), members.end()},
+            .spread_m = met.radius_m};
+}
+
+/** The cluster that was reached at that time; empty: it was a single iceberg. */
+std::span<const int> clusterReached(const Mission& mission, const MissionEvent& reached)
+{
+    const std::vector<PlanEvent>& plans = mission.plans();
+    const auto after = std::ranges::lower_bound(plans, reached.time_s, {}, &PlanEvent::time_s);
+    const auto before = std::span(plans).first(static_cast<std::size_t>(after - plans.begin()));
+    const PlanEvent* plan = lastPlanOf(before, reached.uav);
+    return plan == nullptr ? std::span<const int>() : clusterWith(plan->clusters, reached.iceberg);
+}
+
+} // namespace
+
+std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& plan)
+{
+    Flight flight(scenario);
+    std::vector<Visit> visits;
+    const bool endures = scenario.uavs.at(0).spec.endurance_s == 0;
+    const auto count = endures ? plan.order.size()
+                               : static_cast<std::size_t>(*thisSortie(Simulation(scenario), 0,
+                                                                      plan.order, plan.clusters));
+    for (const int index : std::span(plan.order).first(count)) {
+        const std::span<const int> members = clusterWith(plan.clusters, index);
+        if (!members.empty()) {
+            if (index == members.front())
+                visits.push_back(visitOf(members, scenario, flight));
+            continue;
+        }
+        const Iceberg& iceberg = scenario.icebergs.at(static_cast<std::size_t>(index));
+        const Point drift_mps = iceberg.velocity_mps + scenario.current_mps;
+        const Point now_m = iceberg.position_m + drift_mps * flight.time_s();
+        const Point met_m = flight.flyTo(now_m, drift_mps);
+        visits.push_back({.iceberg = index, .time_s = flight.time_s(), .position_m = met_m});
+    }
+    // The other policies do not read the route.
+    const bool closed = scenario.planner.route == Route::Closed &&
+                        scenario.planner.policy == PolicyKind::Visitation;
+    if (!endures || (closed && !visits.empty())) {
+        const Uav& uav = scenario.uavs.at(0);
+        const Point end_m = endures ? uav.position_m : uav.home_m.value_or(uav.position_m);
+        flight.flyTo(end_m, Point::Zero());
+        visits.push_back({.time_s = flight.time_s(), .position_m = end_m});
+    }
+    return visits;
+}
+
+std::vector<Visit> flownVisits(const Mission& mission, int uav)
+{
+    // Drift is drawn anew rather than read between samples, which may be far apart.
+    std::vector<DriftModel> drift;
+    for (std::size_t i = 0; i < mission.icebergs().size(); ++i)
+        drift.push_back(driftOf(mission, i));
+    std::vector<Visit> visits;
+    for (const MissionEvent& event : mission.events()) {
+        if (event.kind != EventKind::Reached || event.uav != uav)
+            continue;
+        const auto truth_m = [&](int iceberg) {
+            return drift.at(static_cast<std::size_t>(iceberg)).position_m(event.time_s);
+        };
+        const std::span<const int> members = clusterReached(mission, event);
+        const Circle circle =
+            circleRound(members.empty() ? std::span(&event.iceberg, 1) : members, truth_m);
+        visits.push_back({.iceberg = event.iceberg,
+                          .time_s = event.time_s,
+                          .position_m = circle.centre_m,
+                          .members = {members.begin(), members.end()},
+                          .spread_m = circle.radius_m});
+    }
+    return visits;
+}
+
+std::vector<int> icebergsOf(const Visit& visit)
+{
+    return visit.members.empty() ? std::vector{visit.iceberg} : visit.members;
+}
+
+} // namespace berg

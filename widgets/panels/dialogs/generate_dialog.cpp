@@ -1,0 +1,328 @@
+#include "widgets/panels/dialogs/generate_dialog.h"
+
+#include "core/scenario/validate.h"
+#include "widgets/panels/inspector/inspector_row_makers.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kLargestSeed = 999'999;
+constexpr double kLargestSide_m = 1e6;
+constexpr double kLargestSigma = 1e6;
+constexpr double kLargestGrowth = 1e3;
+constexpr double kLargestSpacing_m = 100'000;
+constexpr double kWidth_m = 5000; ///< Table 3 of the paper
+constexpr double kHeight_m = 4000;
+
+/** A row of the form: what it is about, then fields and the words between them side by side. */
+void addRow(QFormLayout& form, const QString& text, std::initializer_list<QWidget*> widgets)
+{
+    auto* row = new QHBoxLayout;
+    for (QWidget* widget : widgets)
+        row->addWidget(widget, qobject_cast<QLabel*>(widget) == nullptr ? 1 : 0);
+    auto* label = new QLabel(text);
+    label->setBuddy(*widgets.begin());
+    form.addRow(label, row);
+}
+
+std::vector<Point> cornersOf(const Point& low_m, const Point& high_m)
+{
+    return {low_m, {high_m.x(), low_m.y()}, high_m, {low_m.x(), high_m.y()}};
+}
+
+Point inLimits(const Point& p_m)
+{
+    return p_m.cwiseMax(-kLargestCoordinate_m).cwiseMin(kLargestCoordinate_m);
+}
+
+/** Why nothing is drawn; the fields alone rule out the other faults. */
+QString faultText(const Error& error)
+{
+    for (const Issue& issue : error.issues()) {
+        if (issue.field == "spacing_m")
+            return GenerateDialog::tr("There is no room for so many so far from each other. Take "
+                                      "fewer, a smaller distance or a larger area.");
+        if (issue.field == "area_m")
+            return GenerateDialog::tr("The area is too thin to place icebergs in.");
+        if (issue.field == "icebergs")
+            return GenerateDialog::tr("A scenario holds at most %1 icebergs.").arg(kMostIcebergs);
+        if (issue.field == "speedMax_mps")
+            return GenerateDialog::tr("The highest speed is below the lowest.");
+        if (issue.field == "sigmaMax_m2")
+            return GenerateDialog::tr("The largest uncertainty is below the smallest.");
+    }
+    return QString::fromUtf8(error.what());
+}
+
+} // namespace
+
+GenerateDialog::GenerateDialog(const Scenario& scenario, const WorldBounds& view_m, QWidget* parent)
+    : QDialog(parent), m_scenario(scenario), m_view_m(view_m), m_result(scenario)
+{
+    setObjectName(u"generateDialog"_s);
+    setWindowTitle(tr("Generate icebergs"));
+    auto* column = new QVBoxLayout(this);
+    column->setSizeConstraint(QLayout::SetFixedSize);
+    auto* form = new QFormLayout;
+    column->addLayout(form);
+    m_number = new QSpinBox;
+    m_number->setObjectName(u"generateNumber"_s);
+    m_number->setRange(1, static_cast<int>(kMostIcebergs));
+    m_number->setValue(FieldRequest{}.icebergs);
+    addRow(*form, tr("&Number"), {m_number});
+    connect(m_number, &QSpinBox::valueChanged, this, &GenerateDialog::draw);
+    addPlace(*form);
+    addMotion(*form);
+    addUncertainty(*form);
+    addSeed(*form);
+    addEnd(*form);
+    draw();
+}
+
+NumberField* GenerateDialog::makeNumber(const NumberSpec& spec)
+{
+    auto* field = new NumberField;
+    field->setObjectName(QLatin1String(spec.name));
+    field->setAccessibleName(spec.label);
+    field->setToolTip(spec.label);
+    field->setNumberFormat(spec.decimals, spec.unit);
+    field->setRange(0, spec.high);
+    field->setSingleStep(spec.step);
+    field->showValue(spec.value);
+    connect(field, &NumberField::edited, this, &GenerateDialog::draw);
+    return field;
+}
+
+void GenerateDialog::addPlace(QFormLayout& form)
+{
+    m_place = new QComboBox;
+    m_place->setObjectName(u"generatePlace"_s);
+    if (!m_scenario.area_m.empty())
+        m_place->addItem(tr("The scenario's area"), static_cast<int>(Place::Area));
+    m_place->addItem(tr("What the map shows"), static_cast<int>(Place::View));
+    m_place->addItem(tr("Rectangle in the middle of the map"), static_cast<int>(Place::Rectangle));
+    addRow(form, tr("&Where"), {m_place});
+    const ShownUnit side = longDistanceUnit();
+    m_width = makeNumber({"generateWidth",
+                          tr("Width of the rectangle"),
+                          u' ' + side.name,
+                          {0, 2},
+                          std::floor(side.fromSi(kLargestSide_m)),
+                          1,
+                          side.fromSi(kWidth_m)});
+    m_height = makeNumber({"generateHeight",
+                           tr("Height of the rectangle"),
+                           u' ' + side.name,
+                           {0, 2},
+                           std::floor(side.fromSi(kLargestSide_m)),
+                           1,
+                           side.fromSi(kHeight_m)});
+    addRow(form, tr("Si&ze"), {m_width, new QLabel(u"×"_s), m_height});
+    connect(m_place, &QComboBox::currentIndexChanged, this, &GenerateDialog::draw);
+}
+
+void GenerateDialog::addMotion(QFormLayout& form)
+{
+    const FieldRequest standard;
+    const ShownUnit speed = speedUnit();
+    m_speedMin = makeNumber({"generateSpeedMin",
+                             tr("Lowest speed"),
+                             u' ' + speed.name,
+                             {1, 2},
+                             shownLimits({.low = 0, .high = kLargestVelocity_mps}, speed, 2).high,
+                             0.05,
+                             speed.fromSi(standard.speedMin_mps)});
+    m_speedMax = makeNumber({"generateSpeedMax",
+                             tr("Highest speed"),
+                             u' ' + speed.name,
+                             {1, 2},
+                             shownLimits({.low = 0, .high = kLargestVelocity_mps}, speed, 2).high,
+                             0.05,
+                             speed.fromSi(standard.speedMax_mps)});
+    addRow(form, tr("S&peed"), {m_speedMin, new QLabel(tr("to")), m_speedMax});
+    m_direction = new QComboBox;
+    m_direction->setObjectName(u"generateDirection"_s);
+    m_direction->addItem(tr("In any direction"));
+    m_direction->addItem(tr("About one direction"));
+    addRow(form, tr("D&rift"), {m_direction});
+    m_towards_deg = makeNumber({"generateTowards",
+                                tr("Direction they drift to, from north"),
+                                u"°"_s,
+                                {0, 1},
+                                360,
+                                5,
+                                180});
+    m_spread_deg =
+        makeNumber({"generateSpread", tr("To either side of it"), u"°"_s, {0, 1}, 180, 5, 30});
+    m_towards_deg->setWrapping(true);
+    addRow(form, tr("D&irection"), {m_towards_deg, new QLabel(u"±"_s), m_spread_deg});
+    connect(m_direction, &QComboBox::currentIndexChanged, this, &GenerateDialog::draw);
+}
+
+void GenerateDialog::addUncertainty(QFormLayout& form)
+{
+    const FieldRequest standard;
+    m_sigmaMin_m2 = makeNumber({"generateSigmaMin",
+                                tr("Smallest σ at the start"),
+                                u" m²"_s,
+                                {0, 3},
+                                kLargestSigma,
+                                1,
+                                standard.sigmaMin_m2});
+    m_sigmaMax_m2 = makeNumber({"generateSigmaMax",
+                                tr("Largest σ at the start"),
+                                u" m²"_s,
+                                {0, 3},
+                                kLargestSigma,
+                                1,
+                                standard.sigmaMax_m2});
+    addRow(form, tr("&Uncertainty σ"), {m_sigmaMin_m2, new QLabel(tr("to")), m_sigmaMax_m2});
+    m_q_m2ps = makeNumber({"generateGrowth",
+                           tr("Growth of σ"),
+                           u" m²/s"_s,
+                           {0, 4},
+                           kLargestGrowth,
+                           0.005,
+                           standard.q_m2ps});
+    addRow(form, tr("&Growth q"), {m_q_m2ps});
+    const bool isNautical = shownUnits().distance == DistanceUnit::Nautical;
+    const ShownUnit spacing = distanceUnit();
+    m_spacing = makeNumber({"generateSpacing",
+                            tr("Least distance between two icebergs"),
+                            u' ' + spacing.name,
+                            {0, isNautical ? 3 : 1},
+                            std::floor(spacing.fromSi(kLargestSpacing_m)),
+                            isNautical ? 0.05 : 50,
+                            spacing.fromSi(standard.spacing_m)});
+    m_spacing->setLowestText(tr("none"));
+    addRow(form, tr("Least &distance"), {m_spacing});
+}
+
+void GenerateDialog::addSeed(QFormLayout& form)
+{
+    m_seed = new QSpinBox;
+    m_seed->setObjectName(u"generateSeed"_s);
+    m_seed->setRange(0, kLargestSeed);
+    m_seed->setValue(static_cast<int>(FieldRequest{}.seed));
+    m_seed->setToolTip(tr("The same number draws the same field again."));
+    auto* dice = new QPushButton(tr("&Another"));
+    dice->setObjectName(u"generateDice"_s);
+    dice->setToolTip(tr("Generates another random field."));
+    dice->setAutoDefault(false);
+    addRow(form, tr("&Seed"), {m_seed, dice});
+    connect(m_seed, &QSpinBox::valueChanged, this, &GenerateDialog::draw);
+    connect(dice, &QPushButton::clicked, this,
+            [this] { m_seed->setValue(QRandomGenerator::global()->bounded(1, kLargestSeed)); });
+}
+
+void GenerateDialog::addEnd(QFormLayout& form)
+{
+    m_replace = new QCheckBox(tr("R&eplace the present icebergs"));
+    m_replace->setObjectName(u"generateReplace"_s);
+    m_replace->setEnabled(!m_scenario.icebergs.empty());
+    form.addRow(QString(), m_replace);
+    connect(m_replace, &QCheckBox::toggled, this, &GenerateDialog::draw);
+
+    m_state = new QLabel;
+    m_state->setObjectName(u"generateState"_s);
+    m_state->setWordWrap(true);
+    m_state->setMinimumHeight(2 * fontMetrics().lineSpacing()); // the dialog stands still
+    m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    layout()->addWidget(m_state);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_ok = buttons->addButton(tr("Generate"), QDialogButtonBox::AcceptRole);
+    m_ok->setObjectName(u"generateOk"_s);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    layout()->addWidget(buttons);
+    m_ok->setDefault(true); // known to the dialog by now
+}
+
+GenerateDialog::Place GenerateDialog::place() const
+{
+    return static_cast<Place>(m_place->currentData().toInt());
+}
+
+std::vector<Point> GenerateDialog::area_m() const
+{
+    switch (place()) {
+    case Place::Area:
+        return m_scenario.area_m;
+    case Place::View:
+        return cornersOf(inLimits(m_view_m.min_m), inLimits(m_view_m.max_m));
+    case Place::Rectangle:
+        break;
+    }
+    const ShownUnit side = longDistanceUnit();
+    const Point half_m = 0.5 * Point(side.toSi(m_width->value()), side.toSi(m_height->value()));
+    const Point centre_m = m_view_m.centre_m();
+    return cornersOf(inLimits(centre_m - half_m), inLimits(centre_m + half_m));
+}
+
+FieldRequest GenerateDialog::request() const
+{
+    FieldRequest request{.icebergs = m_number->value(),
+                         .area_m = area_m(),
+                         .speedMin_mps = speedUnit().toSi(m_speedMin->value()),
+                         .speedMax_mps = speedUnit().toSi(m_speedMax->value()),
+                         .sigmaMin_m2 = m_sigmaMin_m2->value(),
+                         .sigmaMax_m2 = m_sigmaMax_m2->value(),
+                         .q_m2ps = m_q_m2ps->value(),
+                         .seed = m_seed->value(),
+                         .spacing_m = distanceUnit().toSi(m_spacing->value())};
+    if (m_direction->currentIndex() == 1) {
+        request.towards_deg = m_towards_deg->value();
+        request.spread_deg = m_spread_deg->value();
+    }
+    return request;
+}
+
+void GenerateDialog::draw()
+{
+    for (NumberField* field : {m_width, m_height})
+        field->setEnabled(place() == Place::Rectangle);
+    for (NumberField* field : {m_towards_deg, m_spread_deg})
+        field->setEnabled(m_direction->currentIndex() == 1);
+    m_result = m_scenario;
+    m_count = 0;
+    QString fault;
+    try {
+        Scenario present = m_scenario;
+        if (m_replace->isChecked())
+            present.icebergs.clear();
+        const std::vector<Iceberg> icebergs = generateIcebergs(present, request());
+        present.icebergs.insert(present.icebergs.end(), icebergs.begin(), icebergs.end());
+        m_result = std::move(present);
+        m_count = static_cast<int>(icebergs.size());
+    } catch (const Error& error) {
+        fault = faultText(error);
+    }
+    showState(fault);
+    emit drawn();
+}
+
+void GenerateDialog::showState(const QString& fault)
+{
+    m_ok->setEnabled(fault.isEmpty());
+    const auto all = static_cast<int>(m_result.icebergs.size());
+    const QString held = all == 1 ? tr("The scenario then holds one iceberg.")
+                                  : tr("The scenario then holds %n icebergs.", nullptr, all);
+    m_state->setText(fault.isEmpty() ? held : fault);
+}
+
+} // namespace berg

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "core/scenario/generate.h"
+#include "widgets/map/map_view_transform.h"
+#include "widgets/panels/fields/number_field.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace berg {
+
+/**
+ * Asks what field of icebergs to draw, and draws it anew at every change: whoever shows the dialog
+ * shows the result on the map. It changes nothing itself.
+ */
+class GenerateDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /** `view_m` is what the map shows. */
+    GenerateDialog(const Scenario& scenario, const WorldBounds& view_m, QWidget* parent = nullptr);
+
+    /** The scenario with the field in it; the one there was while no field can be drawn. */
+    [[nodiscard]] const Scenario& result() const { return m_result; }
+    /** Icebergs drawn; 0: none can be. */
+    [[nodiscard]] int count() const { return m_count; }
+
+signals:
+    /** `result` is new. */
+    void drawn();
+
+private:
+    /** Where the icebergs are to lie. */
+    enum class Place
+    {
+        Area,
+        View,
+        Rectangle
+    };
+
+    /** A number from 0 on. */
+    struct NumberSpec
+    {
+        const char* name;
+        QString label;
+        QString unit;
+        Decimals decimals;
+        double high;
+        double step;
+        double value;
+    };
+
+    void addPlace(QFormLayout& form);
+    void addMotion(QFormLayout& form);
+    void addUncertainty(QFormLayout& form);
+    void addSeed(QFormLayout& form);
+    void addEnd(QFormLayout& form);
+    NumberField* makeNumber(const NumberSpec& spec);
+    [[nodiscard]] Place place() const;
+    [[nodiscard]] std::vector<Point> area_m() const;
+    [[nodiscard]] FieldRequest request() const;
+    void draw();
+    void showState(const QString& fault);
+
+    Scenario m_scenario;
+    WorldBounds m_view_m;
+    Scenario m_result;
+    int m_count = 0;
+    QSpinBox* m_number;
+    QComboBox* m_place;
+    NumberField* m_width;
+    NumberField* m_height;
+    NumberField* m_speedMin;
+    NumberField* m_speedMax;
+    QComboBox* m_direction;
+    NumberField* m_towards_deg;
+    NumberField* m_spread_deg;
+    NumberField* m_sigmaMin_m2;
+    NumberField* m_sigmaMax_m2;
+    NumberField* m_q_m2ps;
+    NumberField* m_spacing;
+    QSpinBox* m_seed;
+    QCheckBox* m_replace;
+    QLabel* m_state;
+    QPushButton* m_ok;
+};
+
+} // namespace berg

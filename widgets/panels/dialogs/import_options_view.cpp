@@ -1,0 +1,262 @@
+#include "widgets/panels/dialogs/import_options_view.h"
+
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/fields/wheel_guard.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateTimeEdit>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kGap_px = 5;
+constexpr double kHighestSigma_m2 = 1e12;
+constexpr double kHighestGrowth_m2ps = 1e6;
+
+UtcTime utcOf(const QDateTimeEdit& edit)
+{
+    return UtcTime(std::chrono::milliseconds(edit.dateTime().toMSecsSinceEpoch()));
+}
+
+} // namespace
+
+GeoBox boxRound(std::span<const LatLon> outline)
+{
+    if (outline.empty())
+        return {};
+    GeoBox box{.south_deg = 90, .west_deg = 0, .north_deg = -90, .east_deg = 0};
+    double turned_deg = 0; // from the first place, not cut at the antimeridian
+    double west_deg = 0;
+    double east_deg = 0;
+    double before_deg = outline.front().longitude_deg;
+    double latitudes_deg = 0;
+    for (std::size_t i = 0; i <= outline.size(); ++i) {
+        const LatLon& place = outline[i % outline.size()];
+        turned_deg += std::remainder(place.longitude_deg - before_deg, 360.0);
+        before_deg = place.longitude_deg;
+        west_deg = std::min(west_deg, turned_deg);
+        east_deg = std::max(east_deg, turned_deg);
+        box.south_deg = std::min(box.south_deg, place.latitude_deg);
+        box.north_deg = std::max(box.north_deg, place.latitude_deg);
+        latitudes_deg += place.latitude_deg;
+    }
+    if (std::abs(turned_deg) > 180 || east_deg - west_deg >= 360) { // round a pole
+        (latitudes_deg < 0 ? box.south_deg : box.north_deg) = latitudes_deg < 0 ? -90 : 90;
+        box.west_deg = -180;
+        box.east_deg = 180;
+        return box;
+    }
+    const auto wrapped = [&](double turn_deg) {
+        return std::remainder(outline.front().longitude_deg + turn_deg, 360.0);
+    };
+    box.west_deg = wrapped(west_deg);
+    box.east_deg = wrapped(east_deg);
+    return box;
+}
+
+ImportOptionsView::ImportOptionsView(const QString& presentName, bool intoNew, QWidget* parent)
+    : QWidget(parent), m_form(new QFormLayout(this))
+{
+    const ImportOptions standard;
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setVerticalSpacing(kGap_px);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    addTarget(presentName, intoNew);
+    m_at = addTime(u"importAt"_s, tr("S&tart at"),
+                   tr("UTC time that becomes the start of the scenario. Otherwise the last "
+                      "sighting is."));
+    m_since = addTime(u"importSince"_s, tr("Not &before"), tr("Earlier sightings are left out."));
+    m_until = addTime(u"importUntil"_s, tr("Not &after"), tr("Later sightings are left out."));
+    addArea();
+    m_sigma = addNumber(u"importSigma"_s, tr("&Uncertainty σ₀"),
+                        tr("Variance of a position where the file tells none."), standard.sigma0_m2,
+                        kHighestSigma_m2, 3, u" m²"_s);
+    m_growth = addNumber(u"importGrowth"_s, tr("&Growth q"),
+                         tr("Growth of the uncertainty where the sightings are too few to "
+                            "estimate it."),
+                         standard.q_m2ps, kHighestGrowth_m2ps, 6, u" m²/s"_s);
+    addTracks();
+    enableInputs();
+}
+
+void ImportOptionsView::addTarget(const QString& presentName, bool intoNew)
+{
+    m_target = new QComboBox;
+    m_target->setObjectName(u"importTarget"_s);
+    m_target->addItem(tr("This scenario"));
+    m_target->addItem(tr("A new scenario"));
+    m_target->setItemData(0, presentName, Qt::ToolTipRole);
+    m_target->setToolTip(tr("Icebergs that this scenario has already are updated by their "
+                            "ids."));
+    m_target->setCurrentIndex(intoNew ? 1 : 0);
+    guardWheel(*m_target);
+    connect(m_target, &QComboBox::currentIndexChanged, this, &ImportOptionsView::edited);
+    m_form->addRow(tr("&Into"), m_target);
+}
+
+ImportOptionsView::TimeRow ImportOptionsView::addTime(const QString& name, const QString& text,
+                                                      const QString& toolTip)
+{
+    const TimeRow row{.box = new QCheckBox(text), .edit = new QDateTimeEdit};
+    row.box->setObjectName(name + u"Box"_s);
+    row.box->setToolTip(toolTip);
+    row.edit->setObjectName(name);
+    row.edit->setToolTip(toolTip);
+    row.edit->setAccessibleName(QString(text).remove(u'&'));
+    row.edit->setTimeSpec(Qt::UTC);
+    row.edit->setDisplayFormat(u"yyyy-MM-dd HH:mm:ss 'UTC'"_s);
+    guardWheel(*row.edit);
+    connect(row.box, &QCheckBox::toggled, this, [this] {
+        enableInputs();
+        emit edited();
+    });
+    connect(row.edit, &QDateTimeEdit::dateTimeChanged, this, &ImportOptionsView::edited);
+    m_form->addRow(row.box, row.edit);
+    return row;
+}
+
+void ImportOptionsView::addArea()
+{
+    m_areaBox = new QCheckBox(tr("Insi&de"));
+    m_areaBox->setObjectName(u"importAreaBox"_s);
+    m_areaBox->setToolTip(tr("Sightings outside these latitudes and longitudes are left out."));
+    m_presentView = new QPushButton(tr("What the &map shows"));
+    m_presentView->setObjectName(u"importPresentView"_s);
+    m_presentView->setAutoDefault(false);
+    connect(m_presentView, &QPushButton::clicked, this, &ImportOptionsView::presentViewRequested);
+    m_form->addRow(m_areaBox, m_presentView);
+    const QStringList words{tr("South"), tr("West"), tr("North"), tr("East")};
+    const std::array<double, 4> highest_deg = {90, 360, 90, 360};
+    const std::array<double, 4> first_deg = {-90, -180, 90, 180};
+    auto* grid = new QGridLayout;
+    grid->setSpacing(kGap_px);
+    for (std::size_t i = 0; i < m_edges.size(); ++i) {
+        auto* edge = new NumberField;
+        edge->setObjectName(u"importEdge%1"_s.arg(i));
+        edge->setNumberFormat({.least = 0, .most = 4}, u"°"_s);
+        edge->setAccessibleName(words[qsizetype(i)]);
+        edge->limit(-highest_deg[i] + (highest_deg[i] > 90 ? 180 : 0), highest_deg[i]);
+        edge->showValue(first_deg[i]);
+        connect(edge, &NumberField::edited, this, &ImportOptionsView::edited);
+        const int column = i % 2 == 0 ? 0 : 2;
+        grid->addWidget(new QLabel(words[qsizetype(i)]), static_cast<int>(i / 2), column);
+        grid->addWidget(edge, static_cast<int>(i / 2), column + 1);
+        m_edges[i] = edge;
+    }
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+    m_form->addRow(grid);
+    connect(m_areaBox, &QCheckBox::toggled, this, [this] {
+        enableInputs();
+        emit edited();
+    });
+}
+
+NumberField* ImportOptionsView::addNumber(const QString& name, const QString& label,
+                                          const QString& toolTip, double value, double highest,
+                                          int decimals, const QString& unit)
+{
+    auto* field = new NumberField;
+    field->setObjectName(name);
+    field->setToolTip(toolTip);
+    field->setNumberFormat({.least = 0, .most = decimals}, unit);
+    field->limit(0, highest);
+    field->showValue(value);
+    connect(field, &NumberField::edited, this, &ImportOptionsView::edited);
+    m_form->addRow(label, field);
+    return field;
+}
+
+void ImportOptionsView::addTracks()
+{
+    m_tracks = new QCheckBox(tr("With &recorded tracks"));
+    m_tracks->setObjectName(u"importTracks"_s);
+    m_tracks->setToolTip(tr("Sightings after the start become the true motion of an iceberg. Name "
+                            "the start for that."));
+    connect(m_tracks, &QCheckBox::toggled, this, &ImportOptionsView::edited);
+    m_form->addRow(m_tracks);
+    m_one = new QCheckBox(tr("All rows are &one iceberg"));
+    m_one->setObjectName(u"importOne"_s);
+    m_one->setToolTip(tr("The file names no icebergs: its rows are the track of one beacon, or an "
+                         "iceberg each."));
+    m_one->setVisible(false);
+    connect(m_one, &QCheckBox::clicked, this, [this](bool on) {
+        m_oneChosen = on;
+        emit edited();
+    });
+    m_form->addRow(m_one);
+}
+
+void ImportOptionsView::enableInputs()
+{
+    for (const TimeRow& row : {m_at, m_since, m_until})
+        row.edit->setEnabled(row.box->isChecked());
+    for (NumberField* edge : m_edges)
+        edge->setEnabled(m_areaBox->isChecked());
+    m_tracks->setEnabled(m_at.box->isChecked());
+}
+
+void ImportOptionsView::showFile(const SightingSummary& file)
+{
+    m_one->setVisible(!file.namesIcebergs && file.sightings > 1);
+    m_one->setChecked(file.oneIceberg);
+    if (m_timesShown || !file.first || !file.last)
+        return;
+    m_timesShown = true; // from here on they are the user's
+    const auto show = [](const TimeRow& row, UtcTime time) {
+        const QSignalBlocker nobodyEdited(row.edit);
+        if (!row.box->isChecked())
+            row.edit->setDateTime(
+                QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), Qt::UTC));
+    };
+    show(m_at, *file.last);
+    show(m_since, *file.first);
+    show(m_until, *file.last);
+}
+
+void ImportOptionsView::setArea(const GeoBox& box)
+{
+    const std::array<double, 4> edges_deg = {box.south_deg, box.west_deg, box.north_deg,
+                                             box.east_deg};
+    for (std::size_t i = 0; i < m_edges.size(); ++i)
+        m_edges[i]->showValue(edges_deg[i]);
+    if (m_areaBox->isChecked())
+        emit edited();
+    else
+        m_areaBox->setChecked(true);
+}
+
+bool ImportOptionsView::intoNew() const
+{
+    return m_target->currentIndex() == 1;
+}
+
+ImportOptions ImportOptionsView::options() const
+{
+    const auto timeOf = [](const TimeRow& row) {
+        return row.box->isChecked() ? std::optional(utcOf(*row.edit)) : std::nullopt;
+    };
+    ImportOptions options{.at = timeOf(m_at), .since = timeOf(m_since), .until = timeOf(m_until)};
+    if (m_areaBox->isChecked())
+        options.area = GeoBox{.south_deg = m_edges[0]->value(),
+                              .west_deg = m_edges[1]->value(),
+                              .north_deg = m_edges[2]->value(),
+                              .east_deg = m_edges[3]->value()};
+    options.sigma0_m2 = m_sigma->value();
+    options.q_m2ps = m_growth->value();
+    options.withTracks = options.at && m_tracks->isChecked();
+    return options;
+}
+
+} // namespace berg

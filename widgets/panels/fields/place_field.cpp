@@ -1,0 +1,71 @@
+#include "widgets/panels/fields/place_field.h"
+
+#include "widgets/theme/quantity_text.h"
+
+#include <QCompleter>
+#include <QStandardItemModel>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kShownCharacters = 34; ///< a coordinate with seconds
+constexpr int kNamesShown = 9;
+constexpr int kPlaceDecimals = 3;
+constexpr int kSearchRole = Qt::UserRole;
+
+/** Names of places, whatever diacritics are typed, in either language. */
+class PlaceCompleter final : public QCompleter
+{
+public:
+    explicit PlaceCompleter(QObject* parent) : QCompleter(parent)
+    {
+        auto* names = new QStandardItemModel(this);
+        for (const NamedPlace& place : namedPlaces()) {
+            auto* item = new QStandardItem(place.name);
+            item->setData(QString(searchText(place.name) + u'\n' + searchText(place.english)),
+                          kSearchRole);
+            names->appendRow(item);
+        }
+        setModel(names);
+        setCompletionRole(kSearchRole);
+        setFilterMode(Qt::MatchContains);
+        setMaxVisibleItems(kNamesShown);
+    }
+
+    [[nodiscard]] QStringList splitPath(const QString& path) const override
+    {
+        return {searchText(path)};
+    }
+    [[nodiscard]] QString pathFromIndex(const QModelIndex& index) const override
+    {
+        return index.data(Qt::DisplayRole).toString();
+    }
+};
+
+} // namespace
+
+PlaceField::PlaceField(QWidget* parent) : QLineEdit(parent)
+{
+    setPlaceholderText(tr("Coordinate or name of a place"));
+    setAccessibleName(placeholderText());
+    setClearButtonEnabled(true);
+    auto* completer = new PlaceCompleter(this);
+    setCompleter(completer);
+    connect(completer, qOverload<const QString&>(&QCompleter::activated), this,
+            &PlaceField::namePicked, Qt::QueuedConnection); // after the name is in the line
+}
+
+void PlaceField::showPlace(const LatLon& place)
+{
+    setText(placeText(place, kPlaceDecimals, locale()));
+}
+
+QSize PlaceField::sizeHint() const
+{
+    const int width_px = kShownCharacters * fontMetrics().averageCharWidth();
+    return {width_px, QLineEdit::sizeHint().height()};
+}
+
+} // namespace berg

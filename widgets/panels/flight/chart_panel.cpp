@@ -1,0 +1,268 @@
+#include "widgets/panels/flight/chart_panel.h"
+
+#include "core/io/text/atomic_file.h"
+#include "widgets/charts/chart_image.h"
+#include "widgets/charts/time_chart.h"
+#include "widgets/theme/icons.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QFile>
+#include <QFileInfo>
+#include <QMenu>
+#include <QToolButton>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kMargin_px = 6;
+constexpr int kIcon_px = 18;
+
+QString nameOfLine(const TimeLine& line)
+{
+    return line.name.isEmpty() ? line.label : line.name;
+}
+
+DecimationWindow viewOf(const TimeWindow& window, int columns)
+{
+    return {.from = window.from_s, .to = window.to_s, .columns = columns};
+}
+
+} // namespace
+
+ChartPanel::ChartPanel(ChartKind kind, const Theme& theme, QWidget* parent)
+    : QWidget(parent), m_series(kind), m_theme(theme)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, kMargin_px, 0, 0);
+    column->setSpacing(0);
+    addRow();
+    m_chart = new TimeChart(theme);
+    m_chart->setObjectName(u"timeChart"_s);
+    m_chart->setTitleShown(false); // the row above says it
+    column->addWidget(m_chart, 1);
+    connectChart();
+    setTheme(theme);
+    m_empty = emptyChart(kind, {}, locale());
+    refresh();
+}
+
+QToolButton* ChartPanel::addButton(const QString& name, const QString& text, const QString& toolTip)
+{
+    auto* button = new QToolButton;
+    button->setObjectName(name);
+    button->setText(text);
+    button->setAccessibleName(text);
+    button->setToolTip(toolTip);
+    button->setAutoRaise(true);
+    button->setIconSize({kIcon_px, kIcon_px});
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+void ChartPanel::addRow()
+{
+    m_kind = new QComboBox;
+    m_kind->setObjectName(u"chartKind"_s);
+    m_kind->setAccessibleName(tr("Chart"));
+    m_kind->setToolTip(tr("What is shown over time"));
+    m_kind->setMinimumContentsLength(8);
+    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (const ChartKind kind : kChartKinds)
+        m_kind->addItem(chartKindName(kind));
+    m_kind->setCurrentIndex(static_cast<int>(kind()));
+    connect(m_kind, &QComboBox::currentIndexChanged, this,
+            [this](int index) { setKind(kChartKinds.at(static_cast<std::size_t>(index))); });
+
+    m_lines = addButton(u"chartLines"_s, tr("Lines"), tr("Which lines are shown"));
+    m_menu = new QMenu(m_lines);
+    m_menu->setObjectName(u"chartLinesMenu"_s);
+    m_lines->setMenu(m_menu);
+    m_lines->setPopupMode(QToolButton::InstantPopup);
+    m_lines->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_follow = addButton(u"chartFollow"_s, tr("Follow"),
+                         tr("Keep the newest minutes in view (End). The wheel zooms, the right "
+                            "button drags."));
+    m_follow->setCheckable(true);
+    m_all = addButton(u"chartAll"_s, tr("All"),
+                      tr("Show everything from take-off on (Home, or a double click)"));
+    m_export = addButton(u"chartExport"_s, tr("Export…"),
+                         tr("Save the chart as a picture (PNG, SVG, PDF) or its numbers as CSV"));
+    connect(m_export, &QToolButton::clicked, this, &ChartPanel::exportRequested);
+
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(kMargin_px, 0, kMargin_px, 0);
+    row->setSpacing(2);
+    row->addWidget(m_kind, 1);
+    for (QToolButton* button : {m_lines, m_follow, m_all, m_export})
+        row->addWidget(button);
+    qobject_cast<QVBoxLayout*>(layout())->addLayout(row);
+}
+
+void ChartPanel::connectChart()
+{
+    connect(m_follow, &QToolButton::toggled, m_chart, &TimeChart::setFollowing);
+    connect(m_all, &QToolButton::clicked, m_chart, &TimeChart::showAll);
+    connect(m_chart, &TimeChart::windowChanged, this, &ChartPanel::refresh);
+    connect(m_chart, &TimeChart::timePicked, this, &ChartPanel::timePicked);
+    connect(m_chart, &TimeChart::linePicked, this, [this](const QString& key) {
+        if (kind() == ChartKind::Sigma)
+            emit icebergPicked(key.toStdString());
+    });
+}
+
+void ChartPanel::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    m_follow->setIcon(icon(IconName::Follow, theme));
+    m_all->setIcon(icon(IconName::Fit, theme));
+    m_export->setIcon(icon(IconName::ExportPlan, theme));
+    m_chart->setTheme(theme);
+}
+
+bool ChartPanel::looksTheSame(const FlightRecord& record) const
+{
+    if (record.now.phase != RunPhase::Flying || m_phase != RunPhase::Flying ||
+        !m_series.isContinuedBy(record) || record.instant || m_empty.cursor_s ||
+        record.now.icebergs.size() != m_icebergs || record.boundOfFlight().whole != m_bound)
+        return false;
+    const double column_s = m_chart->window().length_s() / m_chart->columns();
+    return record.now.time_s - m_empty.duration_s < column_s / 2;
+}
+
+void ChartPanel::showRecord(const FlightRecord& record)
+{
+    if (looksTheSame(record))
+        return;
+    m_phase = record.now.phase;
+    m_icebergs = record.now.icebergs.size();
+    m_bound = record.boundOfFlight().whole;
+    m_empty = emptyChart(kind(), record, locale());
+    m_series.update(record, m_empty.lines.size());
+    addMenuEntries();
+    refresh();
+}
+
+void ChartPanel::setKind(ChartKind kind)
+{
+    if (kind == this->kind())
+        return;
+    m_series = MissionSeries(kind);
+    m_empty = emptyChart(kind, {}, locale());
+    m_hidden.clear();
+    m_kind->setCurrentIndex(static_cast<int>(kind));
+    addMenuEntries();
+    refresh();
+    emit kindChanged(kind);
+}
+
+void ChartPanel::setHighlight(const std::string& id)
+{
+    const QString key = QString::fromStdString(id);
+    if (key == m_highlight)
+        return;
+    m_highlight = key;
+    refresh();
+}
+
+void ChartPanel::addMenuEntries()
+{
+    QStringList names;
+    for (const TimeLine& line : m_empty.lines)
+        names << nameOfLine(line);
+    if (names == m_listed)
+        return;
+    m_listed = names;
+    m_menu->clear();
+    m_menu->addAction(tr("Show all"), this, &ChartPanel::showAllLines);
+    m_menu->addSeparator();
+    for (const TimeLine& line : m_empty.lines) {
+        QAction* action = m_menu->addAction(nameOfLine(line));
+        action->setObjectName(line.key);
+        action->setCheckable(true);
+        action->setChecked(!m_hidden.contains(line.key));
+        connect(action, &QAction::toggled, this,
+                [this, key = line.key](bool shown) { setShown(key, shown); });
+    }
+}
+
+void ChartPanel::setShown(const QString& key, bool shown)
+{
+    if (shown)
+        m_hidden.erase(key);
+    else
+        m_hidden.insert(key);
+    refresh();
+}
+
+void ChartPanel::showAllLines()
+{
+    for (QAction* action : m_menu->actions())
+        if (action->isCheckable())
+            action->setChecked(true);
+}
+
+void ChartPanel::applyLines(TimeChartContent& content) const
+{
+    const bool found =
+        kind() == ChartKind::Sigma && !m_highlight.isEmpty() &&
+        std::any_of(content.lines.begin(), content.lines.end(),
+                    [this](const TimeLine& line) { return line.key == m_highlight; });
+    for (TimeLine& line : content.lines) {
+        const bool isHighlight = found && line.key == m_highlight;
+        line.hidden = !isHighlight && m_hidden.contains(line.key); // what is selected is seen
+        if (found)
+            line.emphasis = isHighlight ? LineEmphasis::Strong : LineEmphasis::Faint;
+    }
+}
+
+void ChartPanel::refresh()
+{
+    TimeChartContent content = m_empty;
+    applyLines(content);
+    m_series.fill(content, viewOf(m_chart->windowFor(content.duration_s), m_chart->columns()));
+    m_chart->setContent(content);
+    updateButtons();
+}
+
+void ChartPanel::updateButtons()
+{
+    m_follow->setChecked(m_chart->isFollowing());
+    m_all->setEnabled(m_chart->isZoomed());
+    m_lines->setEnabled(m_empty.lines.size() > 1);
+    m_export->setEnabled(!m_empty.lines.empty());
+}
+
+void ChartPanel::exportChart(const QString& path) const
+{
+    if (QFileInfo(path).suffix().compare(u"csv"_s, Qt::CaseInsensitive) == 0)
+        return writeFileAtomically(QFile::encodeName(path).toStdString(), m_series.csv(m_empty));
+    const ChartPage page{.window =
+                             m_chart->isZoomed() ? std::optional(m_chart->window()) : std::nullopt};
+    TimeChartContent content = m_empty;
+    content.cursor_s.reset(); // of the screen, not of the mission
+    applyLines(content);
+    m_series.fill(content, viewOf(m_chart->window(), page.size_px.width()));
+    writeChartPicture(content, m_theme, page, path);
+}
+
+QString ChartPanel::exportFilters()
+{
+    return (pictureFilters() << tr("Table of numbers (*.csv)")).join(u";;"_s);
+}
+
+QStringList ChartPanel::pictureFilters()
+{
+    return {tr("PNG picture (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF page (*.pdf)")};
+}
+
+QString ChartPanel::exportName() const
+{
+    return chartFileStem(kind()) + u".png"_s;
+}
+
+} // namespace berg

@@ -1,0 +1,93 @@
+#include "widgets/panels/flight/event_panel.h"
+
+#include "widgets/panels/flight/event_model.h"
+
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kRow_px = 22;
+constexpr int kTimeColumn_px = 70;
+constexpr int kWhatColumn_px = 220;
+
+/** What has not come yet at the instant shown is muted. */
+class EventDelegate final : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.data(EventModel::AheadRole).toBool())
+            option->palette.setColor(QPalette::Text,
+                                     option->palette.color(QPalette::PlaceholderText));
+    }
+};
+
+} // namespace
+
+EventPanel::EventPanel(QWidget* parent)
+    : QWidget(parent), m_model(new EventModel(locale(), this)), m_table(new QTableView)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_table);
+    m_table->setObjectName(u"eventTable"_s);
+    m_table->setAccessibleName(tr("Events of the mission"));
+    m_table->setModel(m_model);
+    m_table->setItemDelegate(new EventDelegate(m_table));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setTabKeyNavigation(false);
+    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setDefaultSectionSize(kRow_px);
+    QHeaderView* header = m_table->horizontalHeader();
+    header->setHighlightSections(false);
+    header->setStretchLastSection(true);
+    m_table->setColumnWidth(EventModel::Time, kTimeColumn_px);
+    m_table->setColumnWidth(EventModel::What, kWhatColumn_px);
+    const auto choose = [this](const QModelIndex& index) {
+        if (index.isValid())
+            emit timeChosen(m_model->time_s(index.row()));
+    };
+    connect(m_table, &QTableView::clicked, this, choose);
+    connect(m_table, &QTableView::activated, this, choose);
+    const QScrollBar* bar = m_table->verticalScrollBar();
+    connect(bar, &QScrollBar::actionTriggered, this,
+            [this, bar] { m_follows = bar->sliderPosition() >= bar->maximum(); });
+    setTheme(Theme::light());
+}
+
+void EventPanel::setTheme(const Theme& theme)
+{
+    m_table->setFont(theme.body());
+    m_table->horizontalHeader()->setFont(theme.small());
+}
+
+void EventPanel::showRecord(const FlightRecord& record)
+{
+    m_model->setHistory(record.history, record.now.icebergs, record.scenario.uavs);
+    const std::size_t shown = record.eventsShown();
+    m_model->setShown(shown);
+    if (record.instant && shown > 0)
+        m_table->scrollTo(m_model->index(static_cast<int>(shown) - 1, 0));
+    else if (m_follows)
+        m_table->scrollToBottom();
+}
+
+} // namespace berg

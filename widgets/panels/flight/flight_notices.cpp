@@ -1,0 +1,206 @@
+#include "widgets/panels/flight/flight_notices.h"
+
+#include "core/scenario/advice.h"
+#include "widgets/model/asset_approach.h"
+#include "widgets/model/object_names.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct FlightNotices
+{
+    Q_DECLARE_TR_FUNCTIONS(FlightNotices)
+};
+
+/** The event log until the instant shown. */
+std::span<const MissionEvent> eventsOf(const FlightRecord& record)
+{
+    return std::span(record.history.events).first(record.eventsShown());
+}
+
+/** The first plan after a failure is what was made in place of the one that failed. */
+bool isPlannerFailing(const FlightRecord& record)
+{
+    const std::span<const MissionEvent> events = eventsOf(record);
+    int plansSince = 0;
+    for (auto event = events.rbegin(); event != events.rend() && plansSince < 2; ++event) {
+        if (event->kind == EventKind::PlannerFailed)
+            return true;
+        plansSince += event->kind == EventKind::Planned ? 1 : 0;
+    }
+    return false;
+}
+
+/** What one UAV does; of several it is named. */
+QString ofUav(const FlightRecord& record, int uav, const QString& text)
+{
+    const QString name = nameInFleet(record.scenario.uavs, uav);
+    return name.isEmpty() ? text : u"%1: %2"_s.arg(name, text);
+}
+
+bool isLateForHome(const FlightRecord& record, int uav)
+{
+    const std::span<const MissionEvent> events = eventsOf(record);
+    const auto last =
+        std::find_if(events.rbegin(), events.rend(), [uav](const MissionEvent& event) {
+            return event.uav == uav &&
+                   (event.kind == EventKind::LateHome || event.kind == EventKind::Landed);
+        });
+    return last != events.rend() && last->kind == EventKind::LateHome;
+}
+
+void addLate(std::vector<FlightNotice>& notices, const FlightRecord& record)
+{
+    for (int uav = 0; uav < static_cast<int>(record.scenario.uavs.size()); ++uav)
+        if (isLateForHome(record, uav))
+            notices.push_back(
+                {.icon = IconName::Warning,
+                 .text = ofUav(record, uav,
+                               FlightNotices::tr("Home cannot be reached in time any more")),
+                 .toolTip = FlightNotices::tr("The wind has changed on the way.")});
+}
+
+/** UAVs aloft in one altitude layer that are nearer to each other than they are to come. */
+void addClose(std::vector<FlightNotice>& notices, const FlightRecord& record, const QLocale& locale)
+{
+    const std::vector<Uav>& uavs = record.scenario.uavs;
+    const std::vector<UavState>& states = record.shown().world.uavs;
+    const std::size_t count = std::min(uavs.size(), states.size());
+    const auto isAloft = [&](std::size_t k) { return states[k].mode != FlightMode::Ground; };
+    for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = a + 1; b < count; ++b) {
+            const double distance_m =
+                (states[a].pose.position_m - states[b].pose.position_m).norm();
+            const double layers_m = std::abs(uavs[a].spec.altitude_m - uavs[b].spec.altitude_m);
+            if (!isAloft(a) || !isAloft(b) || layers_m >= kLayerHeight_m ||
+                distance_m >= record.scenario.separation_m)
+                continue;
+            notices.push_back(
+                {.icon = IconName::Warning,
+                 .text = FlightNotices::tr("%1 and %2 are %3 apart")
+                             .arg(shownName(uavs[a]), shownName(uavs[b]),
+                                  distanceText(distance_m, locale)),
+                 .toolTip = FlightNotices::tr("They fly at about the same altitude and are to stay "
+                                              "%1 apart.")
+                                .arg(distanceText(record.scenario.separation_m, locale))});
+        }
+}
+
+/** An iceberg on its way into the inner ring. */
+struct Entry
+{
+    std::size_t iceberg = 0;
+    double entry_s = 0; ///< from now
+};
+
+/** The soonest first. */
+std::vector<Entry> entriesOf(const MissionSnapshot& shown)
+{
+    std::vector<Entry> entries;
+    if (!shown.asset)
+        return entries;
+    for (std::size_t i = 0; i < shown.world.tracks.size(); ++i)
+        if (const auto approach = approachOf(shown, i); approach && approach->entry_s)
+            entries.push_back({.iceberg = i, .entry_s = *approach->entry_s});
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.entry_s < b.entry_s; });
+    return entries;
+}
+
+/** The one found last to be on its way. */
+const Entry& newestOf(const std::vector<Entry>& entries, std::span<const MissionEvent> events)
+{
+    for (auto event = events.rbegin(); event != events.rend(); ++event) {
+        if (event->kind != EventKind::Alarm)
+            continue;
+        const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& one) {
+            return static_cast<int>(one.iceberg) == event->iceberg;
+        });
+        if (entry != entries.end())
+            return *entry;
+    }
+    return entries.front();
+}
+
+std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocale& locale)
+{
+    const MissionSnapshot& shown = record.shown();
+    const std::vector<Entry> entries = entriesOf(shown);
+    if (entries.empty())
+        return std::nullopt;
+    const auto sentence = [&](const Entry& entry) {
+        return ringEntryText(shownName(shown.icebergs[entry.iceberg]), entry.entry_s, locale);
+    };
+    FlightNotice notice{.icon = IconName::Warning,
+                        .text = sentence(newestOf(entries, eventsOf(record))),
+                        .toolTip = {}};
+    if (entries.size() == 1)
+        return notice;
+    notice.text =
+        FlightNotices::tr("%1, and %n more", nullptr, static_cast<int>(entries.size()) - 1)
+            .arg(notice.text);
+    QStringList all;
+    for (const Entry& entry : entries)
+        all << sentence(entry);
+    notice.toolTip = all.join(QChar(u'\n'));
+    return notice;
+}
+
+QString modeText(const MissionSnapshot& shown, const UavState& uav, const QLocale& locale)
+{
+    switch (uav.mode) {
+    case FlightMode::Search:
+        if (!uav.search)
+            return {};
+        return FlightNotices::tr("Searching for %1")
+            .arg(shownName(shown.icebergs[static_cast<std::size_t>(uav.search->iceberg)]));
+    case FlightMode::Home:
+        return FlightNotices::tr("Returning home");
+    case FlightMode::Ground:
+        return FlightNotices::tr("On the ground, takes off in %1")
+            .arg(roughDurationText(uav.ground_s, locale));
+    case FlightMode::Idle:
+    case FlightMode::Leg:
+    case FlightMode::RunOut:
+    case FlightMode::Circle:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocale& locale)
+{
+    std::vector<FlightNotice> notices;
+    if (isPlannerFailing(record))
+        notices.push_back(
+            {.icon = IconName::Warning,
+             .text = FlightNotices::tr("The planner failed: continuing with the previous plan"),
+             .toolTip = FlightNotices::tr("It is asked again when the next plan is needed.")});
+    if (!record.inFlight())
+        return notices;
+    addClose(notices, record, locale);
+    addLate(notices, record);
+    if (std::optional<FlightNotice> alarm = alarmNotice(record, locale))
+        notices.push_back(*std::move(alarm));
+    const std::vector<UavState>& uavs = record.shown().world.uavs;
+    for (std::size_t k = 0; k < uavs.size(); ++k)
+        if (const QString mode = modeText(record.shown(), uavs[k], locale); !mode.isEmpty())
+            notices.push_back({.icon = IconName::Hint,
+                               .text = ofUav(record, static_cast<int>(k), mode),
+                               .toolTip = {}});
+    return notices;
+}
+
+} // namespace berg

@@ -1,0 +1,211 @@
+#include "widgets/panels/flight/playback_bar.h"
+
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/panels/fields/wheel_guard.h"
+#include "widgets/panels/flight/run_time_line.h"
+#include "widgets/theme/icons.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QToolButton>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr std::array<double, 14> kRates = {0.1, 0.2, 0.5, 1,   2,   5,    10,
+                                           20,  50,  100, 200, 500, 1000, 0};
+constexpr double kFirstRate = 10;
+constexpr int kIcon_px = 20;
+constexpr int kMarginX_px = 8;
+constexpr int kMarginY_px = 3;
+
+void setAction(QToolButton& button, const QString& text, const QString& toolTip)
+{
+    button.setAccessibleName(text);
+    button.setToolTip(toolTip);
+}
+
+} // namespace
+
+PlaybackBar::PlaybackBar(QWidget* parent) : QWidget(parent)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(kMarginX_px, kMarginY_px, kMarginX_px, kMarginY_px);
+    row->setSpacing(4);
+    m_play = addButton(u"playButton"_s, tr("Fly"));
+    m_step = addButton(u"stepButton"_s, tr("Step"));
+    m_reset = addButton(u"resetButton"_s, tr("Reset"));
+    m_rate = new QComboBox(this);
+    addRates();
+    row->addWidget(m_rate);
+    row->addSpacing(4);
+    m_timeLine = new RunTimeLine(this);
+    m_timeLine->setObjectName(u"timeLine"_s);
+    m_timeLine->setAccessibleName(tr("Time line of the run"));
+    row->addWidget(m_timeLine, 1);
+    m_time = new QLineEdit(this);
+    m_time->setObjectName(u"timeField"_s);
+    m_time->setAccessibleName(tr("Time shown"));
+    m_time->setToolTip(tr("Time shown. Type one to look back at it, e.g. 3:20."));
+    m_time->setFrame(false);
+    m_time->setAlignment(Qt::AlignRight);
+    row->addWidget(m_time);
+    m_length = new FigureLabel(this);
+    m_length->setObjectName(u"runLength"_s);
+    m_length->setToolTip(tr("Length of the run"));
+    row->addWidget(m_length);
+
+    connect(m_play, &QToolButton::clicked, this, [this] {
+        if (m_phase == RunPhase::Flying)
+            emit pauseRequested();
+        else
+            emit playRequested();
+    });
+    connect(m_step, &QToolButton::clicked, this, &PlaybackBar::stepRequested);
+    connect(m_reset, &QToolButton::clicked, this, &PlaybackBar::resetRequested);
+    connect(m_rate, &QComboBox::activated, this, [this] { emit rateEdited(rate()); });
+    connect(m_timeLine, &RunTimeLine::scrubbed, this, &PlaybackBar::timeEdited);
+    connect(m_time, &QLineEdit::editingFinished, this, &PlaybackBar::finishTime);
+    setTheme(m_theme);
+    showState(RunPhase::Planning, 0, 0);
+}
+
+QToolButton* PlaybackBar::addButton(const QString& name, const QString& text)
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setAccessibleName(text);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setIconSize(QSize(kIcon_px, kIcon_px));
+    layout()->addWidget(button);
+    return button;
+}
+
+void PlaybackBar::addRates()
+{
+    m_rate->setObjectName(u"rateCombo"_s);
+    m_rate->setAccessibleName(tr("Rate of the flight"));
+    m_rate->setToolTip(tr("Simulated seconds flown in one second"));
+    m_rate->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_rate->setMinimumContentsLength(4);
+    m_rate->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    guardWheel(*m_rate);
+    for (const double rate : kRates)
+        m_rate->addItem(rate > 0 ? tr("%1×").arg(fixedText(rate, rate < 1 ? 1 : 0, locale()))
+                                 : tr("Fastest"),
+                        rate);
+    setRate(kFirstRate);
+}
+
+void PlaybackBar::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    m_step->setIcon(icon(IconName::Step, theme));
+    m_reset->setIcon(icon(IconName::Reset, theme));
+    m_timeLine->setTheme(theme);
+    m_time->setFont(theme.body());
+    m_length->setFont(theme.body());
+    const QFontMetrics metrics(theme.body());
+    m_time->setMinimumWidth(metrics.horizontalAdvance(u"00:00"_s) + 4);
+    m_time->setMaximumWidth(metrics.horizontalAdvance(u"00:00:00 "_s));
+    m_rate->setFont(theme.body());
+    updateButtons();
+}
+
+double PlaybackBar::rate() const
+{
+    return m_rate->currentData().toDouble();
+}
+
+void PlaybackBar::setRate(double rate)
+{
+    std::size_t nearest = kRates.size() - 1;
+    if (rate > 0)
+        for (std::size_t i = 0; i < kRates.size(); ++i)
+            if (kRates[i] > 0 && (kRates[nearest] == 0 ||
+                                  std::abs(kRates[i] - rate) < std::abs(kRates[nearest] - rate)))
+                nearest = i;
+    m_rate->setCurrentIndex(static_cast<int>(nearest));
+}
+
+void PlaybackBar::stepRate(int steps)
+{
+    const int index = std::clamp(m_rate->currentIndex() + steps, 0, m_rate->count() - 1);
+    m_rate->setCurrentIndex(index);
+    emit rateEdited(rate());
+}
+
+void PlaybackBar::setMarks(std::vector<TimeMark> marks)
+{
+    m_timeLine->setMarks(std::move(marks));
+}
+
+void PlaybackBar::editTime()
+{
+    m_time->setFocus(Qt::ShortcutFocusReason);
+    m_time->selectAll();
+}
+
+void PlaybackBar::finishTime()
+{
+    const std::optional<double> time_s = clockValue(m_time->text());
+    const bool isNew = m_time->isModified() && time_s.has_value();
+    m_time->setModified(false);
+    m_time->setText(m_timeText); // until the picture of that time is there
+    if (isNew)
+        emit timeEdited(*time_s);
+}
+
+void PlaybackBar::showState(RunPhase phase, double time_s, double duration_s,
+                            std::optional<double> newest_s)
+{
+    m_timeLine->showTime(time_s, newest_s.value_or(time_s), duration_s);
+    m_timeText = clockText(time_s);
+    if (!m_time->isModified() && m_time->text() != m_timeText)
+        m_time->setText(m_timeText);
+    const QString length = u"/ %1"_s.arg(clockText(duration_s));
+    if (length != m_length->text())
+        m_length->setText(length);
+    if (phase == m_phase)
+        return;
+    m_phase = phase;
+    updateButtons();
+}
+
+void PlaybackBar::updateButtons()
+{
+    const bool flying = m_phase == RunPhase::Flying;
+    const bool finished = m_phase == RunPhase::Finished;
+    const bool canStep = flying || m_phase == RunPhase::Ready || m_phase == RunPhase::Paused;
+    m_play->setIcon(icon(flying ? IconName::Pause : IconName::Play, m_theme));
+    m_play->setEnabled(canStep || finished);
+    m_step->setEnabled(canStep);
+    m_reset->setEnabled(flying || m_phase == RunPhase::Paused || finished);
+
+    QString whyNot;
+    if (m_phase == RunPhase::Planning)
+        whyNot = tr("The plan is still being made.");
+    else if (m_phase == RunPhase::Failed)
+        whyNot = tr("This scenario cannot be flown. Correct what is reported first.");
+    else if (finished)
+        whyNot = tr("The run has ended.");
+    QString playTip = whyNot;
+    if (finished)
+        playTip = tr("Fly again from the start (Space)");
+    else if (canStep)
+        playTip = flying ? tr("Pause the flight (Space)") : tr("Fly the plan (Space)");
+    setAction(*m_play, flying ? tr("Pause") : tr("Fly"), playTip);
+    setAction(*m_step, tr("Step"), canStep ? tr("Fly one second and pause") : whyNot);
+    setAction(*m_reset, tr("Reset"), tr("Back to the start, where everything can be edited"));
+}
+
+} // namespace berg

@@ -1,0 +1,284 @@
+#include "widgets/panels/icebergs/iceberg_table_columns.h"
+
+#include "core/base/angles.h"
+#include "core/base/error.h"
+#include "widgets/model/scenario_edits.h"
+#include "widgets/panels/inspector/inspector_row_makers.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct IcebergColumnText
+{
+    Q_DECLARE_TR_FUNCTIONS(IcebergColumnText)
+};
+
+constexpr Limits kSpeed_mps{.low = 0, .high = kLargestVelocity_mps};
+constexpr Limits kDirection_deg{.low = 0, .high = 360};
+
+/** The row of the inspector that edits this number. */
+NumberRow inspectorRow(const std::vector<InspectorRow>& rows, const QString& key)
+{
+    for (const InspectorRow& row : rows)
+        if (const auto* number = std::get_if<NumberRow>(&row))
+            if (number->words.key == key)
+                return *number;
+    require(false, "the inspector has no such row");
+    return {};
+}
+
+/** As the inspector edits a component of the drift, within other limits. */
+NumberRow driftRow(NumberRow row, Decimals decimals, const Limits& limits)
+{
+    row.decimals = decimals;
+    row.range = [limits](const Scenario&) { return limits; };
+    return row;
+}
+
+IcebergColumnSpec inFlight(const QString& key, const QString& title, const QString& copied,
+                           const QString& toolTip)
+{
+    return {.key = key, .title = title, .copied = copied, .toolTip = toolTip, .isInFlight = true};
+}
+
+IcebergColumnSpec inBoth(IcebergColumnSpec spec, const ShownUnit& unit)
+{
+    spec.isInFlight = true;
+    spec.title = spec.copied = spec.title.arg(unit.name);
+    spec.unit = unit;
+    return spec;
+}
+
+IcebergColumnSpec ofAsset(const QString& key, const QString& title, const QString& copied,
+                          const QString& toolTip)
+{
+    return {.key = key,
+            .title = title,
+            .copied = copied,
+            .toolTip = toolTip,
+            .isInEditor = true,
+            .isInFlight = true,
+            .isOfAsset = true,
+            .number = {},
+            .unit = {}};
+}
+
+/** Closest point of approach and time to it. */
+std::array<IcebergColumnSpec, 2> assetColumns()
+{
+    const ShownUnit unit = distanceUnit();
+    const QString distance = IcebergColumnText::tr("CPA, %1").arg(unit.name);
+    IcebergColumnSpec nearest = ofAsset(
+        u"assetDistance"_s, distance, distance,
+        IcebergColumnText::tr("Closest point of approach: least distance from the asset "
+                              "within the next hour, by the estimate. A warning sign beside "
+                              "the name: it comes into the inner ring"));
+    nearest.unit = unit;
+    return {nearest,
+            ofAsset(u"assetTime"_s, IcebergColumnText::tr("TCPA"), IcebergColumnText::tr("TCPA, s"),
+                    IcebergColumnText::tr("Time to the closest point of approach"))};
+}
+
+IcebergColumnSpec inEditor(const QString& key, const QString& title, const QString& toolTip,
+                           const NumberRow& number)
+{
+    return {.key = key,
+            .title = title,
+            .copied = title,
+            .toolTip = toolTip,
+            .isInEditor = true,
+            .number = number,
+            .unit = {}};
+}
+
+/** (sin, cos) of an angle clockwise from north; exact for the four main directions. */
+Point unitTowards(double direction_deg)
+{
+    const double quarter = std::round(direction_deg / 90);
+    const double rest_rad = radFromDeg(direction_deg - 90 * quarter);
+    const double along = std::cos(rest_rad);
+    const double across = std::sin(rest_rad);
+    switch (static_cast<int>(std::lround(quarter)) % 4) {
+    case 0:
+        return {across, along};
+    case 1:
+        return {along, -across};
+    case 2:
+        return {-across, -along};
+    default:
+        return {-along, across};
+    }
+}
+
+double directionOf(const Point& velocity_mps)
+{
+    return headingFromPsi(std::atan2(velocity_mps.y(), velocity_mps.x()));
+}
+
+} // namespace
+
+IcebergColumnSpecs icebergColumnSpecs()
+{
+    const std::vector<InspectorRow> rows = icebergRows();
+    const auto numberOf = [&](const QString& key) { return inspectorRow(rows, key); };
+    const auto like = [&](const QString& key, const QString& title, const QString& inspectorKey) {
+        const NumberRow number = numberOf(inspectorKey);
+        return inEditor(key, title, number.words.toolTip, number);
+    };
+    const NumberRow drift = numberOf(u"icebergVelocityEast"_s);
+    const auto [assetDistance, assetTime] = assetColumns();
+    IcebergColumnSpec name{
+        .key = u"name"_s,
+        .title = IcebergColumnText::tr("Iceberg"),
+        .copied = IcebergColumnText::tr("Iceberg"),
+        .toolTip = IcebergColumnText::tr("Name of the iceberg, its id where it has none"),
+        .isInEditor = true,
+        .isInFlight = true,
+        .number = {},
+        .unit = {}};
+    return {
+        name,
+        inFlight(u"sigma"_s, u"σ, m²"_s, u"σ, m²"_s,
+                 IcebergColumnText::tr(
+                     "Uncertainty of the position now; the bar is on the scale of the map")),
+        inFlight(u"deviation"_s, u"√σ, m"_s, u"√σ, m"_s,
+                 IcebergColumnText::tr("Standard deviation of the position now")),
+        assetDistance,
+        assetTime,
+        inFlight(u"state"_s, IcebergColumnText::tr("State"), IcebergColumnText::tr("State"),
+                 IcebergColumnText::tr("In view, next target, or its place in the visiting order")),
+        inFlight(u"unseen"_s, IcebergColumnText::tr("Unseen for"),
+                 IcebergColumnText::tr("Unseen for, s"),
+                 IcebergColumnText::tr("Time since it was last in view, or since it is known")),
+        inFlight(
+            u"arrival"_s, IcebergColumnText::tr("Arrival"), IcebergColumnText::tr("Arrival in, s"),
+            IcebergColumnText::tr("Time from now until the UAV is there, by the plan in force")),
+        inFlight(u"visits"_s, IcebergColumnText::tr("Visits"), IcebergColumnText::tr("Visits"),
+                 IcebergColumnText::tr("How often it was the target and was reached")),
+        inBoth(inEditor(u"east"_s, IcebergColumnText::tr("East, %1"),
+                        IcebergColumnText::tr(
+                            "Position east of the scenario's origin: before take-off at the "
+                            "start, in flight the estimate"),
+                        numberOf(u"icebergEast"_s)),
+               distanceUnit()),
+        inBoth(inEditor(u"north"_s, IcebergColumnText::tr("North, %1"),
+                        IcebergColumnText::tr(
+                            "Position north of the scenario's origin: before take-off at "
+                            "the start, in flight the estimate"),
+                        numberOf(u"icebergNorth"_s)),
+               distanceUnit()),
+        inBoth(inEditor(u"speed"_s, IcebergColumnText::tr("Speed, %1"),
+                        IcebergColumnText::tr("Known drift; in flight the current is in it"),
+                        driftRow(drift, {.least = 2, .most = 3},
+                                 shownLimits(kSpeed_mps, speedUnit(), 3))),
+               speedUnit()),
+        inEditor(u"direction"_s, IcebergColumnText::tr("Direction, °"),
+                 IcebergColumnText::tr("Where it drifts to, degrees clockwise from north"),
+                 driftRow(drift, {.least = 0, .most = 1}, kDirection_deg)),
+        like(u"sigma0"_s, u"σ₀, m²"_s, u"icebergSigma0"_s),
+        like(u"growth"_s, u"q, m²/s"_s, u"icebergGrowth"_s),
+        like(u"observed"_s, IcebergColumnText::tr("Last seen, s ago"), u"icebergObserved"_s),
+        like(u"appears"_s, IcebergColumnText::tr("Appears at, s"), u"icebergAppears"_s),
+    };
+}
+
+std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column)
+{
+    switch (column) {
+    case IcebergColumn::East:
+        return iceberg.position_m.x();
+    case IcebergColumn::North:
+        return iceberg.position_m.y();
+    case IcebergColumn::Speed:
+        return iceberg.velocity_mps.norm();
+    case IcebergColumn::Direction:
+        if (iceberg.velocity_mps.isZero(0))
+            return std::nullopt;
+        return directionOf(iceberg.velocity_mps);
+    case IcebergColumn::Sigma0:
+        return iceberg.sigma0_m2;
+    case IcebergColumn::Growth:
+        return iceberg.q_m2ps;
+    case IcebergColumn::Observed:
+        return iceberg.observed_s;
+    case IcebergColumn::Appears:
+        return iceberg.appears_s;
+    case IcebergColumn::Name:
+    case IcebergColumn::Sigma:
+    case IcebergColumn::Deviation:
+    case IcebergColumn::State:
+    case IcebergColumn::AssetDistance:
+    case IcebergColumn::AssetTime:
+    case IcebergColumn::Unseen:
+    case IcebergColumn::Arrival:
+    case IcebergColumn::Visits:
+        break;
+    }
+    return std::nullopt;
+}
+
+bool isShownAs(const Iceberg& iceberg, IcebergColumn column, const IcebergColumnSpec& spec,
+               double shown)
+{
+    const std::optional<double> held = icebergNumber(iceberg, column);
+    return held && spec.unit.fromSi(*held) == shown;
+}
+
+void setIcebergNumber(Iceberg& iceberg, IcebergColumn column, double value)
+{
+    switch (column) {
+    case IcebergColumn::East:
+        iceberg.position_m.x() = value;
+        break;
+    case IcebergColumn::North:
+        iceberg.position_m.y() = value;
+        break;
+    case IcebergColumn::Speed:
+        setDrift(iceberg, {.speed_mps = value});
+        break;
+    case IcebergColumn::Direction:
+        setDrift(iceberg, {.direction_deg = value});
+        break;
+    case IcebergColumn::Sigma0:
+        iceberg.sigma0_m2 = value;
+        break;
+    case IcebergColumn::Growth:
+        iceberg.q_m2ps = value;
+        break;
+    case IcebergColumn::Observed:
+        iceberg.observed_s = value;
+        break;
+    case IcebergColumn::Appears:
+        iceberg.appears_s = value;
+        break;
+    case IcebergColumn::Name:
+    case IcebergColumn::Sigma:
+    case IcebergColumn::Deviation:
+    case IcebergColumn::State:
+    case IcebergColumn::AssetDistance:
+    case IcebergColumn::AssetTime:
+    case IcebergColumn::Unseen:
+    case IcebergColumn::Arrival:
+    case IcebergColumn::Visits:
+        require(false, "not a number of an iceberg that can be set");
+    }
+}
+
+void setDrift(Iceberg& iceberg, const Drift& drift)
+{
+    const double before_mps = iceberg.velocity_mps.norm();
+    const double before_deg = icebergNumber(iceberg, IcebergColumn::Direction).value_or(0);
+    const double speed_mps = drift.speed_mps.value_or(before_mps);
+    const double direction_deg = drift.direction_deg.value_or(before_deg);
+    if (speed_mps == before_mps && (speed_mps == 0 || direction_deg == before_deg))
+        return;
+    iceberg.velocity_mps = clampedVelocity(speed_mps * unitTowards(direction_deg));
+}
+
+} // namespace berg

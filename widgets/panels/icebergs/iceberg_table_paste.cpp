@@ -1,0 +1,192 @@
+#include "widgets/panels/icebergs/iceberg_table_paste.h"
+
+#include "core/scenario/validate.h"
+#include "widgets/model/scenario_edits.h"
+#include "widgets/panels/icebergs/iceberg_table_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct IcebergPasteText
+{
+    Q_DECLARE_TR_FUNCTIONS(IcebergPasteText)
+};
+
+using Line = std::vector<QString>;
+
+bool isBlank(const Line& line)
+{
+    return std::all_of(line.begin(), line.end(),
+                       [](const QString& cell) { return cell.trimmed().isEmpty(); });
+}
+
+/** Pastes line by line into a copy of the scenario. */
+class Paste
+{
+public:
+    Paste(const Scenario& scenario, const PasteTarget& target, const IcebergColumnSpecs& specs,
+          const QLocale& locale)
+        : m_target(target), m_columns(target.columns), m_specs(specs), m_locale(locale)
+    {
+        m_outcome.scenario = scenario;
+    }
+
+    [[nodiscard]] PasteOutcome run(const std::vector<Line>& lines)
+    {
+        if (std::all_of(lines.begin(), lines.end(), isBlank)) {
+            m_outcome.fault = IcebergPasteText::tr("There is no text to be pasted.");
+            return std::move(m_outcome);
+        }
+        std::size_t first = 0;
+        if (lines.size() > 1 && readTitles(lines.front()))
+            first = 1;
+        for (std::size_t i = first; i < lines.size() && m_outcome.fault.isEmpty(); ++i) {
+            m_line = i + 1;
+            pasteLine(lines[i], i - first);
+        }
+        return std::move(m_outcome);
+    }
+
+private:
+    /** Whether all cells of the line are titles of columns; then they say where cells go. */
+    [[nodiscard]] bool readTitles(const Line& line)
+    {
+        std::vector<IcebergColumn> columns;
+        for (const QString& cell : line)
+            for (const IcebergColumn column : m_target.shown)
+                if (cell.trimmed() == specOf(m_specs, column).copied)
+                    columns.push_back(column);
+        if (columns.size() != line.size())
+            return false;
+        m_columns = std::move(columns);
+        return true;
+    }
+
+    void pasteLine(const Line& line, std::size_t row)
+    {
+        if (isBlank(line))
+            return;
+        const bool isNew = row >= m_target.ids.size();
+        if (isNew && !addIceberg(line))
+            return;
+        Iceberg& iceberg = isNew ? m_outcome.scenario.icebergs.back()
+                                 : *findIceberg(m_outcome.scenario, m_target.ids[row]);
+        m_outcome.ids.push_back(iceberg.id);
+        Drift drift;
+        for (std::size_t i = 0; i < line.size() && m_outcome.fault.isEmpty(); ++i) {
+            if (line[i].trimmed().isEmpty())
+                continue;
+            if (i >= m_columns.size()) {
+                fail(IcebergPasteText::tr(
+                         "Row %1 has a cell \"%2\" to the right of the last column.")
+                         .arg(m_line)
+                         .arg(shortened(line[i])));
+                return;
+            }
+            pasteCell(iceberg, drift, m_columns[i], line[i]);
+        }
+        setDrift(iceberg, drift); // both halves at once
+    }
+
+    [[nodiscard]] bool addIceberg(const Line& line)
+    {
+        Scenario& scenario = m_outcome.scenario;
+        if (scenario.icebergs.size() >= kMostIcebergs) {
+            fail(IcebergPasteText::tr("Row %1: a scenario holds at most %2 icebergs.")
+                     .arg(m_line)
+                     .arg(kMostIcebergs));
+            return false;
+        }
+        Iceberg iceberg;
+        iceberg.id = freshIcebergId(scenario);
+        for (std::size_t i = 0; i < std::min(line.size(), m_columns.size()); ++i) {
+            const std::string name = line[i].trimmed().toStdString();
+            if (m_columns[i] == IcebergColumn::Name && !name.empty() && isFree(name))
+                iceberg.id = name;
+        }
+        scenario.icebergs.push_back(iceberg);
+        return true;
+    }
+
+    [[nodiscard]] bool isFree(const std::string& id) const
+    {
+        return findIceberg(m_outcome.scenario, id) == nullptr &&
+               findUav(m_outcome.scenario, id) == nullptr;
+    }
+
+    void pasteCell(Iceberg& iceberg, Drift& drift, IcebergColumn column, const QString& cell)
+    {
+        if (column == IcebergColumn::Name) {
+            const std::string& label = iceberg.name.empty() ? iceberg.id : iceberg.name;
+            if (cell.toStdString() == label)
+                return; // as it was copied, spaces and all
+            const std::string name = cell.trimmed().toStdString();
+            iceberg.name = name == iceberg.id ? std::string() : name;
+            return;
+        }
+        const IcebergColumnSpec& spec = specOf(m_specs, column);
+        if (!spec.isEditable())
+            return; // named by a title: it follows from the others
+        const std::optional<double> value = numberOf(cell, m_locale);
+        if (!value) {
+            fail(IcebergPasteText::tr("Row %1, column \"%2\": \"%3\" is not a number.")
+                     .arg(m_line)
+                     .arg(spec.title, shortened(cell)));
+            return;
+        }
+        const Limits limits = spec.number->range(m_outcome.scenario);
+        const bool isThere = isShownAs(iceberg, column, spec, *value);
+        if (!isThere && !limitsFault(*value, limits).empty()) {
+            fail(IcebergPasteText::tr("Row %1, column \"%2\": %3 is not from %4 to %5.")
+                     .arg(m_line)
+                     .arg(spec.title, shortened(cell), fixedText(limits.low, 0, m_locale),
+                          fixedText(limits.high, 0, m_locale)));
+            return;
+        }
+        // What is there stays as it is to the last bit, whatever the unit.
+        const std::optional<double> number =
+            isThere ? icebergNumber(iceberg, column) : spec.unit.toSi(*value);
+        if (column == IcebergColumn::Speed)
+            drift.speed_mps = number;
+        else if (column == IcebergColumn::Direction)
+            drift.direction_deg = number;
+        else
+            setIcebergNumber(iceberg, column, *number);
+    }
+
+    [[nodiscard]] static QString shortened(const QString& cell)
+    {
+        constexpr int kLongest = 40;
+        const QString text = cell.simplified();
+        return text.size() > kLongest ? text.left(kLongest) + u'…' : text;
+    }
+
+    void fail(const QString& reason)
+    {
+        m_outcome.fault = reason + u' ' + IcebergPasteText::tr("Nothing was pasted.");
+    }
+
+    const PasteTarget& m_target;
+    std::vector<IcebergColumn> m_columns;
+    const IcebergColumnSpecs& m_specs;
+    QLocale m_locale;
+    std::size_t m_line = 0; ///< of the text, from 1
+    PasteOutcome m_outcome;
+};
+
+} // namespace
+
+PasteOutcome pasteCells(const Scenario& scenario, const QString& text, const PasteTarget& target,
+                        const IcebergColumnSpecs& specs, const QLocale& locale)
+{
+    return Paste(scenario, target, specs, locale).run(cellsOf(text, locale));
+}
+
+} // namespace berg

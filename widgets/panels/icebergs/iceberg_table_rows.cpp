@@ -1,0 +1,337 @@
+#include "widgets/panels/icebergs/iceberg_table_rows.h"
+
+#include "widgets/model/asset_approach.h"
+#include "widgets/model/object_names.h"
+#include "widgets/panels/plan/plan_model.h"
+#include "widgets/panels/plan/plan_rows.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct IcebergRowText
+{
+    Q_DECLARE_TR_FUNCTIONS(IcebergRowText)
+};
+
+constexpr std::array kEditorNumbers{
+    IcebergColumn::East,   IcebergColumn::North,  IcebergColumn::Speed,    IcebergColumn::Direction,
+    IcebergColumn::Sigma0, IcebergColumn::Growth, IcebergColumn::Observed, IcebergColumn::Appears};
+
+void put(IcebergTableRow& row, IcebergColumn column, std::optional<double> value)
+{
+    row.values[static_cast<std::size_t>(column)] = value;
+}
+
+void putApproach(IcebergTableRow& row, const std::optional<AssetApproach>& approach)
+{
+    if (!approach)
+        return;
+    put(row, IcebergColumn::AssetDistance, approach->closest.distance_m);
+    put(row, IcebergColumn::AssetTime, approach->closest.time_s);
+    row.ringEntry_s = approach->entry_s;
+}
+
+/** Of all orders: when the UAV is there. */
+std::unordered_map<std::string, double> arrivalsOf(const FlightRecord& record)
+{
+    std::unordered_map<std::string, double> arrivals_s;
+    for (const PlanSection& section : planSections(record.shown(), record.scenario))
+        for (const PlanRow& row : section.rows)
+            arrivals_s.emplace(row.id, row.arrival_s);
+    return arrivals_s;
+}
+
+/** By index: how often it was reached until the time shown. */
+std::vector<int> visitsOf(const FlightRecord& record)
+{
+    std::vector<int> visits(record.shown().icebergs.size());
+    const std::size_t count = record.eventsShown();
+    for (std::size_t i = 0; i < count; ++i) {
+        const MissionEvent& event = record.history.events[i];
+        const auto iceberg = static_cast<std::size_t>(event.iceberg);
+        if (event.kind == EventKind::Reached && event.iceberg >= 0 && iceberg < visits.size())
+            ++visits[iceberg];
+    }
+    return visits;
+}
+
+/** Where an iceberg is in the orders. */
+struct PlaceInOrder
+{
+    int place = 0; ///< from 1; 0: in none
+    int uav = -1;  ///< whose order
+};
+
+/** By index. */
+std::vector<PlaceInOrder> placesOf(const MissionSnapshot& shown)
+{
+    std::vector<PlaceInOrder> places(shown.icebergs.size());
+    for (const PlanEvent& plan : shown.plans)
+        for (std::size_t k = 0; k < plan.order.size(); ++k)
+            places[static_cast<std::size_t>(plan.order[k])] = {.place = static_cast<int>(k) + 1,
+                                                               .uav = plan.uav};
+    return places;
+}
+
+IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, int place)
+{
+    const Track& track = shown.world.tracks[iceberg];
+    if (track.left)
+        return IcebergStanding::Left;
+    if (!shown.active[iceberg])
+        return IcebergStanding::Later;
+    if (track.inView)
+        return IcebergStanding::InView;
+    if (track.status == TrackStatus::GivenUp)
+        return IcebergStanding::GivenUp;
+    if (track.status == TrackStatus::Lost)
+        return std::ranges::any_of(shown.world.uavs,
+                                   [&](const UavState& uav) {
+                                       return uav.search &&
+                                              uav.search->iceberg == static_cast<int>(iceberg);
+                                   })
+                   ? IcebergStanding::Searched
+                   : IcebergStanding::Lost;
+    const bool isFlownTo = std::ranges::any_of(shown.world.uavs, [&](const UavState& uav) {
+        return uav.target == static_cast<int>(iceberg) && uav.mode != FlightMode::Search;
+    });
+    if (isFlownTo)
+        return IcebergStanding::Target;
+    return place > 0 ? IcebergStanding::Planned : IcebergStanding::Unplanned;
+}
+
+/** Smaller stands further up when sorted. */
+double stateOrder(IcebergStanding state, int place)
+{
+    constexpr double kBehindAll = 1e6;
+    switch (state) {
+    case IcebergStanding::InView:
+        return -1;
+    case IcebergStanding::Target:
+        return 0;
+    case IcebergStanding::Planned:
+        return place;
+    case IcebergStanding::Searched:
+        return kBehindAll;
+    case IcebergStanding::Lost:
+        return kBehindAll + 1;
+    case IcebergStanding::GivenUp:
+        return kBehindAll + 2;
+    case IcebergStanding::Unplanned:
+        return kBehindAll + 3;
+    case IcebergStanding::Later:
+        return kBehindAll + 4;
+    case IcebergStanding::Left:
+        return kBehindAll + 5;
+    }
+    return 0;
+}
+
+QString orDash(const QString& text)
+{
+    return text.isEmpty() ? u"–"_s : text;
+}
+
+/** Of the asset; "> 1 h": still coming nearer at the end of what is looked at. */
+QString approachTimeText(double time_s)
+{
+    if (time_s <= 0)
+        return IcebergRowText::tr("now");
+    return time_s < kApproachHorizon_s ? clockText(time_s) : IcebergRowText::tr("> 1 h");
+}
+
+/** Without its unit, which is in the header; to about a tenth of a metre, in flight to one. */
+QString positionText(double position_m, bool inFlight, const QLocale& locale)
+{
+    const bool isNautical = shownUnits().distance == DistanceUnit::Nautical;
+    const int decimals = inFlight ? 0 : 1;
+    return fixedText(distanceUnit().fromSi(position_m), decimals + (isNautical ? 2 : 0), locale);
+}
+
+QString numberText(double value, IcebergColumn column, bool inFlight, const QLocale& locale)
+{
+    switch (column) {
+    case IcebergColumn::East:
+    case IcebergColumn::North:
+        return positionText(value, inFlight, locale);
+    case IcebergColumn::AssetDistance:
+        return positionText(value, true, locale);
+    case IcebergColumn::AssetTime:
+        return approachTimeText(value);
+    case IcebergColumn::Speed:
+        return fixedText(speedUnit().fromSi(value), 2, locale);
+    case IcebergColumn::Direction:
+        return u"%1"_s.arg(static_cast<int>(std::lround(value)) % 360, 3, 10, QChar(u'0'));
+    case IcebergColumn::Sigma:
+    case IcebergColumn::Deviation:
+    case IcebergColumn::Sigma0:
+    case IcebergColumn::Growth:
+        return significantText(value, 3, locale);
+    case IcebergColumn::Unseen:
+        return clockText(value);
+    case IcebergColumn::Arrival:
+        return PlanModel::arrivalText(value);
+    case IcebergColumn::Visits:
+    case IcebergColumn::Observed:
+    case IcebergColumn::Appears:
+        return fixedText(value, 0, locale);
+    case IcebergColumn::Name:
+    case IcebergColumn::State:
+        break;
+    }
+    return {};
+}
+
+QString nameToolTip(const IcebergTableRow& row, const QLocale& locale)
+{
+    QString text =
+        IcebergRowText::tr("%1 (id %2)").arg(row.label(), QString::fromStdString(row.id));
+    if (row.ringEntry_s)
+        text += u'\n' + ringEntryText(row.label(), *row.ringEntry_s, locale);
+    return text;
+}
+
+} // namespace
+
+std::vector<IcebergTableRow> editorRows(const Scenario& scenario)
+{
+    std::vector<IcebergTableRow> rows;
+    rows.reserve(scenario.icebergs.size());
+    for (const Iceberg& iceberg : scenario.icebergs) {
+        IcebergTableRow& row = rows.emplace_back();
+        row.id = iceberg.id;
+        row.name = QString::fromStdString(iceberg.name);
+        for (const IcebergColumn column : kEditorNumbers)
+            put(row, column, icebergNumber(iceberg, column));
+        putApproach(row, approachOf(scenario, iceberg));
+    }
+    return rows;
+}
+
+std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
+{
+    const MissionSnapshot& shown = record.shown();
+    const std::unordered_map<std::string, double> arrivals_s = arrivalsOf(record);
+    const std::vector<int> visits = visitsOf(record);
+    const std::vector<PlaceInOrder> places = placesOf(shown);
+    std::vector<IcebergTableRow> rows;
+    rows.reserve(shown.icebergs.size());
+    for (std::size_t i = 0; i < shown.icebergs.size(); ++i) {
+        const Iceberg& iceberg = shown.icebergs[i];
+        const Track& track = shown.world.tracks[i];
+        IcebergTableRow& row = rows.emplace_back();
+        row.id = iceberg.id;
+        row.name = QString::fromStdString(iceberg.name);
+        row.state = stateOf(shown, i, places[i].place);
+        row.uav = nameInFleet(record.scenario.uavs, places[i].uav);
+        put(row, IcebergColumn::State, stateOrder(row.state, places[i].place));
+        if (row.state == IcebergStanding::Later)
+            put(row, IcebergColumn::Appears, iceberg.appears_s);
+        if (!shown.active[i] || track.left)
+            continue;
+        putApproach(row, approachOf(shown, i));
+        const Point estimate_m = record.estimate_m(i);
+        put(row, IcebergColumn::Sigma, track.sigma_m2);
+        put(row, IcebergColumn::Deviation, std::sqrt(track.sigma_m2));
+        const double since_s = std::max(track.anchor_s, iceberg.appears_s);
+        put(row, IcebergColumn::Unseen, track.inView ? 0 : shown.time_s - since_s);
+        if (const auto arrival = arrivals_s.find(iceberg.id); arrival != arrivals_s.end())
+            put(row, IcebergColumn::Arrival, arrival->second);
+        put(row, IcebergColumn::Visits, visits[i]);
+        put(row, IcebergColumn::East, estimate_m.x());
+        put(row, IcebergColumn::North, estimate_m.y());
+        put(row, IcebergColumn::Speed, track.velocity_mps.norm());
+    }
+    return rows;
+}
+
+QString stateText(const IcebergTableRow& row)
+{
+    switch (row.state) {
+    case IcebergStanding::InView:
+        return IcebergRowText::tr("in view");
+    case IcebergStanding::Target:
+        return row.uav.isEmpty() ? IcebergRowText::tr("target")
+                                 : IcebergRowText::tr("target of %1").arg(row.uav);
+    case IcebergStanding::Planned: {
+        const QString place = QString::number(row.value(IcebergColumn::State).value_or(0));
+        return row.uav.isEmpty() ? IcebergRowText::tr("number %1 in the order").arg(place)
+                                 : IcebergRowText::tr("number %1 of %2").arg(place, row.uav);
+    }
+    case IcebergStanding::Searched:
+        return IcebergRowText::tr("lost, searched for");
+    case IcebergStanding::Lost:
+        return IcebergRowText::tr("lost");
+    case IcebergStanding::GivenUp:
+        return IcebergRowText::tr("given up");
+    case IcebergStanding::Left:
+        return IcebergRowText::tr("left the area");
+    case IcebergStanding::Unplanned:
+        return IcebergRowText::tr("not in the order");
+    case IcebergStanding::Later:
+        return IcebergRowText::tr("not there yet");
+    }
+    return {};
+}
+
+QString cellText(const IcebergTableRow& row, IcebergColumn column, bool inFlight,
+                 const QLocale& locale)
+{
+    if (column == IcebergColumn::Name)
+        return row.label();
+    if (column == IcebergColumn::State)
+        return stateText(row);
+    const std::optional<double> value = row.value(column);
+    return orDash(value ? numberText(*value, column, inFlight, locale) : QString());
+}
+
+QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLocale& locale)
+{
+    const std::optional<double> value = row.value(column);
+    switch (column) {
+    case IcebergColumn::Name:
+        return nameToolTip(row, locale);
+    case IcebergColumn::AssetDistance:
+    case IcebergColumn::AssetTime:
+        return row.value(IcebergColumn::AssetTime) == kApproachHorizon_s
+                   ? IcebergRowText::tr(
+                         "It still comes nearer in an hour, to this distance by then.")
+                   : QString();
+    case IcebergColumn::State:
+        return row.state == IcebergStanding::Later
+                   ? IcebergRowText::tr("Appears at %1")
+                         .arg(clockText(row.value(IcebergColumn::Appears).value_or(0)))
+                   : QString();
+    case IcebergColumn::Sigma:
+    case IcebergColumn::Sigma0:
+        return value ? IcebergRowText::tr("%1 m², a standard deviation of %2 m")
+                           .arg(significantText(*value, 3, locale),
+                                significantText(std::sqrt(*value), 3, locale))
+                     : QString();
+    case IcebergColumn::Direction:
+        return value ? QString() : IcebergRowText::tr("It stands still.");
+    case IcebergColumn::Deviation:
+    case IcebergColumn::Unseen:
+    case IcebergColumn::Arrival:
+    case IcebergColumn::Visits:
+    case IcebergColumn::East:
+    case IcebergColumn::North:
+    case IcebergColumn::Speed:
+    case IcebergColumn::Growth:
+    case IcebergColumn::Observed:
+    case IcebergColumn::Appears:
+        break;
+    }
+    return {};
+}
+
+} // namespace berg

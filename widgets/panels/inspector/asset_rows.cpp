@@ -1,0 +1,123 @@
+#include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr double kLargestAssetSpeed_mps = 50;
+constexpr double kLargestGain = 1e6;
+constexpr double kSpeedStep_mps = 0.5;
+
+template <class Number>
+NumberRow assetRow(const RowWords& words, const QString& unit, Number number, const Limits& limits)
+{
+    return {.words = words,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 2},
+            .read = reading<Asset>(number),
+            .write = writing<Asset>(number),
+            .range = always(limits)};
+}
+
+std::vector<InspectorRow> velocityRows()
+{
+    constexpr Limits kSpeed_mps{.low = -kLargestAssetSpeed_mps, .high = kLargestAssetSpeed_mps};
+    const QString undoText = InspectorRows::tr("Change velocity of the asset");
+    NumberRow east = assetRow(
+        {.key = u"assetVelocityEast"_s,
+         .label = InspectorRows::tr("Speed east"),
+         .toolTip = InspectorRows::tr("What a ship makes to the east; 0 for a platform."),
+         .undoText = undoText},
+        {}, [](auto& asset) -> auto& { return asset.velocity_mps.x(); }, kSpeed_mps);
+    NumberRow north = assetRow(
+        {.key = u"assetVelocityNorth"_s,
+         .label = InspectorRows::tr("Speed north"),
+         .toolTip = InspectorRows::tr("What a ship makes to the north; 0 for a platform."),
+         .undoText = undoText},
+        {}, [](auto& asset) -> auto& { return asset.velocity_mps.y(); }, kSpeed_mps);
+    east.step = north.step = kSpeedStep_mps;
+    return {
+        asSpeed(east), asSpeed(north),
+        InfoRow{.key = u"assetVelocity"_s,
+                .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+                    return scenario.asset ? towardsText(scenario.asset->velocity_mps, locale)
+                                          : QString();
+                }}};
+}
+
+QString areaText(const Scenario& scenario, const QLocale& locale)
+{
+    if (scenario.area_m.empty())
+        return {};
+    const ShownUnit unit = areaUnit();
+    const double size = unit.fromSi(std::abs(signedArea(scenario.area_m)));
+    return InspectorRows::tr("%n corners, %1", nullptr, static_cast<int>(scenario.area_m.size()))
+        .arg(u"%1 %2"_s.arg(significantText(size, 3, locale), unit.name));
+}
+
+} // namespace
+
+std::vector<InspectorRow> assetRows()
+{
+    std::vector<InspectorRow> rows{nameRow<Asset>(u"assetName"_s)};
+    append(rows, positionRows<Asset>(u"asset"_s));
+    append(rows, velocityRows());
+    NumberRow range = assetRow(
+        {.key = u"assetRange"_s,
+         .label = InspectorRows::tr("Range"),
+         .toolTip = InspectorRows::tr("How near an iceberg matters to it."),
+         .undoText = InspectorRows::tr("Change range of the asset")},
+        {}, [](auto& asset) -> auto& { return asset.range_m; }, kExtent_m);
+    range.step = 500;
+    rows.emplace_back(asDistance(range));
+    NumberRow alarm = assetRow({.key = u"assetAlarm"_s,
+                                .label = InspectorRows::tr("Inner ring"),
+                                .toolTip = InspectorRows::tr(
+                                    "An iceberg on its way into it within an hour is an alarm; at "
+                                    "0 it is half the range."),
+                                .undoText = InspectorRows::tr("Change inner ring of the asset")},
+                               {}, [](auto& asset) -> auto& { return asset.alarm_m; },
+                               {.low = 0, .high = kExtent_m.high});
+    alarm.step = 500;
+    alarm.lowestText = InspectorRows::tr("half the range");
+    rows.emplace_back(asDistance(alarm));
+    rows.emplace_back(
+        assetRow({.key = u"assetGain"_s,
+                  .label = InspectorRows::tr("Gain"),
+                  .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
+                  .undoText = InspectorRows::tr("Change gain of the asset")},
+                 QString(), [](auto& asset) -> auto& { return asset.gain; },
+                 {.low = 0, .high = kLargestGain}));
+    rows.emplace_back(
+        ActionRow{.words = {.key = u"assetRemove"_s,
+                            .toolTip = InspectorRows::tr("Takes the asset off the map."),
+                            .undoText = InspectorRows::tr("Remove asset")},
+                  .act = [](Scenario& scenario) { scenario.asset.reset(); }});
+    return rows;
+}
+
+std::vector<InspectorRow> areaRows()
+{
+    return {InfoRow{.key = u"areaSize"_s,
+                    .text = [](const Scenario& scenario, const std::string&,
+                               const QLocale& locale) { return areaText(scenario, locale); }},
+            FlagRow{.words = {.key = u"areaFence"_s,
+                              .label = InspectorRows::tr("Geofence"),
+                              .toolTip = InspectorRows::tr("The UAVs stay inside the area."),
+                              .undoText = InspectorRows::tr("Change geofence")},
+                    .read = [](const Scenario& scenario) { return scenario.geofence; },
+                    .write = [](Scenario& scenario, bool on) { scenario.geofence = on; }},
+            ActionRow{.words = {.key = u"areaRemove"_s,
+                                .toolTip = InspectorRows::tr("Takes the area off the map."),
+                                .undoText = InspectorRows::tr("Remove area")},
+                      .act = [](Scenario& scenario) {
+                          scenario.area_m.clear();
+                          scenario.geofence = false;
+                      }}};
+}
+
+} // namespace berg

@@ -1,0 +1,393 @@
+#include "widgets/panels/inspector/inspector_form.h"
+
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/panels/fields/wheel_guard.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kNotesLines = 3;
+constexpr int kRowGap_px = 4;
+constexpr int kColumnGap_px = 8;
+
+/** A page of text that tells when the focus leaves it. */
+class NotesEdit final : public QPlainTextEdit
+{
+public:
+    NotesEdit(std::function<void()> finished, QWidget* parent)
+        : QPlainTextEdit(parent), m_finished(std::move(finished))
+    {
+        setTabChangesFocus(true);
+        const QFontMetrics metrics(font());
+        setFixedHeight(kNotesLines * metrics.lineSpacing() + 2 * frameWidth() +
+                       static_cast<int>(2 * document()->documentMargin()));
+    }
+
+protected:
+    void focusOutEvent(QFocusEvent* event) override
+    {
+        QPlainTextEdit::focusOutEvent(event);
+        m_finished();
+    }
+
+private:
+    std::function<void()> m_finished;
+};
+
+/** A locked input stays as readable as it was, but no longer looks like one to write in. */
+void setReadOnlyLook(QWidget& input, bool locked)
+{
+    QPalette colours;
+    if (locked)
+        colours.setColor(QPalette::Base, input.palette().color(QPalette::Window));
+    input.setPalette(colours);
+}
+
+} // namespace
+
+InspectorForm::InspectorForm(ScenarioDocument& document, const std::vector<InspectorRow>& rows,
+                             QWidget* parent)
+    : QWidget(parent), m_document(document), m_form(new QFormLayout(this))
+{
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setVerticalSpacing(kRowGap_px);
+    m_form->setHorizontalSpacing(kColumnGap_px);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    for (const InspectorRow& row : rows)
+        std::visit([this](const auto& one) { add(one); }, row);
+}
+
+void InspectorForm::addOnTop(const QString& label, QWidget* input)
+{
+    m_top = input;
+    m_form->insertRow(0, label, input);
+    for (int row = 1; row < m_form->rowCount(); ++row) {
+        QWidget* next = m_form->itemAt(row, QFormLayout::FieldRole)->widget();
+        setTabOrder(input, next);
+        input = next;
+    }
+}
+
+void InspectorForm::setTopVisible(bool visible)
+{
+    m_top->setVisible(visible);
+    m_form->labelForField(m_top)->setVisible(visible);
+}
+
+void InspectorForm::addInput(const RowWords& words, QWidget* input)
+{
+    input->setObjectName(words.key);
+    input->setAccessibleName(words.label);
+    input->setToolTip(words.toolTip);
+    m_form->addRow(words.label, input); // which makes the label its buddy
+    if (words.isShown)
+        m_inputs.push_back({.show =
+                                [this, isShown = words.isShown, input] {
+                                    const auto matters = [&](const std::string& id) {
+                                        return isShown(m_document.scenario(), id);
+                                    };
+                                    m_form->setRowVisible(
+                                        input, std::any_of(m_ids.begin(), m_ids.end(), matters));
+                                },
+                            .lock = [](bool) {}});
+    if (m_first == nullptr)
+        m_first = input;
+}
+
+template <class Read>
+auto InspectorForm::common(const Read& read) const
+{
+    using Value = decltype(read(m_document.scenario(), std::string()));
+    std::optional<Value> value;
+    for (const std::string& id : m_ids) {
+        Value next = read(m_document.scenario(), id);
+        if (value && *value != next)
+            return std::optional<Value>();
+        value = std::move(next);
+    }
+    return value;
+}
+
+void InspectorForm::add(const NumberRow& row)
+{
+    auto* field = new NumberField;
+    field->setNumberFormat(row.decimals, row.unit);
+    field->setSingleStep(row.step);
+    field->setLowestText(row.lowestText);
+    addInput(row.words, field);
+    connect(field, &NumberField::edited, this, [this, row](double value) {
+        edit(row.words,
+             [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, value); });
+    });
+    connect(field, &NumberField::editFinished, &m_document, &ScenarioDocument::endGesture);
+    m_inputs.push_back({.show =
+                            [this, row, field] {
+                                const Limits range = row.range(m_document.scenario());
+                                field->limit(range.low, range.high);
+                                if (const std::optional<double> value = common(row.read))
+                                    field->showValue(*value);
+                                else
+                                    field->showMixed(
+                                        row.read(m_document.scenario(), m_ids.front()));
+                            },
+                        .lock =
+                            [field](bool locked) {
+                                field->setReadOnly(locked);
+                                field->setButtonSymbols(locked ? QAbstractSpinBox::NoButtons
+                                                               : QAbstractSpinBox::UpDownArrows);
+                                setReadOnlyLook(*field, locked);
+                            }});
+}
+
+void InspectorForm::add(const TextRow& row)
+{
+    if (row.multiLine)
+        addPage(row);
+    else
+        addLine(row);
+}
+
+void InspectorForm::addLine(const TextRow& row)
+{
+    auto* line = new QLineEdit;
+    addInput(row.words, line);
+    connect(line, &QLineEdit::textEdited, this, [this, row](const QString& text) {
+        if (row.isAllowed && !row.isAllowed(text.toStdString()))
+            return; // not yet, or not at all
+        edit(row.words, [&](Scenario& scenario, const std::string& id) {
+            row.write(scenario, id, text.toStdString());
+        });
+    });
+    connect(line, &QLineEdit::editingFinished, this, [this] {
+        m_document.endGesture();
+        showAll(); // in place of what could not be taken
+    });
+    m_inputs.push_back({.show =
+                            [this, row, line] {
+                                const std::optional<std::string> value = common(row.read);
+                                const QString text = QString::fromStdString(value.value_or(""));
+                                line->setPlaceholderText(value ? row.placeholder : tr("mixed"));
+                                if (text != line->text()) {
+                                    line->setText(text);
+                                    line->setCursorPosition(0);
+                                }
+                            },
+                        .lock =
+                            [line](bool locked) {
+                                line->setReadOnly(locked);
+                                setReadOnlyLook(*line, locked);
+                            }});
+}
+
+void InspectorForm::addPage(const TextRow& row)
+{
+    auto* page = new NotesEdit([this] { m_document.endGesture(); }, this);
+    addInput(row.words, page);
+    connect(page, &QPlainTextEdit::textChanged, this, [this, row, page] {
+        const std::string text = page->toPlainText().toStdString();
+        if (common(row.read) == text)
+            return; // shown, not written
+        edit(row.words,
+             [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, text); });
+    });
+    m_inputs.push_back({.show =
+                            [this, row, page] {
+                                const QString text =
+                                    QString::fromStdString(common(row.read).value_or(""));
+                                if (text != page->toPlainText())
+                                    page->setPlainText(text);
+                            },
+                        .lock =
+                            [page](bool locked) {
+                                page->setReadOnly(locked);
+                                setReadOnlyLook(*page, locked);
+                            }});
+}
+
+void InspectorForm::add(const FlagRow& row)
+{
+    auto* box = new QCheckBox;
+    addInput(row.words, box);
+    connect(box, &QCheckBox::clicked, this, [this, row](bool on) {
+        edit(row.words, [&](Scenario& scenario, const std::string&) { row.write(scenario, on); });
+        m_document.endGesture();
+    });
+    m_inputs.push_back(
+        {.show = [this, row, box] { box->setChecked(row.read(m_document.scenario())); },
+         .lock = [box](bool locked) { box->setEnabled(!locked); }});
+}
+
+void InspectorForm::add(const ChoiceRow& row)
+{
+    auto* combo = new QComboBox;
+    combo->addItems(row.choices);
+    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    guardWheel(*combo);
+    addInput(row.words, combo);
+    connect(combo, &QComboBox::activated, this, [this, row](int choice) {
+        edit(row.words,
+             [&](Scenario& scenario, const std::string&) { row.write(scenario, choice); });
+        m_document.endGesture();
+    });
+    m_inputs.push_back(
+        {.show = [this, row, combo] { combo->setCurrentIndex(row.read(m_document.scenario())); },
+         .lock = [combo](bool locked) { combo->setEnabled(!locked); }});
+}
+
+void InspectorForm::add(const PickRow& row)
+{
+    auto* combo = new QComboBox;
+    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    combo->setPlaceholderText(tr("mixed"));
+    guardWheel(*combo);
+    addInput(row.words, combo);
+    connect(combo, &QComboBox::activated, this, [this, row](int choice) {
+        const std::string value =
+            row.options(m_document.scenario())[static_cast<std::size_t>(choice)].value;
+        edit(row.words,
+             [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, value); });
+        m_document.endGesture();
+    });
+    m_inputs.push_back(
+        {.show =
+             [this, row, combo, shown = std::vector<PickRow::Option>()]() mutable {
+                 const std::vector<PickRow::Option> options = row.options(m_document.scenario());
+                 if (options != shown) {
+                     combo->clear();
+                     for (const PickRow::Option& option : options)
+                         combo->addItem(option.text);
+                     shown = options;
+                 }
+                 const std::optional<std::string> value = common(row.read);
+                 const auto chosen = std::find_if(
+                     options.begin(), options.end(),
+                     [&](const PickRow::Option& option) { return option.value == value; });
+                 combo->setCurrentIndex(
+                     chosen == options.end() ? -1 : static_cast<int>(chosen - options.begin()));
+             },
+         .lock = [combo](bool locked) { combo->setEnabled(!locked); }});
+}
+
+void InspectorForm::add(const ActionRow& row)
+{
+    auto* button = new QPushButton(row.words.undoText);
+    button->setObjectName(row.words.key);
+    button->setToolTip(row.words.toolTip);
+    m_form->addRow(button);
+    if (m_first == nullptr)
+        m_first = button;
+    connect(button, &QPushButton::clicked, this, [this, row] {
+        m_document.endGesture();
+        m_document.edit(row.words.undoText, row.act);
+    });
+    m_inputs.push_back(
+        {.show = [] {}, .lock = [button](bool locked) { button->setEnabled(!locked); }});
+}
+
+void InspectorForm::add(const PartRow& row)
+{
+    auto* part = new QWidget;
+    auto* line = new QHBoxLayout(part);
+    line->setContentsMargins(0, 0, 0, 0);
+    auto* text = new QLabel;
+    text->setToolTip(row.words.toolTip);
+    auto* button = new QPushButton(row.removeText);
+    button->setObjectName(row.words.key);
+    button->setToolTip(row.words.undoText);
+    button->setAccessibleName(row.words.undoText);
+    line->addWidget(text, 1);
+    line->addWidget(button);
+    m_form->addRow(row.words.label, part);
+    connect(button, &QPushButton::clicked, this, [this, row] {
+        edit(row.words, row.remove);
+        m_document.endGesture();
+    });
+    m_inputs.push_back({.show =
+                            [this, row, text, part] {
+                                const auto read = [&](const Scenario& scenario,
+                                                      const std::string& id) {
+                                    return row.text(scenario, id, locale());
+                                };
+                                const QString words = common(read).value_or(tr("mixed"));
+                                text->setText(words);
+                                m_form->setRowVisible(part, !words.isEmpty());
+                            },
+                        .lock = [button](bool locked) { button->setEnabled(!locked); }});
+}
+
+void InspectorForm::add(const InfoRow& row)
+{
+    auto* text = new CaptionLabel;
+    text->setObjectName(row.key);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_form->addRow(QString(), text);
+    m_inputs.push_back({.show =
+                            [this, row, text] {
+                                const auto read = [&](const Scenario& scenario,
+                                                      const std::string& id) {
+                                    return row.text(scenario, id, locale());
+                                };
+                                text->setText(common(read).value_or(tr("mixed")));
+                            },
+                        .lock = [](bool) {}});
+}
+
+void InspectorForm::edit(const RowWords& words,
+                         const std::function<void(Scenario&, const std::string& id)>& change)
+{
+    QString gesture = words.key;
+    for (const std::string& id : m_ids)
+        gesture += u'|' + QString::fromStdString(id);
+    m_document.edit(
+        words.undoText,
+        [&](Scenario& scenario) {
+            for (const std::string& id : m_ids)
+                change(scenario, id);
+        },
+        gesture);
+    showAll(); // also what came out as it was, e.g. 360° for 0°
+}
+
+void InspectorForm::showObjects(std::vector<std::string> ids)
+{
+    m_ids = std::move(ids);
+    showAll();
+}
+
+void InspectorForm::showAll()
+{
+    if (m_ids.empty())
+        return;
+    for (const Input& input : m_inputs)
+        input.show();
+}
+
+void InspectorForm::setLocked(bool locked)
+{
+    for (const Input& input : m_inputs)
+        input.lock(locked);
+}
+
+void InspectorForm::finishTyping()
+{
+    for (NumberField* field : findChildren<NumberField*>())
+        field->finishTyping();
+    m_document.endGesture();
+}
+
+} // namespace berg

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "widgets/model/scenario_document.h"
+#include "widgets/panels/inspector/inspector_rows.h"
+
+#include <QWidget>
+
+class QFormLayout;
+
+namespace berg {
+
+/**
+ * The inputs of a list of rows for one or several objects of a scenario, or for the scenario
+ * itself. Several objects with different values show "mixed"; an edit is made to all of them and
+ * is one undo step, as are the steps of one input that follow each other.
+ */
+class InspectorForm : public QWidget
+{
+    Q_OBJECT
+
+public:
+    InspectorForm(ScenarioDocument& document, const std::vector<InspectorRow>& rows,
+                  QWidget* parent = nullptr);
+
+    /** Puts an input of the caller's above the others. */
+    void addOnTop(const QString& label, QWidget* input);
+    void setTopVisible(bool visible);
+    /** The first one of the list of rows. */
+    [[nodiscard]] QWidget* firstInput() const { return m_first; }
+
+    /** Ids of the objects, all of them in the scenario; one empty id: the scenario itself. */
+    void showObjects(std::vector<std::string> ids);
+    void setLocked(bool locked);
+    /** Takes what is being typed as if Return had been pressed. */
+    void finishTyping();
+
+private:
+    struct Input
+    {
+        std::function<void()> show;
+        std::function<void(bool)> lock;
+    };
+
+    void add(const NumberRow& row);
+    void add(const TextRow& row);
+    void add(const FlagRow& row);
+    void add(const ChoiceRow& row);
+    void add(const PickRow& row);
+    void add(const ActionRow& row);
+    void add(const PartRow& row);
+    void add(const InfoRow& row);
+    void addLine(const TextRow& row);
+    void addPage(const TextRow& row);
+    void addInput(const RowWords& words, QWidget* input);
+    void edit(const RowWords& words,
+              const std::function<void(Scenario&, const std::string& id)>& change);
+    void showAll();
+    /** What `read` gives for the objects; none: they differ. */
+    template <class Read>
+    [[nodiscard]] auto common(const Read& read) const;
+
+    ScenarioDocument& m_document;
+    QFormLayout* m_form;
+    QWidget* m_top = nullptr;
+    QWidget* m_first = nullptr;
+    std::vector<Input> m_inputs;
+    std::vector<std::string> m_ids;
+};
+
+} // namespace berg

@@ -1,0 +1,336 @@
+#include "widgets/panels/inspector/inspector_panel.h"
+
+#include "widgets/model/scenario_edits.h"
+#include "widgets/panels/fields/id_field.h"
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/panels/inspector/inspector_form.h"
+#include "widgets/panels/inspector/issue_text.h"
+#include "widgets/theme/icons.h"
+#include "widgets/theme/palette.h"
+
+#include <QFormLayout>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_set>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kMargin_px = 10;
+constexpr int kGap_px = 6;
+constexpr int kMark_px = 16;
+constexpr int kChip_px = 12;
+
+/** The ids that are among `objects`, in the order selected. */
+template <class Object>
+std::vector<std::string> idsAmong(const std::vector<Object>& objects,
+                                  const std::vector<std::string>& ids)
+{
+    if (ids.empty())
+        return {};
+    std::unordered_set<std::string_view> known;
+    for (const Object& object : objects)
+        known.insert(object.id);
+    std::vector<std::string> found;
+    std::copy_if(ids.begin(), ids.end(), std::back_inserter(found),
+                 [&](const std::string& id) { return known.contains(id); });
+    return found;
+}
+
+/** Whether the finding is about one of `ids`, an element of `list` in the file. */
+template <class Object>
+bool isAbout(const Issue& issue, std::string_view list, const std::vector<Object>& objects,
+             const std::vector<std::string>& ids)
+{
+    const int index = issueIndex(issue, list);
+    if (index < 0 || index >= static_cast<int>(objects.size()))
+        return false;
+    const std::string& id = objects[static_cast<std::size_t>(index)].id;
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+} // namespace
+
+InspectorPanel::InspectorPanel(ScenarioDocument& document, Selection& selection, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection)
+{
+    QVBoxLayout* column = addScrollArea();
+    m_title = new QLabel;
+    m_title->setObjectName(u"inspectorTitle"_s);
+    m_subtitle = new CaptionLabel;
+    m_subtitle->setObjectName(u"inspectorSubtitle"_s);
+    m_chip = new QLabel;
+    m_chip->setObjectName(u"inspectorChip"_s);
+    auto* heading = new QHBoxLayout;
+    heading->setSpacing(kGap_px);
+    heading->addWidget(m_chip);
+    heading->addWidget(m_title, 1);
+    column->addLayout(heading);
+    column->addWidget(m_subtitle);
+    m_lock = addNotice(*column, u"inspectorLock"_s);
+    m_lock.text->setText(tr("Locked in flight. Stop the flight to edit."));
+    m_lock.row->hide();
+    m_issues = addNotice(*column, u"inspectorIssues"_s);
+    column->addSpacing(2);
+    addForms(*column);
+    column->addStretch();
+
+    connect(&document, &ScenarioDocument::scenarioChanged, this, &InspectorPanel::refresh);
+    connect(&selection, &Selection::changed, this, &InspectorPanel::changeSelection);
+    setTheme(Theme::light());
+    refresh();
+}
+
+InspectorPanel::~InspectorPanel()
+{
+    // Inputs take what is being typed when they are hidden, and that is after this body.
+    m_document.disconnect(this);
+    m_selection.disconnect(this);
+}
+
+QVBoxLayout* InspectorPanel::addScrollArea()
+{
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    auto* area = new QScrollArea(this);
+    area->setObjectName(u"inspectorScroll"_s);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    auto* page = new QWidget;
+    area->setWidget(page);
+    outer->addWidget(area);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
+    column->setSpacing(kGap_px);
+    return column;
+}
+
+InspectorPanel::Notice InspectorPanel::addNotice(QVBoxLayout& column, const QString& name)
+{
+    Notice notice{.row = new QWidget, .mark = new QLabel, .text = new QLabel};
+    auto* row = new QHBoxLayout(notice.row);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kGap_px);
+    notice.mark->setFixedSize(kMark_px, kMark_px);
+    notice.text->setObjectName(name);
+    notice.text->setWordWrap(true);
+    row->addWidget(notice.mark, 0, Qt::AlignTop);
+    row->addWidget(notice.text, 1);
+    column.addWidget(notice.row);
+    return notice;
+}
+
+void InspectorPanel::addForms(QVBoxLayout& column)
+{
+    m_icebergForm = new InspectorForm(m_document, icebergRows());
+    m_uavForm = new InspectorForm(m_document, uavRows());
+    m_assetForm = new InspectorForm(m_document, assetRows());
+    m_areaForm = new InspectorForm(m_document, areaRows());
+    m_scenarioForm = new InspectorForm(m_document, scenarioRows());
+    m_forms = {m_icebergForm, m_uavForm, m_assetForm, m_areaForm, m_scenarioForm};
+    m_icebergId = addIdField(*m_icebergForm, u"iceberg"_s,
+                             tr("Names the iceberg in files and lists; each id is there once."),
+                             tr("An iceberg needs an id."), m_icebergs);
+    m_uavId = addIdField(*m_uavForm, u"uav"_s,
+                         tr("Names the UAV in files and lists; each id is there once."),
+                         tr("A UAV needs an id."), m_uavs);
+    for (InspectorForm* form : m_forms)
+        column.addWidget(form);
+}
+
+/** On top of its form: of the one object of `shown`, which changes with the selection. */
+IdField* InspectorPanel::addIdField(InspectorForm& form, const QString& key, const QString& toolTip,
+                                    const QString& missing, const std::vector<std::string>& shown)
+{
+    auto* field = new IdField({.key = key, .toolTip = toolTip}, [this, missing](const QString& id) {
+        return id.isEmpty() ? missing : whyTaken(id);
+    });
+    form.addOnTop(tr("Id"), field);
+    connect(field, &IdField::edited, this, [this, &shown](const QString& id) {
+        const std::string before = shown.front(); // which is another one while it is renamed
+        rename(before, id.toStdString());
+    });
+    return field;
+}
+
+void InspectorPanel::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    showChip();
+    setCaptionTheme(*this, theme);
+    m_title->setFont(theme.strong());
+    m_lock.mark->setPixmap(
+        icon(IconName::Locked, theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
+    m_issues.mark->setPixmap(
+        icon(IconName::Warning, theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
+    lockInputs(); // whose ground is a colour of the palette
+}
+
+void InspectorPanel::setLocked(bool locked)
+{
+    if (locked == m_locked)
+        return;
+    m_locked = locked;
+    m_lock.row->setVisible(locked);
+    lockInputs();
+}
+
+void InspectorPanel::lockInputs()
+{
+    for (IdField* id : {m_icebergId, m_uavId})
+        id->setLocked(m_locked);
+    for (InspectorForm* form : m_forms)
+        form->setLocked(m_locked);
+}
+
+void InspectorPanel::finishTyping()
+{
+    if (m_locked)
+        return;
+    for (IdField* id : {m_icebergId, m_uavId})
+        if (id->isVisible())
+            id->finishTyping();
+    for (InspectorForm* form : m_forms)
+        form->finishTyping();
+}
+
+void InspectorPanel::changeSelection()
+{
+    finishTyping();
+    refresh();
+}
+
+void InspectorPanel::refresh()
+{
+    const Scenario& scenario = m_document.scenario();
+    m_icebergs = idsAmong(scenario.icebergs, m_selection.ids());
+    m_uavs = idsAmong(scenario.uavs, m_selection.ids());
+    m_icebergForm->showObjects(m_icebergs);
+    m_uavForm->showObjects(m_uavs);
+    for (InspectorForm* form : {m_assetForm, m_areaForm, m_scenarioForm})
+        form->showObjects({std::string()});
+    m_icebergForm->setTopVisible(m_icebergs.size() == 1);
+    if (m_icebergs.size() == 1)
+        m_icebergId->showId(QString::fromStdString(m_icebergs.front()));
+    m_uavForm->setTopVisible(m_uavs.size() == 1);
+    if (m_uavs.size() == 1)
+        m_uavId->showId(QString::fromStdString(m_uavs.front()));
+    const InspectorForm* shown = formInUse();
+    for (InspectorForm* form : m_forms)
+        form->setVisible(form == shown);
+    setFocusProxy(shown->firstInput());
+    showTitle();
+    showIssues();
+}
+
+InspectorForm* InspectorPanel::formInUse() const
+{
+    if (!m_icebergs.empty())
+        return m_icebergForm;
+    if (!m_uavs.empty())
+        return m_uavForm;
+    const Scenario& scenario = m_document.scenario();
+    if (scenario.asset && m_selection.contains(kAssetKey))
+        return m_assetForm;
+    if (!scenario.area_m.empty() && m_selection.contains(kAreaKey))
+        return m_areaForm;
+    return m_scenarioForm;
+}
+
+void InspectorPanel::showTitle()
+{
+    QString title = tr("Scenario");
+    QString subtitle = tr("Select something on the map to edit it.");
+    if (formInUse() == m_assetForm) {
+        title = tr("Asset");
+        subtitle.clear();
+    } else if (formInUse() == m_areaForm) {
+        title = tr("Area");
+        subtitle = tr("Drag its corners on the map to change it.");
+    } else if (!m_icebergs.empty()) {
+        const auto count = static_cast<int>(m_icebergs.size());
+        title = count == 1 ? tr("Iceberg") : tr("%n icebergs", nullptr, count);
+        subtitle = m_uavs.empty() ? QString() : tr("Only the icebergs selected are edited here.");
+        if (m_uavs.empty() && count > 1)
+            subtitle = tr("What is entered here goes to all of them.");
+    } else if (!m_uavs.empty()) {
+        const auto count = static_cast<int>(m_uavs.size());
+        title = count == 1 ? tr("UAV %1").arg(QString::fromStdString(m_uavs.front()))
+                           : tr("%n UAVs", nullptr, count);
+        subtitle = count > 1 ? tr("What is entered here goes to all of them.") : QString();
+    }
+    m_title->setText(title);
+    m_subtitle->setText(subtitle);
+    m_subtitle->setVisible(!subtitle.isEmpty());
+    showChip();
+}
+
+/** The colour that the UAV has on the map; where there is one only there is nothing to tell. */
+void InspectorPanel::showChip()
+{
+    const std::vector<Uav>& uavs = m_document.scenario().uavs;
+    const bool isOne = formInUse() == m_uavForm && m_uavs.size() == 1 && uavs.size() > 1;
+    m_chip->setVisible(isOne);
+    if (!isOne)
+        return;
+    const auto place = std::find_if(uavs.begin(), uavs.end(),
+                                    [&](const Uav& uav) { return uav.id == m_uavs.front(); });
+    QPixmap chip(QSize(kChip_px, kChip_px) * devicePixelRatioF());
+    chip.setDevicePixelRatio(devicePixelRatioF());
+    chip.fill(uavColour(m_theme, static_cast<int>(place - uavs.begin())));
+    m_chip->setPixmap(chip);
+}
+
+void InspectorPanel::showIssues()
+{
+    QStringList texts;
+    for (const Issue& issue : m_document.issues())
+        if (isConcerned(issue))
+            texts << issueText(issue);
+    texts.removeDuplicates(); // the same of several icebergs
+    m_issues.text->setText(texts.join(u'\n'));
+    m_issues.row->setVisible(!texts.isEmpty());
+}
+
+/** Whether the finding is about what is shown; those of asset and area are the scenario's too. */
+bool InspectorPanel::isConcerned(const Issue& issue) const
+{
+    const Scenario& scenario = m_document.scenario();
+    const InspectorForm* shown = formInUse();
+    if (shown == m_icebergForm)
+        return isAbout(issue, "icebergs", scenario.icebergs, m_icebergs);
+    if (shown == m_uavForm)
+        return isAbout(issue, "uavs", scenario.uavs, m_uavs);
+    if (shown == m_assetForm)
+        return issue.field.starts_with("asset");
+    if (shown == m_areaForm)
+        return issue.field.starts_with("area_m");
+    return issueIndex(issue, "icebergs") < 0 && issueIndex(issue, "uavs") < 0;
+}
+
+QString InspectorPanel::whyTaken(const QString& id) const
+{
+    const Scenario& scenario = m_document.scenario();
+    const std::vector<std::string> ids{id.toStdString()};
+    if (idsAmong(scenario.icebergs, ids).empty() && idsAmong(scenario.uavs, ids).empty())
+        return {};
+    return tr("The id \"%1\" is taken. Every iceberg and UAV needs one of its own.").arg(id);
+}
+
+void InspectorPanel::rename(const std::string& before, const std::string& after)
+{
+    // Both are selected while the document changes, so that the selection is never empty between.
+    m_selection.set({before, after});
+    m_document.edit(tr("Change id"),
+                    [&](Scenario& scenario) { renameObject(scenario, before, after); });
+    m_selection.set({after});
+}
+
+} // namespace berg

@@ -1,0 +1,148 @@
+#pragma once
+
+#include "core/scenario/validate.h"
+#include "widgets/panels/inspector/inspector_rows.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+namespace berg {
+
+// What the rows of icebergs, UAVs and the scenario have in common.
+
+/** Context of the translations. */
+struct InspectorRows
+{
+    Q_DECLARE_TR_FUNCTIONS(InspectorRows)
+};
+
+// Ranges of `validate`; what it wants above 0 starts at the smallest number that can be typed.
+inline constexpr Limits kVelocity_mps{.low = -kLargestVelocity_mps, .high = kLargestVelocity_mps};
+inline constexpr Limits kExtent_m{.low = kSmallestExtent_m, .high = kLargestLength_m};
+inline constexpr Limits kTime_s{.low = 0, .high = 1e9};
+
+// Steps of the arrows.
+inline constexpr double kVelocityStep_mps = 0.05;
+
+/** nullptr when there is none. */
+template <class Objects>
+[[nodiscard]] auto objectOf(Objects& objects, const std::string& id) -> decltype(objects.data())
+{
+    const auto it = std::find_if(objects.begin(), objects.end(),
+                                 [&](const auto& object) { return object.id == id; });
+    return it == objects.end() ? nullptr : &*it;
+}
+
+/** The object of this kind in a scenario, constant or not; nullptr when there is none. */
+template <class Object, class S>
+[[nodiscard]] auto* objectIn(S& scenario, [[maybe_unused]] const std::string& id)
+{
+    if constexpr (std::is_same_v<Object, Iceberg>)
+        return objectOf(scenario.icebergs, id);
+    else if constexpr (std::is_same_v<Object, Uav>)
+        return objectOf(scenario.uavs, id);
+    else
+        return scenario.asset ? &*scenario.asset : nullptr;
+}
+
+// Closures of a row about one number of an object.
+
+/** Reads a number of an object: `number(object)` gives a reference to it. */
+template <class Object, class Number>
+auto reading(Number number)
+{
+    return [number](const Scenario& scenario, const std::string& id) -> double {
+        const Object* object = objectIn<Object>(scenario, id);
+        return object == nullptr ? 0 : number(*object);
+    };
+}
+
+template <class Object, class Number>
+auto writing(Number number)
+{
+    return [number](Scenario& scenario, const std::string& id, double value) {
+        if (Object* object = objectIn<Object>(scenario, id))
+            number(*object) = value;
+    };
+}
+
+inline auto always(const Limits& limits)
+{
+    return [limits](const Scenario&) { return limits; };
+}
+
+/** Row of a number of the scenario itself. */
+template <class Number>
+NumberRow scenarioRow(const RowWords& words, const QString& unit, Number number,
+                      const std::function<Limits(const Scenario&)>& range)
+{
+    return {.words = words,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 2},
+            .read = [number](const Scenario& scenario, const std::string&) -> double {
+                return number(scenario);
+            },
+            .write = [number](Scenario& scenario, const std::string&,
+                              double value) { number(scenario) = value; },
+            .range = range};
+}
+
+/** The values of an enumeration of the core in the order of its declaration. */
+template <class Member>
+ChoiceRow choiceRow(const RowWords& words, const QStringList& choices, Member member)
+{
+    using Enum = std::remove_reference_t<decltype(member(std::declval<Scenario&>()))>;
+    return {
+        .words = words,
+        .choices = choices,
+        .read = [member](const Scenario& scenario) { return static_cast<int>(member(scenario)); },
+        .write = [member](Scenario& scenario,
+                          int choice) { member(scenario) = static_cast<Enum>(choice); }};
+}
+
+/** Whether icebergs are measured and filtered: what only then matters is shown only then. */
+inline bool isFiltered(const Scenario& scenario, const std::string& /*id*/)
+{
+    return scenario.observer.model == ObserverModel::Kalman;
+}
+
+/** Whether there are several UAVs. */
+inline bool isFleet(const Scenario& scenario, const std::string& /*id*/)
+{
+    return scenario.uavs.size() > 1;
+}
+
+/** Where a UAV lands and how long it stands there; part of `uavRows`. */
+[[nodiscard]] std::vector<InspectorRow> homeRows();
+
+template <class Object>
+[[nodiscard]] TextRow nameRow(const QString& key);
+
+/** East and north in metres, and the place on the globe they are; `kind` begins the keys. */
+template <class Object>
+[[nodiscard]] std::vector<InspectorRow> positionRows(const QString& kind);
+
+/** "0.32 m/s towards 072°": the way it goes, as for currents. */
+[[nodiscard]] QString towardsText(const Point& velocity_mps, const QLocale& locale);
+
+/** A range of SI numbers in a unit: inside it with so many decimals. */
+[[nodiscard]] Limits shownLimits(const Limits& limits, const ShownUnit& unit, int decimals);
+
+/**
+ * A row of metres or m/s as one in the unit of now; the row's `unit` is set too. What is typed is
+ * converted exactly; nothing is converted where the unit is SI's.
+ */
+[[nodiscard]] NumberRow asDistance(NumberRow row);
+[[nodiscard]] NumberRow asSpeed(NumberRow row);
+
+inline void append(std::vector<InspectorRow>& rows, std::vector<InspectorRow> more)
+{
+    std::move(more.begin(), more.end(), std::back_inserter(rows));
+}
+
+} // namespace berg

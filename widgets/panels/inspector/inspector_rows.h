@@ -1,0 +1,125 @@
+#pragma once
+
+#include "core/scenario/checks.h"
+#include "core/scenario/scenario.h"
+#include "widgets/panels/fields/number_field.h"
+
+#include <QLocale>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace berg {
+
+// What the inspector lets one edit, as data. `id` is the iceberg's or the UAV's; rows of what there
+// is once ignore it. `key` names the input and the gesture that edits it.
+
+/** What every row has. */
+struct RowWords
+{
+    QString key;
+    QString label;
+    QString toolTip;
+    QString undoText;
+    /** Where the row matters; null: everywhere. Of several objects it is there when it is for one.
+     */
+    std::function<bool(const Scenario&, const std::string& id)> isShown{};
+};
+
+struct NumberRow
+{
+    RowWords words;
+    QString unit;
+    Decimals decimals;
+    double step = 1;
+    std::function<double(const Scenario&, const std::string& id)> read;
+    std::function<void(Scenario&, const std::string& id, double)> write;
+    /** Closed range, inside the one `validate` allows while all else stays as it is. */
+    std::function<Limits(const Scenario&)> range;
+    QString lowestText; ///< in place of the lowest value; empty: the number
+};
+
+struct TextRow
+{
+    RowWords words;
+    bool multiLine = false;
+    QString placeholder; ///< in an empty line
+    /** Texts that are not are never written; null: all are. */
+    std::function<bool(const std::string&)> isAllowed;
+    std::function<std::string(const Scenario&, const std::string& id)> read;
+    std::function<void(Scenario&, const std::string& id, const std::string&)> write;
+};
+
+struct FlagRow
+{
+    RowWords words;
+    std::function<bool(const Scenario&)> read;
+    std::function<void(Scenario&, bool)> write;
+};
+
+/** One of several; the value is the place in `choices`. */
+struct ChoiceRow
+{
+    RowWords words;
+    QStringList choices;
+    std::function<int(const Scenario&)> read;
+    std::function<void(Scenario&, int)> write;
+};
+
+/** One of several that depend on the scenario; of objects that differ none is shown. */
+struct PickRow
+{
+    struct Option
+    {
+        std::string value;
+        QString text;
+        bool operator==(const Option&) const = default;
+    };
+    RowWords words;
+    std::function<std::vector<Option>(const Scenario&)> options;
+    std::function<std::string(const Scenario&, const std::string& id)> read;
+    std::function<void(Scenario&, const std::string& id, const std::string&)> write;
+};
+
+/** A button. */
+struct ActionRow
+{
+    RowWords words; ///< `undoText` is written on it
+    std::function<void(Scenario&)> act;
+};
+
+/** Something that an object may have: what it is, and a button that takes it away. */
+struct PartRow
+{
+    RowWords words;
+    QString removeText; ///< on the button
+    /** Empty: the object has none; when no object has one the row is hidden. */
+    std::function<QString(const Scenario&, const std::string& id, const QLocale&)> text;
+    std::function<void(Scenario&, const std::string& id)> remove;
+};
+
+/** A value that follows from the rows above, for reading. */
+struct InfoRow
+{
+    QString key;
+    std::function<QString(const Scenario&, const std::string& id, const QLocale&)> text;
+};
+
+using InspectorRow =
+    std::variant<NumberRow, TextRow, FlagRow, ChoiceRow, PickRow, ActionRow, PartRow, InfoRow>;
+
+[[nodiscard]] std::vector<InspectorRow> icebergRows();
+[[nodiscard]] std::vector<InspectorRow> uavRows();
+[[nodiscard]] std::vector<InspectorRow> assetRows();
+[[nodiscard]] std::vector<InspectorRow> areaRows();
+[[nodiscard]] std::vector<InspectorRow> scenarioRows();
+/** How the icebergs are observed; part of `scenarioRows`. */
+[[nodiscard]] std::vector<InspectorRow> observerRows();
+/** Settings of the planner that the trade-off panel does not have; they end `scenarioRows`. */
+[[nodiscard]] std::vector<InspectorRow> plannerRows();
+
+} // namespace berg

@@ -1,0 +1,214 @@
+#include "widgets/model/wind.h"
+#include "widgets/panels/inspector/inspector_row_makers.h"
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr Limits kSeed{.low = 0, .high = 9007199254740992};
+constexpr double kLargestDuration_s = 604800;
+constexpr double kSmallestTimeStep_s = 0.01;
+constexpr double kLargestTimeStep_s = 1;
+constexpr double kWindStep_mps = 0.5;
+
+/** What is left for one component of the wind beside the other: slower than the slowest UAV. */
+Limits windRange(const Scenario& scenario, double other_mps)
+{
+    const double airspeed_mps =
+        scenario.uavs.empty() ? kFastestAirspeed_mps : slowestAirspeed_mps(scenario);
+    const double room_mps =
+        std::sqrt(std::max(0.0, airspeed_mps * airspeed_mps - other_mps * other_mps));
+    const double largest_mps = std::max(0.0, std::ceil(100 * room_mps - 1) / 100);
+    return {.low = -largest_mps, .high = largest_mps};
+}
+
+std::vector<InspectorRow> windRows()
+{
+    const QString undoText = InspectorRows::tr("Change wind");
+    NumberRow east = scenarioRow(
+        {.key = u"scenarioWindEast"_s,
+         .label = InspectorRows::tr("Wind east"),
+         .toolTip = InspectorRows::tr("Towards the east; always slower than the UAV flies."),
+         .undoText = undoText},
+        {}, [](auto& scenario) -> auto& { return scenario.wind_mps.x(); },
+        [](const Scenario& scenario) { return windRange(scenario, scenario.wind_mps.y()); });
+    NumberRow north = scenarioRow(
+        {.key = u"scenarioWindNorth"_s,
+         .label = InspectorRows::tr("Wind north"),
+         .toolTip = InspectorRows::tr("Towards the north; always slower than the UAV flies."),
+         .undoText = undoText},
+        {}, [](auto& scenario) -> auto& { return scenario.wind_mps.y(); },
+        [](const Scenario& scenario) { return windRange(scenario, scenario.wind_mps.x()); });
+    east.step = north.step = kWindStep_mps;
+    return {
+        asSpeed(east), asSpeed(north),
+        InfoRow{.key = u"scenarioWind"_s,
+                .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+                    return scenario.wind_mps.isZero(0) ? InspectorRows::tr("no wind")
+                                                       : towardsText(scenario.wind_mps, locale);
+                }}};
+}
+
+std::vector<InspectorRow> currentRows()
+{
+    const QString undoText = InspectorRows::tr("Change current");
+    NumberRow east = scenarioRow(
+        {.key = u"scenarioCurrentEast"_s,
+         .label = InspectorRows::tr("Current east"),
+         .toolTip = InspectorRows::tr("Carries every iceberg towards the east."),
+         .undoText = undoText},
+        {}, [](auto& scenario) -> auto& { return scenario.current_mps.x(); },
+        always(kVelocity_mps));
+    NumberRow north = scenarioRow(
+        {.key = u"scenarioCurrentNorth"_s,
+         .label = InspectorRows::tr("Current north"),
+         .toolTip = InspectorRows::tr("Carries every iceberg towards the north."),
+         .undoText = undoText},
+        {}, [](auto& scenario) -> auto& { return scenario.current_mps.y(); },
+        always(kVelocity_mps));
+    east.step = north.step = kVelocityStep_mps;
+    east.decimals = north.decimals = {.least = 2, .most = 3};
+    return {asSpeed(east), asSpeed(north)};
+}
+
+std::vector<InspectorRow> runRows()
+{
+    NumberRow duration = scenarioRow(
+        {.key = u"scenarioDuration"_s,
+         .label = InspectorRows::tr("Duration"),
+         .toolTip = InspectorRows::tr("Length of the run, at most seven days."),
+         .undoText = InspectorRows::tr("Change duration")},
+        u" s"_s, [](auto& scenario) -> auto& { return scenario.duration_s; },
+        [](const Scenario& scenario) {
+            return Limits{.low = std::max(kSmallestTimeStep_s, scenario.dt_s),
+                          .high = kLargestDuration_s};
+        });
+    duration.step = 60;
+    NumberRow timeStep = scenarioRow(
+        {.key = u"scenarioTimeStep"_s,
+         .label = InspectorRows::tr("Time step"),
+         .toolTip = InspectorRows::tr("Step of the simulation; small is exact and slow."),
+         .undoText = InspectorRows::tr("Change time step")},
+        u" s"_s, [](auto& scenario) -> auto& { return scenario.dt_s; },
+        [](const Scenario& scenario) {
+            return Limits{.low = kSmallestTimeStep_s,
+                          .high = std::min({kLargestTimeStep_s, scenario.duration_s,
+                                            scenario.observer.interval_s})};
+        });
+    timeStep.step = 0.05;
+    timeStep.decimals = {.least = 2, .most = 3};
+    const NumberRow seed{
+        .words = {.key = u"scenarioSeed"_s,
+                  .label = InspectorRows::tr("Seed"),
+                  .toolTip = InspectorRows::tr("Names the random drift: the same seed, the same "
+                                               "run."),
+                  .undoText = InspectorRows::tr("Change seed")},
+        .read = [](const Scenario& scenario,
+                   const std::string&) { return static_cast<double>(scenario.seed); },
+        .write = [](Scenario& scenario, const std::string&,
+                    double value) { scenario.seed = std::llround(value); },
+        .range = always(kSeed)};
+    const FlagRow noise{
+        .words = {.key = u"scenarioNoise"_s,
+                  .label = InspectorRows::tr("Random drift"),
+                  .toolTip = InspectorRows::tr("Off: icebergs drift exactly as known."),
+                  .undoText = InspectorRows::tr("Change random drift")},
+        .read = [](const Scenario& scenario) { return scenario.noise; },
+        .write = [](Scenario& scenario, bool on) { scenario.noise = on; }};
+    return {duration, timeStep, seed, noise};
+}
+
+NumberRow separationRow()
+{
+    NumberRow row = scenarioRow(
+        {.key = u"scenarioSeparation"_s,
+         .label = InspectorRows::tr("Separation"),
+         .toolTip = InspectorRows::tr("UAVs that come nearer to each other than this are warned "
+                                      "of, unless their altitudes are 30 m apart."),
+         .undoText = InspectorRows::tr("Change separation"),
+         .isShown = isFleet},
+        {}, [](auto& scenario) -> auto& { return scenario.separation_m; },
+        always({.low = 0, .high = kLargestLength_m}));
+    row.step = 50;
+    row.lowestText = InspectorRows::tr("never warned of");
+    return asDistance(row);
+}
+
+std::vector<InspectorRow> placeRows()
+{
+    const auto degrees = [](const QString& key, const QString& label, const QString& toolTip,
+                            auto number, double largest_deg) {
+        NumberRow row =
+            scenarioRow({.key = key,
+                         .label = label,
+                         .toolTip = toolTip,
+                         .undoText = InspectorRows::tr("Change origin")},
+                        u"°"_s, number, always({.low = -largest_deg, .high = largest_deg}));
+        row.decimals = {.least = 1, .most = 6};
+        row.step = 0.1;
+        return row;
+    };
+    return {
+        degrees(
+            u"scenarioLatitude"_s, InspectorRows::tr("Latitude"),
+            InspectorRows::tr("Of the origin, north positive; everything moves along with it."),
+            [](auto& scenario) -> auto& { return scenario.origin.latitude_deg; }, 90),
+        degrees(
+            u"scenarioLongitude"_s, InspectorRows::tr("Longitude"),
+            InspectorRows::tr("Of the origin, east positive; everything moves along with it."),
+            [](auto& scenario) -> auto& { return scenario.origin.longitude_deg; }, 180),
+        InfoRow{.key = u"scenarioPlace"_s,
+                .text =
+                    [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+                        return u"%1\n%2"_s.arg(
+                            latitudeText(scenario.origin.latitude_deg, 3, locale),
+                            longitudeText(scenario.origin.longitude_deg, 3, locale));
+                    }},
+        TextRow{
+            .words = {.key = u"scenarioStart"_s,
+                      .label = InspectorRows::tr("Start (UTC)"),
+                      .toolTip = InspectorRows::tr("Date and time of the start, such as "
+                                                   "2024-05-01T06:00:00Z; empty: times are "
+                                                   "relative."),
+                      .undoText = InspectorRows::tr("Change start")},
+            .placeholder = InspectorRows::tr("relative times"),
+            .isAllowed = [](const std::string& text) { return text.empty() || isUtcTime(text); },
+            .read = [](const Scenario& scenario, const std::string&) { return scenario.startUtc; },
+            .write = [](Scenario& scenario, const std::string&,
+                        const std::string& text) { scenario.startUtc = text; }}};
+}
+
+} // namespace
+
+std::vector<InspectorRow> scenarioRows()
+{
+    std::vector<InspectorRow> rows{
+        TextRow{.words = {.key = u"scenarioName"_s,
+                          .label = InspectorRows::tr("Name"),
+                          .toolTip = InspectorRows::tr("Title of the scenario, shown on the map."),
+                          .undoText = InspectorRows::tr("Change name")},
+                .read = [](const Scenario& scenario, const std::string&) { return scenario.name; },
+                .write = [](Scenario& scenario, const std::string&,
+                            const std::string& name) { scenario.name = name; }},
+        TextRow{.words = {.key = u"scenarioNotes"_s,
+                          .label = InspectorRows::tr("Notes"),
+                          .toolTip = InspectorRows::tr("Anything worth knowing, kept in the file."),
+                          .undoText = InspectorRows::tr("Change notes")},
+                .multiLine = true,
+                .read = [](const Scenario& scenario, const std::string&) { return scenario.notes; },
+                .write = [](Scenario& scenario, const std::string&,
+                            const std::string& notes) { scenario.notes = notes; }}};
+    append(rows, runRows());
+    rows.emplace_back(separationRow());
+    append(rows, windRows());
+    append(rows, currentRows());
+    append(rows, observerRows());
+    append(rows, plannerRows());
+    append(rows, placeRows());
+    return rows;
+}
+
+} // namespace berg

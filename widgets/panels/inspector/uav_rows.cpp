@@ -1,0 +1,145 @@
+#include "widgets/panels/inspector/inspector_row_makers.h"
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr Limits kBank_deg{.low = 1, .high = 80};
+
+NumberRow uavRow(const RowWords& words, const QString& unit, double UavSpec::*member,
+                 const Limits& limits)
+{
+    const auto number = [member](auto& uav) -> auto&
+    {
+        return uav.spec.*member;
+    };
+    return {.words = words,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 1},
+            .read = reading<Uav>(number),
+            .write = writing<Uav>(number),
+            .range = always(limits)};
+}
+
+NumberRow headingRow()
+{
+    // Kept as the file has it; shown, and written when edited, within one turn.
+    const auto oneTurn = [](double heading_deg) {
+        const double within_deg = std::fmod(heading_deg, 360);
+        return within_deg < 0 ? within_deg + 360 : within_deg;
+    };
+    return {.words = {.key = u"uavHeading"_s,
+                      .label = InspectorRows::tr("Heading"),
+                      .toolTip = InspectorRows::tr("Clockwise from north, at the start."),
+                      .undoText = InspectorRows::tr("Change heading")},
+            .unit = u"°"_s,
+            .decimals = {.least = 0, .most = 1},
+            .step = 5,
+            .read =
+                [oneTurn](const Scenario& scenario, const std::string& id) {
+                    const Uav* uav = objectOf(scenario.uavs, id);
+                    return uav == nullptr ? 0 : oneTurn(uav->heading_deg);
+                },
+            .write =
+                [oneTurn](Scenario& scenario, const std::string& id, double heading_deg) {
+                    for (Uav& uav : scenario.uavs)
+                        if (uav.id == id)
+                            uav.heading_deg = oneTurn(heading_deg);
+                },
+            // Wide enough to step across north either way.
+            .range = always({.low = -360, .high = 720})};
+}
+
+NumberRow airspeedRow()
+{
+    NumberRow row = uavRow({.key = u"uavAirspeed"_s,
+                            .label = InspectorRows::tr("Airspeed"),
+                            .toolTip = InspectorRows::tr("Always faster than the wind."),
+                            .undoText = InspectorRows::tr("Change airspeed")},
+                           {}, &UavSpec::airspeed_mps, {});
+    row.decimals = {.least = 0, .most = 2};
+    row.range = [](const Scenario& scenario) {
+        const double wind_mps = scenario.wind_mps.norm();
+        return Limits{.low = std::max(kSlowestAirspeed_mps, std::floor(100 * wind_mps + 1) / 100),
+                      .high = kFastestAirspeed_mps};
+    };
+    return asSpeed(row);
+}
+
+std::vector<InspectorRow> fieldOfViewRows()
+{
+    const auto row = [](const QString& key, const QString& label, const QString& toolTip,
+                        auto number) {
+        return NumberRow{.words = {.key = key,
+                                   .label = label,
+                                   .toolTip = toolTip,
+                                   .undoText = InspectorRows::tr("Change field of view")},
+                         .unit = u" m"_s,
+                         .decimals = {.least = 0, .most = 1},
+                         .step = 50,
+                         .read = reading<Uav>(number),
+                         .write = writing<Uav>(number),
+                         .range = always(kExtent_m)};
+    };
+    return {row(
+                u"uavFovAlong"_s, InspectorRows::tr("View along"),
+                InspectorRows::tr("Extent of the field of view along the heading."),
+                [](auto& uav) -> auto& { return uav.fov_m.x(); }),
+            row(
+                u"uavFovAcross"_s, InspectorRows::tr("View across"),
+                InspectorRows::tr("Extent of the field of view across the heading."),
+                [](auto& uav) -> auto& { return uav.fov_m.y(); })};
+}
+
+} // namespace
+
+std::vector<InspectorRow> uavRows()
+{
+    std::vector<InspectorRow> rows{nameRow<Uav>(u"uavName"_s)};
+    append(rows, positionRows<Uav>(u"uav"_s));
+    rows.emplace_back(headingRow());
+    rows.emplace_back(airspeedRow());
+    rows.emplace_back(uavRow({.key = u"uavBank"_s,
+                              .label = InspectorRows::tr("Largest bank"),
+                              .toolTip = InspectorRows::tr("Bank in a turn; the larger, the "
+                                                           "tighter the turns."),
+                              .undoText = InspectorRows::tr("Change largest bank")},
+                             u"°"_s, &UavSpec::maxBank_deg, kBank_deg));
+    append(rows, fieldOfViewRows());
+    NumberRow altitude =
+        uavRow({.key = u"uavAltitude"_s,
+                .label = InspectorRows::tr("Altitude"),
+                .toolTip = InspectorRows::tr("Height above the sea: UAVs that are 30 m "
+                                             "apart in it pass each other."),
+                .undoText = InspectorRows::tr("Change altitude")},
+               u" m"_s, &UavSpec::altitude_m, kExtent_m);
+    altitude.step = 10;
+    rows.emplace_back(altitude);
+    NumberRow endurance =
+        uavRow({.key = u"uavEndurance"_s,
+                .label = InspectorRows::tr("Endurance"),
+                .toolTip = InspectorRows::tr("Longest flight: it is home before that; at 0 "
+                                             "it never lands."),
+                .undoText = InspectorRows::tr("Change endurance")},
+               u" s"_s, &UavSpec::endurance_s, kTime_s);
+    endurance.step = 60;
+    endurance.lowestText = InspectorRows::tr("unlimited");
+    rows.emplace_back(endurance);
+    append(rows, homeRows());
+    NumberRow autopilot =
+        uavRow({.key = u"uavAutopilot"_s,
+                .label = InspectorRows::tr("Autopilot rate"),
+                .toolTip = InspectorRows::tr("Time between two commands of the autopilot; at 0 it "
+                                             "commands at each time step."),
+                .undoText = InspectorRows::tr("Change autopilot rate")},
+               u" s"_s, &UavSpec::autopilot_s, {.low = 0, .high = 60});
+    autopilot.decimals = {.least = 0, .most = 2};
+    autopilot.lowestText = InspectorRows::tr("each time step");
+    rows.emplace_back(autopilot);
+    return rows;
+}
+
+} // namespace berg

@@ -1,0 +1,341 @@
+#include "widgets/panels/plan/plan_model.h"
+
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QMimeData>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr auto kIcebergType = "application/x-bergwatch-planned-iceberg"_L1;
+
+std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
+{
+    const bool isFleet = sections.size() > 1;
+    std::vector<PlanLine> lines;
+    for (const PlanSection& section : sections) {
+        const int uav = isFleet ? section.place : -1;
+        if (isFleet)
+            lines.push_back({.row = {.id = section.uav,
+                                     .name = section.name,
+                                     .leg_m = section.length_m(),
+                                     .arrival_s = section.lastArrival_s(),
+                                     .isSeen = !section.isHomeward},
+                             .uav = uav,
+                             .visits = static_cast<int>(section.rows.size())});
+        for (std::size_t k = 0; k < section.rows.size(); ++k)
+            lines.push_back(
+                {.row = section.rows[k], .uav = uav, .number = static_cast<int>(k) + 1});
+    }
+    return lines;
+}
+
+} // namespace
+
+PlanModel::PlanModel(const QLocale& locale, QObject* parent)
+    : QAbstractTableModel(parent), m_locale(locale)
+{
+}
+
+QString PlanModel::arrivalText(double arrival_s)
+{
+    return tr("in %1").arg(clockText(arrival_s));
+}
+
+void PlanModel::setPlan(const std::vector<PlanSection>& sections)
+{
+    setLines(linesOf(sections));
+}
+
+void PlanModel::setLines(std::vector<PlanLine> lines)
+{
+    if (lines == m_lines)
+        return;
+    const int before = rowCount();
+    const int after = static_cast<int>(lines.size());
+
+    // Lines come and go at the end, so that the ones above stay where the view has them.
+    if (after < before) {
+        beginRemoveRows({}, after, before - 1);
+        m_lines.resize(static_cast<std::size_t>(after));
+        endRemoveRows();
+    } else if (after > before) {
+        beginInsertRows({}, before, after - 1);
+        m_lines.insert(m_lines.end(), lines.begin() + before, lines.end());
+        endInsertRows();
+    }
+    m_lines = std::move(lines);
+    takeLooks(std::min(before, after));
+}
+
+/** Tells which of the first `kept` lines look otherwise than before, as one span. */
+void PlanModel::takeLooks(int kept)
+{
+    const std::vector<Look> before = std::exchange(m_looks, {});
+    m_looks.reserve(m_lines.size());
+    int first = kept;
+    int last = -1;
+    for (int row = 0; row < rowCount(); ++row) {
+        Look& look = m_looks.emplace_back();
+        look.uav = line(row).uav;
+        look.isKept = line(row).row.isKept;
+        for (int column = 0; column < ColumnCount; ++column)
+            look.texts[static_cast<std::size_t>(column)] = text(row, static_cast<Column>(column));
+        if (row < kept && look != before[static_cast<std::size_t>(row)]) {
+            first = std::min(first, row);
+            last = row;
+        }
+    }
+    if (last >= first)
+        emit dataChanged(index(first, 0), index(last, ColumnCount - 1));
+}
+
+void PlanModel::setHighlight(const std::string& id)
+{
+    if (id == m_highlight)
+        return;
+    const int before = rowOf(m_highlight);
+    m_highlight = id;
+    for (const int row : {before, rowOf(id)})
+        if (row >= 0)
+            emit dataChanged(index(row, 0), index(row, ColumnCount - 1), {HighlightRole});
+}
+
+void PlanModel::setDropUav(int uav)
+{
+    if (uav == m_dropUav)
+        return;
+    m_dropUav = uav;
+    if (!m_lines.empty())
+        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {DropRole});
+}
+
+const PlanLine& PlanModel::line(int row) const
+{
+    return m_lines.at(static_cast<std::size_t>(row));
+}
+
+const std::string& PlanModel::idOf(int row) const
+{
+    return line(row).row.id;
+}
+
+int PlanModel::rowOf(const std::string& id) const
+{
+    const auto it = std::find_if(m_lines.begin(), m_lines.end(),
+                                 [&](const PlanLine& line) { return line.row.id == id; });
+    return it == m_lines.end() ? -1 : static_cast<int>(it - m_lines.begin());
+}
+
+bool PlanModel::isFleet() const
+{
+    return !m_lines.empty() && m_lines.front().isUav();
+}
+
+/** The line of the UAV that visits it, itself if it is one; of a fleet only. */
+const PlanLine& PlanModel::uavOf(int row) const
+{
+    while (!line(row).isUav())
+        --row;
+    return line(row);
+}
+
+int PlanModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
+}
+
+int PlanModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QString PlanModel::text(int row, Column column) const
+{
+    if (line(row).isUav())
+        return uavText(line(row), column);
+    const PlanRow& planned = line(row).row;
+    if (!planned.isSeen && column == Arrival)
+        return tr("later");
+    if (!planned.isSeen && (column == Leg || column == ArrivalSigma))
+        return noFigure();
+    switch (column) {
+    case Number:
+        return fixedText(line(row).number, 0, m_locale);
+    case Name:
+        return planned.name;
+    case Leg:
+        // Planned as one point with the one above: there is no way between the two.
+        return planned.leg_m > 0 ? distanceText(planned.leg_m, m_locale) : noFigure();
+    case Arrival:
+        return arrivalText(planned.arrival_s);
+    case Sigma:
+        return significantText(planned.sigma_m2, 3, m_locale); // its unit is in the header
+    case ArrivalSigma:
+        return significantText(planned.arrivalSigma_m2, 3, m_locale);
+    case ColumnCount:
+        break;
+    }
+    return {};
+}
+
+QString PlanModel::uavText(const PlanLine& line, Column column) const
+{
+    const bool hasVisits = line.visits > 0;
+    switch (column) {
+    case Name:
+        return line.row.name;
+    case Leg:
+        return hasVisits ? distanceText(line.row.leg_m, m_locale) : noFigure();
+    case Arrival:
+        if (!line.row.isSeen)
+            return tr("later");
+        return hasVisits ? arrivalText(line.row.arrival_s) : noFigure();
+    case Sigma:
+        return tr("%n visits", nullptr, line.visits);
+    case Number:
+    case ArrivalSigma:
+    case ColumnCount:
+        break;
+    }
+    return {};
+}
+
+QString PlanModel::uavToolTip(const PlanLine& line) const
+{
+    const QString name = tr("%1 (id %2)").arg(line.row.name, QString::fromStdString(line.row.id));
+    if (!line.row.isSeen)
+        return name + u'\n' +
+               tr("It is on its way home or on the ground: its next sortie is planned at "
+                  "take-off.");
+    if (line.visits == 0)
+        return name + u'\n' + tr("There is nothing for it to visit.");
+    return name + u'\n' +
+           tr("%1, flown %2", "length and end of a way")
+               .arg(distanceText(line.row.leg_m, m_locale), arrivalText(line.row.arrival_s));
+}
+
+QString PlanModel::toolTip(int row, Column column) const
+{
+    if (line(row).isUav())
+        return uavToolTip(line(row));
+    const PlanRow& planned = line(row).row;
+    if (column == Name) {
+        const QString name = tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
+        return planned.isKept ? name + u'\n' + tr("Assigned to %1").arg(uavOf(row).row.name) : name;
+    }
+    if (!planned.isSeen && column != Sigma)
+        return tr("The plan ends before this iceberg is seen.");
+    if (column != Sigma && column != ArrivalSigma)
+        return {};
+    return tr("σ is %1 m² now, a standard deviation of %2 m; at arrival it is %3 m², if the "
+              "iceberg is not seen before")
+        .arg(significantText(planned.sigma_m2, 3, m_locale),
+             significantText(std::sqrt(planned.sigma_m2), 3, m_locale),
+             significantText(planned.arrivalSigma_m2, 3, m_locale));
+}
+
+QVariant PlanModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const auto column = static_cast<Column>(index.column());
+    const PlanLine& line = this->line(index.row());
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(index.row(), column);
+    case Qt::ToolTipRole:
+        return toolTip(index.row(), column);
+    case Qt::TextAlignmentRole:
+        return QVariant::fromValue((column == Name ? Qt::AlignLeft : Qt::AlignRight) |
+                                   Qt::AlignVCenter);
+    case SigmaRole:
+        return line.row.sigma_m2;
+    case HighlightRole:
+        return line.row.id == m_highlight;
+    case UavRole:
+        return line.uav;
+    case NumberRole:
+        return line.number;
+    case KeptRole:
+        return line.row.isKept;
+    case DropRole:
+        return line.uav >= 0 && line.uav == m_dropUav;
+    default:
+        return {};
+    }
+}
+
+QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    const auto column = static_cast<Column>(section);
+    if (role == Qt::TextAlignmentRole)
+        return QVariant::fromValue((column == Name ? Qt::AlignLeft : Qt::AlignRight) |
+                                   Qt::AlignVCenter);
+    const bool isText = role == Qt::DisplayRole;
+    if (!isText && role != Qt::ToolTipRole && role != Qt::AccessibleTextRole)
+        return {};
+    switch (column) {
+    case Number:
+        return isText ? u"#"_s : tr("Place in the visiting order");
+    case Name:
+        return isText ? tr("Iceberg") : tr("Name of the iceberg");
+    case Leg:
+        return isText ? tr("Leg") : tr("Distance from the one before, the first from the UAV");
+    case Arrival:
+        return isText ? tr("Arrival") : tr("Time from now until the UAV is there");
+    case Sigma:
+        return isText ? u"σ, m²"_s : tr("Uncertainty of the position now");
+    case ArrivalSigma:
+        return isText ? tr("σ at arrival")
+                      : tr("Uncertainty of the position when the UAV is there, m²");
+    case ColumnCount:
+        break;
+    }
+    return {};
+}
+
+Qt::ItemFlags PlanModel::flags(const QModelIndex& index) const
+{
+    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    if (!isFleet())
+        return flags;
+    flags |= Qt::ItemIsDropEnabled; // of the root as well: else a view without an indicator refuses
+    flags.setFlag(Qt::ItemIsDragEnabled, index.isValid() && !line(index.row()).isUav());
+    return flags;
+}
+
+QStringList PlanModel::mimeTypes() const
+{
+    return {kIcebergType};
+}
+
+QMimeData* PlanModel::mimeData(const QModelIndexList& indexes) const
+{
+    if (indexes.isEmpty())
+        return nullptr;
+    auto* data = new QMimeData; // the caller's
+    data->setData(kIcebergType, QByteArray::fromStdString(idOf(indexes.front().row())));
+    return data;
+}
+
+bool PlanModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int /*row*/,
+                             int /*column*/, const QModelIndex& parent)
+{
+    if (action != Qt::MoveAction || !isFleet() || !parent.isValid() || data == nullptr ||
+        !data->hasFormat(kIcebergType))
+        return false;
+    emit handedOver(data->data(kIcebergType).toStdString(), uavOf(parent.row()).row.id);
+    return true;
+}
+
+} // namespace berg

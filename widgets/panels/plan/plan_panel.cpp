@@ -1,0 +1,403 @@
+#include "widgets/panels/plan/plan_panel.h"
+
+#include "widgets/panels/plan/plan_delegate.h"
+#include "widgets/panels/plan/plan_model.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QContextMenuEvent>
+#include <QDragMoveEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QScrollBar>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kRow_px = 24;
+constexpr int kNumberColumn_px = 30;
+constexpr int kCellMargins_px = 10;
+constexpr int kSummaryMargin_px = 4;
+constexpr int kNameRoom_px = 85; // that a name and a scroll bar have beside the last column
+constexpr double kHour_s = 3600;
+
+QString signedText(double value, const QString& size)
+{
+    return (value < 0 ? u"−"_s : u"+"_s) + size;
+}
+
+double length_m(const std::vector<PlanSection>& sections)
+{
+    double length_m = 0;
+    for (const PlanSection& section : sections)
+        length_m += section.length_m();
+    return length_m;
+}
+
+/** From now; 0 without rows. */
+double lastArrival_s(const std::vector<PlanSection>& sections)
+{
+    double last_s = 0;
+    for (const PlanSection& section : sections)
+        last_s = std::max(last_s, section.lastArrival_s());
+    return last_s;
+}
+
+bool hasRows(const std::vector<PlanSection>& sections)
+{
+    return std::ranges::any_of(sections, [](const PlanSection& s) { return !s.rows.empty(); });
+}
+
+} // namespace
+
+PlanPanel::PlanPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_model(new PlanModel(locale(), this))
+    , m_delegate(new PlanDelegate(this))
+    , m_table(new QTableView(this))
+    , m_empty(new QLabel(m_table->viewport()))
+    , m_summary(new QLabel(this))
+{
+    setUpTable();
+    m_summary->setObjectName(u"planSummary"_s);
+    m_summary->setContentsMargins(kCellMargins_px, kSummaryMargin_px, kCellMargins_px,
+                                  kSummaryMargin_px);
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // elided, never in the way
+    m_empty->setObjectName(u"planEmpty"_s);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    m_empty->setMargin(kCellMargins_px);
+    auto* over = new QVBoxLayout(m_table->viewport());
+    over->setContentsMargins(0, 0, 0, 0);
+    over->addWidget(m_empty);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_summary);
+
+    connect(m_table, &QTableView::entered, this,
+            [this](const QModelIndex& index) { setHovered(m_model->idOf(index.row())); });
+    connect(m_table, &QTableView::viewportEntered, this, [this] { setHovered({}); });
+    connect(m_table, &QTableView::clicked, this, &PlanPanel::choose);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& current) {
+                if (!current.isValid())
+                    return;
+                m_chosen = m_model->idOf(current.row());
+                m_table->selectionModel()->select(current, QItemSelectionModel::ClearAndSelect |
+                                                               QItemSelectionModel::Rows);
+            });
+    connect(m_model, &PlanModel::handedOver, this, &PlanPanel::handedOver);
+    setTheme(Theme::light());
+    showPlan({});
+}
+
+void PlanPanel::setUpTable()
+{
+    m_table->setObjectName(u"planTable"_s);
+    m_table->setAccessibleName(tr("Plan: icebergs in visiting order"));
+    m_table->setModel(m_model);
+    m_table->setItemDelegate(m_delegate);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setTabKeyNavigation(false);
+    m_table->setMouseTracking(true);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setDragDropMode(QAbstractItemView::DragDrop); // the model says what can be dragged
+    m_table->setDragDropOverwriteMode(true);               // onto lines, not between them
+    m_table->setDropIndicatorShown(false);                 // all lines of the UAV show it
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setDefaultSectionSize(kRow_px);
+    QHeaderView* header = m_table->horizontalHeader();
+    header->setHighlightSections(false);
+    header->setSectionsClickable(false);
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    header->setSectionResizeMode(PlanModel::Name, QHeaderView::Stretch);
+    header->setMinimumSectionSize(kNumberColumn_px);
+    m_table->installEventFilter(this);
+    m_table->viewport()->installEventFilter(this);
+}
+
+void PlanPanel::setTheme(const Theme& theme)
+{
+    m_delegate->setTheme(theme);
+    m_table->setFont(theme.body());
+    m_table->horizontalHeader()->setFont(theme.small());
+    QPalette colours = m_empty->palette();
+    colours.setColor(QPalette::WindowText, theme.mutedText);
+    m_empty->setPalette(colours);
+    m_summary->setPalette(colours);
+    m_summary->setFont(theme.small());
+    m_empty->setFont(theme.body());
+    setColumnWidths();
+    m_table->viewport()->update();
+}
+
+/** As wide as the longest usual texts, not the present ones: columns stand still in flight. */
+void PlanPanel::setColumnWidths()
+{
+    const QFontMetrics metrics(m_table->font());
+    const QFontMetrics headerMetrics(m_table->horizontalHeader()->font());
+    const auto setWidth = [&](PlanModel::Column column, const QString& sample, int extra_px) {
+        const QString title =
+            m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const int width_px = std::max(metrics.horizontalAdvance(sample) + extra_px,
+                                      headerMetrics.horizontalAdvance(title));
+        m_table->setColumnWidth(column, width_px + kCellMargins_px);
+    };
+    m_table->setColumnWidth(PlanModel::Number, kNumberColumn_px);
+    setWidth(PlanModel::Leg, distanceText(8880, locale()), 0);
+    setWidth(PlanModel::Arrival, PlanModel::arrivalText(m_hasHours ? 9 * kHour_s : kHour_s - 1), 0);
+    const QString sigma = widestSigmaText(m_sigmaFull_m2, locale());
+    setWidth(PlanModel::Sigma, sigma, PlanDelegate::swatchWidth());
+    setWidth(PlanModel::ArrivalSigma, sigma, 0);
+    chooseColumns();
+}
+
+/** The last column is there when the names have room beside it; its values are in tool tips too. */
+void PlanPanel::chooseColumns()
+{
+    // A hidden column has no width.
+    m_table->setColumnHidden(PlanModel::ArrivalSigma, false);
+    int taken_px = 0;
+    for (int column = 0; column < PlanModel::ColumnCount; ++column)
+        if (column != PlanModel::Name)
+            taken_px += m_table->columnWidth(column);
+    m_table->setColumnHidden(PlanModel::ArrivalSigma, width() - taken_px < kNameRoom_px);
+}
+
+void PlanPanel::updateSummary()
+{
+    QStringList lines = summaryLines();
+    m_summary->setToolTip(summaryToolTip());
+    for (QString& line : lines)
+        line = m_summary->fontMetrics().elidedText(line, Qt::ElideRight,
+                                                   width() - 2 * kCellMargins_px);
+    m_summary->setText(lines.join(u'\n'));
+}
+
+/** How long the plan is, when it is flown, what comes of it, and that against the one before. */
+QStringList PlanPanel::summaryLines() const
+{
+    QStringList lines;
+    if (hasRows(m_sections))
+        lines << tr("%1, flown %2")
+                     .arg(distanceText(length_m(m_sections), locale()),
+                          PlanModel::arrivalText(lastArrival_s(m_sections)));
+    if (!m_outlook)
+        return lines;
+    const QString zeta = significantText(m_outlook->zeta_m2s, 4, locale());
+    lines << (m_outlook->until_s ? tr("ζ at %1 by this plan alone: %2 m² s")
+                                       .arg(clockText(*m_outlook->until_s), zeta)
+                                 : tr("ζ at the end by this plan alone: %1 m² s").arg(zeta));
+    if (m_outlook->bound_m2s)
+        lines << boundText(*m_outlook);
+    if (const std::optional<PlanChange>& change = m_outlook->change)
+        lines << tr("Against the plan before: %1, ζ %2 m² s")
+                     .arg(signedText(change->distance_m,
+                                     distanceText(std::abs(change->distance_m), locale(), 2)),
+                          signedText(change->zeta_m2s,
+                                     significantText(std::abs(change->zeta_m2s), 2, locale())));
+    return lines;
+}
+
+/** Those of the work that is under way after the bound so far. */
+QString PlanPanel::boundText(const PlanOutlook& outlook) const
+{
+    const QString bound = significantText(*outlook.bound_m2s, 4, locale());
+    if (outlook.boundShare >= 1)
+        return tr("Lower bound on ζ: %1 m² s").arg(bound);
+    return tr("Lower bound on ζ: %1 m² s (%2 %…)")
+        .arg(bound, fixedText(100 * outlook.boundShare, 0, locale()));
+}
+
+/** The same unabridged, the order before, and what the prediction rests on. */
+QString PlanPanel::summaryToolTip() const
+{
+    QStringList lines = summaryLines();
+    if (!m_outlook)
+        return lines.join(u'\n');
+    if (m_outlook->change)
+        lines << tr("Order before the change at %1: %2")
+                     .arg(clockText(m_outlook->changed_s), m_outlook->before);
+    lines << (m_outlook->isAimed ? tr("Predicted for the path on the map, with every iceberg that "
+                                      "comes into view\non it, and no new plans.")
+                                 : tr("Predicted for straight legs to where the icebergs are now,\n"
+                                      "with nothing seen on the way and no new plans."));
+    if (m_outlook->bound_m2s)
+        lines << tr("That limit is proven for this scenario and the noise that it draws,\n"
+                    "whatever the policy and however tightly the UAV turns.");
+    return lines.join(u'\n');
+}
+
+void PlanPanel::showOutlook(std::optional<PlanOutlook> outlook)
+{
+    m_outlook = std::move(outlook);
+    updateSummary();
+}
+
+void PlanPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    chooseColumns();
+    updateSummary();
+}
+
+void PlanPanel::setSigmaFull(double full_m2)
+{
+    if (full_m2 == m_sigmaFull_m2)
+        return;
+    m_sigmaFull_m2 = full_m2;
+    m_delegate->setSigmaFull(full_m2);
+    setColumnWidths();
+    m_table->viewport()->update();
+}
+
+/** The line of a UAV is one cell beside its colour. */
+void PlanPanel::updateSpans()
+{
+    std::vector<int> rows;
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        if (m_model->line(row).isUav())
+            rows.push_back(row);
+    if (rows == m_spannedRows)
+        return;
+    m_table->clearSpans();
+    for (const int row : rows)
+        m_table->setSpan(row, PlanModel::Name, 1, PlanModel::ColumnCount - PlanModel::Name);
+    m_spannedRows = std::move(rows);
+}
+
+void PlanPanel::updateEmpty()
+{
+    const bool isHomeward = !m_sections.empty() && m_sections.front().isHomeward;
+    m_empty->setText(m_isFaulty   ? tr("There is no plan: see Checks.")
+                     : isHomeward ? tr("The UAV is on its way home or on the ground: the next "
+                                       "sortie is planned at take-off.")
+                                  : tr("Nothing to visit: there are no icebergs yet, or all of "
+                                       "them are in view."));
+    m_empty->setVisible(m_model->rowCount() == 0);
+}
+
+void PlanPanel::setFaulty(bool isFaulty)
+{
+    m_isFaulty = isFaulty;
+    updateEmpty();
+}
+
+void PlanPanel::showPlan(std::vector<PlanSection> sections)
+{
+    m_sections = std::move(sections);
+    if (m_sigmaFull_m2 == 0) {
+        double largest_m2 = 0;
+        for (const PlanSection& section : m_sections)
+            for (const PlanRow& row : section.rows)
+                largest_m2 = std::max(largest_m2, row.sigma_m2);
+        m_delegate->setSigmaFull(largest_m2);
+    }
+    const bool hasHours = lastArrival_s(m_sections) >= kHour_s - 0.5;
+    if (hasHours != m_hasHours) {
+        m_hasHours = hasHours;
+        setColumnWidths();
+    }
+    QScrollBar* bar = m_table->verticalScrollBar();
+    const int scroll_px = bar->value();
+    const std::string chosen = m_chosen;
+    m_model->setPlan(m_sections);
+    updateSpans();
+    m_chosen = chosen; // when the current row goes, Qt makes a neighbour the current one
+    updateEmpty();
+    updateSummary();
+
+    const int row = m_model->rowOf(m_chosen);
+    QItemSelectionModel* selection = m_table->selectionModel();
+    if (row < 0) {
+        selection->clear();
+    } else if (!selection->isRowSelected(row)) {
+        // The iceberg has moved in the order; the row follows it, the view stays.
+        selection->setCurrentIndex(m_model->index(row, 0),
+                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    }
+    bar->setValue(scroll_px);
+}
+
+void PlanPanel::setHighlight(const std::string& id)
+{
+    m_model->setHighlight(id);
+}
+
+void PlanPanel::setHovered(const std::string& id)
+{
+    if (id == m_hovered)
+        return;
+    m_hovered = id;
+    emit hovered(id);
+}
+
+void PlanPanel::choose(const QModelIndex& index)
+{
+    if (!index.isValid())
+        return;
+    m_chosen = m_model->idOf(index.row());
+    emit activated(m_chosen);
+}
+
+void PlanPanel::requestMenu(const QContextMenuEvent& event)
+{
+    const bool isByKey = event.reason() == QContextMenuEvent::Keyboard;
+    const QModelIndex index = isByKey ? m_table->currentIndex() : m_table->indexAt(event.pos());
+    if (!index.isValid())
+        return;
+    choose(index);
+    const QPoint at = m_table->visualRect(index).center();
+    emit menuRequested(isByKey ? m_table->viewport()->mapToGlobal(at) : event.globalPos(),
+                       m_chosen);
+}
+
+void PlanPanel::showDropUav(const QPoint& at)
+{
+    const QModelIndex index = m_table->indexAt(at);
+    m_model->setDropUav(index.isValid() ? m_model->line(index.row()).uav : -1);
+}
+
+bool PlanPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_table->viewport()) {
+        if (event->type() == QEvent::Leave)
+            setHovered({});
+        else if (event->type() == QEvent::DragMove)
+            showDropUav(static_cast<QDragMoveEvent*>(event)->position().toPoint());
+        else if (event->type() == QEvent::DragLeave || event->type() == QEvent::Drop)
+            m_model->setDropUav(-1);
+    }
+    if (event->type() == QEvent::ContextMenu) {
+        requestMenu(*static_cast<QContextMenuEvent*>(event));
+        return true;
+    }
+    if (watched == m_table && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            choose(m_table->currentIndex());
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace berg

@@ -1,0 +1,146 @@
+#include "widgets/panels/plan/plan_readout_view.h"
+
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/theme/icons.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kMark_px = 16;
+constexpr int kColumnGap_px = 12;
+constexpr int kRowGap_px = 6; ///< between a caption and the figure of the next row
+
+template <class Text>
+void showFigure(FigureLabel& label, const std::optional<double>& value, const Text& text)
+{
+    label.setText(value ? text(*value) : noFigure());
+}
+
+} // namespace
+
+PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(kColumnGap_px);
+    grid->setVerticalSpacing(0);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    grid->setRowMinimumHeight(2, kRowGap_px);
+    grid->setRowMinimumHeight(5, kRowGap_px);
+
+    m_distance =
+        addFigure(0, 0, u"planDistance"_s, tr("Distance"), tr("Length of the whole plan."));
+    m_reward = addFigure(0, 1, u"planReward"_s, tr("Uncertainty reward"),
+                         tr("Each iceberg's σ times the number of places after its own in the "
+                            "order: the sooner the uncertain ones come, the more."));
+    m_objective = addFigure(
+        3, 0, u"planObjective"_s, tr("Objective"),
+        tr("Distance cost minus uncertainty reward: the objective that the solver minimises."));
+    m_mu = addFigure(3, 1, u"planMu"_s, tr("Distance weight μ"),
+                     tr("Uncertainty that one metre of path must be worth; follows from τ."));
+
+    auto* stateRow = new QHBoxLayout;
+    stateRow->setSpacing(6);
+    m_mark = new QLabel(this);
+    m_mark->setFixedSize(kMark_px, kMark_px);
+    m_state = new QLabel(this);
+    m_state->setObjectName(u"planState"_s);
+    m_state->setAccessibleName(tr("State of the plan"));
+    m_state->setWordWrap(true);
+    m_state->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_state, &QLabel::linkActivated, this, &PlanReadoutView::checksRequested);
+    stateRow->addWidget(m_mark, 0, Qt::AlignTop);
+    stateRow->addWidget(m_state, 1);
+    grid->addLayout(stateRow, 6, 0, 1, 2);
+    setTheme(m_theme);
+    showPlan({}, PolicyKind::Visitation);
+}
+
+FigureLabel* PlanReadoutView::addFigure(int row, int column, const QString& name,
+                                        const QString& caption, const QString& toolTip)
+{
+    auto* figure = new FigureLabel(this);
+    figure->setObjectName(name);
+    figure->setAccessibleDescription(caption);
+    figure->setToolTip(toolTip);
+    auto* below = new CaptionLabel(caption, this);
+    below->setToolTip(toolTip);
+    auto* grid = qobject_cast<QGridLayout*>(layout());
+    grid->addWidget(figure, row, column);
+    grid->addWidget(below, row + 1, column, Qt::AlignTop);
+    return figure;
+}
+
+void PlanReadoutView::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    setCaptionTheme(*this, theme);
+    for (FigureLabel* figure : {m_distance, m_reward})
+        figure->setFont(theme.figure());
+    for (FigureLabel* figure : {m_objective, m_mu})
+        figure->setFont(theme.strong());
+    m_state->setFont(theme.body());
+    drawMark();
+}
+
+void PlanReadoutView::drawMark()
+{
+    switch (m_verdict) {
+    case PlanVerdict::None:
+        break;
+    case PlanVerdict::Proven:
+        m_mark->setPixmap(
+            icon(IconName::Proven, m_theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
+        break;
+    case PlanVerdict::Estimate:
+        m_mark->setPixmap(icon(IconName::Estimate, m_theme)
+                              .pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
+        break;
+    case PlanVerdict::Warning:
+        m_mark->setPixmap(icon(IconName::Warning, m_theme)
+                              .pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
+        break;
+    case PlanVerdict::Fault:
+        m_mark->setPixmap(
+            icon(IconName::Fault, m_theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
+        break;
+    }
+    m_mark->setVisible(m_verdict != PlanVerdict::None);
+}
+
+void PlanReadoutView::showPlan(const PlanReadout& readout, PolicyKind policy)
+{
+    const PlanFigures figures = planFigures(readout, policy);
+    showFigure(*m_distance, figures.distance_m,
+               [&](double value_m) { return distanceText(value_m, locale()); });
+    showFigure(*m_reward, figures.reward_m2,
+               [&](double value_m2) { return sigmaText(value_m2, locale()); });
+    showFigure(*m_objective, figures.objective_m2, [&](double value_m2) {
+        return tr("%1 m²").arg(significantText(value_m2, 4, locale()));
+    });
+    showFigure(*m_mu, figures.mu_m, [&](double value_m) {
+        return tr("%1 m²/m").arg(significantText(value_m, 3, locale()));
+    });
+
+    const PlanState state = planState(readout, locale());
+    if (state.verdict == PlanVerdict::Fault)
+        m_state->setText(u"%1 <a href=\"checks\">%2</a>"_s.arg(state.text.toHtmlEscaped(),
+                                                               tr("Show the checks")));
+    else
+        m_state->setText(state.text);
+    m_state->setToolTip(state.details);
+    m_mark->setToolTip(state.details);
+    if (state.verdict != m_verdict) {
+        m_verdict = state.verdict;
+        drawMark();
+    }
+}
+
+} // namespace berg

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "widgets/panels/plan/planner_text.h"
+#include "widgets/theme/theme.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace berg {
+
+class FigureLabel;
+
+/** What came of the last planning: the terms of Eq. (1) in large figures and how good it is. */
+class PlanReadoutView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PlanReadoutView(QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    void showPlan(const PlanReadout& readout, PolicyKind policy);
+
+signals:
+    void checksRequested();
+
+private:
+    [[nodiscard]] FigureLabel* addFigure(int row, int column, const QString& name,
+                                         const QString& caption, const QString& toolTip);
+    void drawMark();
+
+    Theme m_theme = Theme::light();
+    PlanVerdict m_verdict = PlanVerdict::None;
+    FigureLabel* m_distance;
+    FigureLabel* m_reward;
+    FigureLabel* m_objective;
+    FigureLabel* m_mu;
+    QLabel* m_mark;  ///< shape of the verdict
+    QLabel* m_state; ///< its words
+};
+
+} // namespace berg

@@ -1,0 +1,201 @@
+#include "widgets/panels/plan/plan_rows.h"
+
+#include "widgets/model/object_names.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
+{
+    OrdersByUav orders = ordersOf(now);
+    for (std::size_t uav = 0; uav < orders.size(); ++uav)
+        if (now.world.uavs[uav].homeward())
+            orders[uav].clear();
+    return forecastPlan(forecastStart(now), orders, std::max(0.0, scenario.duration_s - now.time_s),
+                        now.plan->clusters);
+}
+
+/** What the row says of the iceberg as it is now. */
+PlanRow rowOf(const MissionSnapshot& now, int iceberg)
+{
+    const auto index = static_cast<std::size_t>(iceberg);
+    const bool isFleet = now.world.uavs.size() > 1;
+    return {.id = now.icebergs[index].id,
+            .name = shownName(now.icebergs[index]),
+            .sigma_m2 = now.world.tracks[index].sigma_m2,
+            .isKept = isFleet && index < now.assigned.size() && now.assigned[index] >= 0};
+}
+
+std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecast& route)
+{
+    std::vector<PlanRow> rows;
+    for (const ForecastVisit& visit : route.visits) {
+        PlanRow& row = rows.emplace_back(rowOf(now, visit.iceberg));
+        row.leg_m = visit.leg_m;
+        row.arrival_s = visit.arrival_s;
+        row.arrivalSigma_m2 = visit.arrivalSigma_m2;
+    }
+    return rows;
+}
+
+/** What comes after the way home has no times yet. */
+void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
+{
+    const auto flown = static_cast<std::size_t>(
+        std::max(0, plan.thisSortie.value_or(static_cast<int>(rows.size()))));
+    for (std::size_t k = flown; k < rows.size(); ++k) {
+        PlanRow& row = rows[k];
+        row.isSeen = false;
+        row.leg_m = row.arrival_s = row.arrivalSigma_m2 = 0;
+    }
+}
+
+std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan)
+{
+    const std::vector<AimedWay> ways = waysAhead(now, plan.uav);
+    const std::vector<double>& sightings_s = plan.outlook->sightings_s;
+    std::vector<PlanRow> rows;
+    double before_m = 0;
+    for (std::size_t k = 0; k < plan.order.size(); ++k) {
+        const int iceberg = plan.order[k];
+        PlanRow& row = rows.emplace_back(rowOf(now, iceberg));
+        row.isSeen = k < sightings_s.size();
+        if (!row.isSeen)
+            continue;
+        const double way_m = lengthUntil_m(ways, sightings_s[k]);
+        const Track& track = now.world.tracks[static_cast<std::size_t>(iceberg)];
+        row.leg_m = way_m - std::exchange(before_m, way_m);
+        row.arrival_s = std::max(0.0, sightings_s[k] - now.time_s);
+        row.arrivalSigma_m2 = track.sigmaAfter_m2(row.arrival_s);
+    }
+    return rows;
+}
+
+PlanOutlook aimedOutlook(const MissionSnapshot& shown, const Scenario& scenario)
+{
+    constexpr double kRounding_s = 1e-6; // times are whole steps
+    const AimedOutlook& aimed = *shown.plan->outlook;
+    PlanOutlook outlook{.zeta_m2s = shown.plan->zeta_m2s + aimed.zeta_m2s, .isAimed = true};
+    if (aimed.until_s < scenario.duration_s - kRounding_s)
+        outlook.until_s = aimed.until_s;
+    else if (shown.time_s > aimed.until_s - kRounding_s)
+        outlook.zeta_m2s = shown.metrics.zeta_m2s; // flown
+    return outlook;
+}
+
+/** Beside a prediction for a time before the end only when the whole curve is known. */
+void addBound(PlanOutlook& outlook, const KnownBound& bound)
+{
+    if (bound.zeta_m2s <= 0 || (outlook.until_s && !bound.whole))
+        return;
+    outlook.bound_m2s = outlook.until_s ? bound.whole->by_m2s(*outlook.until_s) : bound.zeta_m2s;
+    outlook.boundShare = bound.share;
+}
+
+QString namesOf(const std::vector<int>& order, const std::vector<Iceberg>& icebergs)
+{
+    QStringList names;
+    for (const int iceberg : order)
+        names << shownName(icebergs[static_cast<std::size_t>(iceberg)]);
+    return names.join(u", "_s);
+}
+
+/** The latest one; of several UAVs whose plans it changed, in sum. */
+void addChange(PlanOutlook& outlook, const FlightRecord& record)
+{
+    const std::vector<Uav>& uavs = record.scenario.uavs;
+    QStringList before;
+    for (int uav = 0; uav < static_cast<int>(uavs.size()); ++uav) {
+        const std::optional<ShownChange> change = record.changeShown(uav);
+        if (!change || (outlook.change && change->time_s < outlook.changed_s))
+            continue;
+        if (!change->ways.empty()) {
+            outlook.change.reset(); // straight legs are no measure of the plan before
+            return;
+        }
+        QString names = namesOf(change->change.before, record.shown().icebergs);
+        if (const QString name = nameInFleet(uavs, uav); !name.isEmpty())
+            names = u"%1: %2"_s.arg(name, names);
+        if (outlook.change && change->time_s == outlook.changed_s) {
+            outlook.change->distance_m += change->change.distance_m;
+        } else {
+            outlook.change = change->change;
+            outlook.changed_s = change->time_s;
+            before.clear();
+        }
+        before << names;
+    }
+    outlook.before = before.join(u"; "_s);
+}
+
+std::optional<PlanOutlook> predictedOutlook(const FlightRecord& record)
+{
+    const MissionSnapshot& shown = record.shown();
+    if (!shown.plan || record.scenario.uavs.empty())
+        return std::nullopt;
+    if (shown.plan->outlook)
+        return aimedOutlook(shown, record.scenario);
+    if (std::ranges::any_of(shown.plans, [](const PlanEvent& plan) { return !plan.legs.empty(); }))
+        return std::nullopt; // straight legs would foretell too much
+    PlanOutlook outlook{.zeta_m2s =
+                            shown.metrics.zeta_m2s + forecastOf(shown, record.scenario).zeta_m2s};
+    addChange(outlook, record);
+    return outlook;
+}
+
+} // namespace
+
+double PlanSection::length_m() const
+{
+    double length_m = 0;
+    for (const PlanRow& row : rows)
+        length_m += row.leg_m;
+    return length_m;
+}
+
+double PlanSection::lastArrival_s() const
+{
+    double last_s = 0;
+    for (const PlanRow& row : rows)
+        last_s = std::max(last_s, row.arrival_s); // 0 of those that are not seen
+    return last_s;
+}
+
+std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario& scenario)
+{
+    std::vector<PlanSection> sections;
+    const PlanForecast forecast =
+        now.plan && !scenario.uavs.empty() ? forecastOf(now, scenario) : PlanForecast{};
+    const std::size_t uavs = std::min(scenario.uavs.size(), now.world.uavs.size());
+    for (std::size_t u = 0; u < uavs; ++u) {
+        const int place = static_cast<int>(u);
+        PlanSection& section = sections.emplace_back();
+        section.uav = scenario.uavs[u].id;
+        section.name = shownName(scenario.uavs[u]);
+        section.place = place;
+        section.isHomeward = now.world.uavs[u].homeward();
+        const PlanEvent* plan = planOf(now, place);
+        if (plan == nullptr || section.isHomeward || u >= forecast.uavs.size())
+            continue;
+        section.rows = plan->outlook ? aimedRows(now, *plan) : straightRows(now, forecast.uavs[u]);
+        leaveForNextSortie(section.rows, *plan);
+    }
+    return sections;
+}
+
+std::optional<PlanOutlook> planOutlook(const FlightRecord& record)
+{
+    std::optional<PlanOutlook> outlook = predictedOutlook(record);
+    if (outlook)
+        addBound(*outlook, record.boundOfFlight());
+    return outlook;
+}
+
+} // namespace berg

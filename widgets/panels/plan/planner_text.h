@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/plan/policy/policy.h"
+#include "widgets/model/flight_record.h"
+
+#include <QLocale>
+#include <QString>
+
+#include <optional>
+
+namespace berg {
+
+/** Name of a choice in the user's words, as the lists of the trade-off panel show it. */
+[[nodiscard]] QString policyName(PolicyKind policy);
+/** What it does, in a sentence. */
+[[nodiscard]] QString policySentence(PolicyKind policy);
+[[nodiscard]] QString backendName(Backend backend);
+[[nodiscard]] QString routeName(Route route);
+
+/** The plan there is, and whether another one is being made. */
+struct PlanReadout
+{
+    std::optional<PlanEvent> plan; ///< of several UAVs that of one of them
+    bool solving = false;
+    QString fault;      ///< why nothing can be planned; empty: nothing stands in the way
+    OrdersByUav others; ///< of the UAVs that were planned together with it
+
+    /** In the orders of all of them. */
+    [[nodiscard]] std::size_t icebergs() const;
+};
+
+/** Of the instant shown, with the plans of the last solve. */
+[[nodiscard]] PlanReadout readoutOf(const FlightRecord& record, const QString& fault);
+
+/** How much is known about a plan. */
+enum class PlanVerdict
+{
+    None, ///< nothing to judge
+    Proven,
+    Estimate, ///< a good order, not proven
+    Warning,  ///< not what was asked for
+    Fault     ///< nothing can be planned
+};
+
+/** What to say of a plan. */
+struct PlanState
+{
+    PlanVerdict verdict = PlanVerdict::None;
+    QString text;    ///< in the user's words
+    QString details; ///< the solver's, one line for each; empty when there was no solve
+};
+[[nodiscard]] PlanState planState(const PlanReadout& readout, const QLocale& locale);
+
+/** The numbers of Eq. (1) behind a plan; none where the policy does not weigh them. */
+struct PlanFigures
+{
+    std::optional<double> distance_m;
+    std::optional<double> reward_m2; ///< sum sigma_i (N - t_i) = mu D - F
+    std::optional<double> objective_m2;
+    std::optional<double> mu_m; ///< m^2 of uncertainty for each m of way
+};
+[[nodiscard]] PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy);
+
+/** A relative gap as per cent in steps of 0.1, from 10 on of 1, rounded up: "within" must stay
+ * true.
+ */
+[[nodiscard]] QString gapText(double gap, const QLocale& locale);
+
+/** "under 1 ms", "4 ms", "1.2 s". */
+[[nodiscard]] QString solveTimeText(double elapsed_s, const QLocale& locale);
+
+} // namespace berg

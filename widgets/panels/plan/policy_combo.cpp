@@ -1,0 +1,287 @@
+#include "widgets/panels/plan/policy_combo.h"
+
+#include "widgets/map/map_symbols.h"
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/panels/plan/planner_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QAbstractItemView>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kMargin_px = 8;
+constexpr int kLineGap_px = 1;
+constexpr int kColumnGap_px = 24;
+constexpr int kPillMargin_px = 6;
+
+QString zetaText(double zeta_m2s, const QLocale& locale)
+{
+    return PolicyCombo::tr("%1 m² s").arg(significantText(zeta_m2s, 4, locale));
+}
+
+QFont boldOf(QFont font)
+{
+    font.setBold(true);
+    return font;
+}
+
+} // namespace
+
+void PolicyDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
+                           const QModelIndex& index) const
+{
+    const bool selected = given.state.testFlag(QStyle::State_Selected);
+    const QFont small = m_theme.small();
+    const QFont name = boldOf(m_theme.body());
+    const QRect row = given.rect.adjusted(kMargin_px, kMargin_px / 2, -kMargin_px, -kMargin_px / 2);
+    const int first_px = QFontMetrics(name).height();
+    const QRect upper(row.topLeft(), QSize(row.width(), first_px));
+    const QRect lower(upper.bottomLeft() + QPoint(0, 1 + kLineGap_px),
+                      QSize(row.width(), QFontMetrics(small).height()));
+    const QColor ink = selected ? m_theme.planText : m_theme.text;
+    const QColor muted = selected ? ink : m_theme.mutedText;
+
+    painter->save();
+    painter->fillRect(given.rect, selected ? m_theme.plan : m_theme.chart);
+    const auto text = [&](const QRect& where, Qt::Alignment side, const QFont& font,
+                          const QColor& colour, int role) {
+        painter->setFont(font);
+        painter->setPen(colour);
+        painter->drawText(where, static_cast<int>(side | Qt::AlignVCenter),
+                          index.data(role).toString());
+    };
+    text(upper, Qt::AlignLeft, name, ink, Qt::DisplayRole);
+    text(lower, Qt::AlignLeft, small, muted, SentenceRole);
+    const bool present = index.data(PresentRole).toBool();
+    text(upper, Qt::AlignRight, m_theme.body(), present ? ink : muted, FigureRole);
+    text(lower, Qt::AlignRight, small, muted, RemarkRole);
+    if (index.data(LowestRole).toBool()) {
+        painter->setRenderHint(QPainter::Antialiasing);
+        const QString title = index.data(Qt::DisplayRole).toString();
+        painter->setPen(muted);
+        paintLowest(*painter, upper,
+                    upper.left() + QFontMetrics(name).horizontalAdvance(title) + kMargin_px);
+    }
+    painter->restore();
+}
+
+/** In words in a rounded box of the pen's colour. */
+void PolicyDelegate::paintLowest(QPainter& painter, const QRect& row, int from_px) const
+{
+    const QString text = PolicyCombo::tr("Lowest");
+    const QFontMetrics metrics(m_theme.small());
+    const QRectF box(from_px + 0.5, row.top() + 0.5,
+                     metrics.horizontalAdvance(text) + 2 * kPillMargin_px, row.height() - 1);
+    painter.setFont(m_theme.small());
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(box, box.height() / 2, box.height() / 2);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+QSize PolicyDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    const int height_px = QFontMetrics(boldOf(m_theme.body())).height() + kLineGap_px +
+                          QFontMetrics(m_theme.small()).height() + kMargin_px;
+    return {QStyledItemDelegate::sizeHint(option, index).width(), height_px};
+}
+
+int PolicyDelegate::widthFor(const QAbstractItemModel& offers) const
+{
+    const QFontMetrics name(boldOf(m_theme.body()));
+    const QFontMetrics small(m_theme.small());
+    int left_px = 0;
+    int right_px = 0;
+    for (int row = 0; row < offers.rowCount(); ++row) {
+        const QModelIndex index = offers.index(row, 0);
+        const auto width = [&](const QFontMetrics& metrics, int role) {
+            return metrics.horizontalAdvance(index.data(role).toString());
+        };
+        const int pill_px =
+            small.horizontalAdvance(PolicyCombo::tr("Lowest")) + 2 * kPillMargin_px + kMargin_px;
+        left_px =
+            std::max({left_px, width(name, Qt::DisplayRole) + pill_px, width(small, SentenceRole)});
+        right_px = std::max(
+            {right_px, width(QFontMetrics(m_theme.body()), FigureRole), width(small, RemarkRole)});
+    }
+    return left_px + kColumnGap_px + right_px + 2 * kMargin_px;
+}
+
+PolicyCombo::PolicyCombo(QWidget* parent) : QComboBox(parent), m_delegate(new PolicyDelegate(this))
+{
+    setItemDelegate(m_delegate);
+    for (const PolicyKind policy :
+         {PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage, PolicyKind::Path,
+          PolicyKind::Tour, PolicyKind::Nearest, PolicyKind::Uncertainty}) {
+        addItem(policyName(policy), static_cast<int>(policy));
+        setItemData(count() - 1, policySentence(policy), PolicyDelegate::SentenceRole);
+    }
+    connect(this, &QComboBox::currentIndexChanged, this, &PolicyCombo::updateOffers);
+    updateOffers();
+}
+
+void PolicyCombo::setTheme(const Theme& theme)
+{
+    m_delegate->setTheme(theme);
+    view()->viewport()->update();
+}
+
+PolicyKind PolicyCombo::shownPolicy() const
+{
+    return static_cast<PolicyKind>(currentData().toInt());
+}
+
+void PolicyCombo::showPolicy(PolicyKind policy)
+{
+    setCurrentIndex(findData(static_cast<int>(policy)));
+}
+
+void PolicyCombo::showForecasts(const PolicyForecastList& forecasts)
+{
+    if (forecasts == m_forecasts)
+        return;
+    m_forecasts = forecasts;
+    updateOffers();
+}
+
+void PolicyCombo::setInFlight(bool inFlight)
+{
+    m_inFlight = inFlight;
+    updateOffers();
+}
+
+std::optional<double> PolicyCombo::zetaOf(PolicyKind policy) const
+{
+    const auto found = m_forecasts.find(policy);
+    if (found == m_forecasts.end() || found->second.state != ForecastState::Known)
+        return std::nullopt;
+    return found->second.metrics.zeta_m2s;
+}
+
+/** Of those that are known; none while some are still to come. */
+std::optional<PolicyKind> PolicyCombo::lowest() const
+{
+    std::optional<PolicyKind> best;
+    for (const auto& [policy, forecast] : m_forecasts) {
+        if (forecast.state == ForecastState::Waiting || forecast.state == ForecastState::Computing)
+            return std::nullopt;
+        if (const auto zeta_m2s = zetaOf(policy); zeta_m2s && (!best || *zeta_m2s < *zetaOf(*best)))
+            best = policy;
+    }
+    return best;
+}
+
+QString PolicyCombo::figureOf(PolicyKind policy) const
+{
+    const auto found = m_forecasts.find(policy);
+    if (found == m_forecasts.end())
+        return {};
+    const PolicyForecast& forecast = found->second;
+    switch (forecast.state) {
+    case ForecastState::Waiting:
+        return u"…"_s;
+    case ForecastState::Computing:
+        return forecast.share > 0 ? tr("%1 %…").arg(fixedText(100 * forecast.share, 0, locale()))
+                                  : u"…"_s;
+    case ForecastState::Known:
+        return u"ζ "_s + zetaText(forecast.metrics.zeta_m2s, locale());
+    case ForecastState::TooLong:
+    case ForecastState::Impossible:
+        return noFigure();
+    }
+    return {};
+}
+
+QString PolicyCombo::remarkOf(PolicyKind policy) const
+{
+    const auto found = m_forecasts.find(policy);
+    if (found != m_forecasts.end() && found->second.state == ForecastState::TooLong)
+        return tr("takes too long");
+    if (policy == shownPolicy())
+        return tr("chosen");
+    const std::optional<double> zeta_m2s = zetaOf(policy);
+    const std::optional<double> chosen_m2s = zetaOf(shownPolicy());
+    if (!zeta_m2s || !chosen_m2s || *chosen_m2s <= 0)
+        return {};
+    return changeText(*zeta_m2s / *chosen_m2s - 1, locale());
+}
+
+QString PolicyCombo::toolTipOf(PolicyKind policy) const
+{
+    QString text = policySentence(policy);
+    const auto found = m_forecasts.find(policy);
+    if (found == m_forecasts.end())
+        return text;
+    if (found->second.state == ForecastState::TooLong)
+        return text + u"\n\n"_s +
+               tr("Not predicted: flying it in advance takes more than %1.")
+                   .arg(durationText(PolicyForecasts::kLimit_ms / 1000, locale()));
+    if (found->second.state == ForecastState::Impossible)
+        return found->second.whyNot.isEmpty() ? text : text + u"\n\n"_s + found->second.whyNot;
+    return text + u"\n\n"_s + explanation();
+}
+
+QString PolicyCombo::explanation()
+{
+    return tr("ζ is predicted before take-off by flying the mission in advance with the policy, "
+              "planned\nagain at each sighting as in flight, with icebergs that drift exactly as "
+              "entered. The real\nflight differs by the noise of the drift.");
+}
+
+QString PolicyCombo::summary() const
+{
+    const PolicyKind policy = shownPolicy();
+    const auto found = m_forecasts.find(policy);
+    if (found == m_forecasts.end() || found->second.state == ForecastState::Impossible)
+        return {};
+    if (found->second.state == ForecastState::TooLong)
+        return tr("ζ not predicted: takes too long");
+    const std::optional<double> zeta_m2s = zetaOf(policy);
+    if (!zeta_m2s)
+        return m_inFlight ? QString() : tr("Predicting ζ…");
+    const QString figure = zetaText(*zeta_m2s, locale());
+    if (m_inFlight)
+        return tr("Predicted before take-off: ζ %1").arg(figure);
+    const std::optional<PolicyKind> best = lowest();
+    if (!best)
+        return tr("Predicted ζ %1").arg(figure);
+    if (best == policy)
+        return tr("Predicted ζ %1, the lowest").arg(figure);
+    return tr("Predicted ζ %1, lowest %2")
+        .arg(figure, changeText(*zetaOf(*best) / *zeta_m2s - 1, locale()));
+}
+
+void PolicyCombo::updateOffers()
+{
+    const std::optional<PolicyKind> best = lowest();
+    for (int row = 0; row < count(); ++row) {
+        const auto policy = static_cast<PolicyKind>(itemData(row).toInt());
+        const QString figure = figureOf(policy);
+        const QString remark = remarkOf(policy);
+        setItemData(row, figure, PolicyDelegate::FigureRole);
+        setItemData(row, remark, PolicyDelegate::RemarkRole);
+        setItemData(row, best == policy, PolicyDelegate::LowestRole);
+        setItemData(row, !m_inFlight && zetaOf(policy).has_value(), PolicyDelegate::PresentRole);
+        setItemData(row, toolTipOf(policy), Qt::ToolTipRole);
+        QStringList spoken{itemText(row)};
+        for (const QString& part : {figure, remark})
+            if (!part.isEmpty())
+                spoken << part;
+        setItemData(row, spoken.join(u", "_s), Qt::AccessibleTextRole);
+    }
+}
+
+/** Wider than the panel when the texts are: Qt keeps the list on the screen. */
+void PolicyCombo::showPopup()
+{
+    view()->setMinimumWidth(m_delegate->widthFor(*model()));
+    QComboBox::showPopup();
+}
+
+} // namespace berg

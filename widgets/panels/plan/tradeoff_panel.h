@@ -1,0 +1,93 @@
+#pragma once
+
+#include "widgets/model/policy_forecasts.h"
+#include "widgets/panels/plan/planner_text.h"
+#include "widgets/theme/theme.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QSlider;
+
+namespace berg {
+
+class CaptionLabel;
+class NumberField;
+class PlanReadoutView;
+class PolicyCombo;
+class TauStrip;
+struct TauCurve;
+
+/**
+ * The trade-off tau, the choices of planning and what came of them. Holds nothing of its own:
+ * shows what it is given and tells what the user wants. tau 0 is "most uncertain first", large is
+ * "shortest path", Eq. (14); the slider covers 0 to 5, the field all of 0 to 100.
+ */
+class TradeoffPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit TradeoffPanel(QWidget* parent = nullptr);
+    ~TradeoffPanel() override;
+
+    void setTheme(const Theme& theme);
+
+    /** Emits nothing. While the user is changing tau, the panel shows the user's. */
+    void showSettings(const PlannerSettings& settings);
+    /** In flight only tau and policy can be changed. */
+    void setInFlight(bool inFlight);
+    void showPlan(const PlanReadout& readout);
+    /** What each policy is predicted to come to, beside its name and below the one chosen. */
+    void showForecasts(const PolicyForecastList& forecasts);
+    /** The plans along the trade-off, below the slider. */
+    void showCurve(const TauCurve& curve);
+    /** To the neighbouring plan: +1 towards shorter ways, -1 towards most uncertain first. */
+    void stepPlan(int direction);
+    /** Takes what is typed as if Return had been pressed. */
+    void finishTyping();
+    /** As if the user had set tau to this. */
+    void chooseTau(double tau);
+
+protected:
+    bool event(QEvent* event) override;
+
+signals:
+    void tauEdited(double tau);
+    /** The last `tauEdited` of a row: slider let go, typing or stepping ended. */
+    void tauEditFinished();
+    void policyEdited(berg::PolicyKind policy);
+    void backendEdited(berg::Backend backend);
+    void routeEdited(berg::Route route);
+    /** What stands in the way of planning is to be shown. */
+    void checksRequested();
+
+private:
+    void addTau();
+    void addChoices();
+    void connectTau();
+    void connectChoices();
+    void editTau(double tau);
+    void finishTau();
+    void showTau();
+    void showChoices();
+    void updateEnabled();
+    void updateForecast();
+
+    NumberField* m_tau;
+    QSlider* m_slider;
+    TauStrip* m_strip;
+    PolicyCombo* m_policy;
+    CaptionLabel* m_forecast;
+    QComboBox* m_backend;
+    QComboBox* m_route;
+    PlanReadoutView* m_result;
+    PlannerSettings m_settings; ///< shown
+    PlanReadout m_readout;
+    bool m_inFlight = false;
+    bool m_tauEditing = false;
+    QTimer m_tauRest; ///< ends a row of keys or wheel turns, which have no end of their own
+};
+
+} // namespace berg

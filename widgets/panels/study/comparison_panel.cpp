@@ -1,0 +1,310 @@
+#include "widgets/panels/study/comparison_panel.h"
+
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/study/comparison_tables.h"
+#include "widgets/panels/study/run_table.h"
+#include "widgets/theme/icons.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QToolButton>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kMargin_px = 8;
+constexpr int kGap_px = 6;
+constexpr int kCellMargins_px = 10;
+constexpr int kBar_px = 6;
+constexpr int kLowestTable_px = 44; ///< a row and the header: a dock may come from side to foot
+constexpr int kBarSteps = 1000;
+constexpr int kLowFrom_px = 125; ///< wider than high by so much: list and tables side by side
+constexpr double kMostTau = 100;
+
+bool isTour(const ComparedRun& run)
+{
+    return run.planner.policy == PolicyKind::Tour && !run.wasChanged;
+}
+
+} // namespace
+
+ComparisonPanel::ComparisonPanel(RunList& list, QWidget* parent) : QWidget(parent), m_list(list)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
+    column->setSpacing(kGap_px);
+    addTables();
+    m_state = new QLabel;
+    m_state->setObjectName(u"comparisonState"_s);
+    m_state->setWordWrap(true);
+    m_state->hide();
+    column->addWidget(m_state);
+    addActions();
+
+    connect(&m_list, &RunList::changed, this, &ComparisonPanel::showRuns);
+    connect(&m_list, &RunList::progress, this, &ComparisonPanel::showProgress);
+    connect(&m_list, &RunList::finished, this, &ComparisonPanel::showEnd);
+    setTheme(Theme::light());
+    showRuns();
+    arrange();
+}
+
+void ComparisonPanel::addTables()
+{
+    m_runs = new RunTable(m_list);
+    connect(m_runs, &QTableWidget::currentCellChanged, this, &ComparisonPanel::updateEnabled);
+    m_figures = new ComparisonTable(u"comparedFigures"_s, tr("Figures of the two runs"));
+    m_unseen = new ComparisonTable(u"comparedIcebergs"_s, tr("Longest time unseen"));
+    m_tabs = new QTabWidget;
+    m_tabs->setObjectName(u"comparisonTabs"_s);
+    m_tabs->setDocumentMode(true);
+    m_tabs->addTab(m_figures, tr("Figures"));
+    m_tabs->addTab(m_unseen, tr("Unseen"));
+    m_tabs->setTabToolTip(1, tr("Longest time for which each iceberg was out of view."));
+    for (QTableWidget* table : std::initializer_list<QTableWidget*>{m_runs, m_figures, m_unseen})
+        table->setMinimumHeight(kLowestTable_px);
+    m_content = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_content->setSpacing(kGap_px);
+    m_content->addWidget(m_runs, 2);
+    m_content->addWidget(m_tabs, 3);
+    qobject_cast<QVBoxLayout*>(layout())->addLayout(m_content, 1);
+}
+
+QWidget* ComparisonPanel::progressOfFlight()
+{
+    m_progressText = new QLabel;
+    m_progressText->setObjectName(u"comparisonProgressText"_s);
+    m_bar = new QProgressBar;
+    m_bar->setObjectName(u"comparisonProgress"_s);
+    m_bar->setAccessibleName(tr("Progress of the flight in the background"));
+    m_bar->setRange(0, kBarSteps);
+    m_bar->setTextVisible(false);
+    m_bar->setFixedHeight(kBar_px);
+    auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setObjectName(u"cancelComparison"_s);
+    auto* under = new QVBoxLayout;
+    under->setSpacing(2);
+    under->addWidget(m_progressText);
+    under->addWidget(m_bar);
+    auto* progress = new QWidget;
+    auto* progressRow = new QHBoxLayout(progress);
+    progressRow->setContentsMargins(0, 0, 0, 0);
+    progressRow->setSpacing(kGap_px);
+    progressRow->addLayout(under, 1);
+    progressRow->addWidget(cancel);
+    connect(cancel, &QPushButton::clicked, &m_list, &RunList::cancel);
+    return progress;
+}
+
+void ComparisonPanel::addActions()
+{
+    m_tour = new QPushButton;
+    m_tour->setObjectName(u"compareTour"_s);
+    m_tour->setAccessibleName(tr("Compare with the shortest round tour"));
+    m_tour->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // its text fits itself in
+    m_flight = new QStackedWidget;
+    m_flight->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_flight->addWidget(m_tour);
+    m_flight->addWidget(progressOfFlight());
+
+    m_tauLabel = new QLabel(tr("τ"));
+    m_tau = new NumberField;
+    m_tau->setObjectName(u"comparedTau"_s);
+    m_tau->setAccessibleName(tr("Trade-off τ to be flown"));
+    m_tau->setToolTip(tr("0: most uncertain first; the larger, the shorter the route."));
+    m_tau->setNumberFormat({.least = 2, .most = 4}, {});
+    m_tau->setSingleStep(0.25);
+    m_tau->setRange(0, kMostTau);
+    m_tau->showValue(0.5);
+    m_tauLabel->setBuddy(m_tau);
+    m_fly = new QPushButton(tr("Fly"));
+    m_fly->setObjectName(u"compareTau"_s);
+    m_fly->setToolTip(tr("Flies the same scenario with this τ in the background."));
+    m_open = new QToolButton;
+    m_open->setObjectName(u"openComparedRun"_s);
+    m_open->setAccessibleName(tr("Open run…"));
+    m_open->setToolTip(tr("Open run…"));
+    m_open->setAutoRaise(true);
+    m_remove = new QPushButton(tr("Remove"));
+    m_remove->setObjectName(u"removeComparedRun"_s);
+    m_remove->setToolTip(tr("Takes the chosen run off the list."));
+    for (QPushButton* button : {m_fly, m_remove}) {
+        const int text_px = button->fontMetrics().horizontalAdvance(button->text());
+        button->setMinimumWidth(1); // the style's least width is for dialogs
+        button->setMaximumWidth(text_px + 3 * kCellMargins_px);
+    }
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kGap_px);
+    row->addWidget(m_tauLabel);
+    row->addWidget(m_tau);
+    row->addWidget(m_fly);
+    row->addStretch();
+    row->addWidget(m_open);
+    row->addWidget(m_remove);
+    m_actions = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_actions->setSpacing(kGap_px);
+    m_actions->addWidget(m_flight, 1);
+    m_actions->addLayout(row);
+    qobject_cast<QVBoxLayout*>(layout())->addLayout(m_actions);
+
+    connect(m_tour, &QPushButton::clicked, this, [this] {
+        flyBeside([](PlannerSettings& planner) { planner.policy = PolicyKind::Tour; });
+    });
+    connect(m_fly, &QPushButton::clicked, this, [this] {
+        m_tau->finishTyping();
+        flyBeside([tau = m_tau->value()](PlannerSettings& planner) {
+            planner.policy = PolicyKind::Visitation;
+            planner.tau = tau;
+        });
+    });
+    connect(m_open, &QToolButton::clicked, this, &ComparisonPanel::openRunRequested);
+    connect(m_remove, &QPushButton::clicked, this, [this] { m_runs->removeCurrent(); });
+}
+
+void ComparisonPanel::setTheme(const Theme& theme)
+{
+    m_runs->setTheme(theme);
+    m_figures->setTheme(theme);
+    m_unseen->setTheme(theme);
+    m_state->setFont(theme.small());
+    m_progressText->setFont(theme.small());
+    QPalette bar = m_bar->palette();
+    bar.setColor(QPalette::Highlight, theme.plan);
+    m_bar->setPalette(bar);
+    m_open->setIcon(icon(IconName::Open, theme));
+    showRuns();
+    arrange();
+}
+
+void ComparisonPanel::setScenario(const Scenario& scenario)
+{
+    m_scenario = scenario;
+    updateEnabled();
+}
+
+QSize ComparisonPanel::sizeHint() const
+{
+    return {480, 210};
+}
+
+bool ComparisonPanel::isOfThisWorld(const RunPointer& run) const
+{
+    return run && (!m_scenario || isSameWorld(run->scenario, *m_scenario));
+}
+
+void ComparisonPanel::flyBeside(const std::function<void(PlannerSettings&)>& change)
+{
+    m_state->hide();
+    const RunPointer reference = m_list.reference();
+    const bool beside = isOfThisWorld(reference);
+    if (!beside && !m_scenario)
+        return;
+    PlannerSettings planner = beside ? reference->planner : m_scenario->planner;
+    change(planner);
+    if (beside) {
+        m_list.addVariant(*reference, planner);
+        return;
+    }
+    if (planner != m_scenario->planner)
+        m_list.addFlown(*m_scenario, m_scenario->planner);
+    m_list.addFlown(*m_scenario, planner);
+}
+
+void ComparisonPanel::showRuns()
+{
+    m_runs->showRuns();
+    showFigures();
+    arrange();
+    updateEnabled();
+}
+
+void ComparisonPanel::showFigures()
+{
+    const RunPointer& reference = m_list.reference();
+    m_tabs->setVisible(reference != nullptr);
+    if (!reference)
+        return;
+    m_figures->showRows(figureRows(*reference, m_list.other().get(), locale()));
+    m_unseen->showRows(unseenRows(*reference, m_list.other().get(), locale()));
+}
+
+void ComparisonPanel::showProgress(double flown_s, double duration_s)
+{
+    m_bar->setValue(duration_s > 0 ? static_cast<int>(kBarSteps * flown_s / duration_s) : 0);
+    const QString name = m_list.flying(locale());
+    m_progressText->setText(
+        duration_s > 0
+            ? tr("Flying %1: %2 of %3").arg(name, clockText(flown_s), clockText(duration_s))
+            : tr("Opening %1").arg(name));
+    updateEnabled();
+}
+
+void ComparisonPanel::showEnd(const QString& failure)
+{
+    m_state->setText(failure);
+    m_state->setVisible(!failure.isEmpty());
+    updateEnabled();
+    arrangeActions();
+}
+
+void ComparisonPanel::updateEnabled()
+{
+    const bool flying = m_list.isFlying();
+    const RunPointer& reference = m_list.reference();
+    const bool beside = isOfThisWorld(reference);
+    const bool hasWorld = beside || (m_scenario && !m_scenario->icebergs.empty());
+    const bool isTourAlready = beside && isTour(*reference);
+    m_flight->setCurrentIndex(flying ? 1 : 0);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_tauLabel, m_tau, m_fly})
+        part->setVisible(!flying); // their room is for the progress
+    m_tour->setEnabled(hasWorld && !isTourAlready);
+    m_tour->setToolTip(
+        isTourAlready ? tr("The reference A is the tour itself: choose another one as A.")
+                      : tr("Flies the same scenario along the shortest closed tour through all "
+                           "icebergs, as in Figure 5 of the paper, in the background."));
+    m_tau->setEnabled(hasWorld);
+    m_fly->setEnabled(hasWorld);
+    m_open->setEnabled(!flying);
+    m_remove->setEnabled(m_runs->currentRow() >= 0);
+}
+
+/** Side by side in a low dock, one below the other in a narrow one. */
+void ComparisonPanel::arrange()
+{
+    const bool isLow = width() > height() + kLowFrom_px;
+    m_content->setDirection(isLow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_runs->arrange(isLow && m_list.reference() ? width() * 2 / 5 : width());
+    arrangeActions();
+}
+
+/** On one line where the short form of the button has room there; then its long form if it has. */
+void ComparisonPanel::arrangeActions()
+{
+    if (m_list.isFlying())
+        return; // some are hidden now
+    const QString whole = tr("Compare with the shortest round tour");
+    const QString brief = tr("Compare with the tour");
+    const auto need_px = [&](const QString& text) {
+        return m_tour->fontMetrics().horizontalAdvance(text) + 2 * kCellMargins_px;
+    };
+    const int room_px = width() - 2 * kMargin_px;
+    const int beside_px = room_px - kGap_px - m_actions->itemAt(1)->sizeHint().width();
+    const bool isOneLine = beside_px >= need_px(brief);
+    m_actions->setDirection(isOneLine ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_tour->setText(need_px(whole) <= (isOneLine ? beside_px : room_px) ? whole : brief);
+}
+
+void ComparisonPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+} // namespace berg

@@ -1,0 +1,302 @@
+#include "widgets/panels/study/comparison_tables.h"
+
+#include "widgets/model/object_names.h"
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QHeaderView>
+#include <QResizeEvent>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kRow_px = 22;
+constexpr int kCellMargins_px = 9;
+
+enum Column
+{
+    kLabel,
+    kReference,
+    kOther,
+    kDifference,
+    kColumns
+};
+
+struct ComparisonText
+{
+    Q_DECLARE_TR_FUNCTIONS(ComparisonText)
+};
+
+QString signedText(double value, const QString& magnitude)
+{
+    return value == 0 ? magnitude : (value < 0 ? u"−"_s : u"+"_s) + magnitude;
+}
+
+/** What of a quantity is good. */
+enum class Good
+{
+    Less,
+    More,
+    Neither
+};
+
+Better betterOf(double reference, double other, Good good)
+{
+    if (good == Good::Neither || reference == other)
+        return Better::Neither;
+    return (other < reference) == (good == Good::Less) ? Better::Other : Better::Reference;
+}
+
+/** Builds rows of one quantity; without another run its columns stay empty. */
+class RowMaker
+{
+public:
+    RowMaker(const RunFigures& reference, const RunFigures* other)
+        : m_reference(reference), m_other(other)
+    {
+    }
+
+    /** `text` of a value, `difference` of value and reference. */
+    template <class Value, class Text, class Difference>
+    void add(const QString& label, const Value& value, Good good, const Text& text,
+             const Difference& difference, const QString& toolTip)
+    {
+        const auto a = static_cast<double>(value(m_reference));
+        ComparisonRow row{.label = label,
+                          .reference = text(a),
+                          .other = {},
+                          .difference = {},
+                          .toolTip = toolTip};
+        if (m_other != nullptr) {
+            const auto b = static_cast<double>(value(*m_other));
+            row.other = text(b);
+            row.difference = difference(b, a);
+            row.better = betterOf(a, b, good);
+        }
+        rows.push_back(std::move(row));
+    }
+
+    std::vector<ComparisonRow> rows;
+
+private:
+    const RunFigures& m_reference;
+    const RunFigures* m_other;
+};
+
+QString clockDifference(double other_s, double reference_s)
+{
+    const double difference_s = std::round(other_s) - std::round(reference_s);
+    return signedText(difference_s, clockText(std::abs(difference_s)));
+}
+
+QString icebergName(const ComparedRun& run, int iceberg)
+{
+    if (iceberg < 0)
+        return noFigure();
+    return shownName(run.icebergs[static_cast<std::size_t>(iceberg)]);
+}
+
+UavTotals totalsOf(const RunFigures& figures, std::size_t uav)
+{
+    return uav < figures.uavs.size() ? figures.uavs[uav] : UavTotals();
+}
+
+double longest_s(const RunFigures& figures)
+{
+    return figures.longestUnseen < 0
+               ? 0
+               : figures.unseen[static_cast<std::size_t>(figures.longestUnseen)].longest_s;
+}
+
+double commonTime_s(const ComparedRun& reference, const ComparedRun* other)
+{
+    return other == nullptr ? reference.flown_s : std::min(reference.flown_s, other->flown_s);
+}
+
+} // namespace
+
+QString percentText(double value, double reference, const QLocale& locale)
+{
+    if (reference == 0)
+        return noFigure();
+    return changeText(value / reference - 1, locale);
+}
+
+std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const ComparedRun* other,
+                                      const QLocale& locale)
+{
+    const double until_s = commonTime_s(reference, other);
+    const RunFigures a = figuresAt(reference, until_s);
+    const RunFigures b = other == nullptr ? RunFigures() : figuresAt(*other, until_s);
+    RowMaker maker(a, other == nullptr ? nullptr : &b);
+    const auto percent = [&](double value, double of) { return percentText(value, of, locale); };
+    const auto whole = [&](double value) { return fixedText(value, 0, locale); };
+    const auto wholeDifference = [&](double value, double of) {
+        return signedText(value - of, whole(std::abs(value - of)));
+    };
+    const auto significant = [&](double value) { return significantText(value, 4, locale); };
+    maker.add(
+        ComparisonText::tr("Zeta ζ, m² s"), [](const RunFigures& f) { return f.zeta_m2s; },
+        Good::Less, significant, percent,
+        ComparisonText::tr("Accumulated uncertainty, Eq. (24): less is better."));
+    maker.add(
+        ComparisonText::tr("Mean Σσ, m²"), [](const RunFigures& f) { return f.meanSigmaSum_m2; },
+        Good::Less, significant, percent,
+        ComparisonText::tr("Zeta over time: how uncertain all icebergs were together on average."));
+    maker.add(
+        ComparisonText::tr("Visits"), [](const RunFigures& f) { return f.visits; }, Good::More,
+        whole, wholeDifference, ComparisonText::tr("Icebergs reached that were flown to."));
+    maker.add(
+        ComparisonText::tr("Plans"), [](const RunFigures& f) { return f.plans; }, Good::Neither,
+        whole, wholeDifference, ComparisonText::tr("Times the visiting order was planned."));
+    const QString unit = longDistanceUnit().name;
+    const auto distance = [&](double value) { return significantText(value, 3, locale); };
+    const auto distanceDifference = [&](double value, double of) {
+        const double difference = std::round(10 * (value - of)) / 10;
+        return signedText(difference, fixedText(std::abs(difference), 1, locale));
+    };
+    maker.add(
+        ComparisonText::tr("Flown, %1").arg(unit),
+        [](const RunFigures& f) { return longDistanceUnit().fromSi(f.flown_m); }, Good::Neither,
+        distance, distanceDifference, ComparisonText::tr("Distance flown through the air."));
+    maker.add(
+        ComparisonText::tr("Unseen up to"), longest_s, Good::Less,
+        [](double value) { return clockText(value); }, clockDifference,
+        ComparisonText::tr("Longest time for which an iceberg was out of view."));
+    maker.rows.push_back({.label = ComparisonText::tr("which was"),
+                          .reference = icebergName(reference, a.longestUnseen),
+                          .other = other ? icebergName(*other, b.longestUnseen) : QString(),
+                          .difference = {},
+                          .toolTip = ComparisonText::tr("The iceberg that was out of view for the "
+                                                        "longest time.")});
+    const std::vector<Uav>& uavs = reference.scenario.uavs;
+    for (std::size_t i = 0; uavs.size() > 1 && i < uavs.size(); ++i) {
+        const QString name = shownName(uavs[i]);
+        maker.add(
+            ComparisonText::tr("%1, visits").arg(name),
+            [i](const RunFigures& f) { return totalsOf(f, i).visits; }, Good::Neither, whole,
+            wholeDifference, ComparisonText::tr("Icebergs that %1 reached.").arg(name));
+        maker.add(
+            u"%1, %2"_s.arg(name, unit),
+            [i](const RunFigures& f) { return longDistanceUnit().fromSi(totalsOf(f, i).flown_m); },
+            Good::Neither, distance, distanceDifference,
+            ComparisonText::tr("What %1 has flown through the air.").arg(name));
+    }
+    return maker.rows;
+}
+
+std::vector<ComparisonRow> unseenRows(const ComparedRun& reference, const ComparedRun* other,
+                                      const QLocale& locale)
+{
+    const double until_s = commonTime_s(reference, other);
+    const RunFigures a = figuresAt(reference, until_s);
+    const RunFigures b = other == nullptr ? RunFigures() : figuresAt(*other, until_s);
+    RowMaker maker(a, other == nullptr ? nullptr : &b);
+    for (std::size_t i = 0; i < a.unseen.size(); ++i)
+        maker.add(
+            icebergName(reference, static_cast<int>(i)),
+            [i](const RunFigures& f) { return i < f.unseen.size() ? f.unseen[i].longest_s : 0; },
+            Good::Less, [](double value) { return clockText(value); }, clockDifference,
+            ComparisonText::tr("Unseen for %1 in all in A.")
+                .arg(durationText(std::round(a.unseen[i].total_s), locale)));
+    return maker.rows;
+}
+
+void setUpComparisonTable(QTableWidget& table, const QString& name, const QString& title)
+{
+    table.setObjectName(name);
+    table.setAccessibleName(title);
+    table.setSelectionBehavior(QAbstractItemView::SelectRows);
+    table.setSelectionMode(QAbstractItemView::SingleSelection);
+    table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table.setShowGrid(false);
+    table.setWordWrap(false);
+    table.setFrameShape(QFrame::NoFrame);
+    table.setTabKeyNavigation(false);
+    table.setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table.verticalHeader()->hide();
+    table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table.verticalHeader()->setDefaultSectionSize(kRow_px);
+    QHeaderView* header = table.horizontalHeader();
+    header->setHighlightSections(false);
+    header->setSectionsClickable(false);
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    header->setMinimumSectionSize(1);
+}
+
+ComparisonTable::ComparisonTable(const QString& name, const QString& title, QWidget* parent)
+    : QTableWidget(0, kColumns, parent)
+{
+    setUpComparisonTable(*this, name, title);
+    setSelectionMode(QAbstractItemView::NoSelection);
+    setFocusPolicy(Qt::TabFocus);
+    setHorizontalHeaderLabels({QString(), tr("A"), tr("B"), tr("B − A")});
+    for (const int column : {kReference, kOther, kDifference})
+        horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    horizontalHeader()->setSectionResizeMode(kLabel, QHeaderView::Stretch);
+}
+
+void ComparisonTable::setTheme(const Theme& theme)
+{
+    setFont(theme.body());
+    horizontalHeader()->setFont(theme.small());
+    setColumnWidths();
+}
+
+void ComparisonTable::showRows(const std::vector<ComparisonRow>& rows)
+{
+    setRowCount(static_cast<int>(rows.size()));
+    for (int r = 0; r < rowCount(); ++r) {
+        const ComparisonRow& row = rows[static_cast<std::size_t>(r)];
+        const auto put = [&](int column, const QString& text, bool bold) {
+            QTableWidgetItem* cell = item(r, column);
+            if (cell == nullptr) {
+                cell = new QTableWidgetItem;
+                setItem(r, column, cell);
+                if (column != kLabel)
+                    cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            }
+            QFont cellFont = font();
+            cellFont.setBold(bold);
+            cell->setFont(cellFont);
+            cell->setText(text);
+            cell->setToolTip(row.toolTip);
+        };
+        put(kLabel, row.label, false);
+        put(kReference, row.reference, row.better == Better::Reference);
+        put(kOther, row.other, row.better == Better::Other);
+        put(kDifference, row.difference, false);
+    }
+    setColumnWidths();
+}
+
+/** Numbers take what they need, as long as the names keep a quarter. */
+void ComparisonTable::setColumnWidths()
+{
+    QFont bold = font();
+    bold.setBold(true);
+    const QFontMetrics metrics(bold);
+    const int most_px = viewport()->width() / 4;
+    for (const int column : {kReference, kOther, kDifference}) {
+        int widest_px = metrics.horizontalAdvance(u"00:00"_s);
+        for (int r = 0; r < rowCount(); ++r)
+            if (const QTableWidgetItem* cell = item(r, column))
+                widest_px = std::max(widest_px, metrics.horizontalAdvance(cell->text()));
+        setColumnWidth(column, std::min(widest_px + kCellMargins_px, most_px));
+    }
+}
+
+void ComparisonTable::resizeEvent(QResizeEvent* event)
+{
+    QTableWidget::resizeEvent(event);
+    setColumnWidths();
+}
+
+} // namespace berg

@@ -1,0 +1,337 @@
+#include "widgets/panels/study/study_results.h"
+
+#include "widgets/charts/difference_chart.h"
+#include "widgets/charts/study_chart.h"
+#include "widgets/panels/fields/wheel_guard.h"
+#include "widgets/panels/study/study_tables.h"
+#include "widgets/theme/picture_page.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QTableView>
+#include <QToolButton>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kGap_px = 6;
+constexpr int kRow_px = 22;
+constexpr int kLeastColumn_px = 60;
+constexpr int kMeasuredRows = 60; ///< for the widths of columns: large tables stay quick
+constexpr int kReference_px = 130;
+constexpr QSize kPage_px(1120, 490); ///< of an exported picture
+
+} // namespace
+
+StudyResults::StudyResults(StudyRunner& runner, QWidget* parent) : QWidget(parent), m_runner(runner)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kGap_px);
+    addHeader(*column);
+    auto* split = new QSplitter(Qt::Vertical);
+    split->setChildrenCollapsible(false);
+    split->addWidget(makePictures());
+    split->addWidget(makeTables());
+    split->setSizes({3, 2});
+    split->setStretchFactor(0, 3);
+    split->setStretchFactor(1, 2);
+    column->addWidget(split, 1);
+    connect(&m_runner, &StudyRunner::updated, this, &StudyResults::showResult);
+    connect(&m_runner, &StudyRunner::progress, this, &StudyResults::updateEnabled);
+    setTheme(Theme::light());
+    showResult();
+}
+
+QToolButton* StudyResults::addButton(QBoxLayout& row, const char* name, const QString& text,
+                                     const QString& toolTip)
+{
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(name));
+    button->setText(text);
+    button->setToolTip(toolTip);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    row.addWidget(button);
+    return button;
+}
+
+void StudyResults::addHeader(QBoxLayout& column)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kGap_px);
+    auto* caption = new QLabel(tr("Compared with"));
+    m_reference = new QComboBox;
+    m_reference->setObjectName(u"studyReference"_s);
+    m_reference->setAccessibleName(tr("Reference that the other settings are compared with"));
+    m_reference->setToolTip(m_reference->accessibleName());
+    m_reference->setMinimumWidth(kReference_px);
+    guardWheel(*m_reference);
+    caption->setBuddy(m_reference);
+    connect(m_reference, &QComboBox::activated, this,
+            [this](int index) { m_runner.setReference(static_cast<std::size_t>(index)); });
+    row->addWidget(caption);
+    row->addWidget(m_reference);
+    row->addStretch();
+    m_openStudy = addButton(*row, "openStudy", tr("Open…"),
+                            tr("Opens a study: to look at it, or to carry it on."));
+    connect(m_openStudy, &QToolButton::clicked, this, &StudyResults::openRequested);
+    m_exports = {
+        addButton(*row, "saveStudy", tr("Save…"),
+                  tr("Saves the study with all that was flown, also while it is being flown.")),
+        addButton(*row, "reportStudy", tr("Report…"),
+                  tr("Writes a page with pictures, scenarios, seeds, version and machine.")),
+        addButton(*row, "tableStudy", tr("Table…"),
+                  tr("Saves the numbers of all settings as CSV.")),
+        addButton(*row, "pictureStudy", tr("Picture…"),
+                  tr("Saves the picture in front (PNG, SVG, PDF)."))};
+    connect(m_exports[0], &QToolButton::clicked, this, &StudyResults::saveRequested);
+    connect(m_exports[1], &QToolButton::clicked, this, &StudyResults::reportRequested);
+    connect(m_exports[2], &QToolButton::clicked, this, &StudyResults::tableRequested);
+    connect(m_exports[3], &QToolButton::clicked, this, &StudyResults::pictureRequested);
+    column.addLayout(row);
+}
+
+QWidget* StudyResults::makePictures()
+{
+    m_pictures = new QTabWidget;
+    m_pictures->setObjectName(u"studyPictures"_s);
+    m_pictures->setDocumentMode(true);
+    m_chart = new StudyChart(Theme::light());
+    m_chart->setObjectName(u"studyChart"_s);
+    m_differences = new DifferenceChart(Theme::light());
+    m_differences->setObjectName(u"differenceChart"_s);
+    m_pictures->addTab(m_chart, tr("ζ against τ"));
+    m_pictures->addTab(m_differences, tr("Differences"));
+    connectPicture(*m_chart);
+    connectPicture(*m_differences);
+    return m_pictures;
+}
+
+void StudyResults::connectPicture(StudyPicture& picture)
+{
+    connect(&picture, &StudyPicture::settingChosen, this,
+            [this](std::size_t setting) { choose(setting); });
+    connect(&picture, &StudyPicture::settingActivated, this, &StudyResults::drillDown);
+}
+
+QTableView* StudyResults::makeTable(const char* name, const QString& title, StudyTableModel& model)
+{
+    auto* table = new QTableView;
+    table->setObjectName(QLatin1String(name));
+    table->setAccessibleName(title);
+    table->setModel(&model);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setShowGrid(false);
+    table->setWordWrap(false);
+    table->setFrameShape(QFrame::NoFrame);
+    table->setTabKeyNavigation(false);
+    table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table->verticalHeader()->setDefaultSectionSize(kRow_px);
+    QHeaderView* header = table->horizontalHeader();
+    header->setHighlightSections(false);
+    header->setResizeContentsPrecision(kMeasuredRows);
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(0, QHeaderView::Stretch);
+    header->setMinimumSectionSize(kLeastColumn_px);
+    header->setSortIndicator(0, Qt::AscendingOrder);
+    table->setSortingEnabled(true);
+    return table;
+}
+
+QWidget* StudyResults::makeTables()
+{
+    m_settingsModel = new StudySettingsModel(locale(), this);
+    m_casesModel = new StudyCasesModel(locale(), this);
+    m_settingsTable = makeTable("studySettings", tr("Settings of the study"), *m_settingsModel);
+    m_casesTable = makeTable("studyCases", tr("Cases of the setting chosen"), *m_casesModel);
+    connect(m_settingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& index) {
+                if (index.isValid())
+                    choose(m_settingsModel->settingAt(index.row()));
+            });
+    connect(m_settingsTable, &QTableView::activated, this, [this](const QModelIndex& index) {
+        if (const auto setting = m_settingsModel->settingAt(index.row()))
+            drillDown(*setting);
+    });
+    connect(m_casesTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &StudyResults::updateEnabled);
+    connect(m_casesTable, &QTableView::activated, this, &StudyResults::openRun);
+
+    m_open = new QPushButton(tr("Open this run"));
+    m_open->setObjectName(u"openStudyRun"_s);
+    connect(m_open, &QPushButton::clicked, this, &StudyResults::openRun);
+
+    m_tables = new QTabWidget;
+    m_tables->setObjectName(u"studyTables"_s);
+    m_tables->setDocumentMode(true);
+    m_tables->addTab(m_settingsTable, tr("Settings"));
+    m_tables->addTab(m_casesTable, tr("Cases"));
+    m_tables->setCornerWidget(m_open);
+    connect(m_tables, &QTabWidget::currentChanged, this, &StudyResults::updateEnabled);
+    return m_tables;
+}
+
+void StudyResults::setTheme(const Theme& theme)
+{
+    m_chart->setTheme(theme);
+    m_differences->setTheme(theme);
+    m_settingsModel->setTheme(theme);
+    for (QTableView* table : {m_settingsTable, m_casesTable}) {
+        table->setFont(theme.body());
+        table->horizontalHeader()->setFont(theme.small());
+    }
+}
+
+void StudyResults::showResult()
+{
+    const StudyPointer& result = m_runner.result();
+    if (m_setting && (!result || *m_setting >= result->summary.settings.size()))
+        m_setting.reset();
+    m_chart->setResult(result);
+    m_differences->setResult(result);
+    m_settingsModel->setResult(result);
+    showReferences();
+    choose(m_setting);
+    showCases();
+}
+
+void StudyResults::showReferences()
+{
+    const StudyPointer& result = m_runner.result();
+    QStringList names;
+    if (result)
+        for (const SettingSummary& of : result->summary.settings)
+            names << settingText(of.setting, locale());
+    QStringList listed;
+    for (int i = 0; i < m_reference->count(); ++i)
+        listed << m_reference->itemText(i);
+    if (names != listed) {
+        m_reference->clear();
+        m_reference->addItems(names);
+    }
+    if (result && !m_reference->view()->isVisible())
+        m_reference->setCurrentIndex(static_cast<int>(result->summary.reference));
+}
+
+/** The same setting in pictures and tables; the last row of the table is none. */
+void StudyResults::choose(std::optional<std::size_t> setting)
+{
+    const bool isNew = setting != m_setting;
+    m_setting = setting;
+    m_chart->setChosen(setting);
+    m_differences->setChosen(setting);
+    if (setting)
+        if (const int row = m_settingsModel->rowOf(*setting);
+            row >= 0 && row != m_settingsTable->currentIndex().row())
+            m_settingsTable->setCurrentIndex(m_settingsModel->index(row, 0));
+    if (isNew)
+        showCases();
+}
+
+void StudyResults::showCases()
+{
+    const StudyPointer& result = m_runner.result();
+    const int before = m_casesTable->currentIndex().row();
+    m_casesModel->setCases(result, m_setting);
+    const int rows = m_casesModel->rowCount();
+    if (rows > 0 && m_casesTable->currentIndex().row() < 0)
+        m_casesTable->setCurrentIndex(
+            m_casesModel->index(before >= 0 && before < rows ? before : 0, 0));
+    m_tables->setTabText(
+        1, m_setting && rows > 0
+               ? tr("Cases of %1")
+                     .arg(settingText(result->summary.settings[*m_setting].setting, locale()))
+               : tr("Cases"));
+    updateEnabled();
+}
+
+void StudyResults::drillDown(std::size_t setting)
+{
+    choose(setting);
+    m_tables->setCurrentWidget(m_casesTable);
+    m_casesTable->setFocus();
+}
+
+std::optional<Scenario> StudyResults::chosenMission() const
+{
+    const StudyPointer& result = m_runner.result();
+    if (!result || !m_setting)
+        return std::nullopt;
+    const int row = m_casesTable->currentIndex().row();
+    const bool isOnly = m_casesModel->rowCount() == 1;
+    if (row < 0 || (!isOnly && m_tables->currentWidget() != m_casesTable))
+        return std::nullopt;
+    return scenarioOf(result->study.spec, m_casesModel->caseAt(row),
+                      result->summary.settings[*m_setting].setting);
+}
+
+void StudyResults::openRun()
+{
+    if (const std::optional<Scenario> mission = chosenMission())
+        emit openRunRequested(*mission);
+}
+
+void StudyResults::updateEnabled()
+{
+    const StudyPointer& result = m_runner.result();
+    const bool hasCases = result && !result->summary.cases.empty();
+    m_reference->setEnabled(hasCases);
+    m_openStudy->setEnabled(!m_runner.isRunning()); // it would take the place
+    for (QToolButton* button : m_exports)
+        button->setEnabled(hasCases);
+    m_tables->setTabEnabled(1, m_casesModel->rowCount() > 0);
+    const bool canOpen = chosenMission().has_value();
+    m_open->setEnabled(canOpen);
+    m_open->setToolTip(canOpen ? tr("Flies this case again, the same in every number, and shows "
+                                    "it on the map and the time line.")
+                               : tr("Choose a point of the picture or a setting, then a case."));
+}
+
+StudyPicture* StudyResults::front() const
+{
+    return qobject_cast<StudyPicture*>(m_pictures->currentWidget());
+}
+
+QString StudyResults::pictureName() const
+{
+    return front() == m_chart ? u"study-zeta.png"_s : u"study-differences.png"_s;
+}
+
+void StudyResults::writePicture(const QString& path) const
+{
+    // One of its own, so that what is chosen and pointed at is not on it.
+    const auto write = [&](StudyPicture& picture) {
+        picture.resize(kPage_px);
+        picture.setTitleShown(true);
+        picture.setResult(m_runner.result());
+        berg::writePicture(
+            {.size_px = kPage_px,
+             .title = picture.accessibleName(),
+             .description = picture.accessibleDescription(),
+             .paint = [&picture](QPainter& painter) { picture.paintPicture(painter); }},
+            path);
+    };
+    const Theme& theme = front()->theme();
+    if (front() == m_chart) {
+        StudyChart picture(theme);
+        write(picture);
+    } else {
+        DifferenceChart picture(theme);
+        write(picture);
+    }
+}
+
+} // namespace berg

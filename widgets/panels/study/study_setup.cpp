@@ -1,0 +1,260 @@
+#include "widgets/panels/study/study_setup.h"
+
+#include "core/plan/policy/policy.h"
+#include "widgets/charts/study_content.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/fields/panel_labels.h"
+#include "widgets/panels/plan/planner_text.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QRadioButton>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr int kGap_px = 6;
+constexpr int kSection_px = 10;
+constexpr int kMark_px = 12;
+constexpr double kLargestTau = 100;
+constexpr double kMostTaus = 1000;
+constexpr double kRandom = 100;
+constexpr double kIcebergs = 12; ///< Table 3 of the paper
+constexpr double kMostScenarios = 100'000;
+constexpr double kMostRuns = 10'000;
+constexpr double kLargestSeed = 999'999'999;
+constexpr std::array kPolicies{PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage,
+                               PolicyKind::Path,       PolicyKind::Tour,    PolicyKind::Nearest,
+                               PolicyKind::Uncertainty};
+
+QIcon markIcon(PolicyKind policy, const Theme& theme)
+{
+    const QPixmap pixmap = policyMark(policy, theme, kMark_px);
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Disabled);
+    return icon;
+}
+
+QVBoxLayout& columnOf(QWidget& widget)
+{
+    return *qobject_cast<QVBoxLayout*>(widget.layout());
+}
+
+} // namespace
+
+std::vector<double> tausBetween(double low, double high, double step)
+{
+    constexpr double kDigits = 1e9; // more than can be typed
+    std::vector<double> taus;
+    const double count = step > 0 ? std::floor((high - low) / step + 1e-9) : 0;
+    for (double k = 0; k <= std::min(count, kMostTaus); ++k)
+        taus.push_back(std::round((low + k * step) * kDigits) / kDigits);
+    return taus;
+}
+
+StudySetup::StudySetup(QWidget* parent) : QWidget(parent)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kGap_px);
+    addScenarios();
+    column->addSpacing(kSection_px);
+    addPolicies();
+    updateEnabled();
+}
+
+NumberField* StudySetup::addNumber(QBoxLayout& row, const NumberSpec& spec)
+{
+    auto* field = new NumberField;
+    field->setObjectName(QLatin1String(spec.name));
+    field->setAccessibleName(spec.label);
+    field->setToolTip(spec.toolTip);
+    field->setRange(spec.low, spec.high);
+    field->setNumberFormat({.least = 0, .most = spec.decimals}, {});
+    field->setSingleStep(std::pow(10, -std::min(1, spec.decimals)));
+    field->showValue(spec.value);
+    auto* caption = new CaptionLabel(spec.label);
+    caption->setWordWrap(false);
+    caption->setBuddy(field);
+    auto* pair = new QVBoxLayout;
+    pair->setSpacing(1);
+    pair->addWidget(caption);
+    pair->addWidget(field);
+    row.addLayout(pair, 1);
+    connect(field, &NumberField::edited, this, [this] {
+        updateEnabled();
+        emit edited();
+    });
+    return field;
+}
+
+void StudySetup::addScenarios()
+{
+    QVBoxLayout& column = columnOf(*this);
+    m_this = new QRadioButton(tr("This scenario"));
+    m_this->setObjectName(u"studyThis"_s);
+    m_this->setChecked(true);
+    m_random = new QRadioButton(tr("Random scenarios"));
+    m_random->setObjectName(u"studyRandom"_s);
+    m_random->setToolTip(tr("Fields of icebergs as in Table 3 of the paper, one for each seed."));
+    for (QRadioButton* button : {m_this, m_random})
+        column.addWidget(button);
+    connect(m_random, &QRadioButton::toggled, this, [this] {
+        updateEnabled();
+        emit edited();
+    });
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kGap_px);
+    m_count = addNumber(*row, {"studyCount", tr("How many"), 1, kMostScenarios, kRandom, 0,
+                               tr("Number of random scenarios.")});
+    m_seed = addNumber(*row, {"studySeed", tr("First seed"), 0, kLargestSeed, 1, 0,
+                              tr("The others have the seeds that follow.")});
+    m_icebergs = addNumber(*row, {"studyIcebergs", tr("Icebergs"), 1, 500, kIcebergs, 0,
+                                  tr("Number of icebergs in each random scenario.")});
+    column.addLayout(row);
+    auto* runs = new QHBoxLayout;
+    runs->setSpacing(kGap_px);
+    m_runs = addNumber(*runs, {"studyRuns", tr("Runs each"), 1, kMostRuns, 1, 0,
+                               tr("Flights of each scenario with other noise: the true drift is "
+                                  "drawn anew, the same for every setting.")});
+    runs->addStretch(2);
+    column.addLayout(runs);
+}
+
+void StudySetup::addTau()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kGap_px);
+    m_from = addNumber(
+        *row, {"studyTauFrom", tr("τ from"), 0, kLargestTau, 0, 3, tr("Smallest trade-off τ.")});
+    m_to = addNumber(*row, {"studyTauTo", tr("to", "largest tau"), 0, kLargestTau, 4, 3,
+                            tr("Largest trade-off τ.")});
+    m_step = addNumber(*row, {"studyTauStep", tr("step", "of tau"), 0.001, kLargestTau, 0.1, 3,
+                              tr("Between two values of τ.")});
+    columnOf(*this).addLayout(row);
+}
+
+void StudySetup::addPolicies()
+{
+    for (const PolicyKind policy : kPolicies) {
+        auto* box = new QCheckBox(policyName(policy));
+        box->setObjectName(u"studyPolicy-"_s +
+                           QString::fromStdString(nameOf(kPolicyNames, policy)));
+        box->setToolTip(policySentence(policy));
+        box->setChecked(policy == PolicyKind::Visitation || policy == PolicyKind::Path);
+        connect(box, &QCheckBox::toggled, this, [this] {
+            updateEnabled();
+            emit edited();
+        });
+        columnOf(*this).addWidget(box);
+        m_policies.emplace_back(policy, box);
+        if (policy == PolicyKind::Visitation)
+            addTau(); // its own
+    }
+}
+
+void StudySetup::setTheme(const Theme& theme)
+{
+    setCaptionTheme(*this, theme);
+    for (const auto& [policy, box] : m_policies) {
+        box->setIcon(markIcon(policy, theme));
+        box->setIconSize({kMark_px, kMark_px});
+    }
+}
+
+void StudySetup::setScenario(const Scenario& scenario)
+{
+    m_scenario = scenario;
+    m_this->setToolTip(QString::fromStdString(scenario.name));
+    emit edited();
+}
+
+std::vector<double> StudySetup::taus() const
+{
+    return m_policies.front().second->isChecked()
+               ? tausBetween(m_from->value(), m_to->value(), m_step->value())
+               : std::vector<double>();
+}
+
+StudySpec StudySetup::spec() const
+{
+    StudySpec spec{.taus = taus(), .runs = static_cast<int>(m_runs->value())};
+    if (m_this->isChecked()) {
+        spec.name = m_scenario.name;
+        spec.scenarios = {m_scenario};
+    } else {
+        spec.random = static_cast<int>(m_count->value());
+        spec.firstSeed = static_cast<std::int64_t>(m_seed->value());
+        spec.field.icebergs = static_cast<int>(m_icebergs->value());
+        spec.name = (spec.random == 1 ? tr("1 random scenario")
+                                      : tr("%n random scenarios", nullptr, spec.random))
+                        .toStdString();
+    }
+    for (const auto& [policy, box] : m_policies)
+        if (box->isChecked())
+            spec.policies.push_back(policy);
+    return spec;
+}
+
+void StudySetup::showSpec(const StudySpec& spec)
+{
+    (spec.random > 0 ? m_random : m_this)->setChecked(true);
+    if (spec.random > 0) {
+        m_count->showValue(spec.random);
+        m_seed->showValue(static_cast<double>(spec.firstSeed));
+        m_icebergs->showValue(spec.field.icebergs);
+    }
+    m_runs->showValue(spec.runs);
+    if (!spec.taus.empty()) {
+        m_from->showValue(spec.taus.front());
+        m_to->showValue(spec.taus.back());
+        if (spec.taus.size() > 1)
+            m_step->showValue(spec.taus[1] - spec.taus[0]);
+    }
+    for (const auto& [policy, box] : m_policies)
+        box->setChecked(std::find(spec.policies.begin(), spec.policies.end(), policy) !=
+                        spec.policies.end());
+    updateEnabled();
+    emit edited();
+}
+
+QString StudySetup::fault() const
+{
+    const StudySpec wanted = spec();
+    if (m_this->isChecked() && m_scenario.icebergs.empty())
+        return tr("This scenario has no icebergs.");
+    if (m_policies.front().second->isChecked() && m_to->value() < m_from->value())
+        return tr("The largest τ is below the smallest.");
+    if (wanted.taus.size() > static_cast<std::size_t>(kMostTaus))
+        return tr("These are too many values of τ. Take a larger step.");
+    if (settingsOf(wanted).empty())
+        return tr("Choose at least one policy.");
+    const double missions = static_cast<double>(settingsOf(wanted).size()) * wanted.runs *
+                            (m_this->isChecked() ? 1 : wanted.random);
+    if (missions > static_cast<double>(kMostMissions))
+        return tr("A study has at most %1 missions.")
+            .arg(locale().toString(static_cast<qulonglong>(kMostMissions)));
+    return {};
+}
+
+void StudySetup::finishTyping()
+{
+    for (NumberField* field : findChildren<NumberField*>())
+        field->finishTyping();
+}
+
+void StudySetup::updateEnabled()
+{
+    for (NumberField* field : {m_count, m_seed, m_icebergs})
+        field->setEnabled(m_random->isChecked());
+    for (NumberField* field : {m_from, m_to, m_step})
+        field->setEnabled(m_policies.front().second->isChecked());
+}
+
+} // namespace berg
