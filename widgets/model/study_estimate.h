@@ -6,7 +6,7 @@ namespace berg {
 
 /**
  * How long a study may take on all cores of an ordinary machine: flying by steps and icebergs,
- * planning by policy and icebergs (ARCHITECTURE.md, section 13). Right within a factor of a few;
+ * planning by policy and icebergs (tests/bench/RESULTS.md). Right within a factor of a few;
  * to be scaled by what a study really took.
  */
 [[nodiscard]] double estimatedTime_s(const StudySpec& spec);
