@@ -62,6 +62,8 @@ bool Simulation::othersFly() const
 
 bool Simulation::isTargetOfUnplanned(int iceberg) const
 {
+    if (planReason() == PlanReason::None)
+        return false; // asked about in between, all of them are planned
     for (int uav = 0; uav < uavCount(); ++uav)
         if (this->uav(uav).target == iceberg && planReason(uav) == PlanReason::None)
             return true;
