@@ -137,9 +137,6 @@ private slots:
     void searchesEndInsideTheFence()
     {
         std::ptrdiff_t ended = 0;
-        const auto isEnd = [](const MissionEvent& e) {
-            return e.kind == EventKind::GivenUp || e.kind == EventKind::Found;
-        };
         for (int seed = 1; seed <= 20; ++seed) {
             Scenario s = fencedScenario(seed);
             s.duration_s = 2000;
@@ -148,18 +145,22 @@ private slots:
                 iceberg.velocitySd_mps = 1;
             Mission mission(s, {.workLimit = 20'000, .sampleInterval_s = 0.1});
             int searching_s = 0;
-            std::size_t ends = 0;
+            int searched = -1;
             for (double t_s = 1; t_s <= s.duration_s; ++t_s) {
                 mission.advance(t_s);
-                const bool searches = mission.simulation().uav(0).mode == FlightMode::Search;
-                const auto endsNow = static_cast<std::size_t>(
-                    std::count_if(mission.events().begin(), mission.events().end(), isEnd));
-                searching_s = searches && endsNow == ends ? searching_s + 1 : 0;
-                ends = endsNow; // the next one may follow at once
-                QVERIFY2(searching_s < 800, qPrintable(QString("%1").arg(seed)));
+                const UavState& uav = mission.simulation().uav(0);
+                const bool searches = uav.mode == FlightMode::Search && uav.search;
+                const int iceberg = searches ? uav.search->iceberg : -1;
+                searching_s = searches && iceberg == searched ? searching_s + 1 : 0;
+                searched = iceberg; // the search for the next one may follow at once
+                QVERIFY2(searching_s < 1200,
+                         qPrintable(QString("%1").arg(seed))); // again: a larger pattern
             }
             QCOMPARE(samplesOutside(mission), std::ptrdiff_t{0});
-            ended += static_cast<std::ptrdiff_t>(ends);
+            const auto isEnd = [](const MissionEvent& e) {
+                return e.kind == EventKind::GivenUp || e.kind == EventKind::Found;
+            };
+            ended += std::count_if(mission.events().begin(), mission.events().end(), isEnd);
         }
         QVERIFY(ended > 40);
     }
