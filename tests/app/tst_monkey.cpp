@@ -57,6 +57,8 @@ QString faultOfUse(MonkeyWindow& w)
     QUndoStack& history = *w.document().undoStack();
     const QString step = history.undoText();
     history.undo();
+    if (w.scenario().icebergs.size() == before + 1)
+        history.undo(); // what was held when the monkey stopped ended as a step of its own
     return w.scenario().icebergs.size() == before
                ? QString()
                : u"undoing '%1' does not remove it: %2 of %3 icebergs"_s.arg(step)
