@@ -159,7 +159,7 @@ private slots:
         runner.setScenario(scenario);
         QVERIFY(runner.curve().complete);
         QVERIFY(runner.curve().intervals.empty());
-        runner.setScenario(randomScenario(9)); // mended
+        runner.setScenario(randomScenario(9)); // corrected
         QVERIFY(completes(runner));
         QVERIFY(!runner.curve().intervals.empty());
         runner.clear();

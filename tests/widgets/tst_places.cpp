@@ -155,7 +155,7 @@ private slots:
         QVERIFY(f.reason.isVisible());
         QVERIFY(f.map.rect().contains(f.bar.geometry()));
         QTest::keyClicks(&f.field, u" 4"_s);
-        QVERIFY(f.reason.isHidden()); // it is being mended
+        QVERIFY(f.reason.isHidden()); // it is being corrected
     }
 
     void offersToMove()

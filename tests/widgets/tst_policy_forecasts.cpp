@@ -148,7 +148,7 @@ private slots:
         QVERIFY(completes(runner));
         for (const auto& [policy, forecast] : runner.forecasts())
             QVERIFY(forecast.state == ForecastState::Impossible);
-        runner.setScenario(shortFlight(6)); // mended
+        runner.setScenario(shortFlight(6)); // corrected
         QVERIFY(completes(runner));
         QVERIFY(stateOf(runner, PolicyKind::Nearest) == ForecastState::Known);
     }
