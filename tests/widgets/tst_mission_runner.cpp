@@ -196,6 +196,43 @@ private slots:
         QVERIFY(replayed.metrics() == record.now.metrics);
     }
 
+    /** What happens to a flight between the requests that a busy thread takes as one. */
+    void keptFlightComesBackHoweverBusyTheThreadIs()
+    {
+        SlowPaint page;
+        MissionRunner runner;
+        const Release release(page);
+        FlightRecord record;
+        runner.setExportPaint(
+            {.file = {}, .prepare = [&](const ExportFormat&, const ExportContent&) {
+                 ++page.begun;
+                 page.isLetGo.wait(false); // on the mission thread
+                 return ExportPainting{.file = [] { return std::string(); }, .look = {}};
+             }});
+        const Scenario scenario = randomScenario(4);
+        runner.setScenario(scenario);
+        runner.stepBy(50);
+        QVERIFY(follow(runner, record, [](const FlightRecord& r) { return r.now.time_s >= 50; }));
+        const auto isBack = [&] {
+            return follow(runner, record,
+                          [&](const FlightRecord& r) {
+                              return r.now.generation == runner.generation() &&
+                                     r.now.phase != RunPhase::Planning;
+                          }) &&
+                   record.now.time_s >= 50;
+        };
+        runner.requestExport({.formatId = "map-png"});
+        QTRY_COMPARE_WITH_TIMEOUT(page.begun.load(), 1, kPatience_ms);
+        runner.restart(true);
+        runner.setScenario(randomScenario(5));
+        runner.bringBack(scenario, false);
+        page.letGo();
+        QVERIFY(isBack());
+        runner.restart(true); // and once more, as it is kept but once
+        runner.bringBack(scenario, true);
+        QVERIFY(isBack());
+    }
+
     void refusesWhatTheMissionRefuses()
     {
         MissionRunner runner;

@@ -121,7 +121,7 @@ void MissionRunner::setRun(std::shared_ptr<const RunFile> run)
 {
     m_scenario = run->scenario;
     m_options = run->options;
-    begin({.run = std::move(run)});
+    begin({}, std::move(run));
 }
 
 void MissionRunner::restart(bool keepsFlight)
@@ -136,19 +136,22 @@ void MissionRunner::bringBack(const Scenario& scenario, bool keepsFlight)
     begin({.keepsFlight = keepsFlight, .bringsBack = true});
 }
 
-void MissionRunner::begin(MissionRequest request)
+void MissionRunner::begin(FlightHandover handover, std::shared_ptr<const RunFile> run)
 {
     m_stop.request_stop();
     m_stop = std::stop_source();
     ++m_generation;
     (void)m_interventions.take(); // meant for the flight that ends here
-    request.generation = m_generation;
-    request.scenario = m_scenario;
-    request.options = m_options;
-    request.stop = m_stop.get_token();
+    MissionRequest request{.generation = m_generation,
+                           .scenario = m_scenario,
+                           .options = m_options,
+                           .run = std::move(run),
+                           .handovers = {handover},
+                           .stop = m_stop.get_token()};
     const bool mustTell =
         m_requests.put(std::move(request), [](MissionRequest& waiting, MissionRequest next) {
-            next.keepsFlight = next.keepsFlight || waiting.keepsFlight;
+            next.handovers.insert(next.handovers.begin(), waiting.handovers.begin(),
+                                  waiting.handovers.end());
             waiting = std::move(next);
         });
     if (mustTell)

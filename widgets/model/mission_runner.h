@@ -9,8 +9,16 @@
 #include <QThread>
 
 #include <memory>
+#include <vector>
 
 namespace berg {
+
+/** What becomes of the flight under way when another one is asked for. */
+struct FlightHandover
+{
+    bool keepsFlight = false; ///< that of now, to be brought back
+    bool bringsBack = false;  ///< the flight that was kept
+};
 
 /** What the worker is to fly next. */
 struct MissionRequest
@@ -18,9 +26,8 @@ struct MissionRequest
     std::uint64_t generation = 0;
     Scenario scenario;
     MissionOptions options;
-    std::shared_ptr<const RunFile> run; ///< to be flown again first; null: none
-    bool keepsFlight = false;           ///< that of now, to be brought back
-    bool bringsBack = false;            ///< the flight that was kept
+    std::shared_ptr<const RunFile> run;    ///< to be flown again first; null: none
+    std::vector<FlightHandover> handovers; ///< of the requests that this one stands for, in order
     std::stop_token stop;
 };
 
@@ -104,7 +111,7 @@ signals:
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
 
 private:
-    void begin(MissionRequest request = {});
+    void begin(FlightHandover handover = {}, std::shared_ptr<const RunFile> run = {});
     [[nodiscard]] std::optional<MissionSnapshot>
     ofNow(std::optional<MissionSnapshot> snapshot) const;
     template <class Command>

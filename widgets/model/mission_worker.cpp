@@ -63,8 +63,12 @@ void MissionWorker::start()
     m_error.reset();
     m_published = {};
     m_phase = RunPhase::Planning;
-    if (settleGivenUp(std::move(present)))
+    for (const FlightHandover& handover : m_request.handovers)
+        present = handedOver(std::move(present), handover);
+    if (present.mission) {
+        takeUp(std::move(present));
         return;
+    }
     if (m_request.run) {
         flyAgain(*m_request.run);
         return;
@@ -77,22 +81,23 @@ void MissionWorker::start()
     publish();
 }
 
-bool MissionWorker::settleGivenUp(Flight present)
+MissionWorker::Flight MissionWorker::handedOver(Flight present, const FlightHandover& handover)
 {
-    const bool bringsBack = m_request.bringsBack && m_givenUp.mission;
+    const bool bringsBack = handover.bringsBack && m_givenUp.mission;
+    Flight next;
     if (bringsBack)
-        std::swap(present, m_givenUp);
-    if (!m_request.keepsFlight && bringsBack)
-        m_givenUp = {};
-    else if (m_request.keepsFlight && !bringsBack)
+        next = std::exchange(m_givenUp, {});
+    if (handover.keepsFlight)
         m_givenUp = std::move(present);
-    if (!bringsBack)
-        return false;
-    m_mission = std::move(present.mission);
+    return next;
+}
+
+void MissionWorker::takeUp(Flight flight)
+{
+    m_mission = std::move(flight.mission);
     listenToIncumbents();
-    m_phase = present.phase == RunPhase::Finished ? RunPhase::Finished : RunPhase::Paused;
+    m_phase = flight.phase == RunPhase::Finished ? RunPhase::Finished : RunPhase::Paused;
     publish();
-    return true;
 }
 
 void MissionWorker::flyAgain(const RunFile& run)

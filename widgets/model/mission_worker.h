@@ -72,9 +72,9 @@ private:
         std::unique_ptr<Mission> mission;
         RunPhase phase = RunPhase::Planning;
     };
-    /** Keeps or takes up what was given up, as the request says; true when there is no more to do.
-     */
-    bool settleGivenUp(Flight present);
+    /** What is flown on after this; no mission: the request's scenario is planned. */
+    [[nodiscard]] Flight handedOver(Flight present, const FlightHandover& handover);
+    void takeUp(Flight flight);
     void slice();
     void sliceAsFastAsPossible();
     /** Advances and keeps the phase; false when there is nothing more to fly. */
