@@ -23,7 +23,6 @@ public:
     void flyTo(std::int64_t step)
     {
         while (m_world.state().step < step) {
-            static_cast<void>(m_world.takeNews()); // as the mission did
             m_world.advanceStep();
             apply();
         }

@@ -339,6 +339,7 @@ void Simulation::advanceStep()
     require(planReason() == PlanReason::None, "advanceStep: a plan is needed first");
     require(!finished(), "advanceStep: the run is over");
     ++m_state.step; // the estimates steered at are those at the end of the step
+    m_trigger = PlanReason::None;
     std::vector<Point> before_m;
     if (uavCount() > 1)
         for (const UavState& uav : m_state.uavs)

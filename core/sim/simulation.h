@@ -280,7 +280,7 @@ public:
     [[nodiscard]] std::span<const SeenIceberg> newlySeen() const { return m_newlySeen; }
     /** Icebergs that appeared in the last step. */
     [[nodiscard]] std::span<const int> newlyAppeared() const { return m_newlyAppeared; }
-    /** What else happened since this was asked last. */
+    /** What else happened since this was asked last; asking changes nothing about the flight. */
     [[nodiscard]] std::vector<News> takeNews() { return std::exchange(m_news, {}); }
 
 private:
@@ -356,7 +356,7 @@ private:
     [[nodiscard]] bool hasSomethingToSearch(int uav) const;
     void watchArea();
     [[nodiscard]] bool appeared(int iceberg) const;
-    [[nodiscard]] PlanReason reasonOfNews() const;
+    void triggerPlans(PlanReason reason);
     [[nodiscard]] bool isWorthSearching(int uav, const Search& search) const;
     [[nodiscard]] double searchGain_m2ps(int uav, const Search& search) const;
     [[nodiscard]] double steerSearch(int uav);
@@ -428,7 +428,8 @@ private:
     std::vector<SeenIceberg> m_newlySeen;
     std::vector<int> m_newlyAppeared;
     std::vector<News> m_news;
-    std::vector<PlanReason> m_planReasons; ///< by UAV
+    PlanReason m_trigger = PlanReason::None; ///< of this step, for every UAV: the first there was
+    std::vector<PlanReason> m_planReasons;   ///< by UAV
 };
 
 } // namespace berg

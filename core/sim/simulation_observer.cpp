@@ -155,6 +155,7 @@ void Simulation::measure(std::size_t iceberg, const Point& measured_m, double no
     track.status = TrackStatus::Tracked;
     endSearchFor(i);
     m_news.push_back({.kind = EventKind::Found, .iceberg = i, .uav = seenBy});
+    triggerPlans(PlanReason::Found);
 }
 
 /** What the UAVs saw of the iceberg with one look was nothing. */
@@ -189,6 +190,7 @@ void Simulation::lose(std::size_t iceberg, int uav, std::span<const FieldOfView>
     track.inView = false;
     track.status = TrackStatus::Lost;
     m_news.push_back({.kind = EventKind::Lost, .iceberg = i, .uav = uav});
+    triggerPlans(PlanReason::Lost);
     LostSearch way(m_observer, m_crafts[index(uav)].sensor, std::sqrt(track.sigma_m2),
                    me.pose.psi_rad);
     for (const FieldOfView& view : views)
@@ -217,6 +219,7 @@ void Simulation::giveUp(Search search, int uav)
 {
     m_state.tracks[index(search.iceberg)].status = TrackStatus::GivenUp;
     m_news.push_back({.kind = EventKind::GivenUp, .iceberg = search.iceberg, .uav = uav});
+    triggerPlans(PlanReason::GivenUp);
     m_state.givenUp.push_back(std::move(search));
 }
 
@@ -380,6 +383,7 @@ void Simulation::watchArea()
                    distanceToEdges(m_area_m, estimate_m(i)) > m_bodies[index(i)].radius_m) {
             track.left = true;
             m_news.push_back({.kind = EventKind::Left, .iceberg = i});
+            triggerPlans(PlanReason::Left);
             endSearchFor(i);
         }
     }

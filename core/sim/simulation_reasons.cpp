@@ -28,6 +28,13 @@ void Simulation::needPlans(PlanReason reason)
     }
 }
 
+/** At the end of this step every UAV aloft needs a plan. */
+void Simulation::triggerPlans(PlanReason reason)
+{
+    if (m_trigger == PlanReason::None)
+        m_trigger = reason;
+}
+
 PlanReason Simulation::planReason() const
 {
     PlanReason reason = PlanReason::None;
@@ -102,8 +109,8 @@ PlanReason Simulation::reasonOf(int uav)
     UavState& me = m_state.uavs[index(uav)];
     if (me.homeward())
         return takeOffWhenDue(uav);
-    if (const PlanReason reason = reasonOfNews(); reason != PlanReason::None)
-        return reason;
+    if (m_trigger != PlanReason::None)
+        return m_trigger;
     if (me.target >= 0 && me.aim && me.mode != FlightMode::Search)
         return reasonOfAim(uav);
     if (me.target >= 0 && targetReached(uav)) {
@@ -160,29 +167,6 @@ bool Simulation::somethingForIdle(int uav) const
         if (isForIt(i))
             return true;
     return false;
-}
-
-/** Why what the log names asks for a plan; `None`: it does not. */
-PlanReason Simulation::reasonOfNews() const
-{
-    for (const News& news : m_news)
-        switch (news.kind) {
-        case EventKind::Left:
-            return PlanReason::Left;
-        case EventKind::Lost:
-            return PlanReason::Lost;
-        case EventKind::Found:
-            return PlanReason::Found;
-        case EventKind::GivenUp:
-            return PlanReason::GivenUp;
-        case EventKind::HomeBound: // what it was to visit is left to the others
-            if (uavCount() > 1)
-                return PlanReason::Fleet;
-            break;
-        default:
-            break;
-        }
-    return PlanReason::None;
 }
 
 } // namespace berg

@@ -115,6 +115,8 @@ void Simulation::goHome(int uav)
         handSearchOn(uav);
     m_planReasons[index(uav)] = PlanReason::None;
     m_news.push_back({.kind = EventKind::HomeBound, .uav = uav});
+    if (uavCount() > 1) // what it was to visit is left to the others
+        triggerPlans(PlanReason::Fleet);
 }
 
 double Simulation::steerHome(int uav)

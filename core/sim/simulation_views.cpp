@@ -103,6 +103,7 @@ void Simulation::look(std::size_t iceberg, double now_s, Views& views)
         endSearchFor(static_cast<int>(iceberg));
         m_news.push_back(
             {.kind = EventKind::Found, .iceberg = static_cast<int>(iceberg), .uav = uav});
+        triggerPlans(PlanReason::Found);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <utility>
 
 using namespace berg;
 
@@ -58,6 +59,19 @@ Scenario doubtfulField(std::int64_t seed)
 int countOf(const Mission& mission, EventKind kind)
 {
     return static_cast<int>(std::ranges::count(mission.events(), kind, &MissionEvent::kind));
+}
+
+/** One step to what is nearest; how many plans that took. */
+int flyStep(Simulation& world)
+{
+    int plans = 0;
+    for (int uav = 0; uav < world.uavCount(); ++uav)
+        if (world.planReason(uav) != PlanReason::None) {
+            world.setTarget(uav, world.nearestAvailable(uav));
+            ++plans;
+        }
+    world.advanceStep();
+    return plans;
 }
 
 } // namespace
@@ -137,6 +151,34 @@ private slots:
             }
         }
         QVERIFY2(again >= 5, qPrintable(QString::number(again)));
+    }
+
+    /** Plans were made for what the log still held: a loss that nobody had read asked for one at
+     * each step. */
+    void readingTheLogChangesNothing()
+    {
+        for (int seed = 1; seed <= 4; ++seed) {
+            Simulation read(doubtfulField(seed));
+            Simulation unread = read;
+            std::vector<EventKind> told;
+            int plans = 0;
+            const auto take = [&told](Simulation& world) {
+                for (const News& news : world.takeNews())
+                    told.push_back(news.kind);
+            };
+            while (!read.finished()) {
+                plans += flyStep(read);
+                take(read);
+                plans -= flyStep(unread);
+                QCOMPARE(plans, 0);
+                QVERIFY(read.state() == unread.state());
+            }
+            const std::vector<EventKind> all = std::exchange(told, {});
+            take(unread);
+            QVERIFY(told == all);
+            QVERIFY(std::ranges::count(all, EventKind::Lost) > 0);
+            QVERIFY(std::ranges::count(all, EventKind::HomeBound) > 0);
+        }
     }
 
     /** The simple observer too: a beacon 0.3 m/s off its dead reckoning held the UAV for ever. */
