@@ -41,10 +41,8 @@ QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio
 {
     MapPicture picture = withScenario({}, scenario);
     const PlanAnswer answer = planFromStart(scenario, {.stop = stop});
-    if (!picture.routes.empty())
-        picture.routes.front().plan = answer.order;
-    for (std::size_t uav = 0; uav < answer.fleet.size(); ++uav)
-        picture.routes[uav].plan = answer.fleet[uav].order;
+    for (std::size_t uav = 0; uav < answer.uavs.size(); ++uav)
+        picture.routes[uav].plan = answer.uavs[uav].order;
     const MapStyle style{.theme = theme, .locale = QLocale()};
     const QRectF rect(QPointF(0, 0), QSizeF(kExamplePicture_px) / kReduction);
     const MapLayout layout = arrangeMap(picture, style, rect);

@@ -4,6 +4,8 @@
 #include "core/io/files/certificate_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/results/curve_result.h"
+#include "core/plan/policy/fleet_task.h"
+#include "core/plan/policy/tau_curve.h"
 #include "core/plan/solve/tuning.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"

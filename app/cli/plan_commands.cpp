@@ -4,12 +4,9 @@
 #include "core/io/files/certificate_json.h"
 #include "core/io/files/problem_json.h"
 #include "core/io/files/scenario_json.h"
-#include "core/io/results/fleet_result.h"
-#include "core/io/results/result_json.h"
-#include "core/plan/policy/fleet_task.h"
+#include "core/io/results/plan_result.h"
 #include "core/plan/solve/tuning.h"
 #include "core/scenario/validate.h"
-#include "core/sim/clusters.h"
 #include "core/sim/mission.h"
 
 #include <CLI/CLI.hpp>
@@ -81,11 +78,11 @@ std::string provenWords(SolveStatus status, std::optional<double> gap)
     return gap ? "within " + fixed(100 * *gap, 2) + " % of optimal" : "not proven, no bound";
 }
 
-std::string solverWords(const TvpProblem& problem, const SolveOutcome& outcome)
+std::string solverWords(const FleetProblem& problem, const SolveOutcome& outcome)
 {
     std::optional<double> gap;
     if (outcome.bound)
-        gap = relativeGap(problem, outcome.objective, *outcome.bound);
+        gap = fleetGap(problem, outcome.objective, *outcome.bound);
     return provenWords(outcome.status, gap);
 }
 
@@ -104,7 +101,7 @@ std::string nameOfSecond(const SecondOpinion& second)
 }
 
 /** Why the second opinion is none. */
-std::string whyNotVerified(const SolveReport& report)
+std::string whyNotVerified(const PlanReport& report)
 {
     const SolveOutcome& second = report.secondOpinion->outcome;
     switch (second.reason) {
@@ -124,7 +121,7 @@ std::string whyNotVerified(const SolveReport& report)
                                                  : "gave no proof";
 }
 
-std::string verificationLine(const SolveReport& report)
+std::string verificationLine(const PlanReport& report)
 {
     const SecondOpinion& second = *report.secondOpinion;
     std::string text = "verify     ";
@@ -146,28 +143,51 @@ std::string verificationLine(const SolveReport& report)
     return text + '\n';
 }
 
-std::string reportText(const SolveReport& report, bool json)
+/** Ids, or the numbers of a bare problem. */
+std::string orderWords(const UavReport& uav)
+{
+    std::string text;
+    for (std::size_t i = 0; i < uav.order.size(); ++i)
+        text += ' ' + (uav.ids.empty() ? std::to_string(uav.order[i]) : word(uav.ids[i]));
+    return text;
+}
+
+/** A line for each UAV; the only one needs no name. */
+std::string orderLines(const std::vector<UavReport>& uavs)
+{
+    if (uavs.size() == 1)
+        return "order     " + orderWords(uavs.front()) + '\n';
+    std::string text;
+    for (const UavReport& uav : uavs) {
+        text += rowLabel(uav.id) + orderWords(uav) + "  (" + grouped(uav.distance_m) + " m";
+        if (uav.thisSortie)
+            text += ", the first " + std::to_string(*uav.thisSortie) + ", then home";
+        text += ")\n";
+    }
+    return text;
+}
+
+std::string reportText(const PlanReport& report, bool json)
 {
     if (json)
-        return solveJson(report);
+        return planJson(report);
     const SolveOutcome& outcome = report.outcome;
     if (outcome.status == SolveStatus::None)
         return noPlan(outcome);
-    std::string text = "order     ";
-    for (std::size_t i = 0; i < report.order.size(); ++i)
-        text += ' ' + (report.ids.empty() ? std::to_string(report.order[i]) : word(report.ids[i]));
+    std::string text = orderLines(report.uavs);
     for (const std::vector<std::string>& ids : report.clusters) {
-        text += "\ntogether  ";
+        text += "together  ";
         for (const std::string& id : ids)
             text += ' ' + word(id);
+        text += '\n';
     }
-    if (report.thisSortie)
-        text += "\nsortie     the first " + std::to_string(*report.thisSortie) + ", then home";
-    text += "\nobjective  " + fixed(outcome.objective, 3) + "  (" +
+    if (const UavReport& only = report.uavs.front(); report.uavs.size() == 1 && only.thisSortie)
+        text += "sortie     the first " + std::to_string(*only.thisSortie) + ", then home\n";
+    const std::optional<double> objective = report.objective();
+    text += "objective  " + (objective ? fixed(*objective, 3) : std::string("none")) + "  (" +
             solverWords(report.problem, outcome) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
-            " ms, " + outcome.backend + ")\ndistance   " +
-            grouped(flownDistance(report.problem, outcome.order)) + " m   mu " +
-            fixed(report.problem.mu, 6) + '\n';
+            " ms, " + outcome.backend + ")\ndistance   " + grouped(report.distance_m) + " m" +
+            (report.mu() ? "   mu " + fixed(*report.mu(), 6) : std::string()) + '\n';
     if (report.secondOpinion)
         text += verificationLine(report);
     return text;
@@ -182,40 +202,11 @@ void checkOutcome(const SolveOutcome& outcome, const std::string& file)
 }
 
 /** Proves the plan anew. */
-NewFile certificateOf(const SolveReport& report, const SolveArguments& arguments,
+NewFile certificateOf(const PlanReport& report, const SolveArguments& arguments,
                       const std::stop_token& stop)
 {
-    const TvpProblem& problem = report.problem;
-    if (problem.icebergCount() == 0 || !isVisitOrder(problem, report.outcome.order))
-        throw Error(ErrorCode::Unsupported, arguments.file,
-                    "this plan solves no problem that a certificate could be for");
-    Certificate certificate = certificateFor(problem);
-    certificate.proofs.push_back(certify(problem, report.outcome.order, stop));
-    if (stop.stop_requested())
-        throw Interrupted{};
-    return {.path = arguments.certificateFile, .content = certificateJson(certificate)};
-}
-
-/** The same for several UAVs: the problem is made again from the scenario. */
-NewFile certificateOf(const Scenario& scenario, const PlanAnswer& answer,
-                      const SolveArguments& arguments, const std::stop_token& stop)
-{
-    PlanRequest request = requestFor(Simulation(scenario), scenario.planner.policy);
-    for (std::size_t k = 0; k < request.fleet.size(); ++k)
-        request.fleet[k].lastRest = answer.fleet[k].order;
-    FleetTask task = fleetTask(request);
-    task.problem.mu = answer.problem.mu;
-    task.problem.criterion = answer.problem.criterion;
-    task.problem.route =
-        answer.problem.criterion == Criterion::Latency ? Route::Open : scenario.planner.route;
-    const FleetPlan plan = lastRests(request, task);
-    const bool isProblem = scenario.planner.policy == PolicyKind::Visitation ||
-                           task.problem.criterion == Criterion::Latency;
-    if (!isProblem || task.problem.icebergCount() == 0 || !isFleetPlan(task.problem, plan))
-        throw Error(ErrorCode::Unsupported, arguments.file,
-                    "this plan solves no problem that a certificate could be for");
-    const Certificate certificate{.problem = task.problem,
-                                  .proofs = {certify(task.problem, plan, stop)}};
+    const Certificate certificate{.problem = report.problem,
+                                  .proofs = {certify(report.problem, report.outcome.plan, stop)}};
     if (stop.stop_requested())
         throw Interrupted{};
     return {.path = arguments.certificateFile, .content = certificateJson(certificate)};
@@ -229,9 +220,22 @@ void checkSolveFiles(const SolveArguments& arguments)
                 .json = arguments.json});
 }
 
-int conclude(SolveReport& report, const SolveArguments& arguments, const SolveOptions& options)
+/** Fixed routes that go on and the plans of several UAVs with aim points solve none. */
+void checkProblem(const PlanReport& report, const SolveArguments& arguments)
+{
+    const bool certifies = !arguments.certificateFile.empty();
+    if (report.outcome.status == SolveStatus::None || (!certifies && !arguments.verify))
+        return;
+    if (!isFleetPlan(report.problem, report.outcome.plan) ||
+        (certifies && report.problem.icebergCount() == 0))
+        throw Error(ErrorCode::Unsupported, arguments.file,
+                    "this plan solves no problem that could be verified or certified");
+}
+
+int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOptions& options)
 {
     checkOutcome(report.outcome, arguments.file);
+    checkProblem(report, arguments);
     if (arguments.verify)
         report.secondOpinion =
             secondOpinion(report.problem, report.outcome, options, arguments.formulation);
@@ -265,51 +269,11 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
     const SolveOptions options = optionsOf(arguments, stop);
     const auto solver = makeSolver(arguments.backend.value_or(Backend::Auto),
                                    arguments.formulation.value_or(Formulation::Position));
-    const SolveOutcome outcome = solver->solve(problem, options);
-    SolveReport report{.problem = problem, .outcome = outcome, .order = outcome.order};
+    PlanReport report{
+        .problem = problemOf(problem), .outcome = solver->solve(problem, options), .uavs = {}};
+    report.uavs.push_back({.id = {}, .order = report.outcome.order(), .ids = {}});
+    report.distance_m = flownDistance(problem, report.outcome.order());
     return conclude(report, arguments, options);
-}
-
-/** A line for each UAV. */
-std::string orderLines(const std::vector<UavReport>& uavs)
-{
-    std::string text;
-    for (const UavReport& uav : uavs) {
-        text += rowLabel(uav.id);
-        for (const std::string& id : uav.ids)
-            text += ' ' + word(id);
-        text += "  (" + grouped(uav.distance_m) + " m";
-        if (uav.thisSortie)
-            text += ", the first " + std::to_string(*uav.thisSortie) + ", then home";
-        text += ")\n";
-    }
-    return text;
-}
-
-std::string fleetText(const FleetReport& report)
-{
-    const SolveOutcome& outcome = report.outcome;
-    if (outcome.status == SolveStatus::None)
-        return noPlan(outcome);
-    const std::string objective =
-        report.objective ? fixed(*report.objective, 3) : std::string("none");
-    return orderLines(report.uavs) + "objective  " + objective + "  (" +
-           provenWords(outcome.status, report.gap) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
-           " ms, " + outcome.backend + ")\ndistance   " + grouped(report.distance_m()) + " m" +
-           (report.mu ? "   mu " + fixed(*report.mu, 6) : std::string()) + '\n';
-}
-
-int planFleet(const Scenario& scenario, const PlanAnswer& answer, const SolveArguments& arguments,
-              const std::stop_token& stop)
-{
-    checkOutcome(answer.outcome, arguments.file);
-    const bool isPlanned = answer.outcome.status != SolveStatus::None;
-    const FleetReport report = fleetReport(scenario, answer);
-    std::vector<NewFile> files;
-    if (isPlanned && !arguments.certificateFile.empty())
-        files.push_back(certificateOf(scenario, answer, arguments, stop));
-    deliver(files, arguments.json ? fleetJson(report) : fleetText(report));
-    return isPlanned ? kDone : kLimitWithoutPlan;
 }
 
 int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
@@ -324,31 +288,12 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     planner.policy = arguments.policy.value_or(planner.policy);
     planner.backend = arguments.backend.value_or(planner.backend);
     planner.formulation = arguments.formulation.value_or(planner.formulation);
-    const bool isFleet = scenario.uavs.size() > 1;
-    if (isFleet && arguments.verify)
-        throw UsageError{"plan: --verify is for one UAV; this scenario has " +
-                         std::to_string(scenario.uavs.size())};
     printWarnings(arguments.file, validate(scenario));
 
     const SolveOptions options = optionsOf(arguments, stop);
     const PlanAnswer answer = planFromStart(scenario, options);
-    if (isFleet)
-        return planFleet(scenario, answer, arguments, stop);
-    SolveReport report{.problem = answer.problem, .outcome = answer.outcome};
-    const auto idOf = [&](int iceberg) {
-        return scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
-    };
-    for (const int node : answer.outcome.order) {
-        const int first = answer.solvedIds[static_cast<std::size_t>(node - 1)];
-        const std::span<const int> members = clusterWith(answer.clusters, first);
-        for (const int iceberg : members.empty() ? std::span(&first, 1) : members) {
-            report.order.push_back(iceberg + 1);
-            report.ids.push_back(idOf(iceberg));
-        }
-    }
-    for (const std::vector<int>& members : answer.clusters)
-        std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
-    report.thisSortie = thisSortie(Simulation(scenario), 0, answer.order, answer.clusters);
+    checkOutcome(answer.outcome, arguments.file);
+    PlanReport report = planReport(scenario, answer);
     return conclude(report, arguments, options);
 }
 

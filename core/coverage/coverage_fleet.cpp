@@ -24,8 +24,8 @@ std::size_t viewerOf(const PlanRequest& request, std::size_t iceberg)
 {
     std::size_t nearest = 0;
     double nearest_m = std::numeric_limits<double>::infinity();
-    for (std::size_t u = 0; u < request.fleet.size(); ++u) {
-        const FlightPicture& picture = *request.fleet[u].picture;
+    for (std::size_t u = 0; u < request.uavs.size(); ++u) {
+        const FlightPicture& picture = *request.uavs[u].picture;
         const Point place_m = picture.tracks[iceberg].estimate_m(picture.time_s);
         const double away_m = (place_m - picture.uav.position_m).norm();
         if (away_m < nearest_m) {
@@ -46,7 +46,7 @@ bool isInViewOf(const FlightPicture& picture, std::size_t iceberg)
 std::vector<FlightPicture> ownPictures(const PlanRequest& request)
 {
     std::vector<FlightPicture> own;
-    for (const UavRequest& uav : request.fleet) {
+    for (const UavRequest& uav : request.uavs) {
         require(uav.picture != nullptr, "CoverageFleet: a UAV has no picture of its flight");
         own.push_back(*uav.picture);
     }
@@ -84,7 +84,7 @@ std::vector<CoverageModel> modelsOf(std::span<const FlightPicture> pictures,
 /** What is in view of a UAV now may be visited again later, by any of them. */
 CoverageLimits limitsOf(const PlanRequest& request, std::size_t uav)
 {
-    CoverageLimits limits{.any = availableToAny(request), .first = request.fleet[uav].available};
+    CoverageLimits limits{.any = availableToAny(request), .first = request.uavs[uav].available};
     for (std::size_t k = 0; k < limits.any.size(); ++k)
         limits.any[k] = !limits.any[k] || limits.first[k];
     return limits;
@@ -94,15 +94,15 @@ CoverageLimits limitsOf(const PlanRequest& request, std::size_t uav)
 FleetProblem fleetProblem(const PlanRequest& request)
 {
     constexpr double kTau = 1;
-    FleetProblem problem{.sigma_m2 = request.problem.sigma_m2};
-    problem.allowed.assign(request.fleet.size(), std::vector<bool>(problem.sigma_m2.size(), true));
-    for (const UavRequest& uav : request.fleet)
+    FleetProblem problem{.sigma_m2 = request.sigma_m2};
+    problem.allowed.assign(request.uavs.size(), std::vector<bool>(problem.sigma_m2.size(), true));
+    for (const UavRequest& uav : request.uavs)
         problem.distance_m.push_back(uav.distance_m);
     for (std::size_t k = 0; k < request.ids.size(); ++k) {
         const auto may = [k](const UavRequest& uav) { return uav.available[k]; };
-        if (std::ranges::any_of(request.fleet, may)) // else in view now, and any may come later
-            for (std::size_t u = 0; u < request.fleet.size(); ++u)
-                problem.allowed[u][k + 1] = request.fleet[u].available[k];
+        if (std::ranges::any_of(request.uavs, may)) // else in view now, and any may come later
+            for (std::size_t u = 0; u < request.uavs.size(); ++u)
+                problem.allowed[u][k + 1] = request.uavs[u].available[k];
     }
     problem.mu = fleetTuningWeight(problem, request.betweenUavs_m, kTau).mu;
     return problem;
@@ -115,7 +115,7 @@ VisitOrder tourOf(TvpProblem problem, const VisitOrder& nodes, const SolveOption
     problem.mu = 1;
     std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
     const VisitOrder found =
-        makeSolver(Backend::Auto)->solve(restrictedTo(problem, nodes), limits).order;
+        makeSolver(Backend::Auto)->solve(restrictedTo(problem, nodes), limits).order();
     VisitOrder tour;
     for (const int node : found)
         tour.push_back(nodes[static_cast<std::size_t>(node - 1)]);
@@ -126,14 +126,8 @@ VisitOrder tourOf(TvpProblem problem, const VisitOrder& nodes, const SolveOption
 std::vector<Plans> firstPlans(const PlanRequest& request, const SolveOptions& limits)
 {
     const FleetProblem problem = fleetProblem(request);
-    FleetPlan orders = solveFleet(problem, Backend::Auto,
-                                  {.timeLimit_s = limits.timeLimit_s,
-                                   .workLimit = limits.workLimit,
-                                   .hint = {},
-                                   .stop = limits.stop,
-                                   .onProgress = {}})
-                           .plan;
-    orders.resize(request.fleet.size());
+    FleetPlan orders = solveFleet(problem, Backend::Auto, limits).plan;
+    orders.resize(request.uavs.size());
     Plans once;
     Plans round;
     for (std::size_t u = 0; u < orders.size(); ++u) {
@@ -141,7 +135,7 @@ std::vector<Plans> firstPlans(const PlanRequest& request, const SolveOptions& li
         const TvpProblem own = problemOfUav(problem, static_cast<int>(u));
         round.push_back(straightPlan(tourOf(own, orders[u], limits), kRounds));
     }
-    return {Plans(request.fleet.size()), once, round};
+    return {Plans(request.uavs.size()), once, round};
 }
 
 FleetCoverageSearch searchFor(const PlanRequest& request, std::span<const CoverageModel> models)
@@ -149,7 +143,7 @@ FleetCoverageSearch searchFor(const PlanRequest& request, std::span<const Covera
     std::vector<CoverageFlyer> flyers;
     for (std::size_t u = 0; u < models.size(); ++u)
         flyers.push_back({.model = models[u], .limits = limitsOf(request, u)});
-    const FlightPicture& picture = *request.fleet.front().picture;
+    const FlightPicture& picture = *request.uavs.front().picture;
     return {std::move(flyers), picture.seed,
             stableHash("coverage") + static_cast<std::uint64_t>(picture.step)};
 }
@@ -201,7 +195,7 @@ double flown_m(const PlanRequest& request, std::span<const UavAnswer> answers)
         for (const int id : answers[u].order) {
             const auto it = std::find(request.ids.begin(), request.ids.end(), id);
             const Eigen::Index to = it - request.ids.begin() + 1;
-            sum_m += request.fleet[u].distance_m(from, to);
+            sum_m += request.uavs[u].distance_m(from, to);
             from = to;
         }
     }
@@ -213,13 +207,13 @@ PlanAnswer answerOf(const PlanRequest& request, std::span<const FlightPicture> p
                     const FleetCoverage& found)
 {
     const std::vector<FlightPicture> all(pictures.begin(), pictures.end());
-    PlanAnswer answer{.fleet = describeFleet(modelsOf(pictures), request, found.plans)};
+    PlanAnswer answer{.uavs = describeFleet(modelsOf(pictures), request, found.plans)};
     answer.predictedZeta_m2s =
         isWeighted(all.front()) ? zeta_m2s(all, std::nullopt, found.plans) : found.total_m2s;
     const double outlook_m2s = zeta_m2s(all, 0, found.plans);
-    for (UavAnswer& uav : answer.fleet)
+    for (UavAnswer& uav : answer.uavs)
         uav.outlook->zeta_m2s = outlook_m2s;
-    answer.distance_m = flown_m(request, answer.fleet);
+    answer.distance_m = flown_m(request, answer.uavs);
     return answer;
 }
 
@@ -241,8 +235,10 @@ public:
             return;
         m_next_s = elapsed_s + kBetween_s;
         SolveProgress progress{.objective = better.total_m2s, .elapsed_s = elapsed_s};
-        for (const UavAnswer& uav : describeFleet(m_models, m_request, better.plans))
-            progress.fleet.push_back(uav.order);
+        for (UavAnswer& uav : describeFleet(m_models, m_request, better.plans)) {
+            progress.plan.push_back(std::move(uav.order));
+            progress.legs.push_back(std::move(uav.legs));
+        }
         m_options.onProgress(progress);
     }
 
@@ -262,7 +258,7 @@ PlanAnswer CoverageFleet::plan(const PlanRequest& request, const SolveOptions& o
     const SolveWatch watch(options);
     const std::vector<FlightPicture> pictures = ownPictures(request);
     const std::vector<bool> any = availableToAny(request);
-    PlanAnswer answer{.fleet = std::vector<UavAnswer>(request.fleet.size())};
+    PlanAnswer answer{.uavs = std::vector<UavAnswer>(request.uavs.size())};
     if (std::find(any.begin(), any.end(), true) != any.end()) {
         const std::vector<CoverageModel> models = modelsOf(pictures);
         FleetCoverageSearch search = searchFor(request, models);
@@ -270,15 +266,15 @@ PlanAnswer CoverageFleet::plan(const PlanRequest& request, const SolveOptions& o
         if (options.onProgress && isFirst)
             search.setListener(FleetTeller(models, request, options));
         std::optional<Plans> warm;
-        for (const UavRequest& uav : request.fleet)
+        for (const UavRequest& uav : request.uavs)
             if (!uav.lastRest.empty() && !isFirst)
                 warm = Plans();
         if (warm)
-            for (const UavRequest& uav : request.fleet)
+            for (const UavRequest& uav : request.uavs)
                 warm->push_back(restOf(m_last[uav.uav], request.ids));
         const FleetCoverage found = isFirst
                                         ? first(search, request, options, watch)
-                                        : next(search, warm, options, watch, request.fleet.size());
+                                        : next(search, warm, options, watch, request.uavs.size());
         const std::optional<StopReason> cut = watch.cut();
         if (cut == StopReason::Cancelled)
             return {.outcome = {.reason = StopReason::Cancelled, .backend = "coverage"}};
@@ -288,7 +284,7 @@ PlanAnswer CoverageFleet::plan(const PlanRequest& request, const SolveOptions& o
         answer.outcome.hintUsed = warm.has_value();
         m_last.clear();
         for (std::size_t u = 0; u < found.plans.size(); ++u)
-            m_last[request.fleet[u].uav] = keptPlan(found.plans[u], request.ids);
+            m_last[request.uavs[u].uav] = keptPlan(found.plans[u], request.ids);
     }
     answer.outcome.status = SolveStatus::Feasible;
     answer.outcome.backend = "coverage";

@@ -11,7 +11,7 @@ namespace berg {
 class CoverageFleet
 {
 public:
-    /** As `Policy::plan`, of a request with a fleet; each of its UAVs must have a picture. */
+    /** As `Policy::plan`; each of the UAVs must have a picture. */
     [[nodiscard]] PlanAnswer plan(const PlanRequest& request, const SolveOptions& options);
 
 private:

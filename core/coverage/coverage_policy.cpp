@@ -19,25 +19,30 @@ CoverageSearch searchFor(const CoverageModel& model, const FlightPicture& pictur
     return CoverageSearch(model, Random(picture.seed, stream));
 }
 
+/** All icebergs, for the only UAV. */
+TvpProblem wholeProblem(const PlanRequest& request)
+{
+    return {.distance_m = request.uavs.front().distance_m, .sigma_m2 = request.sigma_m2};
+}
+
 /** Greedy, the paper's order, that of least waiting, and the shortest tour, either way round. */
 std::vector<CoveragePlan> firstPlans(const PlanRequest& request, const SolveOptions& limits)
 {
     constexpr double kTau = 1;
     const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
-    TvpProblem problem = request.problem;
-    problem.route = Route::Open;
+    TvpProblem problem = wholeProblem(request);
     problem.mu = tuningWeight(problem, kTau).mu;
-    const VisitOrder order = solver->solve(problem, limits).order;
+    const VisitOrder order = solver->solve(problem, limits).order();
     problem.mu = 1;
     VisitOrder soonest;
     if (*std::max_element(problem.sigma_m2.begin(), problem.sigma_m2.end()) > 0) {
         problem.criterion = Criterion::Latency;
-        soonest = solver->solve(problem, limits).order;
+        soonest = solver->solve(problem, limits).order();
         problem.criterion = Criterion::Visitation;
     }
     std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
     problem.route = Route::Closed;
-    VisitOrder tour = solver->solve(problem, limits).order;
+    VisitOrder tour = solver->solve(problem, limits).order();
     const CoveragePlan there = straightPlan(tour, kRounds);
     std::reverse(tour.begin(), tour.end());
     return {
@@ -48,17 +53,24 @@ std::vector<CoveragePlan> firstPlans(const PlanRequest& request, const SolveOpti
 PlanAnswer answerOf(const CoverageModel& model, const PlanRequest& request,
                     const CoverageResult& found)
 {
-    DescribedPlan described = describe(model, request, found.plan);
-    PlanAnswer answer{.problem = restrictedTo(request.problem, described.nodes),
-                      .legs = std::move(described.legs),
+    const UavRequest& uav = request.uavs.front();
+    DescribedPlan described = describe(model, uav, request.ids, found.plan);
+    const TvpProblem problem = restrictedTo(wholeProblem(request), described.nodes);
+    VisitOrder order(described.nodes.size());
+    std::iota(order.begin(), order.end(), 1);
+    PlanAnswer answer{.outcome = {.objective = objective(problem, order)},
+                      .problem = problemOf(problem),
                       .predictedZeta_m2s = found.total_m2s,
-                      .outlook = std::move(described.outlook)};
+                      .distance_m = flownDistance(problem, order)};
+    if (!described.outlook.sightings_s.empty())
+        answer.distance_m =
+            request.speed_mps * (described.outlook.sightings_s.back() - uav.picture->time_s);
     for (const int node : described.nodes)
-        answer.order.push_back(request.ids[static_cast<std::size_t>(node - 1)]);
-    answer.solvedIds = answer.order;
-    answer.outcome.order.resize(answer.order.size());
-    std::iota(answer.outcome.order.begin(), answer.outcome.order.end(), 1);
-    answer.outcome.objective = objective(answer.problem, answer.outcome.order);
+        answer.solvedIds.push_back(request.ids[static_cast<std::size_t>(node - 1)]);
+    answer.uavs = {{.order = answer.solvedIds,
+                    .legs = std::move(described.legs),
+                    .outlook = std::move(described.outlook)}};
+    answer.outcome.plan = {std::move(order)};
     return answer;
 }
 
@@ -80,10 +92,10 @@ public:
             return;
         m_next_s = elapsed_s + kBetween_s;
         PlanAnswer answer = answerOf(m_model, m_request, better);
-        m_options.onProgress({.order = std::move(answer.order),
+        m_options.onProgress({.plan = {std::move(answer.uavs.front().order)},
                               .objective = better.total_m2s,
                               .elapsed_s = elapsed_s,
-                              .legs = std::move(answer.legs)});
+                              .legs = {std::move(answer.uavs.front().legs)}});
     }
 
 private:
@@ -98,10 +110,10 @@ private:
 class CoveragePolicy final : public Policy
 {
 public:
-    PlanAnswer plan(const PlanRequest& request, std::span<const int> lastRest,
-                    const SolveOptions& options) override;
+    PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override;
 
 private:
+    [[nodiscard]] PlanAnswer planOfOne(const PlanRequest& request, const SolveOptions& options);
     [[nodiscard]] static CoverageResult first(CoverageSearch& search, const PlanRequest& request,
                                               const SolveOptions& options, const SolveWatch& watch);
     [[nodiscard]] CoverageResult next(CoverageSearch& search, const PlanRequest& request,
@@ -109,6 +121,7 @@ private:
                                       const SolveWatch& watch) const;
 
     KeptPlan m_last; ///< the plan that is flown; empty: none yet
+    bool m_isOfSeveral = false;
     CoverageFleet m_fleet;
 };
 
@@ -146,7 +159,7 @@ CoverageResult CoveragePolicy::next(CoverageSearch& search, const PlanRequest& r
 /** The plan was found with weights; zeta, which it is predicted to come to, has none. */
 PlanAnswer unweightedAnswer(const PlanRequest& request, const CoverageResult& found)
 {
-    FlightPicture picture = *request.picture;
+    FlightPicture picture = *request.uavs.front().picture;
     picture.weights.clear();
     const CoverageModel model(picture, horizonOf(picture));
     CoverageState state = model.start();
@@ -155,21 +168,26 @@ PlanAnswer unweightedAnswer(const PlanRequest& request, const CoverageResult& fo
     return answerOf(model, request, {.plan = found.plan, .total_m2s = model.total_m2s(state)});
 }
 
-PlanAnswer CoveragePolicy::plan(const PlanRequest& request, std::span<const int> lastRest,
-                                const SolveOptions& options)
+PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& options)
 {
-    if (!request.fleet.empty())
-        return m_fleet.plan(request, options);
-    require(request.picture != nullptr, "CoveragePolicy: the request has no picture of the flight");
+    // Those of several may be planned alone later, but go on from what they fly.
+    m_isOfSeveral = m_isOfSeveral || request.uavs.size() > 1;
+    return m_isOfSeveral ? m_fleet.plan(request, options) : planOfOne(request, options);
+}
+
+PlanAnswer CoveragePolicy::planOfOne(const PlanRequest& request, const SolveOptions& options)
+{
+    const UavRequest& uav = request.uavs.front();
+    require(uav.picture != nullptr, "CoveragePolicy: the request has no picture of the flight");
     const Stopwatch clock;
     const SolveWatch watch(options);
-    PlanAnswer answer;
-    const bool nothing = std::none_of(request.available.begin(), request.available.end(),
-                                      [](bool available) { return available; });
+    PlanAnswer answer{.uavs = std::vector<UavAnswer>(1)};
+    const bool nothing =
+        std::find(uav.available.begin(), uav.available.end(), true) == uav.available.end();
     if (!nothing) {
-        const CoverageModel model(*request.picture, horizonOf(*request.picture));
-        CoverageSearch search = searchFor(model, *request.picture);
-        const bool warmStart = !lastRest.empty();
+        const CoverageModel model(*uav.picture, horizonOf(*uav.picture));
+        CoverageSearch search = searchFor(model, *uav.picture);
+        const bool warmStart = !uav.lastRest.empty();
         if (options.onProgress && m_last.empty()) // later plans take a few milliseconds
             search.setListener(ProgressTeller(model, request, options));
         const CoverageResult found = m_last.empty()
@@ -178,8 +196,8 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, std::span<const int>
         const std::optional<StopReason> cut = watch.cut();
         if (cut == StopReason::Cancelled)
             return {.outcome = {.reason = StopReason::Cancelled, .backend = "coverage"}};
-        answer = isWeighted(*request.picture) ? unweightedAnswer(request, found)
-                                              : answerOf(model, request, found);
+        answer = isWeighted(*uav.picture) ? unweightedAnswer(request, found)
+                                          : answerOf(model, request, found);
         answer.outcome.reason = cut.value_or(StopReason::WorkLimit);
         answer.outcome.work = search.work();
         answer.outcome.hintUsed = warmStart && !m_last.empty();

@@ -27,10 +27,10 @@ std::vector<int> owners(const PlanRequest& request, std::span<const CoveragePlan
     std::vector<int> owner(request.ids.size(), -1);
     for (std::size_t k = 0; k < request.ids.size(); ++k)
         for (std::size_t u = 0; u < plans.size(); ++u) {
-            if (!request.fleet[u].available[k])
+            if (!request.uavs[u].available[k])
                 continue;
             const auto away_m = [&](std::size_t v) {
-                return request.fleet[v].distance_m(0, static_cast<Eigen::Index>(k) + 1);
+                return request.uavs[v].distance_m(0, static_cast<Eigen::Index>(k) + 1);
             };
             const auto was = static_cast<std::size_t>(owner[k]);
             if (owner[k] < 0 || sightings_s[u][k] < sightings_s[was][k] ||
@@ -65,7 +65,7 @@ UavAnswer answerOf(DescribedPlan described, std::span<const double> sightings_s,
 std::vector<bool> availableToAny(const PlanRequest& request)
 {
     std::vector<bool> any(request.ids.size(), false);
-    for (const UavRequest& uav : request.fleet)
+    for (const UavRequest& uav : request.uavs)
         for (std::size_t k = 0; k < any.size(); ++k)
             any[k] = any[k] || uav.available[k];
     return any;
@@ -75,14 +75,13 @@ std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,
                                      const PlanRequest& request,
                                      std::span<const CoveragePlan> plans)
 {
-    PlanRequest own;
-    own.ids = request.ids;
+    UavRequest own;
     own.available = availableToAny(request);
     std::vector<DescribedPlan> described;
     std::vector<std::vector<double>> sightings_s;
     for (std::size_t u = 0; u < models.size(); ++u) {
-        own.picture = request.fleet[u].picture;
-        described.push_back(describe(models[u], own, plans[u]));
+        own.picture = request.uavs[u].picture;
+        described.push_back(describe(models[u], own, request.ids, plans[u]));
         sightings_s.push_back(sightingsOf(described[u], request.ids.size()));
     }
     const std::vector<int> owner = owners(request, plans, sightings_s);

@@ -9,9 +9,9 @@
 namespace berg {
 
 /**
- * Plans of several UAVs in the words of those who fly and watch, one for each of the request's
- * fleet. An iceberg is in the order of the UAV whose first leg is to it, else of the one that is
- * first to see it, else of the nearest, always of one that may be sent there. The outlooks are
+ * Plans of several UAVs in the words of those who fly and watch, one for each of the
+ * request's. An iceberg is in the order of the UAV whose first leg is to it, else of the one that
+ * is first to see it, else of the nearest, always of one that may be sent there. The outlooks are
  * without zeta. `models`: of the request's pictures, without views of others.
  */
 [[nodiscard]] std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,

@@ -7,7 +7,7 @@ namespace berg {
 namespace {
 
 /** The available nodes in that order, and the times of the sightings there are. */
-void orderBySighting(DescribedPlan& described, const PlanRequest& request,
+void orderBySighting(DescribedPlan& described, const UavRequest& request,
                      std::vector<CoverageSighting> sightings)
 {
     std::stable_sort(sightings.begin(), sightings.end(),
@@ -27,7 +27,7 @@ void orderBySighting(DescribedPlan& described, const PlanRequest& request,
 }
 
 /** An iceberg in view now comes into view again only if it leaves it, which is hard to predict. */
-double firstSighting_s(const PlanRequest& request, const std::vector<CoverageSighting>& sightings,
+double firstSighting_s(const UavRequest& request, const std::vector<CoverageSighting>& sightings,
                        double latest_s)
 {
     double first_s = latest_s;
@@ -39,8 +39,8 @@ double firstSighting_s(const PlanRequest& request, const std::vector<CoverageSig
 
 } // namespace
 
-DescribedPlan describe(const CoverageModel& model, const PlanRequest& request,
-                       const CoveragePlan& plan)
+DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
+                       std::span<const int> ids, const CoveragePlan& plan)
 {
     DescribedPlan described;
     std::vector<CoverageSighting> all;
@@ -50,7 +50,7 @@ DescribedPlan describe(const CoverageModel& model, const PlanRequest& request,
         const CoverageModel::Course course = model.course(state, leg);
         onLeg.clear();
         model.fly(state, leg, &onLeg);
-        described.legs.push_back({.iceberg = request.ids[static_cast<std::size_t>(leg.iceberg)],
+        described.legs.push_back({.iceberg = ids[static_cast<std::size_t>(leg.iceberg)],
                                   .turn_rad = course.turn.turn_rad,
                                   .from_m = course.turn.end.position_m,
                                   .abeam_m = course.abeam_m,

@@ -3,6 +3,7 @@
 #include "core/coverage/coverage_model.h"
 #include "core/plan/policy/policy.h"
 
+#include <span>
 #include <vector>
 
 namespace berg {
@@ -19,8 +20,9 @@ struct DescribedPlan
     AimedOutlook outlook; ///< flown to the horizon of the model
 };
 
-/** `request` is what the model was made of; its picture must be there. */
-[[nodiscard]] DescribedPlan describe(const CoverageModel& model, const PlanRequest& request,
-                                     const CoveragePlan& plan);
+/** `request` is what the model was made of, of icebergs with these ids; its picture must be there.
+ */
+[[nodiscard]] DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
+                                     std::span<const int> ids, const CoveragePlan& plan);
 
 } // namespace berg

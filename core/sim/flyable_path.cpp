@@ -19,10 +19,7 @@ constexpr double kLeastPatience_s = 3600;
 /** Time enough to fly the order, seconds. */
 double longestFlight_s(const Scenario& scene, const UavOrder& order)
 {
-    PlanAnswer plan;
-    plan.order = order.icebergs;
-    plan.clusters = order.clusters;
-    const std::vector<Visit> visits = plannedVisits(scene, plan);
+    const std::vector<Visit> visits = plannedVisits(scene, order.icebergs, order.clusters);
     const double straight_s = visits.empty() ? 0 : visits.back().time_s;
     return std::min(604800.0, kLeastPatience_s + kPatience * straight_s);
 }

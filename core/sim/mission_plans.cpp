@@ -15,50 +15,35 @@ namespace {
 PlanEvent planEvent(const PlanAnswer& answer)
 {
     const SolveOutcome& outcome = answer.outcome;
-    PlanEvent event{.clusters = answer.clusters,
-                    .predictedZeta_m2s = answer.predictedZeta_m2s,
-                    .status = outcome.status,
-                    .stop = outcome.reason,
-                    .backend = outcome.backend,
-                    .criterion = answer.problem.criterion,
-                    .mu = answer.problem.mu,
-                    .objective = outcome.objective,
-                    .bound = outcome.bound,
-                    .gap = answer.gap,
-                    .distance_m = answer.distance_m,
-                    .elapsed_s = outcome.elapsed_s,
-                    .warmStarted = outcome.hintUsed,
-                    .fellBack = answer.fellBack};
-    if (!outcome.order.empty())
-        event.distance_m = flownDistance(answer.problem, outcome.order);
-    if (answer.fleet.empty() && outcome.bound && outcome.status != SolveStatus::None)
-        event.gap = relativeGap(answer.problem, outcome.objective, *outcome.bound);
-    return event;
-}
-
-/** The answer for one UAV alone as that for a fleet of one. */
-UavAnswer onlyAnswer(const PlanAnswer& answer)
-{
-    return {.order = answer.order, .legs = answer.legs, .outlook = answer.outlook};
+    return {.clusters = answer.clusters,
+            .predictedZeta_m2s = answer.predictedZeta_m2s,
+            .status = outcome.status,
+            .stop = outcome.reason,
+            .backend = outcome.backend,
+            .criterion = answer.problem.criterion,
+            .mu = answer.problem.mu,
+            .objective = outcome.objective,
+            .bound = outcome.bound,
+            .gap = answer.gap,
+            .distance_m = answer.distance_m,
+            .elapsed_s = outcome.elapsed_s,
+            .warmStarted = outcome.hintUsed,
+            .fellBack = answer.fellBack};
 }
 
 /** One event for each UAV of the request; time and reasons are the caller's. */
 std::vector<PlanEvent> planEvents(const PlanAnswer& answer, const PlanRequest& request)
 {
-    const bool isFleet = !request.fleet.empty();
     std::vector<PlanEvent> events;
-    for (std::size_t k = 0; k < (isFleet ? answer.fleet.size() : 1); ++k) {
-        UavAnswer own = isFleet ? answer.fleet[k] : onlyAnswer(answer);
+    for (std::size_t k = 0; k < answer.uavs.size(); ++k) {
+        const UavAnswer& own = answer.uavs[k];
         PlanEvent event = planEvent(answer);
-        event.uav = isFleet ? request.fleet[k].uav : 0;
+        event.uav = request.uavs[k].uav;
         event.sameSolve = k > 0;
         event.target = own.order.empty() ? -1 : own.order.front();
-        event.order = std::move(own.order);
-        event.legs = std::move(own.legs);
-        event.outlook = std::move(own.outlook);
-        if (!isFleet && event.outlook && !event.outlook->sightings_s.empty())
-            event.distance_m =
-                request.speed_mps * (event.outlook->sightings_s.back() - request.picture->time_s);
+        event.order = own.order;
+        event.legs = own.legs;
+        event.outlook = own.outlook;
         events.push_back(std::move(event));
     }
     return events;
@@ -300,17 +285,16 @@ void Mission::tellIncumbent(const SolveProgress& progress, const PlanRequest& re
                     .objective = progress.objective,
                     .bound = progress.bound,
                     .elapsed_s = progress.elapsed_s};
-    const bool isFleet = !request.fleet.empty();
-    for (std::size_t k = 0; k < (isFleet ? progress.fleet.size() : 1); ++k) {
-        event.uav = isFleet ? request.fleet[k].uav : 0;
+    if (std::ranges::all_of(progress.plan, &std::vector<int>::empty))
+        return;
+    for (std::size_t k = 0; k < progress.plan.size(); ++k) {
+        event.uav = request.uavs[k].uav;
         event.sameSolve = k > 0;
-        event.order = isFleet ? progress.fleet[k] : progress.order;
-        if (event.order.empty() && !isFleet)
-            return;
+        event.order = progress.plan[k];
         event.reason = m_simulation.planReason(event.uav);
         event.target = event.order.empty() ? -1 : event.order.front();
         event.thisSortie = thisSortie(m_simulation, event.uav, event.order, event.clusters);
-        event.legs = isFleet ? std::vector<AimedLeg>() : progress.legs;
+        event.legs = progress.legs.empty() ? std::vector<AimedLeg>() : progress.legs[k];
         m_incumbentListener(event);
     }
 }

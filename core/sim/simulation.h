@@ -225,8 +225,7 @@ public:
 
     /**
      * Distances over ground (air distances in wind) and sigmas of the active icebergs, times their
-     * priorities; of the UAVs planned together, `PlanRequest::fleet`, when the scenario has
-     * several.
+     * priorities, of the UAVs that are planned now; of the first one when none is.
      */
     [[nodiscard]] PlanRequest planRequest() const;
     /**
@@ -318,7 +317,8 @@ private:
     [[nodiscard]] bool targetReached(int uav) const;
     [[nodiscard]] PlanRequest withClusters(PlanRequest single,
                                            std::vector<std::vector<int>> clusters) const;
-    [[nodiscard]] PlanRequest requestOf(int uav) const;
+    [[nodiscard]] UavRequest uavRequest(int uav, const std::vector<int>& ids) const;
+    [[nodiscard]] Eigen::MatrixXd nodeDistances_m(int uav, std::span<const Point> places_m) const;
     [[nodiscard]] Point middleOf_m(std::span<const int> members) const;
     void setMembers(int uav, std::span<const int> members);
     void updateClusters(int uav);

@@ -16,31 +16,30 @@ PlanRequest requestFor(const Simulation& simulation, PolicyKind policy)
 
 PlanRequest Simulation::planRequest() const
 {
-    const std::vector<int> uavs = plannedUavs();
-    PlanRequest request = requestOf(uavs.empty() ? 0 : uavs.front());
-    if (uavCount() == 1)
-        return request;
-    request.speed_mps = motion(0).airspeed_mps;
+    std::vector<int> uavs = plannedUavs();
+    if (uavs.empty())
+        uavs = {0};
+    PlanRequest request{.sigma_m2 = {0}, .speed_mps = motion(0).airspeed_mps};
+    for (int i = 0; i < icebergCount(); ++i) {
+        if (!active(i))
+            continue;
+        request.ids.push_back(i);
+        request.sigma_m2.push_back(priority(i) * track(i).sigma_m2);
+    }
     std::vector<Point> starts_m;
     for (const int uav : uavs) {
-        PlanRequest own = uav == uavs.front() ? request : requestOf(uav);
-        const double perOwn = request.speed_mps / motion(uav).airspeed_mps;
-        request.fleet.push_back({.uav = uav,
-                                 .distance_m = perOwn * own.problem.distance_m,
-                                 .available = std::move(own.available),
-                                 .picture = std::move(own.picture)});
+        request.uavs.push_back(uavRequest(uav, request.ids));
         starts_m.push_back(this->uav(uav).pose.position_m);
     }
-    request.betweenUavs_m = legLengths_m(0, starts_m);
+    if (uavs.size() > 1)
+        request.betweenUavs_m = legLengths_m(0, starts_m);
     return request;
 }
 
-/** As if it were the only one. */
-PlanRequest Simulation::requestOf(int uav) const
+UavRequest Simulation::uavRequest(int uav, const std::vector<int>& ids) const
 {
     const UavState& me = m_state.uavs[index(uav)];
     const Craft& craft = m_crafts[index(uav)];
-    PlanRequest request{.speed_mps = craft.motion.airspeed_mps};
     FlightPicture picture{.time_s = time_s(),
                           .until_s = static_cast<double>(m_lastStep) * m_dt_s,
                           .uav = me.pose,
@@ -50,22 +49,23 @@ PlanRequest Simulation::requestOf(int uav) const
                           .step = m_state.step};
     if (craft.sortie)
         picture.until_s = std::min(picture.until_s, picture.time_s + enduranceLeft_s(uav));
+    UavRequest request{.uav = uav};
     std::vector<Point> nodes_m{me.pose.position_m};
-    request.problem.sigma_m2.push_back(0);
-    for (int i = 0; i < icebergCount(); ++i) {
-        if (!active(i))
-            continue;
-        request.ids.push_back(i);
+    for (const int i : ids) {
         request.available.push_back(available(uav, i) && !isTargetOfUnplanned(i));
-        const double weight = priority(i);
-        request.problem.sigma_m2.push_back(weight * track(i).sigma_m2);
         nodes_m.push_back(estimate_m(i));
         picture.tracks.push_back(track(i));
-        picture.weights.push_back(weight);
+        picture.weights.push_back(priority(i));
     }
     request.picture = std::make_shared<const FlightPicture>(std::move(picture));
-    request.problem.distance_m = legLengths_m(uav, nodes_m);
+    request.distance_m = nodeDistances_m(uav, nodes_m);
     return request;
+}
+
+/** In the unit of a request: flight time times the speed of the first UAV. */
+Eigen::MatrixXd Simulation::nodeDistances_m(int uav, std::span<const Point> places_m) const
+{
+    return motion(0).airspeed_mps / motion(uav).airspeed_mps * legLengths_m(uav, places_m);
 }
 
 /** Of the legs between places: over ground, or through the air in wind. */
@@ -127,25 +127,24 @@ PlanRequest Simulation::withClusters(PlanRequest single,
 {
     PlanRequest request = single;
     request.ids.clear();
-    request.available.clear();
-    request.problem.sigma_m2 = {0};
+    request.uavs.front().available.clear();
+    request.sigma_m2 = {0};
     std::vector<Point> nodes_m{uav(0).pose.position_m};
     for (std::size_t k = 0; k < single.ids.size(); ++k) {
         const int id = single.ids[k];
-        const double sigma_m2 = single.problem.sigma_m2[k + 1];
+        const double sigma_m2 = single.sigma_m2[k + 1];
         const std::span<const int> members = clusterWith(clusters, id);
         if (!members.empty() && members.front() != id) {
             const auto leader = std::ranges::find(request.ids, members.front());
-            request.problem.sigma_m2[index(static_cast<int>(leader - request.ids.begin())) + 1] +=
-                sigma_m2;
+            request.sigma_m2[index(static_cast<int>(leader - request.ids.begin())) + 1] += sigma_m2;
             continue;
         }
         request.ids.push_back(id);
-        request.available.push_back(single.available[k]);
-        request.problem.sigma_m2.push_back(sigma_m2);
+        request.uavs.front().available.push_back(single.uavs.front().available[k]);
+        request.sigma_m2.push_back(sigma_m2);
         nodes_m.push_back(members.empty() ? estimate_m(id) : middleOf_m(members));
     }
-    request.problem.distance_m = legLengths_m(0, nodes_m);
+    request.uavs.front().distance_m = legLengths_m(0, nodes_m);
     request.clusters = std::move(clusters);
     return request;
 }

@@ -117,16 +117,17 @@ std::span<const int> clusterReached(const Mission& mission, const MissionEvent& 
 
 } // namespace
 
-std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& plan)
+std::vector<Visit> plannedVisits(const Scenario& scenario, const std::vector<int>& order,
+                                 const std::vector<std::vector<int>>& clusters)
 {
     Flight flight(scenario);
     std::vector<Visit> visits;
     const bool endures = scenario.uavs.at(0).spec.endurance_s == 0;
-    const auto count = endures ? plan.order.size()
-                               : static_cast<std::size_t>(*thisSortie(Simulation(scenario), 0,
-                                                                      plan.order, plan.clusters));
-    for (const int index : std::span(plan.order).first(count)) {
-        const std::span<const int> members = clusterWith(plan.clusters, index);
+    const auto count =
+        endures ? order.size()
+                : static_cast<std::size_t>(*thisSortie(Simulation(scenario), 0, order, clusters));
+    for (const int index : std::span(order).first(count)) {
+        const std::span<const int> members = clusterWith(clusters, index);
         if (!members.empty()) {
             if (index == members.front())
                 visits.push_back(visitOf(members, scenario, flight));

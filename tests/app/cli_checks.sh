@@ -236,8 +236,11 @@ check "fleet: plan in words" exits 0 "$cli" plan "$fleet"
 check "fleet: plan in words: a line each" grep -q "^uav-2  *berg-[0-9 berg-]*(.* m)" stdout.txt
 check "fleet: plan by coverage" exits 0 "$cli" plan "$fleet" --policy coverage --json
 check "fleet: coverage has no objective" json 'd["objective"] is None and d["mu"] is None and len(d["uavs"]) == 2'
-check "fleet: --verify" exits 2 "$cli" plan "$fleet" --verify
-check "fleet: --verify: says why" says "--verify is for one UAV; this scenario has 2"
+if [ "$with_cbc" = ON ]; then
+    check "fleet: --verify" exits 0 "$cli" plan "$fleet" --verify --json
+    check "fleet: --verify: by cbc" json 'd["verify"]["backend"] == "cbc" and d["verify"]["formulation"] is None and d["verify"]["agrees"] is not False'
+fi
+check "fleet: coverage is nothing to verify" exits 3 "$cli" plan "$fleet" --policy coverage --verify
 check "fleet: curve" exits 3 "$cli" curve "$fleet"
 check "fleet: curve: says why" says "uavs: the curve is for one UAV, there are 2"
 check "fleet: --bound" exits 3 "$cli" simulate "$fleet" --bound

@@ -170,7 +170,7 @@ private slots:
         QVERIFY(w.scenario() == end);
         QVERIFY(w.untilReady());
         const PlanAnswer plan = test::elsewhere([&] { return planFromStart(end); });
-        QCOMPARE(w.record().now.plan->order, plan.order);
+        QCOMPARE(w.record().now.plan->order, plan.uavs[0].order);
         QVERIFY(w.interaction.errors.isEmpty());
     }
 };

@@ -72,7 +72,7 @@ private slots:
         QCOMPARE(plan.model()->rowCount(), 5);
         const Scenario scenario = w.scenario();
         QCOMPARE(w.record().now.plan->order,
-                 test::elsewhere([&] { return planFromStart(scenario).order; }));
+                 test::elsewhere([&] { return planFromStart(scenario).uavs[0].order; }));
         w.trigger(u"undoAction"_s);
         QVERIFY(w.untilReady());
         QCOMPARE(plan.model()->rowCount(), 4);

@@ -93,12 +93,12 @@ void run(const Row& row, int instances)
             const double gap = bound ? fleetGap(problem, objective, *bound) : 1.0;
             reports.push_back({cpu_s() - start_s, objective, gap});
         };
-        FleetOptions options;
+        SolveOptions options;
         options.timeLimit_s = row.limit_s;
-        options.onProgress = [&](const FleetProgress& progress) {
+        options.onProgress = [&](const SolveProgress& progress) {
             add(progress.objective, progress.bound);
         };
-        const FleetOutcome outcome = solveFleet(problem, Backend::Exact, options);
+        const SolveOutcome outcome = solveFleet(problem, Backend::Exact, options);
         add(outcome.objective, outcome.bound);
         worstGap = std::max(worstGap, reports.back().gap);
         note(first, reports, [](const Report&) { return true; });

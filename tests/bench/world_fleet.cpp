@@ -33,8 +33,8 @@ Scenario partitioned(Scenario scenario)
     Scenario start = scenario;
     start.planner.policy = PolicyKind::Latency;
     const PlanAnswer plan = planFromStart(start);
-    for (std::size_t uav = 0; uav < plan.fleet.size(); ++uav)
-        for (const int iceberg : plan.fleet[uav].order)
+    for (std::size_t uav = 0; uav < plan.uavs.size(); ++uav)
+        for (const int iceberg : plan.uavs[uav].order)
             scenario.icebergs[static_cast<std::size_t>(iceberg)].uav = scenario.uavs[uav].id;
     return scenario;
 }

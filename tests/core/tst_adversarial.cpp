@@ -214,21 +214,21 @@ QString faultOfBackEnds(const TvpProblem& problem, std::uint64_t seed)
     test::NastyDraw draw = drawBeside(seed);
     SolveOptions options{.workLimit = draw.oneIn(4) ? draw.below(20'000) : kPlenty};
     if (draw.oneIn(2))
-        options.hint = draw.shuffled(problem.icebergCount());
+        options.hint = {draw.shuffled(problem.icebergCount())};
     const auto check = [&](const QString& name, const SolveOutcome& outcome) {
         QString fault;
-        if (!isVisitOrder(problem, outcome.order))
+        if (!isVisitOrder(problem, outcome.order()))
             fault = QStringLiteral("no order");
         else
             fault =
-                faultOfOutcome(problem, outcome, outcome.order, objectiveShift(problem), optimum);
+                faultOfOutcome(problem, outcome, outcome.order(), objectiveShift(problem), optimum);
         if (fault.isEmpty() && options.workLimit == kPlenty &&
             outcome.status != SolveStatus::Optimal)
             fault = QStringLiteral("not proven");
         return fault.isEmpty() ? fault : name + ": " + fault;
     };
     SolveOutcome bare = solveByEngine(problem, options, std::nullopt);
-    bare.objective = objective(problem, bare.order);
+    bare.objective = objective(problem, bare.order());
     if (QString fault = check(QStringLiteral("engine"), bare); !fault.isEmpty())
         return fault;
     for (const Backend backend : {Backend::Exact, Backend::Auto, Backend::Heuristic}) {
@@ -251,10 +251,10 @@ QString faultOfCbc(std::uint64_t seed)
         if (outcome.status != SolveStatus::Optimal)
             return QStringLiteral("not proven");
         const bool proven = outcome.status == SolveStatus::Optimal;
-        if (proven && costOf(problem, outcome.order) > optimum * (1 + 1e-6L))
+        if (proven && costOf(problem, outcome.order()) > optimum * (1 + 1e-6L))
             return QStringLiteral("formulation %1 proven, but not optimal:")
                        .arg(static_cast<int>(formulation)) +
-                   figures(costOf(problem, outcome.order), optimum);
+                   figures(costOf(problem, outcome.order()), optimum);
     }
     return {};
 }
@@ -275,11 +275,11 @@ QString faultOfFleetBackEnds(std::uint64_t seed)
         test::nastyFleet(seed, 2 + static_cast<int>(seed % 3), sizeOf(seed, 9), criterion);
     const long double optimum = test::referenceFleetCost(problem);
     test::NastyDraw draw = drawBeside(seed);
-    FleetOptions options{.workLimit = draw.oneIn(4) ? draw.below(20'000) : 5'000'000};
+    SolveOptions options{.workLimit = draw.oneIn(4) ? draw.below(20'000) : 5'000'000};
     if (draw.oneIn(2))
         options.hint = poorPlan(problem, draw);
     for (const Backend backend : {Backend::Exact, Backend::Auto, Backend::Heuristic}) {
-        const FleetOutcome outcome = solveFleet(problem, backend, options);
+        const SolveOutcome outcome = solveFleet(problem, backend, options);
         if (outcome.status == SolveStatus::None)
             return QStringLiteral("no plan");
         const QString fault =

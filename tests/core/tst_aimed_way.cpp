@@ -37,7 +37,7 @@ Point placeAt(const std::vector<AimedWay>& ways, double time_s)
 /** Random legs of the present picture of a simulation, as a planner would answer them. */
 DescribedPlan randomPlan(const PlanRequest& request, int legs, Random random)
 {
-    const CoverageModel model(*request.picture, {.length_s = 900});
+    const CoverageModel model(*request.uavs[0].picture, {.length_s = 900});
     CoveragePlan plan;
     CoverageState state = model.start();
     while (static_cast<int>(plan.size()) < legs) {
@@ -48,7 +48,7 @@ DescribedPlan randomPlan(const PlanRequest& request, int legs, Random random)
         else if (model.atEnd(state))
             break;
     }
-    return describe(model, request, plan);
+    return describe(model, request.uavs[0], request.ids, plan);
 }
 
 /** Largest distance between the ways and a flight of their legs, each begun when it is planned. */
@@ -100,7 +100,7 @@ private slots:
             const Simulation simulation(scenario);
             const DescribedPlan plan =
                 randomPlan(simulation.planRequest(), 8, Random(static_cast<unsigned>(seed)));
-            const FlightPicture picture = *simulation.planRequest().picture;
+            const FlightPicture picture = *simulation.planRequest().uavs[0].picture;
             const std::vector<AimedWay> ways = aimedWays(plan.legs, picture.uav, 0, picture.motion);
             QCOMPARE(ways.size(), plan.legs.size());
             legs += static_cast<int>(plan.legs.size());
@@ -126,11 +126,11 @@ private slots:
                 continue;
             std::vector<AimedLeg> legs = plan.legs;
             legs.front() = *world.uavs[0].aim;
-            const Motion& motion = mission.lastRequest()->picture->motion;
+            const Motion& motion = mission.lastRequest()->uavs[0].picture->motion;
             const double now_s = mission.simulation().time_s();
             const std::vector<AimedWay> now = aimedWays(legs, world.uavs[0].pose, now_s, motion);
-            const std::vector<AimedWay> planned =
-                aimedWays(plan.legs, mission.lastRequest()->picture->uav, plan.time_s, motion);
+            const std::vector<AimedWay> planned = aimedWays(
+                plan.legs, mission.lastRequest()->uavs[0].picture->uav, plan.time_s, motion);
             QVERIFY(now.front().points.front().position_m == world.uavs[0].pose.position_m);
             QVERIFY((placeAt(planned, now_s) - world.uavs[0].pose.position_m).norm() < 3);
             for (const double later_s : {0.0, 10.0, 60.0})

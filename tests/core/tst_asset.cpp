@@ -39,7 +39,7 @@ Scenario twoSides()
 
 int firstTarget(const Scenario& scenario)
 {
-    return planFromStart(scenario).order.at(0);
+    return planFromStart(scenario).uavs[0].order.at(0);
 }
 
 std::size_t alarmsOf(const Mission& mission)

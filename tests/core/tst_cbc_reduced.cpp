@@ -75,9 +75,9 @@ private slots:
     {
         const TvpProblem problem = randomProblem(4, 11, 1, Route::Open);
         const SolveOutcome best = ExactSolver().solve(problem, {});
-        for (const VisitOrder& hint : {best.order, inNodeOrder(problem)}) {
+        for (const VisitOrder& hint : {best.order(), inNodeOrder(problem)}) {
             SolveOptions options;
-            options.hint = hint;
+            options.hint = {hint};
             const SolveOutcome outcome = CbcSolver(Formulation::Reduced).solve(problem, options);
             QVERIFY(outcome.hintUsed);
             QCOMPARE(outcome.status, SolveStatus::Optimal);
@@ -93,12 +93,12 @@ private slots:
         for (const double limit_s : {1e-9, 1e-3, 4e-3, 8e-3}) {
             SolveOptions options;
             options.timeLimit_s = limit_s;
-            options.hint = inNodeOrder(problem);
+            options.hint = {inNodeOrder(problem)};
             const SolveOutcome outcome = CbcSolver(Formulation::Reduced).solve(problem, options);
             QVERIFY(outcome.status == SolveStatus::Optimal ||
                     outcome.reason == StopReason::TimeLimit);
-            QVERIFY(isVisitOrder(problem, outcome.order));
-            QVERIFY(outcome.objective <= objective(problem, options.hint));
+            QVERIFY(isVisitOrder(problem, outcome.order()));
+            QVERIFY(outcome.objective <= objective(problem, options.hint.front()));
             if (outcome.bound)
                 QVERIFY(*outcome.bound <=
                         engine.objective + toleranceOf(problem, engine.objective));

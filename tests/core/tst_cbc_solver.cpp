@@ -189,10 +189,10 @@ private slots:
         for (const VisitOrder& hint : {best.order, inNodeOrder(problem)}) {
             VisitOrder first;
             SolveOptions options;
-            options.hint = hint;
+            options.hint = {hint};
             options.onProgress = [&first](const SolveProgress& progress) {
                 if (first.empty())
-                    first = progress.order;
+                    first = progress.plan.front();
             };
             const SolveOutcome outcome = CbcSolver(formulation).solve(problem, options);
             QVERIFY(outcome.hintUsed);
@@ -215,12 +215,12 @@ private slots:
         QCOMPARE(without.reason, StopReason::WorkLimit);
         QVERIFY(!without.hintUsed);
 
-        options.hint = {7, 6, 5, 4, 3, 2, 1};
+        options.hint = {{7, 6, 5, 4, 3, 2, 1}};
         const SolveOutcome hinted = CbcSolver(formulation).solve(problem, options);
         QCOMPARE(hinted.status, SolveStatus::Feasible);
         QCOMPARE(hinted.reason, StopReason::WorkLimit);
         QVERIFY(hinted.hintUsed);
-        QVERIFY(hinted.order == options.hint);
+        QVERIFY(hinted.plan == options.hint);
         QCOMPARE(hinted.work, std::int64_t{0});
     }
 
@@ -228,7 +228,7 @@ private slots:
     {
         const TvpProblem problem = randomProblem(4, 4, 1, Route::Open);
         SolveOptions options;
-        options.hint = {1, 2, 2, 4};
+        options.hint = {{1, 2, 2, 4}};
         const SolveOutcome outcome = CbcSolver(Formulation::Position).solve(problem, options);
         QVERIFY(!outcome.hintUsed);
         QCOMPARE(outcome.status, SolveStatus::Optimal);
@@ -267,7 +267,7 @@ private slots:
             }
             // Limits counted in nodes repeat.
             const SolveOutcome again = solver.solve(problem, options);
-            QVERIFY(again.order == outcome.order);
+            QVERIFY(again.plan == outcome.plan);
             QCOMPARE(again.bound, outcome.bound);
             QCOMPARE(again.work, outcome.work);
         }
@@ -290,11 +290,11 @@ private slots:
         const TvpProblem problem = endless();
         SolveOptions options;
         options.timeLimit_s = 0.1;
-        options.hint = inNodeOrder(problem);
+        options.hint = {inNodeOrder(problem)};
         const SolveOutcome outcome = CbcSolver(kEndlessFormulation).solve(problem, options);
         QCOMPARE(outcome.status, SolveStatus::Feasible);
         QCOMPARE(outcome.reason, StopReason::TimeLimit);
-        QVERIFY(outcome.objective <= objective(problem, options.hint));
+        QVERIFY(outcome.objective <= objective(problem, options.hint.front()));
     }
 
     void cancelledBefore()
@@ -353,14 +353,14 @@ private slots:
         const double best = bruteForce(problem).objective;
         std::vector<SolveProgress> seen;
         SolveOptions options;
-        options.hint = inNodeOrder(problem);
+        options.hint = {inNodeOrder(problem)};
         options.onProgress = [&seen](const SolveProgress& progress) { seen.push_back(progress); };
         const SolveOutcome outcome = CbcSolver(formulation).solve(problem, options);
         QVERIFY(!seen.empty());
-        double last = objective(problem, options.hint);
+        double last = objective(problem, options.hint.front());
         for (const SolveProgress& progress : seen) {
-            QVERIFY(isVisitOrder(problem, progress.order));
-            QCOMPARE(progress.objective, objective(problem, progress.order));
+            QVERIFY(isVisitOrder(problem, progress.plan.front()));
+            QCOMPARE(progress.objective, objective(problem, progress.plan.front()));
             QVERIFY(progress.objective <= last);
             QVERIFY(!progress.bound || *progress.bound <= best + toleranceOf(problem, best));
             last = progress.objective;
@@ -409,7 +409,7 @@ private slots:
             const Capture out(STDOUT_FILENO);
             const Capture err(STDERR_FILENO);
             SolveOptions options;
-            options.hint = inNodeOrder(problem);
+            options.hint = {inNodeOrder(problem)};
             static_cast<void>(CbcSolver(Formulation::Position).solve(problem, options));
             options.workLimit = 200;
             static_cast<void>(CbcSolver(Formulation::Printed).solve(problem, options));

@@ -32,7 +32,7 @@ TvpProblem nearlyEqual(TvpProblem problem, std::uint64_t seed)
 
 VisitOrder solved(const TvpProblem& problem)
 {
-    return makeSolver(Backend::Exact)->solve(problem, {}).order;
+    return makeSolver(Backend::Exact)->solve(problem, {}).order();
 }
 
 Certificate certificateOf(const TvpProblem& problem, const VisitOrder& order)
@@ -44,7 +44,7 @@ Certificate certificateOf(const TvpProblem& problem, const VisitOrder& order)
 
 Certificate certificateOf(const FleetProblem& problem)
 {
-    const FleetOutcome outcome =
+    const SolveOutcome outcome =
         solveFleet(problem, Backend::Auto, {.workLimit = std::int64_t{100'000'000}});
     return {.problem = problem, .proofs = {certify(problem, outcome.plan)}};
 }

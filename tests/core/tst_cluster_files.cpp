@@ -6,6 +6,7 @@
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/results/curve_result.h"
+#include "core/io/results/plan_result.h"
 #include "core/io/results/result_json.h"
 #include "core/sim/clusters.h"
 #include "core/sim/mission_instant.h"
@@ -324,10 +325,11 @@ private slots:
 
     void planPrintsThem()
     {
-        SolveReport report{.problem = {}, .outcome = {}, .order = {1, 3}, .ids = {"a", "c"}};
-        QVERIFY(solveJson(report).find("clusters") == std::string::npos);
+        PlanReport report{
+            .problem = {}, .outcome = {}, .uavs = {{.id = {}, .order = {1, 3}, .ids = {"a", "c"}}}};
+        QVERIFY(planJson(report).find("clusters") == std::string::npos);
         report.clusters = {{"a", "c"}};
-        const QJsonObject json = QJsonDocument::fromJson(bytes(solveJson(report))).object();
+        const QJsonObject json = QJsonDocument::fromJson(bytes(planJson(report))).object();
         QCOMPARE(json[u"clusters"].toArray(), (QJsonArray{QJsonArray{u"a"_s, u"c"_s}}));
     }
 };

@@ -172,7 +172,7 @@ private slots:
         addIceberg(scenario, 3500, 3200);
         Simulation simulation(scenario);
         QCOMPARE(simulation.clusteredRequest().clusters, (Groups{{0, 1}}));
-        QVERIFY(simulation.clusteredRequest().problem.distance_m(0, 1) > 7500);
+        QVERIFY(simulation.clusteredRequest().uavs[0].distance_m(0, 1) > 7500);
         simulation.setTarget(0, 0, {}, std::vector{0, 1});
         while (simulation.planReason() == PlanReason::None) {
             simulation.advanceStep();

@@ -192,7 +192,7 @@ private slots:
         const PlanRequest request = simulation.clusteredRequest();
         QCOMPARE(request.ids, (std::vector<int>{0, 1, 2}));
         QVERIFY(request.clusters.empty());
-        QVERIFY(request.problem.distance_m == simulation.planRequest().problem.distance_m);
+        QVERIFY(request.uavs[0].distance_m == simulation.planRequest().uavs[0].distance_m);
     }
 
     void oneNodeForTheTwo()
@@ -200,10 +200,10 @@ private slots:
         const PlanRequest request = Simulation(pairAhead()).clusteredRequest();
         QCOMPARE(request.clusters, (Groups{{0, 2}}));
         QCOMPARE(request.ids, (std::vector<int>{0, 1}));
-        QCOMPARE(request.problem.sigma_m2, (std::vector<double>{0, 7, 5}));
-        COMPARE_NEAR(request.problem.distance_m(0, 1), 2000, 1e-9);
-        COMPARE_NEAR(request.problem.distance_m(1, 2), 3000, 1e-9);
-        QCOMPARE(request.available, (std::vector<bool>{true, true}));
+        QCOMPARE(request.sigma_m2, (std::vector<double>{0, 7, 5}));
+        COMPARE_NEAR(request.uavs[0].distance_m(0, 1), 2000, 1e-9);
+        COMPARE_NEAR(request.uavs[0].distance_m(1, 2), 3000, 1e-9);
+        QCOMPARE(request.uavs[0].available, (std::vector<bool>{true, true}));
     }
 
     /** The priorities near an asset count for each member. */
@@ -212,7 +212,7 @@ private slots:
         Scenario scenario = pairAhead();
         scenario.asset = Asset{.position_m = {2000, 1000}};
         const Simulation simulation(scenario);
-        COMPARE_NEAR(simulation.clusteredRequest().problem.sigma_m2[1],
+        COMPARE_NEAR(simulation.clusteredRequest().sigma_m2[1],
                      3 * simulation.priority(0) + 4 * simulation.priority(2), 1e-12);
         QVERIFY(simulation.priority(0) > 1);
     }
@@ -233,7 +233,8 @@ private slots:
             one.insert(simulation.thisSortie(0, order).value());
             const PlanRequest request = simulation.clusteredRequest();
             QVERIFY(request.clusters.empty() || simulation.thisSortie(0, clusters[0]) == 2);
-            isLeftToSingles = isLeftToSingles || (request.clusters.empty() && request.available[0]);
+            isLeftToSingles =
+                isLeftToSingles || (request.clusters.empty() && request.uavs[0].available[0]);
         }
         QCOMPARE(whole, (std::set<int>{0, 1, 3}));
         QCOMPARE(one, (std::set<int>{0, 1, 2, 3}));
@@ -286,7 +287,7 @@ private slots:
         const PlanRequest request = Simulation(pairAhead()).clusteredRequest();
         Planner planner({.policy = PolicyKind::Nearest});
         const PlanAnswer answer = planner.plan(request, {});
-        QCOMPARE(answer.order, (std::vector<int>{0, 2, 1}));
+        QCOMPARE(answer.uavs[0].order, (std::vector<int>{0, 2, 1}));
         QCOMPARE(answer.clusters, (Groups{{0, 2}}));
         QCOMPARE(answer.solvedIds, (std::vector<int>{0, 1}));
         // As warm start: the cluster stands where its first member stood.
@@ -294,7 +295,7 @@ private slots:
         Planner warm({.policy = PolicyKind::Visitation}, std::make_unique<ScriptedSolver>(script));
         (void)warm.plan(request, {});
         (void)warm.plan(Simulation(pairAhead()).planRequest(), {});
-        QCOMPARE(script.options.back().hint, (VisitOrder{1, 3, 2}));
+        QCOMPARE(script.options.back().hint, (FleetPlan{{1, 3, 2}}));
     }
 
     /** A planner that throws: the members are still flown to. */
@@ -305,14 +306,14 @@ private slots:
         script.answer = [&](const TvpProblem&) -> SolveOutcome {
             if (script.problems.size() > 1)
                 throw std::runtime_error("out of order");
-            return {.status = SolveStatus::Feasible, .order = {2, 1}};
+            return {.status = SolveStatus::Feasible, .plan = {{2, 1}}};
         };
         Planner planner({.policy = PolicyKind::Visitation},
                         std::make_unique<ScriptedSolver>(script));
-        QCOMPARE(planner.plan(request, {}).order, (std::vector<int>{1, 0, 2}));
+        QCOMPARE(planner.plan(request, {}).uavs[0].order, (std::vector<int>{1, 0, 2}));
         const PlanAnswer answer = planner.plan(request, {});
         QVERIFY(answer.fellBack);
-        QCOMPARE(answer.order, (std::vector<int>{1, 0, 2}));
+        QCOMPARE(answer.uavs[0].order, (std::vector<int>{1, 0, 2}));
         QCOMPARE(answer.clusters, (Groups{{0, 2}}));
     }
 };

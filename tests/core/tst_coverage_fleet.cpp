@@ -55,11 +55,11 @@ std::optional<Pose> poseAt(const std::vector<AimedWay>& ways, double time_s)
 double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
 {
     constexpr double kStep_s = 0.05;
-    const FlightPicture& picture = *request.picture;
+    const FlightPicture& picture = *request.uavs[0].picture;
     std::vector<std::vector<AimedWay>> ways;
-    for (std::size_t u = 0; u < answer.fleet.size(); ++u) {
-        const FlightPicture& own = *request.fleet[u].picture;
-        std::vector<AimedLeg> legs = answer.fleet[u].legs;
+    for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
+        const FlightPicture& own = *request.uavs[u].picture;
+        std::vector<AimedLeg> legs = answer.uavs[u].legs;
         if (!legs.empty())
             legs.back().sighting_s = own.until_s; // flown on when something was seen
         ways.push_back(aimedWays(legs, own.uav, own.time_s, own.motion));
@@ -91,16 +91,15 @@ double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
 /** Who may go where, each iceberg in one order, times that fit. */
 void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
 {
-    QCOMPARE(answer.fleet.size(), request.fleet.size());
-    QVERIFY(answer.order.empty() && answer.legs.empty() && answer.outcome.order.empty());
+    QCOMPARE(answer.uavs.size(), request.uavs.size());
     QVERIFY(answer.outcome.status == SolveStatus::Feasible);
     std::multiset<int> planned;
     std::multiset<int> first;
     std::set<int> available;
-    for (std::size_t u = 0; u < answer.fleet.size(); ++u) {
-        const UavAnswer& uav = answer.fleet[u];
+    for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
+        const UavAnswer& uav = answer.uavs[u];
         const auto may = [&](int id) {
-            return request.fleet[u].available[static_cast<std::size_t>(id)];
+            return request.uavs[u].available[static_cast<std::size_t>(id)];
         };
         QVERIFY(std::all_of(uav.order.begin(), uav.order.end(), may));
         planned.insert(uav.order.begin(), uav.order.end());
@@ -142,11 +141,11 @@ FlownFleet fly(FleetFlight& flight, const Scenario& scenario)
         const PlanRequest request = flight.request(rests);
         const bool isFirst = flown.plans == 0;
         const PlanAnswer answer =
-            policy->plan(request, {}, {.workLimit = isFirst ? 1'000'000 : kWork / 10});
+            policy->plan(request, {.workLimit = isFirst ? 1'000'000 : kWork / 10});
         verifyAnswer(answer, request);
         rests.clear();
-        for (std::size_t u = 0; u < answer.fleet.size(); ++u) {
-            const UavAnswer& uav = answer.fleet[u];
+        for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
+            const UavAnswer& uav = answer.uavs[u];
             rests.push_back(uav.order);
             flight.setLeg(static_cast<int>(u), uav.order.empty() ? -1 : uav.order.front(),
                           uav.legs.empty() ? std::nullopt : std::optional(uav.legs.front()));
@@ -174,7 +173,7 @@ private slots:
         Scenario scenario = emptySea(100);
         addIceberg(scenario, 0, 9000, 4).q_m2ps = 0.02;
         addIceberg(scenario, 9000, 0, 0).q_m2ps = 0;
-        CoverageModel model(*FleetFlight(scenario).request().picture,
+        CoverageModel model(*FleetFlight(scenario).request().uavs[0].picture,
                             {.length_s = 100, .rest_s = 10});
         model.setOthers({{0, 50, 60}, {0, 10, 20}, {0, 15, 30}, {0, 30, 35}});
         const auto grown_m2s = [](double from_m2, double time_s) {
@@ -196,7 +195,7 @@ private slots:
         addIceberg(scenario, 3300, 0, 4).q_m2ps = 0.02; // in view from 136.5 to 163.5 s
         addIceberg(scenario, 9000, 0, 0).q_m2ps = 0;
         const PlanRequest request = FleetFlight(scenario).request();
-        const CoverageModel alone(*request.picture, {.length_s = 300});
+        const CoverageModel alone(*request.uavs[0].picture, {.length_s = 300});
         CoverageState state = alone.start();
         std::vector<CoverageView> own;
         while (!alone.atEnd(state))
@@ -244,14 +243,14 @@ private slots:
         double integratedSum_m2s = 0;
         for (int seed = 1; seed <= 4; ++seed) {
             const PlanRequest request = FleetFlight(field(seed, uavs, icebergs)).request();
-            const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
+            const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
             verifyAnswer(answer, request);
             const double integrated = integrated_m2s(request, answer);
             // A sighting by a hair may differ, and costs 3 %; as a rule 0.1 % is kept.
             QVERIFY(std::abs(*answer.predictedZeta_m2s / integrated - 1) < 0.04);
             predictedSum_m2s += *answer.predictedZeta_m2s;
             integratedSum_m2s += integrated;
-            for (const UavAnswer& uav : answer.fleet)
+            for (const UavAnswer& uav : answer.uavs)
                 QVERIFY(std::abs(uav.outlook->zeta_m2s / *answer.predictedZeta_m2s - 1) < 1e-9);
         }
         QVERIFY(std::abs(predictedSum_m2s / integratedSum_m2s - 1) < 0.01);
@@ -275,9 +274,9 @@ private slots:
             const SolveOptions options{.workLimit = 500'000};
             const PlanRequest two = FleetFlight(field(seed, 2)).request();
             PlanRequest one = two;
-            one.fleet.clear();
-            QVERIFY(*coverage()->plan(two, {}, options).predictedZeta_m2s <
-                    0.8 * *coverage()->plan(one, {}, options).predictedZeta_m2s);
+            one.uavs.resize(1);
+            QVERIFY(*coverage()->plan(two, options).predictedZeta_m2s <
+                    0.8 * *coverage()->plan(one, options).predictedZeta_m2s);
         }
     }
 
@@ -289,10 +288,10 @@ private slots:
         for (int i = 0; i < 12; ++i)
             flight.keep(i, i % 3 - 1);
         const PlanRequest request = flight.request();
-        const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
+        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         for (std::size_t u = 0; u < 2; ++u)
-            for (const AimedLeg& leg : answer.fleet[u].legs)
-                QVERIFY(request.fleet[u].available[static_cast<std::size_t>(leg.iceberg)]);
+            for (const AimedLeg& leg : answer.uavs[u].legs)
+                QVERIFY(request.uavs[u].available[static_cast<std::size_t>(leg.iceberg)]);
         fly(flight, scenario);
     }
 
@@ -302,9 +301,9 @@ private slots:
         addIceberg(scenario, 3000, 0);
         addIceberg(scenario, 3000, 2000);
         const PlanRequest request = FleetFlight(scenario).request();
-        const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
+        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         verifyAnswer(answer, request);
-        QCOMPARE(std::count_if(answer.fleet.begin(), answer.fleet.end(),
+        QCOMPARE(std::count_if(answer.uavs.begin(), answer.uavs.end(),
                                [](const UavAnswer& uav) { return uav.order.empty(); }),
                  1);
     }
@@ -313,9 +312,9 @@ private slots:
     {
         Scenario scenario = withUavs(emptySea(), 2);
         addIceberg(scenario, 50, 0);
-        const PlanAnswer answer = coverage()->plan(FleetFlight(scenario).request(), {}, {});
-        QCOMPARE(answer.fleet.size(), std::size_t{2});
-        QVERIFY(answer.fleet[0].order.empty() && answer.fleet[1].order.empty());
+        const PlanAnswer answer = coverage()->plan(FleetFlight(scenario).request(), {});
+        QCOMPARE(answer.uavs.size(), std::size_t{2});
+        QVERIFY(answer.uavs[0].order.empty() && answer.uavs[1].order.empty());
         QVERIFY(!answer.predictedZeta_m2s);
     }
 
@@ -326,8 +325,8 @@ private slots:
         addIceberg(scenario, 100, 0, 4);
         addIceberg(scenario, 3000, 1000, 4);
         const PlanRequest request = FleetFlight(scenario).request();
-        QVERIFY(request.fleet[1].picture->tracks[0].inView);
-        const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
+        QVERIFY(request.uavs[1].picture->tracks[0].inView);
+        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         const double error = *answer.predictedZeta_m2s / integrated_m2s(request, answer) - 1;
         QVERIFY2(std::abs(error) < 0.01, qPrintable(QString::number(error)));
     }
@@ -336,50 +335,50 @@ private slots:
     void unequalEndurance()
     {
         PlanRequest request = FleetFlight(field(5, 2)).request();
-        FlightPicture shorter = *request.fleet[1].picture;
+        FlightPicture shorter = *request.uavs[1].picture;
         shorter.until_s = 300;
-        request.fleet[1].picture = std::make_shared<const FlightPicture>(shorter);
-        const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
-        QCOMPARE(answer.fleet[0].outlook->until_s, 1000.0);
-        QVERIFY(answer.fleet[1].legs.back().sighting_s <= 300 + 1e-9);
-        QVERIFY(answer.fleet[0].legs.back().sighting_s > 900);
+        request.uavs[1].picture = std::make_shared<const FlightPicture>(shorter);
+        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+        QCOMPARE(answer.uavs[0].outlook->until_s, 1000.0);
+        QVERIFY(answer.uavs[1].legs.back().sighting_s <= 300 + 1e-9);
+        QVERIFY(answer.uavs[0].legs.back().sighting_s > 900);
     }
 
     /** Weights steer the search; what is predicted has none. */
     void weightsSteer()
     {
         PlanRequest request = FleetFlight(field(6, 2)).request();
-        for (UavRequest& uav : request.fleet) {
+        for (UavRequest& uav : request.uavs) {
             FlightPicture picture = *uav.picture;
             picture.weights.assign(picture.tracks.size(), 1);
             picture.weights[3] = 50;
             uav.picture = std::make_shared<const FlightPicture>(picture);
         }
-        const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
+        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         const double error = *answer.predictedZeta_m2s / integrated_m2s(request, answer) - 1;
         QVERIFY2(std::abs(error) < 0.01, qPrintable(QString::number(error)));
         const auto goesThere = [](const UavAnswer& uav) {
             return std::count_if(uav.legs.begin(), uav.legs.end(),
                                  [](const AimedLeg& leg) { return leg.iceberg == 3; });
         };
-        QVERIFY(goesThere(answer.fleet[0]) + goesThere(answer.fleet[1]) > 5);
+        QVERIFY(goesThere(answer.uavs[0]) + goesThere(answer.uavs[1]) > 5);
     }
 
     void sameWorkSamePlan()
     {
         const PlanRequest request = FleetFlight(field(7, 3)).request();
         const SolveOptions options{.workLimit = kWork};
-        const PlanAnswer one = coverage()->plan(request, {}, options);
+        const PlanAnswer one = coverage()->plan(request, options);
         std::vector<SolveProgress> told;
         SolveOptions watched = options;
         watched.onProgress = [&](const SolveProgress& progress) { told.push_back(progress); };
-        const PlanAnswer two = coverage()->plan(request, {}, watched);
+        const PlanAnswer two = coverage()->plan(request, watched);
         for (std::size_t u = 0; u < 3; ++u)
-            QVERIFY(one.fleet[u].legs == two.fleet[u].legs);
+            QVERIFY(one.uavs[u].legs == two.uavs[u].legs);
         QVERIFY(!told.empty());
         for (const SolveProgress& progress : told) {
-            QCOMPARE(progress.fleet.size(), std::size_t{3});
-            QVERIFY(progress.order.empty());
+            QCOMPARE(progress.plan.size(), std::size_t{3});
+            QCOMPARE(progress.legs.size(), std::size_t{3});
             QVERIFY(progress.objective >= *two.predictedZeta_m2s - 1e-6);
         }
     }
@@ -390,10 +389,10 @@ private slots:
         std::stop_source source;
         source.request_stop();
         const std::unique_ptr<Policy> policy = coverage();
-        const PlanAnswer cut = policy->plan(request, {}, {.stop = source.get_token()});
+        const PlanAnswer cut = policy->plan(request, {.stop = source.get_token()});
         QVERIFY(cut.outcome.reason == StopReason::Cancelled);
-        QVERIFY(cut.fleet.empty());
-        const PlanAnswer quick = policy->plan(request, {}, {.timeLimit_s = 0});
+        QVERIFY(cut.uavs.empty());
+        const PlanAnswer quick = policy->plan(request, {.timeLimit_s = 0});
         QVERIFY(quick.outcome.reason == StopReason::TimeLimit);
         verifyAnswer(quick, request);
     }

@@ -47,11 +47,11 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
     FlownPlan result;
     for (int k = 0; k < legs && !simulation.finished(); ++k) {
         const PlanRequest request = simulation.planRequest();
-        const CoverageModel model(*request.picture, {.length_s = 1e6});
+        const CoverageModel model(*request.uavs[0].picture, {.length_s = 1e6});
         CoverageLeg leg{.offset_m = random.uniform(-1, 1) * model.largestOffset_m()};
         do
             leg.iceberg = static_cast<int>(random.below(scenario.icebergs.size()));
-        while (!request.available[static_cast<std::size_t>(leg.iceberg)]);
+        while (!request.uavs[0].available[static_cast<std::size_t>(leg.iceberg)]);
         CoverageState state = model.start();
         if (!model.fly(state, leg))
             continue;
@@ -59,7 +59,8 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
         const double end_s = simulation.time_s() + state.time_s;
         if (end_s > scenario.duration_s)
             break;
-        flyLeg(simulation, describe(model, request, {leg}).legs.front(), end_s + 3);
+        flyLeg(simulation, describe(model, request.uavs[0], request.ids, {leg}).legs.front(),
+               end_s + 3);
         const Point predicted_m = state.uav.position_m + scenario.wind_mps * state.time_s;
         const double late_s = simulation.time_s() - end_s;
         const Point flown_m =
@@ -75,7 +76,7 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
 
 CoverageModel modelOf(const Scenario& scenario, const CoverageHorizon& horizon)
 {
-    return CoverageModel(*Simulation(scenario).planRequest().picture, horizon);
+    return CoverageModel(*Simulation(scenario).planRequest().uavs[0].picture, horizon);
 }
 
 } // namespace
@@ -206,11 +207,11 @@ private slots:
         scenario.fovShape = shape;
         addIceberg(scenario, 0, 299);
         const PlanRequest request = Simulation(scenario).planRequest();
-        QVERIFY(!request.available[0]);
-        const CoverageModel seen(*request.picture, {.length_s = 100});
+        QVERIFY(!request.uavs[0].available[0]);
+        const CoverageModel seen(*request.uavs[0].picture, {.length_s = 100});
         QVERIFY(seen.inView(seen.start(), 0));
         // Said to be in the middle of the view, but not seen: it must be elsewhere.
-        FlightPicture picture = *request.picture;
+        FlightPicture picture = *request.uavs[0].picture;
         picture.tracks[0].anchor_m = Point(20, 120);
         picture.tracks[0].inView = false;
         picture.tracks[0].sigma_m2 = 3;

@@ -25,6 +25,13 @@ std::unique_ptr<Policy> coverage()
     return makeFlownPolicy({.policy = PolicyKind::Coverage}, *solver);
 }
 
+/** The request of a planner that has this left of its last plan. */
+PlanRequest withRest(PlanRequest request, const std::vector<int>& rest)
+{
+    request.uavs[0].lastRest = rest;
+    return request;
+}
+
 PlanRequest requestOf(const Scenario& scenario)
 {
     return Simulation(scenario).planRequest();
@@ -35,18 +42,19 @@ void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
 {
     std::multiset<int> available;
     for (std::size_t k = 0; k < request.ids.size(); ++k)
-        if (request.available[k])
+        if (request.uavs[0].available[k])
             available.insert(request.ids[k]);
-    QVERIFY(std::multiset<int>(answer.order.begin(), answer.order.end()) == available);
-    QVERIFY(isVisitOrder(answer.problem, answer.outcome.order));
-    QVERIFY(answer.solvedIds == answer.order);
+    QVERIFY(std::multiset<int>(answer.uavs[0].order.begin(), answer.uavs[0].order.end()) ==
+            available);
+    QVERIFY(isFleetPlan(answer.problem, answer.outcome.plan));
+    QVERIFY(answer.solvedIds == answer.uavs[0].order);
     QVERIFY(answer.outcome.status == SolveStatus::Feasible);
-    QVERIFY(!answer.legs.empty());
+    QVERIFY(!answer.uavs[0].legs.empty());
     QVERIFY(answer.predictedZeta_m2s.has_value());
-    double before_s = request.picture->time_s;
-    for (const AimedLeg& leg : answer.legs) {
+    double before_s = request.uavs[0].picture->time_s;
+    for (const AimedLeg& leg : answer.uavs[0].legs) {
         QVERIFY(leg.sighting_s >= before_s);
-        QVERIFY(leg.sighting_s <= request.picture->until_s + 1e-9);
+        QVERIFY(leg.sighting_s <= request.uavs[0].picture->until_s + 1e-9);
         before_s = leg.sighting_s;
     }
 }
@@ -64,8 +72,8 @@ private slots:
             Scenario scenario = randomScenario(seed);
             scenario.icebergs[0].position_m = scenario.uavs[0].position_m; // in view
             const PlanRequest request = requestOf(scenario);
-            QVERIFY(!request.available[0]);
-            verifyAnswer(coverage()->plan(request, {}, {.workLimit = kWork}), request);
+            QVERIFY(!request.uavs[0].available[0]);
+            verifyAnswer(coverage()->plan(request, {.workLimit = kWork}), request);
         }
     }
 
@@ -77,13 +85,13 @@ private slots:
         std::vector<int> last;
         for (int k = 0; k < 15; ++k) {
             const PlanRequest request = simulation.planRequest();
-            const PlanAnswer answer = policy->plan(request, last, {.workLimit = kWork});
+            const PlanAnswer answer = policy->plan(withRest(request, last), {.workLimit = kWork});
             verifyAnswer(answer, request);
             QCOMPARE(answer.outcome.hintUsed, k > 0);
-            simulation.setTarget(0, answer.order.front(), answer.legs.front());
+            simulation.setTarget(0, answer.uavs[0].order.front(), answer.uavs[0].legs.front());
             for (int i = 0; i < 200 && simulation.planReason() == PlanReason::None; ++i)
                 simulation.advanceStep();
-            last = answer.order;
+            last = answer.uavs[0].order;
         }
     }
 
@@ -94,15 +102,16 @@ private slots:
         scenario.noise = false;
         Simulation simulation(scenario);
         const std::unique_ptr<Policy> policy = coverage();
-        const PlanAnswer first = policy->plan(simulation.planRequest(), {}, {});
-        simulation.setTarget(0, first.order.front(), first.legs.front());
+        const PlanAnswer first = policy->plan(simulation.planRequest(), {});
+        simulation.setTarget(0, first.uavs[0].order.front(), first.uavs[0].legs.front());
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         const PlanRequest request = simulation.planRequest();
         const double left_m2s = *first.predictedZeta_m2s - simulation.state().zeta_m2s;
-        const PlanAnswer warm = policy->plan(request, first.order, {.workLimit = 1});
+        const PlanAnswer warm =
+            policy->plan(withRest(request, first.uavs[0].order), {.workLimit = 1});
         QVERIFY(*warm.predictedZeta_m2s < 1.005 * left_m2s);
-        const PlanAnswer cold = policy->plan(request, {}, {.workLimit = 1});
+        const PlanAnswer cold = policy->plan(request, {.workLimit = 1});
         QVERIFY(!cold.outcome.hintUsed);
         QVERIFY(*cold.predictedZeta_m2s > 1.03 * left_m2s); // greedy alone
     }
@@ -111,11 +120,11 @@ private slots:
     {
         Scenario scenario = emptySea();
         addIceberg(scenario, 50, 0);
-        const PlanAnswer answer = coverage()->plan(requestOf(scenario), {}, {});
-        QVERIFY(answer.order.empty());
-        QVERIFY(answer.legs.empty());
+        const PlanAnswer answer = coverage()->plan(requestOf(scenario), {});
+        QVERIFY(answer.uavs[0].order.empty());
+        QVERIFY(answer.uavs[0].legs.empty());
         QVERIFY(!answer.predictedZeta_m2s);
-        QVERIFY(coverage()->plan(requestOf(emptySea()), {}, {}).order.empty());
+        QVERIFY(coverage()->plan(requestOf(emptySea()), {}).uavs[0].order.empty());
     }
 
     void cancelLeavesNoTrace()
@@ -124,18 +133,18 @@ private slots:
         source.request_stop();
         const PlanRequest request = requestOf(randomScenario(6));
         const std::unique_ptr<Policy> policy = coverage();
-        const PlanAnswer cut = policy->plan(request, {}, {.stop = source.get_token()});
+        const PlanAnswer cut = policy->plan(request, {.stop = source.get_token()});
         QVERIFY(cut.outcome.reason == StopReason::Cancelled);
-        QVERIFY(cut.order.empty());
+        QVERIFY(cut.uavs.empty());
         const SolveOptions options{.workLimit = kWork};
-        QVERIFY(policy->plan(request, {}, options).legs ==
-                coverage()->plan(request, {}, options).legs);
+        QVERIFY(policy->plan(request, options).uavs[0].legs ==
+                coverage()->plan(request, options).uavs[0].legs);
     }
 
     void timeLimitStillGivesAPlan()
     {
         const PlanRequest request = requestOf(randomScenario(6));
-        const PlanAnswer answer = coverage()->plan(request, {}, {.timeLimit_s = 0});
+        const PlanAnswer answer = coverage()->plan(request, {.timeLimit_s = 0});
         QVERIFY(answer.outcome.reason == StopReason::TimeLimit);
         verifyAnswer(answer, request);
     }
@@ -146,11 +155,11 @@ private slots:
         const std::unique_ptr<Policy> policy = coverage();
         const SolveOptions options{.workLimit = kWork};
         PlanRequest request = requestOf(randomScenario(7, {.icebergs = 8}));
-        const std::vector<int> order = policy->plan(request, {}, options).order;
+        const std::vector<int> order = policy->plan(request, options).uavs[0].order;
         const PlanRequest more = requestOf(randomScenario(7, {.icebergs = 10}));
-        verifyAnswer(policy->plan(more, order, options), more);
+        verifyAnswer(policy->plan(withRest(more, order), options), more);
         const PlanRequest fewer = requestOf(randomScenario(7, {.icebergs = 3}));
-        verifyAnswer(policy->plan(fewer, order, options), fewer);
+        verifyAnswer(policy->plan(withRest(fewer, order), options), fewer);
     }
 
     void longRunsAreJudgedByAPart()
@@ -158,9 +167,9 @@ private slots:
         Scenario scenario = randomScenario(8);
         scenario.duration_s = 4000;
         const PlanRequest request = requestOf(scenario);
-        const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
+        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         verifyAnswer(answer, request);
-        QVERIFY(answer.legs.back().sighting_s < 1500);
+        QVERIFY(answer.uavs[0].legs.back().sighting_s < 1500);
     }
 
     /** Order, times and zeta of the prediction belong together. */
@@ -168,32 +177,32 @@ private slots:
     {
         Scenario scenario = randomScenario(8);
         const PlanRequest request = requestOf(scenario);
-        const PlanAnswer answer = coverage()->plan(request, {}, {.workLimit = kWork});
-        const AimedOutlook outlook = answer.outlook.value();
+        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+        const AimedOutlook outlook = answer.uavs[0].outlook.value();
         QCOMPARE(outlook.until_s, scenario.duration_s);
         QVERIFY(std::abs(outlook.zeta_m2s - *answer.predictedZeta_m2s) < 1e-6 * outlook.zeta_m2s);
-        QVERIFY(outlook.sightings_s.size() <= answer.order.size());
+        QVERIFY(outlook.sightings_s.size() <= answer.uavs[0].order.size());
         QVERIFY(outlook.sightings_s.size() > 6);
         QVERIFY(std::is_sorted(outlook.sightings_s.begin(), outlook.sightings_s.end()));
-        QCOMPARE(outlook.sightings_s.front(), answer.legs.front().sighting_s);
+        QCOMPARE(outlook.sightings_s.front(), answer.uavs[0].legs.front().sighting_s);
 
         Simulation simulation(scenario); // the first of the order is seen then
-        simulation.setTarget(0, answer.order.front(), answer.legs.front());
+        simulation.setTarget(0, answer.uavs[0].order.front(), answer.uavs[0].legs.front());
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QVERIFY(std::abs(simulation.time_s() - outlook.sightings_s.front()) < 1.5);
-        QVERIFY(simulation.track(answer.order.front()).inView);
+        QVERIFY(simulation.track(answer.uavs[0].order.front()).inView);
     }
 
     void outlookOfALongRunEndsEarlier()
     {
         Scenario scenario = randomScenario(8);
         scenario.duration_s = 4000;
-        const PlanAnswer answer = coverage()->plan(requestOf(scenario), {}, {.workLimit = kWork});
-        QCOMPARE(answer.outlook->until_s, 800.0);
-        QVERIFY(answer.outlook->zeta_m2s <
+        const PlanAnswer answer = coverage()->plan(requestOf(scenario), {.workLimit = kWork});
+        QCOMPARE(answer.uavs[0].outlook->until_s, 800.0);
+        QVERIFY(answer.uavs[0].outlook->zeta_m2s <
                 0.99 * *answer.predictedZeta_m2s); // judged by what is left, too
-        QVERIFY(answer.outlook->sightings_s.back() <= 800);
+        QVERIFY(answer.uavs[0].outlook->sightings_s.back() <= 800);
     }
 
     /** Whoever watches sees the first plan get better, and changes nothing by it. */
@@ -205,18 +214,18 @@ private slots:
         SolveOptions watched = quiet;
         watched.onProgress = [&](const SolveProgress& progress) { told.push_back(progress); };
         const std::unique_ptr<Policy> policy = coverage();
-        const PlanAnswer answer = policy->plan(request, {}, watched);
-        QVERIFY(answer.legs == coverage()->plan(request, {}, quiet).legs);
+        const PlanAnswer answer = policy->plan(request, watched);
+        QVERIFY(answer.uavs[0].legs == coverage()->plan(request, quiet).uavs[0].legs);
         QVERIFY(!told.empty());
         for (std::size_t i = 0; i < told.size(); ++i) {
-            QVERIFY(std::is_permutation(told[i].order.begin(), told[i].order.end(),
-                                        answer.order.begin(), answer.order.end()));
+            QVERIFY(std::is_permutation(told[i].plan[0].begin(), told[i].plan[0].end(),
+                                        answer.uavs[0].order.begin(), answer.uavs[0].order.end()));
             QVERIFY(!told[i].legs.empty());
             QVERIFY(told[i].objective >= *answer.predictedZeta_m2s);
             QVERIFY(i == 0 || told[i].objective < told[i - 1].objective);
         }
         told.clear();
-        (void)policy->plan(request, answer.order, watched); // takes a moment only
+        (void)policy->plan(withRest(request, answer.uavs[0].order), watched); // takes a moment only
         QVERIFY(told.empty());
     }
 
@@ -225,16 +234,17 @@ private slots:
         const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
         const PlanRequest request = requestOf(randomScenario(9));
         const PlannerSettings settings{.policy = PolicyKind::Nearest};
-        const PlanAnswer answer = makeFlownPolicy(settings, *solver)->plan(request, {}, {});
-        QVERIFY(answer.order == makePolicy(settings, *solver)->plan(request, {}, {}).order);
-        QVERIFY(answer.legs.empty());
+        const PlanAnswer answer = makeFlownPolicy(settings, *solver)->plan(request, {});
+        QVERIFY(answer.uavs[0].order ==
+                makePolicy(settings, *solver)->plan(request, {}).uavs[0].order);
+        QVERIFY(answer.uavs[0].legs.empty());
     }
 
     void aPictureIsNeeded()
     {
         PlanRequest request = requestOf(randomScenario(9));
-        request.picture = nullptr;
-        QVERIFY_EXCEPTION_THROWN((void)coverage()->plan(request, {}, {}), std::logic_error);
+        request.uavs[0].picture = nullptr;
+        QVERIFY_EXCEPTION_THROWN((void)coverage()->plan(request, {}), std::logic_error);
     }
 };
 

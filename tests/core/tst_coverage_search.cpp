@@ -15,7 +15,8 @@ namespace {
 
 CoverageModel modelOf(const Scenario& scenario, double length_s = 1000)
 {
-    return CoverageModel(*Simulation(scenario).planRequest().picture, {.length_s = length_s});
+    return CoverageModel(*Simulation(scenario).planRequest().uavs[0].picture,
+                         {.length_s = length_s});
 }
 
 /** What a plan costs, flown leg by leg without the search. */

@@ -41,9 +41,9 @@ public:
         const double scale = optimum + objectiveShift(m_problem);
         for (std::size_t k = 0; k < m_reports.size(); ++k) {
             const SolveProgress& report = m_reports[k];
-            if (!isVisitOrder(m_problem, report.order))
+            if (!isVisitOrder(m_problem, report.plan.front()))
                 return QStringLiteral("report %1 has no order").arg(k);
-            if (report.objective != objective(m_problem, report.order))
+            if (report.objective != objective(m_problem, report.plan.front()))
                 return QStringLiteral("report %1 has a wrong objective").arg(k);
             if (report.bound && *report.bound > optimum + kRounding * scale)
                 return QStringLiteral("report %1 has a bound above the optimum").arg(k);
@@ -89,7 +89,7 @@ private slots:
             const double optimum = SubsetSolver().solve(problem, {}).objective;
             Reports reports(problem);
             SolveOptions options;
-            options.hint = shuffled(icebergs, static_cast<std::uint64_t>(number));
+            options.hint = {shuffled(icebergs, static_cast<std::uint64_t>(number))};
             options.onProgress = reports.taker();
             const SolveOutcome outcome = ExactSolver().solve(problem, options);
             QVERIFY(outcome.status == SolveStatus::Optimal);
@@ -134,7 +134,7 @@ private slots:
         const TvpProblem sorted = test::randomProblem(1, 150, 0, Route::Open);
         const SolveOutcome order = ExactSolver().solve(sorted, {});
         QVERIFY(order.status == SolveStatus::Optimal);
-        QVERIFY(order.order == sigmaOrder(sorted));
+        QVERIFY(order.order() == sigmaOrder(sorted));
     }
 
     void provesFortyIcebergs_data()
@@ -167,7 +167,7 @@ private slots:
 
         // From another start: the same optimum.
         options = {};
-        options.hint = shuffled(40, 1);
+        options.hint = {shuffled(40, 1)};
         const SolveOutcome hinted = ExactSolver().solve(problem, options);
         QVERIFY(hinted.hintUsed);
         COMPARE_NEAR(hinted.objective, outcome.objective,
@@ -215,7 +215,7 @@ private slots:
                 options.onProgress = reports.taker();
                 const SolveOutcome outcome = ExactSolver().solve(problem, options);
                 status = outcome.status;
-                QVERIFY(isVisitOrder(problem, outcome.order));
+                QVERIFY(isVisitOrder(problem, outcome.order()));
                 QVERIFY(status == SolveStatus::Optimal || outcome.reason == StopReason::WorkLimit);
                 QCOMPARE(reports.fault(optimum), QString());
                 QVERIFY(outcome.bound.value_or(lastBound) >= lastBound - kRounding * scale);
@@ -225,7 +225,7 @@ private slots:
                 lastObjective = outcome.objective;
 
                 const SolveOutcome again = ExactSolver().solve(problem, options);
-                QVERIFY(again.order == outcome.order);
+                QVERIFY(again.plan == outcome.plan);
                 QVERIFY(again.bound == outcome.bound);
                 QCOMPARE(again.work, outcome.work);
                 QVERIFY(limit < 1'000'000'000);

@@ -53,7 +53,7 @@ private slots:
         const ExportContent plan = planContent(fourIcebergs());
         QCOMPARE(plan.what, ExportWhat::Order);
         QCOMPARE(plan.now_s, 0.0);
-        QVERIFY(visited(only(plan)) == fourIcebergPlan().order);
+        QVERIFY(visited(only(plan)) == fourIcebergPlan().uavs[0].order);
         QVERIFY(only(plan).track.empty());
         const Mission mission = flown(fourIcebergs(), 100);
         const ExportContent run = runContent(mission);
@@ -93,7 +93,7 @@ private slots:
     {
         const Scenario scenario = changed([](Scenario& s) { s.wind_mps = Point(3, -5); });
         const ExportUav uav = planned({.what = ExportWhat::Path}, scenario);
-        QVERIFY(visited(uav) == fourIcebergPlan().order);
+        QVERIFY(visited(uav) == fourIcebergPlan().uavs[0].order);
         const double limit_radps = maxTurnRate_radps(scenario.uavs[0].spec);
         double turned_radps = 0;
         for (std::size_t i = 1; i < uav.track.size(); ++i) {
@@ -187,12 +187,12 @@ private slots:
         Scenario scenario = twoUavs();
         scenario.planner.policy = PolicyKind::Visitation;
         const PlanAnswer plan = planFromStart(scenario);
-        QCOMPARE(plan.fleet.size(), std::size_t{2});
+        QCOMPARE(plan.uavs.size(), std::size_t{2});
         const ExportContent order = planContent(scenario, plan);
         const ExportContent path = planContent(scenario, plan, {.what = ExportWhat::Path});
         for (std::size_t row = 0; row < 2; ++row) {
-            QVERIFY(visited(order.uavs[row]) == plan.fleet[row].order);
-            QVERIFY(visited(path.uavs[row]) == plan.fleet[row].order);
+            QVERIFY(visited(order.uavs[row]) == plan.uavs[row].order);
+            QVERIFY(visited(path.uavs[row]) == plan.uavs[row].order);
             QVERIFY(path.uavs[row].track.front().state.position_m == scenario.uavs[row].position_m);
         }
         const Mission mission = flown(scenario);

@@ -109,8 +109,8 @@ private slots:
         s.icebergs[1].position_m = {1000, 450};
         const PlanRequest request = Simulation(s).planRequest();
         const double straight_m = (s.uavs[0].position_m - s.icebergs[0].position_m).norm();
-        QVERIFY(request.problem.distance_m(0, 1) > 1.2 * straight_m);
-        QVERIFY(std::abs(request.problem.distance_m(0, 2) - 2500) < 1e-9);
+        QVERIFY(request.uavs[0].distance_m(0, 1) > 1.2 * straight_m);
+        QVERIFY(std::abs(request.uavs[0].distance_m(0, 2) - 2500) < 1e-9);
     }
 
     /** With a reach radius below the turn radius some icebergs cannot be met: none of them holds

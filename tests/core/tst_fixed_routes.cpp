@@ -18,7 +18,7 @@ double cycleLength_m(const PlanRequest& request, const Ids& ids)
 {
     double length_m = 0;
     for (std::size_t i = 0; i < ids.size(); ++i)
-        length_m += request.problem.distance_m(nodeOf(request, ids[i]),
+        length_m += request.uavs[0].distance_m(nodeOf(request, ids[i]),
                                                nodeOf(request, ids[(i + 1) % ids.size()]));
     return length_m;
 }
@@ -30,7 +30,7 @@ double waiting(const PlanRequest& request, const Ids& ids)
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const Ids until(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i) + 1);
         sum += pathLength_m(request, until) *
-               request.problem.sigma_m2[static_cast<std::size_t>(nodeOf(request, ids[i]))];
+               request.sigma_m2[static_cast<std::size_t>(nodeOf(request, ids[i]))];
     }
     return sum;
 }
@@ -71,15 +71,15 @@ private slots:
         Random random(3, static_cast<std::uint64_t>(icebergs));
         for (int k = 0; k < 5; ++k) {
             PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs));
-            for (double& sigma_m2 : request.problem.sigma_m2)
+            for (double& sigma_m2 : request.sigma_m2)
                 sigma_m2 *= 1000; // as large as the distances, and of no account
-            const PlanAnswer answer = policy(PolicyKind::Path)->plan(request, {}, {});
+            const PlanAnswer answer = policy(PolicyKind::Path)->plan(request, {});
             double shortest_m = 1e300;
             forEachOrder(request, [&](const Ids& ids) {
                 shortest_m = std::min(shortest_m, pathLength_m(request, ids));
             });
-            COMPARE_NEAR(pathLength_m(request, answer.order), shortest_m, 1e-9);
-            QCOMPARE(answer.order.size(), request.ids.size());
+            COMPARE_NEAR(pathLength_m(request, answer.uavs[0].order), shortest_m, 1e-9);
+            QCOMPARE(answer.uavs[0].order.size(), request.ids.size());
         }
     }
 
@@ -87,7 +87,7 @@ private slots:
     void pathContinuesItsSequence()
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
-        Ids rest = path->plan(five(), {}, {}).order;
+        Ids rest = path->plan(five(), {}).uavs[0].order;
         while (rest.size() > 1) {
             const int reached = rest.front();
             rest.erase(rest.begin());
@@ -95,34 +95,34 @@ private slots:
             for (Place& place : later) // nearest-first and sigma-first would both go elsewhere
                 place.sigma_m2 = 20 - place.sigma_m2;
             const PlanRequest request = requestOf({4000, 4000}, later);
-            QVERIFY(path->plan(without(request, {reached}), {}, {}).order == rest);
+            QVERIFY(path->plan(without(request, {reached}), {}).uavs[0].order == rest);
             QCOMPARE(m_script.problems.size(), std::size_t{1});
         }
-        const PlanAnswer again = path->plan(without(five(), {rest.front()}), {}, {});
+        const PlanAnswer again = path->plan(without(five(), {rest.front()}), {});
         QCOMPARE(m_script.problems.size(), std::size_t{2});
-        QCOMPARE(again.order.size(), std::size_t{4}); // all but the one in view
+        QCOMPARE(again.uavs[0].order.size(), std::size_t{4}); // all but the one in view
     }
 
     /** An iceberg seen on the way is passed over when its turn comes. */
     void pathPassesOverWhatIsInView()
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
-        const Ids order = path->plan(five(), {}, {}).order;
-        const PlanAnswer answer = path->plan(without(five(), {order[0], order[1]}), {}, {});
-        QVERIFY((answer.order == Ids{order[2], order[3], order[4]}));
+        const Ids order = path->plan(five(), {}).uavs[0].order;
+        const PlanAnswer answer = path->plan(without(five(), {order[0], order[1]}), {});
+        QVERIFY((answer.uavs[0].order == Ids{order[2], order[3], order[4]}));
         // It stays passed over, also when it is out of view again.
-        const PlanAnswer next = path->plan(without(five(), {order[2]}), {}, {});
-        QVERIFY((next.order == Ids{order[3], order[4]}));
+        const PlanAnswer next = path->plan(without(five(), {order[2]}), {});
+        QVERIFY((next.uavs[0].order == Ids{order[3], order[4]}));
     }
 
     /** In view long before its turn: it stays in the sequence. */
     void pathKeepsWhatIsInViewEarly()
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
-        const Ids order = path->plan(five(), {}, {}).order;
-        const PlanAnswer answer = path->plan(without(five(), {order[0], order[2]}), {}, {});
-        QVERIFY((answer.order == Ids{order[1], order[2], order[3], order[4]}));
-        QCOMPARE(path->plan(without(five(), {order[1]}), {}, {}).order.front(), order[2]);
+        const Ids order = path->plan(five(), {}).uavs[0].order;
+        const PlanAnswer answer = path->plan(without(five(), {order[0], order[2]}), {});
+        QVERIFY((answer.uavs[0].order == Ids{order[1], order[2], order[3], order[4]}));
+        QCOMPARE(path->plan(without(five(), {order[1]}), {}).uavs[0].order.front(), order[2]);
     }
 
     void fixedRoutesStartAnewWithANewIceberg_data()
@@ -136,17 +136,17 @@ private slots:
     {
         QFETCH(PolicyKind, kind);
         const std::unique_ptr<Policy> route = policy(kind);
-        const Ids order = route->plan(five(), {}, {}).order;
-        (void)route->plan(without(five(), {order[0]}), {}, {});
+        const Ids order = route->plan(five(), {}).uavs[0].order;
+        (void)route->plan(without(five(), {order[0]}), {});
         QCOMPARE(m_script.problems.size(), std::size_t{1});
         std::vector<Place> six = kFive;
         six.push_back({77, {2000, 2000}, 5});
         const PlanRequest request = requestOf({1000, 1000}, six);
-        const PlanAnswer answer = route->plan(request, {}, {});
+        const PlanAnswer answer = route->plan(request, {});
         QCOMPARE(m_script.problems.size(), std::size_t{2});
-        const PlanAnswer fresh = policy(kind)->plan(request, {}, {});
-        QVERIFY(answer.order == fresh.order);
-        QCOMPARE(answer.order.size(), std::size_t{6});
+        const PlanAnswer fresh = policy(kind)->plan(request, {});
+        QVERIFY(answer.uavs[0].order == fresh.uavs[0].order);
+        QCOMPARE(answer.uavs[0].order.size(), std::size_t{6});
     }
 
     void tourIsTheShortestCycle_data()
@@ -168,8 +168,8 @@ private slots:
             PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs));
             for (Eigen::Index i = 0; windy && i <= icebergs; ++i)
                 for (Eigen::Index j = 0; j <= icebergs; ++j)
-                    request.problem.distance_m(i, j) *= random.uniform(1, 1.5);
-            const Ids order = policy(PolicyKind::Tour)->plan(request, {}, {}).order;
+                    request.uavs[0].distance_m(i, j) *= random.uniform(1, 1.5);
+            const Ids order = policy(PolicyKind::Tour)->plan(request, {}).uavs[0].order;
             QCOMPARE(order.size(), request.ids.size());
 
             double shortest_m = 1e300;
@@ -195,11 +195,11 @@ private slots:
     void tourGoesRoundAndRound()
     {
         const std::unique_ptr<Policy> tour = policy(PolicyKind::Tour);
-        const Ids cycle = tour->plan(five(), {}, {}).order;
+        const Ids cycle = tour->plan(five(), {}).uavs[0].order;
         std::vector<int> flown{cycle.front()};
         for (int leg = 0; leg < 12; ++leg) {
-            const PlanAnswer answer = tour->plan(without(five(), {flown.back()}), {}, {});
-            flown.push_back(answer.order.front());
+            const PlanAnswer answer = tour->plan(without(five(), {flown.back()}), {});
+            flown.push_back(answer.uavs[0].order.front());
         }
         for (std::size_t i = 0; i < flown.size(); ++i)
             QCOMPARE(flown[i], cycle[i % cycle.size()]);
@@ -210,11 +210,11 @@ private slots:
     void tourTellsWhatWasSolved()
     {
         const PlanRequest request = five();
-        const PlanAnswer answer = policy(PolicyKind::Tour)->plan(request, {}, {});
+        const PlanAnswer answer = policy(PolicyKind::Tour)->plan(request, {});
         QCOMPARE(answer.problem.route, Route::Closed);
         QCOMPARE(answer.problem.icebergCount(), 4);
         QCOMPARE(answer.outcome.status, SolveStatus::Optimal);
-        COMPARE_NEAR(answer.outcome.objective, cycleLength_m(request, answer.order), 1e-9);
+        COMPARE_NEAR(answer.outcome.objective, cycleLength_m(request, answer.uavs[0].order), 1e-9);
     }
 };
 

@@ -386,7 +386,7 @@ private slots:
             int from = 0;
             double t = 2;
             for (const int iceberg : plan.order) {
-                distance_m += request.fleet[k].distance_m(from, iceberg + 1);
+                distance_m += request.uavs[k].distance_m(from, iceberg + 1);
                 reward_m2 += initialSigma_m2(scenario.icebergs[static_cast<std::size_t>(iceberg)]) *
                              (41 - t++);
                 from = iceberg + 1;

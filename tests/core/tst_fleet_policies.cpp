@@ -31,7 +31,7 @@ public:
 
     PlanAnswer plan(const PlanRequest& request, const SolveOptions& options = {})
     {
-        return m_policy->plan(request, {}, options);
+        return m_policy->plan(request, options);
     }
 
 private:
@@ -42,7 +42,7 @@ private:
 Orders ordersOf(const PlanAnswer& answer)
 {
     Orders orders;
-    for (const UavAnswer& uav : answer.fleet)
+    for (const UavAnswer& uav : answer.uavs)
         orders.push_back(uav.order);
     return orders;
 }
@@ -59,21 +59,19 @@ double lengthOf(const PlanRequest& request, const Orders& orders)
  * may hold what others hold, but the first. */
 QString faultOf(const PlanRequest& request, const PlanAnswer& answer, bool round)
 {
-    if (answer.fleet.size() != request.fleet.size())
+    if (answer.uavs.size() != request.uavs.size())
         return QStringLiteral("not one answer for each UAV");
-    if (!answer.order.empty() || !answer.legs.empty() || !answer.outcome.order.empty())
-        return QStringLiteral("an answer for one UAV");
     std::set<int> firsts;
     std::set<int> visited;
     std::set<int> all;
-    for (std::size_t k = 0; k < answer.fleet.size(); ++k) {
-        const Ids& order = answer.fleet[k].order;
+    for (std::size_t k = 0; k < answer.uavs.size(); ++k) {
+        const Ids& order = answer.uavs[k].order;
         if (!order.empty() && !firsts.insert(order.front()).second)
             return QStringLiteral("two to one iceberg");
         std::set<int> own;
         for (const int id : order) {
             const auto node = static_cast<std::size_t>(nodeOf(request, id));
-            if (!request.fleet[k].available.at(node - 1))
+            if (!request.uavs[k].available.at(node - 1))
                 return QStringLiteral("not available");
             if (!own.insert(id).second || (!round && !visited.insert(id).second))
                 return QStringLiteral("one twice");
@@ -82,11 +80,11 @@ QString faultOf(const PlanRequest& request, const PlanAnswer& answer, bool round
     }
     for (std::size_t k = 0; k < request.ids.size(); ++k) {
         const bool some = std::ranges::any_of(
-            request.fleet, [k](const UavRequest& uav) { return uav.available[k]; });
+            request.uavs, [k](const UavRequest& uav) { return uav.available[k]; });
         if (some != all.contains(request.ids[k]) && !(round && !some))
             return QStringLiteral("one left out");
     }
-    if (std::abs(answer.distance_m - lengthOf(request, ordersOf(answer))) > 1e-6)
+    if (!round && std::abs(answer.distance_m - lengthOf(request, ordersOf(answer))) > 1e-6)
         return QStringLiteral("wrong distance");
     return {};
 }
@@ -172,7 +170,7 @@ private slots:
                      qPrintable(fault));
             // The next picture: one target is in view, and sometimes a UAV is out of service.
             const Ids& order =
-                answer.fleet[static_cast<std::size_t>(random.below(answer.fleet.size()))].order;
+                answer.uavs[static_cast<std::size_t>(random.below(answer.uavs.size()))].order;
             request = order.empty() ? all : withoutIceberg(all, order.front());
             if (random.below(4) == 0)
                 request = withoutUav(request, static_cast<std::size_t>(random.below(3)));
@@ -198,9 +196,9 @@ private slots:
         for (const std::size_t out : {0U, 1U}) {
             const PlanRequest two = withoutUav(randomFleetRequest(10, 2, 7), out);
             const PlanAnswer answer = Flown(kind).plan(two);
-            QVERIFY(answer.fleet[out].order.empty());
+            QVERIFY(answer.uavs[out].order.empty());
             const PlanAnswer alone = Flown(kind).plan(aloneOf(two, 1 - out));
-            QVERIFY(answer.fleet[1 - out].order == alone.order);
+            QVERIFY(answer.uavs[1 - out].order == alone.uavs[0].order);
             COMPARE_NEAR(answer.outcome.objective, alone.outcome.objective,
                          1e-9 * std::abs(alone.outcome.objective));
             QVERIFY(answer.outcome.status == alone.outcome.status);
@@ -216,12 +214,12 @@ private slots:
         const PlanRequest request = randomFleetRequest(11, 2, 6);
         Flown flown(kind);
         const PlanAnswer answer = flown.plan(request, {.stop = stop.get_token()});
-        QCOMPARE(answer.fleet.size(), std::size_t{2});
+        QCOMPARE(answer.uavs.size(), std::size_t{2});
         if (kind == PolicyKind::Nearest || kind == PolicyKind::Uncertainty)
             return; // done before anyone could ask
         QVERIFY(answer.outcome.reason == StopReason::Cancelled);
         QVERIFY(answer.outcome.status == SolveStatus::None);
-        QVERIFY(answer.fleet[0].order.empty() && answer.fleet[1].order.empty());
+        QVERIFY(answer.uavs[0].order.empty() && answer.uavs[1].order.empty());
         QVERIFY(ordersOf(flown.plan(request)) == ordersOf(Flown(kind).plan(request)));
     }
 
@@ -249,11 +247,11 @@ private slots:
             const PlanAnswer answer =
                 Flown(PlannerSettings{.tau = 0.7, .route = route}).plan(request);
             FleetProblem problem{
-                .distance_m = {request.fleet[0].distance_m, request.fleet[1].distance_m},
-                .sigma_m2 = request.problem.sigma_m2,
+                .distance_m = {request.uavs[0].distance_m, request.uavs[1].distance_m},
+                .sigma_m2 = request.sigma_m2,
                 .route = route};
             problem.mu = fleetTuningWeight(problem, request.betweenUavs_m, 0.7).mu;
-            const FleetOutcome best = solveFleet(problem, Backend::Exact, {});
+            const SolveOutcome best = solveFleet(problem, Backend::Exact, {});
             QCOMPARE(answer.outcome.objective, best.objective);
             QCOMPARE(answer.gap.value(), 0.0);
             QVERIFY(answer.outcome.status == SolveStatus::Optimal);
@@ -266,13 +264,13 @@ private slots:
     {
         const PlanRequest three = withoutUav(randomFleetRequest(14, 3, 6), 1);
         PlanRequest two = three;
-        two.fleet.erase(two.fleet.begin() + 1);
+        two.uavs.erase(two.uavs.begin() + 1);
         two.betweenUavs_m = Eigen::MatrixXd(three.betweenUavs_m(Eigen::seq(0, 2, 2), //
                                                                 Eigen::seq(0, 2, 2)));
         const PlanAnswer answer = Flown(PolicyKind::Visitation).plan(three);
         const PlanAnswer expected = Flown(PolicyKind::Visitation).plan(two);
         QCOMPARE(answer.outcome.objective, expected.outcome.objective);
-        QVERIFY(answer.fleet[2].order == expected.fleet[1].order);
+        QVERIFY(answer.uavs[2].order == expected.uavs[1].order);
     }
 
     /** Sum of sigma times arrival, which no single iceberg elsewhere lowers. */
@@ -282,16 +280,15 @@ private slots:
         const PlanAnswer answer = Flown(PolicyKind::Latency).plan(request);
         double sum = 0;
         for (std::size_t k = 0; k < 2; ++k)
-            for (std::size_t i = 0; i < answer.fleet[k].order.size(); ++i) {
-                const Ids& order = answer.fleet[k].order;
+            for (std::size_t i = 0; i < answer.uavs[k].order.size(); ++i) {
+                const Ids& order = answer.uavs[k].order;
                 const Ids until(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-                sum +=
-                    pathLength_m(aloneOf(request, k), until) / request.speed_mps *
-                    request.problem.sigma_m2[static_cast<std::size_t>(nodeOf(request, order[i]))];
+                sum += pathLength_m(aloneOf(request, k), until) / request.speed_mps *
+                       request.sigma_m2[static_cast<std::size_t>(nodeOf(request, order[i]))];
             }
         COMPARE_NEAR(answer.outcome.objective, sum, 1e-9 * sum);
         QVERIFY(answer.outcome.status == SolveStatus::Optimal);
-        QVERIFY(!answer.fleet[0].order.empty() && !answer.fleet[1].order.empty());
+        QVERIFY(!answer.uavs[0].order.empty() && !answer.uavs[1].order.empty());
     }
 
     /** UAVs at 0 and 10 km on a line, icebergs at 1, 2, 4 and 9 km. */
@@ -346,7 +343,7 @@ private slots:
         QCOMPARE(next[1].front(), 0);
         // What only the other may visit is passed over.
         PlanRequest barred = all;
-        barred.fleet[0].available[static_cast<std::size_t>(orders[0][1])] = false;
+        barred.uavs[0].available[static_cast<std::size_t>(orders[0][1])] = false;
         QCOMPARE(ordersOf(tour.plan(barred))[0].front(), orders[0][2]);
     }
 
@@ -360,14 +357,14 @@ private slots:
         QVERIFY(!best.outcome.hintUsed);
         const Orders orders = ordersOf(best);
         for (std::size_t k = 0; k < 3; ++k)
-            request.fleet[k].lastRest = orders[k];
+            request.uavs[k].lastRest = orders[k];
         const PlanAnswer same = flown.plan(request, {.workLimit = 1});
         QVERIFY(same.outcome.hintUsed);
         QVERIFY(ordersOf(same) == orders);
 
         const int handed = orders[0].back();
-        request.fleet[0].available[static_cast<std::size_t>(nodeOf(request, handed) - 1)] = false;
-        request.fleet[1].lastRest.insert(request.fleet[1].lastRest.begin(), 4711);
+        request.uavs[0].available[static_cast<std::size_t>(nodeOf(request, handed) - 1)] = false;
+        request.uavs[1].lastRest.insert(request.uavs[1].lastRest.begin(), 4711);
         const PlanAnswer repaired = flown.plan(request, {.workLimit = 1});
         QVERIFY(repaired.outcome.hintUsed);
         QCOMPARE(faultOf(request, repaired, false), QString());
@@ -390,21 +387,20 @@ private slots:
             const PlanAnswer answer = Flown(PolicyKind::Visitation).plan(asked, options);
             QVERIFY(!reports.empty());
             for (const SolveProgress& report : reports) {
-                QVERIFY(report.order.empty());
                 PlanAnswer told = answer;
                 for (std::size_t k = 0; k < 3; ++k)
-                    told.fleet[k].order = report.fleet.at(k);
-                told.distance_m = lengthOf(asked, report.fleet);
+                    told.uavs[k].order = report.plan.at(k);
+                told.distance_m = lengthOf(asked, report.plan);
                 QCOMPARE(faultOf(asked, told, false), QString());
             }
-            QVERIFY(reports.back().fleet == ordersOf(answer));
+            QVERIFY(reports.back().plan == ordersOf(answer));
         }
     }
 
     void nothingUncertainMeansShortestPaths()
     {
         PlanRequest request = randomFleetRequest(18, 2, 6);
-        std::ranges::fill(request.problem.sigma_m2, 0.0);
+        std::ranges::fill(request.sigma_m2, 0.0);
         const double length_m = Flown(PolicyKind::Path).plan(request).distance_m;
         for (const PolicyKind kind : {PolicyKind::Visitation, PolicyKind::Latency})
             COMPARE_NEAR(Flown(kind).plan(request).distance_m, length_m, 1e-6);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kProven = 2e-9; // the margin of a proof
 
 /** What is wrong with an outcome, given the optimum; empty when nothing is. */
-QString faultOf(const FleetProblem& problem, const FleetOutcome& outcome, double optimum)
+QString faultOf(const FleetProblem& problem, const SolveOutcome& outcome, double optimum)
 {
     const double scale = optimum + fleetObjectiveShift(problem);
     if (outcome.status == SolveStatus::None)
@@ -54,7 +54,7 @@ private slots:
             const FleetProblem problem = test::fetchedFleet(41, uavs, 8 - uavs);
             const double optimum = test::bruteForceFleet(problem);
             for (const Backend backend : {Backend::Exact, Backend::Auto, Backend::Heuristic}) {
-                const FleetOutcome outcome = solveFleet(problem, backend, {});
+                const SolveOutcome outcome = solveFleet(problem, backend, {});
                 QCOMPARE(faultOf(problem, outcome, optimum), QString());
                 QVERIFY(test::sameObjective(problem, outcome.objective, optimum));
                 QVERIFY(outcome.reason == StopReason::Finished);
@@ -81,7 +81,7 @@ private slots:
             QVERIFY(error && error->code() == ErrorCode::Unsupported);
             return;
         }
-        const FleetOutcome outcome = solveFleet(problem, Backend::Cbc, {});
+        const SolveOutcome outcome = solveFleet(problem, Backend::Cbc, {});
         QCOMPARE(faultOf(problem, outcome, optimumOf(problem)), QString());
         QVERIFY(outcome.status == SolveStatus::Optimal);
         QCOMPARE(outcome.backend, std::string(problem.mu > 0 ? "cbc" : "assignment"));
@@ -93,7 +93,7 @@ private slots:
     {
         for (const int uavs : {2, 4}) {
             const FleetProblem problem = test::fetchedFleet(42, uavs, 11);
-            const FleetOutcome outcome = solveFleet(problem, Backend::Heuristic, {});
+            const SolveOutcome outcome = solveFleet(problem, Backend::Heuristic, {});
             QCOMPARE(faultOf(problem, outcome, optimumOf(problem)), QString());
             QVERIFY(outcome.status == SolveStatus::Optimal);
         }
@@ -105,7 +105,7 @@ private slots:
         for (const int uavs : {2, 3}) {
             const FleetProblem problem =
                 test::randomFleet(42, uavs, 14, 1, test::FleetKind::Latency);
-            const FleetOutcome outcome = solveFleet(problem, Backend::Heuristic, {});
+            const SolveOutcome outcome = solveFleet(problem, Backend::Heuristic, {});
             QVERIFY(outcome.status == SolveStatus::Feasible && !outcome.bound);
             QVERIFY(outcome.reason == StopReason::Finished);
             QVERIFY(test::sameObjective(problem, outcome.objective, optimumOf(problem)));
@@ -141,7 +141,7 @@ private slots:
             distance_m *= scale;
         const double optimum = test::bruteForceFleet(problem);
         for (const Backend backend : {Backend::Exact, Backend::Heuristic}) {
-            const FleetOutcome outcome = solveFleet(problem, backend, {});
+            const SolveOutcome outcome = solveFleet(problem, backend, {});
             QCOMPARE(faultOf(problem, outcome, optimum), QString());
             QVERIFY(test::sameObjective(problem, outcome.objective, optimum));
         }
@@ -161,14 +161,14 @@ private slots:
             problem.distance_m.push_back(euclideanDistances(points_m));
         }
         for (const Backend backend : {Backend::Exact, Backend::Auto, Backend::Heuristic}) {
-            const FleetOutcome outcome = solveFleet(problem, backend, {});
+            const SolveOutcome outcome = solveFleet(problem, backend, {});
             QVERIFY(outcome.status == SolveStatus::Optimal);
             QCOMPARE(outcome.plan, (FleetPlan{{2, 3}, {1, 4}}));
         }
         // Both of the most uncertain ones for the second UAV.
         test::assign(problem, 2, 1);
         test::assign(problem, 1, 1);
-        const FleetOutcome outcome = solveFleet(problem, Backend::Auto, {});
+        const SolveOutcome outcome = solveFleet(problem, Backend::Auto, {});
         QVERIFY(test::sameObjective(problem, outcome.objective, test::bruteForceFleet(problem)));
         QCOMPARE(outcome.plan[1].front(), 1);
     }
@@ -180,7 +180,7 @@ private slots:
             const FleetProblem problem =
                 test::randomFleet(seed, 3, 10, 0, test::FleetKind::Assigned);
             const std::optional<FleetPlan> best = bestFleetPlan(FleetCosts(problem), {});
-            const FleetOutcome outcome = solveFleet(problem, Backend::Auto, {});
+            const SolveOutcome outcome = solveFleet(problem, Backend::Auto, {});
             QVERIFY(
                 test::sameObjective(problem, outcome.objective, fleetObjective(problem, *best)));
         }
@@ -191,7 +191,7 @@ private slots:
     void noIcebergs()
     {
         const FleetProblem problem{.distance_m = {3, Eigen::MatrixXd::Zero(1, 1)}, .sigma_m2 = {0}};
-        const FleetOutcome outcome = solveFleet(problem, Backend::Auto, {});
+        const SolveOutcome outcome = solveFleet(problem, Backend::Auto, {});
         QVERIFY(outcome.status == SolveStatus::Optimal);
         QCOMPARE(outcome.plan, FleetPlan(3));
         QCOMPARE(outcome.objective, 0.0);
@@ -211,7 +211,7 @@ private slots:
     {
         const FleetProblem latency = test::randomFleet(45, 2, 5, 1, test::FleetKind::Latency);
         const FleetProblem large = test::randomFleet(45, 2, 128, 1);
-        for (const FleetOutcome& outcome :
+        for (const SolveOutcome& outcome :
              {solveFleet(latency, Backend::Cbc, {}), solveFleet(large, Backend::Exact, {}),
               solveFleet(large, Backend::Cbc, {})}) {
             QVERIFY(outcome.status == SolveStatus::None);
@@ -223,7 +223,7 @@ private slots:
     void manyIcebergsArePlannedWithoutBound()
     {
         const FleetProblem problem = test::randomFleet(46, 4, 140, 1);
-        const FleetOutcome outcome = solveFleet(problem, Backend::Auto, {.workLimit = 30'000'000});
+        const SolveOutcome outcome = solveFleet(problem, Backend::Auto, {.workLimit = 30'000'000});
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QVERIFY(outcome.reason == StopReason::WorkLimit);
         QVERIFY(!outcome.bound);
@@ -252,20 +252,20 @@ private slots:
         QFETCH(int, backend);
         const FleetProblem problem = test::randomFleet(48, 2, icebergs, 1);
         const double optimum = optimumOf(problem);
-        const auto solve = [&](const FleetOptions& options) {
+        const auto solve = [&](const SolveOptions& options) {
             return solveFleet(problem, static_cast<Backend>(backend), options);
         };
         for (const std::int64_t work : {0, 1, 1000}) {
-            const FleetOutcome outcome = solve({.workLimit = work});
+            const SolveOutcome outcome = solve({.workLimit = work});
             QCOMPARE(faultOf(problem, outcome, optimum), QString());
             QVERIFY(outcome.status == SolveStatus::Feasible);
             QVERIFY(outcome.reason == StopReason::WorkLimit);
         }
-        const FleetOutcome late = solve({.timeLimit_s = 0});
+        const SolveOutcome late = solve({.timeLimit_s = 0});
         QCOMPARE(faultOf(problem, late, optimum), QString());
         QVERIFY(late.status != SolveStatus::Optimal);
         QVERIFY(late.reason == StopReason::TimeLimit);
-        const FleetOutcome narrow = solve({.memoryLimit_bytes = 100});
+        const SolveOutcome narrow = solve({.memoryLimit_bytes = 100});
         QCOMPARE(faultOf(problem, narrow, optimum), QString());
         QVERIFY(narrow.status == SolveStatus::Feasible);
         QVERIFY(narrow.reason == StopReason::MemoryLimit);
@@ -275,7 +275,7 @@ private slots:
     {
         std::stop_source stop;
         stop.request_stop();
-        const FleetOutcome outcome =
+        const SolveOutcome outcome =
             solveFleet(test::randomFleet(49, 2, 20, 1), Backend::Exact, {.stop = stop.get_token()});
         QVERIFY(outcome.status == SolveStatus::None);
         QVERIFY(outcome.reason == StopReason::Cancelled);
@@ -286,12 +286,12 @@ private slots:
     {
         const FleetProblem problem = test::randomFleet(50, 5, 60, 1);
         std::stop_source stop;
-        FleetOptions options{.stop = stop.get_token()};
-        options.onProgress = [&](const FleetProgress& progress) {
+        SolveOptions options{.stop = stop.get_token()};
+        options.onProgress = [&](const SolveProgress& progress) {
             if (progress.bound)
                 stop.request_stop();
         };
-        const FleetOutcome outcome = solveFleet(problem, Backend::Exact, options);
+        const SolveOutcome outcome = solveFleet(problem, Backend::Exact, options);
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QVERIFY(outcome.reason == StopReason::Cancelled);
         QVERIFY(isFleetPlan(problem, outcome.plan));
@@ -301,7 +301,7 @@ private slots:
     void aGapIsEnough()
     {
         const FleetProblem problem = test::randomFleet(51, 3, 30, 1);
-        const FleetOutcome outcome = solveFleet(problem, Backend::Exact, {.gap = 0.05});
+        const SolveOutcome outcome = solveFleet(problem, Backend::Exact, {.gap = 0.05});
         QCOMPARE(faultOf(problem, outcome, optimumOf(problem)), QString());
         QVERIFY(outcome.reason == StopReason::GapReached || outcome.status == SolveStatus::Optimal);
         QVERIFY(fleetGap(problem, outcome.objective, *outcome.bound) <= 0.05 + kProven);
@@ -311,7 +311,7 @@ private slots:
     {
         const FleetProblem problem = test::randomFleet(52, 3, 20, 1);
         const FleetPlan best = solveFleet(problem, Backend::Exact, {}).plan;
-        const FleetOutcome outcome =
+        const SolveOutcome outcome =
             solveFleet(problem, Backend::Heuristic, {.workLimit = 1, .hint = best});
         QVERIFY(outcome.hintUsed);
         QCOMPARE(outcome.plan, best);
@@ -330,7 +330,7 @@ private slots:
         broken[0].pop_back();
         broken[1].push_back(broken[2].front()); // there twice: the second time goes
         broken[2].insert(broken[2].begin(), 99);
-        const FleetOutcome outcome =
+        const SolveOutcome outcome =
             solveFleet(problem, Backend::Heuristic, {.workLimit = 1, .hint = broken});
         QVERIFY(outcome.hintUsed);
         QVERIFY(isFleetPlan(problem, outcome.plan));
@@ -346,10 +346,10 @@ private slots:
         const FleetProblem problem = test::randomFleet(53, 3, 25, 1);
         const double optimum = optimumOf(problem);
         const double scale = optimum + fleetObjectiveShift(problem);
-        std::vector<FleetProgress> reports;
-        FleetOptions options;
-        options.onProgress = [&](const FleetProgress& progress) { reports.push_back(progress); };
-        const FleetOutcome outcome = solveFleet(problem, Backend::Heuristic, options);
+        std::vector<SolveProgress> reports;
+        SolveOptions options;
+        options.onProgress = [&](const SolveProgress& progress) { reports.push_back(progress); };
+        const SolveOutcome outcome = solveFleet(problem, Backend::Heuristic, options);
         QVERIFY(reports.size() > 2);
         for (std::size_t k = 0; k < reports.size(); ++k) {
             QVERIFY(isFleetPlan(problem, reports[k].plan));
@@ -368,8 +368,8 @@ private slots:
     void repeats()
     {
         const FleetProblem problem = test::randomFleet(54, 4, 40, 0.5);
-        const FleetOptions options{.workLimit = 40'000'000};
-        std::array<FleetOutcome, 2> outcomes;
+        const SolveOptions options{.workLimit = 40'000'000};
+        std::array<SolveOutcome, 2> outcomes;
         {
             std::jthread other([&] { outcomes[1] = solveFleet(problem, Backend::Auto, options); });
             outcomes[0] = solveFleet(problem, Backend::Auto, options);
@@ -383,10 +383,10 @@ private slots:
     void assignmentsAreKept()
     {
         FleetProblem problem = test::randomFleet(55, 3, 18, 1);
-        const FleetOutcome free = solveFleet(problem, Backend::Auto, {});
+        const SolveOutcome free = solveFleet(problem, Backend::Auto, {});
         const int handed = free.plan[0].front();
         test::assign(problem, handed, 2);
-        const FleetOutcome bound = solveFleet(problem, Backend::Auto, {.hint = free.plan});
+        const SolveOutcome bound = solveFleet(problem, Backend::Auto, {.hint = free.plan});
         QVERIFY(bound.hintUsed);
         QVERIFY(bound.status == SolveStatus::Optimal);
         QCOMPARE(std::count(bound.plan[2].begin(), bound.plan[2].end(), handed), 1);

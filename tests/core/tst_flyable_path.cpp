@@ -59,9 +59,10 @@ private slots:
         const PlanAnswer plan = planFromStart(scenario);
         const ExportSource source{.scenario = scenario, .plan = plan};
         const UavOrder order = presentOrder(source, 0);
-        QVERIFY(order.legs == plan.legs);
+        QVERIFY(order.legs == plan.uavs[0].legs);
         const FlyablePath path = pathOf(source, order);
-        compareSightings(path, plan.order, plan.outlook->sightings_s, plan.order.size(), 0);
+        compareSightings(path, plan.uavs[0].order, plan.uavs[0].outlook->sightings_s,
+                         plan.uavs[0].order.size(), 0);
         for (std::size_t i = 1; i < path.track.size(); ++i) {
             const TrackPoint& from = path.track[i - 1];
             const TrackPoint& to = path.track[i];

@@ -20,8 +20,8 @@ constexpr double kRounding = 1e-11;
 /** All a solve without proof may say of a problem with this optimum. */
 bool isHonest(const TvpProblem& problem, const SolveOutcome& outcome, double optimum)
 {
-    return isVisitOrder(problem, outcome.order) &&
-           outcome.objective == objective(problem, outcome.order) &&
+    return isVisitOrder(problem, outcome.order()) &&
+           outcome.objective == objective(problem, outcome.order()) &&
            outcome.objective >= optimum * (1 - kRounding) &&
            (!outcome.bound || *outcome.bound <= optimum * (1 + kRounding));
 }
@@ -29,14 +29,14 @@ bool isHonest(const TvpProblem& problem, const SolveOutcome& outcome, double opt
 bool isProven(const TvpProblem& problem, const SolveOutcome& outcome, double optimum)
 {
     return outcome.status == SolveStatus::Optimal && outcome.reason == StopReason::Finished &&
-           isVisitOrder(problem, outcome.order) &&
+           isVisitOrder(problem, outcome.order()) &&
            std::abs(outcome.objective - optimum) <= kProof * optimum;
 }
 
 SolveOutcome byEngine(const TvpProblem& problem, const SolveOptions& options = {})
 {
     SolveOutcome outcome = solveByEngine(problem, options, std::nullopt);
-    outcome.objective = objective(problem, outcome.order);
+    outcome.objective = objective(problem, outcome.order());
     return outcome;
 }
 
@@ -189,7 +189,7 @@ private slots:
             const TvpProblem problem = test::variedLatencyProblem(30, k);
             const SolveOutcome outcome = byEngine(problem);
             QVERIFY(outcome.status == SolveStatus::Optimal);
-            const SolveOutcome again = byEngine(problem, {.hint = outcome.order});
+            const SolveOutcome again = byEngine(problem, {.hint = outcome.plan});
             QVERIFY(isProven(problem, again, outcome.objective));
             QVERIFY(again.hintUsed);
         }
@@ -200,7 +200,7 @@ private slots:
         TvpProblem problem = test::variedLatencyProblem(150, 24);
         const SolveOutcome outcome = byEngine(problem, {.workLimit = 100'000'000});
         QVERIFY(outcome.status == SolveStatus::Feasible);
-        QVERIFY(isVisitOrder(problem, outcome.order));
+        QVERIFY(isVisitOrder(problem, outcome.order()));
         QVERIFY(outcome.bound && *outcome.bound > 0 && *outcome.bound < outcome.objective);
         QVERIFY(!makeSolver(Backend::Exact)->whyNot(problem).empty());
     }
@@ -214,9 +214,9 @@ private slots:
             std::fill(problem.sigma_m2.begin() + 1, problem.sigma_m2.end(), 4.0);
             const SolveOutcome first = makeSolver(Backend::Auto)->solve(problem, {});
             QVERIFY(first.status == SolveStatus::Optimal);
-            QVERIFY(makeSolver(Backend::Auto)->solve(problem, {}).order == first.order);
+            QVERIFY(makeSolver(Backend::Auto)->solve(problem, {}).order() == first.order());
             if (n <= 16)
-                QVERIFY(first.order == ascending(n));
+                QVERIFY(first.order() == ascending(n));
         }
     }
 
@@ -227,7 +227,7 @@ private slots:
         const SolveOutcome open = byEngine(problem);
         problem.route = Route::Closed;
         const SolveOutcome closed = byEngine(problem);
-        QVERIFY(open.order == closed.order);
+        QVERIFY(open.plan == closed.plan);
         QCOMPARE(open.objective, closed.objective);
     }
 
@@ -261,8 +261,8 @@ private slots:
         const SolveOutcome outcome = byEngine(problem, options);
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QCOMPARE(static_cast<int>(outcome.reason), reason);
-        QVERIFY(isVisitOrder(problem, outcome.order));
-        QVERIFY(objective(problem, outcome.order) >= optimum * (1 - kProof));
+        QVERIFY(isVisitOrder(problem, outcome.order()));
+        QVERIFY(objective(problem, outcome.order()) >= optimum * (1 - kProof));
         QVERIFY(!outcome.bound || *outcome.bound <= optimum * (1 + kProof));
     }
 
@@ -276,7 +276,7 @@ private slots:
         const SolveOutcome outcome = makeSolver(Backend::Exact)->solve(problem, options);
         QVERIFY(reports.size() > 2);
         for (std::size_t k = 0; k < reports.size(); ++k) {
-            QCOMPARE(reports[k].objective, objective(problem, reports[k].order));
+            QCOMPARE(reports[k].objective, objective(problem, reports[k].plan.front()));
             QVERIFY(k == 0 || reports[k].objective <= reports[k - 1].objective);
             QVERIFY(!reports[k].bound || *reports[k].bound <= outcome.objective * (1 + kRounding));
         }

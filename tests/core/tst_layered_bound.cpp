@@ -116,7 +116,7 @@ private slots:
             const int varied = number + number / 6 % 2; // all tau values, both kinds of proof
             const TvpProblem problem = test::variedProblem(icebergs, varied);
             const double optimum =
-                VisitCosts(problem).total(SubsetSolver().solve(problem, {}).order);
+                VisitCosts(problem).total(SubsetSolver().solve(problem, {}).order());
             QCOMPARE(faultOfProof(problem, optimum, varied), QString());
         }
     }
@@ -150,7 +150,7 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(6, 13, 1, Route::Open);
         const VisitCosts costs(problem);
-        const VisitOrder best = SubsetSolver().solve(problem, {}).order;
+        const VisitOrder best = SubsetSolver().solve(problem, {}).order();
         int asked = 0;
         LayeredBoundOptions options{.gap = 1, .workLimit = kPlenty};
         options.suggest = [&](std::int64_t work, std::int64_t most) {
@@ -193,7 +193,7 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(8, 15, 1, Route::Open);
         const VisitCosts costs(problem);
-        const VisitOrder best = SubsetSolver().solve(problem, {}).order;
+        const VisitOrder best = SubsetSolver().solve(problem, {}).order();
         const std::vector<PositionArc> arcs = survivingArcs(costs, best, {.workLimit = kPlenty});
         QVERIFY(runsOn(arcs, best));
         QVERIFY(arcs.size() <= 100); // of 2955
@@ -217,7 +217,7 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(2, 14, 1, Route::Open);
         const VisitCosts costs(problem);
-        const double optimum = costs.total(SubsetSolver().solve(problem, {}).order);
+        const double optimum = costs.total(SubsetSolver().solve(problem, {}).order());
         for (const double gap : {0.3, 0.05, 0.01}) {
             const BoundResult result =
                 improveBound(costs, ascending(14), {.gap = gap, .workLimit = kPlenty});
@@ -233,7 +233,7 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(3, 14, 3, Route::Closed);
         const VisitCosts costs(problem);
-        const double optimum = costs.total(SubsetSolver().solve(problem, {}).order);
+        const double optimum = costs.total(SubsetSolver().solve(problem, {}).order());
         double last = 0;
         for (const std::int64_t limit : {0, 1, 10'000, 100'000, 200'000, 1'000'000, 50'000'000}) {
             const BoundResult result = improveBound(costs, ascending(14), {.workLimit = limit});
@@ -250,7 +250,7 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(3, 14, 3, Route::Closed);
         const VisitCosts costs(problem);
-        const double optimum = costs.total(SubsetSolver().solve(problem, {}).order);
+        const double optimum = costs.total(SubsetSolver().solve(problem, {}).order());
         int allowed = 0;
         for (bool reached = false; !reached; allowed = 2 * allowed + 1) {
             int asked = 0;

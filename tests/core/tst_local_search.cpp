@@ -66,7 +66,7 @@ private slots:
         options.workLimit = 10 * outcome.work; // a limit, not a wish
         const SolveOutcome again = LocalSearch().solve(problem, options);
         QCOMPARE(again.work, outcome.work);
-        QVERIFY(again.order == outcome.order);
+        QVERIFY(again.plan == outcome.plan);
         QVERIFY(again.bound == outcome.bound);
         QVERIFY(again.reason == StopReason::Finished);
 
@@ -101,15 +101,15 @@ private slots:
         QVERIFY(reports.size() >= 2);
         QVERIFY(!reports.front().bound);
         for (std::size_t k = 0; k < reports.size(); ++k) {
-            QVERIFY(isVisitOrder(problem, reports[k].order));
-            QCOMPARE(reports[k].objective, objective(problem, reports[k].order));
+            QVERIFY(isVisitOrder(problem, reports[k].plan.front()));
+            QCOMPARE(reports[k].objective, objective(problem, reports[k].plan.front()));
             if (k == 0)
                 continue;
             QVERIFY(reports[k].objective <= reports[k - 1].objective);
             QVERIFY(reports[k].elapsed_s >= reports[k - 1].elapsed_s);
             QVERIFY(!reports[k - 1].bound || reports[k].bound.value() >= *reports[k - 1].bound);
         }
-        QVERIFY(reports.back().order == outcome.order);
+        QVERIFY(reports.back().plan.front() == outcome.order());
         QVERIFY(reports.back().bound.has_value());
     }
 
@@ -150,19 +150,19 @@ private slots:
         const SolveOutcome outcome = LocalSearch().solve(problem, options);
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QVERIFY(outcome.reason == StopReason::TimeLimit);
-        QVERIFY(isVisitOrder(problem, outcome.order));
+        QVERIFY(isVisitOrder(problem, outcome.order()));
         QVERIFY(!outcome.bound);
     }
 
     void startsFromTheHint()
     {
         const TvpProblem problem = test::randomProblem(40, 16, 1, Route::Open);
-        const VisitOrder best = ExactSolver().solve(problem, {}).order;
+        const VisitOrder best = ExactSolver().solve(problem, {}).order();
         SolveOptions options;
         options.timeLimit_s = 0; // nothing but the hint is looked at
-        options.hint = best;
+        options.hint = {best};
         const SolveOutcome outcome = LocalSearch().solve(problem, options);
-        QVERIFY(outcome.order == best);
+        QVERIFY(outcome.order() == best);
         QVERIFY(outcome.hintUsed);
         QVERIFY(!LocalSearch().solve(problem, {}).hintUsed);
     }
@@ -172,7 +172,7 @@ private slots:
         const TvpProblem problem = test::randomProblem(41, 70, 0, Route::Closed);
         const SolveOutcome outcome = LocalSearch().solve(problem, {});
         QVERIFY(outcome.status == SolveStatus::Optimal);
-        QVERIFY(outcome.order == sigmaOrder(problem));
+        QVERIFY(outcome.order() == sigmaOrder(problem));
     }
 
     /** Sizes around those where the method changes, and the largest that are meant to work. */
@@ -194,7 +194,7 @@ private slots:
         SolveOptions options;
         options.gap = gap;
         const SolveOutcome outcome = LocalSearch().solve(problem, options);
-        QVERIFY(isVisitOrder(problem, outcome.order));
+        QVERIFY(isVisitOrder(problem, outcome.order()));
         QVERIFY(gapOf(problem, outcome) <= gap + 1e-12);
         const double sorted = objective(problem, sigmaOrder(problem));
         QVERIFY(outcome.objective < sorted);

@@ -345,7 +345,7 @@ private slots:
         const Scenario scenario = randomScenario(22);
         Mission mission(scenario);
         mission.advance(0);
-        QCOMPARE(planFromStart(scenario).order, mission.plans().at(0).order);
+        QCOMPARE(planFromStart(scenario).uavs[0].order, mission.plans().at(0).order);
     }
 
     /** The first plan with aim points is told of while it is made, with its legs. */

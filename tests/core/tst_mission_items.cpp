@@ -78,7 +78,7 @@ private slots:
         scenario.uavs[0].home_m = Point(500, -700);
         const PlanAnswer plan = planFromStart(scenario);
         const MavMission mission = mavMission(planContent(scenario, plan));
-        QCOMPARE(mission.items.size(), plan.order.size() + 2);
+        QCOMPARE(mission.items.size(), plan.uavs[0].order.size() + 2);
         QCOMPARE(mission.items.back().command, MavCommand::NavLoiterUnlimited);
         QVERIFY(mission.items.back().place == mission.home);
         const Point home_m = LocalFrame(scenario.origin).toPlane(mission.home);

@@ -20,7 +20,7 @@ private slots:
     {
         const TvpProblem problem = test::fetchedProblem(33, 16);
         const VisitCosts costs(problem);
-        const double optimum = costs.total(SubsetSolver().solve(problem, {}).order);
+        const double optimum = costs.total(SubsetSolver().solve(problem, {}).order());
         SearchEffort effort;
         OrderSearch search(costs, effort);
         std::vector<double> improvements;

@@ -17,7 +17,7 @@ namespace {
 
 SolveOutcome inOrder(const VisitOrder& order)
 {
-    return {.status = SolveStatus::Feasible, .order = order};
+    return {.status = SolveStatus::Feasible, .plan = {order}};
 }
 
 /** The script's next answers, whatever the problem. */
@@ -38,7 +38,7 @@ PolicyScript g_script;
 class ScriptedPolicy final : public Policy
 {
 public:
-    PlanAnswer plan(const PlanRequest& request, std::span<const int>, const SolveOptions&) override
+    PlanAnswer plan(const PlanRequest& request, const SolveOptions&) override
     {
         g_script.requests.push_back(request);
         return g_script.answer(request);
@@ -59,7 +59,7 @@ PlanRequest twoForFive()
 std::vector<Ids> ordersOf(const PlanAnswer& answer)
 {
     std::vector<Ids> orders;
-    for (const UavAnswer& uav : answer.fleet)
+    for (const UavAnswer& uav : answer.uavs)
         orders.push_back(uav.order);
     return orders;
 }
@@ -69,7 +69,7 @@ auto answeringFleet(const std::vector<Ids>& orders)
     return [orders](const PlanRequest&) {
         PlanAnswer answer{.outcome = {.status = SolveStatus::Feasible}};
         for (const Ids& order : orders)
-            answer.fleet.push_back({.order = order, .legs = {}, .outlook = {}});
+            answer.uavs.push_back({.order = order, .legs = {}, .outlook = {}});
         return answer;
     };
 }
@@ -90,7 +90,7 @@ private:
             std::make_unique<Planner>(settings, std::make_unique<ScriptedSolver>(m_script));
         m_script.answer = answering(inOrder({4, 1, 3, 5, 2}));
         const PlanAnswer answer = planner->plan(five(), {});
-        require(answer.order == Ids{3, 10, 42, 5, 7}, "the script's order is flown");
+        require(answer.uavs[0].order == Ids{3, 10, 42, 5, 7}, "the script's order is flown");
         m_script = {};
         return planner;
     }
@@ -107,7 +107,7 @@ private slots:
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         m_script.answer = answering(inOrder({2, 1, 4, 3})); // nodes of 10, 7, 42, 5
         const PlanAnswer answer = planner->plan(without(five(), {3}), {});
-        QVERIFY((answer.order == Ids{7, 10, 5, 42}));
+        QVERIFY((answer.uavs[0].order == Ids{7, 10, 5, 42}));
         QVERIFY(!answer.fellBack);
     }
 
@@ -126,12 +126,12 @@ private slots:
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         m_script.answer = answering(noOrder(reason));
         const PlanAnswer first = planner->plan(without(five(), {3}), {});
-        QVERIFY((first.order == Ids{10, 42, 5, 7}));
+        QVERIFY((first.uavs[0].order == Ids{10, 42, 5, 7}));
         QVERIFY(first.fellBack);
         QCOMPARE(first.outcome.reason, reason);
         // And again from there: 10 reached, 42 seen on the way.
         const PlanAnswer second = planner->plan(without(five(), {10, 42}), {});
-        QVERIFY((second.order == Ids{5, 7}));
+        QVERIFY((second.uavs[0].order == Ids{5, 7}));
         QVERIFY(second.fellBack);
     }
 
@@ -140,11 +140,11 @@ private slots:
         Planner planner({}, std::make_unique<ScriptedSolver>(m_script));
         m_script.answer = answering(noOrder(StopReason::TimeLimit));
         const PlanAnswer answer = planner.plan(five(), {});
-        QVERIFY(answer.order == Ids{10});
+        QVERIFY(answer.uavs[0].order == Ids{10});
         QVERIFY(answer.fellBack);
         // Of those the last plan holds none is left: again the nearest, now 7.
         const PlanAnswer next = planner.plan(without(five(), {10}), {});
-        QVERIFY(next.order == Ids{7});
+        QVERIFY(next.uavs[0].order == Ids{7});
         QVERIFY(next.fellBack);
     }
 
@@ -154,14 +154,14 @@ private slots:
         m_script.answer = answering(noOrder(StopReason::TimeLimit));
         const PlanRequest request =
             requestOf({0, 0}, {{1, {50, 0}, 1}, {9, {0, 700}, 1}, {4, {700, 0}, 8}});
-        QVERIFY(planner.plan(without(request, {1}), {}).order == Ids{9});
+        QVERIFY(planner.plan(without(request, {1}), {}).uavs[0].order == Ids{9});
     }
 
     void nothingAvailableIsNoFallBack()
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         const PlanAnswer answer = planner->plan(without(five(), {10, 7, 42, 3, 5}), {});
-        QVERIFY(answer.order.empty());
+        QVERIFY(answer.uavs[0].order.empty());
         QVERIFY(!answer.fellBack);
     }
 
@@ -171,7 +171,7 @@ private slots:
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         m_script.answer = answering(noOrder(StopReason::TimeLimit));
         const PlanRequest two = requestOf({0, 0}, {kFive[1], kFive[2]}); // 7 and 42
-        QVERIFY((planner->plan(two, {}).order == Ids{42, 7}));
+        QVERIFY((planner->plan(two, {}).uavs[0].order == Ids{42, 7}));
     }
 
     void cancelledLeavesTheMemoryAsItWas_data()
@@ -194,8 +194,8 @@ private slots:
 
         m_script = {};
         m_script.answer = answering(noOrder(StopReason::TimeLimit));
-        QVERIFY((planner->plan(without(five(), {3}), {}).order == Ids{10, 42, 5, 7}));
-        QVERIFY((m_script.options.at(0).hint == VisitOrder{1, 3, 4, 2})); // still the first plan's
+        QVERIFY((planner->plan(without(five(), {3}), {}).uavs[0].order == Ids{10, 42, 5, 7}));
+        QVERIFY((m_script.options.at(0).hint == FleetPlan{{1, 3, 4, 2}})); // still the first plan's
     }
 
     /** The paper's first advantage: the rest of the last plan starts the next solve. */
@@ -205,7 +205,7 @@ private slots:
         (void)planner->plan(without(five(), {3}), {.gap = 0.125});
         QCOMPARE(m_script.options.size(), std::size_t{1});
         // 10, 42, 5, 7 are left; 10, 7, 42, 5 are nodes 1 to 4.
-        QVERIFY((m_script.options[0].hint == VisitOrder{1, 3, 4, 2}));
+        QVERIFY((m_script.options[0].hint == FleetPlan{{1, 3, 4, 2}}));
         QCOMPARE(m_script.options[0].gap, 0.125);
         QCOMPARE(m_script.problems.at(0).icebergCount(), 4);
     }
@@ -225,7 +225,7 @@ private slots:
         seven.push_back({88, {100, 100}, 3});
         (void)planner->plan(requestOf({0, 0}, seven), {});
         // 3, 10, 42, 5, 7 are nodes 5, 2, 4, 6, 3; then 77 and 88.
-        QVERIFY((m_script.options.at(0).hint == VisitOrder{5, 2, 4, 6, 3, 1, 7}));
+        QVERIFY((m_script.options.at(0).hint == FleetPlan{{5, 2, 4, 6, 3, 1, 7}}));
     }
 
     /** Without warm start the solver starts cold, but a limit still finds the last plan. */
@@ -235,7 +235,7 @@ private slots:
         m_script.answer = answering(noOrder(StopReason::WorkLimit));
         const PlanAnswer answer = planner->plan(without(five(), {3}), {}, false);
         QVERIFY(m_script.options.at(0).hint.empty());
-        QVERIFY((answer.order == Ids{10, 42, 5, 7}));
+        QVERIFY((answer.uavs[0].order == Ids{10, 42, 5, 7}));
         QVERIFY(answer.fellBack);
     }
 
@@ -247,7 +247,7 @@ private slots:
         (void)planner->plan(without(five(), {3}), {});
         const double muClosed = m_script.problems.at(0).mu;
         QCOMPARE(m_script.problems[0].route, Route::Closed);
-        QVERIFY((m_script.options[0].hint == VisitOrder{1, 3, 4, 2})); // the last order stays
+        QVERIFY((m_script.options[0].hint == FleetPlan{{1, 3, 4, 2}})); // the last order stays
 
         planner->setSettings({.tau = 5, .route = Route::Open});
         (void)planner->plan(without(five(), {3}), {});
@@ -259,12 +259,12 @@ private slots:
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         planner->setSettings({.policy = PolicyKind::Nearest});
-        QVERIFY((planner->plan(without(five(), {3}), {}).order == Ids{10, 7, 5, 42}));
+        QVERIFY((planner->plan(without(five(), {3}), {}).uavs[0].order == Ids{10, 7, 5, 42}));
         QVERIFY(m_script.problems.empty()); // no solver at work
         planner->setSettings({});
         (void)planner->plan(without(five(), {3, 10}), {});
         // The warm start is what the other policy left: 7, 5, 42 of the nodes 7, 42, 5.
-        QVERIFY((m_script.options.at(0).hint == VisitOrder{1, 3, 2}));
+        QVERIFY((m_script.options.at(0).hint == FleetPlan{{1, 3, 2}}));
     }
 
     void refusedSettingsChangeNothing()
@@ -273,7 +273,7 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(planner->setSettings({.policy = PolicyKind::Coverage}), Error);
         QVERIFY((planner->settings() == PlannerSettings{.tau = 1.5}));
         m_script.answer = answering(noOrder(StopReason::TimeLimit));
-        QVERIFY((planner->plan(without(five(), {3}), {}).order == Ids{10, 42, 5, 7}));
+        QVERIFY((planner->plan(without(five(), {3}), {}).uavs[0].order == Ids{10, 42, 5, 7}));
     }
 
     void unsupportedPolicyIsRefused()
@@ -293,10 +293,12 @@ private slots:
         const PlanAnswer answer = planner.plan(five(), {});
         QCOMPARE(answer.outcome.status, SolveStatus::Optimal);
         QCOMPARE(answer.outcome.backend, std::string("exact"));
-        COMPARE_NEAR(answer.outcome.objective, bruteForce(answer.problem).objective, 1e-9);
+        COMPARE_NEAR(answer.outcome.objective,
+                     bruteForce(problemOfUav(answer.problem, 0)).objective, 1e-9);
         planner.setSettings({.tau = 0.2, .backend = Backend::Auto});
         const PlanAnswer changed = planner.plan(five(), {});
-        COMPARE_NEAR(changed.outcome.objective, bruteForce(changed.problem).objective, 1e-9);
+        COMPARE_NEAR(changed.outcome.objective,
+                     bruteForce(problemOfUav(changed.problem, 0)).objective, 1e-9);
         COMPARE_NEAR(changed.problem.mu, 0.2 * answer.problem.mu, 1e-12);
     }
 
@@ -307,17 +309,17 @@ private slots:
         const PlanAnswer first = planner.plan(twoForFive(), {});
         QVERIFY((ordersOf(first) == std::vector<Ids>{{10, 7, 5}, {42, 3}}));
         QVERIFY(!first.fellBack);
-        QVERIFY(g_script.requests[0].fleet[0].lastRest.empty());
+        QVERIFY(g_script.requests[0].uavs[0].lastRest.empty());
 
         // The other way round, 10 in view, and 3 no longer for the second one.
         PlanRequest next = withoutIceberg(twoForFive(), 10);
-        next.fleet[1].available[3] = false;
-        std::swap(next.fleet[0], next.fleet[1]);
+        next.uavs[1].available[3] = false;
+        std::swap(next.uavs[0], next.uavs[1]);
         (void)planner.plan(next, {});
-        QVERIFY((g_script.requests[1].fleet[0].lastRest == Ids{42}));
-        QVERIFY((g_script.requests[1].fleet[1].lastRest == Ids{7, 5}));
+        QVERIFY((g_script.requests[1].uavs[0].lastRest == Ids{42}));
+        QVERIFY((g_script.requests[1].uavs[1].lastRest == Ids{7, 5}));
         (void)planner.plan(next, {}, false);
-        QVERIFY(g_script.requests[2].fleet[0].lastRest.empty());
+        QVERIFY(g_script.requests[2].uavs[0].lastRest.empty());
     }
 
     /** To what is left of the last orders, else to the nearest that no other one flies to. */
@@ -366,7 +368,7 @@ private slots:
         };
         QVERIFY(!planner.plan(twoForFive(), {}).fellBack);
         (void)planner.plan(twoForFive(), {});
-        QVERIFY((g_script.requests.back().fleet[1].lastRest == Ids{42, 3, 5}));
+        QVERIFY((g_script.requests.back().uavs[1].lastRest == Ids{42, 3, 5}));
     }
 
     /** Whatever a policy answers. */
@@ -389,7 +391,7 @@ private slots:
         QVERIFY((ordersOf(answer) == std::vector<Ids>{{7, 10, 98, 99}, {3}}));
         QVERIFY((answer.clusters == std::vector<Ids>{{10, 98, 99}}));
         (void)planner.plan(request, {});
-        QVERIFY((g_script.requests.back().fleet[0].lastRest == Ids{7, 10}));
+        QVERIFY((g_script.requests.back().uavs[0].lastRest == Ids{7, 10}));
     }
 
     /** Flown on, each plan starts from the rest of the one before it. */
@@ -399,7 +401,7 @@ private slots:
         const PlanRequest all = randomFleetRequest(5, 3, 20);
         PlanAnswer answer = planner.plan(all, {});
         QVERIFY(!answer.outcome.hintUsed);
-        const PlanRequest next = withoutIceberg(all, answer.fleet[1].order.front());
+        const PlanRequest next = withoutIceberg(all, answer.uavs[1].order.front());
         const PlanAnswer warm = planner.plan(next, {});
         QVERIFY(warm.outcome.hintUsed);
         QVERIFY(warm.outcome.status == SolveStatus::Optimal);

@@ -34,17 +34,17 @@ TvpProblem subProblem(const PlanRequest& request)
 {
     std::vector<int> nodes{0};
     for (std::size_t k = 0; k < request.ids.size(); ++k)
-        if (request.available[k])
+        if (request.uavs[0].available[k])
             nodes.push_back(static_cast<int>(k) + 1);
     TvpProblem sub;
     const auto n = static_cast<Eigen::Index>(nodes.size());
     sub.distance_m.resize(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const int from = nodes[static_cast<std::size_t>(i)];
-        sub.sigma_m2.push_back(request.problem.sigma_m2[static_cast<std::size_t>(from)]);
+        sub.sigma_m2.push_back(request.sigma_m2[static_cast<std::size_t>(from)]);
         for (Eigen::Index j = 0; j < n; ++j)
             sub.distance_m(i, j) =
-                request.problem.distance_m(from, nodes[static_cast<std::size_t>(j)]);
+                request.uavs[0].distance_m(from, nodes[static_cast<std::size_t>(j)]);
     }
     return sub;
 }
@@ -77,11 +77,11 @@ private slots:
     /** 10 is nearest; from there 7 (1803 m), 5 (2236 m), 42 (5000 m), 3. */
     void nearestByHand()
     {
-        const PlanAnswer answer = policy(PolicyKind::Nearest)->plan(five(), {}, {});
-        QVERIFY((answer.order == Ids{10, 7, 5, 42, 3}));
+        const PlanAnswer answer = policy(PolicyKind::Nearest)->plan(five(), {});
+        QVERIFY((answer.uavs[0].order == Ids{10, 7, 5, 42, 3}));
         QVERIFY(m_script.problems.empty()); // it asks no solver
         // Distances 1000, 1803, 2236, 5000, 1500 m; mu = 0 in the request: the reward alone.
-        COMPARE_NEAR(flownDistance(answer.problem, answer.outcome.order),
+        COMPARE_NEAR(fleetDistance(answer.problem, answer.outcome.plan),
                      1000 + std::sqrt(3.25e6) + std::sqrt(5e6) + 5000 + 1500, 1e-9);
         // N = 6: 2 x 4 + 9 x 3 + 1 x 2 + 5 x 1
         COMPARE_NEAR(answer.outcome.objective, -42, 1e-12);
@@ -89,9 +89,9 @@ private slots:
 
     void uncertaintyByHand()
     {
-        const PlanAnswer answer = policy(PolicyKind::Uncertainty)->plan(five(), {}, {});
+        const PlanAnswer answer = policy(PolicyKind::Uncertainty)->plan(five(), {});
         // 7 and 3 both have 9: the smaller node (7 comes first in the request), not the smaller id.
-        QVERIFY((answer.order == Ids{7, 3, 42, 10, 5}));
+        QVERIFY((answer.uavs[0].order == Ids{7, 3, 42, 10, 5}));
         QVERIFY(m_script.problems.empty());
     }
 
@@ -99,7 +99,7 @@ private slots:
     {
         const PlanRequest request =
             requestOf({0, 0}, {{9, {0, 700}, 1}, {4, {700, 0}, 8}, {2, {-700, 0}, 9}});
-        QCOMPARE(policy(PolicyKind::Nearest)->plan(request, {}, {}).order.front(), 9);
+        QCOMPARE(policy(PolicyKind::Nearest)->plan(request, {}).uavs[0].order.front(), 9);
     }
 
     void visitationIsTheOptimum_data()
@@ -126,24 +126,26 @@ private slots:
             // One iceberg more, which is in view and must have no part in it, not even in mu.
             PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs + 1));
             request = without(request, {request.ids[static_cast<std::size_t>(k % icebergs)]});
-            const PlanAnswer answer = policy->plan(request, {}, {});
+            const PlanAnswer answer = policy->plan(request, {});
 
             TvpProblem expected = subProblem(request);
             expected.mu = muByHand(expected, tau);
             expected.route = route;
             COMPARE_NEAR(answer.problem.mu, expected.mu, 1e-12 * expected.mu);
             QCOMPARE(answer.problem.route, route);
-            QVERIFY(answer.problem.distance_m == expected.distance_m);
+            QVERIFY(answer.problem.distance_m.at(0) == expected.distance_m);
             QVERIFY(answer.problem.sigma_m2 == expected.sigma_m2);
             const BruteForce best = bruteForce(expected);
             COMPARE_NEAR(answer.outcome.objective, best.objective, 1e-9);
-            COMPARE_NEAR(answer.outcome.objective, objective(expected, answer.outcome.order), 1e-9);
+            COMPARE_NEAR(answer.outcome.objective, objective(expected, answer.outcome.order()),
+                         1e-9);
             Ids ids;
-            for (const int node : answer.outcome.order)
+            for (const int node : answer.outcome.order())
                 ids.push_back(answer.solvedIds.at(static_cast<std::size_t>(node - 1)));
-            QVERIFY(answer.order == ids);
+            QVERIFY(answer.uavs[0].order == ids);
             for (const int id : ids)
-                QVERIFY(request.available[static_cast<std::size_t>(nodeOf(request, id) - 1)]);
+                QVERIFY(
+                    request.uavs[0].available[static_cast<std::size_t>(nodeOf(request, id) - 1)]);
         }
     }
 
@@ -152,7 +154,7 @@ private slots:
     {
         const PlanRequest request = five();
         const auto order = [&](double tau) {
-            return makePolicy({.tau = tau}, *m_solver)->plan(request, {}, {}).order;
+            return makePolicy({.tau = tau}, *m_solver)->plan(request, {}).uavs[0].order;
         };
         const Ids direct = order(1000);
         forEachOrder(request, [&](const Ids& other) {
@@ -170,10 +172,11 @@ private slots:
         for (Place& place : places)
             place.sigma_m2 = 0;
         const PlanRequest request = requestOf({0, 0}, places);
-        const PlanAnswer answer = policy(PolicyKind::Visitation)->plan(request, {}, {});
+        const PlanAnswer answer = policy(PolicyKind::Visitation)->plan(request, {});
         QCOMPARE(answer.problem.mu, 1.0);
         forEachOrder(request, [&](const Ids& other) {
-            QVERIFY(pathLength_m(request, answer.order) <= pathLength_m(request, other) + 1e-9);
+            QVERIFY(pathLength_m(request, answer.uavs[0].order) <=
+                    pathLength_m(request, other) + 1e-9);
         });
     }
 
@@ -183,10 +186,11 @@ private slots:
         for (Place& place : places)
             place.sigma_m2 = 0;
         const PlanRequest request = requestOf({0, 0}, places);
-        const PlanAnswer answer = policy(PolicyKind::Latency)->plan(request, {}, {});
+        const PlanAnswer answer = policy(PolicyKind::Latency)->plan(request, {});
         QCOMPARE(answer.problem.mu, 1.0);
         forEachOrder(request, [&](const Ids& other) {
-            QVERIFY(pathLength_m(request, answer.order) <= pathLength_m(request, other) + 1e-9);
+            QVERIFY(pathLength_m(request, answer.uavs[0].order) <=
+                    pathLength_m(request, other) + 1e-9);
         });
     }
 
@@ -200,8 +204,8 @@ private slots:
             Eigen::Index from = 0;
             for (const int id : ids) {
                 const Eigen::Index to = nodeOf(request, id);
-                time_s += request.problem.distance_m(from, to) / request.speed_mps;
-                sum_m2s += request.problem.sigma_m2[static_cast<std::size_t>(to)] * time_s;
+                time_s += request.uavs[0].distance_m(from, to) / request.speed_mps;
+                sum_m2s += request.sigma_m2[static_cast<std::size_t>(to)] * time_s;
                 from = to;
             }
             return sum_m2s;
@@ -209,12 +213,12 @@ private slots:
         for (const PlannerSettings& settings :
              {PlannerSettings{.policy = PolicyKind::Latency, .tau = 0},
               PlannerSettings{.policy = PolicyKind::Latency, .tau = 5, .route = Route::Closed}}) {
-            const PlanAnswer answer = makePolicy(settings, *m_solver)->plan(request, {}, {});
-            QCOMPARE(answer.order.size(), std::size_t{4});
-            COMPARE_NEAR(answer.outcome.objective, waiting_m2s(answer.order), 1e-9);
+            const PlanAnswer answer = makePolicy(settings, *m_solver)->plan(request, {});
+            QCOMPARE(answer.uavs[0].order.size(), std::size_t{4});
+            COMPARE_NEAR(answer.outcome.objective, waiting_m2s(answer.uavs[0].order), 1e-9);
             forEachOrder(request, [&](Ids other) {
                 std::erase(other, 42);
-                QVERIFY(waiting_m2s(answer.order) <= waiting_m2s(other) + 1e-9);
+                QVERIFY(waiting_m2s(answer.uavs[0].order) <= waiting_m2s(other) + 1e-9);
             });
         }
     }
@@ -251,16 +255,18 @@ private slots:
                 const unsigned bits = remembers ? static_cast<unsigned>(random.below(32)) : mask;
                 PlanRequest request = five();
                 for (unsigned k = 0; k < 5; ++k)
-                    request.available[k] = (bits >> k & 1U) != 0;
+                    request.uavs[0].available[k] = (bits >> k & 1U) != 0;
                 const std::unique_ptr<Policy> fresh = policy(kind);
-                const PlanAnswer answer = (remembers ? *lasting : *fresh).plan(request, {}, {});
-                QCOMPARE(answer.order.empty(), bits == 0);
+                const PlanAnswer answer = (remembers ? *lasting : *fresh).plan(request, {});
+                QCOMPARE(answer.uavs[0].order.empty(), bits == 0);
                 if (bits == 0)
                     continue;
-                const auto first = static_cast<std::size_t>(nodeOf(request, answer.order[0]) - 1);
-                QVERIFY(request.available.at(first));
-                const std::set<int> different(answer.order.begin(), answer.order.end());
-                QCOMPARE(different.size(), answer.order.size());
+                const auto first =
+                    static_cast<std::size_t>(nodeOf(request, answer.uavs[0].order[0]) - 1);
+                QVERIFY(request.uavs[0].available.at(first));
+                const std::set<int> different(answer.uavs[0].order.begin(),
+                                              answer.uavs[0].order.end());
+                QCOMPARE(different.size(), answer.uavs[0].order.size());
             }
         }
     }
@@ -271,9 +277,9 @@ private slots:
     {
         QFETCH(PolicyKind, kind);
         const std::unique_ptr<Policy> lonely = policy(kind);
-        QVERIFY(lonely->plan(requestOf({0, 0}, {}), {}, {}).order.empty());
+        QVERIFY(lonely->plan(requestOf({0, 0}, {}), {}).uavs[0].order.empty());
         // And when the first one comes it is flown to.
-        QVERIFY((lonely->plan(requestOf({0, 0}, {kFive[0]}), {}, {}).order == Ids{10}));
+        QVERIFY((lonely->plan(requestOf({0, 0}, {kFive[0]}), {}).uavs[0].order == Ids{10}));
     }
 
     /** Those that plan anew each time hold every available iceberg and no other. */
@@ -290,9 +296,10 @@ private slots:
         QFETCH(PolicyKind, kind);
         for (const std::set<int>& available :
              {std::set<int>{10, 7, 42, 3, 5}, {7, 3}, {5}, {42, 10, 5}}) {
-            const PlanAnswer answer = policy(kind)->plan(withAvailable(five(), available), {}, {});
-            QVERIFY(std::set<int>(answer.order.begin(), answer.order.end()) == available);
-            QCOMPARE(answer.order.size(), available.size());
+            const PlanAnswer answer = policy(kind)->plan(withAvailable(five(), available), {});
+            QVERIFY(std::set<int>(answer.uavs[0].order.begin(), answer.uavs[0].order.end()) ==
+                    available);
+            QCOMPARE(answer.uavs[0].order.size(), available.size());
         }
     }
 
@@ -312,9 +319,11 @@ private slots:
         QFETCH(Ids, lastRest);
         QFETCH(Ids, hint);
         const SolveOptions options{.timeLimit_s = 12, .workLimit = 345, .gap = 0.25};
-        (void)policy(PolicyKind::Visitation)->plan(without(five(), {7}), lastRest, options);
+        PlanRequest request = without(five(), {7});
+        request.uavs[0].lastRest = lastRest;
+        (void)policy(PolicyKind::Visitation)->plan(request, options);
         QCOMPARE(m_script.options.size(), std::size_t{1});
-        QVERIFY(m_script.options[0].hint == hint);
+        QVERIFY(m_script.options[0].hint == (hint.empty() ? FleetPlan{} : FleetPlan{hint}));
         QCOMPARE(m_script.options[0].timeLimit_s, options.timeLimit_s);
         QCOMPARE(m_script.options[0].workLimit, options.workLimit);
         QCOMPARE(m_script.options[0].gap, 0.25);
@@ -334,12 +343,12 @@ private slots:
         QFETCH(PolicyKind, kind);
         const std::unique_ptr<Policy> tried = policy(kind);
         m_script.answer = [](const TvpProblem&) { return noOrder(StopReason::TimeLimit); };
-        const PlanAnswer nothing = tried->plan(five(), {}, {});
-        QVERIFY(nothing.order.empty());
+        const PlanAnswer nothing = tried->plan(five(), {});
+        QVERIFY(nothing.uavs[0].order.empty());
         QCOMPARE(nothing.outcome.reason, StopReason::TimeLimit);
         m_script.answer = triedAll;
-        const PlanAnswer answer = tried->plan(five(), {}, {});
-        QVERIFY(answer.order == policy(kind)->plan(five(), {}, {}).order);
+        const PlanAnswer answer = tried->plan(five(), {});
+        QVERIFY(answer.uavs[0].order == policy(kind)->plan(five(), {}).uavs[0].order);
     }
 
     void cancelledSolveIsNotKept_data() { noOrderFromTheSolver_data(); }
@@ -354,16 +363,17 @@ private slots:
         const std::unique_ptr<Policy> cancelled = policy(kind);
         m_script.answer = [](const TvpProblem& problem) {
             SolveOutcome outcome = triedAll(problem);
-            std::reverse(outcome.order.begin(), outcome.order.end());
-            std::swap(outcome.order.front(), outcome.order.back()); // an order of no merit
+            VisitOrder& order = outcome.plan.front();
+            std::reverse(order.begin(), order.end());
+            std::swap(order.front(), order.back()); // an order of no merit
             outcome.status = SolveStatus::Feasible;
             outcome.reason = StopReason::Cancelled;
             return outcome;
         };
-        QCOMPARE(cancelled->plan(five(), {}, {}).outcome.reason, StopReason::Cancelled);
+        QCOMPARE(cancelled->plan(five(), {}).outcome.reason, StopReason::Cancelled);
         m_script.answer = triedAll;
-        const PlanAnswer answer = cancelled->plan(five(), {}, {});
-        QVERIFY(answer.order == policy(kind)->plan(five(), {}, {}).order);
+        const PlanAnswer answer = cancelled->plan(five(), {});
+        QVERIFY(answer.uavs[0].order == policy(kind)->plan(five(), {}).uavs[0].order);
         QCOMPARE(answer.outcome.reason, StopReason::Finished);
     }
 

@@ -1,4 +1,4 @@
-#include "core/plan/solve/second_opinion.h"
+#include "core/plan/fleet/second_opinion.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 
@@ -59,7 +59,7 @@ private slots:
         QFETCH(SolveOutcome, second);
         QFETCH(Verdict, verdict);
         const TvpProblem problem = randomProblem(1, 3, 1, Route::Open);
-        QCOMPARE(verdictOn(problem, first, second), verdict);
+        QCOMPARE(verdictOn(problemOf(problem), first, second), verdict);
     }
 
 #if BERG_EXPECT_CBC
@@ -85,7 +85,7 @@ private slots:
         QFETCH(std::optional<Formulation>, formulation);
         const TvpProblem problem = randomProblem(2, icebergs, 0.5, Route::Open);
         const SolveOutcome first = makeSolver(backend)->solve(problem, {});
-        const SecondOpinion opinion = secondOpinion(problem, first, {});
+        const SecondOpinion opinion = secondOpinion(problemOf(problem), first, {});
         QCOMPARE(QString::fromStdString(opinion.outcome.backend), second);
         QVERIFY(opinion.formulation == formulation);
         QCOMPARE(opinion.verdict, Verdict::Agrees);
@@ -95,7 +95,8 @@ private slots:
     {
         const TvpProblem problem = randomProblem(3, 5, 1, Route::Open);
         const SolveOutcome first = makeSolver(Backend::Exact)->solve(problem, {});
-        const SecondOpinion opinion = secondOpinion(problem, first, {}, Formulation::Printed);
+        const SecondOpinion opinion =
+            secondOpinion(problemOf(problem), first, {}, Formulation::Printed);
         QVERIFY(opinion.formulation == Formulation::Printed);
         QCOMPARE(opinion.verdict, Verdict::Agrees);
     }
@@ -104,12 +105,12 @@ private slots:
     {
         const TvpProblem problem = randomProblem(4, 12, 1, Route::Open);
         const SolveOutcome first = makeSolver(Backend::Auto)->solve(problem, {});
-        const SecondOpinion late = secondOpinion(problem, first, {.timeLimit_s = 0.0});
+        const SecondOpinion late = secondOpinion(problemOf(problem), first, {.timeLimit_s = 0.0});
         QCOMPARE(late.verdict, Verdict::NotVerified);
         QCOMPARE(late.outcome.reason, StopReason::TimeLimit);
         const TvpProblem large = randomProblem(4, 70, 0, Route::Open);
         const SolveOutcome sorted = makeSolver(Backend::Heuristic)->solve(large, {});
-        const SecondOpinion unable = secondOpinion(large, sorted, {});
+        const SecondOpinion unable = secondOpinion(problemOf(large), sorted, {});
         QCOMPARE(unable.verdict, Verdict::NotVerified);
         QCOMPARE(unable.outcome.reason, StopReason::Unable);
     }

@@ -319,7 +319,7 @@ private slots:
                  qPrintable(QString("%1 against %2").arg(simulation.time_s()).arg(expected_s)));
         QVERIFY(std::abs(simulation.uav(0).pose.position_m.y()) < 5);
         // The same wind is what planning counts with: air distance U t.
-        const double air_m = Simulation(scenario).planRequest().problem.distance_m(0, 1);
+        const double air_m = Simulation(scenario).planRequest().uavs[0].distance_m(0, 1);
         QVERIFY(std::abs(air_m - 22 * flightTime_s({20000, 0}, 22, wind_mps)) < 1e-6);
     }
 

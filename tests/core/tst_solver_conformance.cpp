@@ -155,7 +155,7 @@ private slots:
             QVERIFY(outcome.status == SolveStatus::Optimal);
             COMPARE_NEAR(outcome.objective, least, 1e-9 * (1 + least));
             QVERIFY(outcome.bound == outcome.objective);
-            COMPARE_NEAR(waiting(problem, outcome.order), least, 1e-9 * (1 + least));
+            COMPARE_NEAR(waiting(problem, outcome.order()), least, 1e-9 * (1 + least));
         }
     }
 
@@ -261,10 +261,10 @@ private slots:
         double last = std::numeric_limits<double>::infinity();
         for (const SolveProgress& report : reports) {
             QVERIFY(!report.bound || *report.bound <= optimum + margin);
-            if (report.order.empty())
+            if (report.plan.front().empty())
                 continue;
-            QVERIFY(isVisitOrder(problem, report.order));
-            COMPARE_NEAR(report.objective, objective(problem, report.order), 1e-9);
+            QVERIFY(isVisitOrder(problem, report.plan.front()));
+            COMPARE_NEAR(report.objective, objective(problem, report.plan.front()), 1e-9);
             QVERIFY(report.objective <= last + 1e-9);
             last = report.objective;
         }

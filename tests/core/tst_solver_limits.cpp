@@ -22,7 +22,7 @@ private slots:
         const SolveOutcome outcome = solver()->solve(problem, options);
         QVERIFY(outcome.status == SolveStatus::None);
         QVERIFY(outcome.reason == StopReason::Cancelled);
-        QVERIFY(outcome.order.empty());
+        QVERIFY(outcome.order().empty());
         QVERIFY(!outcome.bound);
     }
 
@@ -49,7 +49,7 @@ private slots:
         const double optimum = test::bruteForce(problem).objective;
         SolveOptions options;
         if (withHint)
-            options.hint = ascending(8);
+            options.hint = {ascending(8)};
         if (workLimit >= 0)
             options.workLimit = workLimit;
         else
@@ -61,7 +61,7 @@ private slots:
         QVERIFY(outcome.reason == limit || outcome.status == SolveStatus::Optimal);
         if (withHint) {
             QVERIFY(outcome.status != SolveStatus::None);
-            QVERIFY(outcome.objective <= objective(problem, options.hint));
+            QVERIFY(outcome.objective <= objective(problem, options.hint.front()));
         }
         if (workLimit >= 0) {
             QVERIFY(same(outcome, solver()->solve(problem, options)));
@@ -82,7 +82,7 @@ private slots:
                  QString());
         QVERIFY(outcome.reason == StopReason::Cancelled || outcome.status == SolveStatus::Optimal);
         QVERIFY(outcome.status != SolveStatus::None);
-        QVERIFY(outcome.objective <= objective(problem, options.hint));
+        QVERIFY(outcome.objective <= objective(problem, options.hint.front()));
     }
 
     void keepsToTheGap_data() { solvers_data(); }

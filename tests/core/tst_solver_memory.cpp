@@ -67,7 +67,7 @@ private slots:
         constexpr std::int64_t kWork = 500'000'000;
         const std::int64_t limit = std::int64_t{1'000'000} * limit_mb;
         if (uavs > 1) {
-            const FleetOutcome outcome =
+            const SolveOutcome outcome =
                 solveFleet(fleet, Backend::Exact, {.workLimit = kWork, .memoryLimit_bytes = limit});
             QVERIFY(outcome.status != SolveStatus::None);
         } else {
@@ -105,8 +105,8 @@ private slots:
     void noRoomForTheCosts()
     {
         const FleetProblem problem = test::randomFleet(7, 3, 20, 1, test::FleetKind::Assigned);
-        FleetOptions options{.memoryLimit_bytes = 1000};
-        const FleetOutcome outcome = solveFleet(problem, Backend::Auto, options);
+        SolveOptions options{.memoryLimit_bytes = 1000};
+        const SolveOutcome outcome = solveFleet(problem, Backend::Auto, options);
         QVERIFY(outcome.status == SolveStatus::Feasible);
         QVERIFY(outcome.reason == StopReason::MemoryLimit);
         QVERIFY(isFleetPlan(problem, outcome.plan));

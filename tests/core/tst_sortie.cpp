@@ -261,8 +261,8 @@ private slots:
         // With the near one in view there is nothing left to fly to: it waits on the ground.
         QVERIFY(!timesOf(mission, EventKind::HomeBound).empty());
         const PlanRequest request = Simulation(s).planRequest();
-        QVERIFY(!request.available[0]);
-        QVERIFY(request.available[1]);
+        QVERIFY(!request.uavs[0].available[0]);
+        QVERIFY(request.uavs[0].available[1]);
     }
 
     void itStaysOnTheGroundWithNothingToFlyTo()

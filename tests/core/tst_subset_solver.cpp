@@ -54,7 +54,7 @@ private slots:
             const test::BruteForce best = test::bruteForce(problem);
             const SolveOutcome outcome = SubsetSolver().solve(problem, {});
             QVERIFY(outcome.status == SolveStatus::Optimal);
-            QVERIFY(outcome.order == best.order);
+            QVERIFY(outcome.order() == best.order);
             QCOMPARE(outcome.work, std::int64_t{icebergs} << icebergs);
         }
     }
@@ -68,13 +68,13 @@ private slots:
 
         // The end of an optimal order is optimal from where it starts (Bellman): the last ten
         // icebergs seen from the tenth.
-        const VisitOrder rest(whole.order.begin() + 10, whole.order.end());
+        const VisitOrder rest(whole.order().begin() + 10, whole.order().end());
         TvpProblem tail = restrictedTo(problem, rest);
         for (int j = 1; j <= 10; ++j)
             tail.distance_m(0, j) =
-                problem.distance_m(whole.order[9], rest[static_cast<std::size_t>(j) - 1]);
+                problem.distance_m(whole.order()[9], rest[static_cast<std::size_t>(j) - 1]);
         const SolveOutcome part = SubsetSolver().solve(tail, {});
-        QVERIFY(part.order == ascending(10));
+        QVERIFY(part.order() == ascending(10));
     }
 
     void refusesWhatDoesNotFit()
@@ -91,7 +91,7 @@ private slots:
     void tiesGoToTheSmallestNumbers()
     {
         for (const int n : {1, 2, 3, 6, 11, 14})
-            QVERIFY(SubsetSolver().solve(indifferent(n), {}).order == ascending(n));
+            QVERIFY(SubsetSolver().solve(indifferent(n), {}).order() == ascending(n));
     }
 
     void reportsTheHintThenTheOptimum()
@@ -99,13 +99,13 @@ private slots:
         const TvpProblem problem = test::randomProblem(8, 9, 1, Route::Closed);
         std::vector<SolveProgress> reports;
         SolveOptions options;
-        options.hint = ascending(9);
+        options.hint = {ascending(9)};
         options.onProgress = [&](const SolveProgress& progress) { reports.push_back(progress); };
         const SolveOutcome outcome = SubsetSolver().solve(problem, options);
         QCOMPARE(reports.size(), std::size_t{2});
-        QVERIFY(reports[0].order == options.hint);
+        QVERIFY(reports[0].plan == options.hint);
         QVERIFY(!reports[0].bound);
-        QVERIFY(reports[1].order == outcome.order);
+        QVERIFY(reports[1].plan.front() == outcome.order());
         QCOMPARE(reports[1].bound.value(), outcome.objective);
         QCOMPARE(reports[1].objective, outcome.objective);
         QVERIFY(!outcome.hintUsed); // the optimum owes nothing to it
@@ -137,7 +137,7 @@ private slots:
         SolveOptions options;
         options.stop = stop.get_token();
         if (hinted)
-            options.hint = ascending(13);
+            options.hint = {ascending(13)};
         if (reason == static_cast<int>(StopReason::TimeLimit))
             options.timeLimit_s = 0;
         if (reason == static_cast<int>(StopReason::WorkLimit))
@@ -153,7 +153,7 @@ private slots:
         QCOMPARE(static_cast<int>(outcome.reason), reason);
         QCOMPARE(outcome.hintUsed, hinted);
         QVERIFY(outcome.status == (hinted ? SolveStatus::Feasible : SolveStatus::None));
-        QVERIFY(outcome.order == options.hint);
+        QVERIFY(outcome.plan == options.hint);
         QVERIFY(!outcome.bound);
     }
 

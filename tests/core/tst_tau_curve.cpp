@@ -1,3 +1,4 @@
+#include "core/plan/policy/fleet_task.h"
 #include "core/plan/policy/tau_curve.h"
 #include "core/plan/solve/subset_solver.h"
 #include "core/plan/solve/tuning.h"
@@ -394,13 +395,13 @@ private slots:
                 visitationProblem(Simulation(scenario).planRequest(), route);
             const PlanAnswer plan = planFromStart(scenario);
             QCOMPARE(visitation.ids, plan.solvedIds);
-            QVERIFY(visitation.problem.distance_m == plan.problem.distance_m);
+            QVERIFY(visitation.problem.distance_m == plan.problem.distance_m.at(0));
             QCOMPARE(visitation.problem.sigma_m2, plan.problem.sigma_m2);
             QCOMPARE(visitation.problem.route, plan.problem.route);
 
             const TauCurve curve = tauCurve(visitation.problem, {});
             const int index = intervalAt(curve, scenario.planner.tau);
-            QCOMPARE(curve.intervals[static_cast<std::size_t>(index)].order, plan.outcome.order);
+            QCOMPARE(curve.intervals[static_cast<std::size_t>(index)].order, plan.outcome.order());
         }
     }
 };

@@ -81,7 +81,7 @@ private slots:
                  qPrintable(QString::number(mission.simulation().time_s() / planned_s)));
         // The planner is charged the same: air distance U t.
         const PlanRequest request = Simulation(scenario).planRequest();
-        COMPARE_NEAR(request.problem.distance_m(0, 1),
+        COMPARE_NEAR(request.uavs[0].distance_m(0, 1),
                      22 * flightTime_s({8000, 0}, 22, scenario.wind_mps), 1e-9);
     }
 
@@ -120,9 +120,9 @@ private slots:
         addIceberg(scenario, 2000, 0);
         addIceberg(scenario, -2100, 0);
         scenario.planner.policy = PolicyKind::Nearest;
-        QCOMPARE(planFromStart(scenario).order.at(0), 0);
+        QCOMPARE(planFromStart(scenario).uavs[0].order.at(0), 0);
         scenario.wind_mps = {-kWind_mps, 0};
-        QCOMPARE(planFromStart(scenario).order.at(0), 1);
+        QCOMPARE(planFromStart(scenario).uavs[0].order.at(0), 1);
     }
 
     void windThatTurnsInFlightReplays()

@@ -31,11 +31,9 @@ inline Scenario fleetScenario(int uavs, int icebergs)
 inline PlanAnswer fleetPlan(int uavs, int icebergs)
 {
     PlanAnswer plan;
-    plan.fleet.resize(static_cast<std::size_t>(uavs));
+    plan.uavs.resize(static_cast<std::size_t>(uavs));
     for (int i = 0; i < icebergs; ++i)
-        plan.fleet[static_cast<std::size_t>(i % uavs)].order.push_back(i);
-    if (uavs == 1)
-        plan = planOf(plan.fleet.front().order);
+        plan.uavs[static_cast<std::size_t>(i % uavs)].order.push_back(i);
     return plan;
 }
 

@@ -51,19 +51,15 @@ public:
 
     [[nodiscard]] PlanRequest request(std::span<const std::vector<int>> lastRests = {}) const
     {
-        PlanRequest request{.speed_mps = m_flyers[0].motion.airspeed_mps};
-        request.problem.sigma_m2.push_back(0);
+        PlanRequest request{.sigma_m2 = {0}, .speed_mps = m_flyers[0].motion.airspeed_mps};
         for (int i = 0; i < static_cast<int>(m_tracks.size()); ++i) {
             request.ids.push_back(i);
-            request.problem.sigma_m2.push_back(track(i).sigma_m2);
+            request.sigma_m2.push_back(track(i).sigma_m2);
         }
         for (int u = 0; u < static_cast<int>(m_flyers.size()); ++u)
-            request.fleet.push_back(uavRequest(u));
+            request.uavs.push_back(uavRequest(u));
         for (std::size_t u = 0; u < lastRests.size(); ++u)
-            request.fleet[u].lastRest = lastRests[u];
-        request.problem.distance_m = request.fleet[0].distance_m;
-        request.available = request.fleet[0].available;
-        request.picture = request.fleet[0].picture;
+            request.uavs[u].lastRest = lastRests[u];
         const auto m = static_cast<Eigen::Index>(m_flyers.size());
         request.betweenUavs_m.resize(m, m);
         for (Eigen::Index a = 0; a < m; ++a)

@@ -11,13 +11,11 @@ inline PlanRequest fleetRequestOf(const std::vector<Point>& uavs_m,
                                   const std::vector<Place>& places)
 {
     PlanRequest request = requestOf(uavs_m.front(), places);
+    request.uavs.clear();
     Eigen::MatrixX2d starts_m(static_cast<Eigen::Index>(uavs_m.size()), 2);
     for (std::size_t k = 0; k < uavs_m.size(); ++k) {
-        const PlanRequest alone = requestOf(uavs_m[k], places);
-        request.fleet.push_back({.uav = 20 + static_cast<int>(k),
-                                 .distance_m = alone.problem.distance_m,
-                                 .available = alone.available,
-                                 .picture = nullptr});
+        request.uavs.push_back(requestOf(uavs_m[k], places).uavs.front());
+        request.uavs.back().uav = 20 + static_cast<int>(k);
         starts_m.row(static_cast<Eigen::Index>(k)) = uavs_m[k].transpose();
     }
     request.betweenUavs_m = euclideanDistances(starts_m);
@@ -33,15 +31,15 @@ inline PlanRequest randomFleetRequest(std::uint64_t seed, int uavs, int icebergs
     for (int k = 0; k < uavs; ++k)
         uavs_m.emplace_back(random.uniform(0, 5000), random.uniform(0, 4000));
     PlanRequest request = fleetRequestOf(uavs_m, randomPlaces(random, icebergs));
-    for (std::size_t k = 0; unlike && k < request.fleet.size(); ++k)
-        request.fleet[k].distance_m *= 1 + 0.2 * static_cast<double>(k);
+    for (std::size_t k = 0; unlike && k < request.uavs.size(); ++k)
+        request.uavs[k].distance_m *= 1 + 0.2 * static_cast<double>(k);
     return request;
 }
 
 /** About so much of what there is stays available. */
 inline PlanRequest thinnedOut(PlanRequest request, Random& random, double share)
 {
-    for (UavRequest& uav : request.fleet)
+    for (UavRequest& uav : request.uavs)
         for (std::size_t k = 0; k < uav.available.size(); ++k)
             uav.available[k] = random.uniform() < share;
     return request;
@@ -51,23 +49,21 @@ inline PlanRequest thinnedOut(PlanRequest request, Random& random, double share)
 inline PlanRequest aloneOf(const PlanRequest& request, std::size_t k)
 {
     PlanRequest alone = request;
-    alone.problem.distance_m = request.fleet[k].distance_m;
-    alone.available = request.fleet[k].available;
-    alone.fleet.clear();
+    alone.uavs = {request.uavs[k]};
     return alone;
 }
 
 /** Nothing is available to UAV k. */
 inline PlanRequest withoutUav(PlanRequest request, std::size_t k)
 {
-    request.fleet[k].available.assign(request.ids.size(), false);
+    request.uavs[k].available.assign(request.ids.size(), false);
     return request;
 }
 
 /** The iceberg of that id is not available to any UAV. */
 inline PlanRequest withoutIceberg(PlanRequest request, int id)
 {
-    for (UavRequest& uav : request.fleet)
+    for (UavRequest& uav : request.uavs)
         uav.available[static_cast<std::size_t>(nodeOf(request, id) - 1)] = false;
     return request;
 }

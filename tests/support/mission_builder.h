@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/export/formats.h"
+#include "core/sim/visits.h"
 
 #include <functional>
 #include <string>
@@ -86,7 +87,7 @@ inline Scenario twoUavsAndAsset()
 inline PlanAnswer planOf(std::vector<int> order)
 {
     PlanAnswer plan;
-    plan.order = std::move(order);
+    plan.uavs.emplace_back().order = std::move(order);
     return plan;
 }
 
@@ -94,6 +95,12 @@ inline PlanAnswer planOf(std::vector<int> order)
 inline PlanAnswer fourIcebergPlan()
 {
     return planOf({0, 3, 1, 2});
+}
+
+/** Of the only UAV. */
+inline std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& plan)
+{
+    return berg::plannedVisits(scenario, plan.uavs.at(0).order, plan.clusters);
 }
 
 /** What is exported of a plan. The scenario may go. */

@@ -23,17 +23,17 @@ struct Place
 
 inline PlanRequest requestOf(const Point& uav_m, const std::vector<Place>& places)
 {
-    PlanRequest request{.speed_mps = 25};
-    request.problem.sigma_m2 = {0};
+    PlanRequest request{.uavs = std::vector<UavRequest>(1), .sigma_m2 = {0}, .speed_mps = 25};
+    UavRequest& uav = request.uavs.front();
     Eigen::MatrixX2d points_m(static_cast<Eigen::Index>(places.size()) + 1, 2);
     points_m.row(0) = uav_m.transpose();
     for (const Place& place : places) {
         request.ids.push_back(place.id);
-        request.available.push_back(true);
+        uav.available.push_back(true);
         points_m.row(static_cast<Eigen::Index>(request.ids.size())) = place.position_m.transpose();
-        request.problem.sigma_m2.push_back(place.sigma_m2);
+        request.sigma_m2.push_back(place.sigma_m2);
     }
-    request.problem.distance_m = euclideanDistances(points_m);
+    uav.distance_m = euclideanDistances(points_m);
     return request;
 }
 
@@ -63,7 +63,7 @@ inline std::vector<Place> randomPlaces(Random& random, int count)
 inline PlanRequest withAvailable(PlanRequest request, const std::set<int>& available)
 {
     for (std::size_t k = 0; k < request.ids.size(); ++k)
-        request.available[k] = available.contains(request.ids[k]);
+        request.uavs[0].available[k] = available.contains(request.ids[k]);
     return request;
 }
 
@@ -71,7 +71,7 @@ inline PlanRequest withAvailable(PlanRequest request, const std::set<int>& avail
 inline PlanRequest without(PlanRequest request, const std::set<int>& inView)
 {
     for (std::size_t k = 0; k < request.ids.size(); ++k)
-        request.available[k] = !inView.contains(request.ids[k]);
+        request.uavs[0].available[k] = !inView.contains(request.ids[k]);
     return request;
 }
 
@@ -86,7 +86,7 @@ inline double pathLength_m(const PlanRequest& request, const std::vector<int>& i
     double length_m = 0;
     Eigen::Index from = 0;
     for (const int id : ids) {
-        length_m += request.problem.distance_m(from, nodeOf(request, id));
+        length_m += request.uavs[0].distance_m(from, nodeOf(request, id));
         from = nodeOf(request, id);
     }
     return length_m;

@@ -69,13 +69,13 @@ inline QString faultOf(const Contestant& contestant, const TvpProblem& problem,
     if (outcome.status == SolveStatus::None) {
         if (outcome.reason == StopReason::Finished)
             return QStringLiteral("finished without an order");
-        return outcome.order.empty() ? QString() : QStringLiteral("an order, but status None");
+        return outcome.order().empty() ? QString() : QStringLiteral("an order, but status None");
     }
-    if (!isVisitOrder(problem, outcome.order))
+    if (!isVisitOrder(problem, outcome.order()))
         return QStringLiteral("not an order");
-    if (outcome.objective != objective(problem, outcome.order))
+    if (outcome.objective != objective(problem, outcome.order()))
         return QStringLiteral("objective is not that of the order");
-    if (std::abs(outcome.objective - costByVisitingNumbers(problem, outcome.order)) >
+    if (std::abs(outcome.objective - costByVisitingNumbers(problem, outcome.order())) >
         1e-11 * scale + 1e-9)
         return QStringLiteral("objective is not that of the visiting numbers");
     if (outcome.objective < optimum - 1e-11 * scale - 1e-9)
@@ -97,7 +97,7 @@ inline QString faultOf(const Contestant& contestant, const TvpProblem& problem,
 
 inline bool same(const SolveOutcome& a, const SolveOutcome& b)
 {
-    return a.status == b.status && a.reason == b.reason && a.order == b.order &&
+    return a.status == b.status && a.reason == b.reason && a.plan == b.plan &&
            a.objective == b.objective && a.bound == b.bound && a.work == b.work &&
            a.hintUsed == b.hintUsed && a.backend == b.backend;
 }
@@ -138,7 +138,7 @@ inline std::unique_ptr<TvpSolver> solver()
 inline SolveOptions hinted(const VisitOrder& hint)
 {
     SolveOptions options;
-    options.hint = hint;
+    options.hint = {hint};
     return options;
 }
 

@@ -34,9 +34,9 @@ protected:
         m_script.options.push_back(options);
         if (m_script.answer)
             return m_script.answer(problem);
-        SolveOutcome outcome{.status = SolveStatus::Feasible};
+        SolveOutcome outcome{.status = SolveStatus::Feasible, .plan = FleetPlan(1)};
         for (int node = 1; node <= problem.icebergCount(); ++node)
-            outcome.order.push_back(node);
+            outcome.plan.front().push_back(node);
         return outcome;
     }
 
@@ -47,7 +47,7 @@ private:
 /** An optimum by trying every order; for at most 7 icebergs. */
 inline SolveOutcome triedAll(const TvpProblem& problem)
 {
-    return {.status = SolveStatus::Optimal, .order = bruteForce(problem).order};
+    return {.status = SolveStatus::Optimal, .plan = {bruteForce(problem).order}};
 }
 
 /** No order: a limit or a cancellation came first. */

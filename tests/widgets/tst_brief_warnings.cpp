@@ -110,8 +110,8 @@ private slots:
     {
         const ExportContent content = planContent(fleetScenario(3, 4), [] {
             PlanAnswer plan;
-            plan.fleet.resize(3);
-            plan.fleet[1].order = {0, 1, 2, 3};
+            plan.uavs.resize(3);
+            plan.uavs[1].order = {0, 1, 2, 3};
             return plan;
         }());
         QVERIFY(briefWarnings(content, kEnglish).contains(u"Nothing to visit for uav-1, uav-3"_s));

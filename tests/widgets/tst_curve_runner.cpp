@@ -171,7 +171,7 @@ private slots:
     {
         CurveRunner runner;
         PlanRequest request = Simulation(randomScenario(10)).planRequest();
-        request.problem.sigma_m2[2] = 99;
+        request.sigma_m2[2] = 99;
         runner.setRequest(std::make_shared<const PlanRequest>(request), Route::Open);
         QVERIFY(completes(runner));
         QVERIFY(runner.curve() == tauCurve(visitationProblem(request, Route::Open).problem, {}));

@@ -91,7 +91,7 @@ private slots:
         runner.setScenario(scenario);
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
         QVERIFY(record.now.plan.has_value());
-        QCOMPARE(record.now.plan->order, planFromStart(scenario).order);
+        QCOMPARE(record.now.plan->order, planFromStart(scenario).uavs[0].order);
         QCOMPARE(record.now.time_s, 0.0);
     }
 
@@ -131,7 +131,7 @@ private slots:
             return r.now.generation == runner.generation() && r.now.phase == RunPhase::Ready;
         }));
         QCOMPARE(record.now.planner.tau, 0.01 * 199);
-        QCOMPARE(record.now.plan->order, planFromStart(scenario).order);
+        QCOMPARE(record.now.plan->order, planFromStart(scenario).uavs[0].order);
     }
 
     void oldGenerationsAreNotHandedOut()
@@ -268,12 +268,12 @@ private slots:
         runner.setScenario(scenario, {.workLimit = 1});
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
         const std::vector<int> order = record.now.plan->order;
-        QVERIFY(order != planFromStart(scenario).order); // that one is better
+        QVERIFY(order != planFromStart(scenario).uavs[0].order); // that one is better
         QSignalSpy ready(&runner, &MissionRunner::exportReady);
         runner.requestExport({.formatId = "csv"});
         QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, kPatience_ms);
         PlanAnswer plan;
-        plan.order = order;
+        plan.uavs.emplace_back().order = order;
         const auto files = ready.front().front().value<std::vector<ExportFile>>();
         QCOMPARE(files.front().content,
                  findExportFormat("csv")->write({.scenario = scenario, .plan = plan}));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/plan/policy/fleet_task.h"
 #include "core/plan/policy/tau_curve.h"
 #include "core/scenario/scenario.h"
 #include "widgets/model/mailbox.h"
@@ -16,8 +17,9 @@ namespace berg {
 
 /**
  * Computes trade-off curves on a thread of its own, at low priority and a moment after the last
- * change, so that it never delays a plan. The newest request wins; a request for the problem there
- * is (a change of tau, say, which the curve does not depend on) changes nothing. GUI thread.
+ * change, so that it never delays a plan. The newest request wins; a request for the problem
+ * there is (a change of tau, say, which the curve does not depend on) changes nothing. GUI
+ * thread.
  */
 class CurveRunner : public QObject
 {
@@ -29,13 +31,13 @@ public:
     ~CurveRunner() override;
 
     /**
-     * The curve of the plan from the scenario's start; none when the scenario has errors or several
-     * UAVs.
+     * The curve of the plan from the scenario's start; none when the scenario has errors or
+     * several UAVs.
      */
     void setScenario(const Scenario& scenario);
     /**
-     * The curve of any other instant, `ids` being icebergs of the caller; none when the scenario
-     * set last has several UAVs.
+     * The curve of any other instant, `ids` being icebergs of the caller; none when the
+     * scenario set last has several UAVs.
      */
     void setRequest(std::shared_ptr<const PlanRequest> request, Route route);
     /** No curve wanted. */

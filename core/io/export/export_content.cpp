@@ -153,10 +153,7 @@ void addWay(ExportUav& uav, const ExportSource& source, const ExportContent& con
     UavOrder order = presentOrder(source, uav.row);
     if (content.options.airspeed_mps)
         order.legs.clear(); // planned for another speed
-    PlanAnswer plan;
-    plan.order = order.icebergs;
-    plan.clusters = order.clusters;
-    uav.visits = plannedVisits(scene, plan);
+    uav.visits = plannedVisits(scene, order.icebergs, order.clusters);
     if (content.what == ExportWhat::FirstLeg)
         uav.visits = firstVisit(std::move(uav.visits));
     endAtHome(uav, content.options.returnHome, scene.wind_mps);
@@ -242,12 +239,9 @@ ExportPlan planOf(const ExportSource& source)
         const PlanEvent& last = source.mission->plans().back();
         return {.status = last.status, .gap = last.gap, .fellBack = last.fellBack};
     }
-    const SolveOutcome& outcome = source.plan.outcome;
-    ExportPlan plan{
-        .status = outcome.status, .gap = source.plan.gap, .fellBack = source.plan.fellBack};
-    if (source.plan.fleet.empty() && outcome.bound && outcome.status != SolveStatus::None)
-        plan.gap = relativeGap(source.plan.problem, outcome.objective, *outcome.bound);
-    return plan;
+    return {.status = source.plan.outcome.status,
+            .gap = source.plan.gap,
+            .fellBack = source.plan.fellBack};
 }
 
 } // namespace

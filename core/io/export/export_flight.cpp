@@ -58,14 +58,10 @@ void moveOn(Scenario& scene, const Mission& mission, int row)
 
 UavOrder orderAtStart(const PlanAnswer& plan, std::size_t row)
 {
-    if (plan.fleet.empty())
-        return row > 0
-                   ? UavOrder{}
-                   : UavOrder{.icebergs = plan.order, .clusters = plan.clusters, .legs = plan.legs};
-    if (row >= plan.fleet.size()) // at the start all UAVs are planned
+    if (row >= plan.uavs.size()) // at the start all UAVs are planned
         return {};
     return {
-        .icebergs = plan.fleet[row].order, .clusters = plan.clusters, .legs = plan.fleet[row].legs};
+        .icebergs = plan.uavs[row].order, .clusters = plan.clusters, .legs = plan.uavs[row].legs};
 }
 
 } // namespace
@@ -76,17 +72,12 @@ PlanAnswer startPlan(const Mission& mission)
     for (const PlanEvent& plan : mission.plans()) {
         if (&plan != &mission.plans().front() && !plan.sameSolve)
             break; // made later
-        answer.fleet.push_back({.order = plan.order, .legs = plan.legs});
+        answer.uavs.push_back({.order = plan.order, .legs = plan.legs});
         answer.clusters = plan.clusters;
         answer.outcome.status = plan.status;
         answer.gap = plan.gap;
         answer.fellBack = plan.fellBack;
     }
-    if (mission.simulation().uavCount() > 1 || answer.fleet.empty())
-        return answer;
-    answer.order = std::move(answer.fleet.front().order);
-    answer.legs = std::move(answer.fleet.front().legs);
-    answer.fleet.clear();
     return answer;
 }
 

@@ -12,13 +12,6 @@ namespace {
 
 using Json = ResultJson;
 
-std::optional<double> gapOf(const TvpProblem& problem, const SolveOutcome& outcome)
-{
-    if (!outcome.bound || outcome.status == SolveStatus::None)
-        return std::nullopt;
-    return relativeGap(problem, outcome.objective, *outcome.bound);
-}
-
 const char* severityName(Severity severity)
 {
     switch (severity) {
@@ -68,24 +61,6 @@ void addFindings(Json& list, const FileFindings& file)
                         {"severity", severityName(issue.severity)},
                         {"field", issue.field},
                         {"message", issue.message}});
-}
-
-Json secondOpinionJson(const SecondOpinion& second)
-{
-    const SolveOutcome& outcome = second.outcome;
-    const bool solved = outcome.status != SolveStatus::None;
-    Json agrees = nullptr; // not verified
-    if (second.verdict != Verdict::NotVerified)
-        agrees = second.verdict == Verdict::Agrees;
-    return {{"agrees", agrees},
-            {"backend", outcome.backend},
-            {"formulation", second.formulation
-                                ? Json(nameOf(kFormulationNames, *second.formulation))
-                                : Json(nullptr)},
-            {"status", nameOf(kStatusNames, outcome.status)},
-            {"objective", solved ? Json(outcome.objective) : Json(nullptr)},
-            {"bound", orNull(outcome.bound)},
-            {"seconds", outcome.elapsed_s}};
 }
 
 std::optional<PaperTime> paperTime(int icebergs)
@@ -144,31 +119,6 @@ Json bestTauJson(const BestTau& best)
 }
 
 } // namespace
-
-std::string solveJson(const SolveReport& report)
-{
-    const SolveOutcome& outcome = report.outcome;
-    const bool solved = outcome.status != SolveStatus::None;
-    Json json{
-        {"status", nameOf(kStatusNames, outcome.status)},
-        {"objective", solved ? Json(outcome.objective) : Json(nullptr)},
-        {"bound", orNull(outcome.bound)},
-        {"gap", orNull(gapOf(report.problem, outcome))},
-        {"order", report.order},
-        {"distance_m", solved ? Json(flownDistance(report.problem, outcome.order)) : Json(nullptr)},
-        {"mu", report.problem.mu},
-        {"seconds", outcome.elapsed_s},
-        {"backend", outcome.backend}};
-    if (!report.ids.empty())
-        json["icebergs"] = report.ids;
-    if (!report.clusters.empty())
-        json["clusters"] = report.clusters;
-    if (report.thisSortie)
-        json["this_sortie"] = *report.thisSortie;
-    if (report.secondOpinion)
-        json["verify"] = secondOpinionJson(*report.secondOpinion);
-    return resultText(json);
-}
 
 std::vector<UavFigures> uavFigures(const Mission& mission)
 {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/plan/solve/second_opinion.h"
 #include "core/sim/mission.h"
 #include "core/study/benchmark.h"
 #include "core/study/study_summary.h"
@@ -14,18 +13,6 @@ namespace berg {
 
 // What the command line prints with --json: one JSON document, stable member order.
 
-struct SolveReport
-{
-    const TvpProblem& problem;
-    const SolveOutcome& outcome;
-    std::optional<SecondOpinion> secondOpinion;
-    std::vector<int> order;       ///< as printed: 1-based
-    std::vector<std::string> ids; ///< iceberg ids in visiting order; empty for a bare problem
-    std::vector<std::vector<std::string>> clusters; ///< ids that are planned as one point each
-    std::optional<int> thisSortie; ///< visits before home must be reached; none: all
-};
-
-[[nodiscard]] std::string solveJson(const SolveReport& report);
 /** `lowerBound_m2s`: what no flight is below, if it was asked for. */
 [[nodiscard]] std::string simulateJson(const Mission& mission, std::optional<double> lowerBound_m2s,
                                        double elapsed_s);

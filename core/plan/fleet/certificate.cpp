@@ -97,11 +97,7 @@ Proof certify(const FleetProblem& problem, const FleetPlan& plan, const std::sto
 
 Certificate certificateFor(const TvpProblem& problem)
 {
-    return {.problem = {.distance_m = {problem.distance_m},
-                        .sigma_m2 = problem.sigma_m2,
-                        .mu = problem.mu,
-                        .route = problem.route,
-                        .criterion = problem.criterion}};
+    return {.problem = problemOf(problem)};
 }
 
 } // namespace berg

@@ -38,6 +38,15 @@ FleetPlan validPart(const FleetProblem& problem, FleetPlan plan)
     return plan;
 }
 
+FleetProblem problemOf(const TvpProblem& alone)
+{
+    return {.distance_m = {alone.distance_m},
+            .sigma_m2 = alone.sigma_m2,
+            .mu = alone.mu,
+            .route = alone.route,
+            .criterion = alone.criterion};
+}
+
 TvpProblem problemOfUav(const FleetProblem& problem, int uav)
 {
     return {.distance_m = problem.distance_m[static_cast<std::size_t>(uav)],
@@ -125,6 +134,8 @@ TuningWeight fleetTuningWeight(const FleetProblem& problem, const Eigen::MatrixX
             "fleetTuningWeight: one row and column for each UAV");
     if (n < 1)
         return {};
+    if (uavs == 1)
+        return tuningWeight(problemOfUav(problem, 0), tau);
     double sum_m = betweenStarts_m.sum() - betweenStarts_m.diagonal().sum();
     for (const Eigen::MatrixXd& all_m : problem.distance_m) {
         const Eigen::MatrixXd between_m = all_m.bottomRightCorner(n, n);

@@ -40,15 +40,15 @@ struct FleetProblem
     }
 };
 
-/** One order for each UAV, which may be empty. */
-using FleetPlan = std::vector<VisitOrder>;
-
 /** True when every iceberg is in one of the orders, once, and each may visit what it visits. */
 [[nodiscard]] bool isFleetPlan(const FleetProblem& problem, const FleetPlan& plan);
 
 /** The plan without what is in no plan: unknown nodes, second visits, visits that are not allowed.
  * `plan` holds one order for each UAV. */
 [[nodiscard]] FleetPlan validPart(const FleetProblem& problem, FleetPlan plan);
+
+/** The same problem of one UAV. */
+[[nodiscard]] FleetProblem problemOf(const TvpProblem& alone);
 
 /** The problem as the UAV would have it alone, with all icebergs. */
 [[nodiscard]] TvpProblem problemOfUav(const FleetProblem& problem, int uav);

@@ -33,13 +33,13 @@ constexpr std::int64_t kFirstTimesFromHint = 100;
 
 constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max() / 4;
 
-std::int64_t firstTimes(const FleetOptions& options)
+std::int64_t firstTimes(const SolveOptions& options)
 {
     return options.hint.empty() ? kFirstTimes : kFirstTimesFromHint;
 }
 
 /** Why a solve must end now, if it must. */
-std::optional<StopReason> cutOf(const FleetOptions& options, const Stopwatch& watch)
+std::optional<StopReason> cutOf(const SolveOptions& options, const Stopwatch& watch)
 {
     if (options.stop.stop_requested())
         return StopReason::Cancelled;
@@ -52,7 +52,7 @@ std::optional<StopReason> cutOf(const FleetOptions& options, const Stopwatch& wa
 class FleetEngine
 {
 public:
-    FleetEngine(const FleetProblem& problem, const FleetOptions& options,
+    FleetEngine(const FleetProblem& problem, const SolveOptions& options,
                 std::optional<std::int64_t> effort)
         : m_problem(problem)
         , m_options(options)
@@ -80,7 +80,7 @@ public:
                    m_options.memoryLimit_bytes.value_or(kNoLimit);
     }
 
-    FleetOutcome bySubsets()
+    SolveOutcome bySubsets()
     {
         const std::optional<FleetPlan> plan = bestFleetPlan(m_costs, m_effort.cut);
         if (!plan)
@@ -92,7 +92,7 @@ public:
                 .backend = "exact"};
     }
 
-    FleetOutcome byEngine(CoverFunction cover)
+    SolveOutcome byEngine(CoverFunction cover)
     {
         if (m_options.hint.empty())
             m_search.startGreedily();
@@ -165,7 +165,7 @@ private:
     {
         if (!m_options.onProgress)
             return;
-        FleetProgress progress{.plan = m_search.best(),
+        SolveProgress progress{.plan = m_search.best(),
                                .objective = m_objective,
                                .bound = {},
                                .elapsed_s = m_watch.elapsed_s()};
@@ -174,9 +174,9 @@ private:
         m_options.onProgress(progress);
     }
 
-    FleetOutcome outcome(const FleetBoundResult& result, std::int64_t work)
+    SolveOutcome outcome(const FleetBoundResult& result, std::int64_t work)
     {
-        FleetOutcome outcome{.status = SolveStatus::Feasible,
+        SolveOutcome outcome{.status = SolveStatus::Feasible,
                              .plan = m_search.best(),
                              .work = work,
                              .hintUsed = !m_options.hint.empty()};
@@ -197,7 +197,7 @@ private:
     }
 
     const FleetProblem& m_problem;
-    const FleetOptions& m_options;
+    const SolveOptions& m_options;
     Stopwatch m_watch;
     FleetCosts m_costs;
     double m_shift;      ///< cost = objective + shift
@@ -213,7 +213,7 @@ private:
 
 /** Of the back ends that must answer while someone waits. Without a proof to come, that of a few
  * annealings. */
-std::int64_t ownEffort(const FleetProblem& problem, const FleetOptions& options)
+std::int64_t ownEffort(const FleetProblem& problem, const SolveOptions& options)
 {
     constexpr std::int64_t kAnnealings = 3;
     const std::int64_t n = problem.icebergCount();
@@ -224,12 +224,12 @@ std::int64_t ownEffort(const FleetProblem& problem, const FleetOptions& options)
 }
 
 /** Distance does not count. */
-FleetOutcome byRanks(const FleetProblem& problem, const FleetOptions& options)
+SolveOutcome byRanks(const FleetProblem& problem, const SolveOptions& options)
 {
     const Stopwatch watch;
     const std::int64_t n = problem.icebergCount();
     FleetRanks ranks = bestRanks(problem, [&] { return cutOf(options, watch).has_value(); });
-    FleetOutcome outcome{.status = ranks.isBest ? SolveStatus::Optimal : SolveStatus::Feasible,
+    SolveOutcome outcome{.status = ranks.isBest ? SolveStatus::Optimal : SolveStatus::Feasible,
                          .plan = std::move(ranks.plan),
                          .work = n * n * n * problem.uavCount(),
                          .backend = "assignment"};
@@ -246,7 +246,7 @@ FleetOutcome byRanks(const FleetProblem& problem, const FleetOptions& options)
 }
 
 /** The costs alone are too much: the hint, or a plan made without any. */
-FleetOutcome withoutMemory(const FleetProblem& problem, const FleetOptions& options)
+SolveOutcome withoutMemory(const FleetProblem& problem, const SolveOptions& options)
 {
     const bool isPlan = isFleetPlan(problem, options.hint);
     return {.status = SolveStatus::Feasible,
@@ -266,7 +266,7 @@ CoverFunction coverOf(Backend backend)
 #endif
 }
 
-FleetOutcome solveValid(const FleetProblem& problem, Backend backend, const FleetOptions& options)
+SolveOutcome solveValid(const FleetProblem& problem, Backend backend, const SolveOptions& options)
 {
     if (backend == Backend::Cbc && problem.criterion == Criterion::Latency)
         return {.reason = StopReason::Unable,
@@ -318,15 +318,15 @@ FleetPlan usablePart(const FleetProblem& problem, FleetPlan hint)
 
 } // namespace
 
-FleetOutcome solveFleet(const FleetProblem& problem, Backend backend, const FleetOptions& options)
+SolveOutcome solveFleet(const FleetProblem& problem, Backend backend, const SolveOptions& options)
 {
     requireSolvingAllowed();
     const Stopwatch watch;
     if (std::vector<Issue> issues = validate(problem); !issues.empty())
         throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
-    FleetOptions checked = options;
+    SolveOptions checked = options;
     checked.hint = usablePart(problem, std::move(checked.hint));
-    FleetOutcome outcome = solveValid(problem, backend, checked);
+    SolveOutcome outcome = solveValid(problem, backend, checked);
     if (outcome.status != SolveStatus::None)
         outcome.objective = fleetObjective(problem, outcome.plan);
     if (outcome.status == SolveStatus::Optimal)
@@ -338,6 +338,25 @@ FleetOutcome solveFleet(const FleetProblem& problem, Backend backend, const Flee
             nameOf(kBackendNames, backend == Backend::Auto ? Backend::Heuristic : backend);
     outcome.elapsed_s = watch.elapsed_s();
     return outcome;
+}
+
+SolveOutcome solve(const FleetProblem& problem, Backend backend, const TvpSolver& alone,
+                   const SolveOptions& options)
+{
+    if (problem.uavCount() == 0)
+        return {.status = SolveStatus::Optimal,
+                .bound = 0.0,
+                .backend = nameOf(kBackendNames, backend)};
+    if (problem.uavCount() > 1)
+        return solveFleet(problem, backend, options);
+    SolveOptions own = options;
+    own.hint = usablePart(problem, std::move(own.hint));
+    // Icebergs the last plan did not hold (new, or in view then) go to the end of the hint.
+    for (VisitOrder& order : own.hint)
+        for (int node = 1; node <= problem.icebergCount(); ++node)
+            if (std::ranges::find(order, node) == order.end())
+                order.push_back(node);
+    return alone.solve(problemOfUav(problem, 0), own);
 }
 
 } // namespace berg

@@ -3,51 +3,7 @@
 #include "core/plan/fleet/fleet_problem.h"
 #include "core/plan/solve/solver.h"
 
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <stop_token>
-#include <string>
-
 namespace berg {
-
-/** As `SolveProgress`. */
-struct FleetProgress
-{
-    FleetPlan plan;
-    double objective = 0;
-    std::optional<double> bound;
-    double elapsed_s = 0;
-};
-
-/** As `SolveOptions`. */
-struct FleetOptions
-{
-    std::optional<double> timeLimit_s;
-    std::optional<std::int64_t> workLimit; ///< units of about 2 ns
-    std::optional<std::int64_t> memoryLimit_bytes = 1'500'000'000;
-    double gap = 0;
-    /** Warm start: what is valid of it (`validPart`), the rest put where it costs least. Ignored
-     * when it has not one order for each UAV or nothing is left of it. */
-    FleetPlan hint;
-    std::stop_token stop; ///< checked at least every 10 ms
-    std::function<void(const FleetProgress&)> onProgress;
-};
-
-/** As `SolveOutcome`. */
-struct FleetOutcome
-{
-    SolveStatus status = SolveStatus::None;
-    StopReason reason = StopReason::Finished;
-    FleetPlan plan; ///< empty when status is None
-    double objective = 0;
-    std::optional<double> bound;
-    double elapsed_s = 0;
-    std::int64_t work = 0;
-    bool hintUsed = false;
-    std::string backend = {};
-    std::string detail = {}; ///< why not, when unable
-};
 
 /**
  * Solves the problem by the fleet's counterpart of that back end, with the same promises about
@@ -60,7 +16,14 @@ struct FleetOutcome
  * an assignment is the proof (`bestRanks`), whatever the back end, the work and the memory. A
  * problem that `validate` faults throws `Error{InvalidInput}`.
  */
-[[nodiscard]] FleetOutcome solveFleet(const FleetProblem& problem, Backend backend,
-                                      const FleetOptions& options);
+[[nodiscard]] SolveOutcome solveFleet(const FleetProblem& problem, Backend backend,
+                                      const SolveOptions& options);
+
+/**
+ * Solves a problem of any number of UAVs by the fastest way there is: one alone by `alone`, which
+ * is the back end for one, several by `solveFleet`, and none without any work.
+ */
+[[nodiscard]] SolveOutcome solve(const FleetProblem& problem, Backend backend,
+                                 const TvpSolver& alone, const SolveOptions& options);
 
 } // namespace berg

@@ -27,7 +27,7 @@ std::vector<std::vector<bool>> allowedOf(const PlanRequest& request, const Fleet
     for (const int uav : task.uavs) {
         std::vector<bool>& row = allowed.emplace_back(1, false);
         for (const int node : nodes) {
-            row.push_back(request.fleet[static_cast<std::size_t>(uav)]
+            row.push_back(request.uavs[static_cast<std::size_t>(uav)]
                               .available[static_cast<std::size_t>(node - 1)]);
             all = all && row.back();
         }
@@ -53,8 +53,8 @@ FleetTask fleetTask(const PlanRequest& request)
 {
     FleetTask task;
     std::vector<bool> wanted(request.ids.size(), false);
-    for (std::size_t uav = 0; uav < request.fleet.size(); ++uav) {
-        const std::vector<bool>& available = request.fleet[uav].available;
+    for (std::size_t uav = 0; uav < request.uavs.size(); ++uav) {
+        const std::vector<bool>& available = request.uavs[uav].available;
         require(available.size() == request.ids.size(), "fleetTask: an entry for each iceberg");
         if (std::ranges::find(available, true) != available.end())
             task.uavs.push_back(static_cast<int>(uav));
@@ -67,24 +67,22 @@ FleetTask fleetTask(const PlanRequest& request)
             nodes.push_back(static_cast<int>(k) + 1);
             task.ids.push_back(request.ids[k]);
         }
-    TvpProblem all = request.problem;
-    for (const int uav : task.uavs) {
-        all.distance_m = request.fleet[static_cast<std::size_t>(uav)].distance_m;
-        TvpProblem own = restrictedTo(all, nodes);
-        task.problem.distance_m.push_back(std::move(own.distance_m));
-        task.problem.sigma_m2 = std::move(own.sigma_m2);
-    }
-    if (task.uavs.empty())
-        task.problem.sigma_m2 = {0};
-    task.problem.mu = request.problem.mu;
-    task.problem.route = request.problem.route;
+    std::vector<int> all{0};
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    for (const int uav : task.uavs)
+        task.problem.distance_m.emplace_back(
+            request.uavs[static_cast<std::size_t>(uav)].distance_m(all, all));
+    for (const int node : all)
+        task.problem.sigma_m2.push_back(request.sigma_m2[static_cast<std::size_t>(node)]);
     task.problem.allowed = allowedOf(request, task, nodes);
     return task;
 }
 
 Eigen::MatrixXd betweenStarts(const PlanRequest& request, const FleetTask& task)
 {
-    const auto size = static_cast<Eigen::Index>(request.fleet.size());
+    if (task.uavs.size() == 1)
+        return Eigen::MatrixXd::Zero(1, 1);
+    const auto size = static_cast<Eigen::Index>(request.uavs.size());
     require(request.betweenUavs_m.rows() == size && request.betweenUavs_m.cols() == size,
             "betweenStarts: one row and column for each UAV");
     return request.betweenUavs_m(task.uavs, task.uavs);
@@ -93,7 +91,7 @@ Eigen::MatrixXd betweenStarts(const PlanRequest& request, const FleetTask& task)
 std::vector<std::vector<int>> ordersInIds(const PlanRequest& request, const FleetTask& task,
                                           const FleetPlan& plan)
 {
-    std::vector<std::vector<int>> orders(request.fleet.size());
+    std::vector<std::vector<int>> orders(request.uavs.size());
     for (std::size_t k = 0; k < plan.size(); ++k)
         for (const int node : plan[k])
             orders[static_cast<std::size_t>(task.uavs[k])].push_back(
@@ -105,20 +103,32 @@ FleetPlan lastRests(const PlanRequest& request, const FleetTask& task)
 {
     FleetPlan plan(task.uavs.size());
     for (std::size_t k = 0; k < plan.size(); ++k)
-        for (const int id : request.fleet[static_cast<std::size_t>(task.uavs[k])].lastRest)
+        for (const int id : request.uavs[static_cast<std::size_t>(task.uavs[k])].lastRest)
             if (const auto it = std::ranges::find(task.ids, id); it != task.ids.end())
                 plan[k].push_back(static_cast<int>(it - task.ids.begin()) + 1);
     return validPart(task.problem, std::move(plan));
 }
 
-PlanAnswer fleetAnswer(const PlanRequest& request, const std::vector<std::vector<int>>& orders)
+PlanAnswer answerOf(const PlanRequest& request, const std::vector<std::vector<int>>& orders)
 {
     PlanAnswer answer;
     for (std::size_t uav = 0; uav < orders.size(); ++uav) {
-        answer.distance_m += distanceOf(request, request.fleet[uav], orders[uav]);
-        answer.fleet.emplace_back().order = orders[uav];
+        answer.distance_m += distanceOf(request, request.uavs[uav], orders[uav]);
+        answer.uavs.emplace_back().order = orders[uav];
     }
     return answer;
+}
+
+VisitationProblem visitationProblem(const PlanRequest& request, Route route)
+{
+    PlanRequest alone{
+        .uavs = {request.uavs.front()}, .ids = request.ids, .sigma_m2 = request.sigma_m2};
+    FleetTask task = fleetTask(alone);
+    if (task.uavs.empty())
+        task.problem.distance_m = {Eigen::MatrixXd::Zero(1, 1)};
+    VisitationProblem result{.problem = problemOfUav(task.problem, 0), .ids = std::move(task.ids)};
+    result.problem.route = route;
+    return result;
 }
 
 } // namespace berg

@@ -7,18 +7,18 @@
 
 namespace berg {
 
-/** What of a request for a fleet there is to plan: the UAVs that have an iceberg to visit, and the
- * icebergs that one of them may visit. */
+/** What of a request there is to plan: the UAVs that have an iceberg to visit, and the icebergs
+ * that one of them may visit. */
 struct FleetTask
 {
-    FleetProblem problem;  ///< `mu` and `route` of the request's
-    std::vector<int> uavs; ///< index in `PlanRequest::fleet` of UAV k of `problem`
+    FleetProblem problem;  ///< `mu` is 0
+    std::vector<int> uavs; ///< index in `PlanRequest::uavs` of UAV k of `problem`
     std::vector<int> ids;  ///< id of iceberg node k + 1
 };
 
 [[nodiscard]] FleetTask fleetTask(const PlanRequest& request);
 
-/** Distances between the starts of the task's UAVs. */
+/** Distances between the starts of the task's UAVs, of which there is one at least. */
 [[nodiscard]] Eigen::MatrixXd betweenStarts(const PlanRequest& request, const FleetTask& task);
 
 /** Orders in ids for each UAV of the request, from a plan of the task's problem or an empty one. */
@@ -29,13 +29,22 @@ ordersInIds(const PlanRequest& request, const FleetTask& task, const FleetPlan& 
 [[nodiscard]] FleetPlan lastRests(const PlanRequest& request, const FleetTask& task);
 
 /** An answer of these orders, one for each UAV of the request, with its distance. */
-[[nodiscard]] PlanAnswer fleetAnswer(const PlanRequest& request,
-                                     const std::vector<std::vector<int>>& orders);
+[[nodiscard]] PlanAnswer answerOf(const PlanRequest& request,
+                                  const std::vector<std::vector<int>>& orders);
 
 /** Whether the UAV may visit the iceberg of that id now. */
 [[nodiscard]] bool isAvailable(const PlanRequest& request, const UavRequest& uav, int id);
 
 /** Node number (1 ..) of an id of the request. */
 [[nodiscard]] int nodeOfId(const PlanRequest& request, int id);
+
+/** What the policies `visitation` and `latency` solve for the first UAV of a request; `mu` is 0. */
+struct VisitationProblem
+{
+    TvpProblem problem;   ///< the UAV and the icebergs available to it
+    std::vector<int> ids; ///< id of iceberg node k+1
+};
+
+[[nodiscard]] VisitationProblem visitationProblem(const PlanRequest& request, Route route);
 
 } // namespace berg

@@ -75,7 +75,7 @@ void keepFirstsApart(const PlanRequest& request, std::vector<UavAnswer>& answers
         std::vector<int>& order = answers[k].order;
         const auto first = std::ranges::find_if(order, [&](int id) {
             return !contains(firsts, id) &&
-                   !stillAvailable({id}, request, request.fleet[k].available).empty();
+                   !stillAvailable({id}, request, request.uavs[k].available).empty();
         });
         if (first != order.begin())
             answers[k].legs.clear(); // they lead to the one that goes
@@ -114,72 +114,36 @@ void Planner::setSettings(const PlannerSettings& settings)
 PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options, bool warmStart)
 {
     requireSolvingAllowed(); // not one of the failures that are flown over
-    return request.fleet.empty() ? planOne(request, options, warmStart)
-                                 : planFleet(request, options, warmStart);
-}
-
-PlanAnswer Planner::planOne(const PlanRequest& request, const SolveOptions& options, bool warmStart)
-{
     SolveOptions telling = options;
     if (options.onProgress && !request.clusters.empty())
         telling.onProgress = [&](SolveProgress progress) {
-            progress.order = withMembers(progress.order, request.clusters);
+            for (std::vector<int>& order : progress.plan)
+                order = withMembers(order, request.clusters);
             options.onProgress(progress);
         };
-    const std::vector<int> lastRest = stillAvailable(m_lastOrder, request, request.available);
+    PlanRequest asked = request;
+    for (UavRequest& uav : asked.uavs)
+        uav.lastRest = warmStart ? stillAvailable(m_lastOrders[uav.uav], request, uav.available)
+                                 : std::vector<int>{};
     PlanAnswer answer;
     try {
-        answer = m_policy->plan(request, warmStart ? lastRest : std::vector<int>{}, telling);
+        answer = m_policy->plan(asked, telling);
     } catch (const std::exception& failure) {
         // The autopilot always has a next iceberg, whatever becomes of the planner.
         answer = {.failure = failure.what()};
     }
     if (answer.outcome.reason == StopReason::Cancelled)
         return answer; // nothing is remembered: the same call will be made again
-    if (answer.order.empty()) {
-        answer.order = lastRest.empty() ? nearestAvailable(request.ids, request.available,
-                                                           request.problem.distance_m)
-                                        : lastRest;
-        answer.fellBack = !answer.order.empty();
-    }
-    answer.clusters = clustersIn(answer.order, request.clusters);
-    answer.order = withMembers(answer.order, request.clusters);
-    m_lastOrder = answer.order;
-    return answer;
-}
-
-PlanAnswer Planner::planFleet(const PlanRequest& request, const SolveOptions& options,
-                              bool warmStart)
-{
-    SolveOptions telling = options;
-    if (options.onProgress && !request.clusters.empty())
-        telling.onProgress = [&](SolveProgress progress) {
-            for (std::vector<int>& order : progress.fleet)
-                order = withMembers(order, request.clusters);
-            options.onProgress(progress);
-        };
-    PlanRequest asked = request;
-    for (UavRequest& uav : asked.fleet)
-        uav.lastRest = warmStart ? stillAvailable(m_lastOrders[uav.uav], request, uav.available)
-                                 : std::vector<int>{};
-    PlanAnswer answer;
-    try {
-        answer = m_policy->plan(asked, {}, telling);
-    } catch (const std::exception& failure) {
-        answer = {.failure = failure.what()};
-    }
-    if (answer.outcome.reason == StopReason::Cancelled)
-        return answer;
-    answer.fleet.resize(request.fleet.size());
-    keepFirstsApart(request, answer.fleet);
-    if (std::ranges::all_of(answer.fleet, [](const UavAnswer& uav) { return uav.order.empty(); }))
-        answer.fellBack = fallBack(request, answer.fleet);
+    answer.uavs.resize(request.uavs.size());
+    keepFirstsApart(request, answer.uavs);
+    if (std::ranges::all_of(answer.uavs, [](const UavAnswer& uav) { return uav.order.empty(); }))
+        answer.fellBack = fallBack(request, answer.uavs);
     std::vector<int> flown;
-    for (std::size_t k = 0; k < answer.fleet.size(); ++k) {
-        std::vector<int>& order = answer.fleet[k].order;
+    for (std::size_t k = 0; k < answer.uavs.size(); ++k) {
+        std::vector<int>& order = answer.uavs[k].order;
         flown.insert(flown.end(), order.begin(), order.end());
         order = withMembers(order, request.clusters);
-        m_lastOrders[request.fleet[k].uav] = order;
+        m_lastOrders[request.uavs[k].uav] = order;
     }
     answer.clusters = clustersIn(flown, request.clusters);
     return answer;
@@ -189,7 +153,7 @@ bool Planner::fallBack(const PlanRequest& request, std::vector<UavAnswer>& answe
 {
     std::vector<int> taken;
     for (std::size_t k = 0; k < answers.size(); ++k) {
-        const UavRequest& uav = request.fleet[k];
+        const UavRequest& uav = request.uavs[k];
         const auto last = m_lastOrders.find(uav.uav);
         if (last == m_lastOrders.end())
             continue;
@@ -200,7 +164,7 @@ bool Planner::fallBack(const PlanRequest& request, std::vector<UavAnswer>& answe
     for (std::size_t k = 0; k < answers.size(); ++k) {
         if (!answers[k].order.empty())
             continue;
-        const UavRequest& uav = request.fleet[k];
+        const UavRequest& uav = request.uavs[k];
         std::vector<bool> left = uav.available;
         for (std::size_t i = 0; i < left.size(); ++i)
             left[i] = left[i] && !contains(taken, request.ids[i]);

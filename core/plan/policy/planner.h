@@ -7,7 +7,7 @@
 namespace berg {
 
 /**
- * The paper's strategy around a policy: remembers the last order, gives its rest as warm start,
+ * The paper's strategy around a policy: remembers the last orders, gives their rests as warm start,
  * and falls back to that rest when a limit leaves the solver without an order (section 4 of the
  * paper, its second advantage). The autopilot therefore always has a next iceberg.
  */
@@ -27,19 +27,15 @@ public:
     void setSettings(const PlannerSettings& settings);
 
     /**
-     * The order to fly now; empty only when no iceberg is available, or when cancelled. A policy
-     * that throws is as one that finds no order, with `failure` saying why. Of several UAVs some
-     * may have nothing to fly; when none has, each falls back, and no two fly to one iceberg.
+     * The orders to fly now; all are empty only when no iceberg is available, or when cancelled. A
+     * policy that throws is as one that finds no order, with `failure` saying why. Of several UAVs
+     * some may have nothing to fly; when none has, each falls back, and no two fly to one iceberg.
      * `warmStart` off keeps the last order from the solver (the fall-back still uses it).
      */
     [[nodiscard]] PlanAnswer plan(const PlanRequest& request, const SolveOptions& options,
                                   bool warmStart = true);
 
 private:
-    [[nodiscard]] PlanAnswer planOne(const PlanRequest& request, const SolveOptions& options,
-                                     bool warmStart);
-    [[nodiscard]] PlanAnswer planFleet(const PlanRequest& request, const SolveOptions& options,
-                                       bool warmStart);
     /** Each UAV flies the rest of its last order, else to the nearest that no other one flies to.
      * False when there is nothing to fly to. */
     [[nodiscard]] bool fallBack(const PlanRequest& request, std::vector<UavAnswer>& answers) const;
@@ -49,8 +45,7 @@ private:
     bool m_ownSolver = false;
     std::unique_ptr<TvpSolver> m_solver;
     std::unique_ptr<Policy> m_policy;
-    std::vector<int> m_lastOrder;
-    std::map<int, std::vector<int>> m_lastOrders; ///< of several UAVs, by number
+    std::map<int, std::vector<int>> m_lastOrders; ///< by number of the UAV
 };
 
 } // namespace berg

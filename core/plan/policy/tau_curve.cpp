@@ -184,7 +184,7 @@ private:
         const SolveOutcome outcome = SubsetSolver().solve(m_problem, {.stop = m_options.stop});
         if (outcome.status != SolveStatus::Optimal)
             return std::nullopt;
-        offer(outcome.order, crossing);
+        offer(outcome.order(), crossing);
         return Knowledge::Proven;
     }
 
@@ -285,9 +285,9 @@ TauCurve constantCurve(TvpProblem problem, const TauCurveOptions& options, doubl
     if (outcome.status != SolveStatus::None)
         curve.intervals.push_back({.tauFrom = 0,
                                    .tauTo = options.tauMax,
-                                   .order = outcome.order,
-                                   .distance_m = flownDistance(problem, outcome.order),
-                                   .reward_m2 = uncertaintyReward(problem, outcome.order),
+                                   .order = outcome.order(),
+                                   .distance_m = flownDistance(problem, outcome.order()),
+                                   .reward_m2 = uncertaintyReward(problem, outcome.order()),
                                    .proven = outcome.status == SolveStatus::Optimal});
     curve.complete = outcome.reason != StopReason::Cancelled;
     return curve;

@@ -34,7 +34,7 @@ CbcRun::CbcRun(const TvpProblem& problem, const SolveOptions& options, const Mil
     , m_milp(milp)
     , m_scale(scaleOf(milp))
     , m_watch(options)
-    , m_best(options.hint)
+    , m_best(options.hint.empty() ? VisitOrder{} : options.hint.front())
 {
     if (!m_best.empty())
         m_bestObjective = objective(problem, m_best);

@@ -314,12 +314,12 @@ SolveOutcome search(CbcRun& run)
 }
 
 /** Ended before the search; the hint, if any, comes back. */
-SolveOutcome unsolved(const VisitOrder& hint, StopReason reason)
+SolveOutcome unsolved(const FleetPlan& hint, StopReason reason)
 {
     SolveOutcome outcome;
     outcome.status = hint.empty() ? SolveStatus::None : SolveStatus::Feasible;
     outcome.reason = reason;
-    outcome.order = hint;
+    outcome.plan = hint;
     outcome.hintUsed = !hint.empty();
     return outcome;
 }
@@ -338,7 +338,7 @@ SolveOutcome solveMilp(const TvpProblem& problem, const SolveOptions& options,
     run.rethrow();
     if (outcome.reason == StopReason::Unable && outcome.status == SolveStatus::None)
         throw Error(ErrorCode::SolverFailed, "cbc", outcome.detail);
-    outcome.order = run.best();
+    outcome.plan = {run.best()};
     outcome.bound = run.bound();
     outcome.hintUsed = !options.hint.empty();
     return outcome;
@@ -349,12 +349,15 @@ SolveOutcome solveReduced(const TvpProblem& problem, const SolveOptions& options
     const SolveWatch watch(options);
     const Stopwatch stopwatch;
     const ReducedModel reduced = reducedModel(problem, options);
+    FleetPlan incumbent;
+    if (!reduced.incumbent.empty())
+        incumbent = {reduced.incumbent};
     SolveOutcome outcome;
     if (const std::optional<StopReason> cut = watch.cut()) {
-        outcome = unsolved(reduced.incumbent, *cut);
+        outcome = unsolved(incumbent, *cut);
     } else {
         SolveOptions warm = options;
-        warm.hint = reduced.incumbent;
+        warm.hint = incumbent;
         if (warm.timeLimit_s)
             *warm.timeLimit_s -= stopwatch.elapsed_s();
         outcome = solveMilp(problem, warm, reduced.milp);

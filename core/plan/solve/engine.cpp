@@ -57,7 +57,7 @@ public:
         if (m_options.hint.empty())
             m_search.startGreedily();
         else
-            m_search.take(m_options.hint);
+            m_search.take(m_options.hint.front());
         m_search.descend();
 
         LayeredBoundOptions options;
@@ -143,13 +143,13 @@ private:
     {
         SolveOutcome outcome;
         outcome.status = SolveStatus::Feasible;
-        outcome.order = m_search.best();
+        outcome.plan = {m_search.best()};
         outcome.work = work;
         outcome.hintUsed = !m_options.hint.empty();
         if (m_bound > 0)
             outcome.bound = boundOnObjective();
 
-        const double cost = m_costs.total(outcome.order);
+        const double cost = m_costs.total(outcome.order());
         if (result.reached && isProven(cost, result.bound))
             outcome.status = SolveStatus::Optimal;
         else if (result.reached)
@@ -190,9 +190,9 @@ SolveOutcome solveByEngine(const TvpProblem& problem, const SolveOptions& option
 
     SolveOutcome outcome;
     outcome.status = SolveStatus::Optimal;
-    outcome.order = sigmaOrder(problem);
-    const double value = objective(problem, outcome.order);
-    SolveWatch(options).report(outcome.order, value, value);
+    outcome.plan = {sigmaOrder(problem)};
+    const double value = objective(problem, outcome.order());
+    SolveWatch(options).report(outcome.order(), value, value);
     return outcome;
 }
 

@@ -50,7 +50,7 @@ ReducedModel reducedModel(const TvpProblem& problem, const SolveOptions& options
         LocalSearch()
             .solve(problem,
                    {.timeLimit_s = options.timeLimit_s, .hint = options.hint, .stop = options.stop})
-            .order;
+            .order();
     if (reduced.incumbent.empty() || watch.cut())
         return reduced;
 

@@ -27,7 +27,7 @@ public:
     void report(const VisitOrder& order, double objective, std::optional<double> bound) const
     {
         if (m_options.onProgress)
-            m_options.onProgress({.order = order,
+            m_options.onProgress({.plan = {order},
                                   .objective = objective,
                                   .bound = bound,
                                   .elapsed_s = m_watch.elapsed_s()});

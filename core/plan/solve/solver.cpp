@@ -41,16 +41,21 @@ private:
     LocalSearch m_heuristic;
 };
 
+bool isPlan(const TvpProblem& problem, const FleetPlan& plan)
+{
+    return plan.size() == 1 && isVisitOrder(problem, plan.front());
+}
+
 /** Puts the answer of a back end into the shape `SolveOutcome` promises. */
 void settle(const TvpProblem& problem, SolveOutcome& outcome)
 {
     if (outcome.status == SolveStatus::None) {
-        outcome.order.clear();
+        outcome.plan.clear();
         outcome.objective = 0;
         return;
     }
-    require(isVisitOrder(problem, outcome.order), "solver returned no valid visiting order");
-    outcome.objective = objective(problem, outcome.order);
+    require(isPlan(problem, outcome.plan), "solver returned no valid visiting order");
+    outcome.objective = objective(problem, outcome.order());
     if (outcome.status == SolveStatus::Optimal)
         outcome.bound = outcome.objective;
     else if (outcome.bound)
@@ -58,6 +63,12 @@ void settle(const TvpProblem& problem, SolveOutcome& outcome)
 }
 
 } // namespace
+
+const VisitOrder& SolveOutcome::order() const
+{
+    static const VisitOrder kNone;
+    return plan.empty() ? kNone : plan.front();
+}
 
 Stopwatch::Stopwatch() : m_start_ns(now_ns()) {}
 
@@ -75,12 +86,12 @@ SolveOutcome TvpSolver::solve(const TvpProblem& problem, const SolveOptions& opt
 
     SolveOutcome outcome;
     if (problem.icebergCount() == 0) {
-        outcome = {.status = SolveStatus::Optimal, .bound = 0.0};
+        outcome = {.status = SolveStatus::Optimal, .plan = FleetPlan(1), .bound = 0.0};
     } else if (std::string reason = whyNot(problem); !reason.empty()) {
-        outcome = {.reason = StopReason::Unable, .detail = std::move(reason)};
+        outcome = {.reason = StopReason::Unable, .plan = {}, .detail = std::move(reason)};
     } else if (options.stop.stop_requested()) {
-        outcome = {.reason = StopReason::Cancelled};
-    } else if (options.hint.empty() || isVisitOrder(problem, options.hint)) {
+        outcome = {.reason = StopReason::Cancelled, .plan = {}};
+    } else if (options.hint.empty() || isPlan(problem, options.hint)) {
         outcome = doSolve(problem, options);
     } else {
         SolveOptions withoutHint = options;

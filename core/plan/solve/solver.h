@@ -35,12 +35,11 @@ enum class StopReason
 /** What a long solve tells while it runs; each one is at least as good as the one before. */
 struct SolveProgress
 {
-    VisitOrder order; ///< incumbent; empty when there is none yet
+    FleetPlan plan = {}; ///< incumbent, an order for each UAV; empty when there is none yet
     double objective = 0;
     std::optional<double> bound; ///< valid lower bound on the optimum
     double elapsed_s = 0;
-    std::vector<AimedLeg> legs;          ///< how the order is flown, of plans with aim points
-    std::vector<std::vector<int>> fleet; ///< of several UAVs in place of `order`: one for each
+    std::vector<std::vector<AimedLeg>> legs = {}; ///< how it is flown, of plans with aim points
 };
 
 struct SolveOptions
@@ -49,29 +48,34 @@ struct SolveOptions
     std::optional<std::int64_t> workLimit; ///< back end's own unit (nodes, arcs); repeats
     /** About what a solve may use at its peak; none = no limit. CBC does not know it. */
     std::optional<std::int64_t> memoryLimit_bytes = 1'500'000'000;
-    double gap = 0;       ///< stop when the relative gap is at most this
-    VisitOrder hint;      ///< warm start; ignored when not a valid order
-    std::stop_token stop; ///< checked at least every 10 ms
-    std::function<void(const SolveProgress&)> onProgress; ///< called on the solving thread
+    double gap = 0; ///< stop when the relative gap is at most this
+    /** Warm start. Of one UAV ignored when not a valid order; of several what is valid of it
+     * (`validPart`) is kept, the rest put where it costs least. */
+    FleetPlan hint = {};
+    std::stop_token stop;                                      ///< checked at least every 10 ms
+    std::function<void(const SolveProgress&)> onProgress = {}; ///< called on the solving thread
 };
 
 struct SolveOutcome
 {
     SolveStatus status = SolveStatus::None;
     StopReason reason = StopReason::Finished;
-    VisitOrder order;            ///< empty when status is None (or there is no iceberg)
-    double objective = 0;        ///< Eq. (1) of `order`, re-scored outside the back end
+    FleetPlan plan = {};         ///< an order for each UAV; empty when status is None
+    double objective = 0;        ///< Eq. (1) of `plan`, re-scored outside the back end
     std::optional<double> bound; ///< valid lower bound, never above `objective`
     double elapsed_s = 0;
-    std::int64_t work = 0; ///< what `workLimit` counts
-    bool hintUsed = false; ///< the hint was accepted as starting incumbent
-    std::string backend;   ///< e.g. "exact"
-    std::string detail;    ///< the back end's own words, for a tooltip
+    std::int64_t work = 0;    ///< what `workLimit` counts
+    bool hintUsed = false;    ///< the hint was accepted as starting incumbent
+    std::string backend = {}; ///< e.g. "exact"
+    std::string detail = {};  ///< the back end's own words, for a tooltip
+
+    /** That of the only UAV; empty when there is none. */
+    [[nodiscard]] const VisitOrder& order() const;
 };
 
 /**
- * One way to solve the target visitation problem. Stateless: one object may solve on several
- * threads at once. `solve` checks the problem, the hint and the answer; a back end writes
+ * One way to solve the target visitation problem of one UAV. Stateless: one object may solve on
+ * several threads at once. `solve` checks the problem, the hint and the answer; a back end writes
  * `doSolve`.
  */
 class TvpSolver
@@ -95,7 +99,8 @@ public:
     [[nodiscard]] SolveOutcome solve(const TvpProblem& problem, const SolveOptions& options) const;
 
 protected:
-    /** `problem` is valid and has at least one iceberg; `options.hint` is empty or valid. */
+    /** `problem` is valid and has at least one iceberg; `options.hint` is empty or one valid order.
+     */
     [[nodiscard]] virtual SolveOutcome doSolve(const TvpProblem& problem,
                                                const SolveOptions& options) const = 0;
 };

@@ -270,12 +270,12 @@ private:
 };
 
 /** An answer without proof: the hint, or nothing. */
-SolveOutcome cutShort(StopReason reason, const VisitOrder& hint, std::int64_t work)
+SolveOutcome cutShort(StopReason reason, const FleetPlan& hint, std::int64_t work)
 {
     SolveOutcome outcome;
     outcome.status = hint.empty() ? SolveStatus::None : SolveStatus::Feasible;
     outcome.reason = reason;
-    outcome.order = hint;
+    outcome.plan = hint;
     outcome.work = work;
     outcome.hintUsed = !hint.empty();
     return outcome;
@@ -286,11 +286,11 @@ SolveOutcome proven(VisitOrder order, std::int64_t work, const TvpProblem& probl
 {
     SolveOutcome outcome;
     outcome.status = SolveStatus::Optimal;
-    outcome.order = std::move(order);
+    outcome.plan = {std::move(order)};
     outcome.work = work;
     if (options.onProgress) {
-        const double value = objective(problem, outcome.order);
-        watch.report(outcome.order, value, value);
+        const double value = objective(problem, outcome.order());
+        watch.report(outcome.order(), value, value);
     }
     return outcome;
 }
@@ -300,7 +300,7 @@ SolveOutcome solveWithRows(const TvpProblem& problem, const SolveOptions& option
 {
     const SolveWatch watch(options);
     if (!options.hint.empty() && options.onProgress)
-        watch.report(options.hint, objective(problem, options.hint), std::nullopt);
+        watch.report(options.hint.front(), objective(problem, options.hint.front()), std::nullopt);
 
     const int n = problem.icebergCount();
     if (options.workLimit && *options.workLimit < SubsetSolver::workFor(n))

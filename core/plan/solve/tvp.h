@@ -42,6 +42,9 @@ struct TvpProblem
 /** Iceberg nodes 1 .. N-1, each once, in visiting order. */
 using VisitOrder = std::vector<int>;
 
+/** One order for each UAV, which may be empty. */
+using FleetPlan = std::vector<VisitOrder>;
+
 /** True when `order` holds each iceberg node of the problem exactly once. */
 [[nodiscard]] bool isVisitOrder(const TvpProblem& problem, std::span<const int> order);
 

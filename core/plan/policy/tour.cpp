@@ -1,4 +1,4 @@
-#include "core/plan/policy/fleet_tour.h"
+#include "core/plan/policy/tour.h"
 
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/solve/assignment.h"
@@ -52,7 +52,7 @@ public:
 private:
     [[nodiscard]] const UavRequest& uav(std::size_t k) const
     {
-        return m_request.fleet[static_cast<std::size_t>(m_uavs[k])];
+        return m_request.uavs[static_cast<std::size_t>(m_uavs[k])];
     }
 
     /** From the first place to each, and all the way round. */
@@ -121,7 +121,7 @@ private:
         for (std::size_t k = 0; k < steps; ++k) {
             const int node = cycle[(begin + k) % cycle.size()];
             distance_m += uav.distance_m(from, node);
-            sum += m_request.problem.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
+            sum += m_request.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
             from = node;
         }
         return sum;
@@ -132,39 +132,146 @@ private:
     const std::vector<int>& m_uavs;
 };
 
-class FleetTour final : public Policy
+/** A cycle over all icebergs of a request, in nodes of it; the first iceberg takes the UAV's place
+ * as the node to return to. */
+struct MadeCycle
+{
+    Cycle cycle;       ///< empty: none was found, or it was cut short by a cancellation
+    PlanAnswer answer; ///< what was solved, without orders
+};
+
+MadeCycle makeCycle(const PlanRequest& request, const Eigen::MatrixXd& distance_m,
+                    const TvpSolver& solver, const SolveOptions& options)
+{
+    MadeCycle made;
+    const auto n = static_cast<Eigen::Index>(request.ids.size());
+    const TvpProblem round{.distance_m = distance_m.bottomRightCorner(n, n),
+                           .sigma_m2 = std::vector<double>(request.ids.size(), 0.0),
+                           .mu = 1,
+                           .route = Route::Closed};
+    SolveOutcome& outcome = made.answer.outcome;
+    outcome = solver.solve(round, options);
+    if (outcome.status != SolveStatus::None && outcome.reason != StopReason::Cancelled) {
+        made.cycle = {1};
+        for (const int node : outcome.order())
+            made.cycle.push_back(node + 1);
+        made.answer.distance_m = flownDistance(round, outcome.order());
+        if (outcome.bound)
+            made.answer.gap = relativeGap(round, outcome.objective, *outcome.bound);
+    }
+    made.answer.problem = problemOf(round);
+    made.answer.solvedIds.assign(request.ids.begin() + 1, request.ids.end());
+    return made;
+}
+
+/** The answer of the cycle with these orders. */
+PlanAnswer withOrders(PlanAnswer answer, std::vector<std::vector<int>> orders)
+{
+    answer.uavs.clear();
+    for (std::vector<int>& order : orders)
+        answer.uavs.emplace_back().order = std::move(order);
+    return answer;
+}
+
+/** The rest of the round is kept and flown iceberg by iceberg; those in view are passed over. Only
+ * when it is used up, or the set of icebergs has changed, does a new one begin. */
+class TourOfOne
 {
 public:
-    explicit FleetTour(const TvpSolver& solver) : m_solver(solver) {}
-
-    PlanAnswer plan(const PlanRequest& request, std::span<const int>,
-                    const SolveOptions& options) override
+    PlanAnswer plan(const PlanRequest& request, const TvpSolver& solver,
+                    const SolveOptions& options)
     {
-        const FleetTask task = fleetTask(request);
-        if (task.uavs.empty()) {
-            PlanAnswer answer = fleetAnswer(request, {request.fleet.size(), std::vector<int>{}});
-            answer.outcome = {.status = SolveStatus::Optimal, .bound = 0.0, .backend = "route"};
+        const std::vector<std::vector<int>> none(1);
+        if (request.ids.empty())
+            return withOrders({.outcome = {.status = SolveStatus::Optimal}}, none);
+        m_rest = request.ids == m_known ? fromFirstAvailable(request, m_rest) : std::vector<int>();
+        m_known = request.ids;
+        if (!m_rest.empty()) {
+            PlanAnswer answer = answerOf(request, {m_rest});
+            answer.outcome = {.status = SolveStatus::Feasible, .backend = "route"};
             return answer;
         }
+        if (m_cycleIds != request.ids) {
+            MadeCycle made = makeCycle(request, request.uavs.front().distance_m, solver,
+                                       inIds(request, options));
+            if (made.cycle.empty())
+                return withOrders(std::move(made.answer), none);
+            enter(request, std::move(made.cycle));
+            m_cycleIds = request.ids;
+            m_made = std::move(made.answer);
+        }
+        m_rest = fromFirstAvailable(request, m_cycle);
+        return withOrders(m_made, {m_rest});
+    }
+
+private:
+    /** Progress in ids of the cycle that is solved. */
+    [[nodiscard]] static SolveOptions inIds(const PlanRequest& request, SolveOptions options)
+    {
+        if (options.onProgress)
+            options.onProgress = [&request, told = options.onProgress](SolveProgress progress) {
+                for (VisitOrder& order : progress.plan)
+                    for (int& node : order)
+                        node = request.ids[static_cast<std::size_t>(node)];
+                told(progress);
+            };
+        return options;
+    }
+
+    void enter(const PlanRequest& request, Cycle cycle)
+    {
+        const Entries entries =
+            EntryChooser(request, request.uavs.front().distance_m, {0}).best(std::move(cycle));
+        m_cycle.clear();
+        for (std::size_t step = 0; step < entries.cycle.size(); ++step) {
+            const std::size_t at = (entries.places.front() + step) % entries.cycle.size();
+            m_cycle.push_back(request.ids[static_cast<std::size_t>(entries.cycle[at] - 1)]);
+        }
+    }
+
+    [[nodiscard]] static std::vector<int> fromFirstAvailable(const PlanRequest& request,
+                                                             const std::vector<int>& ids)
+    {
+        const auto first = std::ranges::find_if(
+            ids, [&](int id) { return isAvailable(request, request.uavs.front(), id); });
+        return {first, ids.end()};
+    }
+
+    std::vector<int> m_cycle;    ///< ids, from where it is entered
+    std::vector<int> m_cycleIds; ///< of the request that it is for
+    PlanAnswer m_made;
+    std::vector<int> m_rest; ///< of the round
+    std::vector<int> m_known;
+};
+
+class TourOfSeveral
+{
+public:
+    PlanAnswer plan(const PlanRequest& request, const TvpSolver& solver, SolveOptions options)
+    {
+        const FleetTask task = fleetTask(request);
+        const std::vector<std::vector<int>> none(request.uavs.size());
+        if (task.uavs.empty())
+            return withOrders(
+                {.outcome = {.status = SolveStatus::Optimal, .bound = 0.0, .backend = "route"}},
+                none);
         const Eigen::MatrixXd distance_m = meanDistances(request, task.uavs);
         if (m_ids != request.ids) {
-            SolveOutcome outcome = makeCycle(request, distance_m, options);
-            if (outcome.status == SolveStatus::None || outcome.reason == StopReason::Cancelled) {
-                PlanAnswer answer =
-                    fleetAnswer(request, {request.fleet.size(), std::vector<int>{}});
-                answer.outcome = std::move(outcome);
-                return answer;
-            }
+            options.onProgress = {}; // the UAVs' parts in it are not known yet
+            MadeCycle made = makeCycle(request, distance_m, solver, options);
+            if (made.cycle.empty())
+                return withOrders(std::move(made.answer), none);
+            m_cycle = std::move(made.cycle);
+            m_made = std::move(made.answer);
+            m_ids = request.ids;
+            m_places.clear();
         }
         const bool allIn = std::ranges::all_of(task.uavs, [&](int k) {
-            return m_places.contains(request.fleet[static_cast<std::size_t>(k)].uav);
+            return m_places.contains(request.uavs[static_cast<std::size_t>(k)].uav);
         });
         if (!allIn)
             enter(request, distance_m, task.uavs);
-        PlanAnswer answer = fleetAnswer(request, rounds(request, task.uavs));
-        answer.outcome = m_made.outcome;
-        answer.gap = m_made.gap;
-        return answer;
+        return withOrders(m_made, rounds(request, task.uavs));
     }
 
 private:
@@ -172,37 +279,10 @@ private:
     [[nodiscard]] static Eigen::MatrixXd meanDistances(const PlanRequest& request,
                                                        const std::vector<int>& uavs)
     {
-        Eigen::MatrixXd sum_m = request.fleet[static_cast<std::size_t>(uavs.front())].distance_m;
+        Eigen::MatrixXd sum_m = request.uavs[static_cast<std::size_t>(uavs.front())].distance_m;
         for (std::size_t k = 1; k < uavs.size(); ++k)
-            sum_m += request.fleet[static_cast<std::size_t>(uavs[k])].distance_m;
+            sum_m += request.uavs[static_cast<std::size_t>(uavs[k])].distance_m;
         return sum_m / static_cast<double>(uavs.size());
-    }
-
-    /** The first iceberg takes the UAV's place as the node to return to. Nothing is kept when no
-     * cycle was found, or when it was cut short by a cancellation. */
-    SolveOutcome makeCycle(const PlanRequest& request, const Eigen::MatrixXd& distance_m,
-                           SolveOptions options)
-    {
-        const auto n = static_cast<Eigen::Index>(request.ids.size());
-        const TvpProblem round{.distance_m = distance_m.bottomRightCorner(n, n),
-                               .sigma_m2 = std::vector<double>(request.ids.size(), 0.0),
-                               .mu = 1,
-                               .route = Route::Closed};
-        options.hint.clear();
-        options.onProgress = {}; // the UAVs' parts in it are not known yet
-        SolveOutcome outcome = m_solver.solve(round, options);
-        const VisitOrder order = std::exchange(outcome.order, {});
-        if (outcome.status == SolveStatus::None || outcome.reason == StopReason::Cancelled)
-            return outcome;
-        m_made = {.outcome = outcome};
-        if (outcome.bound)
-            m_made.gap = relativeGap(round, outcome.objective, *outcome.bound);
-        m_cycle = {1};
-        for (const int node : order)
-            m_cycle.push_back(node + 1);
-        m_ids = request.ids;
-        m_places.clear();
-        return outcome;
     }
 
     void enter(const PlanRequest& request, const Eigen::MatrixXd& distance_m,
@@ -212,7 +292,7 @@ private:
         m_cycle = std::move(entries.cycle);
         m_places.clear();
         for (std::size_t k = 0; k < uavs.size(); ++k)
-            m_places[request.fleet[static_cast<std::size_t>(uavs[k])].uav] = entries.places[k];
+            m_places[request.uavs[static_cast<std::size_t>(uavs[k])].uav] = entries.places[k];
     }
 
     /** Once round the cycle for each UAV, from the place where it is. Those whose iceberg is still
@@ -220,11 +300,11 @@ private:
     [[nodiscard]] std::vector<std::vector<int>> rounds(const PlanRequest& request,
                                                        const std::vector<int>& uavs)
     {
-        std::vector<std::vector<int>> rounds(request.fleet.size());
+        std::vector<std::vector<int>> rounds(request.uavs.size());
         std::set<std::size_t> firsts;
         for (const bool keeping : {true, false})
             for (const int k : uavs) {
-                const UavRequest& uav = request.fleet[static_cast<std::size_t>(k)];
+                const UavRequest& uav = request.uavs[static_cast<std::size_t>(k)];
                 std::vector<int>& round = rounds[static_cast<std::size_t>(k)];
                 std::size_t& place = m_places.at(uav.uav);
                 if (!round.empty() ||
@@ -249,18 +329,39 @@ private:
         return uav.available[static_cast<std::size_t>(m_cycle[place] - 1)];
     }
 
-    const TvpSolver& m_solver;
     Cycle m_cycle;
     std::vector<int> m_ids;              ///< of the request that the cycle is for
-    PlanAnswer m_made;                   ///< outcome and gap of the cycle
+    PlanAnswer m_made;                   ///< of the cycle, without orders
     std::map<int, std::size_t> m_places; ///< by number of the UAV: where in the cycle its next is
+};
+
+class TourPolicy final : public Policy
+{
+public:
+    explicit TourPolicy(const TvpSolver& solver) : m_solver(solver) {}
+
+    PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
+    {
+        // Those of several may be planned alone later, but keep their places in the cycle.
+        m_isOfSeveral = m_isOfSeveral || request.uavs.size() > 1;
+        SolveOptions own = options;
+        own.hint.clear();
+        return m_isOfSeveral ? m_several.plan(request, m_solver, own)
+                             : m_one.plan(request, m_solver, own);
+    }
+
+private:
+    const TvpSolver& m_solver;
+    bool m_isOfSeveral = false;
+    TourOfOne m_one;
+    TourOfSeveral m_several;
 };
 
 } // namespace
 
-std::unique_ptr<Policy> makeFleetTour(const TvpSolver& solver)
+std::unique_ptr<Policy> makeTour(const TvpSolver& solver)
 {
-    return std::make_unique<FleetTour>(solver);
+    return std::make_unique<TourPolicy>(solver);
 }
 
 } // namespace berg

@@ -1,0 +1,153 @@
+#include "core/io/results/plan_result.h"
+
+#include "core/io/results/result_parts.h"
+#include "core/plan/policy/fleet_task.h"
+#include "core/plan/solve/names.h"
+#include "core/sim/clusters.h"
+#include "core/sim/simulation.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace berg {
+
+namespace {
+
+using Json = ResultJson;
+
+/** Distances of a request are in the unit of its first UAV: those of the UAV's own speed. */
+double ownDistance_m(const PlanRequest& request, const UavRequest& uav, const Scenario& scenario,
+                     const std::vector<int>& order)
+{
+    const double ownUnit =
+        scenario.uavs[static_cast<std::size_t>(uav.uav)].spec.airspeed_mps / request.speed_mps;
+    double distance_m = 0;
+    int from = 0;
+    for (const int id : order) {
+        if (std::ranges::find(request.ids, id) == request.ids.end())
+            continue; // flown to with the first one of its cluster
+        const int to = nodeOfId(request, id);
+        distance_m += uav.distance_m(from, to) * ownUnit;
+        from = to;
+    }
+    if (scenario.planner.route == Route::Closed)
+        distance_m += uav.distance_m(from, 0) * ownUnit;
+    return distance_m;
+}
+
+Json uavJson(const UavReport& uav)
+{
+    Json json{{"id", uav.id},
+              {"order", uav.order},
+              {"icebergs", uav.ids},
+              {"distance_m", uav.distance_m}};
+    if (uav.thisSortie)
+        json["this_sortie"] = *uav.thisSortie;
+    return json;
+}
+
+Json secondOpinionJson(const SecondOpinion& second)
+{
+    const SolveOutcome& outcome = second.outcome;
+    const bool solved = outcome.status != SolveStatus::None;
+    Json agrees = nullptr; // not verified
+    if (second.verdict != Verdict::NotVerified)
+        agrees = second.verdict == Verdict::Agrees;
+    return {{"agrees", agrees},
+            {"backend", outcome.backend},
+            {"formulation", second.formulation
+                                ? Json(nameOf(kFormulationNames, *second.formulation))
+                                : Json(nullptr)},
+            {"status", nameOf(kStatusNames, outcome.status)},
+            {"objective", solved ? Json(outcome.objective) : Json(nullptr)},
+            {"bound", orNull(outcome.bound)},
+            {"seconds", outcome.elapsed_s}};
+}
+
+} // namespace
+
+std::optional<double> PlanReport::objective() const
+{
+    if (outcome.status == SolveStatus::None || problem.sigma_m2.empty())
+        return std::nullopt;
+    return outcome.objective;
+}
+
+std::optional<double> PlanReport::gap() const
+{
+    if (!objective() || !outcome.bound)
+        return std::nullopt;
+    return fleetGap(problem, outcome.objective, *outcome.bound);
+}
+
+std::optional<double> PlanReport::mu() const
+{
+    return problem.sigma_m2.empty() ? std::nullopt : std::optional(problem.mu);
+}
+
+PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer)
+{
+    const Simulation start(scenario);
+    const PlanRequest request = requestFor(start, scenario.planner.policy);
+    require(answer.uavs.size() == request.uavs.size(), "planReport: an answer for each UAV");
+    const auto idOf = [&](int iceberg) {
+        return scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
+    };
+    PlanReport report{.problem = answer.problem, .outcome = answer.outcome, .uavs = {}};
+    for (std::size_t k = 0; k < answer.uavs.size(); ++k) {
+        const std::vector<int>& order = answer.uavs[k].order;
+        const UavRequest& asked = request.uavs[k];
+        UavReport uav{.id = scenario.uavs[static_cast<std::size_t>(asked.uav)].id,
+                      .order = {},
+                      .ids = {},
+                      .distance_m = ownDistance_m(request, asked, scenario, order),
+                      .thisSortie = thisSortie(start, asked.uav, order, answer.clusters)};
+        for (const int iceberg : order) {
+            uav.order.push_back(iceberg + 1);
+            uav.ids.push_back(idOf(iceberg));
+        }
+        report.distance_m += uav.distance_m;
+        report.uavs.push_back(std::move(uav));
+    }
+    if (report.uavs.size() == 1) // of what was solved, such as the cycle of a tour
+        report.distance_m = fleetDistance(answer.problem, answer.outcome.plan);
+    for (const std::vector<int>& members : answer.clusters)
+        std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
+    return report;
+}
+
+std::string planJson(const PlanReport& report)
+{
+    const SolveOutcome& outcome = report.outcome;
+    const bool solved = outcome.status != SolveStatus::None;
+    std::vector<int> order;
+    std::vector<std::string> ids;
+    Json uavs = Json::array();
+    for (const UavReport& uav : report.uavs) {
+        order.insert(order.end(), uav.order.begin(), uav.order.end());
+        ids.insert(ids.end(), uav.ids.begin(), uav.ids.end());
+        uavs.push_back(uavJson(uav));
+    }
+    Json json{{"status", nameOf(kStatusNames, outcome.status)},
+              {"objective", orNull(report.objective())},
+              {"bound", orNull(outcome.bound)},
+              {"gap", orNull(report.gap())},
+              {"order", order},
+              {"distance_m", solved ? Json(report.distance_m) : Json(nullptr)},
+              {"mu", orNull(report.mu())},
+              {"seconds", outcome.elapsed_s},
+              {"backend", outcome.backend}};
+    if (!ids.empty())
+        json["icebergs"] = ids;
+    if (!report.clusters.empty())
+        json["clusters"] = report.clusters;
+    if (report.uavs.size() > 1)
+        json["uavs"] = uavs;
+    else if (report.uavs.front().thisSortie)
+        json["this_sortie"] = *report.uavs.front().thisSortie;
+    if (report.secondOpinion)
+        json["verify"] = secondOpinionJson(*report.secondOpinion);
+    return resultText(json);
+}
+
+} // namespace berg
