@@ -4,18 +4,22 @@
 
 namespace berg {
 
-void ExportWorker::write(const ExportOrder& order, const PreparedExport& prepared)
+void ExportWorker::write(const std::shared_ptr<const ExportJob>& job)
 {
-    const auto failure =
-        failureOf([&] { emit written(exportedFiles(prepared), order.generation); });
+    const auto failure = failureOf([&] {
+        emit written(std::make_shared<const std::vector<ExportFile>>(exportedFiles(job->prepared)),
+                     job->order.generation);
+    });
     if (failure)
         emit refused(failure->report);
 }
 
-void ExportWorker::look(const ExportOrder& order, const PreparedExport& prepared)
+void ExportWorker::look(const std::shared_ptr<const ExportJob>& job)
 {
+    const ExportOrder& order = job->order;
     std::optional<ExportPreview> preview;
-    if (const auto failure = failureOf([&] { preview = exportPreview(prepared, order.stop); })) {
+    if (const auto failure =
+            failureOf([&] { preview = exportPreview(job->prepared, order.stop); })) {
         preview.emplace();
         preview->request = order.request;
         preview->error = failure->error;

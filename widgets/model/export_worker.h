@@ -14,6 +14,13 @@ struct ExportOrder
     std::stop_token stop; ///< of a preview
 };
 
+/** What is handed to the thread of exports. Qt loses its copies when memory runs out: one only. */
+struct ExportJob
+{
+    ExportOrder order;
+    PreparedExport prepared;
+};
+
 /**
  * Makes the files and the looks of exports on a thread of its own, so that the mission, from which
  * they are prepared, flies on meanwhile. Answers carry the generation they are of.
@@ -23,11 +30,12 @@ class ExportWorker : public QObject
     Q_OBJECT
 
 public:
-    void write(const ExportOrder& order, const PreparedExport& prepared);
-    void look(const ExportOrder& order, const PreparedExport& prepared);
+    void write(const std::shared_ptr<const ExportJob>& job);
+    void look(const std::shared_ptr<const ExportJob>& job);
 
 signals:
-    void written(const std::vector<berg::ExportFile>& files, quint64 generation);
+    void written(const std::shared_ptr<const std::vector<berg::ExportFile>>& files,
+                 quint64 generation);
     void looked(const std::shared_ptr<const berg::ExportPreview>& preview, quint64 generation);
     void refused(const QString& message);
 };

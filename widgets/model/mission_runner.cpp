@@ -75,13 +75,14 @@ void MissionRunner::connectExports()
     connect(m_worker, &MissionWorker::exportPrepared, m_exports, &ExportWorker::write);
     connect(m_worker, &MissionWorker::previewPrepared, m_exports, &ExportWorker::look);
     connect(m_exports, &ExportWorker::refused, this, &MissionRunner::commandRefused);
-    connect(m_exports, &ExportWorker::written, this,
-            [this](const std::vector<ExportFile>& files, quint64 generation) {
-                if (generation == m_generation)
-                    emit exportReady(files);
-                else
-                    emit commandRefused(outdatedExportText());
-            });
+    connect(
+        m_exports, &ExportWorker::written, this,
+        [this](const std::shared_ptr<const std::vector<ExportFile>>& files, quint64 generation) {
+            if (generation == m_generation)
+                emit exportReady(*files);
+            else
+                emit commandRefused(outdatedExportText());
+        });
     const auto passOn = [this](const std::shared_ptr<const ExportPreview>& preview,
                                quint64 generation) {
         if (generation == m_generation)

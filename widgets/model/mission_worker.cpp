@@ -252,15 +252,16 @@ void MissionWorker::sendRun(const QString& path)
         emit refused(tr("There is no run to save: the scenario cannot be planned."));
 }
 
-PreparedExport MissionWorker::prepared(const ExportRequest& request) const
+std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportOrder& order) const
 {
     if (!m_mission || m_mission->plans().empty())
         throw Error(ErrorCode::InvalidInput, "plan", "the scenario cannot be planned");
     const PlanAnswer plan = startPlan(*m_mission);
-    return prepareExport({.scenario = m_mission->scenario(),
-                          .plan = plan,
-                          .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get()},
-                         request, m_paint);
+    const ExportSource source{.scenario = m_mission->scenario(),
+                              .plan = plan,
+                              .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
+    return std::make_shared<const ExportJob>(
+        ExportJob{.order = order, .prepared = prepareExport(source, order.request, m_paint)});
 }
 
 void MissionWorker::sendExport(const ExportOrder& order)
@@ -269,7 +270,7 @@ void MissionWorker::sendExport(const ExportOrder& order)
         emit refused(outdatedExportText());
         return;
     }
-    const auto failure = failureOf([&] { emit exportPrepared(order, prepared(order.request)); });
+    const auto failure = failureOf([&] { emit exportPrepared(prepared(order)); });
     if (failure)
         emit refused(failure->report);
 }
@@ -279,7 +280,7 @@ void MissionWorker::sendExportPreview()
     const std::optional<ExportOrder> order = m_mail.previewRequests.take();
     if (!order || order->generation != m_request.generation || order->stop.stop_requested())
         return; // an earlier call has taken a newer one, or nobody wants it any more
-    const auto failure = failureOf([&] { emit previewPrepared(*order, prepared(order->request)); });
+    const auto failure = failureOf([&] { emit previewPrepared(prepared(*order)); });
     if (!failure)
         return;
     ExportPreview preview;

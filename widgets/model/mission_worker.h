@@ -59,8 +59,8 @@ signals:
     void instantPublished();
     void refused(const QString& message);
     /** What is left of an export is not this thread's business. */
-    void exportPrepared(const berg::ExportOrder& order, const berg::PreparedExport& prepared);
-    void previewPrepared(const berg::ExportOrder& order, const berg::PreparedExport& prepared);
+    void exportPrepared(const std::shared_ptr<const berg::ExportJob>& job);
+    void previewPrepared(const std::shared_ptr<const berg::ExportJob>& job);
     void previewRefused(const std::shared_ptr<const berg::ExportPreview>& preview,
                         quint64 generation);
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
@@ -87,7 +87,7 @@ private:
     void listenToIncumbents();
     [[nodiscard]] HistoryNews takeNews();
     /** Of the mission there is. Throws `Error` where it has no plan. */
-    [[nodiscard]] PreparedExport prepared(const ExportRequest& request) const;
+    [[nodiscard]] std::shared_ptr<const ExportJob> prepared(const ExportOrder& order) const;
 
     MissionMail m_mail;
     MissionRequest m_request;
