@@ -1,7 +1,7 @@
 #include "app/export_run.h"
 
 #include "app/cli/program.h"
-#include "app/window_run.h"
+#include "app/window/window_run.h"
 #include "widgets/print/export_painter.h"
 
 #include <QApplication>

@@ -800,6 +800,13 @@
     </message>
 </context>
 <context>
+    <name>FileNames</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+</context>
+<context>
     <name>FlightBrief</name>
     <message>
         <source>Times count from the start of the run</source>
@@ -3554,6 +3561,17 @@
     </message>
 </context>
 <context>
+    <name>PanelText</name>
+    <message>
+        <source>As opened</source>
+        <translation>Som åpnet</translation>
+    </message>
+    <message>
+        <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
+        <translation>Klikk på en linje for å gå tilbake eller fram til den; disketten merker det som er lagret.</translation>
+    </message>
+</context>
+<context>
     <name>PlaceText</name>
     <message>
         <source>Labrador Sea</source>
@@ -4300,6 +4318,13 @@ mot %2</translation>
     </message>
 </context>
 <context>
+    <name>berg::ChecksView</name>
+    <message>
+        <source>Not changed: %1</source>
+        <translation>Ikke endret: %1</translation>
+    </message>
+</context>
+<context>
     <name>berg::ComparisonChart</name>
     <message>
         <source>Accumulated uncertainty of two runs</source>
@@ -4431,6 +4456,52 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::ComparisonView</name>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Flyginger (*.bergrun);;Alle filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ContextMenus</name>
+    <message>
+        <source>Assign to %1</source>
+        <translation>Tildel til %1</translation>
+    </message>
+    <message>
+        <source>Any UAV may visit it</source>
+        <translation>Enhver UAV kan besøke det</translation>
+    </message>
+    <message>
+        <source>Show in the inspector</source>
+        <translation>Vis i Egenskaper</translation>
+    </message>
+    <message>
+        <source>Edit in the inspector</source>
+        <translation>Rediger i Egenskaper</translation>
+    </message>
+    <message>
+        <source>Remove asset</source>
+        <translation>Fjern objektet</translation>
+    </message>
+    <message>
+        <source>Remove area</source>
+        <translation>Fjern området</translation>
+    </message>
+    <message>
+        <source>New iceberg here</source>
+        <translation>Nytt isfjell her</translation>
+    </message>
+    <message>
+        <source>New UAV here</source>
+        <translation>Ny UAV her</translation>
+    </message>
+    <message>
+        <source>Paste here</source>
+        <translation>Lim inn her</translation>
+    </message>
+</context>
+<context>
     <name>berg::DifferenceChart</name>
     <message>
         <source>Differences to the reference</source>
@@ -4471,6 +4542,65 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>worst %1</source>
         <translation>verst %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Docks</name>
+    <message>
+        <source>Trade-off</source>
+        <translation>Avveining</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Rute</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Egenskaper</translation>
+    </message>
+    <message>
+        <source>Trade-offs</source>
+        <translation>Avveininger</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historikk</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Kurver</translation>
+    </message>
+    <message>
+        <source>Chart 2</source>
+        <translation>Diagram 2</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Hendelser</translation>
+    </message>
+    <message>
+        <source>Comparison chart</source>
+        <translation>Sammenligningsdiagram</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Kontroll</translation>
+    </message>
+    <message>
+        <source>Solve time</source>
+        <translation>Løsningstid</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Sammenligning</translation>
+    </message>
+    <message>
+        <source>Icebergs</source>
+        <translation>Isfjell</translation>
     </message>
 </context>
 <context>
@@ -4751,6 +4881,48 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Takes up the flight where it was left.</source>
         <translation>Tar opp flygingen der den ble forlatt.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightControls</name>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Planen lages fortsatt.</translation>
+    </message>
+    <message>
+        <source>Flight to %1 given up</source>
+        <translation>Flyging til %1 oppgitt</translation>
+    </message>
+</context>
+<context>
+    <name>berg::FlightView</name>
+    <message>
+        <source>Planning</source>
+        <translation>Planlegger</translation>
+    </message>
+    <message>
+        <source>Ready: Space flies it</source>
+        <translation>Klar: mellomrom starter flygingen</translation>
+    </message>
+    <message>
+        <source>Flying</source>
+        <translation>Flyr</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Run complete</source>
+        <translation>Flyging fullført</translation>
+    </message>
+    <message>
+        <source>Cannot be planned: %1</source>
+        <translation>Kan ikke planlegges: %1</translation>
+    </message>
+    <message>
+        <source>Press I and click on the map to place one, drag on to let it drift, or import sightings.</source>
+        <translation>Trykk I og klikk i kartet for å plassere ett, dra videre for å la det drive, eller importer observasjoner.</translation>
     </message>
 </context>
 <context>
@@ -5287,774 +5459,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 <context>
     <name>berg::MainWindow</name>
     <message>
-        <source>Planning</source>
-        <translation>Planlegger</translation>
-    </message>
-    <message>
-        <source>Ready: Space flies it</source>
-        <translation>Klar: mellomrom starter flygingen</translation>
-    </message>
-    <message>
-        <source>Cannot be planned: %1</source>
-        <translation>Kan ikke planlegges: %1</translation>
-    </message>
-    <message>
-        <source>Trade-off</source>
-        <translation>Avveining</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Rute</translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation>Egenskaper</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Hendelser</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Ta pause</translation>
-    </message>
-    <message>
-        <source>Fly</source>
-        <translation>Fly av sted</translation>
-    </message>
-    <message>
         <source>Untitled</source>
         <translation>Uten navn</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Fil</translation>
-    </message>
-    <message>
-        <source>&amp;New scenario</source>
-        <translation>&amp;Nytt scenario</translation>
-    </message>
-    <message>
-        <source>&amp;Open...</source>
-        <translation>&amp;Åpne …</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>Åpne n&amp;ylige</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Lagre</translation>
-    </message>
-    <message>
-        <source>Save &amp;as...</source>
-        <translation>Lagre &amp;som …</translation>
-    </message>
-    <message>
-        <source>Save r&amp;un...</source>
-        <translation>Lagre flyg&amp;ing …</translation>
-    </message>
-    <message>
-        <source>&amp;Export plan...</source>
-        <translation>&amp;Eksporter plan …</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Avslutt</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Rediger</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Angre</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Gjør om</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>&amp;Slett</translation>
-    </message>
-    <message>
-        <source>Select &amp;all icebergs</source>
-        <translation>&amp;Velg alle isfjell</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Vis</translation>
-    </message>
-    <message>
-        <source>&amp;Fit everything</source>
-        <translation>&amp;Tilpass alt</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;in</source>
-        <translation>Zoom &amp;inn</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;out</source>
-        <translation>Zoom &amp;ut</translation>
-    </message>
-    <message>
-        <source>&amp;Panels</source>
-        <translation>&amp;Paneler</translation>
-    </message>
-    <message>
-        <source>&amp;Reset layout</source>
-        <translation>Til&amp;bakestill oppsettet</translation>
-    </message>
-    <message>
-        <source>F&amp;ull screen</source>
-        <translation>Fulls&amp;kjerm</translation>
-    </message>
-    <message>
-        <source>&amp;Appearance</source>
-        <translation>Utsee&amp;nde</translation>
-    </message>
-    <message>
-        <source>Follow system</source>
-        <translation>Følg systemet</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Lyst</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Mørkt</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Språk</translation>
-    </message>
-    <message>
-        <source>F&amp;light</source>
-        <translation>F&amp;lyging</translation>
-    </message>
-    <message>
-        <source>&amp;Step one second</source>
-        <translation>&amp;Steg på ett sekund</translation>
-    </message>
-    <message>
-        <source>Stop and &amp;edit</source>
-        <translation>Sto&amp;pp og rediger</translation>
-    </message>
-    <message>
-        <source>&amp;Faster</source>
-        <translation>&amp;Raskere</translation>
-    </message>
-    <message>
-        <source>S&amp;lower</source>
-        <translation>S&amp;aktere</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hjelp</translation>
-    </message>
-    <message>
-        <source>&amp;Shortcuts</source>
-        <translation>&amp;Hurtigtaster</translation>
-    </message>
-    <message>
-        <source>&amp;About Bergwatch</source>
-        <translation>&amp;Om Bergwatch</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>Verktøy</translation>
-    </message>
-    <message>
-        <source>Select</source>
-        <translation>Velg</translation>
-    </message>
-    <message>
-        <source>Iceberg</source>
-        <translation>Isfjell</translation>
-    </message>
-    <message>
-        <source>UAV</source>
-        <translation>UAV</translation>
-    </message>
-    <message>
-        <source>Pan</source>
-        <translation>Panorer</translation>
-    </message>
-    <message>
-        <source>&amp;Tools</source>
-        <translation>Verk&amp;tøy</translation>
-    </message>
-    <message>
-        <source>Zoom at the cursor</source>
-        <translation>Zoom ved pekeren</translation>
-    </message>
-    <message>
-        <source>wheel</source>
-        <translation>hjulet</translation>
-    </message>
-    <message>
-        <source>middle button, or arrow keys</source>
-        <translation>midterste knapp eller piltastene</translation>
-    </message>
-    <message>
-        <source>Nudge what is selected</source>
-        <translation>Skyv det som er valgt</translation>
-    </message>
-    <message>
-        <source>arrow keys</source>
-        <translation>piltastene</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Shortcuts</source>
-        <translation>Hurtigtaster</translation>
-    </message>
-    <message>
-        <source>About Bergwatch</source>
-        <translation>Om Bergwatch</translation>
-    </message>
-    <message>
-        <source>Scenarios (*.berg);;All files (*)</source>
-        <translation>Scenarioer (*.berg);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>New scenario</source>
-        <translation>Nytt scenario</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>Lagret %1</translation>
-    </message>
-    <message>
-        <source>Runs (*.bergrun);;All files (*)</source>
-        <translation>Flyginger (*.bergrun);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Exported %1</source>
-        <translation>Eksportert til %1</translation>
-    </message>
-    <message>
-        <source>No files yet</source>
-        <translation>Ingen filer ennå</translation>
-    </message>
-    <message>
-        <source>Flying</source>
-        <translation>Flyr</translation>
-    </message>
-    <message>
-        <source>Paused</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Run complete</source>
-        <translation>Flyging fullført</translation>
-    </message>
-    <message>
-        <source>Trade-offs</source>
-        <translation>Avveininger</translation>
-    </message>
-    <message>
-        <source>Solve time</source>
-        <translation>Løsningstid</translation>
-    </message>
-    <message>
-        <source>Follo&amp;w the UAV</source>
-        <translation>&amp;Følg UAV-en</translation>
-    </message>
-    <message>
-        <source>&amp;Solve time study</source>
-        <translation>&amp;Løsningstider</translation>
-    </message>
-    <message>
-        <source>Prefer s&amp;horter route</source>
-        <translation>Foretrekk &amp;kortere rute</translation>
-    </message>
-    <message>
-        <source>Step &amp;back one second</source>
-        <translation>Steg til&amp;bake ett sekund</translation>
-    </message>
-    <message>
-        <source>Step one &amp;tick</source>
-        <translation>Steg på ett ti&amp;dsskritt</translation>
-    </message>
-    <message>
-        <source>Step back one t&amp;ick</source>
-        <translation>Steg tilbake ett t&amp;idsskritt</translation>
-    </message>
-    <message>
-        <source>&amp;Next event</source>
-        <translation>&amp;Neste hendelse</translation>
-    </message>
-    <message>
-        <source>&amp;Previous event</source>
-        <translation>F&amp;orrige hendelse</translation>
-    </message>
-    <message>
-        <source>&amp;Go to time</source>
-        <translation>&amp;Gå til tid</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv);;All files (*)</source>
-        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Prefer more un&amp;certain first</source>
-        <translation>Foretrekk flere &amp;usikre først</translation>
-    </message>
-    <message>
-        <source>Report as seen no&amp;w</source>
-        <translation>&amp;Meld som sett nå</translation>
-    </message>
-    <message>
-        <source>Newest pict&amp;ure</source>
-        <translation>N&amp;yeste bilde</translation>
-    </message>
-    <message>
-        <source>The plan is still being made.</source>
-        <translation>Planen lages fortsatt.</translation>
-    </message>
-    <message>
-        <source>Chart</source>
-        <translation>Kurver</translation>
-    </message>
-    <message>
-        <source>Chart 2</source>
-        <translation>Diagram 2</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>Sammenligning</translation>
-    </message>
-    <message>
-        <source>Comparison chart</source>
-        <translation>Sammenligningsdiagram</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Angre</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Gjør om</translation>
-    </message>
-    <message>
-        <source>S&amp;tart page</source>
-        <translation>S&amp;tartside</translation>
-    </message>
-    <message>
-        <source>Keep a &amp;backup copy</source>
-        <translation>Behold en sikkerhets&amp;kopi</translation>
-    </message>
-    <message>
-        <source>Before a file is first overwritten, a copy is kept as NAME.berg~</source>
-        <translation>Før en fil skrives over første gang, tas det som sto i den, vare på som NAVN.berg~</translation>
-    </message>
-    <message>
-        <source>Reco&amp;ver unsaved work...</source>
-        <translation>&amp;Gjenopprett ulagret arbeid …</translation>
-    </message>
-    <message>
-        <source>No unsaved work is left to recover</source>
-        <translation>Det er ikke noe ulagret arbeid å gjenopprette</translation>
-    </message>
-    <message>
-        <source>Cu&amp;t</source>
-        <translation>Klipp &amp;ut</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Kopier</translation>
-    </message>
-    <message>
-        <source>&amp;Paste</source>
-        <translation>&amp;Lim inn</translation>
-    </message>
-    <message>
-        <source>Dup&amp;licate</source>
-        <translation>&amp;Dupliser</translation>
-    </message>
-    <message>
-        <source>O&amp;verview</source>
-        <translation>&amp;Oversiktskart</translation>
-    </message>
-    <message>
-        <source>Swept ar&amp;ea</source>
-        <translation>S&amp;ett område</translation>
-    </message>
-    <message>
-        <source>&amp;Tour</source>
-        <translation>Om&amp;visning</translation>
-    </message>
-    <message>
-        <source>Asset</source>
-        <translation>Objekt</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Område</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>Mål</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlegger, flyr og måler UAV-oppdrag som holder øye med drivende isfjell.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-lisens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområdene er laget med Natural Earth.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Another Bergwatch</source>
-        <translation>En annen Bergwatch</translation>
-    </message>
-    <message>
-        <source>Bergwatch, process %1 on %2</source>
-        <translation>Bergwatch, prosess %1 på %2</translation>
-    </message>
-    <message>
-        <source>Opened a copy of %1</source>
-        <translation>Åpnet en kopi av %1</translation>
-    </message>
-    <message>
-        <source>Another program has changed it since you opened it. Those changes would be lost.</source>
-        <translation>Et annet program har endret den siden du åpnet den. De endringene ville gå tapt.</translation>
-    </message>
-    <message>
-        <source>%1 has it open. What is saved there would be lost.</source>
-        <translation>%1 har den åpen. Det som lagres der, ville gå tapt.</translation>
-    </message>
-    <message>
-        <source>Saved %1; its folder takes no backup copy</source>
-        <translation>Lagret %1; mappen tar ikke imot en sikkerhetskopi</translation>
-    </message>
-    <message>
-        <source>Show in the inspector</source>
-        <translation>Vis i Egenskaper</translation>
-    </message>
-    <message>
-        <source>Edit in the inspector</source>
-        <translation>Rediger i Egenskaper</translation>
-    </message>
-    <message>
-        <source>Remove asset</source>
-        <translation>Fjern objektet</translation>
-    </message>
-    <message>
-        <source>Remove area</source>
-        <translation>Fjern området</translation>
-    </message>
-    <message>
-        <source>New iceberg here</source>
-        <translation>Nytt isfjell her</translation>
-    </message>
-    <message>
-        <source>Paste here</source>
-        <translation>Lim inn her</translation>
-    </message>
-    <message>
-        <source>As opened</source>
-        <translation>Som åpnet</translation>
-    </message>
-    <message>
-        <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
-        <translation>Klikk på en linje for å gå tilbake eller fram til den; disketten merker det som er lagret.</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Historikk</translation>
-    </message>
-    <message>
-        <source>Icebergs</source>
-        <translation>Isfjell</translation>
-    </message>
-    <message>
-        <source>Autosaved %1</source>
-        <translation>Autolagret %1</translation>
-    </message>
-    <message>
-        <source>Autosaving failed: %1</source>
-        <translation>Autolagringen mislyktes: %1</translation>
-    </message>
-    <message>
-        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
-%1</source>
-        <translation>Ulagret arbeid fra et program som sluttet uventet, kan ikke leses. Det er tatt vare på i denne filen:
-%1</translation>
-    </message>
-    <message>
-        <source>Restored, not saved yet</source>
-        <translation>Gjenopprettet, ikke lagret ennå</translation>
-    </message>
-    <message>
-        <source>1. Place icebergs</source>
-        <translation>1. Plasser isfjell</translation>
-    </message>
-    <message>
-        <source>Press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
-        <translation>Trykk I og klikk i kartet: et isfjell. Dra det for å flytte det, dobbeltklikk på det for å oppgi driften og hvor usikker posisjonen er. Planen følger med straks.</translation>
-    </message>
-    <message>
-        <source>2. Drag τ</source>
-        <translation>2. Dra τ</translation>
-    </message>
-    <message>
-        <source>3. Press Space</source>
-        <translation>3. Trykk mellomrom</translation>
-    </message>
-    <message>
-        <source>Space flies the plan and pauses it; drag along the time line to look back. Stop and edit goes back to the start.</source>
-        <translation>Mellomrom flyr planen og tar pause; dra langs tidslinjen for å se tilbake. «Stopp og rediger» går tilbake til start.</translation>
-    </message>
-    <message>
-        <source>To the left the most uncertain icebergs come first, to the right the route gets shorter. Ticks mark where another order becomes the best one.</source>
-        <translation>Til venstre kommer de mest usikre isfjellene først, til høyre blir veien kortere. Merkene viser hvor en annen rekkefølge blir den beste.</translation>
-    </message>
-    <message>
-        <source>Close what is drawn, take its last point back</source>
-        <translation>Lukk det som tegnes, angre siste punkt</translation>
-    </message>
-    <message>
-        <source>Enter, Backspace</source>
-        <translation>Enter, Slett bakover</translation>
-    </message>
-    <message>
-        <source>Steps of 15° while an arrow is drawn</source>
-        <translation>Trinn på 15° mens en pil tegnes</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Skift</translation>
-    </message>
-    <message>
-        <source>Leave what is drawn, the tool, the selection</source>
-        <translation>Forlat det som tegnes, verktøyet, utvalget</translation>
-    </message>
-    <message>
-        <source>%1   %2 E  %3 N</source>
-        <comment>place, east and north of the origin</comment>
-        <translation>%1   %2 Ø  %3 N</translation>
-    </message>
-    <message>
-        <source>&amp;Import sightings...</source>
-        <translation>I&amp;mporter observasjoner …</translation>
-    </message>
-    <message>
-        <source>&amp;Generate icebergs...</source>
-        <translation>Generer &amp;isfjell …</translation>
-    </message>
-    <message>
-        <source>&amp;Move the scenario…</source>
-        <translation>&amp;Flytt scenarioet…</translation>
-    </message>
-    <message>
-        <source>&amp;Go to a place</source>
-        <translation>&amp;Gå til et sted</translation>
-    </message>
-    <message>
-        <source>Chec&amp;ks</source>
-        <translation>Kont&amp;roll</translation>
-    </message>
-    <message>
-        <source>U&amp;nits</source>
-        <translation>En&amp;heter</translation>
-    </message>
-    <message numerus="yes">
-        <source>Generate %n icebergs</source>
-        <translation>
-            <numerusform>Generer %n isfjell</numerusform>
-            <numerusform>Generer %n isfjell</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Press I and click on the map to place one, drag on to let it drift, or import sightings.</source>
-        <translation>Trykk I og klikk i kartet for å plassere ett, dra videre for å la det drive, eller importer observasjoner.</translation>
-    </message>
-    <message>
-        <source>In flight no sightings can be imported. Stop the flight to import them.</source>
-        <translation>Under flygingen kan ingen observasjoner importeres. Stopp flygingen for å importere dem.</translation>
-    </message>
-    <message>
-        <source>Import 1 iceberg from %1</source>
-        <translation>Importer 1 isfjell fra %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Import %n icebergs from %1</source>
-        <translation>
-            <numerusform>Importer %n isfjell fra %1</numerusform>
-            <numerusform>Importer %n isfjell fra %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Imported 1 iceberg from %1</source>
-        <translation>Importerte 1 isfjell fra %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Imported %n icebergs from %1</source>
-        <translation>
-            <numerusform>Importerte %n isfjell fra %1</numerusform>
-            <numerusform>Importerte %n isfjell fra %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Shows what is found about the scenario.</source>
-        <translation>Viser hva som er funnet om scenarioet.</translation>
-    </message>
-    <message>
-        <source>Checks</source>
-        <translation>Kontroll</translation>
-    </message>
-    <message>
-        <source>&amp;Distances</source>
-        <translation>&amp;Avstander</translation>
-    </message>
-    <message>
-        <source>Metres and kilometres</source>
-        <translation>Meter og kilometer</translation>
-    </message>
-    <message>
-        <source>Nautical miles</source>
-        <translation>Nautiske mil</translation>
-    </message>
-    <message>
-        <source>&amp;Speeds</source>
-        <translation>&amp;Fart</translation>
-    </message>
-    <message>
-        <source>Metres per second</source>
-        <translation>Meter per sekund</translation>
-    </message>
-    <message>
-        <source>Knots</source>
-        <translation>Knop</translation>
-    </message>
-    <message>
-        <source>&amp;Coordinates</source>
-        <translation>&amp;Koordinater</translation>
-    </message>
-    <message>
-        <source>Degrees and minutes, %1</source>
-        <translation>Grader og minutter, %1</translation>
-    </message>
-    <message>
-        <source>Decimal degrees, %1</source>
-        <translation>Desimalgrader, %1</translation>
-    </message>
-    <message>
-        <source>Degrees, minutes, seconds, %1</source>
-        <translation>Grader, minutter, sekunder, %1</translation>
-    </message>
-    <message>
-        <source>Move scenario</source>
-        <translation>Flytt scenarioet</translation>
-    </message>
-    <message>
-        <source>Generate iceberg</source>
-        <translation>Generer isfjell</translation>
-    </message>
-    <message>
-        <source>S&amp;tudy of τ and policies</source>
-        <translation>Stu&amp;die av τ og strategier</translation>
-    </message>
-    <message>
-        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
-        <translation>Scenarioer, flyginger og studier (*.berg *.bergrun *.bergstudy);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Study</source>
-        <translation>Studie</translation>
-    </message>
-    <message>
-        <source>Studies (*.bergstudy);;All files (*)</source>
-        <translation>Studier (*.bergstudy);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Fly as in the study</source>
-        <translation>Fly som i studien</translation>
-    </message>
-    <message>
-        <source>Bergwatch ended unexpectedly. This unsaved study was kept. Save it, or fly the rest.</source>
-        <translation>Bergwatch ble avsluttet uventet, og denne studien var ikke i noen fil. Lagre den, eller fly resten.</translation>
-    </message>
-    <message>
-        <source>Flown as in the study, which is under View, Study.</source>
-        <translation>Fløyet som i studien, som ligger under Vis, Studie.</translation>
-    </message>
-    <message>
-        <source>Studies and their reports (*.bergstudy *.json *.html);;All files (*)</source>
-        <translation>Studier og rapporter om dem (*.bergstudy *.json *.html);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Reports (*.html);;All files (*)</source>
-        <translation>Rapporter (*.html);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Fly Figure 5 of the paper</source>
-        <translation>Fly figur 5 i artikkelen</translation>
-    </message>
-    <message>
-        <source>Study: %1</source>
-        <translation>Studie: %1</translation>
-    </message>
-    <message>
-        <source>S&amp;how true positions</source>
-        <translation>&amp;Vis sanne posisjoner</translation>
-    </message>
-    <message>
-        <source>Where the icebergs are in truth, beside where the observer believes them to be; off: only what an operator would see</source>
-        <translation>Hvor isfjellene egentlig er, ved siden av der observatøren tror de er; av: bare det en operatør ville se</translation>
-    </message>
-    <message>
-        <source>Win&amp;d...</source>
-        <translation>&amp;Vind...</translation>
-    </message>
-    <message>
-        <source>Add UA&amp;V</source>
-        <translation>Legg &amp;til UAV</translation>
-    </message>
-    <message>
-        <source>New UAV here</source>
-        <translation>Ny UAV her</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n files of these names are there. What is in them would be lost.</source>
-        <translation>
-            <numerusform>%n fil med dette navnet finnes. Innholdet går tapt.</numerusform>
-            <numerusform>%n filer med disse navnene finnes. Innholdet går tapt.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Exported %n files</source>
-        <translation>
-            <numerusform>Eksporterte %n fil</numerusform>
-            <numerusform>Eksporterte %n filer</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Assign to %1</source>
-        <translation>Tildel til %1</translation>
-    </message>
-    <message>
-        <source>Any UAV may visit it</source>
-        <translation>Enhver UAV kan besøke det</translation>
-    </message>
-    <message>
-        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;All files (*)</source>
-        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Flight to %1 given up</source>
-        <translation>Flyging til %1 oppgitt</translation>
-    </message>
-    <message>
-        <source>Bring the flight b&amp;ack</source>
-        <translation>&amp;Hent flygingen tilbake</translation>
-    </message>
-    <message>
-        <source>Not changed: %1</source>
-        <translation>Ikke endret: %1</translation>
     </message>
 </context>
 <context>
@@ -6189,6 +5595,373 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Add UAV</source>
         <translation>Legg til UAV</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fil</translation>
+    </message>
+    <message>
+        <source>&amp;New scenario</source>
+        <translation>&amp;Nytt scenario</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Åpne …</translation>
+    </message>
+    <message>
+        <source>S&amp;tart page</source>
+        <translation>S&amp;tartside</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Åpne n&amp;ylige</translation>
+    </message>
+    <message>
+        <source>&amp;Import sightings...</source>
+        <translation>I&amp;mporter observasjoner …</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Lagre</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Lagre &amp;som …</translation>
+    </message>
+    <message>
+        <source>Keep a &amp;backup copy</source>
+        <translation>Behold en sikkerhets&amp;kopi</translation>
+    </message>
+    <message>
+        <source>Before a file is first overwritten, a copy is kept as NAME.berg~</source>
+        <translation>Før en fil skrives over første gang, tas det som sto i den, vare på som NAVN.berg~</translation>
+    </message>
+    <message>
+        <source>Reco&amp;ver unsaved work...</source>
+        <translation>&amp;Gjenopprett ulagret arbeid …</translation>
+    </message>
+    <message>
+        <source>No unsaved work is left to recover</source>
+        <translation>Det er ikke noe ulagret arbeid å gjenopprette</translation>
+    </message>
+    <message>
+        <source>Save r&amp;un...</source>
+        <translation>Lagre flyg&amp;ing …</translation>
+    </message>
+    <message>
+        <source>&amp;Export plan...</source>
+        <translation>&amp;Eksporter plan …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Avslutt</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Rediger</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Klipp &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopier</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Lim inn</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>&amp;Dupliser</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Slett</translation>
+    </message>
+    <message>
+        <source>Add UA&amp;V</source>
+        <translation>Legg &amp;til UAV</translation>
+    </message>
+    <message>
+        <source>&amp;Generate icebergs...</source>
+        <translation>Generer &amp;isfjell …</translation>
+    </message>
+    <message>
+        <source>Select &amp;all icebergs</source>
+        <translation>&amp;Velg alle isfjell</translation>
+    </message>
+    <message>
+        <source>&amp;Move the scenario…</source>
+        <translation>&amp;Flytt scenarioet…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Angre</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gjør om</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Angre</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Gjør om</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vis</translation>
+    </message>
+    <message>
+        <source>Chec&amp;ks</source>
+        <translation>Kont&amp;roll</translation>
+    </message>
+    <message>
+        <source>S&amp;tudy of τ and policies</source>
+        <translation>Stu&amp;die av τ og strategier</translation>
+    </message>
+    <message>
+        <source>&amp;Solve time study</source>
+        <translation>&amp;Løsningstider</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Paneler</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Til&amp;bakestill oppsettet</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>Fulls&amp;kjerm</translation>
+    </message>
+    <message>
+        <source>&amp;Fit everything</source>
+        <translation>&amp;Tilpass alt</translation>
+    </message>
+    <message>
+        <source>Follo&amp;w the UAV</source>
+        <translation>&amp;Følg UAV-en</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom &amp;inn</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Go to a place</source>
+        <translation>&amp;Gå til et sted</translation>
+    </message>
+    <message>
+        <source>O&amp;verview</source>
+        <translation>&amp;Oversiktskart</translation>
+    </message>
+    <message>
+        <source>Swept ar&amp;ea</source>
+        <translation>S&amp;ett område</translation>
+    </message>
+    <message>
+        <source>S&amp;how true positions</source>
+        <translation>&amp;Vis sanne posisjoner</translation>
+    </message>
+    <message>
+        <source>Where the icebergs are in truth, beside where the observer believes them to be; off: only what an operator would see</source>
+        <translation>Hvor isfjellene egentlig er, ved siden av der observatøren tror de er; av: bare det en operatør ville se</translation>
+    </message>
+    <message>
+        <source>F&amp;light</source>
+        <translation>F&amp;lyging</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Fly av sted</translation>
+    </message>
+    <message>
+        <source>&amp;Step one second</source>
+        <translation>&amp;Steg på ett sekund</translation>
+    </message>
+    <message>
+        <source>Stop and &amp;edit</source>
+        <translation>Sto&amp;pp og rediger</translation>
+    </message>
+    <message>
+        <source>Bring the flight b&amp;ack</source>
+        <translation>&amp;Hent flygingen tilbake</translation>
+    </message>
+    <message>
+        <source>Prefer s&amp;horter route</source>
+        <translation>Foretrekk &amp;kortere rute</translation>
+    </message>
+    <message>
+        <source>Prefer more un&amp;certain first</source>
+        <translation>Foretrekk flere &amp;usikre først</translation>
+    </message>
+    <message>
+        <source>Report as seen no&amp;w</source>
+        <translation>&amp;Meld som sett nå</translation>
+    </message>
+    <message>
+        <source>Win&amp;d...</source>
+        <translation>&amp;Vind...</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>&amp;Raskere</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>S&amp;aktere</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Ta pause</translation>
+    </message>
+    <message>
+        <source>Step &amp;back one second</source>
+        <translation>Steg til&amp;bake ett sekund</translation>
+    </message>
+    <message>
+        <source>Step one &amp;tick</source>
+        <translation>Steg på ett ti&amp;dsskritt</translation>
+    </message>
+    <message>
+        <source>Step back one t&amp;ick</source>
+        <translation>Steg tilbake ett t&amp;idsskritt</translation>
+    </message>
+    <message>
+        <source>&amp;Next event</source>
+        <translation>&amp;Neste hendelse</translation>
+    </message>
+    <message>
+        <source>&amp;Previous event</source>
+        <translation>F&amp;orrige hendelse</translation>
+    </message>
+    <message>
+        <source>&amp;Go to time</source>
+        <translation>&amp;Gå til tid</translation>
+    </message>
+    <message>
+        <source>Newest pict&amp;ure</source>
+        <translation>N&amp;yeste bilde</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hjelp</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Hurtigtaster</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>Om&amp;visning</translation>
+    </message>
+    <message>
+        <source>&amp;About Bergwatch</source>
+        <translation>&amp;Om Bergwatch</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Verktøy</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Velg</translation>
+    </message>
+    <message>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
+    </message>
+    <message>
+        <source>Asset</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mål</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Panorer</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>Verk&amp;tøy</translation>
+    </message>
+    <message>
+        <source>Zoom at the cursor</source>
+        <translation>Zoom ved pekeren</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>hjulet</translation>
+    </message>
+    <message>
+        <source>middle button, or arrow keys</source>
+        <translation>midterste knapp eller piltastene</translation>
+    </message>
+    <message>
+        <source>Nudge what is selected</source>
+        <translation>Skyv det som er valgt</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>piltastene</translation>
+    </message>
+    <message>
+        <source>Close what is drawn, take its last point back</source>
+        <translation>Lukk det som tegnes, angre siste punkt</translation>
+    </message>
+    <message>
+        <source>Enter, Backspace</source>
+        <translation>Enter, Slett bakover</translation>
+    </message>
+    <message>
+        <source>Steps of 15° while an arrow is drawn</source>
+        <translation>Trinn på 15° mens en pil tegnes</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Skift</translation>
+    </message>
+    <message>
+        <source>Leave what is drawn, the tool, the selection</source>
+        <translation>Forlat det som tegnes, verktøyet, utvalget</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Hurtigtaster</translation>
+    </message>
+    <message>
+        <source>About Bergwatch</source>
+        <translation>Om Bergwatch</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlegger, flyr og måler UAV-oppdrag som holder øye med drivende isfjell.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-lisens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområdene er laget med Natural Earth.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -6666,6 +6439,73 @@ virkelige flygingen avviker med støyen i driften.</translation>
     </message>
 </context>
 <context>
+    <name>berg::PreferenceMenus</name>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>Utsee&amp;nde</translation>
+    </message>
+    <message>
+        <source>U&amp;nits</source>
+        <translation>En&amp;heter</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Språk</translation>
+    </message>
+    <message>
+        <source>Follow system</source>
+        <translation>Følg systemet</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lyst</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mørkt</translation>
+    </message>
+    <message>
+        <source>&amp;Distances</source>
+        <translation>&amp;Avstander</translation>
+    </message>
+    <message>
+        <source>Metres and kilometres</source>
+        <translation>Meter og kilometer</translation>
+    </message>
+    <message>
+        <source>Nautical miles</source>
+        <translation>Nautiske mil</translation>
+    </message>
+    <message>
+        <source>&amp;Speeds</source>
+        <translation>&amp;Fart</translation>
+    </message>
+    <message>
+        <source>Metres per second</source>
+        <translation>Meter per sekund</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Knop</translation>
+    </message>
+    <message>
+        <source>&amp;Coordinates</source>
+        <translation>&amp;Koordinater</translation>
+    </message>
+    <message>
+        <source>Degrees and minutes, %1</source>
+        <translation>Grader og minutter, %1</translation>
+    </message>
+    <message>
+        <source>Decimal degrees, %1</source>
+        <translation>Desimalgrader, %1</translation>
+    </message>
+    <message>
+        <source>Degrees, minutes, seconds, %1</source>
+        <translation>Grader, minutter, sekunder, %1</translation>
+    </message>
+</context>
+<context>
     <name>berg::RecentRow</name>
     <message>
         <source>The file is gone</source>
@@ -6717,6 +6557,35 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>Name</source>
         <translation>Navn</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ResultFiles</name>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Flyginger (*.bergrun);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Lagret %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of these names are there. What is in them would be lost.</source>
+        <translation>
+            <numerusform>%n fil med dette navnet finnes. Innholdet går tapt.</numerusform>
+            <numerusform>%n filer med disse navnene finnes. Innholdet går tapt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Eksportert til %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n files</source>
+        <translation>
+            <numerusform>Eksporterte %n fil</numerusform>
+            <numerusform>Eksporterte %n filer</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6797,6 +6666,133 @@ virkelige flygingen avviker med støyen i driften.</translation>
     </message>
 </context>
 <context>
+    <name>berg::ScenarioDialogs</name>
+    <message>
+        <source>Generate iceberg</source>
+        <translation>Generer isfjell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Generate %n icebergs</source>
+        <translation>
+            <numerusform>Generer %n isfjell</numerusform>
+            <numerusform>Generer %n isfjell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move scenario</source>
+        <translation>Flytt scenarioet</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ScenarioFiles</name>
+    <message>
+        <source>Scenarios (*.berg);;All files (*)</source>
+        <translation>Scenarioer (*.berg);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Another Bergwatch</source>
+        <translation>En annen Bergwatch</translation>
+    </message>
+    <message>
+        <source>Bergwatch, process %1 on %2</source>
+        <translation>Bergwatch, prosess %1 på %2</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>New scenario</source>
+        <translation>Nytt scenario</translation>
+    </message>
+    <message>
+        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
+        <translation>Scenarioer, flyginger og studier (*.berg *.bergrun *.bergstudy);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Opened a copy of %1</source>
+        <translation>Åpnet en kopi av %1</translation>
+    </message>
+    <message>
+        <source>Another program has changed it since you opened it. Those changes would be lost.</source>
+        <translation>Et annet program har endret den siden du åpnet den. De endringene ville gå tapt.</translation>
+    </message>
+    <message>
+        <source>%1 has it open. What is saved there would be lost.</source>
+        <translation>%1 har den åpen. Det som lagres der, ville gå tapt.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Lagret %1</translation>
+    </message>
+    <message>
+        <source>Saved %1; its folder takes no backup copy</source>
+        <translation>Lagret %1; mappen tar ikke imot en sikkerhetskopi</translation>
+    </message>
+    <message>
+        <source>No files yet</source>
+        <translation>Ingen filer ennå</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SessionSafety</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>Autosaved %1</source>
+        <translation>Autolagret %1</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Autolagringen mislyktes: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
+%1</source>
+        <translation>Ulagret arbeid fra et program som sluttet uventet, kan ikke leses. Det er tatt vare på i denne filen:
+%1</translation>
+    </message>
+    <message>
+        <source>Restored, not saved yet</source>
+        <translation>Gjenopprettet, ikke lagret ennå</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SightingsImport</name>
+    <message>
+        <source>In flight no sightings can be imported. Stop the flight to import them.</source>
+        <translation>Under flygingen kan ingen observasjoner importeres. Stopp flygingen for å importere dem.</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;All files (*)</source>
+        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Import 1 iceberg from %1</source>
+        <translation>Importer 1 isfjell fra %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n icebergs from %1</source>
+        <translation>
+            <numerusform>Importer %n isfjell fra %1</numerusform>
+            <numerusform>Importer %n isfjell fra %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Imported 1 iceberg from %1</source>
+        <translation>Importerte 1 isfjell fra %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Imported %n icebergs from %1</source>
+        <translation>
+            <numerusform>Importerte %n isfjell fra %1</numerusform>
+            <numerusform>Importerte %n isfjell fra %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>berg::SolveTimeChart</name>
     <message>
         <source>Solution time against the number of icebergs</source>
@@ -6840,6 +6836,21 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>proven: %1 of %2</source>
         <translation>bevist: %1 av %2</translation>
+    </message>
+</context>
+<context>
+    <name>berg::SolveTimeDesk</name>
+    <message>
+        <source>Solve time</source>
+        <translation>Løsningstid</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Lagret %1</translation>
     </message>
 </context>
 <context>
@@ -6930,6 +6941,37 @@ virkelige flygingen avviker med støyen i driften.</translation>
     </message>
 </context>
 <context>
+    <name>berg::StartGuide</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>1. Place icebergs</source>
+        <translation>1. Plasser isfjell</translation>
+    </message>
+    <message>
+        <source>Press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
+        <translation>Trykk I og klikk i kartet: et isfjell. Dra det for å flytte det, dobbeltklikk på det for å oppgi driften og hvor usikker posisjonen er. Planen følger med straks.</translation>
+    </message>
+    <message>
+        <source>2. Drag τ</source>
+        <translation>2. Dra τ</translation>
+    </message>
+    <message>
+        <source>To the left the most uncertain icebergs come first, to the right the route gets shorter. Ticks mark where another order becomes the best one.</source>
+        <translation>Til venstre kommer de mest usikre isfjellene først, til høyre blir veien kortere. Merkene viser hvor en annen rekkefølge blir den beste.</translation>
+    </message>
+    <message>
+        <source>3. Press Space</source>
+        <translation>3. Trykk mellomrom</translation>
+    </message>
+    <message>
+        <source>Space flies the plan and pauses it; drag along the time line to look back. Stop and edit goes back to the start.</source>
+        <translation>Mellomrom flyr planen og tar pause; dra langs tidslinjen for å se tilbake. «Stopp og rediger» går tilbake til start.</translation>
+    </message>
+</context>
+<context>
     <name>berg::StartPage</name>
     <message>
         <source>Keep watch over drifting icebergs.</source>
@@ -6974,6 +7016,18 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>Import sightings...</source>
         <translation>Importer observasjoner …</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StatusLine</name>
+    <message>
+        <source>Shows what is found about the scenario.</source>
+        <translation>Viser hva som er funnet om scenarioet.</translation>
+    </message>
+    <message>
+        <source>%1   %2 E  %3 N</source>
+        <comment>place, east and north of the origin</comment>
+        <translation>%1   %2 Ø  %3 N</translation>
     </message>
 </context>
 <context>
@@ -7126,6 +7180,56 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>stuck: flies to two icebergs at most in the second half</source>
         <translation>står fast: flyr til høyst to isfjell i andre halvdel</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyDesk</name>
+    <message>
+        <source>Studies (*.bergstudy);;All files (*)</source>
+        <translation>Studier (*.bergstudy);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Studies and their reports (*.bergstudy *.json *.html);;All files (*)</source>
+        <translation>Studier og rapporter om dem (*.bergstudy *.json *.html);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Reports (*.html);;All files (*)</source>
+        <translation>Rapporter (*.html);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Lagret %1</translation>
+    </message>
+    <message>
+        <source>Bergwatch ended unexpectedly. This unsaved study was kept. Save it, or fly the rest.</source>
+        <translation>Bergwatch ble avsluttet uventet, og denne studien var ikke i noen fil. Lagre den, eller fly resten.</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Autolagringen mislyktes: %1</translation>
+    </message>
+    <message>
+        <source>Study: %1</source>
+        <translation>Studie: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyFlights</name>
+    <message>
+        <source>Fly as in the study</source>
+        <translation>Fly som i studien</translation>
+    </message>
+    <message>
+        <source>Flown as in the study, which is under View, Study.</source>
+        <translation>Fløyet som i studien, som ligger under Vis, Studie.</translation>
+    </message>
+    <message>
+        <source>Fly Figure 5 of the paper</source>
+        <translation>Fly figur 5 i artikkelen</translation>
     </message>
 </context>
 <context>

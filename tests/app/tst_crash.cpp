@@ -1,4 +1,4 @@
-#include "app/window_run.h"
+#include "app/window/window_run.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"

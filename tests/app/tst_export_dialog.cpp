@@ -1,5 +1,5 @@
-#include "app/export_dialog.h"
-#include "app/export_options_view.h"
+#include "app/dialogs/export_dialog.h"
+#include "app/dialogs/export_options_view.h"
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "tests/support/approx.h"

@@ -1,4 +1,4 @@
-#include "app/start_items.h"
+#include "app/start/start_items.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"

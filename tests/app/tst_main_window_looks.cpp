@@ -1,4 +1,4 @@
-#include "app/window_run.h"
+#include "app/window/window_run.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/overview_inset.h"

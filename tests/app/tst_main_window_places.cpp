@@ -1,4 +1,4 @@
-#include "app/origin_dialog.h"
+#include "app/dialogs/origin_dialog.h"
 #include "core/scenario/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/map_fixture.h"

@@ -1,4 +1,4 @@
-#include "app/wind_dialog.h"
+#include "app/dialogs/wind_dialog.h"
 #include "core/io/files/run_json.h"
 #include "tests/support/approx.h"
 #include "tests/support/map_fixture.h"

@@ -1,4 +1,4 @@
-#include "app/run_settings.h"
+#include "app/window/run_settings.h"
 #include "core/io/text/atomic_file.h"
 
 #include <QDir>

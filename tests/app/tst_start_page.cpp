@@ -1,6 +1,7 @@
-#include "app/start_items.h"
-#include "app/start_page.h"
-#include "app/tour.h"
+#include "app/start/start_items.h"
+#include "app/start/start_page.h"
+#include "app/start/tour.h"
+#include "app/window/start_guide.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/window_fixture.h"
@@ -287,11 +288,11 @@ private slots:
     void isShownAtTheStartUnlessUnwanted()
     {
         StartWindow w;
-        QVERIFY(MainWindow::wantsStartPage(w.settings));
+        QVERIFY(StartGuide::wantsStartPage(w.settings));
         auto& box = test::child<QCheckBox>(*w.page(), u"showAtStartBox"_s);
         QVERIFY(box.isChecked());
         box.click();
-        QVERIFY(!MainWindow::wantsStartPage(w.settings));
+        QVERIFY(!StartGuide::wantsStartPage(w.settings));
         QVERIFY(w.isShown()); // for this time
     }
 

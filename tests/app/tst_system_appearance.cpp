@@ -1,4 +1,4 @@
-#include "app/system_appearance.h"
+#include "app/window/system_appearance.h"
 #include "widgets/theme/palette.h"
 
 #include <QSignalSpy>

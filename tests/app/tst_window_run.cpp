@@ -1,11 +1,12 @@
-#include "app/main_window.h"
-#include "app/window_run.h"
+#include "app/window/main_window.h"
+#include "app/window/window_run.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/study/study_json.h"
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/study_builder.h"
+#include "widgets/model/workspace.h"
 
 #include <QApplication>
 #include <QDir>

@@ -8,11 +8,12 @@
 //
 // Use: bench_latency [icebergs...]      (12 20 40 when none are named)
 
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 #include "core/scenario/presets.h"
 #include "core/study/statistics.h"
 #include "tests/bench/bench_window.h"
 #include "widgets/map/map_view.h"
+#include "widgets/model/workspace.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

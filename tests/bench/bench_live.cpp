@@ -9,10 +9,11 @@
 //
 // Use: bench_live [icebergs... | day]      (12 40 500 when none are named)
 
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 #include "core/scenario/presets.h"
 #include "tests/bench/bench_window.h"
 #include "widgets/map/map_view.h"
+#include "widgets/model/workspace.h"
 
 #include <QSettings>
 #include <QTemporaryDir>

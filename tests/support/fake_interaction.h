@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/interaction.h"
+#include "app/dialogs/interaction.h"
 
 #include <QStringList>
 

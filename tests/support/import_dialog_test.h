@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/import_dialog.h"
+#include "app/dialogs/import_dialog.h"
 #include "tests/support/import_fixtures.h"
 #include "tests/support/panel_test.h"
 #include "widgets/map/map_view.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/window_holder.h"
-#include "app/window_run.h"
+#include "app/window/window_holder.h"
+#include "app/window/window_run.h"
 #include "core/base/random.h"
 #include "core/base/solving_guard.h"
 #include "core/io/files/run_json.h"
@@ -9,6 +9,7 @@
 #include "core/io/study/study_json.h"
 #include "tests/support/study_builder.h"
 #include "widgets/map/map_view.h"
+#include "widgets/model/workspace.h"
 
 #include <QDir>
 #include <QSettings>

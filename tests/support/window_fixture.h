@@ -1,10 +1,11 @@
 #pragma once
 
-#include "app/window_holder.h"
+#include "app/window/window_holder.h"
 #include "core/base/solving_guard.h"
 #include "tests/support/fake_interaction.h"
 #include "tests/support/panel_test.h"
 #include "widgets/map/map_view.h"
+#include "widgets/model/workspace.h"
 
 #include <QAction>
 #include <QSettings>

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "app/dialogs/export_preview_view.h"
+#include "app/dialogs/interaction.h"
+
+#include <QDialog>
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QTimer;
+class QVBoxLayout;
+
+namespace berg {
+
+class ExportOptionsView;
+class MissionRunner;
+
+/**
+ * Chooses the tool an export is for, what of the mission it is given and where the file goes, and
+ * shows what comes of it. All work is the runner's, which is borrowed. Writes nothing itself.
+ */
+class ExportDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWidget* parent = nullptr);
+    /** Ends the work on what it would have shown. */
+    ~ExportDialog() override;
+
+    /** As it stands in the dialog. */
+    [[nodiscard]] ExportRequest choice() const;
+
+private:
+    [[nodiscard]] QWidget* makeChoices();
+    [[nodiscard]] QVBoxLayout* makeResult();
+    [[nodiscard]] QLayout* makeFile();
+    [[nodiscard]] QWidget* makeButtons();
+    void addFormats();
+    void chooseFormat(const std::string& id);
+    void showFormat();
+    void request();
+    void take(const ExportPreviewPointer& preview);
+    void showNotes(const ExportPreview& preview);
+    void showState();
+    void browse();
+    [[nodiscard]] const ExportFormat& format() const;
+    [[nodiscard]] QString fileFault() const;
+    [[nodiscard]] QString filesText() const;
+
+    MissionRunner& m_runner;
+    ExportOffer m_offer;
+    ExportPreviewPointer m_preview; ///< newest; null: none yet
+    QListWidget* m_formats;
+    ExportOptionsView* m_options;
+    QLabel* m_about;
+    ExportPreviewView* m_view;
+    QLabel* m_notes;
+    QLineEdit* m_path;
+    QTimer* m_pathPause; ///< until then the name of the file may still be typed
+    QLabel* m_fileNote;
+    QPushButton* m_export;
+};
+
+} // namespace berg

@@ -1,0 +1,177 @@
+#include "app/dialogs/export_options_view.h"
+
+#include "widgets/panels/fields/wheel_guard.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QSpinBox>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr double kMostAltitude_m = 20'000;
+constexpr double kMostSpeed_mps = 500;
+constexpr double kMostAcceptance_m = 100'000;
+
+/** 0 stands for nothing entered. */
+std::optional<double> valueOf(const QDoubleSpinBox& box)
+{
+    return box.value() > 0 ? std::optional(box.value()) : std::nullopt;
+}
+
+template <class T>
+void keepIf(bool holds, T& option)
+{
+    if (!holds)
+        option = T{};
+}
+
+void choose(QComboBox& box, const QVariant& data)
+{
+    box.setCurrentIndex(std::max(0, box.findData(data)));
+}
+
+} // namespace
+
+ExportOptionsView::ExportOptionsView(const Scenario& scenario, bool flown,
+                                     const ExportOptions& options, QWidget* parent)
+    : QWidget(parent), m_form(new QFormLayout(this))
+{
+    m_form->setContentsMargins(0, 0, 0, 0);
+    addWhat(flown);
+    addUavs(scenario);
+    addNumbers();
+    addReturn();
+    fill(options);
+    for (QComboBox* box : {m_what, m_uav, m_return}) {
+        guardWheel(*box);
+        connect(box, &QComboBox::currentIndexChanged, this, &ExportOptionsView::edited);
+    }
+    for (QDoubleSpinBox* box : {m_altitude, m_airspeed, m_acceptance}) {
+        guardWheel(*box);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &ExportOptionsView::edited);
+    }
+    guardWheel(*m_loiter);
+    connect(m_loiter, &QSpinBox::valueChanged, this, &ExportOptionsView::edited);
+}
+
+void ExportOptionsView::addWhat(bool flown)
+{
+    m_what = new QComboBox;
+    m_what->setObjectName(u"exportWhat"_s);
+    const auto add = [this](const QString& text, ExportWhat what) {
+        m_what->addItem(text, static_cast<int>(what));
+    };
+    if (flown)
+        add(tr("What was flown"), ExportWhat::Track);
+    add(tr("The whole order"), ExportWhat::Order);
+    add(tr("The first leg"), ExportWhat::FirstLeg);
+    add(tr("The path with turns"), ExportWhat::Path);
+    m_form->addRow(tr("&What"), m_what);
+}
+
+void ExportOptionsView::addUavs(const Scenario& scenario)
+{
+    m_uav = new QComboBox;
+    m_uav->setObjectName(u"exportUav"_s);
+    m_uav->addItem(tr("All UAVs"), QString());
+    for (const Uav& uav : scenario.uavs)
+        m_uav->addItem(QString::fromStdString(uav.name.empty() ? uav.id : uav.name),
+                       QString::fromStdString(uav.id));
+    m_form->addRow(tr("&UAV"), m_uav);
+    m_form->setRowVisible(m_uav, scenario.uavs.size() > 1);
+}
+
+QDoubleSpinBox* ExportOptionsView::addNumber(const QString& label, const QString& name,
+                                             const QString& unit, double most)
+{
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(name);
+    box->setRange(0, most);
+    box->setDecimals(1);
+    box->setSuffix(u' ' + unit);
+    box->setSpecialValueText(tr("As in the scenario"));
+    m_form->addRow(label, box);
+    return box;
+}
+
+void ExportOptionsView::addNumbers()
+{
+    m_altitude = addNumber(tr("&Altitude"), u"exportAltitude"_s, u"m"_s, kMostAltitude_m);
+    m_altitude->setSingleStep(10);
+    m_airspeed = addNumber(tr("Air&speed"), u"exportAirspeed"_s, speedUnit().name,
+                           speedUnit().fromSi(kMostSpeed_mps));
+    m_acceptance =
+        addNumber(tr("A&cceptance radius"), u"exportAcceptance"_s, u"m"_s, kMostAcceptance_m);
+    m_acceptance->setSingleStep(10);
+    m_loiter = new QSpinBox;
+    m_loiter->setObjectName(u"exportLoiter"_s);
+    m_loiter->setRange(0, kMostLoiterTurns);
+    m_loiter->setSpecialValueText(tr("None: fly over"));
+    m_form->addRow(tr("&Loiter turns"), m_loiter);
+}
+
+void ExportOptionsView::addReturn()
+{
+    m_return = new QComboBox;
+    m_return->setObjectName(u"exportReturn"_s);
+    m_return->addItem(tr("As in the scenario"));
+    m_return->addItem(tr("Yes"), true);
+    m_return->addItem(tr("No"), false);
+    m_form->addRow(tr("&Return home"), m_return);
+}
+
+void ExportOptionsView::fill(const ExportOptions& options)
+{
+    if (options.what)
+        choose(*m_what, static_cast<int>(*options.what));
+    choose(*m_uav, QString::fromStdString(options.uav));
+    m_altitude->setValue(options.altitude_m.value_or(0));
+    m_airspeed->setValue(speedUnit().fromSi(options.airspeed_mps.value_or(0)));
+    m_acceptance->setValue(options.acceptance_m.value_or(0));
+    m_loiter->setValue(options.loiterTurns);
+    if (options.returnHome)
+        choose(*m_return, *options.returnHome);
+}
+
+void ExportOptionsView::showFormat(const ExportFormat& format)
+{
+    const bool hasWay = !format.holds.flownOnly;
+    for (QWidget* box :
+         std::initializer_list<QWidget*>{m_what, m_uav, m_altitude, m_airspeed, m_return})
+        box->setEnabled(hasWay);
+    m_acceptance->setEnabled(format.holds.radii);
+    m_loiter->setEnabled(format.holds.radii);
+}
+
+ExportOptions ExportOptionsView::options() const
+{
+    ExportOptions options{.uav = m_uav->currentData().toString().toStdString(),
+                          .altitude_m = valueOf(*m_altitude),
+                          .airspeed_mps = valueOf(*m_airspeed),
+                          .acceptance_m = valueOf(*m_acceptance),
+                          .loiterTurns = m_loiter->value()};
+    if (m_what->currentIndex() > 0) // the first is what it is without a choice
+        options.what = static_cast<ExportWhat>(m_what->currentData().toInt());
+    if (const QVariant home = m_return->currentData(); home.isValid())
+        options.returnHome = home.toBool();
+    if (options.airspeed_mps)
+        options.airspeed_mps = speedUnit().toSi(*options.airspeed_mps);
+    keepIf(m_what->isEnabled(), options.what);
+    keepIf(m_uav->isEnabled(), options.uav);
+    keepIf(m_altitude->isEnabled(), options.altitude_m);
+    keepIf(m_airspeed->isEnabled(), options.airspeed_mps);
+    keepIf(m_acceptance->isEnabled(), options.acceptance_m);
+    keepIf(m_loiter->isEnabled(), options.loiterTurns);
+    keepIf(m_return->isEnabled(), options.returnHome);
+    return options;
+}
+
+} // namespace berg

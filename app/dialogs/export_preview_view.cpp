@@ -1,0 +1,216 @@
+#include "app/dialogs/export_preview_view.h"
+
+#include "widgets/map/map_view.h"
+#include "widgets/print/export_picture.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QDateTime>
+#include <QFontDatabase>
+#include <QHeaderView>
+#include <QPainter>
+#include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QTableView>
+#include <QTimeZone>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+/** A page as wide as there is room, to be scrolled, or the whole of it when it is much wider than
+ * high. */
+class PageView : public QWidget
+{
+public:
+    PageView()
+    {
+        QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+        policy.setHeightForWidth(true);
+        setSizePolicy(policy);
+    }
+
+    void setPage(const QImage& page)
+    {
+        m_page = page;
+        updateGeometry();
+        update();
+    }
+
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override
+    {
+        return isWide() ? 0 : qRound(double(width - 2 * kMargin_px) / aspect()) + 2 * kMargin_px;
+    }
+    [[nodiscard]] QSize sizeHint() const override { return {400, heightForWidth(400)}; }
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override
+    {
+        const QRect room = rect().marginsRemoved({kMargin_px, kMargin_px, kMargin_px, kMargin_px});
+        QRect page(QPoint(), m_page.size().scaled(room.size(), Qt::KeepAspectRatio));
+        page.moveCenter(room.center());
+        page.moveTop(room.top());
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(page, m_page);
+    }
+
+private:
+    static constexpr int kMargin_px = 10; ///< of desk round the page
+
+    [[nodiscard]] double aspect() const { return double(m_page.width()) / m_page.height(); }
+    [[nodiscard]] bool isWide() const { return m_page.isNull() || aspect() > 1.4; }
+
+    QImage m_page;
+};
+
+namespace {
+
+constexpr int kPlaceDecimals = 3; ///< of minutes: some 2 m
+
+/** A waypoint with the UAV that flies to it. */
+struct WaypointRow
+{
+    const ExportUav* uav;
+    const Visit* visit;
+    int number; ///< of this UAV, from 1
+};
+
+enum WaypointCell
+{
+    Number,
+    Title,
+    Place,
+    Time,
+    UavName
+};
+
+std::vector<WaypointRow> waypointRows(const ExportContent& content)
+{
+    std::vector<WaypointRow> rows;
+    for (const ExportUav& uav : content.uavs) {
+        int number = 0;
+        for (const Visit& visit : uav.visits)
+            rows.push_back({.uav = &uav, .visit = &visit, .number = ++number});
+    }
+    return rows;
+}
+
+QString timeText(const ExportContent& content, double time_s)
+{
+    if (!content.start)
+        return clockText(time_s);
+    const qint64 start_ms = content.start->time_since_epoch().count();
+    return QDateTime::fromMSecsSinceEpoch(start_ms + qRound64(time_s * 1000), QTimeZone::utc())
+        .toString(u"yyyy-MM-dd HH:mm:ss 'UTC'"_s);
+}
+
+QString cellText(const ExportContent& content, const WaypointRow& row, int cell,
+                 const QLocale& locale)
+{
+    switch (cell) {
+    case Number:
+        return QString::number(row.number);
+    case Title:
+        return row.visit->iceberg < 0 ? ExportPreviewView::tr("Home")
+                                      : QString::fromStdString(titleOf(content, *row.visit));
+    case Place:
+        return placeText(content.frame.toGeographic(row.visit->position_m), kPlaceDecimals, locale);
+    case Time:
+        return timeText(content, row.visit->time_s);
+    default:
+        return QString::fromStdString(titleOf(row.uav->uav));
+    }
+}
+
+/** The name of the UAV only where there are several. */
+CellSheet waypointSheet(const ExportPreviewPointer& preview, const QLocale& locale)
+{
+    const ExportContent& content = preview->content;
+    const auto rows = std::make_shared<const std::vector<WaypointRow>>(waypointRows(content));
+    CellSheet sheet{.titles = {ExportPreviewView::tr("No."), ExportPreviewView::tr("Iceberg"),
+                               ExportPreviewView::tr("Position"), ExportPreviewView::tr("Time")},
+                    .rows = static_cast<int>(rows->size()),
+                    .text =
+                        [preview, rows, locale](int row, int cell) {
+                            return cellText(preview->content,
+                                            (*rows)[static_cast<std::size_t>(row)], cell, locale);
+                        },
+                    .sortKey = [preview, rows, locale](int row, int cell) -> QVariant {
+                        const WaypointRow& waypoint = (*rows)[static_cast<std::size_t>(row)];
+                        if (cell == Number)
+                            return waypoint.number;
+                        if (cell == Time)
+                            return waypoint.visit->time_s;
+                        return cellText(preview->content, waypoint, cell, locale);
+                    }};
+    if (content.uavs.size() > 1)
+        sheet.titles << ExportPreviewView::tr("UAV");
+    return sheet;
+}
+
+} // namespace
+
+ExportPreviewView::ExportPreviewView(const Theme& theme, QWidget* parent)
+    : QTabWidget(parent)
+    , m_scroll(new QScrollArea)
+    , m_page(new PageView)
+    , m_map(new MapView(m_document, m_selection))
+    , m_waypoints(newCellTable(m_cells, u"exportWaypoints"_s, tr("Waypoints of the file")))
+    , m_text(new QPlainTextEdit)
+{
+    m_map->setObjectName(u"exportMap"_s);
+    m_map->setAccessibleName(tr("Map of what is exported"));
+    m_map->setLocked(true);
+    m_map->setTheme(theme);
+    m_text->setObjectName(u"exportText"_s);
+    m_text->setAccessibleName(tr("How the file begins"));
+    m_text->setReadOnly(true);
+    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_scroll->setWidget(m_page);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setBackgroundRole(QPalette::Mid);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_page->setObjectName(u"exportPage"_s);
+    m_page->setAccessibleName(tr("The page as it is written"));
+    addTab(m_scroll, tr("Page"));
+    addTab(m_map, tr("Map"));
+    addTab(m_waypoints, tr("Waypoints"));
+    addTab(m_text, tr("File"));
+    setTabVisible(indexOf(m_scroll), false);
+}
+
+ExportPreviewView::~ExportPreviewView()
+{
+    // What shows members goes before them.
+    delete m_map;
+    delete m_waypoints;
+}
+
+void ExportPreviewView::showPreview(const ExportPreviewPointer& preview)
+{
+    const ExportFormat* format = findExportFormat(preview->request.formatId);
+    const bool hasWay = format != nullptr && !format->holds.flownOnly;
+    const bool isPage = !preview->picture.isNull();
+    const bool wasPage = isTabVisible(indexOf(m_scroll));
+    setTabVisible(indexOf(m_scroll), isPage);
+    setTabVisible(indexOf(m_map), hasWay && !isPage);
+    setTabVisible(indexOf(m_waypoints), hasWay);
+    setTabVisible(indexOf(m_text), !isPage);
+    if (isPage != wasPage)
+        setCurrentWidget(isPage   ? static_cast<QWidget*>(m_scroll)
+                         : hasWay ? static_cast<QWidget*>(m_map)
+                                  : m_text);
+    m_page->setPage(preview->picture);
+    m_cells.setSheet(waypointSheet(preview, locale()));
+    m_waypoints->resizeColumnsToContents();
+    m_waypoints->horizontalHeader()->setStretchLastSection(true);
+    m_text->setPlainText(preview->isWhole ? preview->head : preview->head + u"\n…"_s);
+    m_map->setPicture(exportPicture(preview->content));
+    if (!m_isFitted)
+        m_map->fit();
+    m_isFitted = true;
+}
+
+} // namespace berg

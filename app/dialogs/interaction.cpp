@@ -1,0 +1,198 @@
+#include "app/dialogs/interaction.h"
+
+#include "app/dialogs/export_dialog.h"
+#include "app/dialogs/import_dialog.h"
+#include "app/dialogs/origin_dialog.h"
+#include "app/dialogs/recovery_dialog.h"
+#include "app/dialogs/wind_dialog.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct Dialogs
+{
+    Q_DECLARE_TR_FUNCTIONS(Dialogs)
+};
+
+QString consequence(Interaction::FlightEnd why)
+{
+    switch (why) {
+    case Interaction::FlightEnd::Answer:
+        return Dialogs::tr("The scenario can only be changed when no flight is under way. The "
+                           "flight stays in the list of runs.");
+    case Interaction::FlightEnd::Other:
+        return Dialogs::tr("As far as it went, it stays in the list of runs.");
+    case Interaction::FlightEnd::Closing:
+        return Dialogs::tr("It is lost with the window. Save run keeps it in a file.");
+    }
+    return {};
+}
+
+} // namespace
+
+Interaction::Unsaved DialogInteraction::askUnsaved(QWidget* parent, const UnsavedWork& work)
+{
+    QMessageBox box(QMessageBox::Question, Dialogs::tr("Unsaved changes"),
+                    Dialogs::tr("Save the changes to \"%1\"?").arg(work.name),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
+    box.setInformativeText(work.endsFlight
+                               ? Dialogs::tr("They are lost if you do not save them. The flight "
+                                             "under way ends unless you cancel.")
+                               : Dialogs::tr("They are lost if you do not save them."));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return Unsaved::Save;
+    case QMessageBox::Discard:
+        return Unsaved::Discard;
+    default:
+        return Unsaved::Cancel;
+    }
+}
+
+bool DialogInteraction::askEndFlight(QWidget* parent, FlightEnd why)
+{
+    QMessageBox box(QMessageBox::Question, Dialogs::tr("Flight under way"),
+                    why == FlightEnd::Answer
+                        ? Dialogs::tr("A flight has begun in the meantime. End it?")
+                        : Dialogs::tr("A flight is under way. End it?"),
+                    QMessageBox::NoButton, parent);
+    box.setInformativeText(consequence(why));
+    const QPushButton* end = box.addButton(Dialogs::tr("End the flight"), QMessageBox::AcceptRole);
+    box.setDefaultButton(box.addButton(Dialogs::tr("Continue flight"), QMessageBox::RejectRole));
+    box.exec();
+    return box.clickedButton() == end;
+}
+
+QString DialogInteraction::openPath(QWidget* parent, const QString& filter)
+{
+    return QFileDialog::getOpenFileName(parent, Dialogs::tr("Open"), {}, filter);
+}
+
+QString DialogInteraction::savePath(QWidget* parent, const QString& suggested,
+                                    const QString& filter)
+{
+    QFileDialog dialog(parent, Dialogs::tr("Save"), {}, filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    // Added by the dialog, so that its question about an existing file is about the right one.
+    dialog.setDefaultSuffix(filter.section(u"(*."_s, 1, 1).section(u')', 0, 0));
+    dialog.selectFile(suggested);
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
+        return {};
+    return dialog.selectedFiles().front();
+}
+
+std::optional<OriginChoice> DialogInteraction::askOrigin(QWidget* parent, const Scenario& scenario,
+                                                         const LatLon& suggested,
+                                                         const Theme& theme)
+{
+    OriginDialog dialog(scenario, suggested, theme, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.choice();
+}
+
+std::optional<Point> DialogInteraction::askWind(QWidget* parent, const Point& wind_mps,
+                                                double airspeed_mps)
+{
+    WindDialog dialog(wind_mps, airspeed_mps, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.wind_mps();
+}
+
+std::optional<ExportRequest> DialogInteraction::chooseExport(QWidget* parent, MissionRunner& runner,
+                                                             const ExportOffer& offer)
+{
+    ExportDialog dialog(runner, offer, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.choice();
+}
+
+std::optional<ImportChoice> DialogInteraction::chooseImport(QWidget* parent, ImportRunner& runner,
+                                                            const ImportOffer& offer)
+{
+    ImportDialog dialog(runner, offer, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.choice();
+}
+
+Interaction::InUse DialogInteraction::askInUse(QWidget* parent, const QString& fileName,
+                                               const QString& holder)
+{
+    QMessageBox box(QMessageBox::Question, Dialogs::tr("File in use"),
+                    Dialogs::tr("\"%1\" is open in another window.").arg(fileName),
+                    QMessageBox::Cancel, parent);
+    box.setInformativeText(
+        Dialogs::tr("%1 has it open. A copy can be changed freely and saved under another name; "
+                    "if both windows save to the file, the last one wins.")
+            .arg(holder));
+    QPushButton* copy = box.addButton(Dialogs::tr("Open a copy"), QMessageBox::AcceptRole);
+    const QPushButton* anyway =
+        box.addButton(Dialogs::tr("Open anyway"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(copy);
+    box.exec();
+    if (box.clickedButton() == copy)
+        return InUse::OpenCopy;
+    return box.clickedButton() == anyway ? InUse::OpenAnyway : InUse::Cancel;
+}
+
+Interaction::Overwrite DialogInteraction::askOverwrite(QWidget* parent, const QString& fileName,
+                                                       const QString& reason)
+{
+    QMessageBox box(QMessageBox::Warning, Dialogs::tr("Overwrite the file?"),
+                    Dialogs::tr("Overwrite \"%1\"?").arg(fileName), QMessageBox::Cancel, parent);
+    box.setInformativeText(reason);
+    const QPushButton* overwrite =
+        box.addButton(Dialogs::tr("Overwrite"), QMessageBox::DestructiveRole);
+    QPushButton* saveAs = box.addButton(Dialogs::tr("Save as..."), QMessageBox::AcceptRole);
+    box.setDefaultButton(saveAs);
+    box.exec();
+    if (box.clickedButton() == overwrite)
+        return Overwrite::Overwrite;
+    return box.clickedButton() == saveAs ? Overwrite::SaveAs : Overwrite::Cancel;
+}
+
+bool DialogInteraction::askReload(QWidget* parent, const QString& fileName)
+{
+    QMessageBox box(QMessageBox::Question, Dialogs::tr("File changed"),
+                    Dialogs::tr("\"%1\" was changed by another program.").arg(fileName),
+                    QMessageBox::NoButton, parent);
+    box.setInformativeText(Dialogs::tr("You have no unsaved changes of your own."));
+    QPushButton* reload = box.addButton(Dialogs::tr("Open it again"), QMessageBox::AcceptRole);
+    box.addButton(Dialogs::tr("Keep what I see"), QMessageBox::RejectRole);
+    box.setDefaultButton(reload);
+    box.exec();
+    return box.clickedButton() == reload;
+}
+
+RecoveryAnswer DialogInteraction::askRecovery(QWidget* parent,
+                                              const std::vector<RecoveryOffer>& offers)
+{
+    RecoveryDialog dialog(offers, parent);
+    dialog.exec();
+    return dialog.answer();
+}
+
+void DialogInteraction::showError(QWidget* parent, const QString& text)
+{
+    QMessageBox::warning(parent, Dialogs::tr("Bergwatch"), text);
+}
+
+void DialogInteraction::showInformation(QWidget* parent, const QString& title, const QString& html)
+{
+    QMessageBox box(QMessageBox::NoIcon, title, html, QMessageBox::Close, parent);
+    box.setTextFormat(Qt::RichText);
+    box.exec();
+}
+
+} // namespace berg

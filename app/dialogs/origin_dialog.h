@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/dialogs/interaction.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+class QRadioButton;
+
+namespace berg {
+
+class OverviewInset;
+class PlaceField;
+
+/** Asks where a scenario is to be moved, on a chart or as text, and says why it cannot. */
+class OriginDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /** `scenario` must outlive the dialog. */
+    OriginDialog(const Scenario& scenario, const LatLon& suggested, const Theme& theme,
+                 QWidget* parent = nullptr);
+
+    /** As it stands in the dialog; none: it cannot be moved there. */
+    [[nodiscard]] const std::optional<OriginChoice>& choice() const { return m_choice; }
+
+private:
+    void judge();
+    [[nodiscard]] double way_m(const LatLon& place) const;
+    [[nodiscard]] QString summary(const LatLon& place) const;
+
+    const Scenario& m_scenario;
+    PlaceField* m_field;
+    OverviewInset* m_chart;
+    QRadioButton* m_keepLayout;
+    QRadioButton* m_keepPlaces;
+    QLabel* m_note;
+    QPushButton* m_move;
+    std::optional<OriginChoice> m_choice;
+};
+
+} // namespace berg

@@ -1,0 +1,83 @@
+#include "app/dialogs/wind_dialog.h"
+
+#include "widgets/model/wind.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr double kWholeCircle_deg = 360;
+constexpr double kStep_deg = 5;
+constexpr double kStep = 0.5;    // m/s or knots
+constexpr double kFinest = 0.01; // of what can be typed
+
+} // namespace
+
+WindDialog::WindDialog(const Point& wind_mps, double airspeed_mps, QWidget* parent)
+    : QDialog(parent), m_airspeed_mps(airspeed_mps)
+{
+    setWindowTitle(tr("Wind"));
+    const ShownUnit unit = speedUnit();
+    m_speed = new NumberField;
+    m_speed->setObjectName(u"windSpeed"_s);
+    m_speed->setNumberFormat({.least = 0, .most = 2}, u' ' + unit.name);
+    m_speed->limit(0, unit.fromSi(fastestWind_mps(airspeed_mps, unit.toSi(kFinest))));
+    m_speed->setSingleStep(kStep);
+    m_from = new NumberField;
+    m_from->setObjectName(u"windFrom"_s);
+    m_from->setNumberFormat({.least = 0, .most = 1}, u"°"_s);
+    m_from->limit(0, kWholeCircle_deg);
+    m_from->setSingleStep(kStep_deg);
+    m_from->setWrapping(true);
+    m_note = new QLabel;
+    m_note->setObjectName(u"windNote"_s);
+    m_note->setWordWrap(true);
+    m_note->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing());
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    QPushButton* set = buttons->addButton(tr("&Set"), QDialogButtonBox::AcceptRole);
+    set->setObjectName(u"setWindButton"_s);
+
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("S&peed"), m_speed);
+    form->addRow(tr("Blows &from"), m_from);
+    form->addRow(m_note);
+    form->addRow(buttons);
+    set->setDefault(true);
+
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_speed, &NumberField::edited, this, &WindDialog::judge);
+    connect(m_from, &NumberField::edited, this, &WindDialog::judge);
+    m_speed->showValue(unit.fromSi(wind_mps.norm()));
+    m_from->showValue(windFrom_deg(wind_mps));
+    judge();
+    m_speed->selectAll();
+    m_speed->setFocus();
+}
+
+Point WindDialog::wind_mps() const
+{
+    return windOf(speedUnit().toSi(m_speed->value()), m_from->value());
+}
+
+void WindDialog::judge()
+{
+    const bool isStrong = wind_mps().norm() >= kStrongWind * m_airspeed_mps;
+    m_note->setText(
+        isStrong
+            ? tr("The UAV will make little way against this wind.")
+            : tr("Always slower than the UAV flies: %1.").arg(speedText(m_airspeed_mps, locale())));
+}
+
+} // namespace berg

@@ -1,0 +1,151 @@
+#include "app/start/start_content.h"
+
+#include "core/io/files/scenario_json.h"
+#include "core/sim/mission.h"
+#include "widgets/map/map_painter.h"
+#include "widgets/map/scenario_picture.h"
+#include "widgets/model/work_failure.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+/** Device-independent pixels for each unit of the layout: the small picture of a larger map. */
+constexpr double kReduction = 0.5;
+
+RecentFile readRecentFile(const QString& path)
+{
+    const QFileInfo file(path);
+    RecentFile recent{.path = path, .exists = file.exists(), .changed = file.lastModified()};
+    if (recent.exists && file.suffix() == u"berg"_s) {
+        // Opening it tells why not.
+        static_cast<void>(failureOf([&] {
+            recent.icebergs = static_cast<int>(
+                loadScenario(QFile::encodeName(path).toStdString(), ScenarioUse::Editing)
+                    .icebergs.size());
+        }));
+    }
+    return recent;
+}
+
+/** The map of a planned scenario without its words; unplanned when stopped. */
+QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio,
+                 const std::stop_token& stop)
+{
+    MapPicture picture = withScenario({}, scenario);
+    const PlanAnswer answer = planFromStart(scenario, {.stop = stop});
+    for (std::size_t uav = 0; uav < answer.uavs.size(); ++uav)
+        picture.routes[uav].plan = answer.uavs[uav].order;
+    const MapStyle style{.theme = theme, .locale = QLocale()};
+    const QRectF rect(QPointF(0, 0), QSizeF(kExamplePicture_px) / kReduction);
+    const MapLayout layout = arrangeMap(picture, style, rect);
+    const Graticule graticule = graticuleOf(LocalFrame(picture.origin), layout.view, layout.rect);
+    const MapFrame frame{
+        .picture = picture, .style = style, .layout = layout, .graticule = graticule};
+
+    QImage image(kExamplePicture_px * pixelRatio, QImage::Format_RGB32);
+    image.setDevicePixelRatio(pixelRatio);
+    QPainter painter(&image);
+    painter.scale(kReduction, kReduction);
+    paintMapGround(painter, frame);
+    paintMapContent(painter, frame);
+    return image;
+}
+
+Example paintedExample(const QString& path, const Theme& theme, double pixelRatio,
+                       const std::stop_token& stop)
+{
+    const Scenario scenario = loadExample(path);
+    return {.path = path,
+            .title = QString::fromStdString(scenario.name),
+            .notes = QString::fromStdString(scenario.notes),
+            .icebergs = static_cast<int>(scenario.icebergs.size()),
+            .picture = pictureOf(scenario, theme, pixelRatio, stop)};
+}
+
+} // namespace
+
+QStringList examplePaths()
+{
+    return {u":/scenarios/disko-bay-4.berg"_s,
+            u":/scenarios/recorded-drift.berg"_s,
+            u":/scenarios/grand-banks-12.berg"_s,
+            u":/scenarios/hibernia-asset.berg"_s,
+            u":/scenarios/flemish-pass-appearing.berg"_s,
+            u":/scenarios/barents-wind.berg"_s,
+            u":/scenarios/bonavista-lost.berg"_s,
+            u":/scenarios/twillingate-clusters.berg"_s,
+            u":/scenarios/fram-strait-endurance.berg"_s,
+            u":/scenarios/jones-sound-late-plans.berg"_s,
+            u":/scenarios/svalbard-two-uavs.berg"_s,
+            u":/scenarios/melville-bay-three-uavs.berg"_s,
+            u":/scenarios/labrador-20.berg"_s,
+            u":/scenarios/scoresby-sund-40.berg"_s};
+}
+
+Scenario loadExample(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        throw Error(ErrorCode::FileNotFound, path.toStdString(), "is not part of the program");
+    return scenarioFromJson(file.readAll().toStdString(), path.toStdString());
+}
+
+StartContent::StartContent(QObject* parent) : QObject(parent)
+{
+    m_reader.setMaxThreadCount(1);
+    m_painter.setMaxThreadCount(1);
+}
+
+StartContent::~StartContent()
+{
+    m_stop.request_stop();
+    for (QThreadPool* thread : {&m_reader, &m_painter}) {
+        thread->clear();
+        thread->waitForDone();
+    }
+}
+
+void StartContent::finish()
+{
+    m_stop.request_stop();
+    m_painter.clear();
+    m_reader.clear();
+    m_reader.start(
+        [this] { QMetaObject::invokeMethod(this, &QObject::deleteLater, Qt::QueuedConnection); });
+}
+
+void StartContent::readRecent(const QStringList& paths)
+{
+    m_reader.start([this, paths] {
+        QList<RecentFile> files;
+        std::transform(paths.begin(), paths.end(), std::back_inserter(files), readRecentFile);
+        emit recentRead(files);
+    });
+}
+
+void StartContent::paintExamples(const Theme& theme, double pixelRatio, const QStringList& paths)
+{
+    m_stop.request_stop();
+    m_stop = std::stop_source();
+    m_painter.clear();
+    for (int place = 0; place < paths.size(); ++place)
+        m_painter.start(
+            [this, place, path = paths[place], theme, pixelRatio, stop = m_stop.get_token()] {
+                // A picture less at worst; opening the example tells what is wrong with it.
+                static_cast<void>(failureOf([&] {
+                    const Example example = paintedExample(path, theme, pixelRatio, stop);
+                    if (!stop.stop_requested())
+                        emit examplePainted(place, example, theme.isDark);
+                }));
+            });
+}
+
+} // namespace berg

@@ -1,0 +1,51 @@
+#include "app/window/appearance_choice.h"
+
+#include "widgets/theme/palette.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QMainWindow>
+#include <QSettings>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+AppearanceChoice::AppearanceChoice(WindowContext& context) : WindowPart(context)
+{
+    connect(&m_system, &SystemAppearance::changed, this, &AppearanceChoice::followSystem);
+    window().installEventFilter(this);
+}
+
+/** The desktop has changed its colours, e.g. at sunset. */
+bool AppearanceChoice::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ThemeChange)
+        followSystem();
+    return WindowPart::eventFilter(watched, event);
+}
+
+void AppearanceChoice::setAppearance(Appearance appearance)
+{
+    settings().setValue("view/appearance", static_cast<int>(appearance));
+    m_appearance = appearance;
+    if (appearance == Appearance::System)
+        followSystem();
+    else
+        applyTheme(appearance == Appearance::Dark ? Theme::dark() : Theme::light());
+}
+
+void AppearanceChoice::followSystem()
+{
+    if (m_appearance == Appearance::System)
+        applyTheme(m_system.isDark() ? Theme::dark() : Theme::light());
+}
+
+void AppearanceChoice::applyTheme(const Theme& theme)
+{
+    context().theme = theme;
+    QApplication::setPalette(paletteOf(theme));
+    emit themeChanged(theme);
+}
+
+} // namespace berg

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/window/system_appearance.h"
+#include "app/window/window_part.h"
+
+namespace berg {
+
+/** Appearance by the user's choice. */
+enum class Appearance
+{
+    System,
+    Light,
+    Dark
+};
+
+/** Which theme the window has: what the user chose, or what the desktop has. */
+class AppearanceChoice : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    explicit AppearanceChoice(WindowContext& context);
+
+    void setAppearance(Appearance appearance);
+    /** Applies a theme now; `setAppearance` decides it in daily use. */
+    void applyTheme(const Theme& theme);
+
+signals:
+    void themeChanged(const berg::Theme& theme);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void followSystem();
+
+    SystemAppearance m_system;
+    Appearance m_appearance = Appearance::System;
+};
+
+} // namespace berg

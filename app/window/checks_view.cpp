@@ -1,0 +1,74 @@
+#include "app/window/checks_view.h"
+
+#include "app/window/docks.h"
+#include "app/window/panels.h"
+#include "app/window/status_line.h"
+#include "widgets/map/map_view.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/flight/flight_banner.h"
+#include "widgets/panels/inspector/check_panel.h"
+#include "widgets/panels/inspector/issue_text.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+ChecksView::ChecksView(WindowContext& context, const Docks& docks, StatusLine& status)
+    : WindowPart(context), m_docks(docks), m_status(status)
+{
+    connect(panels().checks, &CheckPanel::chosen, this, &ChecksView::showCulprit);
+    connect(&m_status, &StatusLine::findingsRequested, this, &ChecksView::openChecks);
+    connect(panels().banner, &FlightBanner::checksRequested, this, &ChecksView::openChecks);
+    connect(panels().tradeoff, &TradeoffPanel::checksRequested, this, &ChecksView::openChecks);
+    ScenarioDocument& document = workspace().document();
+    connect(&document, &ScenarioDocument::impossible, this, [this](const Issue& why) {
+        showMessage(tr("Not changed: %1").arg(issueText(why)), kLongMessage_ms);
+    });
+    connect(&document, &ScenarioDocument::scenarioChanged, this, &ChecksView::showChecks);
+}
+
+/** Hints are for who opens the list; errors and warnings call for it. */
+void ChecksView::showChecks()
+{
+    m_status.showFindings(countIssues(workspace().document().issues()));
+}
+
+void ChecksView::openChecks()
+{
+    m_docks.raise(Dock::Checks);
+    panels().checks->setFocus();
+}
+
+/** Selects what a finding is about, brings it to the middle and shows where it can be changed. */
+void ChecksView::showCulprit(const Issue& issue)
+{
+    const Scenario& scenario = workspace().document().scenario();
+    const auto centreOn = [&](const Point& p_m) {
+        panels().map->centreOn(LocalFrame(scenario.origin).toGeographic(p_m));
+    };
+    const int iceberg = issueIndex(issue, "icebergs");
+    const int uav = issueIndex(issue, "uavs");
+    if (iceberg >= 0) {
+        const std::string id = scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
+        workspace().selection().set({id});
+        panels().map->showIceberg(id);
+    } else if (uav >= 0) {
+        const Uav& found = scenario.uavs[static_cast<std::size_t>(uav)];
+        workspace().selection().set({found.id});
+        centreOn(found.position_m);
+    } else if (issue.field.starts_with("asset") && scenario.asset) {
+        workspace().selection().set({kAssetKey});
+        centreOn(scenario.asset->position_m);
+    } else if (issue.field.starts_with("area_m")) {
+        workspace().selection().set({kAreaKey});
+        panels().map->fit();
+    } else {
+        workspace().selection().clear();
+    }
+    const bool isTradeoff = issue.field == "planner.tau" || issue.field == "planner.policy" ||
+                            issue.field == "planner.backend";
+    m_docks.raise(isTradeoff ? Dock::Tradeoff : Dock::Inspector);
+}
+
+} // namespace berg

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/window/window_part.h"
+#include "core/base/geometry.h"
+
+#include <string>
+
+class QMenu;
+
+namespace berg {
+
+class Docks;
+struct SharedActions;
+
+/** The context menus of map and plan: what can be done with what is under the cursor. */
+class ContextMenus : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    ContextMenus(WindowContext& context, const Docks& docks, const SharedActions& actions);
+
+private:
+    [[nodiscard]] QMenu* makeMenu(const QString& name) const;
+    void showOnMap(const QPoint& globalPos, const Point& position_m, const std::string& id);
+    void showOnPlan(const QPoint& globalPos, const std::string& id);
+    void addHandOverActions(QMenu& menu, const std::string& id);
+    void addObjectActions(QMenu& menu, const std::string& id);
+    void addWaterActions(QMenu& menu, const Point& position_m);
+
+    const Docks& m_docks;
+    const SharedActions& m_actions;
+};
+
+} // namespace berg

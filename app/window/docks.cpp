@@ -1,0 +1,193 @@
+#include "app/window/docks.h"
+
+#include "app/window/panels.h"
+#include "app/window/tab_order.h"
+#include "widgets/charts/comparison_chart.h"
+#include "widgets/charts/pareto_chart.h"
+#include "widgets/map/map_view.h"
+#include "widgets/panels/flight/chart_panel.h"
+#include "widgets/panels/flight/event_panel.h"
+#include "widgets/panels/icebergs/iceberg_table.h"
+#include "widgets/panels/inspector/check_panel.h"
+#include "widgets/panels/inspector/inspector_panel.h"
+#include "widgets/panels/plan/plan_panel.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/panels/study/comparison_panel.h"
+#include "widgets/panels/study/solve_time_panel.h"
+#include "widgets/panels/study/study_panel.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScreen>
+#include <QScrollArea>
+#include <QSettings>
+#include <QUndoView>
+
+namespace berg {
+
+namespace {
+
+constexpr int kLayoutVersion = 3;       ///< of the docks' saved places
+constexpr QSize kStudyFrame_px(24, 48); ///< title and edges of the window of a study
+
+/** Does not ask for the room it is best in. */
+QWidget* scrolling(QWidget* content)
+{
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(content);
+    return scroll;
+}
+
+} // namespace
+
+Docks::Docks(WindowContext& context) : WindowPart(context)
+{
+    window().setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
+                            QMainWindow::AllowTabbedDocks);
+    window().setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    addRight();
+    addBottom();
+    addStudies();
+    const auto resize = [this](const std::vector<Dock>& which, const QList<int>& sizes_px,
+                               Qt::Orientation along) {
+        QList<QDockWidget*> docks;
+        for (const Dock one : which)
+            docks.push_back(dock(one));
+        window().resizeDocks(docks, sizes_px, along);
+    };
+    resize({Dock::Tradeoff}, {310}, Qt::Horizontal);
+    resize({Dock::Zeta}, {230}, Qt::Vertical);
+    resize({Dock::Zeta, Dock::Sigma}, {470, 490}, Qt::Horizontal);
+    resize({Dock::Tradeoff, Dock::Plan}, {300, 400}, Qt::Vertical);
+}
+
+QDockWidget* Docks::add(const char* name, const QString& title, QWidget* content,
+                        Qt::DockWidgetArea area)
+{
+    auto* widget = new QDockWidget(title, &window());
+    widget->setObjectName(QLatin1String(name));
+    widget->setWidget(content);
+    window().addDockWidget(area, widget);
+    connect(widget, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+        if (visible)
+            emit shown();
+    });
+    connect(
+        widget, &QDockWidget::visibilityChanged, this,
+        [this] { // what is typed is to be seen
+            if (const QWidget* focused = window().focusWidget();
+                focused != nullptr && isBehindATab(*focused))
+                panels().map->setFocus();
+        },
+        Qt::QueuedConnection);
+    connect(widget->toggleViewAction(), &QAction::triggered, widget, [widget](bool isShown) {
+        if (isShown)
+            widget->raise(); // among its tabs
+    });
+    m_docks.push_back(widget);
+    return widget;
+}
+
+void Docks::addRight()
+{
+    constexpr auto kArea = Qt::RightDockWidgetArea;
+    add("tradeoffDock", tr("Trade-off"), panels().tradeoff, kArea);
+    QDockWidget* plan = add("planDock", tr("Plan"), panels().plan, kArea);
+    QDockWidget* inspector = add("inspectorDock", tr("Inspector"), panels().inspector, kArea);
+    QDockWidget* pareto = add("paretoDock", tr("Trade-offs"), panels().pareto, kArea);
+    window().tabifyDockWidget(plan, inspector);
+    window().tabifyDockWidget(inspector, pareto);
+    QDockWidget* history = add("historyDock", tr("History"), panels().history, kArea);
+    window().tabifyDockWidget(pareto, history);
+    history->hide(); // for whoever wants it
+    plan->raise();
+}
+
+void Docks::addBottom()
+{
+    constexpr auto kArea = Qt::BottomDockWidgetArea;
+    QDockWidget* zeta = add("zetaDock", tr("Chart"), panels().charts.front(), kArea);
+    QDockWidget* sigma = add("sigmaDock", tr("Chart 2"), panels().charts.back(), kArea);
+    add("eventsDock", tr("Events"), panels().events, kArea);
+    window().splitDockWidget(zeta, sigma, Qt::Horizontal);
+    QDockWidget* comparisonChart =
+        add("comparisonChartDock", tr("Comparison chart"), panels().comparisonChart, kArea);
+    QDockWidget* checks = add("checksDock", tr("Checks"), panels().checks, kArea);
+    window().tabifyDockWidget(zeta, comparisonChart);
+    window().tabifyDockWidget(comparisonChart, checks);
+    zeta->raise();
+}
+
+void Docks::addStudies()
+{
+    constexpr auto kArea = Qt::BottomDockWidgetArea;
+    QDockWidget* solveTime =
+        add("solveTimeDock", tr("Solve time"), scrolling(panels().solveTime), kArea);
+    QDockWidget* study = add("studyDock", tr("Study"), scrolling(panels().study), kArea);
+    // Studies, not part of watching a flight; hidden before their tabs ask for room.
+    solveTime->hide();
+    study->hide();
+    QDockWidget* comparison = add("comparisonDock", tr("Comparison"), panels().comparison, kArea);
+    QDockWidget* icebergs = add("icebergsDock", tr("Icebergs"), panels().icebergs, kArea);
+    window().tabifyDockWidget(dock(Dock::Sigma), icebergs);
+    window().tabifyDockWidget(icebergs, dock(Dock::Events));
+    window().tabifyDockWidget(dock(Dock::Events), comparison);
+    window().tabifyDockWidget(comparison, solveTime);
+    window().tabifyDockWidget(solveTime, study);
+    dock(Dock::Sigma)->raise();
+}
+
+QDockWidget* Docks::dock(Dock which) const
+{
+    return m_docks[static_cast<std::size_t>(which)];
+}
+
+void Docks::raise(Dock which) const
+{
+    dock(which)->show();
+    dock(which)->raise();
+}
+
+void Docks::openFloating(Dock which, const QSize& best_px) const
+{
+    QDockWidget& opened = *dock(which);
+    if (!opened.isVisible()) {
+        opened.setFloating(true);
+        opened.resize((best_px + kStudyFrame_px).boundedTo(window().screen()->availableSize()));
+        opened.move(window().geometry().center() - opened.rect().center());
+    }
+    raise(which);
+}
+
+void Docks::openInspector() const
+{
+    raise(Dock::Inspector);
+    panels().inspector->setFocus();
+}
+
+void Docks::noteDefault()
+{
+    m_defaultLayout = window().saveState(kLayoutVersion);
+}
+
+void Docks::reset() const
+{
+    window().restoreState(m_defaultLayout, kLayoutVersion);
+}
+
+void Docks::save() const
+{
+    settings().setValue("window/geometry", window().saveGeometry());
+    settings().setValue("window/state", window().saveState(kLayoutVersion));
+}
+
+void Docks::restore() const
+{
+    window().restoreGeometry(settings().value("window/geometry").toByteArray());
+    window().restoreState(settings().value("window/state").toByteArray(), kLayoutVersion);
+}
+
+} // namespace berg

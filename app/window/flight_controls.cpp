@@ -1,0 +1,85 @@
+#include "app/window/flight_controls.h"
+
+#include "app/window/panels.h"
+#include "widgets/map/map_view.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/flight/event_panel.h"
+#include "widgets/panels/flight/flight_banner.h"
+#include "widgets/panels/flight/playback_bar.h"
+#include "widgets/theme/quantity_text.h"
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr int kGivenUp_ms = 20'000; ///< then the menu still has it
+
+} // namespace
+
+FlightControls::FlightControls(WindowContext& context) : WindowPart(context)
+{
+    connect(panels().playback, &PlaybackBar::playRequested, this, &FlightControls::togglePlay);
+    connect(panels().playback, &PlaybackBar::pauseRequested, &workspace(), &Workspace::pause);
+    connect(panels().playback, &PlaybackBar::stepRequested, &workspace(), &Workspace::step);
+    connect(panels().playback, &PlaybackBar::resetRequested, &workspace(), &Workspace::reset);
+    connect(panels().playback, &PlaybackBar::rateEdited, &workspace(), &Workspace::setRate);
+    connect(panels().playback, &PlaybackBar::timeEdited, &workspace(), &Workspace::lookAt);
+    connect(panels().events, &EventPanel::timeChosen, &workspace(), &Workspace::lookAt);
+
+    connect(panels().banner, &FlightBanner::stopRequested, &workspace(), &Workspace::reset);
+    connect(panels().banner, &FlightBanner::flyOnRequested, &workspace(),
+            &Workspace::flyOnFromHere);
+    connect(panels().banner, &FlightBanner::bringBackRequested, &workspace(),
+            &Workspace::bringBackFlight);
+    connect(&workspace(), &Workspace::givenUpChanged, this, &FlightControls::showGivenUp);
+    m_givenUpTimer.setSingleShot(true);
+    m_givenUpTimer.setInterval(kGivenUp_ms);
+    connect(&m_givenUpTimer, &QTimer::timeout, this, [this] { panels().banner->showGivenUp({}); });
+    connect(panels().banner, &FlightBanner::newestRequested, &workspace(),
+            &Workspace::lookAtNewest);
+    connect(&workspace(), &Workspace::takeOffAhead, this, [this] {
+        panels().map->cancelGesture();
+        panels().finishTyping();
+    });
+}
+
+void FlightControls::togglePlay()
+{
+    if (workspace().isPlaying()) {
+        workspace().pause();
+        return;
+    }
+    if (workspace().lookedAt_s()) {
+        workspace().fly(panels().playback->rate());
+        return;
+    }
+    switch (workspace().record().now.phase) {
+    case RunPhase::Planning:
+        showMessage(tr("The plan is still being made."), kMessage_ms);
+        return;
+    case RunPhase::Finished:
+        workspace().reset();
+        workspace().fly(panels().playback->rate());
+        return;
+    case RunPhase::Ready:
+    case RunPhase::Flying:
+    case RunPhase::Paused:
+    case RunPhase::Failed:
+        workspace().fly(panels().playback->rate());
+        return;
+    }
+}
+
+/** A flight that was given up can be had again; the banner says so for a while. */
+void FlightControls::showGivenUp()
+{
+    const std::optional<double> flown_s = workspace().givenUp_s();
+    panels().banner->showGivenUp(flown_s ? tr("Flight to %1 given up").arg(clockText(*flown_s))
+                                         : QString());
+    if (flown_s)
+        m_givenUpTimer.start();
+}
+
+} // namespace berg

@@ -1,0 +1,128 @@
+#include "app/window/flight_panels.h"
+
+#include "app/window/docks.h"
+#include "app/window/panels.h"
+#include "app/window/plan_fault.h"
+#include "widgets/model/event_text.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/flight/chart_panel.h"
+#include "widgets/panels/flight/event_panel.h"
+#include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/icebergs/iceberg_table.h"
+#include "widgets/panels/plan/plan_panel.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr int kChartInterval_ms = 40;
+constexpr int kTableInterval_ms = 100;
+
+} // namespace
+
+FlightPanels::FlightPanels(WindowContext& context, const Docks& docks) : WindowPart(context)
+{
+    for (const ChartPanel* chart : panels().charts) {
+        connect(chart, &ChartPanel::timePicked, &workspace(), &Workspace::lookAt);
+        connect(chart, &ChartPanel::kindChanged, this, &FlightPanels::showCharts);
+        connect(chart, &ChartPanel::icebergPicked, this,
+                [this](const std::string& id) { workspace().selection().set({id}); });
+    }
+    connect(&docks, &Docks::shown, this, &FlightPanels::showSoon);
+    connect(&workspace().bound(), &BoundRunner::updated, this, &FlightPanels::showSoon);
+    connect(&workspace().selection(), &Selection::changed, this, &FlightPanels::showSelection);
+
+    m_chartTimer.setSingleShot(true);
+    m_chartTimer.setInterval(kChartInterval_ms / static_cast<int>(panels().charts.size()));
+    connect(&m_chartTimer, &QTimer::timeout, this, &FlightPanels::showNextChart);
+    m_tableTimer.setSingleShot(true);
+    m_tableTimer.setInterval(kTableInterval_ms);
+    connect(&m_tableTimer, &QTimer::timeout, this, &FlightPanels::showTables);
+}
+
+void FlightPanels::showSoon()
+{
+    m_chartsDue = panels().charts.size();
+    if (!m_chartTimer.isActive())
+        m_chartTimer.start();
+}
+
+void FlightPanels::showPlan()
+{
+    const FlightRecord& record = workspace().record();
+    panels().plan->setFaulty(!planFault(workspace()).isEmpty());
+    panels().plan->showPlan(planSections(record.shown(), record.scenario));
+    panels().plan->showOutlook(planOutlook(record));
+}
+
+void FlightPanels::showCharts()
+{
+    for (ChartPanel* chart : panels().charts)
+        showChart(*chart);
+    showEvents();
+}
+
+void FlightPanels::showChart(ChartPanel& chart)
+{
+    if (chart.isVisible()) // behind another tab it is shown when it comes to the front
+        chart.showRecord(workspace().record());
+}
+
+/** One in a turn of the event loop, so that no frame has to paint all of them. */
+void FlightPanels::showNextChart()
+{
+    showChart(*panels().charts[m_nextChart]);
+    m_nextChart = (m_nextChart + 1) % panels().charts.size();
+    m_chartsDue -= std::min<std::size_t>(m_chartsDue, 1);
+    if (m_chartsDue > 0)
+        m_chartTimer.start();
+    if (m_nextChart != 0)
+        return;
+    showEvents();
+    if (!m_tableTimer.isActive())
+        m_tableTimer.start();
+}
+
+void FlightPanels::showTables()
+{
+    if (panels().icebergs->isVisible())
+        panels().icebergs->showRecord(workspace().record());
+    showPlan();
+}
+
+/** The one iceberg selected stands out in the charts. */
+void FlightPanels::showSelection()
+{
+    const std::vector<std::string>& ids = workspace().selection().ids();
+    for (ChartPanel* chart : panels().charts)
+        chart->setHighlight(ids.size() == 1 ? ids.front() : std::string());
+}
+
+void FlightPanels::showEvents()
+{
+    const FlightRecord& record = workspace().record();
+    const std::vector<MissionEvent>& events = record.history.events;
+    if (record.history.rewrites != m_markRewrites) {
+        m_markRewrites = record.history.rewrites;
+        m_markedEvents = 0;
+        m_marks.clear();
+        panels().playback->setMarks({});
+    }
+    if (events.size() > m_markedEvents) {
+        for (; m_markedEvents < events.size(); ++m_markedEvents) {
+            const MissionEvent& event = events[m_markedEvents];
+            m_marks.push_back(
+                {.time_s = event.time_s,
+                 .kind = event.kind,
+                 .text = eventText(event, record.now.icebergs, record.scenario.uavs)});
+        }
+        panels().playback->setMarks(m_marks);
+    }
+    panels().events->showRecord(record);
+}
+
+} // namespace berg

@@ -1,0 +1,127 @@
+#include "app/window/flight_view.h"
+
+#include "app/window/flight_panels.h"
+#include "app/window/panels.h"
+#include "app/window/plan_fault.h"
+#include "app/window/status_line.h"
+#include "widgets/map/comparison_track.h"
+#include "widgets/map/map_view.h"
+#include "widgets/map/mission_picture.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/flight/flight_banner.h"
+#include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/icebergs/iceberg_table.h"
+#include "widgets/panels/inspector/inspector_panel.h"
+#include "widgets/panels/plan/plan_panel.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
+
+#include <QSettings>
+#include <QUndoView>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr const char* kSweptKey = "view/swept";
+constexpr const char* kTruthKey = "view/truth";
+
+/** The words of the status bar for what the mission thread is doing. */
+QString phaseText(RunPhase phase, const QString& fault)
+{
+    switch (phase) {
+    case RunPhase::Planning:
+        return FlightView::tr("Planning");
+    case RunPhase::Ready:
+        return FlightView::tr("Ready: Space flies it");
+    case RunPhase::Flying:
+        return FlightView::tr("Flying");
+    case RunPhase::Paused:
+        return FlightView::tr("Paused");
+    case RunPhase::Finished:
+        return FlightView::tr("Run complete");
+    case RunPhase::Failed:
+        return FlightView::tr("Cannot be planned: %1").arg(fault);
+    }
+    return {};
+}
+
+} // namespace
+
+FlightView::FlightView(WindowContext& context, FlightPanels& flightPanels, StatusLine& status)
+    : WindowPart(context)
+    , m_flightPanels(flightPanels)
+    , m_status(status)
+    , m_sweptShown(settings().value(kSweptKey, true).toBool())
+    , m_truthShown(settings().value(kTruthKey, true).toBool())
+{
+    connect(&workspace(), &Workspace::flightChanged, this, &FlightView::showFlight);
+    connect(&workspace(), &Workspace::inFlightChanged, this, &FlightView::setInFlight);
+    connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
+            &FlightView::showFlight);
+    connect(&workspace().runs(), &RunList::comparisonChanged, this, &FlightView::showFlight);
+}
+
+void FlightView::showFlight()
+{
+    const FlightRecord& record = workspace().record();
+    MapPicture picture = missionPicture(record, locale());
+    if (!m_sweptShown)
+        for (MapRoute& route : picture.routes)
+            route.swept.clear();
+    if (!m_truthShown)
+        hideTruth(picture);
+    if (const RunPointer other = workspace().runs().otherIn(record.scenario))
+        addComparison(picture, *other,
+                      record.inFlight() ? record.shown().time_s : record.scenario.duration_s,
+                      locale());
+    picture.emptyHint = tr("Press I and click on the map to place one, drag on to let it drift, "
+                           "or import sightings.");
+    panels().plan->setSigmaFull(picture.sigmaFull_m2);
+    panels().icebergs->setSigmaFull(picture.sigmaFull_m2);
+    panels().map->setPicture(std::move(picture));
+    panels().map->setMayIntervene(workspace().mayIntervene());
+    const QString fault = planFault(workspace());
+    panels().tradeoff->showPlan(readoutOf(record, fault));
+    const bool playing = workspace().isPlaying();
+    if (!playing) // else at the pace of the tables
+        m_flightPanels.showPlan();
+    panels().playback->showState(playing          ? RunPhase::Flying
+                                 : record.instant ? RunPhase::Paused
+                                                  : record.now.phase,
+                                 record.shown().time_s, record.scenario.duration_s,
+                                 record.now.time_s);
+    panels().banner->showState(record.inFlight(), workspace().lookedAt_s(), fault);
+    panels().banner->showNotices(flightNotices(record, locale()));
+    m_status.showState(phaseText(record.now.phase, fault));
+    m_flightPanels.showSoon();
+}
+
+void FlightView::setInFlight(bool inFlight)
+{
+    panels().map->setLocked(inFlight);
+    panels().banner->showState(inFlight, workspace().lookedAt_s(), planFault(workspace()));
+    panels().inspector->setLocked(inFlight);
+    panels().icebergs->showRecord(workspace().record());
+    panels().history->setEnabled(!inFlight);
+    panels().tradeoff->setInFlight(inFlight);
+    if (inFlight)
+        panels().map->setTool(MapToolKind::Select);
+}
+
+void FlightView::setSweptShown(bool shown)
+{
+    settings().setValue(kSweptKey, shown);
+    m_sweptShown = shown;
+    showFlight();
+}
+
+void FlightView::setTruthShown(bool shown)
+{
+    settings().setValue(kTruthKey, shown);
+    m_truthShown = shown;
+    showFlight();
+}
+
+} // namespace berg

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/window/window_part.h"
+
+namespace berg {
+
+class FlightPanels;
+class StatusLine;
+
+/** The flight, or the plan before it, on the map and in what stands round it. */
+class FlightView : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    FlightView(WindowContext& context, FlightPanels& flightPanels, StatusLine& status);
+
+    void showFlight();
+    void setInFlight(bool inFlight);
+    [[nodiscard]] bool sweptIsShown() const { return m_sweptShown; }
+    /** The water seen so far. */
+    void setSweptShown(bool shown);
+    [[nodiscard]] bool truthIsShown() const { return m_truthShown; }
+    /** True positions. */
+    void setTruthShown(bool shown);
+
+private:
+    FlightPanels& m_flightPanels;
+    StatusLine& m_status;
+    bool m_sweptShown;
+    bool m_truthShown;
+};
+
+} // namespace berg

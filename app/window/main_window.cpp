@@ -1,0 +1,259 @@
+#include "app/window/main_window.h"
+
+#include "app/window/appearance_choice.h"
+#include "app/window/checks_view.h"
+#include "app/window/comparison_view.h"
+#include "app/window/context_menus.h"
+#include "app/window/docks.h"
+#include "app/window/flight_controls.h"
+#include "app/window/flight_panels.h"
+#include "app/window/flight_view.h"
+#include "app/window/map_links.h"
+#include "app/window/menus.h"
+#include "app/window/planner_view.h"
+#include "app/window/preference_menus.h"
+#include "app/window/result_files.h"
+#include "app/window/scenario_dialogs.h"
+#include "app/window/scenario_files.h"
+#include "app/window/session_safety.h"
+#include "app/window/sightings_import.h"
+#include "app/window/solve_time_desk.h"
+#include "app/window/start_guide.h"
+#include "app/window/status_line.h"
+#include "app/window/study_desk.h"
+#include "app/window/study_flights.h"
+#include "app/window/tab_order.h"
+#include "widgets/map/map_view.h"
+#include "widgets/map/overview_inset.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/flight/chart_panel.h"
+#include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/study/solve_time_panel.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QSettings>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+/** In the order of what they use. */
+struct MainWindow::Parts
+{
+    explicit Parts(WindowContext& context);
+
+    StatusLine status;
+    Docks docks;
+    ScenarioFiles files;
+    ResultFiles results;
+    StartGuide start;
+    SightingsImport sightings;
+    ScenarioDialogs dialogs;
+    StudyDesk study;
+    SolveTimeDesk solveTimes;
+    StudyFlights studyFlights;
+    SessionSafety safety;
+    ChecksView checks;
+    ComparisonView comparison;
+    PlannerView planner;
+    FlightPanels flightPanels;
+    FlightView flightView;
+    FlightControls flight;
+    MapLinks mapLinks;
+    AppearanceChoice appearance;
+    PreferenceMenus preferences;
+    Menus menus;
+    ContextMenus contextMenus;
+};
+
+MainWindow::Parts::Parts(WindowContext& context)
+    : status(context)
+    , docks(context)
+    , files(context)
+    , results(context)
+    , start(context, files, docks)
+    , sightings(context, files, start)
+    , dialogs(context, files)
+    , study(context, docks)
+    , solveTimes(context, docks)
+    , studyFlights(context, files, docks)
+    , safety(context, {.files = files, .study = study, .solveTimes = solveTimes}, status)
+    , checks(context, docks, status)
+    , comparison(context, docks)
+    , planner(context)
+    , flightPanels(context, docks)
+    , flightView(context, flightPanels, status)
+    , flight(context)
+    , mapLinks(context, docks)
+    , appearance(context)
+    , preferences(context, appearance)
+    , menus(context, {.files = files,
+                      .results = results,
+                      .sightings = sightings,
+                      .safety = safety,
+                      .start = start,
+                      .dialogs = dialogs,
+                      .docks = docks,
+                      .mapLinks = mapLinks,
+                      .checks = checks,
+                      .study = study,
+                      .solveTimes = solveTimes,
+                      .flightView = flightView,
+                      .flight = flight,
+                      .preferences = preferences})
+    , contextMenus(context, docks, menus.shared())
+{
+}
+
+MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings& settings)
+    : m_panels(workspace, Theme::light())
+    , m_context{.window = *this,
+                .workspace = workspace,
+                .interaction = interaction,
+                .settings = settings,
+                .panels = m_panels,
+                .theme = Theme::light()}
+{
+    setObjectName(u"mainWindow"_s);
+    setAttribute(Qt::WA_DeleteOnClose, false);
+    setCentralWidget(m_panels.makeCentre());
+    m_parts = std::make_unique<Parts>(m_context);
+    connect(&m_parts->appearance, &AppearanceChoice::themeChanged, this, &MainWindow::showTheme);
+    connect(&m_parts->preferences, &PreferenceMenus::languageChosen, this,
+            &MainWindow::languageChosen);
+    connect(&m_parts->preferences, &PreferenceMenus::unitsChosen, this, &MainWindow::unitsChosen);
+    const ScenarioDocument& document = workspace.document();
+    connect(&document, &ScenarioDocument::scenarioChanged, this, &MainWindow::showTitle);
+    connect(&document, &ScenarioDocument::filePathChanged, this, &MainWindow::showTitle);
+    connect(&document, &ScenarioDocument::cleanChanged, this, &MainWindow::showTitle);
+    qApp->installEventFilter(this);
+    resize(1280, 800);
+    m_parts->docks.noteDefault();
+    m_parts->docks.restore();
+    m_parts->appearance.setAppearance(
+        static_cast<Appearance>(settings.value("view/appearance", 0).toInt()));
+    m_parts->flightView.setInFlight(workspace.inFlight());
+    m_parts->flight.showGivenUp();
+    showTitle();
+    m_parts->comparison.show();
+    m_parts->planner.show();
+    m_parts->flightView.showFlight();
+    m_parts->flightPanels.showCharts();
+}
+
+MainWindow::~MainWindow()
+{
+    hide(); // fields commit what is being typed while there still is a window to take it
+}
+
+void MainWindow::showTheme(const Theme& theme)
+{
+    m_panels.setTheme(theme);
+    m_parts->status.setTheme(theme);
+    m_parts->start.setTheme(theme);
+    m_parts->menus.refreshIcons();
+    m_parts->checks.showChecks();
+}
+
+bool MainWindow::openFile(const QString& path)
+{
+    return m_parts->files.openFile(path);
+}
+
+void MainWindow::showStartPage()
+{
+    m_parts->start.showPage();
+}
+
+bool MainWindow::startPageIsShown() const
+{
+    return m_parts->start.pageIsShown();
+}
+
+bool MainWindow::offerRecoveries()
+{
+    return m_parts->safety.offerRecoveries();
+}
+
+bool MainWindow::mayEndSession(bool mayAsk)
+{
+    return m_parts->safety.mayEndSession(mayAsk);
+}
+
+void MainWindow::takeOver(MainWindow& other)
+{
+    if (other.startPageIsShown())
+        showStartPage();
+    m_parts->results.takeOver(other.m_parts->results);
+    m_parts->study.takeOver(other.m_parts->study);
+    m_parts->studyFlights.takeOver(other.m_parts->studyFlights);
+    m_parts->safety.takeOver(other.m_parts->safety);
+    const Panels& shown = other.m_panels;
+    m_panels.solveTime->showSpec(shown.solveTime->spec());
+    m_panels.map->showAs(*shown.map);
+    m_panels.playback->setRate(shown.playback->rate());
+    for (std::size_t i = 0; i < shown.charts.size(); ++i)
+        m_panels.charts[i]->setKind(shown.charts[i]->kind());
+}
+
+void MainWindow::applyTheme(const Theme& theme)
+{
+    m_parts->appearance.applyTheme(theme);
+}
+
+void MainWindow::showTitle()
+{
+    const ScenarioDocument& document = m_context.workspace.document();
+    const QString name = QString::fromStdString(document.scenario().name);
+    QString title = name.isEmpty() ? tr("Untitled") : name;
+    title.replace(u"[*]"_s, u"[*][*]"_s); // once it would be the mark of changes
+    setWindowTitle(title + u"[*] - Bergwatch"_s);
+    setWindowFilePath(document.filePath());
+    setWindowModified(!document.isClean());
+}
+
+void MainWindow::finishLand()
+{
+    m_panels.map->finishLand();
+    if (m_panels.overview->isVisible())
+        m_panels.overview->finishLand();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    event->setAccepted(m_parts->safety.mayClose());
+    if (event->isAccepted())
+        m_parts->docks.save();
+}
+
+/** Keys without a modifier belong to what has the focus, where they mean something to it. */
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool plain = key.modifiers() == Qt::NoModifier;
+        const bool isButton = qobject_cast<QAbstractButton*>(watched) != nullptr;
+        const bool isList = qobject_cast<QComboBox*>(watched) != nullptr;
+        if (plain && ((key.key() == Qt::Key_Space && (isButton || isList)) ||
+                      (isList && key.text().size() == 1 && key.text().front().isLetter()))) {
+            event->accept();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+/** The next one that can be seen: a field behind another tab would be changed unseen. */
+bool MainWindow::focusNextPrevChild(bool next)
+{
+    QWidget* to = nextInSight(*this, next);
+    if (to != nullptr)
+        to->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+    return to != nullptr;
+}
+
+} // namespace berg

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "app/window/panels.h"
+#include "app/window/window_part.h"
+
+#include <QMainWindow>
+
+#include <memory>
+
+namespace berg {
+
+/**
+ * The window: menus, tool bar, map in the middle, panels round it. Composition only: each part owns
+ * its state; what is shown is in the workspace, which outlives the window.
+ */
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    MainWindow(Workspace& workspace, Interaction& interaction, QSettings& settings);
+    ~MainWindow() override;
+
+    /** Opens a scenario after the question about unsaved changes; false when it was not opened. */
+    bool openFile(const QString& path);
+    /** Over everything but the menus; opening anything closes it. */
+    void showStartPage();
+    [[nodiscard]] bool startPageIsShown() const;
+    /** Unsaved work of programs that ended unexpectedly; false, and no question: there is none. */
+    bool offerRecoveries();
+    /** The user logs out; false: not now. Without a question what is unsaved is left to recovery.
+     * What was agreed holds until the window is closed by the end of the program, which follows,
+     * or used again. */
+    [[nodiscard]] bool mayEndSession(bool mayAsk);
+    /** Carries on in place of another window of the same workspace: what that one shows and awaits,
+     * and what was last chosen in it. */
+    void takeOver(MainWindow& other);
+    /** Applies a theme now; the user's choice decides it in daily use. */
+    void applyTheme(const Theme& theme);
+    [[nodiscard]] MapView& mapView() { return *m_panels.map; }
+    /** Waits until all the land last painted can be painted: for pictures. */
+    void finishLand();
+
+signals:
+    /** Another language was chosen: the owner makes a new window. Empty: the system's. */
+    void languageChosen(const QString& language);
+    /** Other units were chosen, and are in the settings: as another language. */
+    void unitsChosen();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+
+private:
+    struct Parts;
+
+    void showTheme(const Theme& theme);
+    void showTitle();
+
+    Panels m_panels;
+    WindowContext m_context;
+    std::unique_ptr<Parts> m_parts;
+};
+
+} // namespace berg

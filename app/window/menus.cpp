@@ -1,0 +1,422 @@
+#include "app/window/menus.h"
+
+#include "app/dialogs/interaction.h"
+#include "app/window/checks_view.h"
+#include "app/window/docks.h"
+#include "app/window/flight_controls.h"
+#include "app/window/flight_view.h"
+#include "app/window/map_links.h"
+#include "app/window/panels.h"
+#include "app/window/preference_menus.h"
+#include "app/window/result_files.h"
+#include "app/window/scenario_dialogs.h"
+#include "app/window/scenario_files.h"
+#include "app/window/session_safety.h"
+#include "app/window/sightings_import.h"
+#include "app/window/solve_time_desk.h"
+#include "app/window/start_guide.h"
+#include "app/window/study_desk.h"
+#include "widgets/map/map_view.h"
+#include "widgets/model/scenario_edits.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QSettings>
+#include <QToolBar>
+#include <QToolButton>
+#include <QUndoStack>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+template <class Slot>
+QAction* Menus::add(QMenu& menu, const ActionSpec& spec, const Slot& slot)
+{
+    return m_maker.add(menu, spec, this, slot);
+}
+
+template <class Slot>
+QAction* Menus::addSwitch(QMenu& menu, const ActionSpec& spec, bool isOn, const Slot& slot)
+{
+    QAction* action = add(menu, spec, slot);
+    action->setCheckable(true);
+    action->setChecked(isOn);
+    return action;
+}
+
+Menus::Menus(WindowContext& context, const MenuTargets& targets)
+    : WindowPart(context), m_targets(targets)
+{
+    buildFileMenu();
+    buildEditMenu();
+    buildViewMenu();
+    buildFlightMenu();
+    buildToolBar();
+    buildHelpMenu();
+    connect(&workspace(), &Workspace::inFlightChanged, this, &Menus::updateActions);
+    connect(&workspace().selection(), &Selection::changed, this, &Menus::updateActions);
+    connect(panels().map, &MapView::statusText, this,
+            &Menus::updateActions); // drawing has begun or ended
+    updateActions();
+}
+
+QMenu& Menus::addMenu(const QString& title)
+{
+    return *window().menuBar()->addMenu(title);
+}
+
+void Menus::buildFileMenu()
+{
+    QMenu& menu = addMenu(tr("&File"));
+    add(menu, {"newAction", tr("&New scenario"), QKeySequence::New, IconName::NewFile},
+        [this] { m_targets.files.newScenario(); });
+    add(menu, {"openAction", tr("&Open..."), QKeySequence::Open, IconName::Open},
+        [this] { m_targets.files.openScenario(); });
+    add(menu, {"startPageAction", tr("S&tart page"), {}, std::nullopt},
+        [this] { m_targets.start.showPage(); });
+    QMenu& recent = *menu.addMenu(tr("Open &recent"));
+    connect(&recent, &QMenu::aboutToShow, this,
+            [this, &recent] { m_targets.files.fillRecentMenu(recent); });
+    add(menu,
+        {"importAction", tr("&Import sightings..."), QKeySequence(Qt::CTRL | Qt::Key_I),
+         std::nullopt},
+        [this] { m_targets.sightings.chooseSightings(); });
+    menu.addSeparator();
+    add(menu, {"saveAction", tr("&Save"), QKeySequence::Save, IconName::Save},
+        [this] { m_targets.files.saveScenario(); });
+    add(menu,
+        {"saveAsAction", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+         std::nullopt},
+        [this] { m_targets.files.saveScenarioAs(); });
+    addSwitch(menu, {"keepOldAction", tr("Keep a &backup copy"), {}, std::nullopt},
+              m_targets.files.keepsOld(), [this](bool on) { m_targets.files.setKeepsOld(on); })
+        ->setStatusTip(tr("Before a file is first overwritten, a copy is kept as NAME.berg~"));
+    add(menu, {"recoverAction", tr("Reco&ver unsaved work..."), {}, std::nullopt}, [this] {
+        if (!m_targets.safety.offerRecoveries())
+            showMessage(tr("No unsaved work is left to recover"), kMessage_ms);
+    });
+    add(menu,
+        {"saveRunAction", tr("Save r&un..."), QKeySequence(Qt::CTRL | Qt::Key_R), std::nullopt},
+        [this] { m_targets.results.saveRun(); });
+    m_shared.exportPlan = add(menu,
+                              {"exportAction", tr("&Export plan..."),
+                               QKeySequence(Qt::CTRL | Qt::Key_E), IconName::ExportPlan},
+                              [this] { m_targets.results.exportPlan(); });
+    menu.addSeparator();
+    add(menu, {"quitAction", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), std::nullopt},
+        [this] { window().close(); });
+}
+
+void Menus::buildEditMenu()
+{
+    QMenu& menu = addMenu(tr("&Edit"));
+    buildHistoryActions(menu);
+    MapView* map = panels().map;
+    menu.addSeparator();
+    m_shared.cut = add(menu, {"cutAction", tr("Cu&t"), QKeySequence::Cut, std::nullopt},
+                       [map] { map->cutSelected(); });
+    m_shared.copy = add(menu, {"copyAction", tr("&Copy"), QKeySequence::Copy, std::nullopt},
+                        [map] { map->copySelected(); });
+    QAction* paste = add(menu, {"pasteAction", tr("&Paste"), QKeySequence::Paste, std::nullopt},
+                         [map] { map->paste(); });
+    m_shared.duplicate =
+        add(menu,
+            {"duplicateAction", tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), std::nullopt},
+            [map] { map->duplicateSelected(); });
+    m_shared.remove = add(menu, {"deleteAction", tr("&Delete"), QKeySequence::Delete, std::nullopt},
+                          [map] { map->deleteSelected(); });
+    QAction* addUav = add(
+        menu, {"addUavAction", tr("Add UA&V"), QKeySequence(Qt::CTRL | Qt::Key_U), std::nullopt},
+        [map] { map->addUav(); });
+    m_shared.generate = add(menu, {"generateAction", tr("&Generate icebergs..."), {}, std::nullopt},
+                            [this] { m_targets.dialogs.generateIcebergs(); });
+    m_shared.selectAll =
+        add(menu,
+            {"selectAllAction", tr("Select &all icebergs"), QKeySequence::SelectAll, std::nullopt},
+            [map] { map->selectAll(); });
+    menu.addSeparator();
+    QAction* move =
+        add(menu, {"moveScenarioAction", tr("&Move the scenario…"), {}, std::nullopt},
+            [this] { m_targets.dialogs.moveScenario(workspace().document().scenario().origin); });
+    m_editActions = {m_shared.undo,   m_shared.redo, m_shared.cut,      paste, m_shared.duplicate,
+                     m_shared.remove, addUav,        m_shared.generate, move};
+}
+
+void Menus::buildHistoryActions(QMenu& menu)
+{
+    QUndoStack* history = workspace().document().undoStack();
+    QAction* undo = history->createUndoAction(&window(), tr("&Undo"));
+    QAction* redo = history->createRedoAction(&window(), tr("&Redo"));
+    undo->setIconText(tr("Undo")); // what would be undone is in the menu; the tool bar stands still
+    redo->setIconText(tr("Redo"));
+    undo->setObjectName(u"undoAction"_s);
+    redo->setObjectName(u"redoAction"_s);
+    undo->setShortcut(QKeySequence::Undo);
+    redo->setShortcuts(
+        {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    m_maker.addIcon(undo, IconName::Undo);
+    m_maker.addIcon(redo, IconName::Redo);
+    menu.addActions({undo, redo});
+    // While something is drawn on the map, what is undone is its last point.
+    disconnect(undo, &QAction::triggered, history, nullptr);
+    connect(undo, &QAction::triggered, this, [this] {
+        if (panels().map->isDrawing())
+            panels().map->takeLastBack();
+        else
+            workspace().document().undo();
+    });
+    disconnect(redo, &QAction::triggered, history, nullptr);
+    connect(redo, &QAction::triggered, &workspace().document(), &ScenarioDocument::redo);
+    connect(history, &QUndoStack::indexChanged, this, &Menus::updateActions, Qt::QueuedConnection);
+    m_shared.undo = undo;
+    m_shared.redo = redo;
+}
+
+void Menus::buildViewMenu()
+{
+    QMenu& menu = addMenu(tr("&View"));
+    buildMapActions(menu);
+    add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7, std::nullopt},
+        [this] { m_targets.checks.openChecks(); });
+    add(menu, {"studyAction", tr("S&tudy of τ and policies"), {}, std::nullopt},
+        [this] { m_targets.study.showStudy(); });
+    add(menu, {"solveTimeAction", tr("&Solve time study"), {}, std::nullopt},
+        [this] { m_targets.solveTimes.show(); });
+    menu.addSeparator();
+    QMenu& docks = *menu.addMenu(tr("&Panels"));
+    for (const QDockWidget* dock : m_targets.docks.all())
+        docks.addAction(dock->toggleViewAction());
+    add(menu, {"resetLayoutAction", tr("&Reset layout"), {}, std::nullopt},
+        [this] { m_targets.docks.reset(); });
+    addSwitch(menu, {"fullScreenAction", tr("F&ull screen"), Qt::Key_F11, std::nullopt}, false,
+              [this](bool on) { on ? window().showFullScreen() : window().showNormal(); });
+    menu.addSeparator();
+    m_targets.preferences.build(menu);
+}
+
+void Menus::buildMapActions(QMenu& menu)
+{
+    MapView* map = panels().map;
+    m_shared.fit = add(menu, {"fitAction", tr("&Fit everything"), Qt::Key_F, IconName::Fit},
+                       [map] { map->fit(); });
+    m_shared.follow =
+        addSwitch(menu, {"followAction", tr("Follo&w the UAV"), Qt::Key_L, IconName::Follow}, false,
+                  [map](bool on) { map->setFollowUav(on); });
+    connect(map, &MapView::followUavChanged, m_shared.follow, &QAction::setChecked);
+    add(menu, {"zoomInAction", tr("Zoom &in"), QKeySequence::ZoomIn, std::nullopt},
+        [map] { map->zoomBy(1.25, QRectF(map->rect()).center()); });
+    add(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut, std::nullopt},
+        [map] { map->zoomBy(0.8, QRectF(map->rect()).center()); });
+    add(menu,
+        {"gotoAction", tr("&Go to a place"), QKeySequence(Qt::CTRL | Qt::Key_G), std::nullopt},
+        [this] { m_targets.dialogs.openGoto(); });
+    addSwitch(menu, {"overviewAction", tr("O&verview"), Qt::Key_O, std::nullopt},
+              m_targets.mapLinks.overviewIsShown(),
+              [this](bool on) { m_targets.mapLinks.setOverviewShown(on); });
+    FlightView& flight = m_targets.flightView;
+    addSwitch(menu, {"sweptAction", tr("Swept ar&ea"), {}, std::nullopt}, flight.sweptIsShown(),
+              [&flight](bool on) { flight.setSweptShown(on); });
+    addSwitch(menu, {"truthAction", tr("S&how true positions"), {}, std::nullopt},
+              flight.truthIsShown(), [&flight](bool on) { flight.setTruthShown(on); })
+        ->setStatusTip(tr("Where the icebergs are in truth, beside where the observer "
+                          "believes them to be; off: only what an operator would see"));
+}
+
+void Menus::buildFlightMenu()
+{
+    QMenu& menu = addMenu(tr("F&light"));
+    QAction* play = add(menu, {"playAction", tr("Fly"), Qt::Key_Space, std::nullopt},
+                        [this] { m_targets.flight.togglePlay(); });
+    add(menu, {"stepAction", tr("&Step one second"), Qt::Key_Period, std::nullopt},
+        [this] { workspace().step(); });
+    add(menu,
+        {"resetAction", tr("Stop and &edit"), QKeySequence(Qt::CTRL | Qt::Key_Home), std::nullopt},
+        [this] { workspace().reset(); });
+    QAction* bringBack = add(menu,
+                             {"bringBackAction", tr("Bring the flight b&ack"),
+                              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Home), std::nullopt},
+                             [this] { workspace().bringBackFlight(); });
+    menu.addSeparator();
+    add(menu,
+        {"shorterPlanAction", tr("Prefer s&horter route"), QKeySequence(Qt::ALT | Qt::Key_Right),
+         std::nullopt},
+        [this] { panels().tradeoff->stepPlan(+1); });
+    add(menu,
+        {"uncertainPlanAction", tr("Prefer more un&certain first"),
+         QKeySequence(Qt::ALT | Qt::Key_Left), std::nullopt},
+        [this] { panels().tradeoff->stepPlan(-1); });
+    menu.addSeparator();
+    m_shared.seen = add(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N, std::nullopt},
+                        [this] { workspace().reportSeen(workspace().selection().ids()); });
+    m_shared.wind = add(menu, {"windAction", tr("Win&d..."), Qt::Key_W, std::nullopt},
+                        [this] { m_targets.dialogs.askWind(); });
+    menu.addSeparator();
+    buildLookBackActions(menu);
+    menu.addSeparator();
+    add(menu, {"fasterAction", tr("&Faster"), Qt::Key_BracketRight, std::nullopt},
+        [this] { panels().playback->stepRate(+1); });
+    add(menu, {"slowerAction", tr("S&lower"), Qt::Key_BracketLeft, std::nullopt},
+        [this] { panels().playback->stepRate(-1); });
+
+    const auto showPlaying = [this, play] {
+        play->setText(workspace().isPlaying() ? tr("Pause") : tr("Fly"));
+    };
+    connect(&workspace(), &Workspace::flightChanged, this, showPlaying);
+    showPlaying();
+    const auto showGivenUp = [this, bringBack] {
+        bringBack->setEnabled(workspace().givenUp_s().has_value());
+    };
+    connect(&workspace(), &Workspace::givenUpChanged, this, showGivenUp);
+    showGivenUp();
+}
+
+void Menus::buildLookBackActions(QMenu& menu)
+{
+    add(menu, {"stepBackAction", tr("Step &back one second"), Qt::Key_Comma, std::nullopt},
+        [this] { workspace().stepBack(); });
+    add(menu,
+        {"tickAction", tr("Step one &tick"), QKeySequence(Qt::CTRL | Qt::Key_Period), std::nullopt},
+        [this] { workspace().stepTicks(+1); });
+    add(menu,
+        {"tickBackAction", tr("Step back one t&ick"), QKeySequence(Qt::CTRL | Qt::Key_Comma),
+         std::nullopt},
+        [this] { workspace().stepTicks(-1); });
+    add(menu,
+        {"nextEventAction", tr("&Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right),
+         std::nullopt},
+        [this] { workspace().stepToEvent(+1); });
+    add(menu,
+        {"previousEventAction", tr("&Previous event"), QKeySequence(Qt::CTRL | Qt::Key_Left),
+         std::nullopt},
+        [this] { workspace().stepToEvent(-1); });
+    add(menu,
+        {"goToTimeAction", tr("&Go to time"), QKeySequence(Qt::CTRL | Qt::Key_T), std::nullopt},
+        [this] { panels().playback->editTime(); });
+    add(menu,
+        {"newestAction", tr("Newest pict&ure"), QKeySequence(Qt::CTRL | Qt::Key_End), std::nullopt},
+        [this] { workspace().lookAtNewest(); });
+}
+
+void Menus::buildHelpMenu()
+{
+    QMenu& menu = addMenu(tr("&Help"));
+    add(menu, {"shortcutsAction", tr("&Shortcuts"), Qt::Key_Question, std::nullopt},
+        [this] { showShortcuts(); });
+    add(menu, {"tourAction", tr("&Tour"), {}, std::nullopt},
+        [this] { m_targets.start.startTour(); });
+    add(menu, {"aboutAction", tr("&About Bergwatch"), {}, std::nullopt}, [this] { showAbout(); });
+}
+
+void Menus::addTool(QActionGroup& tools, MapToolKind kind, const ActionSpec& spec)
+{
+    QAction* action = tools.addAction(spec.text);
+    action->setObjectName(QLatin1String(spec.name));
+    action->setShortcut(spec.shortcut);
+    action->setCheckable(true);
+    action->setToolTip(u"%1 (%2)"_s.arg(spec.text, spec.shortcut.toString()));
+    action->setData(static_cast<int>(kind));
+    m_maker.addIcon(action, *spec.icon);
+    if (isLockedInFlight(kind))
+        m_editActions.push_back(action);
+    connect(action, &QAction::triggered, this, [this, kind] { panels().map->setTool(kind); });
+}
+
+void Menus::buildToolBar()
+{
+    QToolBar* bar = window().addToolBar(tr("Tools"));
+    bar->setObjectName(u"toolBar"_s);
+    bar->setMovable(false);
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto* tools = new QActionGroup(&window());
+    addTool(*tools, MapToolKind::Select, {"selectTool", tr("Select"), Qt::Key_S, IconName::Select});
+    addTool(*tools, MapToolKind::Iceberg,
+            {"icebergTool", tr("Iceberg"), Qt::Key_I, IconName::Iceberg});
+    addTool(*tools, MapToolKind::Uav, {"uavTool", tr("UAV"), Qt::Key_U, IconName::Uav});
+    addTool(*tools, MapToolKind::Asset, {"assetTool", tr("Asset"), Qt::Key_A, IconName::Asset});
+    addTool(*tools, MapToolKind::Area, {"areaTool", tr("Area"), Qt::Key_R, IconName::Area});
+    addTool(*tools, MapToolKind::Measure,
+            {"measureTool", tr("Measure"), Qt::Key_M, IconName::Measure});
+    addTool(*tools, MapToolKind::Pan, {"panTool", tr("Pan"), Qt::Key_H, IconName::Pan});
+    tools->actions().front()->setChecked(true);
+    connect(panels().map, &MapView::toolChanged, tools, [tools](MapToolKind kind) {
+        for (QAction* action : tools->actions())
+            if (action->data().toInt() == static_cast<int>(kind))
+                action->setChecked(true);
+    });
+    bar->addActions(tools->actions());
+    for (const auto& group : {std::vector{m_shared.undo, m_shared.redo},
+                              {m_shared.fit, m_shared.follow},
+                              {m_shared.exportPlan}}) {
+        bar->addSeparator();
+        for (QAction* action : group) {
+            bar->addAction(action);
+            // There is room for the names of the tools; those of commands are in the menus.
+            if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
+                button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        }
+    }
+    addMenu(tr("&Tools")).addActions(tools->actions());
+}
+
+void Menus::updateActions()
+{
+    const bool locked = workspace().inFlight();
+    const QUndoStack* history = workspace().document().undoStack();
+    for (QAction* action : m_editActions)
+        action->setEnabled(!locked);
+    m_shared.undo->setEnabled(panels().map->isDrawing() || (!locked && history->canUndo()));
+    m_shared.redo->setEnabled(!locked && history->canRedo());
+    m_shared.remove->setEnabled(!locked && !workspace().selection().isEmpty());
+    const std::vector<std::string>& ids = workspace().selection().ids();
+    const Scenario& scenario = workspace().document().scenario();
+    const bool hasIcebergs = !icebergsOf(scenario, ids).empty();
+    m_shared.copy->setEnabled(hasIcebergs);
+    m_shared.seen->setEnabled(locked && !workspace().flownAmong(ids).empty());
+    m_shared.cut->setEnabled(!locked && hasIcebergs);
+    m_shared.duplicate->setEnabled(!locked && (hasIcebergs || !uavsOf(scenario, ids).empty()));
+}
+
+void Menus::showShortcuts()
+{
+    QString rows;
+    for (const QAction* action : window().findChildren<QAction*>())
+        if (!action->shortcut().isEmpty() && !action->text().isEmpty())
+            rows += u"<tr><td style='padding-right:24px'>%1</td><td><b>%2</b></td></tr>"_s.arg(
+                QString(action->text()).remove(u'&').toHtmlEscaped(),
+                action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped());
+    const auto row = [](const QString& what, const QString& how) {
+        return u"<tr><td style='padding-right:24px'>%1</td><td><b>%2</b></td></tr>"_s.arg(what,
+                                                                                          how);
+    };
+    rows += row(tr("Zoom at the cursor"), tr("wheel"));
+    rows += row(tr("Pan"), tr("middle button, or arrow keys"));
+    rows += row(tr("Nudge what is selected"), tr("arrow keys"));
+    rows += row(tr("Close what is drawn, take its last point back"), tr("Enter, Backspace"));
+    rows += row(tr("Steps of 15° while an arrow is drawn"), tr("Shift"));
+    rows += row(tr("Leave what is drawn, the tool, the selection"), tr("Esc"));
+    interaction().showInformation(&window(), tr("Shortcuts"), u"<table>%1</table>"_s.arg(rows));
+}
+
+void Menus::showAbout()
+{
+    interaction().showInformation(
+        &window(), tr("About Bergwatch"),
+        tr("<h3>Bergwatch %1</h3><p>Plans, flies and measures UAV missions that keep watch over "
+           "drifting icebergs.</p><p>Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: "
+           "EPL. Land made with Natural Earth.</p>")
+            .arg(QApplication::applicationVersion()));
+}
+
+void Menus::refreshIcons() const
+{
+    m_maker.refreshIcons(theme());
+}
+
+} // namespace berg

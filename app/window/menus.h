@@ -1,0 +1,102 @@
+#pragma once
+
+#include "app/window/action_maker.h"
+#include "app/window/window_part.h"
+#include "widgets/map/map_tools.h"
+
+#include <vector>
+
+class QActionGroup;
+
+namespace berg {
+
+class ChecksView;
+class Docks;
+class FlightControls;
+class FlightView;
+class MapLinks;
+class PreferenceMenus;
+class ResultFiles;
+class ScenarioDialogs;
+class ScenarioFiles;
+class SessionSafety;
+class SightingsImport;
+class SolveTimeDesk;
+class StartGuide;
+class StudyDesk;
+
+/** Parts of the window that menus act on. */
+struct MenuTargets
+{
+    ScenarioFiles& files;
+    ResultFiles& results;
+    SightingsImport& sightings;
+    SessionSafety& safety;
+    StartGuide& start;
+    ScenarioDialogs& dialogs;
+    Docks& docks;
+    MapLinks& mapLinks;
+    ChecksView& checks;
+    StudyDesk& study;
+    SolveTimeDesk& solveTimes;
+    FlightView& flightView;
+    FlightControls& flight;
+    PreferenceMenus& preferences;
+};
+
+/** Actions that are in a context menu or the tool bar as well. */
+struct SharedActions
+{
+    QAction* undo = nullptr;
+    QAction* redo = nullptr;
+    QAction* cut = nullptr;
+    QAction* copy = nullptr;
+    QAction* duplicate = nullptr;
+    QAction* remove = nullptr;
+    QAction* selectAll = nullptr;
+    QAction* generate = nullptr;
+    QAction* fit = nullptr;
+    QAction* follow = nullptr;
+    QAction* exportPlan = nullptr;
+    QAction* seen = nullptr;
+    QAction* wind = nullptr;
+};
+
+/** Menu bar and tool bar, and which of their actions are possible now. */
+class Menus : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    Menus(WindowContext& context, const MenuTargets& targets);
+
+    [[nodiscard]] const SharedActions& shared() const { return m_shared; }
+    void updateActions();
+    void refreshIcons() const;
+
+private:
+    template <class Slot>
+    QAction* add(QMenu& menu, const ActionSpec& spec, const Slot& slot);
+    template <class Slot>
+    QAction* addSwitch(QMenu& menu, const ActionSpec& spec, bool isOn, const Slot& slot);
+    QMenu& addMenu(const QString& title);
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildHistoryActions(QMenu& menu);
+    void buildViewMenu();
+    void buildMapActions(QMenu& menu);
+    void buildFlightMenu();
+    void buildLookBackActions(QMenu& menu);
+    void buildToolBar();
+    void buildHelpMenu();
+    void addTool(QActionGroup& tools, MapToolKind kind, const ActionSpec& spec);
+    void showShortcuts();
+    void showAbout();
+
+    MenuTargets m_targets;
+    ActionMaker m_maker;
+    SharedActions m_shared;
+    std::vector<QAction*> m_editActions; ///< locked in flight
+};
+
+} // namespace berg

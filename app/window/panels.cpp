@@ -1,0 +1,111 @@
+#include "app/window/panels.h"
+
+#include "widgets/charts/comparison_chart.h"
+#include "widgets/charts/pareto_chart.h"
+#include "widgets/map/map_view.h"
+#include "widgets/map/overview_inset.h"
+#include "widgets/map/place_mark.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/dialogs/goto_bar.h"
+#include "widgets/panels/flight/chart_panel.h"
+#include "widgets/panels/flight/event_panel.h"
+#include "widgets/panels/flight/flight_banner.h"
+#include "widgets/panels/flight/playback_bar.h"
+#include "widgets/panels/icebergs/iceberg_table.h"
+#include "widgets/panels/inspector/check_panel.h"
+#include "widgets/panels/inspector/inspector_panel.h"
+#include "widgets/panels/plan/plan_panel.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/panels/study/comparison_panel.h"
+#include "widgets/panels/study/solve_time_panel.h"
+#include "widgets/panels/study/study_panel.h"
+#include "widgets/theme/icons.h"
+
+#include <QCoreApplication>
+#include <QUndoView>
+#include <QVBoxLayout>
+
+namespace berg {
+
+namespace {
+
+struct PanelText
+{
+    Q_DECLARE_TR_FUNCTIONS(PanelText)
+};
+
+} // namespace
+
+Panels::Panels(Workspace& workspace, const Theme& theme)
+    : map(new MapView(workspace.document(), workspace.selection()))
+    , playback(new PlaybackBar)
+    , tradeoff(new TradeoffPanel)
+    , plan(new PlanPanel)
+    , inspector(new InspectorPanel(workspace.document(), workspace.selection()))
+    , charts{new ChartPanel(ChartKind::Zeta, theme), new ChartPanel(ChartKind::Sigma, theme)}
+    , pareto(new ParetoChart(theme))
+    , solveTime(new SolveTimePanel(workspace.benchmark()))
+    , study(new StudyPanel(workspace.study()))
+    , banner(new FlightBanner(map))
+    , overview(new OverviewInset(map))
+    , history(new QUndoView(workspace.document().undoStack()))
+    , events(new EventPanel)
+    , checks(new CheckPanel(workspace.document()))
+    , icebergs(new IcebergTable(workspace.document(), workspace.selection()))
+    , comparison(new ComparisonPanel(workspace.runs()))
+    , comparisonChart(new ComparisonChart(theme))
+    , placeMark(new PlaceMark(*map))
+    , gotoBar(new GotoBar(map))
+{
+    overview->hide();
+    pareto->setTitleShown(false);
+    comparisonChart->setTitleShown(false);
+    history->setEmptyLabel(PanelText::tr("As opened"));
+    history->setToolTip(
+        PanelText::tr("Click a line to go back or forth to it; the disk marks what is "
+                      "saved."));
+}
+
+void Panels::setTheme(const Theme& theme) const
+{
+    banner->setTheme(theme);
+    overview->setTheme(theme);
+    gotoBar->setTheme(theme);
+    placeMark->setTheme(theme);
+    map->setTheme(theme);
+    tradeoff->setTheme(theme);
+    plan->setTheme(theme);
+    inspector->setTheme(theme);
+    playback->setTheme(theme);
+    for (ChartPanel* chart : charts)
+        chart->setTheme(theme);
+    comparison->setTheme(theme);
+    comparisonChart->setTheme(theme);
+    pareto->setTheme(theme);
+    solveTime->setTheme(theme);
+    study->setTheme(theme);
+    events->setTheme(theme);
+    checks->setTheme(theme);
+    icebergs->setTheme(theme);
+    history->setCleanIcon(icon(IconName::Save, theme));
+}
+
+void Panels::finishTyping() const
+{
+    inspector->finishTyping();
+    icebergs->finishTyping();
+    tradeoff->finishTyping();
+}
+
+QWidget* Panels::makeCentre() const
+{
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(map, 1);
+    column->addWidget(playback);
+    return centre;
+}
+
+} // namespace berg

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+
+class QUndoView;
+class QWidget;
+
+namespace berg {
+
+class ChartPanel;
+class CheckPanel;
+class ComparisonChart;
+class ComparisonPanel;
+class EventPanel;
+class FlightBanner;
+class GotoBar;
+class IcebergTable;
+class InspectorPanel;
+class MapView;
+class OverviewInset;
+class ParetoChart;
+class PlaceMark;
+class PlanPanel;
+class PlaybackBar;
+class SolveTimePanel;
+class StudyPanel;
+class TradeoffPanel;
+class Workspace;
+struct Theme;
+
+/** The map and the panels round it, not yet laid out; each belongs to the widget it is put in. */
+struct Panels
+{
+    Panels(Workspace& workspace, const Theme& theme);
+
+    void setTheme(const Theme& theme) const;
+    /** What is being typed counts as if Return had been pressed. */
+    void finishTyping() const;
+    /** Map and playback bar. */
+    [[nodiscard]] QWidget* makeCentre() const;
+
+    MapView* map;
+    PlaybackBar* playback;
+    TradeoffPanel* tradeoff;
+    PlanPanel* plan;
+    InspectorPanel* inspector;
+    std::array<ChartPanel*, 2> charts;
+    ParetoChart* pareto;
+    SolveTimePanel* solveTime;
+    StudyPanel* study;
+    FlightBanner* banner;
+    OverviewInset* overview;
+    QUndoView* history;
+    EventPanel* events;
+    CheckPanel* checks;
+    IcebergTable* icebergs;
+    ComparisonPanel* comparison;
+    ComparisonChart* comparisonChart;
+    PlaceMark* placeMark;
+    GotoBar* gotoBar;
+};
+
+} // namespace berg

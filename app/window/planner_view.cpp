@@ -1,0 +1,61 @@
+#include "app/window/planner_view.h"
+
+#include "app/window/panels.h"
+#include "widgets/charts/pareto_chart.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/plan/tradeoff_panel.h"
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+PlannerView::PlannerView(WindowContext& context) : WindowPart(context)
+{
+    connect(panels().tradeoff, &TradeoffPanel::tauEdited, &workspace(), &Workspace::setTau);
+    connect(panels().tradeoff, &TradeoffPanel::tauEditFinished, &workspace().document(),
+            &ScenarioDocument::endGesture);
+    connect(panels().tradeoff, &TradeoffPanel::policyEdited, &workspace(), &Workspace::setPolicy);
+    connect(panels().tradeoff, &TradeoffPanel::backendEdited, &workspace(), &Workspace::setBackend);
+    connect(panels().tradeoff, &TradeoffPanel::routeEdited, &workspace(), &Workspace::setRoute);
+
+    connect(&workspace().forecasts(), &PolicyForecasts::updated, this, &PlannerView::showForecasts);
+    connect(panels().pareto, &ParetoChart::tauChosen, panels().tradeoff, &TradeoffPanel::chooseTau);
+    connect(&workspace().curve(), &CurveRunner::updated, this, &PlannerView::showCurve);
+
+    connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
+            &PlannerView::showPlanner);
+    connect(&workspace(), &Workspace::inFlightChanged, this, &PlannerView::showPlanner);
+    connect(&workspace(), &Workspace::refused, this,
+            &PlannerView::showPlanner); // what was refused is not in force
+    connect(&workspace(), &Workspace::flightChanged, this, [this] {
+        if (workspace().inFlight())
+            showPlanner();
+    });
+}
+
+void PlannerView::show()
+{
+    showPlanner();
+    showCurve();
+    showForecasts();
+}
+
+void PlannerView::showPlanner()
+{
+    panels().tradeoff->showSettings(workspace().planner());
+    panels().pareto->setTau(workspace().planner().tau);
+}
+
+void PlannerView::showCurve()
+{
+    panels().tradeoff->showCurve(workspace().curve().curve());
+    panels().pareto->setOfFleet(workspace().curve().isOfFleet());
+    panels().pareto->setCurve(workspace().curve().curve());
+}
+
+void PlannerView::showForecasts()
+{
+    panels().tradeoff->showForecasts(workspace().forecasts().forecasts());
+}
+
+} // namespace berg

@@ -1,0 +1,93 @@
+#include "app/window/preference_menus.h"
+
+#include "app/window/appearance_choice.h"
+#include "core/base/coordinates.h"
+#include "widgets/theme/unit_settings.h"
+
+#include <QActionGroup>
+#include <QMenu>
+#include <QSettings>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+PreferenceMenus::PreferenceMenus(WindowContext& context, AppearanceChoice& appearance)
+    : WindowPart(context), m_appearance(appearance)
+{
+}
+
+void PreferenceMenus::build(QMenu& menu)
+{
+    buildAppearance(*menu.addMenu(tr("&Appearance")));
+    buildUnits(*menu.addMenu(tr("U&nits")));
+    buildLanguage(*menu.addMenu(tr("&Language")));
+}
+
+void PreferenceMenus::addChoice(QMenu& menu, const QString& text, const QString& key,
+                                const QString& value)
+{
+    auto* group = menu.findChild<QActionGroup*>();
+    if (group == nullptr)
+        group = new QActionGroup(&menu);
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setData(value);
+    action->setObjectName(key + u'-' + value);
+    const QString first = group->actions().front()->data().toString();
+    action->setChecked(value == settings().value(key, first).toString());
+    menu.addAction(action);
+}
+
+void PreferenceMenus::buildAppearance(QMenu& menu)
+{
+    const QStringList words{tr("Follow system"), tr("Light"), tr("Dark")};
+    for (qsizetype i = 0; i < words.size(); ++i)
+        addChoice(menu, words[i], u"view/appearance"_s, QString::number(i));
+    connect(&menu, &QMenu::triggered, &m_appearance, [this](const QAction* action) {
+        m_appearance.setAppearance(static_cast<Appearance>(action->data().toInt()));
+    });
+}
+
+void PreferenceMenus::buildUnits(QMenu& menu)
+{
+    const auto choices = [&](const QString& title, const char* key,
+                             const std::vector<std::pair<QString, QString>>& values) {
+        QMenu& choice = *menu.addMenu(title);
+        for (const auto& [value, text] : values)
+            addChoice(choice, text, QLatin1String(key), value);
+        connect(&choice, &QMenu::triggered, this, [this, key](QAction* action) {
+            settings().setValue(key, action->data());
+            if (readUnits(settings()) != shownUnits())
+                emit unitsChosen();
+        });
+    };
+    choices(tr("&Distances"), kDistanceUnitKey,
+            {{u"metric"_s, tr("Metres and kilometres")}, {u"nautical"_s, tr("Nautical miles")}});
+    choices(tr("&Speeds"), kSpeedUnitKey,
+            {{u"mps"_s, tr("Metres per second")}, {u"knots"_s, tr("Knots")}});
+    constexpr double kExample_deg = 47.05;
+    const auto form = [&](CoordinateForm one) {
+        return QString::fromStdString(angleText(kExample_deg, one, 2))
+            .replace(u'.', locale().decimalPoint());
+    };
+    choices(
+        tr("&Coordinates"), kCoordinateFormKey,
+        {{u"minutes"_s, tr("Degrees and minutes, %1").arg(form(CoordinateForm::DegreesMinutes))},
+         {u"decimal"_s, tr("Decimal degrees, %1").arg(form(CoordinateForm::DecimalDegrees))},
+         {u"seconds"_s,
+          tr("Degrees, minutes, seconds, %1").arg(form(CoordinateForm::DegreesMinutesSeconds))}});
+}
+
+void PreferenceMenus::buildLanguage(QMenu& menu)
+{
+    addChoice(menu, tr("Follow system"), u"view/language"_s, u""_s);
+    addChoice(menu, u"English"_s, u"view/language"_s, u"en"_s);
+    addChoice(menu, u"Norsk bokmål"_s, u"view/language"_s, u"nb"_s);
+    connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
+        settings().setValue("view/language", action->data());
+        emit languageChosen(action->data().toString());
+    });
+}
+
+} // namespace berg

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/window/window_part.h"
+
+class QMenu;
+
+namespace berg {
+
+class AppearanceChoice;
+
+/** Menus in which one of several choices is in force: appearance, units, language. */
+class PreferenceMenus : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    PreferenceMenus(WindowContext& context, AppearanceChoice& appearance);
+
+    void build(QMenu& menu);
+
+signals:
+    void languageChosen(const QString& language);
+    void unitsChosen();
+
+private:
+    void buildAppearance(QMenu& menu);
+    void buildUnits(QMenu& menu);
+    void buildLanguage(QMenu& menu);
+    void addChoice(QMenu& menu, const QString& text, const QString& key, const QString& value);
+
+    AppearanceChoice& m_appearance;
+};
+
+} // namespace berg

@@ -1,0 +1,139 @@
+#include "app/window/result_files.h"
+
+#include "app/dialogs/interaction.h"
+#include "app/window/file_names.h"
+#include "app/window/panels.h"
+#include "core/io/text/file_set.h"
+#include "widgets/model/error_text.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/flight/chart_panel.h"
+#include "widgets/print/export_painter.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QSettings>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+QString pathOf(const ExportFile& file)
+{
+    return QFile::decodeName(QByteArray::fromStdString(file.path));
+}
+
+} // namespace
+
+ResultFiles::ResultFiles(WindowContext& context) : WindowPart(context)
+{
+    MissionRunner& runner = workspace().runner();
+    runner.setExportPaint(exportPaint());
+    connect(&runner, &MissionRunner::exportReady, this, &ResultFiles::writeExport);
+    connect(&runner, &MissionRunner::runReady, this,
+            [this](const QString& path, const std::shared_ptr<const RunFile>& run) {
+                writeRun(path, *run);
+            });
+    for (const ChartPanel* chart : panels().charts)
+        connect(chart, &ChartPanel::exportRequested, this, [this, chart] { exportChart(*chart); });
+}
+
+void ResultFiles::saveRun()
+{
+    const QString chosen = interaction().savePath(&window(), u"flight.bergrun"_s,
+                                                  tr("Runs (*.bergrun);;All files (*)"));
+    if (chosen.isEmpty())
+        return;
+    workspace().runner().requestRun(withExtension(chosen, u"bergrun"_s));
+}
+
+void ResultFiles::writeRun(const QString& path, const RunFile& run)
+{
+    try {
+        berg::saveRun(run, QFile::encodeName(path).toStdString());
+        showMessage(tr("Saved %1").arg(path), kMessage_ms);
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+    }
+}
+
+void ResultFiles::exportPlan()
+{
+    const ScenarioDocument& document = workspace().document();
+    const QString folder = settings().value("export/folder", QDir::homePath()).toString();
+    const QString name = fileNameOf(QString::fromStdString(document.scenario().name));
+    const ExportOffer offer{
+        .suggested = {.formatId = settings().value("export/format").toString().toStdString(),
+                      .options = m_exportOptions,
+                      .path = QDir(folder).filePath(name)},
+        .flown = workspace().inFlight(),
+        .scenario = std::make_shared<const Scenario>(document.scenario()),
+        .theme = theme()};
+    const std::uint64_t generation = workspace().runner().generation();
+    const std::optional<ExportRequest> choice =
+        interaction().chooseExport(&window(), workspace().runner(), offer);
+    if (!isStillOf(generation) || !choice)
+        return;
+    settings().setValue("export/folder", QFileInfo(choice->path).absolutePath());
+    settings().setValue("export/format", QString::fromStdString(choice->formatId));
+    m_exportOptions = choice->options;
+    workspace().runner().requestExport(*choice);
+}
+
+/** False, and the user is told: what was to be exported has been replaced while he was asked. */
+bool ResultFiles::isStillOf(std::uint64_t generation)
+{
+    const bool isOf = generation == workspace().runner().generation();
+    if (!isOf)
+        showMessage(outdatedExportText(), kMessage_ms);
+    return isOf;
+}
+
+/** Asks once about all files that are there already. */
+void ResultFiles::writeExport(const std::vector<ExportFile>& files)
+{
+    const std::uint64_t generation = workspace().runner().generation();
+    QStringList present;
+    for (const ExportFile& file : files)
+        if (const QFileInfo info(pathOf(file)); info.exists())
+            present << info.fileName();
+    const auto answer =
+        present.isEmpty()
+            ? Interaction::Overwrite::Overwrite
+            : interaction().askOverwrite(
+                  &window(), present.join(u", "_s),
+                  tr("%n files of these names are there. What is in them would be lost.", nullptr,
+                     static_cast<int>(present.size())));
+    if (answer == Interaction::Overwrite::SaveAs)
+        exportPlan();
+    if (answer != Interaction::Overwrite::Overwrite || !isStillOf(generation))
+        return;
+    try {
+        writeFileSet(files);
+        showMessage(files.size() == 1
+                        ? tr("Exported %1").arg(pathOf(files.front()))
+                        : tr("Exported %n files", nullptr, static_cast<int>(files.size())),
+                    kMessage_ms);
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+    }
+}
+
+void ResultFiles::exportChart(const ChartPanel& chart)
+{
+    const QString path =
+        interaction().savePath(&window(), chart.exportName(), ChartPanel::exportFilters());
+    if (path.isEmpty())
+        return;
+    try {
+        chart.exportChart(path);
+        showMessage(tr("Exported %1").arg(path), kMessage_ms);
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+    }
+}
+
+} // namespace berg

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/window/window_part.h"
+#include "widgets/model/export_preview.h"
+
+#include <vector>
+
+namespace berg {
+
+class ChartPanel;
+struct RunFile;
+
+/** Files of what was planned or flown: exports, runs, charts. */
+class ResultFiles : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    explicit ResultFiles(WindowContext& context);
+
+    /** As last chosen in another window. */
+    void takeOver(const ResultFiles& other) { m_exportOptions = other.m_exportOptions; }
+    void saveRun();
+    void exportPlan();
+
+private:
+    [[nodiscard]] bool isStillOf(std::uint64_t generation);
+    void writeExport(const std::vector<ExportFile>& files);
+    void writeRun(const QString& path, const RunFile& run);
+    void exportChart(const ChartPanel& chart);
+
+    ExportOptions m_exportOptions; ///< last chosen
+};
+
+} // namespace berg

@@ -1,0 +1,266 @@
+#include "app/window/scenario_files.h"
+
+#include "app/start/start_content.h"
+#include "app/window/file_names.h"
+#include "app/window/panels.h"
+#include "core/io/files/scenario_json.h"
+#include "core/scenario/presets.h"
+#include "widgets/model/error_text.h"
+#include "widgets/model/workspace.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr const char* kKeepOldKey = "files/keepOld"; ///< on unless told otherwise
+constexpr const char* kRecentFilesKey = "files/recent";
+constexpr int kRecentFiles = 8;
+
+QString scenarioFilter()
+{
+    return ScenarioFiles::tr("Scenarios (*.berg);;All files (*)");
+}
+
+/** "Bergwatch, process 4711 on fram": whoever has a file open. */
+QString holderText(const LockHolder& holder)
+{
+    return holder.pid == 0
+               ? ScenarioFiles::tr("Another Bergwatch")
+               : ScenarioFiles::tr("Bergwatch, process %1 on %2").arg(holder.pid).arg(holder.host);
+}
+
+} // namespace
+
+ScenarioFiles::ScenarioFiles(WindowContext& context) : WindowPart(context) {}
+
+bool ScenarioFiles::isStudyFile(const QString& path)
+{
+    return QFileInfo(path).suffix().toLower() == u"bergstudy"_s;
+}
+
+bool ScenarioFiles::mayLeaveScene(Interaction::FlightEnd why)
+{
+    panels().finishTyping();
+    const ScenarioDocument& document = workspace().document();
+    if (document.isClean())
+        return mayEndFlight(why);
+    const bool wasInFlight = workspace().inFlight();
+    const QString name = QString::fromStdString(document.scenario().name);
+    switch (interaction().askUnsaved(&window(), {.name = name.isEmpty() ? tr("Untitled") : name,
+                                                 .endsFlight = workspace().isMidFlight()})) {
+    case Interaction::Unsaved::Save:
+        return saveScenario() && mayAnswer(wasInFlight);
+    case Interaction::Unsaved::Discard:
+        return mayAnswer(wasInFlight);
+    case Interaction::Unsaved::Cancel:
+        return false;
+    }
+    return false;
+}
+
+bool ScenarioFiles::mayEndFlight(Interaction::FlightEnd why)
+{
+    return !workspace().isMidFlight() || interaction().askEndFlight(&window(), why);
+}
+
+bool ScenarioFiles::mayAnswer(bool wasInFlight)
+{
+    if (wasInFlight || !workspace().inFlight())
+        return true;
+    if (!interaction().askEndFlight(&window(), Interaction::FlightEnd::Answer))
+        return false;
+    workspace().reset();
+    return true;
+}
+
+void ScenarioFiles::newScenario()
+{
+    if (!mayLeaveScene(Interaction::FlightEnd::Other))
+        return;
+    Scenario scenario = randomScenario(1, {.icebergs = 0});
+    scenario.name = tr("New scenario").toStdString();
+    workspace().document().reset(scenario);
+}
+
+void ScenarioFiles::openScenario()
+{
+    const bool wasInFlight = workspace().inFlight();
+    const QString path =
+        interaction().openPath(&window(), tr("Scenarios, runs and studies (*.berg *.bergrun "
+                                             "*.bergstudy);;All files (*)"));
+    if (!path.isEmpty() && (isStudyFile(path) || mayAnswer(wasInFlight)))
+        openFile(path);
+}
+
+/** False: another window has the file, and the user then does not want it. */
+bool ScenarioFiles::openUnlessInUse(const QString& path)
+{
+    const QString name = QFileInfo(path).fileName();
+    const std::optional<LockHolder> holder = workspace().file().otherHolder(path);
+    const Interaction::InUse choice =
+        holder ? interaction().askInUse(&window(), name, holderText(*holder))
+               : Interaction::InUse::OpenAnyway;
+    switch (choice) {
+    case Interaction::InUse::OpenCopy:
+        workspace().document().reset(
+            loadScenario(QFile::encodeName(path).toStdString(), ScenarioUse::Editing));
+        showMessage(tr("Opened a copy of %1").arg(name), kMessage_ms);
+        return true;
+    case Interaction::InUse::OpenAnyway:
+        workspace().openFile(path);
+        return true;
+    case Interaction::InUse::Cancel:
+        return false;
+    }
+    return false;
+}
+
+bool ScenarioFiles::openFile(const QString& path)
+{
+    if (isStudyFile(path)) {
+        workspace().studyFiles().open(path);
+        return true;
+    }
+    if (!mayLeaveScene(Interaction::FlightEnd::Other))
+        return false;
+    try {
+        if (!openUnlessInUse(path))
+            return false;
+        remember(path);
+        return true;
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+        return false;
+    }
+}
+
+void ScenarioFiles::openExample(const QString& path)
+{
+    if (!mayLeaveScene(Interaction::FlightEnd::Other))
+        return;
+    try {
+        workspace().document().reset(loadExample(path));
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+    }
+}
+
+bool ScenarioFiles::saveScenario()
+{
+    const QString path = workspace().document().filePath();
+    return path.isEmpty() ? saveScenarioAs() : saveTo(path);
+}
+
+bool ScenarioFiles::saveScenarioAs()
+{
+    const ScenarioDocument& document = workspace().document();
+    const QString suggested =
+        document.filePath().isEmpty()
+            ? fileNameOf(QString::fromStdString(document.scenario().name)) + u".berg"_s
+            : document.filePath();
+    const QString path = interaction().savePath(&window(), suggested, scenarioFilter());
+    return !path.isEmpty() && saveTo(withExtension(path, u"berg"_s));
+}
+
+/** Asks when somebody else's work would be lost. */
+Interaction::Overwrite ScenarioFiles::mayOverwrite(const QString& path)
+{
+    const QString name = QFileInfo(path).fileName();
+    DocumentFile& file = workspace().file();
+    if (path == workspace().document().filePath()) {
+        if (file.isChangedOutside())
+            return interaction().askOverwrite(
+                &window(), name,
+                tr("Another program has changed it since you opened it. Those changes would be "
+                   "lost."));
+    } else if (const std::optional<LockHolder> holder = file.otherHolder(path)) {
+        return interaction().askOverwrite(
+            &window(), name,
+            tr("%1 has it open. What is saved there would be lost.").arg(holderText(*holder)));
+    }
+    return Interaction::Overwrite::Overwrite;
+}
+
+bool ScenarioFiles::saveTo(const QString& path)
+{
+    panels().finishTyping();
+    switch (mayOverwrite(path)) {
+    case Interaction::Overwrite::Overwrite:
+        break;
+    case Interaction::Overwrite::SaveAs:
+        return saveScenarioAs();
+    case Interaction::Overwrite::Cancel:
+        return false;
+    }
+    try {
+        const bool keepOld = keepsOld();
+        const bool kept = workspace().file().save(path, keepOld);
+        remember(path);
+        showMessage(
+            (kept ? tr("Saved %1") : tr("Saved %1; its folder takes no backup copy")).arg(path),
+            kMessage_ms);
+        return true;
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+        return false;
+    }
+}
+
+void ScenarioFiles::remember(const QString& path)
+{
+    QStringList files = recent();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    settings().setValue(kRecentFilesKey, files.mid(0, kRecentFiles));
+}
+
+void ScenarioFiles::fillRecentMenu(QMenu& menu)
+{
+    menu.clear();
+    menu.setToolTipsVisible(true);
+    for (const QString& path : recent()) {
+        const QFileInfo file(path);
+        if (!file.exists())
+            continue;
+        QString name = file.fileName();
+        name.replace(u'&', u"&&"_s); // else the next letter is a mnemonic
+        QAction* action = menu.addAction(name, this, [this, path] { openFile(path); });
+        action->setToolTip(QDir::toNativeSeparators(file.absoluteFilePath()));
+    }
+    if (menu.isEmpty())
+        menu.addAction(tr("No files yet"))->setEnabled(false);
+}
+
+QStringList ScenarioFiles::recent() const
+{
+    return settings().value(kRecentFilesKey).toStringList();
+}
+
+void ScenarioFiles::forget(const QString& path)
+{
+    QStringList files = recent();
+    files.removeAll(path);
+    settings().setValue(kRecentFilesKey, files);
+}
+
+bool ScenarioFiles::keepsOld() const
+{
+    return settings().value(kKeepOldKey, true).toBool();
+}
+
+void ScenarioFiles::setKeepsOld(bool on)
+{
+    settings().setValue(kKeepOldKey, on);
+}
+
+} // namespace berg

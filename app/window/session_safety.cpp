@@ -1,0 +1,189 @@
+#include "app/window/session_safety.h"
+
+#include "app/dialogs/interaction.h"
+#include "app/window/panels.h"
+#include "app/window/scenario_files.h"
+#include "app/window/solve_time_desk.h"
+#include "app/window/status_line.h"
+#include "app/window/study_desk.h"
+#include "widgets/model/workspace.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QScopedValueRollback>
+#include <QSessionManager>
+#include <QTimer>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+std::vector<RecoveryOffer> offersOf(const std::vector<FoundRecovery>& found, const QLocale& locale)
+{
+    std::vector<RecoveryOffer> offers;
+    for (const FoundRecovery& recovery : found)
+        offers.push_back({.name = recovery.info.name.isEmpty() ? SessionSafety::tr("Untitled")
+                                                               : recovery.info.name,
+                          .path = recovery.info.originalPath,
+                          .edited = locale.toString(recovery.info.edited, QLocale::ShortFormat)});
+    return offers;
+}
+
+} // namespace
+
+SessionSafety::SessionSafety(WindowContext& context, const Gates& gates, StatusLine& status)
+    : WindowPart(context), m_gates(gates), m_status(status)
+{
+    connectAutosaver();
+    connect(&workspace().studyKeeper(), &StudyKeeper::damaged, this, &SessionSafety::showDamaged);
+    connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
+            [this] { m_endAgreed = false; });
+    connect(
+        qApp, &QGuiApplication::commitDataRequest, this,
+        [this](QSessionManager& manager) {
+            const bool mayAsk = manager.allowsInteraction();
+            if (!mayEndSession(mayAsk))
+                manager.cancel();
+            if (mayAsk)
+                manager.release();
+        },
+        Qt::DirectConnection);
+    qApp->installEventFilter(this);
+}
+
+void SessionSafety::connectAutosaver()
+{
+    const Autosaver& autosaver = workspace().autosaver();
+    connect(&autosaver, &Autosaver::autosaved, this, [this](const QDateTime& time) {
+        if (workspace().document().isClean())
+            return; // saved meanwhile
+        m_status.showAutosaved(tr("Autosaved %1").arg(locale().toString(time, u"HH:mm"_s)));
+    });
+    connect(&autosaver, &Autosaver::dropped, this, [this] { m_status.showAutosaved({}); });
+    connect(&autosaver, &Autosaver::failed, this, [this](const QString& report) {
+        showMessage(tr("Autosaving failed: %1").arg(report.section(u'\n', 0, 0)), kLongMessage_ms);
+    });
+}
+
+bool SessionSafety::eventFilter(QObject* watched, QEvent* event)
+{
+    followEnd(*event);
+    if (watched == &window() && event->type() == QEvent::ActivationChange &&
+        window().isActiveWindow())
+        QTimer::singleShot(0, this, &SessionSafety::lookAtFile);
+    return WindowPart::eventFilter(watched, event);
+}
+
+bool SessionSafety::mayClose()
+{
+    if (m_ends)
+        return true;
+    // The study first: it may take a while to be saved, and then all this is asked again.
+    if (!m_gates.study.maySettleStudy([](StudyDesk& desk) { desk.closeWindow(); }) ||
+        !m_gates.solveTimes.maySettle() ||
+        !m_gates.files.mayLeaveScene(Interaction::FlightEnd::Closing))
+        return false;
+    workspace().autosaver().discard();
+    return true;
+}
+
+bool SessionSafety::mayEndSession(bool mayAsk)
+{
+    if (!mayAsk) {
+        panels().finishTyping();
+        workspace().autosaver().keep();
+        workspace().studyKeeper().keep();
+        m_endAgreed = true;
+        return true;
+    }
+    const Interaction::Unsaved study = m_gates.study.askAboutStudy();
+    // There is no time later on: the program may be killed as soon as this returns.
+    m_endAgreed = study != Interaction::Unsaved::Cancel &&
+                  (study != Interaction::Unsaved::Save || m_gates.study.saveStudyNow()) &&
+                  m_gates.solveTimes.maySettle() &&
+                  m_gates.files.mayLeaveScene(Interaction::FlightEnd::Closing);
+    if (m_endAgreed) {
+        workspace().autosaver().discard();
+        workspace().studyKeeper().discard();
+    }
+    return m_endAgreed;
+}
+
+/** Logging out closes all windows; whoever uses this one has called it off. */
+void SessionSafety::followEnd(const QEvent& event)
+{
+    if (!m_endAgreed)
+        return;
+    if (event.type() == QEvent::Quit) {
+        m_ends = true;
+        QTimer::singleShot(0, this, [this] { m_ends = false; }); // unless another one objects
+    } else if (event.type() == QEvent::KeyPress || event.type() == QEvent::MouseButtonPress) {
+        m_endAgreed = false;
+    }
+}
+
+bool SessionSafety::offerRecoveries()
+{
+    workspace().studyKeeper().lookForAbandoned();
+    FoundRecoveries found = workspace().autosaver().abandoned();
+    for (const QString& path : found.damaged)
+        showDamaged(path);
+    std::vector<FoundRecovery>& left = found.usable;
+    const bool any = !left.empty() || !found.damaged.empty();
+    while (!left.empty()) {
+        const RecoveryAnswer answer =
+            interaction().askRecovery(&window(), offersOf(left, locale()));
+        if (answer.action == RecoveryAnswer::Action::Later)
+            break;
+        const auto chosen = left.begin() + static_cast<std::ptrdiff_t>(answer.offer);
+        if (answer.action == RecoveryAnswer::Action::Restore) {
+            if (m_gates.files.mayLeaveScene(Interaction::FlightEnd::Other))
+                restore(std::move(*chosen));
+            break; // the others can be had from the menu, or at the next start
+        }
+        removeRecovery(chosen->held.files);
+        left.erase(chosen);
+    }
+    return any;
+}
+
+void SessionSafety::showDamaged(const QString& path)
+{
+    interaction().showError(&window(),
+                            tr("Unsaved work of a program that ended unexpectedly cannot be read. "
+                               "It is kept in this file:\n%1")
+                                .arg(QDir::toNativeSeparators(path)));
+}
+
+void SessionSafety::restore(FoundRecovery found)
+{
+    const QString& path = found.info.originalPath;
+    workspace().document().restore(found.scenario, path);
+    if (!path.isEmpty() && QFileInfo(path).lastModified() > found.info.edited)
+        workspace().file().setOutdated();
+    workspace().autosaver().adopt(std::move(found.held));
+    showMessage(tr("Restored, not saved yet"), kLongMessage_ms);
+}
+
+/** Somebody else may have changed the file while the user was elsewhere. */
+void SessionSafety::lookAtFile()
+{
+    const ScenarioDocument& document = workspace().document();
+    if (m_asksReload || !window().isActiveWindow() || !document.isClean() ||
+        workspace().inFlight() || !workspace().file().isChangedOutside())
+        return;
+    const QFileInfo file(document.filePath());
+    if (file.lastModified() == m_reloadRefused)
+        return;
+    const QScopedValueRollback asking(m_asksReload, true);
+    if (interaction().askReload(&window(), file.fileName()))
+        m_gates.files.openFile(document.filePath());
+    else
+        m_reloadRefused = file.lastModified();
+}
+
+} // namespace berg

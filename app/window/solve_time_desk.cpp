@@ -1,0 +1,76 @@
+#include "app/window/solve_time_desk.h"
+
+#include "app/dialogs/interaction.h"
+#include "app/window/docks.h"
+#include "app/window/file_names.h"
+#include "app/window/panels.h"
+#include "app/window/study_desk.h"
+#include "core/io/results/result_json.h"
+#include "core/io/text/atomic_file.h"
+#include "core/study/paper_figures.h"
+#include "widgets/model/error_text.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/study/solve_time_panel.h"
+#include "widgets/panels/study/study_panel.h"
+
+#include <QFile>
+#include <QMainWindow>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+SolveTimeDesk::SolveTimeDesk(WindowContext& context, const Docks& docks)
+    : WindowPart(context), m_docks(docks)
+{
+    connect(panels().study, &StudyPanel::solveTimesRequested, this, [this] {
+        panels().solveTime->showSpec(figure3(benchmarkSolvers()));
+        show();
+    });
+    connect(panels().solveTime, &SolveTimePanel::startRequested, this, [this] {
+        if (maySettle())
+            panels().solveTime->start();
+    });
+    connect(panels().solveTime, &SolveTimePanel::saveRequested, this, [this] { save(); });
+}
+
+void SolveTimeDesk::show()
+{
+    m_docks.openFloating(Dock::SolveTime, panels().solveTime->sizeHint());
+}
+
+bool SolveTimeDesk::maySettle()
+{
+    if (!isWorthSaving(settings(), workspace().benchmark().unsaved_s()))
+        return true;
+    switch (interaction().askUnsaved(&window(), {.name = tr("Solve time")})) {
+    case Interaction::Unsaved::Save:
+        return save();
+    case Interaction::Unsaved::Discard:
+        return true;
+    case Interaction::Unsaved::Cancel:
+        return false;
+    }
+    return false;
+}
+
+bool SolveTimeDesk::save()
+{
+    const QString chosen =
+        interaction().savePath(&window(), u"solve-time.csv"_s, tr("Tables (*.csv);;All files (*)"));
+    if (chosen.isEmpty())
+        return false;
+    const QString path = withExtension(chosen, u"csv"_s);
+    BenchmarkRunner& benchmark = workspace().benchmark();
+    try {
+        writeFileAtomically(QFile::encodeName(path).toStdString(), benchmarkCsv(benchmark.rows()));
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+        return false;
+    }
+    benchmark.noteSaved();
+    showMessage(tr("Saved %1").arg(path), kLongMessage_ms);
+    return true;
+}
+
+} // namespace berg

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/window/window_part.h"
+
+namespace berg {
+
+class Docks;
+class ScenarioFiles;
+class StartPage;
+class Tour;
+
+/** What meets the user: the start page over everything but the menus, and the tour. */
+class StartGuide : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    StartGuide(WindowContext& context, ScenarioFiles& files, const Docks& docks);
+
+    /** Whether the user wants it when no file is named. */
+    [[nodiscard]] static bool wantsStartPage(const QSettings& settings);
+
+    /** Opening anything closes it. */
+    void showPage();
+    [[nodiscard]] bool pageIsShown() const { return m_page != nullptr; }
+    void closePage();
+    void startTour();
+    void setTheme(const Theme& theme);
+
+signals:
+    void importRequested();
+
+private:
+    void connectPage(StartPage& page);
+    [[nodiscard]] QString fileToContinue() const;
+
+    ScenarioFiles& m_files;
+    const Docks& m_docks;
+    StartPage* m_page = nullptr; ///< while it is shown
+    Tour* m_tour = nullptr;      ///< while it goes on
+};
+
+} // namespace berg

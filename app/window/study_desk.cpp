@@ -1,0 +1,212 @@
+#include "app/window/study_desk.h"
+
+#include "app/window/docks.h"
+#include "app/window/file_names.h"
+#include "app/window/panels.h"
+#include "core/io/study/study_json.h"
+#include "widgets/model/error_text.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/flight/chart_panel.h"
+#include "widgets/panels/study/study_panel.h"
+#include "widgets/panels/study/study_results.h"
+
+#include <QFile>
+#include <QMainWindow>
+#include <QSettings>
+
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr const char* kStudyWorthKey = "study/worthSaving_s"; ///< asked about from then on
+
+QString studyFilter()
+{
+    return StudyDesk::tr("Studies (*.bergstudy);;All files (*)");
+}
+
+} // namespace
+
+StudyDesk::StudyDesk(WindowContext& context, const Docks& docks)
+    : WindowPart(context), m_docks(docks)
+{
+    connectPanel();
+    connectFiles();
+    connectKeeper();
+    connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
+            [this] { panels().study->setScenario(workspace().document().scenario()); });
+    panels().study->setScenario(workspace().document().scenario());
+}
+
+void StudyDesk::connectPanel()
+{
+    const StudyPanel* panel = panels().study;
+    connect(panel, &StudyPanel::startRequested, this, [this](const StudySpec& spec, bool compares) {
+        replaceStudy(
+            [spec, compares](StudyDesk& desk) { desk.panels().study->start(spec, compares); });
+    });
+    connect(panel, &StudyPanel::openRequested, this, [this] {
+        const QString path = interaction().openPath(
+            &window(), tr("Studies and their reports (*.bergstudy *.json *.html);;All files (*)"));
+        if (!path.isEmpty())
+            workspace().studyFiles().open(path);
+    });
+    connect(panel, &StudyPanel::saveRequested, this, [this] { saveStudy(); });
+    connect(panel, &StudyPanel::reportRequested, this, [this] {
+        const QString path = studyPath(u"html"_s, tr("Reports (*.html);;All files (*)"));
+        if (!path.isEmpty())
+            workspace().studyFiles().writeReport(workspace().study().result(),
+                                                 workspace().study().elapsed_s(), path);
+    });
+    connect(panel, &StudyPanel::tableRequested, this, [this] {
+        const QString path = studyPath(u"csv"_s, tr("Tables (*.csv);;All files (*)"));
+        if (!path.isEmpty())
+            workspace().studyFiles().writeTable(workspace().study().result(), path);
+    });
+    connect(panel, &StudyPanel::pictureRequested, this, &StudyDesk::saveStudyPicture);
+}
+
+void StudyDesk::connectFiles()
+{
+    const StudyFiles& files = workspace().studyFiles();
+    const auto noteSaved = [this](const QString& path) {
+        panels().study->showNote(tr("Saved %1").arg(path));
+    };
+    connect(&files, &StudyFiles::opened, this, [this](const std::shared_ptr<const Study>& study) {
+        replaceStudy([study](StudyDesk& desk) {
+            desk.panels().study->showNote({}); // of the one before
+            desk.workspace().study().show(*study);
+            desk.showStudy();
+        });
+    });
+    connect(&files, &StudyFiles::written, this, noteSaved);
+    connect(&files, &StudyFiles::saved, this, [this, noteSaved](const QString& path) {
+        noteSaved(path);
+        if (const AfterStudy then = std::exchange(m_afterSaved, {}))
+            then(*this);
+    });
+    connect(&files, &StudyFiles::failed, this, [this](const QString& report) {
+        m_afterSaved = {};
+        interaction().showError(&window(), report);
+    });
+}
+
+void StudyDesk::connectKeeper()
+{
+    const StudyKeeper& keeper = workspace().studyKeeper();
+    connect(&keeper, &StudyKeeper::found, this, [this](const std::shared_ptr<const Study>& study) {
+        workspace().study().restore(*study);
+        showStudy();
+        panels().study->showNote(tr("Bergwatch ended unexpectedly. This unsaved study was kept. "
+                                    "Save it, or fly the rest."));
+    });
+    connect(&keeper, &StudyKeeper::failed, this, [this](const QString& report) {
+        showMessage(tr("Autosaving failed: %1").arg(report.section(u'\n', 0, 0)), kLongMessage_ms);
+    });
+}
+
+/** Where the user wants it; empty: nowhere. */
+QString StudyDesk::studyPath(const QString& extension, const QString& filter)
+{
+    const QString name =
+        fileNameOf(QString::fromStdString(workspace().study().result()->study.spec.name));
+    const QString path = interaction().savePath(&window(), name + u'.' + extension, filter);
+    return path.isEmpty() ? path : withExtension(path, extension);
+}
+
+bool StudyDesk::saveStudy()
+{
+    const QString path = studyPath(u"bergstudy"_s, studyFilter());
+    if (path.isEmpty())
+        return false;
+    const StudyRunner& study = workspace().study();
+    workspace().studyFiles().save(study.result(), study.savePoint(), path);
+    return true;
+}
+
+bool StudyDesk::saveStudyNow()
+{
+    const QString path = studyPath(u"bergstudy"_s, studyFilter());
+    if (path.isEmpty())
+        return false;
+    StudyRunner& study = workspace().study();
+    try {
+        berg::saveStudy(study.result()->study, QFile::encodeName(path).toStdString());
+        study.noteSaved(study.savePoint());
+        return true;
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+        return false;
+    }
+}
+
+Interaction::Unsaved StudyDesk::askAboutStudy()
+{
+    const StudyRunner& study = workspace().study();
+    if (!study.result() || !isWorthSaving(settings(), study.unsaved_s()))
+        return Interaction::Unsaved::Discard;
+    const QString name = QString::fromStdString(study.result()->study.spec.name);
+    return interaction().askUnsaved(&window(), {.name = tr("Study: %1").arg(name)});
+}
+
+bool StudyDesk::maySettleStudy(AfterStudy then)
+{
+    switch (askAboutStudy()) {
+    case Interaction::Unsaved::Save:
+        if (saveStudy())
+            m_afterSaved = std::move(then);
+        return false;
+    case Interaction::Unsaved::Discard:
+        return true;
+    case Interaction::Unsaved::Cancel:
+        return false;
+    }
+    return false;
+}
+
+void StudyDesk::replaceStudy(const AfterStudy& replace)
+{
+    if (maySettleStudy(replace))
+        replace(*this);
+}
+
+void StudyDesk::saveStudyPicture()
+{
+    const QString path = interaction().savePath(&window(), panels().study->results().pictureName(),
+                                                ChartPanel::pictureFilters().join(u";;"_s));
+    if (path.isEmpty())
+        return;
+    try {
+        panels().study->results().writePicture(withExtension(path, u"png"_s));
+        panels().study->showNote(tr("Saved %1").arg(path));
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+    }
+}
+
+void StudyDesk::showStudy()
+{
+    m_docks.openFloating(Dock::Study, panels().study->sizeHint());
+}
+
+void StudyDesk::closeWindow()
+{
+    window().close();
+}
+
+void StudyDesk::takeOver(StudyDesk& other)
+{
+    m_afterSaved = std::move(other.m_afterSaved);
+    panels().study->showAs(*other.panels().study);
+}
+
+bool isWorthSaving(const QSettings& settings, double unsaved_s)
+{
+    return unsaved_s > 0 && unsaved_s >= settings.value(kStudyWorthKey, 60).toDouble();
+}
+
+} // namespace berg

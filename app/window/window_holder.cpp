@@ -1,0 +1,43 @@
+#include "app/window/window_holder.h"
+
+#include "app/window/window_run.h"
+#include "widgets/theme/unit_settings.h"
+
+namespace berg {
+
+WindowHolder::WindowHolder(Workspace& workspace, Interaction& interaction, QSettings& settings)
+    : m_workspace(workspace), m_interaction(interaction), m_settings(settings)
+{
+    make();
+}
+
+WindowHolder::~WindowHolder() = default;
+
+void WindowHolder::make()
+{
+    setShownUnits(readUnits(m_settings));
+    m_window = std::make_unique<MainWindow>(m_workspace, m_interaction, m_settings);
+    connect(
+        m_window.get(), &MainWindow::languageChosen, this,
+        [this](const QString& language) { remake([&] { installLanguage(language); }); },
+        Qt::QueuedConnection);
+    connect(
+        m_window.get(), &MainWindow::unitsChosen, this, [this] { remake([] {}); },
+        Qt::QueuedConnection);
+}
+
+/** Makes a window after a change of what all its texts depend on. */
+void WindowHolder::remake(const std::function<void()>& change)
+{
+    const QByteArray geometry = m_window->saveGeometry();
+    const QByteArray state = m_window->saveState();
+    const std::unique_ptr<MainWindow> old = std::move(m_window);
+    change();
+    make();
+    m_window->restoreGeometry(geometry);
+    m_window->restoreState(state);
+    m_window->show();
+    m_window->takeOver(*old);
+}
+
+} // namespace berg

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QLocale>
+#include <QObject>
+
+class QMainWindow;
+class QSettings;
+
+namespace berg {
+
+class Interaction;
+class Workspace;
+struct Panels;
+
+/** What all parts of a window work with; it outlives them. */
+struct WindowContext
+{
+    QMainWindow& window; ///< parent of dialogs; its status bar shows messages
+    Workspace& workspace;
+    Interaction& interaction;
+    QSettings& settings;
+    const Panels& panels;
+    Theme theme;
+};
+
+/** A part of the window that owns the state of one idea. GUI thread. */
+class WindowPart : public QObject
+{
+protected:
+    static constexpr int kMessage_ms = 4000;
+    static constexpr int kLongMessage_ms = 8000; ///< to read why something was not done
+
+    explicit WindowPart(WindowContext& context) : m_context(context) {}
+
+    [[nodiscard]] WindowContext& context() const { return m_context; }
+    [[nodiscard]] QMainWindow& window() const { return m_context.window; }
+    [[nodiscard]] Workspace& workspace() const { return m_context.workspace; }
+    [[nodiscard]] Interaction& interaction() const { return m_context.interaction; }
+    [[nodiscard]] QSettings& settings() const { return m_context.settings; }
+    [[nodiscard]] const Panels& panels() const { return m_context.panels; }
+    [[nodiscard]] const Theme& theme() const { return m_context.theme; }
+    [[nodiscard]] QLocale locale() const;
+    /** In the status bar. */
+    void showMessage(const QString& text, int duration_ms) const;
+
+private:
+    WindowContext& m_context;
+};
+
+} // namespace berg

@@ -1,0 +1,188 @@
+#include "app/window/window_run.h"
+
+#include "app/window/run_settings.h"
+#include "app/window/scenario_files.h"
+#include "app/window/start_guide.h"
+#include "app/window/window_holder.h"
+#include "core/io/text/atomic_file.h"
+#include "core/scenario/presets.h"
+#include "widgets/map/map_view.h"
+#include "widgets/model/error_text.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLibraryInfo>
+#include <QTextStream>
+#include <QTranslator>
+
+#include <cstdio>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+
+namespace {
+
+constexpr int kBadInput = 3;
+
+void say(const QString& text)
+{
+    QTextStream(stderr) << text << Qt::endl;
+}
+
+void saveImage(const QPixmap& picture, const QString& path)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    picture.save(&buffer, "PNG");
+    writeFileAtomically(QFile::encodeName(path).toStdString(),
+                        {png.constData(), static_cast<std::size_t>(png.size())});
+}
+
+/** Flies to the time asked for, then renders the window and ends the program. */
+void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOptions& options)
+{
+    const auto done = [&window, path = options.screenshot] {
+        int code = 0;
+        try {
+            window.grab(); // tells what land it needs
+            window.finishLand();
+            saveImage(window.grab(), path);
+        } catch (const Error& error) {
+            say(errorReport(error));
+            code = 1;
+        }
+        QApplication::exit(code);
+    };
+    const auto whenPredicted = [&window, &workspace, done] {
+        constexpr int kLongestWait_ms = 30000;
+        constexpr int kUntilDrawn_ms = 300;
+        const auto isPredicted = [&workspace] {
+            return workspace.forecasts().isComplete() && workspace.bound().isComplete();
+        };
+        if (isPredicted()) {
+            done();
+            return;
+        }
+        QTimer::singleShot(kLongestWait_ms, &window, done);
+        const auto look = [&window, isPredicted, done] {
+            if (isPredicted())
+                QTimer::singleShot(kUntilDrawn_ms, &window, done);
+        };
+        QObject::connect(&workspace.forecasts(), &PolicyForecasts::updated, &window, look);
+        QObject::connect(&workspace.bound(), &BoundRunner::updated, &window, look);
+    };
+    const auto onFlight = [&workspace, &window, whenPredicted, at_s = options.at_s,
+                           asked = false]() mutable {
+        const MissionSnapshot& now = workspace.record().now;
+        if (now.phase == RunPhase::Planning)
+            return;
+        if (!asked && now.phase == RunPhase::Ready && at_s > 0) {
+            asked = true;
+            workspace.runner().stepBy(at_s);
+            return;
+        }
+        // Charts are drawn a moment after the picture; wait for them.
+        QTimer::singleShot(300, &window, whenPredicted);
+    };
+    QObject::connect(&workspace, &Workspace::flightChanged, &window, onFlight);
+}
+
+void keepSafe(Workspace& workspace, const QDir& data)
+{
+    workspace.file().setLockFolder(data.filePath(u"locks"_s));
+    workspace.autosaver().start(data.filePath(u"recovery"_s));
+    workspace.studyKeeper().start(data.filePath(u"studies"_s));
+}
+
+/** What came of the file named on the command line before there was a window. */
+struct NamedFile
+{
+    QString path;       ///< empty: none was named
+    bool later = false; ///< to be opened by the window: a study, or a file in use elsewhere
+    QString fault = {}; ///< why it was not opened, in the user's words; empty: it was
+};
+
+NamedFile openNamed(Workspace& workspace, const QString& name, bool picture)
+{
+    // The next start, after a crash, may be in another folder.
+    const QString path = name.isEmpty() ? name : QFileInfo(name).absoluteFilePath();
+    const bool later =
+        !picture && (ScenarioFiles::isStudyFile(path) || workspace.file().otherHolder(path));
+    NamedFile named{.path = path, .later = later};
+    if (path.isEmpty() || named.later)
+        return named;
+    try {
+        workspace.openFile(path);
+    } catch (const Error& error) {
+        named.fault = errorReport(error);
+    }
+    return named;
+}
+
+/** What is there to be asked, told or shown once the window stands. */
+void greet(MainWindow& window, Interaction& interaction, const QSettings& settings,
+           const NamedFile& file)
+{
+    const bool isOpen = !file.path.isEmpty() && file.fault.isEmpty();
+    if (file.later)
+        window.openFile(file.path);
+    else if (!isOpen && StartGuide::wantsStartPage(settings))
+        window.showStartPage();
+    if (!file.fault.isEmpty())
+        interaction.showError(&window, file.fault);
+    window.offerRecoveries();
+}
+
+} // namespace
+
+void installLanguage(const QString& language)
+{
+    static QTranslator own;
+    static QTranslator qt;
+    QCoreApplication::removeTranslator(&own);
+    QCoreApplication::removeTranslator(&qt);
+    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    QLocale::setDefault(locale);
+    if (own.load(locale, u"bergwatch"_s, u"_"_s, u":/i18n"_s))
+        QCoreApplication::installTranslator(&own);
+    if (qt.load(locale, u"qtbase"_s, u"_"_s, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(&qt);
+}
+
+int runWindow(const WindowOptions& options)
+{
+    const bool picture = !options.screenshot.isEmpty();
+    RunSettings own(options.config, picture);
+    QSettings& settings = own.settings();
+    if (const QString language = settings.value("view/language").toString(); !language.isEmpty())
+        installLanguage(language);
+
+    Workspace workspace;
+    DialogInteraction interaction;
+    workspace.document().reset(defaultScenario());
+    if (!picture)
+        keepSafe(workspace, QDir(own.dataFolder()));
+    const NamedFile named = openNamed(workspace, options.scenario, picture);
+    if (!named.fault.isEmpty())
+        say(named.fault);
+    if (picture && !named.fault.isEmpty())
+        return kBadInput;
+    WindowHolder holder(workspace, interaction, settings);
+    MainWindow& window = holder.window();
+    window.resize(options.size_px);
+    if (options.dark)
+        window.applyTheme(*options.dark ? Theme::dark() : Theme::light());
+    if (picture)
+        arrangeScreenshot(workspace, window, options);
+    window.show();
+    if (!picture)
+        QTimer::singleShot(0, &window, [&] { greet(window, interaction, settings, named); });
+    return QApplication::exec();
+}
+
+} // namespace berg
