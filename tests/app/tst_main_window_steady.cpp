@@ -65,6 +65,42 @@ class TestMainWindowSteady : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** Abandoned work taken up again in mid flight. */
+    void restoringAsksAboutTheFlight()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.workspace.autosaver().start(w.file(u"recovery"_s), {.pause_ms = 0, .longest_ms = 0});
+        const Scenario left = randomScenario(77, {.icebergs = 3});
+        {
+            const HeldRecovery held = RecoveryStore(w.file(u"recovery"_s)).add();
+            writeRecovery(held.files, left, {.edited = QDateTime::currentDateTime()});
+        }
+        QVERIFY(flyTo(w, 20));
+        const Scenario flown = w.scenario();
+        w.interaction.recoveryAnswers = {{RecoveryAnswer::Action::Restore, 0}};
+        w.trigger(u"recoverAction"_s);
+        QCOMPARE(w.interaction.endFlightQuestions, 1);
+        QVERIFY(w.workspace.isMidFlight() && w.scenario() == flown);
+        w.interaction.endsFlight = true;
+        w.interaction.recoveryAnswers.push_back({RecoveryAnswer::Action::Restore, 0});
+        w.trigger(u"recoverAction"_s);
+        QCOMPARE(w.interaction.endFlightQuestions, 2);
+        QVERIFY(!w.workspace.inFlight() && w.scenario() == left);
+    }
+
+    void loggingOutAsksAboutTheFlight()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(flyTo(w, 20));
+        QVERIFY(!w.window().mayEndSession(true));
+        QCOMPARE(w.interaction.endFlightQuestions, 1);
+        QVERIFY(w.interaction.flightEnd == Interaction::FlightEnd::Closing);
+        QVERIFY(w.workspace.isMidFlight());
+        w.interaction.endsFlight = true;
+        QVERIFY(w.window().mayEndSession(true));
+        QCOMPARE(w.interaction.endFlightQuestions, 2);
+    }
+
     void answerAfterTakeOff_data()
     {
         QTest::addColumn<QString>("action");
