@@ -96,36 +96,42 @@ Eigen::ArrayXd LayeredPaths<LatencyCosts>::onwards(int level) const
     return result;
 }
 
+Eigen::ArrayXd LayeredPaths<LatencyCosts>::leastOnwards(const Eigen::ArrayXd& after,
+                                                        double weight) const
+{
+    if (weight == 0) // which the infinite diagonal must not be multiplied with
+        return leastOfOthers(after);
+    Eigen::ArrayXd least = Eigen::ArrayXd::Constant(after.size(), kInfinity);
+    const auto through = [&](Eigen::Index j) { return weight * m_legs.col(j) + after(j); };
+    Eigen::Index waiting = -1; // two at once: `least` is read and written once
+    for (Eigen::Index j = 0; j < after.size(); ++j) {
+        if (after(j) == kInfinity)
+            continue;
+        if (waiting < 0) {
+            waiting = j;
+        } else {
+            least = least.min(through(waiting).min(through(j)));
+            waiting = -1;
+        }
+    }
+    if (waiting >= 0)
+        least = least.min(through(waiting));
+    return least;
+}
+
 double LayeredPaths<LatencyCosts>::sweep(const Prices& prices, const CutQuestion& cut)
 {
     const Eigen::Index n = m_costs->icebergs;
     m_lambda = prices.lambda;
     m_completion.col(m_costs->lastLevel()).setZero();
-    Eigen::ArrayXd least(n);
-    std::vector<Eigen::Index> open; // icebergs that may be next
     for (int level = m_costs->lastLevel() - 1; level >= 1; --level) {
         if (level % kLevelsPerCheck == 0 && cut && cut())
             return -kInfinity;
-        least.setConstant(kInfinity);
         const double weight = m_costs->leastUnseen(level);
-        if (weight < kInfinity) {
-            const Eigen::ArrayXd after = onwards(level);
-            open.clear();
-            for (Eigen::Index j = 0; j < n; ++j)
-                if (after(j) < kInfinity)
-                    open.push_back(j);
-            std::size_t k = 0;
-            if (weight == 0) { // which the infinite diagonal must not be multiplied with
-                least = leastOfOthers(after);
-                k = open.size();
-            }
-            for (; k + 1 < open.size(); k += 2) // two at once: `least` is read and written once
-                least = least.min((weight * m_legs.col(open[k]) + after(open[k]))
-                                      .min(weight * m_legs.col(open[k + 1]) + after(open[k + 1])));
-            if (k < open.size())
-                least = least.min(weight * m_legs.col(open[k]) + after(open[k]));
-        }
-        m_completion.col(level) = least;
+        if (weight < kInfinity)
+            m_completion.col(level) = leastOnwards(onwards(level), weight);
+        else
+            m_completion.col(level).setConstant(kInfinity);
     }
     const Eigen::ArrayXd legs = m_costs->legs.col(0).tail(n).array();
     return prices.sum + (m_costs->leastUnseen(0) * legs + onwards(0)).minCoeff();

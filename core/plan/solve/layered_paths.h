@@ -79,6 +79,8 @@ public:
 private:
     /** Length to the end by way of each iceberg next, its visit included; infinite beyond it. */
     [[nodiscard]] Eigen::ArrayXd onwards(int level) const;
+    /** From each iceberg the shortest way on, whose legs count `weight` times. */
+    [[nodiscard]] Eigen::ArrayXd leastOnwards(const Eigen::ArrayXd& after, double weight) const;
 
     const LatencyCosts* m_costs;
     Eigen::ArrayXXd m_legs;       ///< n x n, column = to; the diagonal is infinite
