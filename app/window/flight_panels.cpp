@@ -118,7 +118,7 @@ void FlightPanels::showEvents()
             m_marks.push_back(
                 {.time_s = event.time_s,
                  .kind = event.kind,
-                 .text = eventText(event, record.now.icebergs, record.scenario.uavs)});
+                 .text = eventText(event, record.now.icebergs, record.scenario.uavs, locale())});
         }
         panels().playback->setMarks(m_marks);
     }

@@ -24,13 +24,11 @@ const Scenario& checked(const Scenario& scenario)
 }
 
 /** Who is seen with the target; empty: it is no cluster. */
-std::string togetherText(const UavState& uav, const std::vector<Iceberg>& icebergs)
+std::vector<int> seenWithTarget(const UavState& uav)
 {
-    std::string text;
-    for (const int member : uav.members)
-        if (member != uav.target)
-            text += (text.empty() ? "with " : ", ") + icebergs[static_cast<std::size_t>(member)].id;
-    return text;
+    std::vector<int> others = uav.members;
+    std::erase(others, uav.target);
+    return others;
 }
 
 } // namespace
@@ -77,27 +75,33 @@ void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listene
     m_incumbentListener = std::move(listener);
 }
 
-void Mission::note(EventKind kind, int iceberg, int uav, std::string detail)
+/** The event is one of this instant. */
+void Mission::note(MissionEvent event)
 {
     // Who of several has reached what is told nowhere else.
-    const bool isInEveryRun = kind == EventKind::Planned || kind == EventKind::Sighted ||
-                              (kind == EventKind::Reached && m_simulation.uavCount() == 1);
-    if (m_options.record || !isInEveryRun)
-        m_events.push_back({m_simulation.time_s(), kind, iceberg, uav, std::move(detail)});
+    const bool isInEveryRun = event.kind == EventKind::Planned ||
+                              event.kind == EventKind::Sighted ||
+                              (event.kind == EventKind::Reached && m_simulation.uavCount() == 1);
+    if (!m_options.record && isInEveryRun)
+        return;
+    event.time_s = m_simulation.time_s();
+    m_events.push_back(std::move(event));
 }
 
 void Mission::noteStep()
 {
     for (const int iceberg : m_simulation.newlyAppeared())
-        note(EventKind::Appeared, iceberg, -1);
+        note({.kind = EventKind::Appeared, .iceberg = iceberg});
     for (const SeenIceberg& sighting : m_simulation.newlySeen())
-        note(EventKind::Sighted, sighting.iceberg, sighting.uav);
-    noteNews();
+        note({.kind = EventKind::Sighted, .iceberg = sighting.iceberg, .uav = sighting.uav});
+    noteEvents();
     for (int uav = 0; uav < m_simulation.uavCount(); ++uav)
         if (m_simulation.planReason(uav) == PlanReason::TargetReached) {
             ++m_visits;
-            note(EventKind::Reached, m_simulation.uav(uav).target, uav,
-                 togetherText(m_simulation.uav(uav), m_icebergs));
+            note({.kind = EventKind::Reached,
+                  .iceberg = m_simulation.uav(uav).target,
+                  .uav = uav,
+                  .together = seenWithTarget(m_simulation.uav(uav))});
         }
     const auto second =
         static_cast<std::int64_t>(std::max(1LL, std::llround(1 / m_simulation.dt_s())));
@@ -105,15 +109,10 @@ void Mission::noteStep()
         noteAlarms();
 }
 
-void Mission::noteNews()
+void Mission::noteEvents()
 {
-    for (const News& news : m_simulation.takeNews()) {
-        std::string detail;
-        if (news.otherUav >= 0)
-            detail = m_scenario.uavs[static_cast<std::size_t>(news.otherUav)].id + ", " +
-                     std::to_string(std::llround(news.distance_m)) + " m";
-        note(news.kind, news.iceberg, news.uav, std::move(detail));
-    }
+    for (MissionEvent& event : m_simulation.takeEvents())
+        note(std::move(event));
 }
 
 /** One for each time an iceberg is found to be on its way into the inner ring. */
@@ -128,16 +127,14 @@ void Mission::noteAlarms()
             entryTime_s(*m_simulation.relativeToAsset(i), radius_m, kApproachHorizon_s);
         const auto k = static_cast<std::size_t>(i);
         if (entry_s && !m_alarmed[k])
-            note(EventKind::Alarm, i, -1, "in " + std::to_string(std::llround(*entry_s)) + " s");
+            note({.kind = EventKind::Alarm, .iceberg = i, .entry_s = *entry_s});
         m_alarmed[k] = entry_s.has_value();
     }
 }
 
 void Mission::intervene(Intervention intervention)
 {
-    PlannerSettings settings = m_planner.settings();
-    settings.tau = intervention.tau.value_or(settings.tau);
-    settings.policy = intervention.policy.value_or(settings.policy);
+    const PlannerSettings settings = withChanges(m_planner.settings(), intervention);
     Scenario after = m_scenario;
     after.planner = settings;
     after.icebergs = m_icebergs;
@@ -147,10 +144,10 @@ void Mission::intervene(Intervention intervention)
         after.icebergs.push_back(*intervention.appears);
     checked(after);
     if (intervention.seen)
-        static_cast<void>(appearedIceberg(*intervention.seen, "seen"));
+        requireAppeared(*intervention.seen, "seen");
     if (intervention.assigned) {
-        static_cast<void>(appearedIceberg(intervention.assigned->iceberg, "assigned.iceberg"));
-        static_cast<void>(uavIndex(intervention.assigned->uav));
+        requireAppeared(intervention.assigned->iceberg, "assigned.iceberg");
+        requireUav(intervention.assigned->uav);
     }
     // A plan still due is made before the change, as a replay does: it comes to this instant by
     // `advance`, which leaves no plan due.
@@ -159,64 +156,58 @@ void Mission::intervene(Intervention intervention)
 
     m_planner.setSettings(settings);
     intervention.time_s = m_simulation.time_s();
-    apply(intervention, settings);
+    m_icebergs = std::move(after.icebergs);
+    apply(intervention, m_simulation, m_icebergs, m_scenario.uavs);
+    noteChanges(intervention);
     m_interventions.push_back(std::move(intervention));
     m_plansBefore.push_back(m_plans.size());
 }
 
-void Mission::apply(const Intervention& intervention, const PlannerSettings& settings)
+void Mission::noteChanges(const Intervention& intervention)
 {
-    if (intervention.tau || intervention.policy) {
-        m_simulation.setPolicy(settings.policy);
-        m_simulation.requestPlan();
-        note(EventKind::Intervention, -1, -1, nameOf(kPolicyNames, settings.policy));
-    }
-    if (intervention.wind_mps) {
-        m_simulation.setWind(*intervention.wind_mps);
-        note(EventKind::Intervention, -1, -1, kWindChanged);
-    }
-    if (intervention.asset) {
-        m_simulation.setAsset(*intervention.asset);
-        note(EventKind::Intervention, -1, -1, kAssetChanged);
-    }
-    if (intervention.appears) {
-        m_icebergs.push_back(*intervention.appears);
-        m_simulation.addIceberg(*intervention.appears);
-        note(EventKind::Appeared, m_simulation.icebergCount() - 1, -1);
-    }
-    if (intervention.seen) {
-        const int seen = appearedIceberg(*intervention.seen, "seen");
-        m_simulation.reportSighting(seen);
-        note(EventKind::Sighted, seen, -1, kReported);
-    }
-    if (intervention.assigned) {
-        const int iceberg = appearedIceberg(intervention.assigned->iceberg, "assigned.iceberg");
-        const int uav = uavIndex(intervention.assigned->uav);
-        m_icebergs[static_cast<std::size_t>(iceberg)].uav = intervention.assigned->uav;
-        m_simulation.assign(iceberg, uav);
-        note(EventKind::Intervention, iceberg, uav, kAssigned);
+    const auto changed = [this](ChangedPart part) {
+        note({.kind = EventKind::Intervention,
+              .changed = part,
+              .policy = m_planner.settings().policy});
+    };
+    if (intervention.tau || intervention.policy)
+        changed(ChangedPart::Planner);
+    if (intervention.wind_mps)
+        changed(ChangedPart::Wind);
+    if (intervention.asset)
+        changed(ChangedPart::Asset);
+    if (intervention.appears)
+        note({.kind = EventKind::Appeared, .iceberg = m_simulation.icebergCount() - 1});
+    if (intervention.seen)
+        note({.kind = EventKind::Sighted,
+              .iceberg = indexOfId(m_icebergs, *intervention.seen),
+              .reported = true});
+    if (const std::optional<Assignment>& assigned = intervention.assigned) {
+        const int iceberg = indexOfId(m_icebergs, assigned->iceberg);
+        m_icebergs[static_cast<std::size_t>(iceberg)].uav = assigned->uav;
+        note({.kind = EventKind::Intervention,
+              .iceberg = iceberg,
+              .uav = indexOfId(m_scenario.uavs, assigned->uav),
+              .changed = ChangedPart::Assignment});
     }
 }
 
-int Mission::appearedIceberg(const std::string& id, const char* field) const
+/** Throws `Error{InvalidInput}` when there is no iceberg of that id now. */
+void Mission::requireAppeared(const std::string& iceberg, const char* field) const
 {
-    for (int i = 0; i < m_simulation.icebergCount(); ++i)
-        if (m_icebergs[static_cast<std::size_t>(i)].id == id && m_simulation.active(i))
-            return i;
-    throw Error(ErrorCode::InvalidInput, m_scenario.name,
-                {{Severity::Error, field, "no iceberg \"" + id + "\" is there at this time"}});
+    const int index = indexOfId(m_icebergs, iceberg);
+    if (index < 0 || !m_simulation.active(index))
+        throw Error(
+            ErrorCode::InvalidInput, m_scenario.name,
+            {{Severity::Error, field, "no iceberg \"" + iceberg + "\" is there at this time"}});
 }
 
-/** -1: any UAV, the id is empty. */
-int Mission::uavIndex(const std::string& id) const
+/** The same of a UAV; the empty id is that of any. */
+void Mission::requireUav(const std::string& uav) const
 {
-    if (id.empty())
-        return -1;
-    const auto it = std::ranges::find(m_scenario.uavs, id, &Uav::id);
-    if (it != m_scenario.uavs.end())
-        return static_cast<int>(it - m_scenario.uavs.begin());
-    throw Error(ErrorCode::InvalidInput, m_scenario.name,
-                {{Severity::Error, "assigned.uav", "no UAV is named \"" + id + "\""}});
+    if (!uav.empty() && indexOfId(m_scenario.uavs, uav) < 0)
+        throw Error(ErrorCode::InvalidInput, m_scenario.name,
+                    {{Severity::Error, "assigned.uav", "no UAV is named \"" + uav + "\""}});
 }
 
 Metrics Mission::metrics() const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/plan/policy/planner.h"
+#include "core/sim/intervention.h"
 #include "core/sim/recorder.h"
 
 #include <functional>
@@ -21,28 +22,6 @@ struct MissionOptions
     double sampleInterval_s = 1;
     double keyframeInterval_s = 60;
     bool operator==(const MissionOptions&) const = default;
-};
-
-/** One iceberg and the UAV that alone is to visit it. */
-struct Assignment
-{
-    std::string iceberg; ///< id
-    std::string uav;     ///< id; empty: any may
-    bool operator==(const Assignment&) const = default;
-};
-
-/** A change made in flight, replayed from the run file. Empty members change nothing. */
-struct Intervention
-{
-    double time_s = 0;
-    std::optional<double> tau;
-    std::optional<PolicyKind> policy;
-    std::optional<Point> wind_mps;   ///< from now on
-    std::optional<Asset> asset;      ///< protected from now on; its position is that at time 0
-    std::optional<Iceberg> appears;  ///< a new iceberg, here and now
-    std::optional<std::string> seen; ///< id of one that somebody else sees now
-    std::optional<Assignment> assigned;
-    bool operator==(const Intervention&) const = default;
 };
 
 /** The numbers a run is judged by. */
@@ -138,14 +117,13 @@ private:
     void compareWithLast(Round& plans) const;
     [[nodiscard]] ForecastStart forecastStart() const;
     void tellIncumbent(const SolveProgress& progress, const PlanRequest& request);
-    void note(EventKind kind, int iceberg, int uav, std::string detail = {});
+    void note(MissionEvent event);
     void noteStep();
-    void noteNews();
+    void noteEvents();
     void noteAlarms();
-    /** Index; throws `Error{InvalidInput}` when there is none of that id now. */
-    [[nodiscard]] int appearedIceberg(const std::string& id, const char* field) const;
-    [[nodiscard]] int uavIndex(const std::string& id) const;
-    void apply(const Intervention& intervention, const PlannerSettings& settings);
+    void requireAppeared(const std::string& iceberg, const char* field) const;
+    void requireUav(const std::string& uav) const;
+    void noteChanges(const Intervention& intervention);
 
     Scenario m_scenario;
     MissionOptions m_options;

@@ -39,11 +39,8 @@ public:
                                .plans = m_plan,
                                .events = static_cast<std::size_t>(end - events.begin()),
                                .interventions = m_intervention};
-        for (std::size_t i = 0; i < m_intervention; ++i) {
-            const Intervention& change = m_mission.interventions()[i];
-            instant.planner.tau = change.tau.value_or(instant.planner.tau);
-            instant.planner.policy = change.policy.value_or(instant.planner.policy);
-        }
+        for (std::size_t i = 0; i < m_intervention; ++i)
+            instant.planner = withChanges(instant.planner, m_mission.interventions()[i]);
         instant.metrics = {.zeta_m2s = m_world.state().zeta_m2s,
                            .visits = static_cast<int>(std::count_if(
                                events.begin(), end,
@@ -84,7 +81,8 @@ private:
         for (;;) {
             if (m_intervention < changes.size() && isNow(changes[m_intervention].time_s) &&
                 m_mission.plansBefore(m_intervention) <= m_plan) {
-                apply(changes[m_intervention]);
+                berg::apply(changes[m_intervention], m_world, m_mission.icebergs(),
+                            m_mission.scenario().uavs);
                 ++m_intervention;
             } else if (m_plan < plans.size() && isNow(plans[m_plan].time_s)) {
                 m_world.setTarget(plans[m_plan].uav, plans[m_plan].target, firstAim(plans[m_plan]),
@@ -94,31 +92,6 @@ private:
                 return;
             }
         }
-    }
-
-    void apply(const Intervention& change)
-    {
-        if (change.policy)
-            m_world.setPolicy(*change.policy);
-        if (change.wind_mps)
-            m_world.setWind(*change.wind_mps);
-        if (change.asset)
-            m_world.setAsset(*change.asset);
-        if (change.appears)
-            m_world.addIceberg(*change.appears);
-        if (change.seen)
-            m_world.reportSighting(indexOf(m_mission.icebergs(), *change.seen));
-        if (change.assigned)
-            m_world.assign(indexOf(m_mission.icebergs(), change.assigned->iceberg),
-                           indexOf(m_mission.scenario().uavs, change.assigned->uav));
-    }
-
-    /** By id; -1: there is none of that id. */
-    template <class Entry>
-    [[nodiscard]] static int indexOf(const std::vector<Entry>& entries, const std::string& id)
-    {
-        const auto it = std::ranges::find(entries, id, &Entry::id);
-        return it == entries.end() ? -1 : static_cast<int>(it - entries.begin());
     }
 
     const Mission& m_mission;

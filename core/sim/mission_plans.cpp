@@ -124,7 +124,7 @@ bool Mission::planNow(const std::stop_token& stop)
 
     m_lastRequest = request;
     if (!answer.failure.empty())
-        note(EventKind::PlannerFailed, -1, -1, answer.failure);
+        note({.kind = EventKind::PlannerFailed, .failure = answer.failure});
     Round plans = planEvents(answer, *request);
     bool isTakeOff = false;
     for (PlanEvent& plan : plans) {
@@ -161,9 +161,12 @@ void Mission::tell(PlanEvent plan)
     m_simulation.setTarget(plan.uav, plan.target, firstAim(plan),
                            clusterWith(plan.clusters, plan.target));
     if (!plan.interim)
-        note(EventKind::Planned, plan.target, plan.uav,
-             plan.fellBack ? "last plan kept" : plan.backend);
-    noteNews();
+        note({.kind = EventKind::Planned,
+              .iceberg = plan.target,
+              .uav = plan.uav,
+              .backend = plan.backend,
+              .fellBack = plan.fellBack});
+    noteEvents();
     m_plans.push_back(std::move(plan));
 }
 

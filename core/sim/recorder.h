@@ -54,24 +54,6 @@ struct PlanEvent
 /** The aim of the leg that the plan starts with, if it has any. */
 [[nodiscard]] std::optional<AimedLeg> firstAim(const PlanEvent& plan);
 
-/** Detail of a sighting that was not the UAV's own. */
-inline constexpr const char* kReported = "reported";
-
-/** Details of an intervention. */
-inline constexpr const char* kWindChanged = "wind";
-inline constexpr const char* kAssetChanged = "asset";
-inline constexpr const char* kAssigned = "assigned";
-
-/** One line of the event log. */
-struct MissionEvent
-{
-    double time_s = 0;
-    EventKind kind = EventKind::Planned;
-    int iceberg = -1;   ///< index; -1: none
-    int uav = -1;       ///< likewise
-    std::string detail; ///< English, for the log file
-};
-
 /** One UAV at the instant of a sample. */
 struct UavSample
 {

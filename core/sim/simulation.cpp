@@ -74,7 +74,7 @@ Simulation::Simulation(const Scenario& scenario, std::span<const DriftNoise> noi
     }
     observe(0);
     m_newlyAppeared.clear(); // those that are there from the start are no news
-    m_news.clear();
+    m_events.clear();
 }
 
 void Simulation::addUav(const Uav& uav, const Scenario& scenario)
@@ -188,7 +188,7 @@ void Simulation::setWind(const Point& wind_mps)
             buildFence(uav);
         proveReturn(uav);
         if (const std::optional<double> margin_s = homeMargin_s(uav); margin_s && *margin_s < 0) {
-            m_news.push_back({.kind = EventKind::LateHome, .uav = uav});
+            m_events.push_back({.kind = EventKind::LateHome, .uav = uav});
             if (!this->uav(uav).homeward())
                 goHome(uav);
         }
@@ -394,7 +394,7 @@ void Simulation::watchSeparation(std::span<const Point> before_m)
                 isJustAloft(a) || isJustAloft(b) ||
                 (before_m[index(a)] - before_m[index(b)]).norm() >= m_separation_m;
             if (wasApart && distance_m < m_separation_m)
-                m_news.push_back(
+                m_events.push_back(
                     {.kind = EventKind::Close, .uav = a, .otherUav = b, .distance_m = distance_m});
         }
 }

@@ -2,6 +2,7 @@
 
 #include "core/coverage/flight_picture.h"
 #include "core/scenario/priority.h"
+#include "core/sim/mission_event.h"
 #include "core/tracking/drift.h"
 #include "core/tracking/lost_search.h"
 #include "core/vehicle/los_guidance.h"
@@ -32,37 +33,6 @@ enum class PlanReason
     TakeOff,     ///< the next sortie begins
     SeenByOther, ///< another UAV has the target in view
     Fleet        ///< another UAV needs one
-};
-
-/** What the log of a mission names. */
-enum class EventKind
-{
-    Planned,
-    Reached,
-    Sighted,
-    Appeared,
-    PlannerFailed, ///< it threw; the last plan is flown on
-    Alarm,         ///< found to be on its way into the inner ring of the asset
-    Intervention,
-    Left, ///< the area
-    Lost,
-    Found,
-    GivenUp,
-    HomeBound,
-    Landed,
-    TookOff,
-    LateHome, ///< the wind has changed: home cannot be reached in time any more
-    Close     ///< two UAVs of one altitude layer have come near each other
-};
-
-/** Something of the last step that the log should name. */
-struct News
-{
-    EventKind kind = EventKind::Appeared;
-    int iceberg = -1;      ///< -1: none in particular
-    int uav = -1;          ///< likewise
-    int otherUav = -1;     ///< of two that are close
-    double distance_m = 0; ///< between them
 };
 
 /** An iceberg that has come into view. */
@@ -279,8 +249,9 @@ public:
     [[nodiscard]] std::span<const SeenIceberg> newlySeen() const { return m_newlySeen; }
     /** Icebergs that appeared in the last step. */
     [[nodiscard]] std::span<const int> newlyAppeared() const { return m_newlyAppeared; }
-    /** What else happened since this was asked last; asking changes nothing about the flight. */
-    [[nodiscard]] std::vector<News> takeNews() { return std::exchange(m_news, {}); }
+    /** What else happened since this was asked last, without times; asking changes nothing about
+     * the flight. */
+    [[nodiscard]] std::vector<MissionEvent> takeEvents() { return std::exchange(m_events, {}); }
 
 private:
     /** What does not change about a UAV, but for the wind. */
@@ -427,7 +398,7 @@ private:
     WorldState m_state;
     std::vector<SeenIceberg> m_newlySeen;
     std::vector<int> m_newlyAppeared;
-    std::vector<News> m_news;
+    std::vector<MissionEvent> m_events;
     PlanReason m_trigger = PlanReason::None; ///< of this step, for every UAV: the first there was
     std::vector<PlanReason> m_planReasons;   ///< by UAV
 };

@@ -154,7 +154,7 @@ void Simulation::measure(std::size_t iceberg, const Point& measured_m, double no
     track.velocity_m2ps2 = sd_mps * sd_mps;
     track.status = TrackStatus::Tracked;
     endSearchFor(i);
-    m_news.push_back({.kind = EventKind::Found, .iceberg = i, .uav = seenBy});
+    m_events.push_back({.kind = EventKind::Found, .iceberg = i, .uav = seenBy});
     triggerPlans(PlanReason::Found);
 }
 
@@ -189,7 +189,7 @@ void Simulation::lose(std::size_t iceberg, int uav, std::span<const FieldOfView>
     const int i = static_cast<int>(iceberg);
     track.inView = false;
     track.status = TrackStatus::Lost;
-    m_news.push_back({.kind = EventKind::Lost, .iceberg = i, .uav = uav});
+    m_events.push_back({.kind = EventKind::Lost, .iceberg = i, .uav = uav});
     triggerPlans(PlanReason::Lost);
     LostSearch way(m_observer, m_crafts[index(uav)].sensor, std::sqrt(track.sigma_m2),
                    me.pose.psi_rad);
@@ -218,7 +218,7 @@ void Simulation::endSearchFor(int iceberg)
 void Simulation::giveUp(Search search, int uav)
 {
     m_state.tracks[index(search.iceberg)].status = TrackStatus::GivenUp;
-    m_news.push_back({.kind = EventKind::GivenUp, .iceberg = search.iceberg, .uav = uav});
+    m_events.push_back({.kind = EventKind::GivenUp, .iceberg = search.iceberg, .uav = uav});
     triggerPlans(PlanReason::GivenUp);
     m_state.givenUp.push_back(std::move(search));
 }
@@ -382,7 +382,7 @@ void Simulation::watchArea()
         } else if (!track.left && !isInside &&
                    distanceToEdges(m_area_m, estimate_m(i)) > m_bodies[index(i)].radius_m) {
             track.left = true;
-            m_news.push_back({.kind = EventKind::Left, .iceberg = i});
+            m_events.push_back({.kind = EventKind::Left, .iceberg = i});
             triggerPlans(PlanReason::Left);
             endSearchFor(i);
         }

@@ -114,7 +114,7 @@ void Simulation::goHome(int uav)
     if (me.search)
         handSearchOn(uav);
     m_planReasons[index(uav)] = PlanReason::None;
-    m_news.push_back({.kind = EventKind::HomeBound, .uav = uav});
+    m_events.push_back({.kind = EventKind::HomeBound, .uav = uav});
     if (uavCount() > 1) // what it was to visit is left to the others
         triggerPlans(PlanReason::Fleet);
 }
@@ -137,7 +137,7 @@ void Simulation::advanceSortie(int uav, const Point& from_m)
     }
     me.aloft_s += m_dt_s;
     if (me.aloft_s > craft.sortie->endurance_s && me.aloft_s - m_dt_s <= craft.sortie->endurance_s)
-        m_news.push_back({.kind = EventKind::LateHome, .uav = uav});
+        m_events.push_back({.kind = EventKind::LateHome, .uav = uav});
     if (me.mode != FlightMode::Home ||
         distanceToSegment(from_m, me.pose.position_m, craft.sortie->home_m) > kLandingRadius_m)
         return;
@@ -146,7 +146,7 @@ void Simulation::advanceSortie(int uav, const Point& from_m)
     me.crossTrack_m = 0;
     me.ground_s = craft.sortie->turnaround_s;
     me.returnPath.reset();
-    m_news.push_back({.kind = EventKind::Landed, .uav = uav});
+    m_events.push_back({.kind = EventKind::Landed, .uav = uav});
 }
 
 /** After the turn-around, as soon as there is an iceberg that can be visited. */
@@ -169,7 +169,7 @@ PlanReason Simulation::takeOffWhenDue(int uav)
     me.aloft_s = 0;
     me.mode = FlightMode::Idle;
     proveReturn(uav);
-    m_news.push_back({.kind = EventKind::TookOff, .uav = uav});
+    m_events.push_back({.kind = EventKind::TookOff, .uav = uav});
     return PlanReason::TakeOff;
 }
 

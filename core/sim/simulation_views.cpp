@@ -101,7 +101,7 @@ void Simulation::look(std::size_t iceberg, double now_s, Views& views)
     if (track.status != TrackStatus::Tracked) {
         track.status = TrackStatus::Tracked;
         endSearchFor(static_cast<int>(iceberg));
-        m_news.push_back(
+        m_events.push_back(
             {.kind = EventKind::Found, .iceberg = static_cast<int>(iceberg), .uav = uav});
         triggerPlans(PlanReason::Found);
     }

@@ -73,12 +73,17 @@ bool repeats(const RunFile& run)
     return test::elsewhere([&] { return compareRun(run, runOf(replay(run))).empty(); });
 }
 
-int eventCount(WindowFixture& w, EventKind kind, const std::string& detail)
+int countEvents(WindowFixture& w, const std::function<bool(const MissionEvent&)>& isCounted)
 {
     const std::vector<MissionEvent>& events = w.record().history.events;
-    return static_cast<int>(std::count_if(events.begin(), events.end(), [&](const MissionEvent& e) {
-        return e.kind == kind && e.detail == detail;
-    }));
+    return static_cast<int>(std::ranges::count_if(events, isCounted));
+}
+
+int changesOf(WindowFixture& w, ChangedPart part)
+{
+    return countEvents(w, [part](const MissionEvent& event) {
+        return event.kind == EventKind::Intervention && event.changed == part;
+    });
 }
 
 } // namespace
@@ -112,7 +117,7 @@ private slots:
         QVERIFY(changeWind(w));
         QVERIFY(w.scenario() == windyScenario());
         QCOMPARE(w.document().undoStack()->count(), 0);
-        QCOMPARE(eventCount(w, EventKind::Intervention, kWindChanged), 1);
+        QCOMPARE(changesOf(w, ChangedPart::Wind), 1);
         QVERIFY(w.record().history.plans.size() > plans); // planned anew
         const Point changed_mps = windShown_mps(w);
         QVERIFY(flyTo(w, 30));
@@ -143,7 +148,7 @@ private slots:
         w.workspace.flyOnFromHere();
         QVERIFY(w.until([&] { return w.record().now.time_s < 11; }));
         QVERIFY(windShown_mps(w) == windyScenario().wind_mps);
-        QCOMPARE(eventCount(w, EventKind::Intervention, kWindChanged), 0);
+        QCOMPARE(changesOf(w, ChangedPart::Wind), 0);
         QVERIFY(flownRun(w)->interventions.empty());
         QVERIFY(changeWind(w)); // and on in another way
     }
@@ -205,7 +210,7 @@ private slots:
         const Asset asset = *w.record().now.asset;
         QVERIFY(asset.velocity_mps == kShip_mps);
         QVERIFY((asset.position_m + 100 * kShip_mps - to_m).norm() < kPixel_m);
-        QCOMPARE(eventCount(w, EventKind::Intervention, kAssetChanged), 1);
+        QCOMPARE(changesOf(w, ChangedPart::Asset), 1);
         const MapPicture picture = missionPicture(w.record(), QLocale());
         QVERIFY((picture.asset->position_m - to_m).norm() < kPixel_m);
         QVERIFY(repeats(*flownRun(w)));
@@ -227,13 +232,14 @@ private slots:
         QCOMPARE(second.id, std::string("berg-6"));
         QVERIFY((first.position_m - kWater_m).norm() < kPixel_m);
         QCOMPARE(w.record().now.world.tracks[4].sigma_m2, 5.0);
-        QCOMPARE(eventCount(w, EventKind::Appeared, ""), 2);
+        QCOMPARE(countEvents(w, [](const auto& e) { return e.kind == EventKind::Appeared; }), 2);
         QVERIFY(w.record().now.plan->order.size() >= 5);
         w.workspace.selection().set({first.id}); // and reported seen as the others are
         QVERIFY(w.action(u"seenAction"_s).isEnabled());
         QVERIFY(flyTo(w, 10));
         w.trigger(u"seenAction"_s);
-        QVERIFY(w.until([&] { return eventCount(w, EventKind::Sighted, kReported) == 1; }));
+        QVERIFY(
+            w.until([&] { return countEvents(w, [](const auto& e) { return e.reported; }) == 1; }));
         QVERIFY(repeats(*flownRun(w)));
     }
 

@@ -82,7 +82,7 @@ private slots:
         const auto failure =
             std::find_if(mission.events().begin(), mission.events().end(),
                          [](const MissionEvent& e) { return e.kind == EventKind::PlannerFailed; });
-        QVERIFY(failure->detail.find("out of order") != std::string::npos);
+        QVERIFY(failure->failure.find("out of order") != std::string::npos);
     }
 
     void aPlannerThatThrowsFromTheStart()

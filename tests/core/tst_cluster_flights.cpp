@@ -58,7 +58,7 @@ private slots:
         const auto reached = std::ranges::find(events, EventKind::Reached, &MissionEvent::kind);
         QVERIFY(reached != events.end());
         QCOMPARE(reached->iceberg, 0);
-        QCOMPARE(reached->detail, std::string("with berg-3"));
+        QCOMPARE(reached->together, std::vector{2});
         const Simulation then = instantAt(mission, reached->time_s).simulation;
         for (const int member : {0, 2})
             QVERIFY((then.truth_m(member) - then.uav(0).pose.position_m).norm() <= 250);

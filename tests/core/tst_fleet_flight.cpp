@@ -316,7 +316,8 @@ private slots:
         const std::vector<MissionEvent> close = eventsOf(mission, EventKind::Close);
         QCOMPARE(close.size(), std::size_t{1});
         QCOMPARE(close[0].uav, 0);
-        QVERIFY(close[0].detail.starts_with("uav-b, 19"));
+        QCOMPARE(close[0].otherUav, 1);
+        QVERIFY(close[0].distance_m > 190 && close[0].distance_m < 200);
         // 4000 m apart at 44 m/s: 200 m are left after 86.4 s.
         COMPARE_NEAR(close[0].time_s, 3800 / 44.0, 0.2);
         QVERIFY(mission.simulation().state().closest_m.value() < 50);

@@ -163,8 +163,8 @@ private slots:
             std::vector<EventKind> told;
             int plans = 0;
             const auto take = [&told](Simulation& world) {
-                for (const News& news : world.takeNews())
-                    told.push_back(news.kind);
+                for (const MissionEvent& event : world.takeEvents())
+                    told.push_back(event.kind);
             };
             while (!read.finished()) {
                 plans += flyStep(read);

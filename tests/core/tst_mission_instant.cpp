@@ -66,6 +66,36 @@ class TestMissionInstant : public QObject
     Q_OBJECT
 
 private slots:
+    /** Looking back left a UAV to be planned alone that the new tau planned with all others. */
+    void changesAreTheSameForAUavThatIsPlannedAlone()
+    {
+        Scenario scenario = test::emptySea(900);
+        scenario.planner.policy = PolicyKind::Latency;
+        scenario.uavs = {{.id = "u1", .heading_deg = 90},
+                         {.id = "u2", .position_m = {0, -3000}, .heading_deg = 90}};
+        scenario.uavs[1].spec.altitude_m = 200;
+        test::addIceberg(scenario, 45'000, 0).uav = "u1";
+        test::addIceberg(scenario, 2000, -3000);
+        test::addIceberg(scenario, 2600, -3300);
+        Mission mission(scenario, {.workLimit = 20'000, .keyframeInterval_s = 300});
+        while (!mission.simulation().uav(1).isAlone) {
+            QVERIFY(!mission.simulation().finished());
+            mission.advance(mission.simulation().time_s() + 1);
+        }
+        const double changed_s = mission.simulation().time_s();
+        QVERIFY(changed_s < 600);
+        mission.intervene({.tau = 3.0});
+        std::vector<WorldState> flown;
+        for (int s = 0; s <= 200; ++s) {
+            mission.advance(changed_s + s);
+            flown.push_back(mission.simulation().state());
+        }
+        for (int s = 0; s <= 200; s += 10)
+            QVERIFY2(instantAt(mission, changed_s + s).simulation.state() ==
+                         flown[static_cast<std::size_t>(s)],
+                     qPrintable(QString::number(s)));
+    }
+
     void equalsTheFlight_data()
     {
         QTest::addColumn<int>("seed");

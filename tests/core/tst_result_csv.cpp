@@ -232,13 +232,46 @@ private slots:
                     ? QByteArray()
                     : bytes(mission.icebergs()[static_cast<std::size_t>(event.iceberg)].id);
             QCOMPARE(record[3], id);
-            QCOMPARE(record[4], bytes(event.detail));
+            QCOMPARE(record[4], bytes(eventDetail(event, mission)));
         }
         QCOMPARE(count["reached"], mission.metrics().visits);
         QCOMPARE(count["planned"], mission.metrics().replans);
         QCOMPARE(count["appeared"], 1);
         QCOMPARE(count["intervention"], 1);
         QVERIFY(count["sighted"] >= count["reached"]);
+    }
+
+    /** These texts are in files: they stay as they are. */
+    void detailsOfEvents_data()
+    {
+        QTest::addColumn<MissionEvent>("event");
+        QTest::addColumn<QByteArray>("detail");
+        const auto row = [](const MissionEvent& event, const char* detail) {
+            QTest::addRow("%s", *detail == 0 ? "none" : detail) << event << QByteArray(detail);
+        };
+        row({.kind = EventKind::Planned, .backend = "exact"}, "exact");
+        row({.kind = EventKind::Planned, .backend = "exact", .fellBack = true}, "last plan kept");
+        row({.kind = EventKind::Reached, .iceberg = 1, .together = {0, 2}}, "with a, c");
+        row({.kind = EventKind::Sighted, .iceberg = 0}, "");
+        row({.kind = EventKind::Sighted, .iceberg = 0, .reported = true}, "reported");
+        row({.kind = EventKind::PlannerFailed, .failure = "no memory"}, "no memory");
+        row({.kind = EventKind::Alarm, .iceberg = 0, .entry_s = 1234.5}, "in 1235 s");
+        row({.kind = EventKind::Intervention, .policy = PolicyKind::Nearest}, "nearest");
+        row({.kind = EventKind::Intervention, .changed = ChangedPart::Wind}, "wind");
+        row({.kind = EventKind::Intervention, .changed = ChangedPart::Asset}, "asset");
+        row({.kind = EventKind::Intervention, .changed = ChangedPart::Assignment}, "assigned");
+        row({.kind = EventKind::Close, .uav = 0, .otherUav = 1, .distance_m = 142.6},
+            "uav-2, 143 m");
+    }
+
+    void detailsOfEvents()
+    {
+        QFETCH(MissionEvent, event);
+        Scenario scenario = fourIcebergs();
+        scenario.uavs = {{.id = "uav-1"}, {.id = "uav-2"}};
+        for (std::size_t i = 0; i < scenario.icebergs.size(); ++i)
+            scenario.icebergs[i].id = std::string(1, static_cast<char>('a' + i));
+        QTEST(bytes(eventDetail(event, Mission(scenario))), "detail");
     }
 
     void zetaEndsAtTheMetric()

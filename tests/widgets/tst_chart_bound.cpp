@@ -78,32 +78,28 @@ private slots:
 
     void boundOfAnotherFlightIsNotShown_data()
     {
-        QTest::addColumn<int>("kind");
-        QTest::addColumn<QByteArray>("detail");
+        QTest::addColumn<MissionEvent>("event");
         QTest::addColumn<int>("lines");
-        const auto row = [](const char* name, EventKind kind, const char* detail, int lines) {
-            QTest::newRow(name) << static_cast<int>(kind) << QByteArray(detail) << lines;
+        const auto row = [](const char* name, const MissionEvent& event, int lines) {
+            QTest::newRow(name) << event << lines;
         };
-        row("reported seen", EventKind::Sighted, kReported, 2);
-        row("wind changed", EventKind::Intervention, kWindChanged, 2);
-        row("seen by the UAV", EventKind::Sighted, "", 3);
-        row("asset changed", EventKind::Intervention, kAssetChanged, 3);
-        row("iceberg added", EventKind::Appeared, "", 3);
+        row("reported seen", {.kind = EventKind::Sighted, .iceberg = 0, .reported = true}, 2);
+        row("wind changed", {.kind = EventKind::Intervention, .changed = ChangedPart::Wind}, 2);
+        row("seen by the UAV", {.kind = EventKind::Sighted, .iceberg = 0}, 3);
+        row("asset changed", {.kind = EventKind::Intervention, .changed = ChangedPart::Asset}, 3);
+        row("iceberg added", {.kind = EventKind::Appeared, .iceberg = 0}, 3);
     }
 
     void boundOfAnotherFlightIsNotShown()
     {
-        QFETCH(int, kind);
-        QFETCH(QByteArray, detail);
+        QFETCH(MissionEvent, event);
         QFETCH(int, lines);
         Shown shown(ChartKind::Zeta);
         shown.record.bound = boundOf2000s();
         shown.panel.showRecord(shown.record);
         QCOMPARE(shown.chart.content().lines.size(), std::size_t{3});
-        shown.record.history.events.push_back({.time_s = 1000,
-                                               .kind = static_cast<EventKind>(kind),
-                                               .iceberg = 0,
-                                               .detail = detail.toStdString()});
+        event.time_s = 1000;
+        shown.record.history.events.push_back(event);
         shown.panel.showRecord(shown.record);
         QCOMPARE(static_cast<int>(shown.chart.content().lines.size()), lines);
     }

@@ -1,4 +1,5 @@
 #include "widgets/model/event_text.h"
+#include "widgets/theme/unit_settings.h"
 
 #include <QSet>
 #include <QtTest>
@@ -55,7 +56,8 @@ private slots:
         icebergs[0].id = "berg-1";
         icebergs[1].id = "berg-2";
         icebergs[1].name = "Storberget";
-        QCOMPARE(eventText({.time_s = time_s, .kind = kind, .iceberg = iceberg}, icebergs, {}),
+        QCOMPARE(eventText({.time_s = time_s, .kind = kind, .iceberg = iceberg}, icebergs, {},
+                           QLocale::c()),
                  text);
     }
 
@@ -73,14 +75,24 @@ private slots:
             u"West flies to berg-1 next"_s);
         row("idle", {.kind = EventKind::Planned, .uav = 1},
             u"uav-2 has nothing to visit: circling"_s);
-        row("close", {.kind = EventKind::Close, .uav = 1, .detail = "uav-1, 143 m"},
+        row("close", {.kind = EventKind::Close, .uav = 1, .otherUav = 0, .distance_m = 143.2},
             u"uav-2 and West are 143 m apart"_s);
-        row("close to an odd id", {.kind = EventKind::Close, .uav = 1, .detail = "a, b, 9 m"},
-            u"uav-2 and a, b are 9 m apart"_s);
-        row("given", {.kind = EventKind::Intervention, .iceberg = 0, .uav = 1, .detail = kAssigned},
+        row("close to an unknown one",
+            {.kind = EventKind::Close, .uav = 1, .otherUav = 7, .distance_m = 9},
+            u"uav-2: Close to another UAV: 9.00 m"_s);
+        row("given",
+            {.kind = EventKind::Intervention,
+             .iceberg = 0,
+             .uav = 1,
+             .changed = ChangedPart::Assignment},
             u"berg-1 given to uav-2"_s);
-        row("given back", {.kind = EventKind::Intervention, .iceberg = 0, .detail = kAssigned},
+        row("given back",
+            {.kind = EventKind::Intervention, .iceberg = 0, .changed = ChangedPart::Assignment},
             u"Any UAV may visit berg-1"_s);
+        row("wind", {.kind = EventKind::Intervention, .changed = ChangedPart::Wind},
+            u"Wind changed"_s);
+        row("reported", {.kind = EventKind::Sighted, .iceberg = 0, .reported = true},
+            u"berg-1 reported seen"_s);
         row("of none", {.kind = EventKind::Appeared, .iceberg = 0}, u"berg-1 appeared"_s);
         row("unknown UAV", {.kind = EventKind::Reached, .iceberg = 0, .uav = 7},
             u"berg-1 reached"_s);
@@ -93,7 +105,19 @@ private slots:
         std::vector<Iceberg> icebergs(1);
         icebergs[0].id = "berg-1";
         const std::vector<Uav> uavs{{.id = "uav-1", .name = "West"}, {.id = "uav-2"}};
-        QCOMPARE(eventSentence(event, icebergs, uavs), text);
+        QCOMPARE(eventSentence(event, icebergs, uavs, QLocale::c()), text);
+    }
+
+    /** It was metres whatever the units, read back from a text. */
+    void distancesAreInTheUnitsShown()
+    {
+        const std::vector<Uav> uavs{{.id = "uav-1"}, {.id = "uav-2"}};
+        const MissionEvent close{
+            .kind = EventKind::Close, .uav = 0, .otherUav = 1, .distance_m = 185.2};
+        setShownUnits({.distance = DistanceUnit::Nautical});
+        const QString nautical = eventSentence(close, {}, uavs, QLocale(u"nb_NO"_s));
+        setShownUnits({});
+        QCOMPARE(nautical, u"uav-1 and uav-2 are 0,100 nmi apart"_s);
     }
 
     /** Every plan but none at all has a reason, and each its own. */
@@ -125,9 +149,10 @@ private slots:
         icebergs[0].id = "berg-1";
         for (const EventKind kind : {EventKind::Planned, EventKind::Reached, EventKind::Sighted,
                                      EventKind::Appeared, EventKind::Intervention})
-            QVERIFY(
-                !eventText({.kind = kind, .iceberg = iceberg}, icebergs, {}).contains(u"berg-1"_s));
-        QVERIFY(!eventText({.kind = EventKind::Planned, .iceberg = iceberg}, {}, {}).isEmpty());
+            QVERIFY(!eventText({.kind = kind, .iceberg = iceberg}, icebergs, {}, QLocale::c())
+                         .contains(u"berg-1"_s));
+        QVERIFY(!eventText({.kind = EventKind::Planned, .iceberg = iceberg}, {}, {}, QLocale::c())
+                     .isEmpty());
     }
 
     void namesAreTakenAsTheyAre()
@@ -135,7 +160,8 @@ private slots:
         std::vector<Iceberg> icebergs(1);
         icebergs[0].id = "a";
         icebergs[0].name = "%1 <b>Å</b> & %2";
-        QCOMPARE(eventText({.time_s = 1, .kind = EventKind::Reached, .iceberg = 0}, icebergs, {}),
+        QCOMPARE(eventText({.time_s = 1, .kind = EventKind::Reached, .iceberg = 0}, icebergs, {},
+                           QLocale::c()),
                  u"00:01  %1 <b>Å</b> & %2 reached"_s);
     }
 };

@@ -81,8 +81,8 @@ ComparedRun comparedRun(const FlightRecord& record)
             if (event.uav >= 0)
                 run.uavVisits_s[static_cast<std::size_t>(event.uav)].push_back(event.time_s);
         } else if (event.kind == EventKind::Intervention) {
-            run.wasChanged =
-                run.wasChanged || (event.detail != kWindChanged && event.detail != kAssetChanged);
+            run.wasChanged = run.wasChanged || (event.changed != ChangedPart::Wind &&
+                                                event.changed != ChangedPart::Asset);
         }
     }
     return run;

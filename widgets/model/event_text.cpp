@@ -5,8 +5,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
-
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -17,7 +15,22 @@ struct EventText
     Q_DECLARE_TR_FUNCTIONS(EventText)
 };
 
-QString sentence(const MissionEvent& event, const QString& iceberg)
+QString changeSentence(ChangedPart part, const QString& iceberg)
+{
+    switch (part) {
+    case ChangedPart::Planner:
+        return EventText::tr("Trade-off or policy changed");
+    case ChangedPart::Wind:
+        return EventText::tr("Wind changed");
+    case ChangedPart::Asset:
+        return EventText::tr("The protected asset has changed");
+    case ChangedPart::Assignment:
+        return EventText::tr("Any UAV may visit %1").arg(iceberg);
+    }
+    return {};
+}
+
+QString sentence(const MissionEvent& event, const QString& iceberg, const QLocale& locale)
 {
     switch (event.kind) {
     case EventKind::Planned:
@@ -26,8 +39,7 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
     case EventKind::Reached:
         return EventText::tr("%1 reached").arg(iceberg);
     case EventKind::Sighted:
-        return (event.detail == kReported ? EventText::tr("%1 reported seen")
-                                          : EventText::tr("%1 in view"))
+        return (event.reported ? EventText::tr("%1 reported seen") : EventText::tr("%1 in view"))
             .arg(iceberg);
     case EventKind::Appeared:
         return EventText::tr("%1 appeared").arg(iceberg);
@@ -36,13 +48,7 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
     case EventKind::Alarm:
         return EventText::tr("%1 will enter the inner ring").arg(iceberg);
     case EventKind::Intervention:
-        if (event.detail == kWindChanged)
-            return EventText::tr("Wind changed");
-        if (event.detail == kAssetChanged)
-            return EventText::tr("The protected asset has changed");
-        if (event.detail == kAssigned)
-            return EventText::tr("Any UAV may visit %1").arg(iceberg);
-        return EventText::tr("Trade-off or policy changed");
+        return changeSentence(event.changed, iceberg);
     case EventKind::Left:
         return EventText::tr("%1 has left the area").arg(iceberg);
     case EventKind::Lost:
@@ -60,33 +66,26 @@ QString sentence(const MissionEvent& event, const QString& iceberg)
     case EventKind::LateHome:
         return EventText::tr("The wind has changed: home cannot be reached in time");
     case EventKind::Close:
-        return EventText::tr("Close to another UAV: %1").arg(QString::fromStdString(event.detail));
+        return EventText::tr("Close to another UAV: %1")
+            .arg(distanceText(event.distance_m, locale));
     }
     return {};
 }
 
-/** `detail` is the id of the other one and the distance: "uav-2, 143 m". */
-QString closeSentence(const QString& uav, const QString& detail, const std::vector<Uav>& uavs)
-{
-    const qsizetype comma = detail.lastIndexOf(u", "_s);
-    const QString id = detail.left(comma);
-    const auto other = std::ranges::find(uavs, id.toStdString(), &Uav::id);
-    return EventText::tr("%1 and %2 are %3 apart")
-        .arg(uav, other == uavs.end() ? id : shownName(*other), detail.mid(comma + 2));
-}
-
 /** Of several UAVs, what this one did. */
 QString fleetSentence(const MissionEvent& event, const QString& iceberg, const QString& uav,
-                      const std::vector<Uav>& uavs)
+                      const std::vector<Uav>& uavs, const QLocale& locale)
 {
     if (event.kind == EventKind::Planned)
         return iceberg.isEmpty() ? EventText::tr("%1 has nothing to visit: circling").arg(uav)
                                  : EventText::tr("%1 flies to %2 next").arg(uav, iceberg);
-    if (event.kind == EventKind::Close)
-        return closeSentence(uav, QString::fromStdString(event.detail), uavs);
-    if (event.kind == EventKind::Intervention && event.detail == kAssigned)
+    const QString other = nameInFleet(uavs, event.otherUav);
+    if (event.kind == EventKind::Close && !other.isEmpty())
+        return EventText::tr("%1 and %2 are %3 apart")
+            .arg(uav, other, distanceText(event.distance_m, locale));
+    if (event.kind == EventKind::Intervention && event.changed == ChangedPart::Assignment)
         return EventText::tr("%1 given to %2").arg(iceberg, uav);
-    return u"%1: %2"_s.arg(uav, sentence(event, iceberg));
+    return u"%1: %2"_s.arg(uav, sentence(event, iceberg, locale));
 }
 
 QString nameOf(int index, const std::vector<Iceberg>& icebergs)
@@ -99,17 +98,18 @@ QString nameOf(int index, const std::vector<Iceberg>& icebergs)
 } // namespace
 
 QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
-                      const std::vector<Uav>& uavs)
+                      const std::vector<Uav>& uavs, const QLocale& locale)
 {
     const QString iceberg = nameOf(event.iceberg, icebergs);
     const QString uav = nameInFleet(uavs, event.uav);
-    return uav.isEmpty() ? sentence(event, iceberg) : fleetSentence(event, iceberg, uav, uavs);
+    return uav.isEmpty() ? sentence(event, iceberg, locale)
+                         : fleetSentence(event, iceberg, uav, uavs, locale);
 }
 
 QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
-                  const std::vector<Uav>& uavs)
+                  const std::vector<Uav>& uavs, const QLocale& locale)
 {
-    return u"%1  %2"_s.arg(clockText(event.time_s), eventSentence(event, icebergs, uavs));
+    return u"%1  %2"_s.arg(clockText(event.time_s), eventSentence(event, icebergs, uavs, locale));
 }
 
 QString planReasonText(PlanReason reason)

@@ -160,8 +160,8 @@ KnownBound FlightRecord::boundOfFlight() const
 {
     const bool isBroken =
         std::any_of(history.events.begin(), history.events.end(), [](const MissionEvent& event) {
-            return (event.kind == EventKind::Sighted && event.detail == kReported) ||
-                   (event.kind == EventKind::Intervention && event.detail == kWindChanged);
+            return (event.kind == EventKind::Sighted && event.reported) ||
+                   (event.kind == EventKind::Intervention && event.changed == ChangedPart::Wind);
         });
     return isBroken ? KnownBound() : bound;
 }

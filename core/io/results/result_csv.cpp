@@ -2,7 +2,10 @@
 
 #include "core/base/angles.h"
 #include "core/io/text/export_numbers.h"
+#include "core/plan/solve/names.h"
 
+#include <array>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -15,6 +18,12 @@ namespace {
 
 /** Room for one row, bytes; only saves reallocation. */
 constexpr std::size_t kRowBytes = 128;
+
+constexpr std::array<Named<ChangedPart>, 3> kChangedPartNames{{
+    {ChangedPart::Wind, "wind"},
+    {ChangedPart::Asset, "asset"},
+    {ChangedPart::Assignment, "assigned"},
+}};
 
 /** Appends `value` and the separator that follows it. */
 void add(std::string& text, double value, char separator)
@@ -80,6 +89,45 @@ std::string_view eventName(EventKind kind)
         return "close";
     }
     throw std::logic_error("eventName: unknown kind");
+}
+
+std::string eventDetail(const MissionEvent& event, const Mission& mission)
+{
+    const auto idOf = [](const auto& entries, int index) {
+        return entries.at(static_cast<std::size_t>(index)).id;
+    };
+    std::string text;
+    switch (event.kind) {
+    case EventKind::Planned:
+        return event.fellBack ? "last plan kept" : event.backend;
+    case EventKind::Reached:
+        for (const int other : event.together)
+            text += (text.empty() ? "with " : ", ") + idOf(mission.icebergs(), other);
+        return text;
+    case EventKind::Sighted:
+        return event.reported ? "reported" : "";
+    case EventKind::PlannerFailed:
+        return event.failure;
+    case EventKind::Alarm:
+        return "in " + std::to_string(std::llround(event.entry_s)) + " s";
+    case EventKind::Intervention:
+        return event.changed == ChangedPart::Planner ? nameOf(kPolicyNames, event.policy)
+                                                     : nameOf(kChangedPartNames, event.changed);
+    case EventKind::Close:
+        return idOf(mission.scenario().uavs, event.otherUav) + ", " +
+               std::to_string(std::llround(event.distance_m)) + " m";
+    case EventKind::Appeared:
+    case EventKind::Left:
+    case EventKind::Lost:
+    case EventKind::Found:
+    case EventKind::GivenUp:
+    case EventKind::HomeBound:
+    case EventKind::Landed:
+    case EventKind::TookOff:
+    case EventKind::LateHome:
+        break;
+    }
+    return text;
 }
 
 std::string numberText(double value)
@@ -187,7 +235,7 @@ std::string eventsCsv(const Mission& mission)
         text += ',';
         if (event.iceberg >= 0)
             text += ids.at(static_cast<std::size_t>(event.iceberg));
-        text += ',' + csvField(event.detail) + '\n';
+        text += ',' + csvField(eventDetail(event, mission)) + '\n';
     }
     return text;
 }

@@ -9,6 +9,8 @@ namespace berg {
 
 /** Of an event in events.csv and in the JSON of a run. */
 [[nodiscard]] std::string_view eventName(EventKind kind);
+/** The rest of what happened, as events.csv says it: English, with ids. */
+[[nodiscard]] std::string eventDetail(const MissionEvent& event, const Mission& mission);
 
 // Result tables of a recorded mission: RFC 4180, UTF-8, '.' decimals, numbers that read back
 // exactly, a header row with units.

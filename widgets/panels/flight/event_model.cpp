@@ -51,8 +51,10 @@ EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* pl
                                   const std::vector<Iceberg>& icebergs,
                                   const std::vector<Uav>& uavs) const
 {
-    Row row{
-        .event = event, .what = eventSentence(event, icebergs, uavs), .details = {}, .toolTip = {}};
+    Row row{.event = event,
+            .what = eventSentence(event, icebergs, uavs, m_locale),
+            .details = {},
+            .toolTip = {}};
     if (plan != nullptr) {
         const PlanState state = planState({.plan = *plan}, m_locale);
         row.details = planReasonText(plan->reason);

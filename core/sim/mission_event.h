@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/plan/policy/policy.h"
+
+#include <string>
+#include <vector>
+
+namespace berg {
+
+/** What the log of a mission names. */
+enum class EventKind
+{
+    Planned,
+    Reached,
+    Sighted,
+    Appeared,
+    PlannerFailed, ///< it threw; the last plan is flown on
+    Alarm,         ///< found to be on its way into the inner ring of the asset
+    Intervention,
+    Left, ///< the area
+    Lost,
+    Found,
+    GivenUp,
+    HomeBound,
+    Landed,
+    TookOff,
+    LateHome, ///< the wind has changed: home cannot be reached in time any more
+    Close     ///< two UAVs of one altitude layer have come near each other
+};
+
+/** What an intervention that the log names has changed. */
+enum class ChangedPart
+{
+    Planner, ///< tau or policy
+    Wind,
+    Asset,
+    Assignment ///< of an iceberg to a UAV
+};
+
+/** One line of the event log: what happened, without words. Sentences are made where it is shown.
+ */
+struct MissionEvent
+{
+    double time_s = 0;
+    EventKind kind = EventKind::Planned;
+    int iceberg = -1;          ///< index; -1: none in particular
+    int uav = -1;              ///< likewise
+    int otherUav = -1;         ///< Close: the other one
+    double distance_m = 0;     ///< Close: between them
+    double entry_s = 0;        ///< Alarm: until it is in the ring
+    bool reported = false;     ///< Sighted: not by a UAV, by somebody else
+    std::vector<int> together; ///< Reached: the others of its cluster
+    std::string backend;       ///< Planned
+    bool fellBack = false;     ///< Planned: the last plan is kept
+    std::string failure;       ///< PlannerFailed: the reason, in English
+    ChangedPart changed{};     ///< Intervention
+    PolicyKind policy{};       ///< Intervention in the planner: in force since then
+};
+
+} // namespace berg
