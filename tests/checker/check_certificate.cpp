@@ -49,10 +49,7 @@ constexpr Low kNone{HUGE_VAL};
 
 /** Icebergs remembered or visited, up to 127: bit i is iceberg i. */
 __extension__ using Set = unsigned __int128;
-bool holds(Set set, Index i)
-{
-    return (set >> i & 1U) != 0;
-}
+constexpr auto holds = [](Set set, Index i) { return (set >> i & 1U) != 0; };
 
 std::vector<double> numbersOf(const Json& json, Index size, double least)
 {
@@ -319,29 +316,32 @@ private:
     std::vector<Index> m_inOrder; ///< nodes by level
 };
 
-/** Several UAVs: the multipliers on graphs without memory. Orders may end anywhere. */
+/** Several UAVs: multipliers and memories, nothing deleted. Orders may end anywhere. */
 Low boundOfFleet(const Problem& problem, const Step& step)
 {
-    const Index n = problem.icebergs();
     expect(!problem.latency, "no relaxation for the latency of several UAVs");
     Low sum = step.sum;
     for (Index uav = 0; uav < problem.distance.size(); ++uav) {
-        Index most = 0; // visits
-        for (Index i = 1; i <= n; ++i)
-            most += problem.allowed.at(uav).at(i) ? 1U : 0U;
-        std::vector<Low> entry(n + 1, kNone); // by iceberg, at the position after
-        for (Index position = most + 1; position-- > 0;) {
-            std::vector<Low> here(n + 1);
-            for (Index i = 0; i <= n; ++i) {
-                Low rest = problem.leg(uav, i, 0);
-                for (Index j = 1; j <= n; ++j)
-                    if (j != i && problem.allowed.at(uav).at(j))
-                        rest.lowerTo(problem.leg(uav, i, j) + entry[j]);
-                here[i] = rest + problem.visit(i, position) + Low{-step.lambda[i]};
-            }
-            entry = std::move(here);
+        std::map<std::pair<Index, Set>, Low> next, labels{{{0, 0}, {}}}; // by iceberg and memory
+        Low best;                                                        // of no visit
+        const std::vector<bool>& may = problem.allowed.at(uav);
+        const auto most = static_cast<Index>(std::count(may.begin() + 1, may.end(), true));
+        for (Index position = 1; position <= most; ++position) {
+            next.clear();
+            for (const auto& [last, length] : labels)
+                for (Index j = 1; j <= problem.icebergs(); ++j) {
+                    const Set seen = last.second | Set{1} << last.first;
+                    if (holds(seen, j) || !may.at(j))
+                        continue;
+                    const Low there = length + problem.leg(uav, last.first, j) +
+                                      problem.visit(j, position) + Low{-step.lambda[j]};
+                    const Set kept = step.sets.empty() ? 0 : step.sets.at(position - 1).at(j - 1);
+                    next.try_emplace({j, seen & kept}, kNone).first->second.lowerTo(there);
+                    best.lowerTo(there + problem.leg(uav, j, 0));
+                }
+            labels.swap(next);
         }
-        sum = sum + entry[0];
+        sum = sum + best;
     }
     return sum;
 }

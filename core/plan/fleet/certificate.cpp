@@ -86,9 +86,9 @@ Proof certify(const FleetProblem& problem, const FleetPlan& plan, const std::sto
                                                               {.workLimit = kMostWork,
                                                                .memoryLimit_bytes = 1'500'000'000,
                                                                .cut = cut,
-                                                               .plainOnly = true});
+                                                               .relaxationOnly = true});
             proof.bound = result.bound;
-            proof.steps.push_back({.lambda = result.lambda});
+            proof.steps.push_back(result.step);
         }
     }
     proof.bound = std::max(0.0, proof.bound - kRoom * proof.cost);

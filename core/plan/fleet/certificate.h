@@ -22,7 +22,8 @@ enum class ProofMethod
  * A relaxation is that of "each iceberg once" on the layered graph, which begins with all arcs
  * (`LayeredGraph`). Each step makes it remember more, when it has memories, and deletes with its
  * multipliers the arcs that are on no path below the bound; no order that is left is below it. Of
- * several UAVs there is one step without memories: sum(lambda) + the shortest paths are the bound.
+ * several UAVs there is one step that deletes nothing: sum(lambda) + the shortest paths are the
+ * bound.
  */
 struct Proof
 {
@@ -54,7 +55,7 @@ inline constexpr int kMostCertifiedExactly = 40;
 [[nodiscard]] Proof certify(const TvpProblem& problem, const VisitOrder& order,
                             const std::stop_token& stop = {});
 
-/** The same for several UAVs: up to 14 icebergs, or what multipliers without memories prove. */
+/** The same for several UAVs: up to 14 icebergs, or what multipliers and memories prove. */
 [[nodiscard]] Proof certify(const FleetProblem& problem, const FleetPlan& plan,
                             const std::stop_token& stop = {});
 

@@ -23,6 +23,8 @@ constexpr int kFirstSteps = 10;
 constexpr int kPlainSteps = 120;
 constexpr int kFirstGraphSteps = 150;
 constexpr int kLaterSteps = 100;
+/** Of the bound, as a share of the cost, that is worth another memory. */
+constexpr double kLeastRise = 1e-4;
 /** Work counts the arcs of a sweep as 1; the rest by measurement. */
 constexpr std::int64_t kWorkOfNode = 3;
 constexpr std::int64_t kWorkOfRefining = 10;
@@ -89,9 +91,8 @@ public:
             if (!cut())
                 m_graphs->all.emplace_back(m_costs, std::move(uavs), m_cutQuestion);
         m_sets = nearestSets(m_costs.of(0).shared(), kNearest);
-        if (m_options.plainOnly) {
-            ascend(2 * kPlainSteps);
-            m_result.lambda = m_ascent.best();
+        if (m_options.relaxationOnly) {
+            relax();
             return std::move(m_result);
         }
         ascend(kFirstSteps);
@@ -102,7 +103,7 @@ public:
         for (int cap = kNearest; !finished(); ++cap) {
             if (cap > kNearest)
                 forbidCycles(m_sets, m_costs.of(0).shared(), m_recent, cap);
-            const bool finer = refine();
+            const bool finer = refine(0);
             if (finished())
                 break;
             ascend(cap == kNearest ? kFirstGraphSteps : kLaterSteps);
@@ -117,6 +118,23 @@ public:
     }
 
 private:
+    void relax()
+    {
+        ascend(2 * kPlainSteps);
+        double before = -1;
+        for (int cap = kNearest; !finished() && m_result.bound > before + kLeastRise * m_cost;
+             ++cap) {
+            before = m_result.bound;
+            if (cap > kNearest)
+                forbidCycles(m_sets, m_costs.of(0).shared(), m_recent, cap);
+            if (!refine(kInfinity))
+                break;
+            m_result.step.sets = std::make_shared<const NgSets>(m_sets);
+            ascend(kFirstGraphSteps);
+        }
+        m_result.step.lambda = m_ascent.best();
+    }
+
     /** Plans of at least this cost are of no interest. */
     [[nodiscard]] double cutoff() const
     {
@@ -264,8 +282,9 @@ private:
         }
     }
 
-    /** False when cut, or when the refined graphs would be larger than the limits allow. */
-    bool refine()
+    /** Keeps what is less than `room` above the cutoff, too. False when cut, or when the refined
+     * graphs would be larger than the limits allow. */
+    bool refine(double room)
     {
         const std::optional<Sweep> swept = sweep(m_ascent.best());
         if (!swept)
@@ -278,7 +297,7 @@ private:
                                      .bytes = (m_options.memoryLimit_bytes - m_graphs->bytes()) /
                                               kGrowth};
             FleetRefinement refined = graph.refined(
-                m_sets, m_ascent.best(), swept->slackBelow(cutoff()), limits, m_cutQuestion);
+                m_sets, m_ascent.best(), swept->slackBelow(cutoff()) + room, limits, m_cutQuestion);
             m_result.memoryOut = refined.memoryOut;
             if (!refined.graph)
                 return false;

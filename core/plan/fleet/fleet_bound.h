@@ -2,6 +2,7 @@
 
 #include "core/plan/fleet/fleet_costs.h"
 #include "core/plan/fleet/fleet_cover.h"
+#include "core/plan/solve/proof_step.h"
 
 #include <cstdint>
 #include <functional>
@@ -25,7 +26,9 @@ struct FleetBoundOptions
     std::function<bool()> cut;
     std::function<void(const FleetPlan& plan, double bound)> onImproved = {};
     std::function<FleetSuggestion(std::int64_t work, std::int64_t most)> suggest = {};
-    bool plainOnly = false; ///< nothing but multipliers on the complete graphs
+    /** Deletes nothing of the graphs and puts nothing together, so that multipliers and memory
+     * alone say what the bound is. */
+    bool relaxationOnly = false;
 };
 
 /** As `BoundResult`. */
@@ -36,7 +39,7 @@ struct FleetBoundResult
     bool reached = false;
     bool memoryOut = false;
     std::int64_t work = 0;
-    Eigen::VectorXd lambda; ///< the best multipliers
+    ProofStep step{}; ///< of `relaxationOnly`: the best multipliers, and the memory of the graphs
 };
 
 /**
