@@ -67,24 +67,6 @@ private:
     QString m_gesture;
 };
 
-ScenarioParts changedParts(const Scenario& a, const Scenario& b)
-{
-    ScenarioParts parts;
-    parts.setFlag(ScenarioPart::Icebergs, a.icebergs != b.icebergs);
-    parts.setFlag(ScenarioPart::Uavs, a.uavs != b.uavs);
-    parts.setFlag(ScenarioPart::Planner, a.planner != b.planner ||
-                                             a.reachRadius_m != b.reachRadius_m ||
-                                             a.fovShape != b.fovShape);
-    Scenario rest = b;
-    rest.icebergs = a.icebergs;
-    rest.uavs = a.uavs;
-    rest.planner = a.planner;
-    rest.reachRadius_m = a.reachRadius_m;
-    rest.fovShape = a.fovShape;
-    parts.setFlag(ScenarioPart::Settings, rest != a);
-    return parts;
-}
-
 ScenarioDocument::ScenarioDocument(QObject* parent)
     : QObject(parent), m_undoStack(new QUndoStack(this))
 {
@@ -147,11 +129,11 @@ bool ScenarioDocument::refuses()
 
 void ScenarioDocument::setScenario(const Scenario& scenario)
 {
-    const ScenarioParts parts = changedParts(m_scenario, scenario);
+    const bool isNew = scenario != m_scenario;
     m_scenario = scenario;
     m_issues = validate(m_scenario);
-    if (parts)
-        emit scenarioChanged(parts);
+    if (isNew)
+        emit scenarioChanged();
 }
 
 void ScenarioDocument::begin(const Scenario& scenario, const QString& filePath, bool clean,
@@ -167,8 +149,7 @@ void ScenarioDocument::begin(const Scenario& scenario, const QString& filePath, 
     if (!clean)
         m_undoStack->resetClean(); // no number of undos leads to what is in the file
     emit filePathChanged(m_filePath);
-    emit scenarioChanged(ScenarioPart::Icebergs | ScenarioPart::Uavs | ScenarioPart::Planner |
-                         ScenarioPart::Settings);
+    emit scenarioChanged();
 }
 
 void ScenarioDocument::reset(const Scenario& scenario)

@@ -12,19 +12,6 @@ class QUndoStack;
 
 namespace berg {
 
-enum class ScenarioPart
-{
-    Icebergs = 1,
-    Uavs = 2,
-    Planner = 4, ///< policy, tau, route, solver, reach
-    Settings = 8 ///< everything else
-};
-Q_DECLARE_FLAGS(ScenarioParts, ScenarioPart)
-Q_DECLARE_OPERATORS_FOR_FLAGS(ScenarioParts)
-
-/** Parts in which two scenarios differ. */
-[[nodiscard]] ScenarioParts changedParts(const Scenario& a, const Scenario& b);
-
 /**
  * The scenario being edited: the only place that changes it, one undo step per gesture. Views read
  * `scenario()` after `scenarioChanged` and ask for changes with `edit`. GUI thread.
@@ -77,7 +64,7 @@ public:
     void save(const QString& path);
 
 signals:
-    void scenarioChanged(berg::ScenarioParts parts);
+    void scenarioChanged();
     /** Another scenario altogether: `reset` or `open`. Comes before `scenarioChanged`. */
     void replaced();
     void filePathChanged(const QString& path);
