@@ -17,21 +17,11 @@ constexpr int kRest_ms = 120;
 
 } // namespace
 
-LandLayer::LandLayer(QObject* parent) : QObject(parent), m_onThread(new QObject)
+LandLayer::LandLayer(QObject* parent) : QObject(parent), m_thread(u"land"_s)
 {
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRest_ms);
     connect(&m_rest, &QTimer::timeout, this, &LandLayer::ask);
-    m_thread.setObjectName(u"land"_s);
-    m_onThread->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
-    m_thread.start();
-}
-
-LandLayer::~LandLayer()
-{
-    m_thread.quit();
-    m_thread.wait();
 }
 
 void LandLayer::paint(QPainter& painter, const LandRequest& wanted)
@@ -51,8 +41,7 @@ void LandLayer::finish()
     if (m_shown && m_shown->request == m_wanted)
         return;
     ask();
-    QMetaObject::invokeMethod(
-        m_onThread, [] {}, Qt::BlockingQueuedConnection);
+    m_thread.waitForPosted();
     take();
 }
 
@@ -74,8 +63,7 @@ void LandLayer::ask()
 {
     m_rest.stop();
     if (m_requests.put(m_wanted))
-        QMetaObject::invokeMethod(
-            m_onThread, [this] { drawNewest(); }, Qt::QueuedConnection);
+        m_thread.post([this] { drawNewest(); });
 }
 
 bool LandLayer::isOfSameLand(const LandRequest& wanted) const

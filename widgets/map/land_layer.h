@@ -1,11 +1,10 @@
 #pragma once
 
 #include "widgets/map/land_drawing.h"
-#include "widgets/model/mailbox.h"
+#include "widgets/model/latest_task.h"
 
 #include <QImage>
 #include <QObject>
-#include <QThread>
 #include <QTimer>
 
 #include <array>
@@ -34,8 +33,6 @@ class LandLayer : public QObject
 
 public:
     explicit LandLayer(QObject* parent = nullptr);
-    /** Waits for an image under way: well under a second. */
-    ~LandLayer() override;
 
     /** Paints what is known of it now; `updated` follows when that is not all. */
     void paint(QPainter& painter, const LandRequest& wanted);
@@ -72,8 +69,7 @@ private:
     std::array<std::optional<LandDrawing>, 2> m_drawings; ///< by detail, of `m_plane`
     MapPlane m_plane = LocalFrame({});
 
-    QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    WorkThread m_thread; ///< last: it ends, with the image under way, before the rest
 };
 
 } // namespace berg

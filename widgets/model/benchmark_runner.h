@@ -1,13 +1,19 @@
 #pragma once
 
 #include "core/study/benchmark.h"
-#include "widgets/model/mailbox.h"
+#include "widgets/model/latest_task.h"
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QThread>
 
 namespace berg {
+
+struct BenchmarkReport
+{
+    std::vector<BenchmarkRow> rows;
+    std::size_t done = 0;
+    std::size_t count = 0;
+};
 
 /**
  * Runs benchmarks on a thread of its own; the GUI thread never waits. The newest one wins. What has
@@ -19,8 +25,6 @@ class BenchmarkRunner : public QObject
 
 public:
     explicit BenchmarkRunner(QObject* parent = nullptr);
-    /** Stops a benchmark under way and waits for the thread: well under a second. */
-    ~BenchmarkRunner() override;
 
     /** Starts with an empty table; ends the benchmark under way, if any. */
     void start(const BenchmarkSpec& spec);
@@ -44,36 +48,16 @@ signals:
     void finished(const QString& failure);
 
 private:
-    struct Result
-    {
-        std::uint64_t generation = 0;
-        std::vector<BenchmarkRow> rows;
-        std::size_t done = 0;
-        std::size_t count = 0;
-        bool ended = false;
-        QString failure;
-    };
-    struct Request
-    {
-        std::uint64_t generation = 0;
-        BenchmarkSpec spec;
-        std::stop_token stop;
-    };
-    void take();
-    // On the thread of the runner:
-    void measure(const Request& request);
-    void publish(Result result);
+    using Task = LatestTask<BenchmarkSpec, BenchmarkReport>;
+    void take(BenchmarkReport report);
+    void end(const std::optional<WorkFailure>& failure);
 
     std::vector<BenchmarkRow> m_rows;
     bool m_running = false;
     bool m_isSaved = false;  ///< the rows are
     double m_measured_s = 0; ///< that the rows took
     QElapsedTimer m_sinceStart;
-    std::uint64_t m_generation = 0;
-    std::stop_source m_stop; ///< of the generation under way
-    Mailbox<Result> m_results;
-    QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    Task m_task; ///< last: it ends before the rest
 };
 
 } // namespace berg

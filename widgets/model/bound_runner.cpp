@@ -1,10 +1,6 @@
 #include "widgets/model/bound_runner.h"
 
 #include "core/scenario/validate.h"
-#include "widgets/model/low_priority.h"
-#include "widgets/model/work_failure.h"
-
-#include <QElapsedTimer>
 
 #include <utility>
 
@@ -37,26 +33,47 @@ Scenario boundedPart(const Scenario& scenario)
     return part;
 }
 
+/** Work that tells what is known of the bound of a scenario. */
+auto boundWork(std::int64_t workLimit)
+{
+    return [workLimit](const Scenario& scenario, const std::stop_token& stop,
+                       const std::function<void(KnownBound)>& tell) {
+        ReportPace pace(kBetweenReports_ms);
+        const auto report = [&](const BoundProgress& progress) {
+            if (pace.isDue())
+                tell({.zeta_m2s = progress.zeta_m2s, .share = progress.share});
+        };
+        const auto bound = std::make_shared<const ZetaBound>(
+            zetaLowerBound(scenario, {.workLimit = workLimit, .stop = stop, .onProgress = report}));
+        tell({.zeta_m2s = bound->zeta_m2s, .share = 1, .whole = bound});
+    };
+}
+
 } // namespace
 
 BoundRunner::BoundRunner(QObject* parent, std::int64_t workLimit)
-    : QObject(parent), m_workLimit(workLimit), m_onThread(new QObject)
+    : QObject(parent)
+    , m_task(u"bound"_s,
+             {.work = boundWork(workLimit),
+              .deliver =
+                  [this](KnownBound known) {
+                      m_known = std::move(known);
+                      m_complete = m_known.whole != nullptr;
+                      emit updated();
+                  },
+              .end =
+                  [this](const std::optional<WorkFailure>& failure) {
+                      if (!failure)
+                          return;
+                      m_known = {}; // too large for the memory, as a rule
+                      m_complete = true;
+                      emit updated();
+                  }},
+             WorkPriority::Low)
 {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPause_ms);
     connect(&m_pause, &QTimer::timeout, this, &BoundRunner::start);
-    m_thread.setObjectName(u"bound"_s);
-    m_onThread->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
-    m_thread.start(QThread::LowPriority);
-    QMetaObject::invokeMethod(m_onThread, lowerPriority, Qt::QueuedConnection);
-}
-
-BoundRunner::~BoundRunner()
-{
-    m_stop.request_stop();
-    m_thread.quit();
-    m_thread.wait();
 }
 
 void BoundRunner::setScenario(const Scenario& scenario)
@@ -65,8 +82,7 @@ void BoundRunner::setScenario(const Scenario& scenario)
     if (m_scenario == part)
         return;
     m_scenario = std::move(part);
-    m_stop.request_stop();
-    ++m_generation;
+    m_task.drop();
     m_known = {};
     m_complete = !hasZetaBound(*m_scenario);
     if (m_complete)
@@ -83,52 +99,7 @@ void BoundRunner::start()
         emit updated();
         return;
     }
-    m_stop = std::stop_source();
-    QMetaObject::invokeMethod(
-        m_onThread,
-        [this, request = Request{.generation = m_generation,
-                                 .scenario = *m_scenario,
-                                 .stop = m_stop.get_token()}] { compute(request); },
-        Qt::QueuedConnection);
-}
-
-void BoundRunner::compute(const Request& request)
-{
-    QElapsedTimer sinceReport;
-    sinceReport.start();
-    const auto report = [&](const BoundProgress& progress) {
-        if (sinceReport.elapsed() < kBetweenReports_ms)
-            return;
-        sinceReport.restart();
-        publish({.generation = request.generation,
-                 .known = {.zeta_m2s = progress.zeta_m2s, .share = progress.share}});
-    };
-    Result result{.generation = request.generation, .complete = true};
-    const auto failure = failureOf([&] {
-        const auto bound = std::make_shared<const ZetaBound>(
-            zetaLowerBound(request.scenario,
-                           {.workLimit = m_workLimit, .stop = request.stop, .onProgress = report}));
-        result.known = {.zeta_m2s = bound->zeta_m2s, .share = 1, .whole = bound};
-    });
-    if (failure)
-        result.known = {}; // too large for the memory, as a rule
-    publish(std::move(result));
-}
-
-void BoundRunner::publish(Result result)
-{
-    if (m_results.put(std::move(result)))
-        QMetaObject::invokeMethod(this, &BoundRunner::takeResult, Qt::QueuedConnection);
-}
-
-void BoundRunner::takeResult()
-{
-    std::optional<Result> result = m_results.take();
-    if (!result || result->generation != m_generation)
-        return;
-    m_known = std::move(result->known);
-    m_complete = result->complete;
-    emit updated();
+    m_task.start(*m_scenario);
 }
 
 } // namespace berg

@@ -2,10 +2,9 @@
 
 #include "core/bound/zeta_bound.h"
 #include "widgets/model/flight_record.h"
-#include "widgets/model/mailbox.h"
+#include "widgets/model/latest_task.h"
 
 #include <QObject>
-#include <QThread>
 #include <QTimer>
 
 #include <optional>
@@ -24,8 +23,6 @@ class BoundRunner : public QObject
 public:
     explicit BoundRunner(QObject* parent = nullptr,
                          std::int64_t workLimit = BoundOptions().workLimit);
-    /** Stops a search under way and waits for the thread: some milliseconds. */
-    ~BoundRunner() override;
 
     /** None is known of a scenario with errors, or with several UAVs. */
     void setScenario(const Scenario& scenario);
@@ -40,35 +37,13 @@ signals:
     void updated();
 
 private:
-    struct Request
-    {
-        std::uint64_t generation = 0;
-        Scenario scenario;
-        std::stop_token stop;
-    };
-    struct Result
-    {
-        std::uint64_t generation = 0;
-        bool complete = false;
-        KnownBound known;
-    };
-
     void start();
-    void takeResult();
-    // On the thread of the runner:
-    void compute(const Request& request);
-    void publish(Result result);
 
-    std::int64_t m_workLimit;
     std::optional<Scenario> m_scenario; ///< without what does not matter
     KnownBound m_known;
     bool m_complete = true;
-    std::uint64_t m_generation = 0;
-    std::stop_source m_stop; ///< of the generation under way
-    QTimer m_pause;          ///< runs out when changes have come to rest
-    Mailbox<Result> m_results;
-    QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    QTimer m_pause;                          ///< runs out when changes have come to rest
+    LatestTask<Scenario, KnownBound> m_task; ///< last: it ends before the rest
 };
 
 } // namespace berg

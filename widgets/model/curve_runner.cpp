@@ -3,8 +3,6 @@
 #include "core/scenario/validate.h"
 #include "core/sim/simulation.h"
 #include "widgets/model/compared_run.h"
-#include "widgets/model/low_priority.h"
-#include "widgets/model/work_failure.h"
 
 #include <utility>
 
@@ -25,23 +23,28 @@ bool same(const VisitationProblem& a, const VisitationProblem& b)
 
 } // namespace
 
-CurveRunner::CurveRunner(QObject* parent) : QObject(parent), m_onThread(new QObject)
+CurveRunner::CurveRunner(QObject* parent)
+    : QObject(parent)
+    , m_task(u"curve"_s,
+             {.work =
+                  [](const TvpProblem& problem, const std::stop_token& stop, const auto& tell) {
+                      tell(tauCurve(problem, {.stop = stop, .onProgress = tell}));
+                  },
+              .deliver =
+                  [this](TauCurve curve) {
+                      m_curve = std::move(curve);
+                      emit updated();
+                  },
+              .end =
+                  [this](const std::optional<WorkFailure>& failure) {
+                      if (failure) // a problem without a curve
+                          dropCurve(true);
+                  }},
+             WorkPriority::Low)
 {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPause_ms);
     connect(&m_pause, &QTimer::timeout, this, &CurveRunner::start);
-    m_thread.setObjectName(u"curve"_s);
-    m_onThread->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
-    m_thread.start(QThread::LowPriority);
-    QMetaObject::invokeMethod(m_onThread, lowerPriority, Qt::QueuedConnection);
-}
-
-CurveRunner::~CurveRunner()
-{
-    m_stop.request_stop();
-    m_thread.quit();
-    m_thread.wait();
 }
 
 void CurveRunner::setScenario(const Scenario& scenario)
@@ -109,8 +112,7 @@ void CurveRunner::clear()
 /** What is known or under way belongs to another problem. */
 void CurveRunner::dropCurve(bool complete)
 {
-    m_stop.request_stop();
-    ++m_generation;
+    m_task.drop();
     TauCurve none{.intervals = {}, .complete = complete};
     if (m_curve == none)
         return;
@@ -128,39 +130,7 @@ void CurveRunner::start()
         }
         m_problem = std::move(*problem);
     }
-    m_stop = std::stop_source();
-    QMetaObject::invokeMethod(
-        m_onThread,
-        [this, request = Request{.generation = m_generation,
-                                 .problem = m_problem.problem,
-                                 .stop = m_stop.get_token()}] { compute(request); },
-        Qt::QueuedConnection);
-}
-
-void CurveRunner::compute(const Request& request)
-{
-    const auto report = [&](const TauCurve& known) { publish(request, known); };
-    const auto failure = failureOf([&] {
-        publish(request, tauCurve(request.problem, {.stop = request.stop, .onProgress = report}));
-    });
-    if (failure)
-        publish(request, {.intervals = {}, .complete = true}); // a problem without a curve
-}
-
-void CurveRunner::publish(const Request& request, const TauCurve& curve)
-{
-    if (!request.stop.stop_requested() &&
-        m_results.put({.generation = request.generation, .curve = curve}))
-        QMetaObject::invokeMethod(this, &CurveRunner::takeResult, Qt::QueuedConnection);
-}
-
-void CurveRunner::takeResult()
-{
-    std::optional<Result> result = m_results.take();
-    if (!result || result->generation != m_generation)
-        return;
-    m_curve = std::move(result->curve);
-    emit updated();
+    m_task.start(m_problem.problem);
 }
 
 } // namespace berg

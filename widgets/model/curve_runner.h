@@ -3,10 +3,9 @@
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/policy/tau_curve.h"
 #include "core/scenario/scenario.h"
-#include "widgets/model/mailbox.h"
+#include "widgets/model/latest_task.h"
 
 #include <QObject>
-#include <QThread>
 #include <QTimer>
 
 #include <functional>
@@ -27,8 +26,6 @@ class CurveRunner : public QObject
 
 public:
     explicit CurveRunner(QObject* parent = nullptr);
-    /** Stops a computation under way and waits for the thread: well under a second. */
-    ~CurveRunner() override;
 
     /**
      * The curve of the plan from the scenario's start; none when the scenario has errors or
@@ -55,17 +52,6 @@ signals:
     void updated();
 
 private:
-    struct Result
-    {
-        std::uint64_t generation = 0;
-        TauCurve curve;
-    };
-    struct Request
-    {
-        std::uint64_t generation = 0;
-        TvpProblem problem;
-        std::stop_token stop;
-    };
     /** None: there is no curve. */
     using MakeProblem = std::function<std::optional<VisitationProblem>()>;
 
@@ -73,22 +59,14 @@ private:
     void take(std::optional<VisitationProblem> problem);
     void dropCurve(bool complete);
     void start();
-    void takeResult();
-    // On the thread of the runner:
-    void compute(const Request& request);
-    void publish(const Request& request, const TauCurve& curve);
 
     bool m_isOfFleet = false;
     std::optional<Scenario> m_scenario; ///< what was asked for last; none: a request
     MakeProblem m_next; ///< asked for since the last change came: made when they are at rest
     VisitationProblem m_problem;
     TauCurve m_curve{.intervals = {}, .complete = true};
-    std::uint64_t m_generation = 0;
-    std::stop_source m_stop; ///< of the generation under way
-    QTimer m_pause;          ///< runs out when changes have come to rest
-    Mailbox<Result> m_results;
-    QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    QTimer m_pause;                          ///< runs out when changes have come to rest
+    LatestTask<TvpProblem, TauCurve> m_task; ///< last: it ends before the rest
 };
 
 } // namespace berg

@@ -9,28 +9,29 @@ constexpr int kPause_ms = 200;
 
 } // namespace
 
-ImportRunner::ImportRunner(QObject* parent) : QObject(parent), m_onThread(new QObject)
+ImportRunner::ImportRunner(QObject* parent)
+    : QObject(parent)
+    , m_task(
+          u"import"_s,
+          {.work =
+               [this](const ImportRequest& request, const std::stop_token& stop, const auto& tell) {
+                   if (auto preview = m_loader.preview(request, stop))
+                       tell(std::make_shared<const ImportPreview>(std::move(*preview)));
+               },
+           .deliver =
+               [this](const Preview& preview) {
+                   m_busy = false;
+                   emit ready(preview);
+               }})
 {
     m_pause.setSingleShot(true);
-    connect(&m_pause, &QTimer::timeout, this, &ImportRunner::send);
-    m_thread.setObjectName(u"import"_s);
-    m_onThread->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
-    m_thread.start(QThread::LowPriority);
-}
-
-ImportRunner::~ImportRunner()
-{
-    m_stop.request_stop();
-    m_thread.quit();
-    m_thread.wait();
+    connect(&m_pause, &QTimer::timeout, this, [this] { m_task.start(m_request); });
 }
 
 /** What is under way is of no use any more. */
 void ImportRunner::dropWork()
 {
-    m_stop.request_stop();
-    ++m_generation;
+    m_task.drop();
     m_pause.stop();
 }
 
@@ -47,34 +48,7 @@ void ImportRunner::clear()
     dropWork();
     m_busy = false;
     m_request = {};
-    QMetaObject::invokeMethod(
-        m_onThread, [this] { m_loader.forget(); }, Qt::QueuedConnection);
-}
-
-void ImportRunner::send()
-{
-    m_stop = std::stop_source();
-    QMetaObject::invokeMethod(
-        m_onThread,
-        [this, generation = m_generation, request = m_request, stop = m_stop.get_token()] {
-            std::optional<ImportPreview> preview = m_loader.preview(request, stop);
-            if (!preview || stop.stop_requested())
-                return;
-            if (m_results.put(
-                    {.generation = generation,
-                     .preview = std::make_shared<const ImportPreview>(std::move(*preview))}))
-                QMetaObject::invokeMethod(this, &ImportRunner::take, Qt::QueuedConnection);
-        },
-        Qt::QueuedConnection);
-}
-
-void ImportRunner::take()
-{
-    const std::optional<Result> result = m_results.take();
-    if (!result || result->generation != m_generation)
-        return;
-    m_busy = false;
-    emit ready(result->preview);
+    m_task.post([this] { m_loader.forget(); });
 }
 
 } // namespace berg

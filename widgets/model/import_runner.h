@@ -1,10 +1,9 @@
 #pragma once
 
 #include "widgets/model/import_preview.h"
-#include "widgets/model/mailbox.h"
+#include "widgets/model/latest_task.h"
 
 #include <QObject>
-#include <QThread>
 #include <QTimer>
 
 namespace berg {
@@ -19,8 +18,6 @@ class ImportRunner : public QObject
 
 public:
     explicit ImportRunner(QObject* parent = nullptr);
-    /** Stops what is under way and waits for the thread: well under a second. */
-    ~ImportRunner() override;
 
     /** Now, or after a moment in which nothing else is requested. */
     void start(ImportRequest request, bool atOnce = false);
@@ -34,24 +31,14 @@ signals:
     void ready(const std::shared_ptr<const berg::ImportPreview>& preview);
 
 private:
-    struct Result
-    {
-        std::uint64_t generation = 0;
-        std::shared_ptr<const ImportPreview> preview;
-    };
     void dropWork();
-    void send();
-    void take();
 
     ImportRequest m_request;
     bool m_busy = false;
-    std::uint64_t m_generation = 0;
-    std::stop_source m_stop; ///< of the generation under way
-    QTimer m_pause;          ///< runs out when changes have come to rest
-    Mailbox<Result> m_results;
+    QTimer m_pause;        ///< runs out when changes have come to rest
     ImportLoader m_loader; ///< of the thread of the runner
-    QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    using Preview = std::shared_ptr<const ImportPreview>;
+    LatestTask<ImportRequest, Preview> m_task; ///< last: it ends before the rest
 };
 
 } // namespace berg

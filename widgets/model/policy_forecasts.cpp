@@ -3,10 +3,6 @@
 #include "core/scenario/validate.h"
 #include "core/sim/policy_forecast.h"
 #include "widgets/model/compared_run.h"
-#include "widgets/model/low_priority.h"
-#include "widgets/model/work_failure.h"
-
-#include <QElapsedTimer>
 
 #include <algorithm>
 #include <array>
@@ -50,7 +46,26 @@ bool isUnderWay(const PolicyForecast& forecast)
 } // namespace
 
 PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms)
-    : QObject(parent), m_onThread(new QObject)
+    : QObject(parent)
+    , m_task(u"forecasts"_s,
+             {.work =
+                  [](const Request& request, const std::stop_token& stop, const auto& tell) {
+                      ReportPace pace(kBetweenReports_ms);
+                      const auto report = [&](double share) {
+                          if (pace.isDue())
+                              tell({.state = ForecastState::Computing, .share = share});
+                      };
+                      if (const auto metrics =
+                              forecastOf(request.scenario, request.policy, stop, report))
+                          tell({.state = ForecastState::Known, .share = 1, .metrics = *metrics});
+                  },
+              .deliver = [this](PolicyForecast forecast) { take(std::move(forecast)); },
+              .end =
+                  [this](const std::optional<WorkFailure>& failure) {
+                      if (failure)
+                          take({.state = ForecastState::Impossible, .whyNot = failure->report});
+                  }},
+             WorkPriority::Low)
 {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPause_ms);
@@ -58,18 +73,6 @@ PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms)
     m_limit.setSingleShot(true);
     m_limit.setInterval(limit_ms);
     connect(&m_limit, &QTimer::timeout, this, &PolicyForecasts::giveUp);
-    m_thread.setObjectName(u"forecasts"_s);
-    m_onThread->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
-    m_thread.start(QThread::LowPriority);
-    QMetaObject::invokeMethod(m_onThread, lowerPriority, Qt::QueuedConnection);
-}
-
-PolicyForecasts::~PolicyForecasts()
-{
-    m_stop.request_stop();
-    m_thread.quit();
-    m_thread.wait();
 }
 
 bool PolicyForecasts::isComplete() const
@@ -122,26 +125,17 @@ void PolicyForecasts::startNext()
             continue;
         forecast.state = ForecastState::Computing;
         m_present = policy;
-        m_stop = std::stop_source();
         m_limit.start();
-        QMetaObject::invokeMethod(
-            m_onThread,
-            [this, request = Request{.generation = m_generation,
-                                     .scenario = *m_scenario,
-                                     .policy = policy,
-                                     .stop = m_stop.get_token()}] { compute(request); },
-            Qt::QueuedConnection);
+        m_task.start({.scenario = *m_scenario, .policy = policy});
         return;
     }
 }
 
-/** What still comes of it is of another generation. */
 void PolicyForecasts::stopPresent()
 {
-    m_stop.request_stop();
+    m_task.drop();
     m_limit.stop();
     m_present.reset();
-    ++m_generation;
 }
 
 void PolicyForecasts::giveUp()
@@ -152,38 +146,13 @@ void PolicyForecasts::giveUp()
     startNext();
 }
 
-void PolicyForecasts::compute(const Request& request)
+void PolicyForecasts::take(PolicyForecast forecast)
 {
-    QElapsedTimer sinceReport;
-    sinceReport.start();
-    const auto report = [&](double share) {
-        if (sinceReport.elapsed() < kBetweenReports_ms)
-            return;
-        sinceReport.restart();
-        publish(request, {.state = ForecastState::Computing, .share = share});
-    };
-    const auto failure = failureOf([&] {
-        if (const auto metrics = forecastOf(request.scenario, request.policy, request.stop, report))
-            publish(request, {.state = ForecastState::Known, .share = 1, .metrics = *metrics});
-    });
-    if (failure)
-        publish(request, {.state = ForecastState::Impossible, .whyNot = failure->report});
-}
-
-void PolicyForecasts::publish(const Request& request, PolicyForecast forecast)
-{
-    if (m_results.put({.generation = request.generation, .forecast = std::move(forecast)}))
-        QMetaObject::invokeMethod(this, &PolicyForecasts::takeResult, Qt::QueuedConnection);
-}
-
-void PolicyForecasts::takeResult()
-{
-    std::optional<Result> result = m_results.take();
-    if (!result || result->generation != m_generation || !m_present)
+    if (!m_present)
         return;
-    PolicyForecast& forecast = m_forecasts[*m_present];
-    forecast = std::move(result->forecast);
-    if (forecast.state != ForecastState::Computing)
+    const bool isDone = forecast.state != ForecastState::Computing;
+    m_forecasts[*m_present] = std::move(forecast);
+    if (isDone)
         stopPresent();
     emit updated();
     startNext();

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "core/sim/mission.h"
-#include "widgets/model/mailbox.h"
+#include "widgets/model/latest_task.h"
 
 #include <QObject>
 #include <QString>
-#include <QThread>
 #include <QTimer>
 
 #include <map>
@@ -48,8 +47,6 @@ public:
     static constexpr int kLimit_ms = 60'000;
 
     explicit PolicyForecasts(QObject* parent = nullptr, int limit_ms = kLimit_ms);
-    /** Stops a forecast under way and waits for the thread: well under a second. */
-    ~PolicyForecasts() override;
 
     void setScenario(const Scenario& scenario);
 
@@ -64,36 +61,22 @@ signals:
 private:
     struct Request
     {
-        std::uint64_t generation = 0;
         Scenario scenario;
         PolicyKind policy = PolicyKind::Visitation;
-        std::stop_token stop;
-    };
-    struct Result
-    {
-        std::uint64_t generation = 0;
-        PolicyForecast forecast;
     };
 
+    void take(PolicyForecast forecast);
     void start();
     void startNext();
     void stopPresent();
     void giveUp();
-    void takeResult();
-    // On the thread of the runner:
-    void compute(const Request& request);
-    void publish(const Request& request, PolicyForecast forecast);
 
     std::optional<Scenario> m_scenario;
     PolicyForecastList m_forecasts;
     std::optional<PolicyKind> m_present; ///< under way
-    std::uint64_t m_generation = 0;
-    std::stop_source m_stop; ///< of the forecast under way
-    QTimer m_pause;          ///< runs out when changes have come to rest
+    QTimer m_pause;                      ///< runs out when changes have come to rest
     QTimer m_limit;
-    Mailbox<Result> m_results;
-    QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    LatestTask<Request, PolicyForecast> m_task; ///< last: it ends before the rest
 };
 
 } // namespace berg

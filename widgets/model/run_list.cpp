@@ -1,8 +1,5 @@
 #include "widgets/model/run_list.h"
 
-#include "widgets/model/work_failure.h"
-
-#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 
@@ -35,19 +32,13 @@ Mission flownAgain(const RunFile& recorded, const std::string& path, const std::
 
 } // namespace
 
-RunList::RunList(QObject* parent) : QObject(parent), m_onThread(new QObject)
+RunList::RunList(QObject* parent)
+    : QObject(parent)
+    , m_task(u"runs"_s,
+             {.work = fly,
+              .deliver = [this](const Result& result) { take(result); },
+              .end = [this](const std::optional<WorkFailure>& failure) { end(failure); }})
 {
-    m_thread.setObjectName(u"runs"_s);
-    m_onThread->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
-    m_thread.start();
-}
-
-RunList::~RunList()
-{
-    m_stop.request_stop();
-    m_thread.quit();
-    m_thread.wait();
 }
 
 void RunList::add(const FlightRecord& record)
@@ -90,7 +81,7 @@ void RunList::open(const QString& path)
 
 void RunList::cancel()
 {
-    m_stop.request_stop();
+    m_task.stop();
     if (m_jobs.size() > 1)
         m_jobs.erase(m_jobs.begin() + 1, m_jobs.end());
 }
@@ -113,70 +104,46 @@ void RunList::queue(Job job)
 
 void RunList::start()
 {
-    m_stop = std::stop_source();
-    const Request request{
-        .generation = ++m_generation, .job = m_jobs.front(), .stop = m_stop.get_token()};
-    QMetaObject::invokeMethod(
-        m_onThread, [this, request] { fly(request); }, Qt::QueuedConnection);
-    emit progress(0, request.job.run.flownUntil_s);
+    m_task.start(m_jobs.front());
+    emit progress(0, m_jobs.front().run.flownUntil_s);
 }
 
-void RunList::fly(const Request& request)
+void RunList::fly(const Job& job, const std::stop_token& stop, const Tell& tell)
 {
-    Result result{.generation = request.generation};
-    QElapsedTimer sinceReport;
-    sinceReport.start();
-    const auto report = [&](double flown_s) {
-        if (sinceReport.elapsed() < kBetweenReports_ms)
-            return;
-        sinceReport.restart();
-        result.flown_s = flown_s;
-        publish(result);
-    };
-    const auto failure = failureOf([&] {
-        const std::string path = QFile::encodeName(request.job.path).toStdString();
-        const RunFile run = path.empty() ? request.job.run : loadRun(path);
-        result.duration_s = run.flownUntil_s;
-        const Mission mission = flownAgain(run, path, request.stop, report);
-        if (!request.stop.stop_requested()) {
-            ComparedRun flown = comparedRun(recordOf(mission));
-            flown.file = request.job.path;
-            result.run = std::make_shared<const ComparedRun>(std::move(flown));
-        }
+    const std::string path = QFile::encodeName(job.path).toStdString();
+    const RunFile run = path.empty() ? job.run : loadRun(path);
+    ReportPace pace(kBetweenReports_ms);
+    const Mission mission = flownAgain(run, path, stop, [&](double flown_s) {
+        if (pace.isDue())
+            tell({.flown_s = flown_s, .duration_s = run.flownUntil_s, .run = nullptr});
     });
-    if (failure)
-        result.failure = failure->report;
-    result.ended = true;
-    publish(std::move(result));
-}
-
-void RunList::publish(Result result)
-{
-    if (m_results.put(std::move(result)))
-        QMetaObject::invokeMethod(this, &RunList::take, Qt::QueuedConnection);
-}
-
-void RunList::take()
-{
-    std::optional<Result> result = m_results.take();
-    if (!result || result->generation != m_generation)
+    if (stop.stop_requested())
         return;
-    if (!result->ended) {
-        emit progress(result->flown_s, result->duration_s);
+    ComparedRun flown = comparedRun(recordOf(mission));
+    flown.file = job.path;
+    tell({.run = std::make_shared<const ComparedRun>(std::move(flown))});
+}
+
+void RunList::take(const Result& result)
+{
+    if (!result.run) {
+        emit progress(result.flown_s, result.duration_s);
         return;
     }
+    insert(result.run);
+    const bool besideReference =
+        m_reference && m_reference != result.run && isComparable(*m_reference, *result.run);
+    if (besideReference)
+        compare(m_reference, result.run);
+    else
+        compare(result.run, newestBeside(result.run));
+}
+
+void RunList::end(const std::optional<WorkFailure>& failure)
+{
     m_jobs.pop_front();
-    if (m_failure.isEmpty())
-        m_failure = result->failure;
-    if (result->run) {
-        insert(result->run);
-        const bool besideReference =
-            m_reference && m_reference != result->run && isComparable(*m_reference, *result->run);
-        if (besideReference)
-            compare(m_reference, result->run);
-        else
-            compare(result->run, newestBeside(result->run));
-    }
+    if (failure && m_failure.isEmpty())
+        m_failure = failure->report;
     if (!m_jobs.empty())
         start();
     else

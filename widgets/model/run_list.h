@@ -2,10 +2,9 @@
 
 #include "core/io/files/run_json.h"
 #include "widgets/model/compared_run.h"
-#include "widgets/model/mailbox.h"
+#include "widgets/model/latest_task.h"
 
 #include <QObject>
-#include <QThread>
 
 #include <deque>
 
@@ -33,8 +32,6 @@ public:
     static constexpr std::size_t kMost = 12; ///< the oldest not compared makes room
 
     explicit RunList(QObject* parent = nullptr);
-    /** Stops a flight under way and waits for the thread: well under a second. */
-    ~RunList() override;
 
     /**
      * Keeps what was flown as the new reference; nothing when nothing was. Takes the place of an
@@ -84,42 +81,29 @@ private:
         RunFile run;
         QString path; ///< of the run file; empty: `run` is flown
     };
-    struct Request
-    {
-        std::uint64_t generation = 0;
-        Job job;
-        std::stop_token stop;
-    };
     struct Result
     {
-        std::uint64_t generation = 0;
         double flown_s = 0;
         double duration_s = 0;
-        RunPointer run;
-        bool ended = false;
-        QString failure;
+        RunPointer run; ///< null: not flown to its end yet
     };
     void queue(Job job);
     void start();
-    void take();
+    void take(const Result& result);
+    void end(const std::optional<WorkFailure>& failure);
     void insert(RunPointer run);
     void compare(RunPointer reference, RunPointer other);
     void makeRoom();
     [[nodiscard]] RunPointer newestBeside(const RunPointer& run) const;
-    // On the thread of the list:
-    void fly(const Request& request);
-    void publish(Result result);
+    using Tell = LatestTask<Job, Result>::Tell;
+    static void fly(const Job& job, const std::stop_token& stop, const Tell& tell);
 
     std::vector<RunPointer> m_runs; ///< oldest first
     RunPointer m_reference;
     RunPointer m_other;
-    std::deque<Job> m_jobs; ///< the first is being flown
-    QString m_failure;      ///< the first of those flown in one go
-    std::uint64_t m_generation = 0;
-    std::stop_source m_stop; ///< of the flight under way
-    Mailbox<Result> m_results;
-    QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    std::deque<Job> m_jobs;         ///< the first is being flown
+    QString m_failure;              ///< the first of those flown in one go
+    LatestTask<Job, Result> m_task; ///< last: it ends before the rest
 };
 
 } // namespace berg

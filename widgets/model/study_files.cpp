@@ -29,34 +29,23 @@ std::string versionText()
 
 } // namespace
 
-StudyFiles::StudyFiles(QObject* parent) : QObject(parent), m_onThread(new QObject)
-{
-    m_thread.setObjectName(u"study files"_s);
-    m_onThread->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
-    m_thread.start();
-}
+StudyFiles::StudyFiles(QObject* parent) : QObject(parent), m_thread(u"study files"_s) {}
 
 StudyFiles::~StudyFiles()
 {
-    QMetaObject::invokeMethod(
-        m_onThread, [this] { m_thread.quit(); }, Qt::QueuedConnection); // after what was posted
-    m_thread.wait();
+    m_thread.finish();
 }
 
 void StudyFiles::post(const std::function<Tell()>& job)
 {
-    QMetaObject::invokeMethod(
-        m_onThread,
-        [this, job] {
-            Tell tell;
-            if (const auto failure = failureOf([&] { tell = job(); }))
-                tell = [this, report = failure->report] { emit failed(report); };
-            // From here: whoever is told from another thread loses what is on its way to him when
-            // the window is made anew.
-            QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-        },
-        Qt::QueuedConnection);
+    m_thread.post([this, job] {
+        Tell tell;
+        if (const auto failure = failureOf([&] { tell = job(); }))
+            tell = [this, report = failure->report] { emit failed(report); };
+        // From here: whoever is told from another thread loses what is on its way to him when
+        // the window is made anew.
+        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    });
 }
 
 void StudyFiles::write(const QString& path, const std::function<std::string()>& content)

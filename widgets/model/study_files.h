@@ -46,8 +46,7 @@ private:
     void post(const std::function<Tell()>& job);
     void write(const QString& path, const std::function<std::string()>& content);
 
-    QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    WorkThread m_thread;
 };
 
 } // namespace berg

@@ -1,10 +1,9 @@
 #include "widgets/model/study_runner.h"
 
-#include "widgets/model/low_priority.h"
 #include "widgets/model/study_estimate.h"
-#include "widgets/model/work_failure.h"
 
 #include <algorithm>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -43,22 +42,15 @@ StudyResult resultOf(Study study, std::size_t reference)
     return result;
 }
 
-StudyRunner::StudyRunner(QObject* parent) : QObject(parent), m_onThread(new QObject)
+StudyRunner::StudyRunner(QObject* parent)
+    : QObject(parent)
+    , m_task(u"study"_s,
+             {.work = [this](Request& request, const std::stop_token& stop,
+                             const Task::Tell& tell) { work(request, stop, tell); },
+              .deliver = [this](Outcome outcome) { take(std::move(outcome)); },
+              .end = [this](const std::optional<WorkFailure>& failure) { end(failure); }},
+             WorkPriority::Low) // those it spreads the flights over have it too
 {
-    m_thread.setObjectName(u"study"_s);
-    m_onThread->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
-    m_thread.start();
-    // Those it spreads the flights over have its priority.
-    QMetaObject::invokeMethod(
-        m_onThread, [] { lowerPriority(); }, Qt::QueuedConnection);
-}
-
-StudyRunner::~StudyRunner()
-{
-    m_stop.request_stop();
-    m_thread.quit();
-    m_thread.wait();
 }
 
 void StudyRunner::start(const StudySpec& spec)
@@ -95,30 +87,19 @@ void StudyRunner::restore(Study study)
 
 void StudyRunner::begin(Study study, std::size_t reference, bool flies)
 {
-    m_stop.request_stop();
-    m_stop = std::stop_source();
-    ++m_generation;
+    m_failure.clear();
     m_running = flies;
     m_reference = reference;
     m_count = missionCount(study.spec);
     m_flown = m_flownAtStart = flownCount(study);
     m_sinceStart.start();
-    QMetaObject::invokeMethod(
-        m_onThread,
-        [this, request = Request{.generation = m_generation,
-                                 .study = std::move(study),
-                                 .reference = reference,
-                                 .flies = flies,
-                                 .stop = m_stop.get_token()}]() mutable {
-            work(std::move(request));
-        },
-        Qt::QueuedConnection);
+    m_task.start({.study = std::move(study), .reference = reference, .flies = flies});
     emit progress();
 }
 
 void StudyRunner::cancel()
 {
-    m_stop.request_stop();
+    m_task.stop();
 }
 
 void StudyRunner::setReference(std::size_t setting)
@@ -176,9 +157,9 @@ void StudyRunner::learn(double elapsed_s)
         m_pace = elapsed_s / estimate_s;
 }
 
-void StudyRunner::work(Request request)
+void StudyRunner::work(Request& request, const std::stop_token& stop, const Task::Tell& tell)
 {
-    Outcome outcome{.generation = request.generation};
+    Outcome outcome;
     const auto fill = [&](const Study& study, std::size_t reference) {
         outcome.result = std::make_shared<const StudyResult>(resultOf(study, reference));
         outcome.flown = flownCount(study);
@@ -191,7 +172,7 @@ void StudyRunner::work(Request request)
             return;
         sinceReport.restart();
         fill(study, m_reference);
-        publish(outcome);
+        tell(outcome);
         pause_ms = std::max(kBetweenReports_ms, kReportShare * sinceReport.elapsed());
         sinceReport.restart();
     };
@@ -200,43 +181,39 @@ void StudyRunner::work(Request request)
             outcome.failure = failure->report;
     };
     if (request.flies)
-        noteFailure(
-            failureOf([&] { fly(request.study, {.stop = request.stop, .onProgress = report}); }));
+        noteFailure(failureOf([&] { fly(request.study, {.stop = stop, .onProgress = report}); }));
     noteFailure(failureOf( // what has been flown by then
         [&] { fill(request.study, request.flies ? m_reference.load() : request.reference); }));
-    outcome.ended = true;
-    publish(std::move(outcome));
+    tell(std::move(outcome));
 }
 
-void StudyRunner::publish(Outcome outcome)
+void StudyRunner::take(Outcome outcome)
 {
-    if (m_outcomes.put(std::move(outcome)))
-        QMetaObject::invokeMethod(this, &StudyRunner::take, Qt::QueuedConnection);
-}
-
-void StudyRunner::take()
-{
-    std::optional<Outcome> outcome = m_outcomes.take();
-    if (!outcome || outcome->generation != m_generation)
-        return;
-    if (outcome->result) {
-        m_result = std::move(outcome->result);
-        m_flown = outcome->flown;
+    if (outcome.result) {
+        m_result = std::move(outcome.result);
+        m_flown = outcome.flown;
     }
-    if (outcome->ended && m_running) {
+    m_failure = outcome.failure;
+    emit progress();
+    emit updated();
+}
+
+void StudyRunner::end(const std::optional<WorkFailure>& failure)
+{
+    if (failure && m_failure.isEmpty())
+        m_failure = failure->report;
+    const bool wasRunning = std::exchange(m_running, false);
+    if (wasRunning) {
         const double elapsed_s = sinceStart_s();
         m_unsaved_s += elapsed_s;
         if (m_elapsed_s)
             *m_elapsed_s += elapsed_s;
         learn(elapsed_s);
+        emit progress();
+        emit updated();
     }
-    const bool wasRunning = m_running;
-    if (outcome->ended)
-        m_running = false;
-    emit progress();
-    emit updated();
-    if (outcome->ended && (wasRunning || !outcome->failure.isEmpty()))
-        emit finished(outcome->failure);
+    if (wasRunning || !m_failure.isEmpty())
+        emit finished(m_failure);
 }
 
 } // namespace berg

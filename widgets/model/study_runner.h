@@ -1,11 +1,10 @@
 #pragma once
 
 #include "core/study/study_summary.h"
-#include "widgets/model/mailbox.h"
+#include "widgets/model/latest_task.h"
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QThread>
 
 #include <atomic>
 #include <memory>
@@ -43,8 +42,6 @@ class StudyRunner : public QObject
 
 public:
     explicit StudyRunner(QObject* parent = nullptr);
-    /** Stops the missions under way and waits for the thread: well under a second. */
-    ~StudyRunner() override;
 
     /** Flies it from the start; ends what is under way. */
     void start(const StudySpec& spec);
@@ -89,27 +86,24 @@ signals:
 private:
     struct Outcome
     {
-        std::uint64_t generation = 0;
         StudyPointer result;
         std::size_t flown = 0;
-        bool ended = false;
         QString failure;
     };
     struct Request
     {
-        std::uint64_t generation = 0;
         Study study;
         std::size_t reference = 0;
         bool flies = true; ///< else only the figures are made
-        std::stop_token stop;
     };
+    using Task = LatestTask<Request, Outcome>;
     void begin(Study study, std::size_t reference, bool flies);
-    void take();
+    void take(Outcome outcome);
+    void end(const std::optional<WorkFailure>& failure);
     void learn(double elapsed_s);
     [[nodiscard]] double sinceStart_s() const;
     // On the thread of the runner:
-    void work(Request request);
-    void publish(Outcome outcome);
+    void work(Request& request, const std::stop_token& stop, const Task::Tell& tell);
 
     StudyPointer m_result;
     std::size_t m_flown = 0;
@@ -121,12 +115,9 @@ private:
     double m_unsaved_s = 0;    ///< before the flight under way
     double m_pace = 1;         ///< time taken for each second estimated
     QElapsedTimer m_sinceStart;
-    std::uint64_t m_generation = 0;
+    QString m_failure;                       ///< of the one under way
     std::atomic<std::size_t> m_reference{0}; ///< wanted, while one is being flown
-    std::stop_source m_stop;                 ///< of the generation under way
-    Mailbox<Outcome> m_outcomes;
-    QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    Task m_task;                             ///< last: it ends before the rest
 };
 
 } // namespace berg

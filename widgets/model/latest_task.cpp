@@ -1,0 +1,35 @@
+#include "widgets/model/latest_task.h"
+
+#include "widgets/model/low_priority.h"
+
+namespace berg {
+
+WorkThread::WorkThread(const QString& name, WorkPriority priority) : m_onThread(new QObject)
+{
+    m_thread.setObjectName(name);
+    m_onThread->moveToThread(&m_thread);
+    QObject::connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
+    m_thread.start();
+    if (priority == WorkPriority::Low) // threads that it starts have it too
+        post([] { lowerPriority(); });
+}
+
+WorkThread::~WorkThread()
+{
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void WorkThread::waitForPosted()
+{
+    QMetaObject::invokeMethod(
+        m_onThread, [] {}, Qt::BlockingQueuedConnection);
+}
+
+void WorkThread::finish()
+{
+    post([this] { m_thread.quit(); });
+    m_thread.wait();
+}
+
+} // namespace berg
