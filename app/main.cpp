@@ -168,7 +168,10 @@ void makePictures(const Request& request)
     for (const QString& name : berg::pictureNames(request.options.theme))
         names.push_back(name.toStdString());
     const std::string folder = QFile::encodeName(request.options.folder).toStdString();
-    checkOutputs(request.input, berg::cli::outputsIn("--pictures", folder, names), request.force);
+    checkOutputs(request.input,
+                 berg::cli::outputsIn("--pictures", folder,
+                                      std::vector<std::string_view>(names.begin(), names.end())),
+                 request.force);
     const berg::Mission mission =
         berg::flownMission(QFile::encodeName(request.input).toStdString());
     for (const QString& path : berg::writePictures(mission, request.options, QLocale()))

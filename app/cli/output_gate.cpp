@@ -106,6 +106,23 @@ void checkOne(const Output& output, const CommandFiles& files)
     }
 }
 
+/** Writes and prints, on stderr where standard output is taken; then the first of what failed. */
+void finish(const std::string& text, bool isTaken, const std::function<void()>& write)
+{
+    std::exception_ptr failure;
+    try {
+        write();
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    if (isTaken)
+        std::fputs(shown(text).c_str(), stderr);
+    else
+        print(text);
+    if (failure)
+        std::rethrow_exception(failure);
+}
+
 } // namespace
 
 void checkFiles(const CommandFiles& files)
@@ -117,7 +134,7 @@ void checkFiles(const CommandFiles& files)
 }
 
 std::vector<Output> outputsIn(const std::string& option, const std::string& folder,
-                              std::span<const std::string> names)
+                              std::span<const std::string_view> names)
 {
     if (folder.empty())
         return {};
@@ -137,8 +154,8 @@ std::vector<Output> outputsIn(const std::string& option, const std::string& fold
         return {};
     }
     std::vector<Output> outputs;
-    for (const std::string& name : names)
-        outputs.push_back({.option = option, .path = folder + '/' + name});
+    for (const std::string_view name : names)
+        outputs.push_back({.option = option, .path = folder + '/' + std::string(name)});
     return outputs;
 }
 
@@ -159,20 +176,18 @@ void addForce(CLI::App& command, bool& force)
 void deliver(std::span<const NewFile> files, const std::string& text,
              const std::function<void()>& before)
 {
-    std::exception_ptr failure;
-    try {
+    const bool isTaken =
+        std::ranges::any_of(files, [](const NewFile& file) { return isStandardOutput(file.path); });
+    finish(text, isTaken, [&] {
         if (before)
             before();
         writeFileSet(files);
-    } catch (...) {
-        failure = std::current_exception();
-    }
-    if (std::ranges::any_of(files, [](const NewFile& file) { return isStandardOutput(file.path); }))
-        std::fputs(shown(text).c_str(), stderr);
-    else
-        print(text);
-    if (failure)
-        std::rethrow_exception(failure);
+    });
+}
+
+void deliver(const std::string& text, const std::function<void()>& write)
+{
+    finish(text, false, write);
 }
 
 } // namespace berg::cli

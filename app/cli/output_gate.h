@@ -41,7 +41,7 @@ void checkFiles(const CommandFiles& files);
 
 /** The same for the files `names` in a folder, which need not be there yet. */
 [[nodiscard]] std::vector<Output> outputsIn(const std::string& option, const std::string& folder,
-                                            std::span<const std::string> names);
+                                            std::span<const std::string_view> names);
 
 /** An option that names a file to write; `-` is standard output. */
 CLI::Option* addOutputFile(CLI::App& command, const std::string& option, std::string& path,
@@ -55,5 +55,7 @@ void addForce(CLI::App& command, bool& force);
  */
 void deliver(std::span<const NewFile> files, const std::string& text,
              const std::function<void()>& before = {});
+/** The same with `write`, which writes no file to standard output. */
+void deliver(const std::string& text, const std::function<void()>& write);
 
 } // namespace berg::cli

@@ -1,19 +1,17 @@
 #include "app/cli/commands.h"
+#include "app/cli/flight_files.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "core/bound/zeta_bound.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
-#include "core/io/results/result_csv.h"
 #include "core/io/results/result_json.h"
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 namespace berg::cli {
@@ -60,8 +58,23 @@ void checkBound(const SimulateArguments& arguments, const Scenario& scenario)
                         std::to_string(scenario.uavs.size()));
 }
 
-Mission flyScenario(const SimulateArguments& arguments, const std::string& text,
-                    const std::stop_token& stop)
+/** A flight and the files that are being written of it. */
+struct Flown
+{
+    std::unique_ptr<FlightFiles> files; ///< null: none asked for
+    Mission mission;
+};
+
+std::unique_ptr<FlightFiles> filesOf(const SimulateArguments& arguments, const Scenario& scenario,
+                                     std::span<const Intervention> changes)
+{
+    if (arguments.outputFolder.empty())
+        return nullptr;
+    return std::make_unique<FlightFiles>(arguments.outputFolder, scenario, changes);
+}
+
+Flown flyScenario(const SimulateArguments& arguments, const std::string& text,
+                  const std::stop_token& stop)
 {
     const Scenario scenario =
         reading([&] { return changed(scenarioFromJson(text, arguments.file), arguments); });
@@ -69,57 +82,42 @@ Mission flyScenario(const SimulateArguments& arguments, const std::string& text,
     printWarnings(arguments.file, validate(scenario));
     MissionOptions options;
     options.record = !arguments.outputFolder.empty();
-    Mission mission(scenario, options);
+    Flown flown{.files = nullptr, .mission = Mission(scenario, options)};
+    flown.files = filesOf(arguments, scenario, {});
+    if (flown.files)
+        flown.mission.handSamplesOn(flown.files->sink());
     ProgressBar bar("flying", !arguments.json);
-    const auto status = mission.advance(scenario.duration_s, stop, [&](double time_s) {
+    const auto status = flown.mission.advance(scenario.duration_s, stop, [&](double time_s) {
         bar.update(time_s / scenario.duration_s);
     });
     if (status == AdvanceStatus::Cancelled)
         throw Interrupted{};
-    return mission;
+    return flown;
 }
 
+/** For a replay that writes no tables. */
+void dropped(const Sample& /*sample*/, std::span<const IcebergSample> /*icebergs*/) {}
+
 /** Flies a run file again and checks it against what it recorded. */
-Mission replayRun(const SimulateArguments& arguments, const std::string& text,
-                  const std::stop_token& stop)
+Flown replayRun(const SimulateArguments& arguments, const std::string& text,
+                const std::stop_token& stop)
 {
     if (arguments.changesScenario())
         throw UsageError{"simulate: a run file is replayed as it was flown; --tau, --policy, "
                          "--duration, --dt, --seed and --no-noise are for scenarios"};
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     checkBound(arguments, run.scenario);
+    std::unique_ptr<FlightFiles> files = filesOf(arguments, run.scenario, run.interventions);
     ProgressBar bar("replaying", !arguments.json);
-    Mission mission = replay(run, stop, [&](double time_s) {
-        bar.update(run.flownUntil_s > 0 ? time_s / run.flownUntil_s : 1);
-    });
+    Mission mission = replay(
+        run, stop,
+        [&](double time_s) { bar.update(run.flownUntil_s > 0 ? time_s / run.flownUntil_s : 1); },
+        files ? files->sink() : dropped);
     if (stop.stop_requested())
         throw Interrupted{};
     if (std::vector<Issue> issues = compareRun(run, runOf(mission)); !issues.empty())
         throw Error(ErrorCode::ReplayMismatch, arguments.file, std::move(issues));
-    return mission;
-}
-
-const std::array<std::string, 5> kResultNames{"trajectory.csv", "sigma.csv", "events.csv",
-                                              "zeta.csv", "run.bergrun"};
-
-std::vector<NewFile> resultFiles(const Mission& mission, const std::string& folder)
-{
-    if (folder.empty())
-        return {};
-    const std::array contents{trajectoryCsv(mission), sigmaCsv(mission), eventsCsv(mission),
-                              zetaCsv(mission), runToJson(runOf(mission))};
-    std::vector<NewFile> files;
-    for (std::size_t i = 0; i < contents.size(); ++i)
-        files.push_back({.path = folder + '/' + kResultNames[i], .content = contents[i]});
-    return files;
-}
-
-void makeFolder(const std::string& folder)
-{
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure)
-        throw Error(ErrorCode::FileUnwritable, folder, failure.message());
+    return {.files = std::move(files), .mission = std::move(mission)};
 }
 
 /** What zeta of no flight is below at the time until which the mission has flown; none when it was
@@ -187,22 +185,25 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
     const Stopwatch watch;
     const std::string& folder = arguments.outputFolder;
     checkFiles({.inputs = {arguments.file},
-                .outputs = outputsIn("--output", folder, kResultNames),
+                .outputs = outputsIn("--output", folder, FlightFiles::kNames),
                 .force = arguments.force});
     const std::string text = reading([&] { return readFile(arguments.file); });
     const bool replayed = formatOf(text, arguments.file) == "bergwatch-run";
-    const Mission mission =
+    const Flown flown =
         replayed ? replayRun(arguments, text, stop) : flyScenario(arguments, text, stop);
+    const Mission& mission = flown.mission;
     std::optional<double> bound_m2s;
     if (arguments.bound)
         bound_m2s = lowerBound_m2s(mission, arguments.json, stop);
-    deliver(resultFiles(mission, folder),
-            arguments.json ? simulateJson(mission, bound_m2s, watch.elapsed_s())
-                           : summary(mission, bound_m2s, watch.elapsed_s(), replayed),
-            [&folder] {
-                if (!folder.empty())
-                    makeFolder(folder);
-            });
+    const std::string result = arguments.json
+                                   ? simulateJson(mission, bound_m2s, watch.elapsed_s())
+                                   : summary(mission, bound_m2s, watch.elapsed_s(), replayed);
+    deliver(result, [&flown] {
+        if (!flown.files)
+            return;
+        flown.files->add(flown.mission);
+        flown.files->set().write();
+    });
     if (!arguments.bound || bound_m2s)
         return kDone;
     std::fputs("interrupted: the flight is complete, its lower bound is missing\n", stderr);

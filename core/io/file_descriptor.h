@@ -2,6 +2,7 @@
 
 // Private to core/io: what is open, as system calls know it.
 
+#include <array>
 #include <cerrno>
 #include <string_view>
 #include <unistd.h>
@@ -43,6 +44,22 @@ private:
         content.remove_prefix(static_cast<std::size_t>(written));
     }
     return true;
+}
+
+/** All of a file that can be read from any place, written to another; likewise. */
+[[nodiscard]] inline bool copyAll(int from, int to)
+{
+    std::array<char, 1U << 16U> piece{};
+    for (off_t at = 0;;) {
+        const ssize_t got = ::pread(from, piece.data(), piece.size(), at);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            return got == 0;
+        at += got;
+        if (!writeAll(to, {piece.data(), static_cast<std::size_t>(got)}))
+            return false;
+    }
 }
 
 } // namespace berg

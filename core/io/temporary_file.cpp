@@ -108,11 +108,11 @@ void removeLeftTemporaries(const std::filesystem::path& folder)
 TemporaryFile::TemporaryFile(const std::filesystem::path& target, Name name) : m_target(target)
 {
     if (name == Name::Late)
-        m_fd = ::open(folderOf(target).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+        m_fd = ::open(folderOf(target).c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
     m_isNamed = m_fd < 0;
     if (m_isNamed)
         takeName([this](const char* path) {
-            m_fd = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            m_fd = ::open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             return m_fd >= 0;
         });
     if (m_fd >= 0)
@@ -128,9 +128,9 @@ TemporaryFile::~TemporaryFile()
     ::close(m_fd);
 }
 
-bool TemporaryFile::fill(std::string_view content) const
+bool TemporaryFile::flush() const
 {
-    if (!writeAll(m_fd, content) || ::fsync(m_fd) != 0)
+    if (::fsync(m_fd) != 0)
         return false;
     const int copy = ::dup(m_fd); // some file systems tell only when a file is closed
     return copy >= 0 && ::close(copy) == 0;

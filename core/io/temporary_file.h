@@ -53,8 +53,10 @@ public:
     [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
     [[nodiscard]] bool isNamed() const { return m_isNamed; }
 
-    /** Writes and flushes to the disk; false leaves the reason in errno. */
-    [[nodiscard]] bool fill(std::string_view content) const;
+    /** To write to, and to read again what was written. */
+    [[nodiscard]] int descriptor() const { return m_fd; }
+    /** To the disk, with all that was written; false leaves the reason in errno. */
+    [[nodiscard]] bool flush() const;
     void copyAttributes(const struct stat& from) const;
 
     /** False when the folder refuses; without a name, also where there is no /proc. */

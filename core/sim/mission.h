@@ -65,6 +65,9 @@ public:
     AdvanceStatus advance(double until_s, const std::stop_token& stop = {},
                           const std::function<void(double)>& onProgress = {});
 
+    /** Of a mission with a record: `Recorder::handOn`. */
+    void handSamplesOn(SampleSink sink) { m_recorder.handOn(std::move(sink)); }
+
     /** Told of each better order while a solve runs, on the flying thread; `status` is Feasible. Of
      * several UAVs for each of them, `sameSolve` from the second on. */
     void setIncumbentListener(std::function<void(const PlanEvent&)> listener);

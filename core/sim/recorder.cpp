@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace berg {
 
@@ -69,13 +70,13 @@ void Recorder::record(const Simulation& simulation)
         m_keyframes.push_back(simulation);
     if (!last && state.step % m_sampleSteps != 0)
         return;
-    m_samples.push_back({.time_s = simulation.time_s(),
-                         .uavs = uavSamples(state),
-                         .sigmaSum_m2 = state.sigmaSum_m2,
-                         .weightedSum_m2 = weightedSum_m2(simulation),
-                         .zeta_m2s = state.zeta_m2s,
-                         .flown_m = state.flown_m()});
-    std::vector<IcebergSample>& row = m_rows.emplace_back();
+    Sample sample{.time_s = simulation.time_s(),
+                  .uavs = uavSamples(state),
+                  .sigmaSum_m2 = state.sigmaSum_m2,
+                  .weightedSum_m2 = weightedSum_m2(simulation),
+                  .zeta_m2s = state.zeta_m2s,
+                  .flown_m = state.flown_m()};
+    std::vector<IcebergSample> row;
     row.reserve(static_cast<std::size_t>(simulation.icebergCount()));
     for (int i = 0; i < simulation.icebergCount(); ++i) {
         const Track& track = simulation.track(i);
@@ -84,6 +85,21 @@ void Recorder::record(const Simulation& simulation)
                        .active = simulation.active(i),
                        .truth_m = simulation.truth_m(i)});
     }
+    if (m_sink) {
+        m_sink(sample, row);
+        return;
+    }
+    m_samples.push_back(std::move(sample));
+    m_rows.push_back(std::move(row));
+}
+
+void Recorder::handOn(SampleSink sink)
+{
+    m_sink = std::move(sink);
+    for (std::size_t row = 0; row < m_samples.size(); ++row)
+        m_sink(m_samples[row], m_rows[row]);
+    m_samples.clear();
+    m_rows.clear();
 }
 
 std::span<const IcebergSample> Recorder::icebergs(std::size_t row) const

@@ -2,6 +2,7 @@
 
 #include "core/sim/plan_forecast.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,9 @@ struct IcebergSample
     Point truth_m = Point::Zero();
 };
 
+/** Takes a sample and the icebergs at its instant, by index. */
+using SampleSink = std::function<void(const Sample&, std::span<const IcebergSample>)>;
+
 /**
  * History of a mission: samples at a fixed interval (and at the last step), the state of every
  * iceberg at each of them, keyframes. Row `i` of icebergs belongs to sample `i`; an iceberg added
@@ -101,6 +105,9 @@ public:
     /** To be called at time 0 and after every step; keeps what is due. */
     void record(const Simulation& simulation);
 
+    /** From now on samples are handed on and not kept; those that are kept already come first. */
+    void handOn(SampleSink sink);
+
     [[nodiscard]] const std::vector<Sample>& samples() const { return m_samples; }
     /** Icebergs at sample `row`, by index. */
     [[nodiscard]] std::span<const IcebergSample> icebergs(std::size_t row) const;
@@ -113,6 +120,7 @@ private:
     std::vector<Sample> m_samples;
     std::vector<std::vector<IcebergSample>> m_rows; ///< no large block to copy when it grows
     std::vector<Simulation> m_keyframes;
+    SampleSink m_sink; ///< none: they are kept
 };
 
 } // namespace berg

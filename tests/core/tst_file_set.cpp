@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -84,6 +85,50 @@ private slots:
         QVERIFY(error && error->code() == ErrorCode::FileUnwritable && error->subject() == last);
         QCOMPARE(readFile(there), std::string("old"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{u"a.plan"_s});
+    }
+
+    /** A table larger than what readers accept is overwritten, and put back, all the same. */
+    void largeOneIsKept()
+    {
+        const QTemporaryDir folder;
+        const std::string large = folder.filePath(u"a.csv"_s).toStdString();
+        const std::string last = folder.filePath(u"b"_s).toStdString();
+        writeFileAtomically(large, "old");
+        constexpr off_t kSize = 80'000'000; // most of it takes no room on the disk
+        QCOMPARE(::truncate(large.c_str(), kSize), 0);
+        FileSet refused;
+        refused.add(large, "new");
+        StagedFile& other = refused.add(last);
+        other.append("something");
+        QVERIFY(QDir(folder.path()).mkdir(u"b"_s)); // in the way, since just now
+        QVERIFY(errorOf([&] { refused.write(); }));
+        QCOMPARE(QFileInfo(folder.filePath(u"a.csv"_s)).size(), qint64{kSize});
+        writeFileSet(std::vector<NewFile>{{large, "new"}, {last + "2", "2"}});
+        QCOMPARE(readFile(large), std::string("new"));
+    }
+
+    /** What comes piece by piece is there when all is. */
+    void inPieces()
+    {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath(u"a"_s).toStdString();
+        std::string expected;
+        {
+            FileSet given;
+            StagedFile& abandoned = given.add(path);
+            abandoned.append("lost");
+        }
+        QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).empty());
+        FileSet set;
+        StagedFile& file = set.add(path);
+        for (int i = 0; i < 50'000; ++i) {
+            const std::string line = std::to_string(i) + '\n';
+            file.append(line);
+            expected += line;
+        }
+        QVERIFY(!QFileInfo::exists(folder.filePath(u"a"_s)));
+        set.write();
+        QVERIFY(readFile(path) == expected);
     }
 };
 

@@ -1,3 +1,4 @@
+#include "core/io/file_descriptor.h"
 #include "core/io/temporary_file.h"
 #include "core/io/text/atomic_file.h"
 
@@ -97,7 +98,7 @@ private slots:
         TemporaryFile second(path("b"));
         TemporaryFile third(path("c"));
         for (const TemporaryFile* file : {&first, &second, &third})
-            QVERIFY(file->isOpen() && file->fill("new"));
+            QVERIFY(file->isOpen() && writeAll(file->descriptor(), "new") && file->flush());
         const std::vector<Placing> placings{first.placing(), second.placing(), third.placing()};
         QCOMPARE(placeApart(placings), std::size_t{2});
         first.notePlaced();

@@ -49,10 +49,11 @@ void saveRun(const RunFile& run, const std::string& path);
 /**
  * Flies the run again from its scenario and options, applying its interventions at their times,
  * until `flownUntil_s`. Cancelled, the mission returned has flown less than that. Throws as the
- * constructor of `Mission`.
+ * constructor of `Mission`. With a `sink`, samples are handed on to it and not kept.
  */
 [[nodiscard]] Mission replay(const RunFile& run, const std::stop_token& stop = {},
-                             const std::function<void(double)>& onProgress = {});
+                             const std::function<void(double)>& onProgress = {},
+                             SampleSink sink = {});
 
 /**
  * What of a recorded run a replay does not reproduce bit for bit: the first keyframe (with its

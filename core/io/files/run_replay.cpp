@@ -208,9 +208,11 @@ RunFile runOf(const Mission& mission)
 }
 
 Mission replay(const RunFile& run, const std::stop_token& stop,
-               const std::function<void(double)>& onProgress)
+               const std::function<void(double)>& onProgress, SampleSink sink)
 {
     Mission mission(run.scenario, run.options);
+    if (sink)
+        mission.handSamplesOn(std::move(sink));
     for (const Intervention& intervention : run.interventions) {
         if (mission.advance(intervention.time_s, stop, onProgress) == AdvanceStatus::Cancelled)
             return mission;

@@ -32,22 +32,19 @@ void add(std::string& text, double value, char separator)
     text += separator;
 }
 
-/** Ids of the icebergs as CSV fields, by index. */
-std::vector<std::string> idFields(const Mission& mission)
+/** Ids as CSV fields, by index. */
+template <class Named>
+std::vector<std::string> idFields(std::span<const Named> all)
 {
     std::vector<std::string> fields;
-    for (const Iceberg& iceberg : mission.icebergs())
-        fields.push_back(csvField(iceberg.id));
+    for (const Named& one : all)
+        fields.push_back(csvField(one.id));
     return fields;
 }
 
-/** The same of the UAVs. */
-std::vector<std::string> uavFields(const Mission& mission)
+SampleTables tablesOf(const Mission& mission)
 {
-    std::vector<std::string> fields;
-    for (const Uav& uav : mission.scenario().uavs)
-        fields.push_back(csvField(uav.id));
-    return fields;
+    return {mission.scenario(), mission.icebergs(), mission.simulation().asset().has_value()};
 }
 
 } // namespace
@@ -184,47 +181,98 @@ TrackPoint trackPointOf(const Sample& sample, std::size_t row)
             .crossTrack_m = uav.crossTrack_m};
 }
 
+SampleTables::SampleTables(const Scenario& scenario, std::span<const Iceberg> icebergs,
+                           bool weighted)
+    : m_frame(scenario.origin)
+    , m_uavs(idFields(std::span(scenario.uavs)))
+    , m_icebergs(idFields(icebergs))
+    , m_weighted(weighted)
+{
+}
+
+std::string SampleTables::trajectoryHeader() const
+{
+    return std::string(berg::trajectoryHeader());
+}
+
+std::string SampleTables::sigmaHeader() const
+{
+    return "time_s,iceberg,sigma_m2,east_m,north_m,in_view\n";
+}
+
+std::string SampleTables::zetaHeader() const
+{
+    return std::string("time_s,sigma_sum_m2,zeta_m2s") +
+           (m_weighted ? ",weighted_sigma_sum_m2\n" : "\n");
+}
+
+void SampleTables::addTrajectory(std::string& text, const Sample& sample) const
+{
+    for (std::size_t i = 0; i < sample.uavs.size(); ++i)
+        appendTrajectoryRow(text, m_frame, m_uavs[i], trackPointOf(sample, i));
+}
+
+void SampleTables::addSigma(std::string& text, const Sample& sample,
+                            std::span<const IcebergSample> icebergs) const
+{
+    const std::string time = numberText(sample.time_s) + ',';
+    for (std::size_t i = 0; i < icebergs.size(); ++i) {
+        const IcebergSample& iceberg = icebergs[i];
+        if (!iceberg.active)
+            continue;
+        text += time;
+        text += m_icebergs.at(i);
+        text += ',';
+        add(text, iceberg.sigma_m2, ',');
+        add(text, iceberg.truth_m.x(), ',');
+        add(text, iceberg.truth_m.y(), ',');
+        text += iceberg.inView ? "1\n" : "0\n";
+    }
+}
+
+void SampleTables::addZeta(std::string& text, const Sample& sample) const
+{
+    add(text, sample.time_s, ',');
+    add(text, sample.sigmaSum_m2, ',');
+    add(text, sample.zeta_m2s, m_weighted ? ',' : '\n');
+    if (m_weighted)
+        add(text, sample.weightedSum_m2, '\n');
+}
+
 std::string trajectoryCsv(const Mission& mission)
 {
-    const LocalFrame frame(mission.scenario().origin);
-    const std::vector<std::string> uavs = uavFields(mission);
+    const SampleTables tables = tablesOf(mission);
     const std::vector<Sample>& samples = mission.recorder().samples();
-    std::string text(trajectoryHeader());
-    text.reserve((samples.size() * uavs.size() + 1) * kRowBytes);
+    std::string text = tables.trajectoryHeader();
+    text.reserve((samples.size() * mission.scenario().uavs.size() + 1) * kRowBytes);
     for (const Sample& sample : samples)
-        for (std::size_t i = 0; i < sample.uavs.size(); ++i)
-            appendTrajectoryRow(text, frame, uavs[i], trackPointOf(sample, i));
+        tables.addTrajectory(text, sample);
     return text;
 }
 
 std::string sigmaCsv(const Mission& mission)
 {
-    const std::vector<std::string> ids = idFields(mission);
+    const SampleTables tables = tablesOf(mission);
     const Recorder& recorder = mission.recorder();
-    std::string text = "time_s,iceberg,sigma_m2,east_m,north_m,in_view\n";
-    for (std::size_t row = 0; row < recorder.samples().size(); ++row) {
-        const std::string time = numberText(recorder.samples()[row].time_s) + ',';
-        const std::span<const IcebergSample> icebergs = recorder.icebergs(row);
-        for (std::size_t i = 0; i < icebergs.size(); ++i) {
-            const IcebergSample& iceberg = icebergs[i];
-            if (!iceberg.active)
-                continue;
-            text += time;
-            text += ids[i];
-            text += ',';
-            add(text, iceberg.sigma_m2, ',');
-            add(text, iceberg.truth_m.x(), ',');
-            add(text, iceberg.truth_m.y(), ',');
-            text += iceberg.inView ? "1\n" : "0\n";
-        }
-    }
+    std::string text = tables.sigmaHeader();
+    for (std::size_t row = 0; row < recorder.samples().size(); ++row)
+        tables.addSigma(text, recorder.samples()[row], recorder.icebergs(row));
+    return text;
+}
+
+std::string zetaCsv(const Mission& mission)
+{
+    const SampleTables tables = tablesOf(mission);
+    std::string text = tables.zetaHeader();
+    for (const Sample& sample : mission.recorder().samples())
+        tables.addZeta(text, sample);
     return text;
 }
 
 std::string eventsCsv(const Mission& mission)
 {
-    const std::vector<std::string> ids = idFields(mission);
-    const std::vector<std::string> uavs = uavFields(mission);
+    const std::vector<std::string> ids = idFields(std::span(mission.icebergs()));
+    const std::vector<std::string> uavs = idFields(std::span(mission.scenario().uavs));
     std::string text = "time_s,event,uav,iceberg,detail\n";
     for (const MissionEvent& event : mission.events()) {
         add(text, event.time_s, ',');
@@ -236,21 +284,6 @@ std::string eventsCsv(const Mission& mission)
         if (event.iceberg >= 0)
             text += ids.at(static_cast<std::size_t>(event.iceberg));
         text += ',' + csvField(eventDetail(event, mission)) + '\n';
-    }
-    return text;
-}
-
-std::string zetaCsv(const Mission& mission)
-{
-    const bool weighted = mission.simulation().asset().has_value();
-    std::string text = "time_s,sigma_sum_m2,zeta_m2s";
-    text += weighted ? ",weighted_sigma_sum_m2\n" : "\n";
-    for (const Sample& sample : mission.recorder().samples()) {
-        add(text, sample.time_s, ',');
-        add(text, sample.sigmaSum_m2, ',');
-        add(text, sample.zeta_m2s, weighted ? ',' : '\n');
-        if (weighted)
-            add(text, sample.weightedSum_m2, '\n');
     }
     return text;
 }

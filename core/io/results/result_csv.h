@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/base/geodesy.h"
 #include "core/sim/visits.h"
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace berg {
 
@@ -24,6 +27,29 @@ namespace berg {
 [[nodiscard]] std::string eventsCsv(const Mission& mission);
 /** `time_s,sigma_sum_m2,zeta_m2s`, and `weighted_sigma_sum_m2` where there is an asset */
 [[nodiscard]] std::string zetaCsv(const Mission& mission);
+
+/** Rows of the tables of a flight's samples, for whoever writes them as they come. */
+class SampleTables
+{
+public:
+    /** `icebergs`: of the scenario and those that appear in flight, by index; `weighted`: there is
+     * an asset, or there will be. */
+    SampleTables(const Scenario& scenario, std::span<const Iceberg> icebergs, bool weighted);
+
+    [[nodiscard]] std::string trajectoryHeader() const;
+    [[nodiscard]] std::string sigmaHeader() const;
+    [[nodiscard]] std::string zetaHeader() const;
+    void addTrajectory(std::string& text, const Sample& sample) const;
+    void addSigma(std::string& text, const Sample& sample,
+                  std::span<const IcebergSample> icebergs) const;
+    void addZeta(std::string& text, const Sample& sample) const;
+
+private:
+    LocalFrame m_frame;
+    std::vector<std::string> m_uavs;     ///< ids as CSV fields
+    std::vector<std::string> m_icebergs; ///< likewise
+    bool m_weighted;
+};
 
 /** Of UAV `row` of the scenario. */
 [[nodiscard]] TrackPoint trackPointOf(const Sample& sample, std::size_t row);

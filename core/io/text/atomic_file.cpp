@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
 #include <optional>
@@ -14,6 +15,7 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace berg {
@@ -49,16 +51,36 @@ std::optional<int> openDescriptor(std::string_view path)
     return std::nullopt;
 }
 
+/** What a file is to hold: a text of somebody else, or what was put on the disk already. */
+struct Content
+{
+    std::string_view text;
+    int descriptor = -1; ///< to be read from its start; -1: it is the text
+
+    /** False leaves the reason in errno. */
+    [[nodiscard]] bool copyTo(int fd) const
+    {
+        return descriptor >= 0 ? copyAll(descriptor, fd) : writeAll(fd, text);
+    }
+    [[nodiscard]] off_t size() const
+    {
+        struct stat found = {};
+        if (descriptor < 0)
+            return static_cast<off_t>(text.size());
+        return ::fstat(descriptor, &found) == 0 ? found.st_size : 0;
+    }
+};
+
 /** Devices and pipes cannot be replaced, only written to. */
-void writeInPlace(const std::string& path, std::string_view content)
+void writeInPlace(const std::string& path, const Content& content)
 {
     if (const std::optional<int> fd = openDescriptor(path)) {
-        if (!writeAll(*fd, content))
+        if (!content.copyTo(*fd))
             failWrite(path, reason(errno));
         return;
     }
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!file.isOpen() || !writeAll(file.get(), content) || !file.close())
+    if (!file.isOpen() || !content.copyTo(file.get()) || !file.close())
         failWrite(path, reason(errno));
 }
 
@@ -88,20 +110,20 @@ std::filesystem::path withoutLinks(const std::string& path)
  * the first byte is written, so that a full disk keeps the old content.
  */
 void overwrite(const std::string& path, const std::filesystem::path& target, const struct stat* old,
-               std::string_view content)
+               const Content& content)
 {
     const int create = old == nullptr ? O_CREAT | O_EXCL : 0;
     Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC | create, 0666));
     if (!file.isOpen())
         failWrite(path, reason(errno));
-    const auto size = static_cast<off_t>(content.size());
+    const off_t size = content.size();
     const int refusal = size > 0 ? ::posix_fallocate(file.get(), 0, size) : 0;
     if (isFull(refusal)) {
         [[maybe_unused]] const int undone =
             old == nullptr ? ::unlink(target.c_str()) : ::ftruncate(file.get(), old->st_size);
         failWrite(path, reason(refusal));
     }
-    if (!writeAll(file.get(), content) || ::ftruncate(file.get(), size) != 0 ||
+    if (!content.copyTo(file.get()) || ::ftruncate(file.get(), size) != 0 ||
         ::fsync(file.get()) != 0 || !file.close())
         failWrite(path, reason(errno));
 }
@@ -189,8 +211,7 @@ struct Destination
 
 struct StagedFile::State
 {
-    State(const std::string& givenPath, std::string_view givenContent)
-        : path(givenPath), content(givenContent), destination(givenPath)
+    explicit State(const std::string& givenPath) : path(givenPath), destination(givenPath)
     {
         if (destination.inPlace)
             return;
@@ -201,45 +222,109 @@ struct StagedFile::State
             temporary.reset();
             return;
         }
-        fill();
-    }
-
-    void fill()
-    {
         if (destination.exists)
             temporary->copyAttributes(destination.old);
-        if (!temporary->fill(content))
+    }
+
+    /** Where pieces are written to; where the folder takes no files, somewhere else. */
+    int descriptor()
+    {
+        if (temporary)
+            return temporary->descriptor();
+        if (!elsewhere) {
+            std::FILE* const file = std::tmpfile();
+            elsewhere.emplace(file ? ::fcntl(::fileno(file), F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
+                                   : -1);
+            if (file != nullptr)
+                std::fclose(file);
+        }
+        return elsewhere->get();
+    }
+
+    void write(std::string_view piece)
+    {
+        if (failure == 0 && !writeAll(descriptor(), piece))
+            failure = errno;
+    }
+
+    void writeBuffer()
+    {
+        write(buffer);
+        buffer.clear();
+    }
+
+    void complete()
+    {
+        if (std::exchange(isComplete, true))
+            return;
+        if (inPieces)
+            writeBuffer();
+        else if (temporary)
+            write(content.text);
+        if (failure == 0 && temporary && !temporary->flush())
+            failure = errno;
+        if (failure != 0)
+            failWrite(path, reason(failure));
+        if (inPieces)
+            content.descriptor = descriptor();
+    }
+
+    /** The name that a temporary file got late is refused: once more with one that has its name. */
+    [[nodiscard]] bool renameNamed()
+    {
+        TemporaryFile named(destination.target, TemporaryFile::Name::Early);
+        if (!named.isOpen())
+            return false;
+        if (destination.exists)
+            named.copyAttributes(destination.old);
+        if (!copyAll(temporary->descriptor(), named.descriptor()) || !named.flush())
             failWrite(path, reason(errno));
+        return named.place();
     }
 
     [[nodiscard]] bool rename()
     {
-        if (!temporary)
-            return false;
-        if (temporary->place())
-            return true;
-        if (temporary->isNamed())
-            return false;
-        temporary.emplace(destination.target, TemporaryFile::Name::Early);
-        if (!temporary->isOpen())
-            return false;
-        fill();
-        return temporary->place();
+        return temporary && (temporary->place() || (!temporary->isNamed() && renameNamed()));
     }
 
     std::string path;
-    std::string_view content;
+    Content content;
+    bool inPieces = false;
+    std::string buffer; ///< of the pieces
+    int failure = 0;    ///< errno of the first one
+    bool isComplete = false;
     Destination destination;
     std::optional<TemporaryFile> temporary; ///< none: the folder takes none
+    std::optional<Descriptor> elsewhere;    ///< for the pieces then
 };
 
-StagedFile::StagedFile(const std::string& path, std::string_view content)
-    : m_state(std::make_unique<State>(path, content))
+StagedFile::StagedFile(const std::string& path) : m_state(std::make_unique<State>(path))
 {
+    m_state->inPieces = true;
+}
+
+StagedFile::StagedFile(const std::string& path, std::string_view content)
+    : m_state(std::make_unique<State>(path))
+{
+    m_state->content.text = content;
+    complete();
 }
 
 StagedFile::StagedFile(StagedFile&&) noexcept = default;
 StagedFile::~StagedFile() = default;
+
+void StagedFile::append(std::string_view text)
+{
+    constexpr std::size_t kBuffer = 1U << 16U;
+    m_state->buffer += text;
+    if (m_state->buffer.size() >= kBuffer)
+        m_state->writeBuffer();
+}
+
+void StagedFile::complete()
+{
+    m_state->complete();
+}
 
 void StagedFile::place()
 {

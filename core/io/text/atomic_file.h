@@ -38,11 +38,18 @@ class StagedFile
 public:
     /** Writes the content to the disk, beside the file. It must live until `place`. */
     StagedFile(const std::string& path, std::string_view content);
+    /** The content is yet to come, by `append`; no more of it is kept in memory than 64 kB. */
+    explicit StagedFile(const std::string& path);
     StagedFile(StagedFile&&) noexcept;
     StagedFile(const StagedFile&) = delete;
     StagedFile& operator=(const StagedFile&) = delete;
     StagedFile& operator=(StagedFile&&) = delete;
     ~StagedFile();
+
+    /** What goes wrong here, `complete` tells: a flight need not end for a disk that is full. */
+    void append(std::string_view text);
+    /** Then all of it is on the disk. Before `place` and `placeTogether`. */
+    void complete();
 
     /** Puts it in the place of the file, at most once. */
     void place();

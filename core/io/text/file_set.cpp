@@ -1,74 +1,160 @@
 #include "core/io/text/file_set.h"
 
 #include "core/base/error.h"
+#include "core/io/file_descriptor.h"
 #include "core/io/text/atomic_file.h"
 
 #include <algorithm>
+#include <array>
+#include <fcntl.h>
 #include <filesystem>
-#include <optional>
-#include <vector>
+#include <sys/stat.h>
+#include <system_error>
 
 namespace berg {
 
 namespace {
 
-/** What is there; none: nothing that could be lost. */
-std::optional<std::string> contentOf(const std::string& path)
+/**
+ * What is there, to put it back. It stays open: where a new file takes its place, the old one is
+ * there to be read as long as that. One that may be written over is copied before, in memory.
+ */
+class Before
 {
-    std::error_code none;
-    return std::filesystem::is_regular_file(path, none) ? std::optional(readFile(path))
-                                                        : std::nullopt;
-}
-
-void putBack(const std::string& path, const std::optional<std::string>& content)
-{
-    std::error_code ignored; // the first fault is the one to be told
-    try {
-        if (content)
-            writeFileAtomically(path, *content);
-        else if (std::filesystem::is_regular_file(path, ignored))
-            std::filesystem::remove(path, ignored);
-    } catch (const Error&) {
+public:
+    explicit Before(const std::string& path)
+        : m_path(path), m_file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
+    {
+        struct stat found = {};
+        m_isThere = m_file.isOpen() && ::fstat(m_file.get(), &found) == 0 && S_ISREG(found.st_mode);
+        if (!m_file.isOpen() && errno != ENOENT)
+            fail();
     }
-}
+
+    void copy()
+    {
+        if (m_isThere)
+            readPieces([&](std::string_view piece) { m_copy += piece; });
+        m_isCopied = true;
+    }
+
+    void putBack() const
+    {
+        std::error_code ignored; // the first fault is the one to be told
+        if (!m_isThere) {
+            if (std::filesystem::is_regular_file(m_path, ignored))
+                std::filesystem::remove(m_path, ignored);
+            return;
+        }
+        try {
+            StagedFile file(m_path);
+            if (m_isCopied)
+                file.append(m_copy);
+            else
+                readPieces([&](std::string_view piece) { file.append(piece); });
+            file.complete();
+            file.place();
+        } catch (const Error&) {
+        }
+    }
+
+private:
+    [[noreturn]] void fail() const
+    {
+        throw Error(ErrorCode::FileUnreadable, m_path,
+                    "cannot be read: " + std::generic_category().message(errno));
+    }
+
+    template <class Take>
+    void readPieces(const Take& take) const
+    {
+        std::array<char, 1U << 16U> piece{};
+        for (off_t at = 0;;) {
+            const ssize_t got = ::pread(m_file.get(), piece.data(), piece.size(), at);
+            if (got < 0 && errno == EINTR)
+                continue;
+            if (got < 0)
+                fail();
+            if (got == 0)
+                return;
+            take(std::string_view(piece.data(), static_cast<std::size_t>(got)));
+            at += got;
+        }
+    }
+
+    std::string m_path;
+    Descriptor m_file;
+    bool m_isThere = false;
+    bool m_isCopied = false;
+    std::string m_copy;
+};
 
 /** Nothing can be taken back of what a pipe or a device was sent. */
-bool canBePutBack(const NewFile& file)
+bool canBePutBack(const std::string& path)
 {
     std::error_code none;
-    return !isOpenDescriptor(file.path) && (!std::filesystem::exists(file.path, none) ||
-                                            std::filesystem::is_regular_file(file.path, none));
+    return !isOpenDescriptor(path) &&
+           (!std::filesystem::exists(path, none) || std::filesystem::is_regular_file(path, none));
 }
 
 } // namespace
 
-void writeFileSet(std::span<const NewFile> files)
+struct FileSet::Entry
 {
-    std::vector<const NewFile*> order;
-    for (const NewFile& file : files)
-        order.push_back(&file);
-    std::ranges::stable_partition(order, [](const NewFile* file) { return canBePutBack(*file); });
+    std::string path;
+    StagedFile staged;
+};
 
+FileSet::FileSet() = default;
+FileSet::~FileSet() = default;
+
+void FileSet::add(const std::string& path, std::string_view content)
+{
+    m_entries.push_back(std::make_unique<Entry>(path, StagedFile(path, content)));
+}
+
+StagedFile& FileSet::add(const std::string& path)
+{
+    m_entries.push_back(std::make_unique<Entry>(path, StagedFile(path)));
+    return m_entries.back()->staged;
+}
+
+void FileSet::write()
+{
+    std::ranges::stable_partition(m_entries,
+                                  [](const auto& entry) { return canBePutBack(entry->path); });
     std::vector<StagedFile> staged;
-    std::vector<std::optional<std::string>> before;
-    for (const NewFile* file : order) {
-        staged.emplace_back(file->path, file->content);
-        if (order.size() > 1)
-            before.push_back(contentOf(file->path));
+    std::vector<std::unique_ptr<Before>> before;
+    for (const std::unique_ptr<Entry>& entry : m_entries) {
+        entry->staged.complete();
+        staged.push_back(std::move(entry->staged));
+        if (m_entries.size() > 1)
+            before.push_back(std::make_unique<Before>(entry->path));
     }
     std::size_t placed = 0;
     try {
         if (staged.size() > 1)
             placed = StagedFile::placeTogether(staged);
-        for (; placed < staged.size(); ++placed)
+        for (; placed < staged.size(); ++placed) {
+            if (!before.empty())
+                before[placed]->copy();
             staged[placed].place();
+        }
     } catch (...) {
         for (std::size_t i = 0; i < placed; ++i)
-            putBack(order[i]->path, before[i]);
+            before[i]->putBack();
         throw;
     }
     for (const StagedFile& file : staged)
         file.makeLast();
+}
+
+void writeFileSet(std::span<const NewFile> files)
+{
+    FileSet set;
+    for (const NewFile& file : files)
+        set.add(file.path, file.content);
+    set.write();
 }
 
 } // namespace berg

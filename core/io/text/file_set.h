@@ -1,9 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace berg {
+
+class StagedFile;
 
 /** A file as it is to become. */
 struct NewFile
@@ -13,13 +18,38 @@ struct NewFile
 };
 
 /**
- * Writes all of the files or none: those of several UAVs, or of one flight, belong together. All
- * are on the disk before the first takes its place. Throws `Error` as `writeFileAtomically` and, of
- * a file that is there already and cannot be put back, as `readFile`; then every file is as it was
- * before, but for devices and pipes, which come last. A program that is killed leaves all or none
- * as well, but where a folder takes no temporary files; when the computer itself stops in the
- * milliseconds of the renamings, some files may be the new and others the old, each of them whole.
+ * Files of which all are written or none: those of several UAVs, or of one flight, belong together.
+ * All are on the disk before the first takes its place.
  */
+class FileSet
+{
+public:
+    FileSet();
+    FileSet(const FileSet&) = delete;
+    FileSet& operator=(const FileSet&) = delete;
+    ~FileSet();
+
+    /** A file of this content, which must live until `write`. */
+    void add(const std::string& path, std::string_view content);
+    /** One whose content is yet to come, by `StagedFile::append`. */
+    [[nodiscard]] StagedFile& add(const std::string& path);
+
+    /**
+     * Puts all in their places, once. Throws `Error` as `writeFileAtomically` and, of a file that
+     * is there already and cannot be put back, as `readFile`; then every file is as it was before,
+     * but for devices and pipes, which come last. A program that is killed leaves all or none as
+     * well, but where a folder takes no temporary files; when the computer itself stops in the
+     * milliseconds of the renamings, some files may be the new and others the old, each of them
+     * whole.
+     */
+    void write();
+
+private:
+    struct Entry;
+    std::vector<std::unique_ptr<Entry>> m_entries;
+};
+
+/** The set of these files, written. */
 void writeFileSet(std::span<const NewFile> files);
 
 } // namespace berg

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/io/results/result_csv.h"
+#include "core/io/text/atomic_file.h"
+#include "core/io/text/file_set.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace berg::cli {
+
+/** A folder to write into, made when it is not there, and gone again when nothing was written. */
+class OutputFolder
+{
+public:
+    explicit OutputFolder(const std::string& path);
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+    ~OutputFolder();
+
+private:
+    std::filesystem::path m_path;
+    std::filesystem::path m_made; ///< the outermost one that was not there; empty: none
+};
+
+/**
+ * The files of a flight. Its tables are written while it is flown, so that memory does not grow
+ * with its length; they take their places with the others, at the end.
+ */
+class FlightFiles
+{
+public:
+    static constexpr std::array<std::string_view, 5> kNames{
+        "trajectory.csv", "sigma.csv", "zeta.csv", "events.csv", "run.bergrun"};
+
+    /** `changes` are those that will be made in flight. */
+    FlightFiles(const std::string& folder, const Scenario& scenario,
+                std::span<const Intervention> changes);
+
+    [[nodiscard]] SampleSink sink();
+    /** What is told at the end. */
+    void add(const Mission& mission);
+    [[nodiscard]] FileSet& set() { return m_set; }
+
+private:
+    OutputFolder m_folder;
+    SampleTables m_tables;
+    std::string m_prefix;
+    std::string m_rows;
+    std::string m_events;
+    std::string m_run;
+    FileSet m_set;
+    StagedFile& m_trajectory;
+    StagedFile& m_sigma;
+    StagedFile& m_zeta;
+};
+
+} // namespace berg::cli
