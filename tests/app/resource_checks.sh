@@ -46,4 +46,80 @@ check "a long flight replayed" within 60 120 "$cli" simulate before/run.bergrun 
 check "a long flight replayed: the same" diff -rq again before
 rm -rf long before again
 
+# --- files that are large, deep, wide, long, or a product -------------------------------------------
+# Reading takes ten times the file and 50 MB at most, beside the 10 MB of the program, in linear time.
+python3 - <<'P'
+def put(name, text):
+    with open(name, "w") as file:
+        file.write(text)
+many = 400_000
+head = '{"format": "bergwatch-%s", "version": 1, "x": '
+for kind, ending in (("scenario", "berg"), ("run", "bergrun"), ("study", "bergstudy"), ("problem", "json")):
+    start = head % kind
+    put(f"deep.{ending}", start + '[{"a":' * 5_000_000)
+    put(f"objects.{ending}", start + "[" + ",".join(['{"a":' * 25 + "1" + "}" * 25] * (many // 8)) + "]}")
+    put(f"lists.{ending}", start + "[" + ",".join(["[" * 30 + "]" * 30] * (many // 4)) + "]}")
+    put(f"numbers.{ending}", start + "[" + "0," * (8 * many) + "0]}")
+    put(f"members.{ending}", start + "{" + ",".join(f'"{i}":1' for i in range(2 * many)) + "}}")
+    put(f"same.{ending}", start + "{" + ",".join(['"a":1'] * (2 * many)) + "}}")
+    put(f"text.{ending}", start + '"' + "x" * 20_000_000 + '"}')
+    put(f"texts.{ending}", start + "[" + ",".join(['""'] * (4 * many)) + "]}")
+    put(f"escapes.{ending}", start + '"' + "\\u0041" * 2_000_000 + '"}')
+    put(f"faults.{ending}", (head % kind)[:-5] + '"icebergs": [' + ",".join(['{"sigma0_m2": "x"}'] * many) + "]}")
+    put(f"unknown.{ending}", start + "1" + "".join(f', "y{i}": 1' for i in range(many)) + "}")
+put("taus.bergstudy", '{"format": "bergwatch-study", "version": 1, "random": 1, "policies": ["visitation"], "taus": ['
+    + ",".join(["1"] * many) + "]}")
+point = '{"type":"Feature","properties":{%s},"geometry":{"type":"Point","coordinates":[-48,47]}}'
+put("features.geojson", '{"type":"FeatureCollection","features":[' + ",".join([point % ""] * (many // 4)) + "]}")
+put("properties.geojson", '{"type":"FeatureCollection","features":[' + point % ",".join(f'"p{i}":1' for i in range(many)) + "]}")
+put("line.geojson", '{"type":"Feature","properties":{"times":[]},"geometry":{"type":"LineString","coordinates":['
+    + ",".join(["[-48.00001,47.00001]"] * many) + "]}}")
+put("packets.czml", '[{"id":"document"}' + ',{"id":"a","position":{"cartographicDegrees":[-48,47,0]}}' * (many // 4) + "]")
+put("samples.czml", '[{"id":"document"},{"id":"a","position":{"epoch":"2021-01-01T00:00:00Z","cartographicDegrees":['
+    + ",".join(f"{i},-48.001,47.001,0" for i in range(many // 2)) + "]}}]")
+kml = '<kml xmlns="http://www.opengis.net/kml/2.2"><Document>%s</Document></kml>'
+put("places.kml", kml % ("<Placemark><Point><coordinates>-48,47</coordinates></Point></Placemark>" * (many // 4)))
+put("deep.kml", kml % ("<Folder>" * many))
+put("data.kml", kml % ("<Placemark><ExtendedData>" + "".join(f'<Data name="d{i}"><value>1</value></Data>' for i in range(many // 2))
+    + "</ExtendedData><Point><coordinates>-48,47</coordinates></Point></Placemark>"))
+put("attributes.kml", kml % ("<Placemark " + " ".join(f'a{i}="1"' for i in range(many)) + "/>"))
+put("text.kml", kml % ("<Placemark><name>" + "x" * 20_000_000 + "</name><Point><coordinates>-48,47</coordinates></Point></Placemark>"))
+put("whens.kml", '<kml xmlns:gx="g"><Placemark><gx:Track>' + "<when>2021-01-01T00:00:00Z</when>" * (many // 4)
+    + "<gx:coord>-48 47 0</gx:coord>" * (many // 4) + "</gx:Track></Placemark></kml>")
+put("points.gpx", '<gpx><trk><trkseg>' + '<trkpt lat="47" lon="-48"><time>2021-01-01T00:00:00Z</time></trkpt>' * (many // 4) + "</trkseg></trk></gpx>")
+put("rows.csv", "id,latitude,longitude\n" + "".join(f"b{i % 900},47.{i % 10000:04},-48.{i % 10000:04}\n" for i in range(many)))
+put("columns.csv", "latitude,longitude" + ",x" * many + "\n47,-48\n")
+put("quotes.csv", "latitude,longitude\n" + 'a","\n' * many)
+put("cell.csv", "latitude,longitude,name\n47,-48,\"" + "x" * 20_000_000 + "\"\n")
+put("wrong.csv", "latitude,longitude\n" + "x,y\n" * (4 * many))
+put("items.waypoints", "QGC WPL 110\n" + "1\t0\t3\t16\t0\t0\t0\t0\t47.1\t-48.1\t100\t1\n" * (many // 4))
+put("items.plan", '{"fileType": "Plan", "groundStation": "QGroundControl", "mission": {"items": ['
+    + ",".join(['{"type":"SimpleItem","command":16,"params":[0,0,0,null,47,-48,50]}'] * (many // 4)) + "]}}")
+import zipfile
+with zipfile.ZipFile("bomb.kmz", "w", zipfile.ZIP_DEFLATED) as archive:
+    archive.writestr("doc.kml", kml % (" " * 1_000_000_000))
+with zipfile.ZipFile("many.kmz", "w") as archive:
+    for i in range(60_000):
+        archive.writestr(f"{i}.txt", "")
+P
+# frugal FILE COMMAND...: within the limits for the file; it ends with 0 or 3, in few lines.
+frugal() {
+    local size
+    size=$(stat -c %s "$1")
+    shift
+    within "$(awk "BEGIN { print 2 + $size / 1e6 }")" "$(awk "BEGIN { print 60 + 10 * $size / 1e6 }")" "$@" &&
+        [ "$(wc -l <stderr.txt)" -le 1100 ]
+}
+for file in *.berg *.bergrun *.bergstudy *.json; do
+    check "validate $file" frugal "$file" "$cli" validate "$file"
+done
+for file in *.json; do
+    check "solve $file" frugal "$file" "$cli" solve "$file"
+done
+for file in *.csv *.kml *.gpx *.geojson *.czml *.waypoints *.plan many.kmz; do
+    check "import $file" frugal "$file" "$cli" import "$file" --output imported.berg --force
+done
+check "import bomb.kmz" within 2 220 "$cli" import bomb.kmz --output imported.berg --force
+check "import bomb.kmz: says why" says "unpacks to more than 64 MiB"
+
 all_checked

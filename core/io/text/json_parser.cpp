@@ -13,6 +13,22 @@ namespace {
 constexpr std::size_t kDeepest = 64;
 constexpr std::size_t kMostValues = 10'000'000;
 
+// What reading may take: ten times the file and 50 MB, of which the file itself is one.
+constexpr std::size_t kMemoryPerByte = 9;
+constexpr std::size_t kMemoryBeside = 50'000'000;
+// About what a value takes in a list that is read, and while it grows: then there are two of it,
+// one of them with room for as many again.
+constexpr std::size_t kGrowing = 3;
+constexpr std::size_t kNodeMemory = sizeof(Members) + 40; ///< of an object or array
+constexpr std::size_t kNameMemory = 80;                   ///< while the object is open
+
+/** Of a text: short ones lie within the string. */
+std::size_t textMemory(const std::string& text)
+{
+    constexpr std::size_t kWithin = 15;
+    return text.size() > kWithin ? text.size() + 16 : 0;
+}
+
 /** "line 3, column 7" of a byte offset; columns count characters, not bytes. */
 std::string placeText(std::string_view text, std::size_t offset)
 {
@@ -38,6 +54,21 @@ std::string reasonText(std::string message)
     return start == std::string::npos ? message : message.substr(start);
 }
 
+/** Lists go one after another: the library would first gather all of their entries in one. */
+void release(Json& value)
+{
+    if (value.is_object()) {
+        for (auto& [name, member] : membersOf(value))
+            release(member);
+        Members().swap(membersOf(value));
+    } else if (value.is_array()) {
+        Json::array_t& entries = value.get_ref<Json::array_t&>();
+        for (Json& entry : entries)
+            release(entry);
+        Json::array_t().swap(entries);
+    }
+}
+
 /**
  * Builds the tree from the parser's events and checks what the library does not: depth, duplicate
  * members, number of values.
@@ -46,7 +77,10 @@ class TreeBuilder
 {
 public:
     TreeBuilder(std::string_view text, const std::string& subject, const std::stop_token& stop)
-        : m_text(text), m_subject(subject), m_stop(stop)
+        : m_text(text)
+        , m_subject(subject)
+        , m_stop(stop)
+        , m_mostMemory(kMemoryPerByte * text.size() + kMemoryBeside)
     {
     }
 
@@ -62,7 +96,11 @@ public:
     {
         return add(value);
     }
-    bool string(std::string& value) { return add(std::move(value)); }
+    bool string(std::string& value)
+    {
+        take(sizeof(std::string) + textMemory(value));
+        return add(std::move(value));
+    }
     bool binary(Json::binary_t& /*value*/) { return false; }
     bool start_object(std::size_t /*size*/) { return open(true); }
     bool end_object() { return close(); }
@@ -71,6 +109,8 @@ public:
     bool key(std::string& name)
     {
         Level& level = m_levels.back();
+        take(textMemory(name));
+        takeWhileOpen(kNameMemory + textMemory(name));
         level.duplicate = !level.names.insert(name).second;
         level.name = std::move(name);
         if (level.duplicate)
@@ -98,6 +138,7 @@ private:
         std::vector<std::pair<std::string, Json>> members;
         std::vector<Json> entries;
         std::unordered_set<std::string> names;
+        std::size_t memory = 0; ///< that it takes while it is open, given back then
     };
 
     [[noreturn]] void fail(std::size_t offset, const std::string& reason) const
@@ -128,6 +169,10 @@ private:
     {
         Level level = std::move(m_levels.back());
         m_levels.pop_back();
+        take(kNodeMemory + level.entries.size() * sizeof(Json) +
+             level.members.size() * sizeof(Members::value_type));
+        m_memory -= level.memory;
+        level.entries.shrink_to_fit();
         if (!level.isObject)
             return add(std::move(level.entries));
         Json object = Json::object();
@@ -144,6 +189,9 @@ private:
         if (++m_values > kMostValues)
             throw Error(ErrorCode::FileTooLarge, m_subject,
                         "holds more than " + std::to_string(kMostValues) + " values");
+        if (!m_levels.empty())
+            takeWhileOpen(kGrowing *
+                          (m_levels.back().isObject ? sizeof(Members::value_type) : sizeof(Json)));
         if (m_levels.empty())
             m_root = std::move(value);
         else if (Level& level = m_levels.back(); !level.isObject)
@@ -153,9 +201,30 @@ private:
         return true;
     }
 
+    /** Counts what is kept of the file. */
+    void take(std::size_t bytes)
+    {
+        constexpr std::size_t kMegabyte = 1'000'000;
+        m_memory += bytes;
+        if (m_memory > m_mostMemory)
+            throw Error(ErrorCode::FileTooLarge, m_subject,
+                        "holds so many small values that reading it takes more than the " +
+                            std::to_string(m_mostMemory / kMegabyte) +
+                            " MB that a file of this size may: split it, or leave out what is "
+                            "empty");
+    }
+
+    void takeWhileOpen(std::size_t bytes)
+    {
+        m_levels.back().memory += bytes;
+        take(bytes);
+    }
+
     std::string_view m_text;
     const std::string& m_subject;
     const std::stop_token& m_stop;
+    std::size_t m_memory = 0; ///< taken by what is kept
+    std::size_t m_mostMemory;
     std::vector<Level> m_levels;
     std::size_t m_values = 0;
     Json m_root;
@@ -163,6 +232,11 @@ private:
 };
 
 } // namespace
+
+ParsedJson::~ParsedJson()
+{
+    release(root);
+}
 
 ParsedJson parseJson(std::string_view text, const std::string& subject, const std::stop_token& stop)
 {

@@ -53,12 +53,15 @@ struct ParsedJson
 {
     Json root;
     Faults faults;
+
+    ~ParsedJson();
 };
 
 /**
  * Parses JSON as RFC 8259 has it; a UTF-8 byte order mark is skipped. Throws `Error` SyntaxError
  * with line and column (byte order, comments, NaN, numbers no double can hold, nesting deeper than
- * 64), FileTooLarge above `kLargestFile` bytes or ten million values. A member given twice is a
+ * 64), FileTooLarge above `kLargestFile` bytes, ten million values or memory of ten times the text
+ * and 50 MB. A member given twice is a
  * fault that names it. `Stopped` when asked to stop.
  */
 [[nodiscard]] ParsedJson parseJson(std::string_view text, const std::string& subject,
