@@ -1825,6 +1825,14 @@
         <translation>Canadian Ice Service (CSV)</translation>
     </message>
     <message>
+        <source>KMZ (KML, packed)</source>
+        <translation>KMZ (KML, pakket)</translation>
+    </message>
+    <message>
+        <source>CZML (Cesium)</source>
+        <translation>CZML (Cesium)</translation>
+    </message>
+    <message>
         <source>GPX (waypoints, routes and tracks)</source>
         <translation>GPX (veipunkter, ruter og spor)</translation>
     </message>
@@ -6766,8 +6774,8 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Under flygingen kan ingen observasjoner importeres. Stopp flygingen for å importere dem.</translation>
     </message>
     <message>
-        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;All files (*)</source>
-        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
+        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
     </message>
     <message>
         <source>Import 1 iceberg from %1</source>

@@ -22,8 +22,8 @@ namespace {
 /** Files that hold sightings rather than a scenario or a run, by their endings. */
 const QStringList& sightingEndings()
 {
-    static const QStringList kEndings{u"csv"_s, u"geojson"_s, u"json"_s,     u"kml"_s,
-                                      u"gpx"_s, u"plan"_s,    u"waypoints"_s};
+    static const QStringList kEndings{u"csv"_s,  u"geojson"_s, u"json"_s, u"kml"_s,      u"kmz"_s,
+                                      u"czml"_s, u"gpx"_s,     u"plan"_s, u"waypoints"_s};
     return kEndings;
 }
 
@@ -51,8 +51,9 @@ void SightingsImport::chooseSightings()
     if (!mayImport())
         return;
     const QString path = interaction().openPath(
-        &window(), tr("Sightings (*.csv *.txt *.geojson *.json *.kml *.gpx *.plan *.waypoints);;"
-                      "All files (*)"));
+        &window(),
+        tr("Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;"
+           "All files (*)"));
     if (!path.isEmpty())
         importSightings(path);
 }

@@ -1,3 +1,4 @@
+#include "core/io/export/czml.h"
 #include "core/io/export/geojson.h"
 #include "core/io/export/gpx.h"
 #include "core/io/export/kml.h"
@@ -26,9 +27,9 @@ struct IcebergFormat
 };
 
 constexpr std::array kIcebergFormats{
-    IcebergFormat{"geojson", geoJson},
-    IcebergFormat{"kml", kmlText},
-    IcebergFormat{"gpx", gpxText},
+    IcebergFormat{"geojson", geoJson}, IcebergFormat{"kml", kmlText},
+    IcebergFormat{"gpx", gpxText},     IcebergFormat{"kmz", kmzFile},
+    IcebergFormat{"czml", czmlText},
 };
 
 /** An empty scenario of the same place and current: what the files of icebergs do not hold. */

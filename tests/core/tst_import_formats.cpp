@@ -1,6 +1,7 @@
 #include "core/base/angles.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_formats.h"
+#include "core/io/text/zip_file.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/import_fixtures.h"
@@ -141,6 +142,44 @@ private slots:
         QVERIFY(faultAt(table, 5).starts_with("latitude"));
         QCOMPARE(faultAt(table, 6), std::string("has no position"));
         QVERIFY(faultAt(table, 7).starts_with("a number is out of range"));
+    }
+
+    void czml()
+    {
+        const SightingTable table = readFixture("packets.czml");
+        QCOMPARE(at(table, 2).id, std::string("Berg one"));
+        QCOMPARE(timeOf(at(table, 2)), std::string("2021-04-01T06:00:00Z"));
+        QCOMPARE(*at(table, 2).sigma_m2, 12.5);
+        QCOMPARE(at(table, 3).id, std::string("b-2"));
+        QCOMPARE(timeOf(table.sightings[2]), std::string("2021-04-01T01:00:00Z"));
+        QCOMPARE(table.sightings[2].place.latitude_deg, 47.31);
+        QCOMPARE(timeOf(at(table, 4)), std::string("2021-04-01T05:00:00Z"));
+        QCOMPARE(faultAt(table, 4), std::string("has no position")); // the rest of a sample
+        QCOMPARE(faultAt(table, 5), std::string("is no point"));
+        QCOMPARE(faultAt(table, 6), std::string("has no position"));
+        QVERIFY(faultAt(table, 7).starts_with("latitude"));
+        QCOMPARE(faultAt(table, 8), std::string("has no position"));
+    }
+
+    void kmz()
+    {
+        const std::string kmz = importFixture("places.kmz");
+        QCOMPARE(readText(kmz, {.format = "kml"}).format, std::string("kml"));
+        const auto said = [](const std::string& bytes) {
+            const std::optional<Error> error = errorOf([&] { (void)readText(bytes); });
+            return error ? std::string(error->what()) : std::string("nothing");
+        };
+        QCOMPARE(said(kmz.substr(0, kmz.size() / 2)),
+                 std::string("file: is an archive that cannot be read: it is cut off or damaged"));
+        QCOMPARE(said(zipFile("sheet.xml", "<x/>")),
+                 std::string("file: is a compressed archive (such as XLSX) without a file *.kml"));
+        QCOMPARE(said(zipFile("doc.kml", kmz)), std::string("file: is an archive in an archive"));
+        QCOMPARE(said(zipFile("doc.kml", "")), std::string("file: is empty"));
+        QCOMPARE(said(zipFile("doc.kml", std::string(80'000'000, ' '))),
+                 std::string("file: unpacks to more than 64 MiB"));
+        std::string broken = kmz;
+        broken[broken.size() / 3] = static_cast<char>(~broken[broken.size() / 3]);
+        QVERIFY(said(broken) != "nothing");
     }
 
     void geoJson()
@@ -300,7 +339,7 @@ private slots:
                        9),
             "auto", "WrongFormat", "no text");
         row("UTF-16", QByteArray("\xFF\xFEl\0a\0", 6), "auto", "WrongFormat", "UTF-16");
-        row("archive", "PK\x03\x04 and more", "auto", "WrongFormat", "compressed");
+        row("archive", "PK\x03\x04 and more", "auto", "WrongFormat", "archive");
         row("header only", "id,lat,lon\n", "auto", "InvalidInput", "no sightings");
         row("no latitude", "id,place\n1,2\n", "auto", "WrongFormat", "known formats");
         row("no latitude, asked", "id,lon\n1,2\n", "csv", "InvalidInput", "latitude");

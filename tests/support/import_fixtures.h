@@ -20,7 +20,7 @@ struct ImportFixture
     std::size_t rejected;
 };
 
-inline constexpr std::array<ImportFixture, 15> kImportFixtures = {{
+inline constexpr std::array<ImportFixture, 17> kImportFixtures = {{
     {"iip.csv", "iip", 7, 7},
     {"cis-beacon.csv", "cis-beacon", 9, 3},
     {"usnic.csv", "usnic", 3, 3},
@@ -30,6 +30,8 @@ inline constexpr std::array<ImportFixture, 15> kImportFixtures = {{
     {"scene.geojson", "geojson", 4, 2},
     {"places.kml", "kml", 5, 4},
     {"scene.kml", "kml", 4, 2},
+    {"places.kmz", "kmz", 5, 4},
+    {"packets.czml", "czml", 4, 5},
     {"route.gpx", "gpx", 3, 1},
     {"scene.gpx", "gpx", 4, 1},
     {"qgc.plan", "plan", 3, 3},

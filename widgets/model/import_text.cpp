@@ -254,6 +254,10 @@ QString importFormatName(std::string_view id)
 {
     if (id == "kml")
         return ImportWords::tr("KML (Google Earth)");
+    if (id == "kmz")
+        return ImportWords::tr("KMZ (KML, packed)");
+    if (id == "czml")
+        return ImportWords::tr("CZML (Cesium)");
     if (id == "gpx")
         return ImportWords::tr("GPX (waypoints, routes and tracks)");
     if (id == "plan")

@@ -1,11 +1,14 @@
 #include "core/io/export/czml.h"
 
 #include "core/io/export/uav_colours.h"
+#include "core/io/export/xml_text.h"
 #include "core/io/text/export_numbers.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 namespace berg {
 
@@ -43,12 +46,18 @@ public:
             if (now.isListed)
                 addIceberg(now);
         addArea();
-        if (m_content.asset)
-            add(mark("asset", m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
-                     assetPlace_m(m_content), kAssetColour));
+        if (m_content.asset) {
+            Json packet =
+                mark("asset", m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
+                     assetPlace_m(m_content), kAssetColour);
+            addProperties(packet, assetData(m_content));
+            add(packet);
+        }
         for (const ExportUav& uav : m_content.uavs) {
-            add(mark("home/" + uav.uav.id, "Home of " + titleOf(uav.uav), uav.home_m,
-                     uavColour(uav.row)));
+            Json packet = mark("home/" + uav.uav.id, "Home of " + titleOf(uav.uav), uav.home_m,
+                               uavColour(uav.row));
+            addProperties(packet, dataOf(m_content, uav));
+            add(packet);
             addUav(uav);
         }
         return "[\n" + m_packets + "\n]\n";
@@ -116,19 +125,31 @@ private:
         return packet;
     }
 
+    /** What imports read back, numbers as such, and the time it is of. */
+    void addProperties(Json& packet, const std::vector<XmlData>& data) const
+    {
+        constexpr std::array<std::string_view, 3> kTexts{"id", "name", "state"};
+        Json& properties = packet["properties"];
+        for (const XmlData& item : data) {
+            const bool isText = std::ranges::find(kTexts, item.name) != kTexts.end();
+            properties[std::string(item.name)] = isText ? Json(item.value) : numberOf(item.value);
+        }
+        if (m_content.start)
+            properties["time"] = utcText(*m_content.start, m_content.now_s);
+    }
+
+    static Json numberOf(const std::string& text)
+    {
+        double value = 0;
+        std::from_chars(text.data(), text.data() + text.size(), value);
+        return value;
+    }
+
     void addIceberg(const ExportIceberg& now)
     {
         Json packet =
             mark("iceberg/" + now.iceberg.id, titleOf(now.iceberg), now.position_m, kIceColour);
-        const Point drift_mps = eastNorth_mps(m_content, now.drift_mps, now.position_m);
-        Json& properties = packet["properties"];
-        properties["id"] = now.iceberg.id;
-        properties["state"] = nameOf(kIcebergStateNames, now.state);
-        properties["sigma_m2"] = now.sigma_m2;
-        properties["q_m2ps"] = now.iceberg.q_m2ps;
-        properties["radius_m"] = now.iceberg.radius_m;
-        properties["drift_east_mps"] = drift_mps.x();
-        properties["drift_north_mps"] = drift_mps.y();
+        addProperties(packet, dataOf(m_content, now));
         add(packet);
     }
 
@@ -143,6 +164,7 @@ private:
         Json packet;
         packet["id"] = "area";
         packet["name"] = "Area";
+        packet["properties"]["geofence"] = m_content.geofence;
         packet["polyline"]["positions"]["cartographicDegrees"] = std::move(outline);
         packet["polyline"]["width"] = 2;
         packet["polyline"]["material"] = solid(kAreaColour);

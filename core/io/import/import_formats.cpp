@@ -2,11 +2,13 @@
 
 #include "core/base/error.h"
 #include "core/io/import/import_csv.h"
+#include "core/io/import/import_czml.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_geojson.h"
 #include "core/io/import/import_mission.h"
 #include "core/io/import/import_xml.h"
 #include "core/io/text/atomic_file.h"
+#include "core/io/text/zip_file.h"
 #include "core/scenario/checks.h"
 
 #include <algorithm>
@@ -17,6 +19,8 @@ namespace {
 
 constexpr std::array kFormats{
     ImportFormat{"kml", "Google Earth and other map programs", true, isKml, readKml},
+    ImportFormat{"kmz", "the same, packed", true, isZip, readKml},
+    ImportFormat{"czml", "Cesium: places and tracks", true, isCzml, readCzml},
     ImportFormat{"gpx", "satellite navigation: waypoints, routes and tracks", false, isGpx,
                  readGpx},
     ImportFormat{"plan", "QGroundControl: the places of a mission", false, isPlan, readPlan},
@@ -48,8 +52,6 @@ void requireText(std::string_view bytes, const std::string& subject)
         fail("is empty");
     if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
         fail("is UTF-16 text; save it as UTF-8");
-    if (bytes.starts_with("PK\x03\x04"))
-        fail("is a compressed archive (such as XLSX or KMZ); export it as CSV or KML");
     if (bytes.find('\0') != std::string_view::npos)
         fail("is no text file");
 }
@@ -127,6 +129,17 @@ SightingTable readSightings(std::string_view bytes, const std::string& subject,
     if (bytes.size() > kLargestFile)
         throw Error(ErrorCode::FileTooLarge, subject,
                     "is larger than " + std::to_string(kLargestFile >> 20U) + " MiB");
+    if (isZip(bytes)) {
+        const bool isAny = options.format == "auto" || options.format == "kmz";
+        ReadOptions inside = options;
+        inside.format = isAny ? "kml" : options.format;
+        const std::string text = unzipped(bytes, ".kml", subject, stop);
+        if (isZip(text)) // some archives hold themselves
+            throw Error(ErrorCode::WrongFormat, subject, "is an archive in an archive");
+        SightingTable table = readSightings(text, subject, inside, stop);
+        table.format = isAny ? "kmz" : table.format;
+        return table;
+    }
     requireText(bytes, subject);
     const std::string decoded =
         isUtf8(bytes) || isKml(bytes) || isGpx(bytes) ? std::string() : utf8FromLatin1(bytes);

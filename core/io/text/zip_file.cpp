@@ -1,69 +1,58 @@
 #include "core/io/text/zip_file.h"
 
 #include "core/base/error.h"
+#include "core/base/stopped.h"
+#include "core/io/text/atomic_file.h"
 
-#include <cstdint>
-#include <limits>
-#include <zlib.h>
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <zip.h>
 
 namespace berg {
 
 namespace {
 
-/** Numbers of zip headers are little-endian. */
-void add16(std::string& bytes, unsigned value)
+using Archive = std::unique_ptr<zip_t, decltype(&zip_discard)>;
+using Source = std::unique_ptr<zip_source_t, decltype(&zip_source_free)>;
+
+/** In memory; `bytes` must live as long. */
+Source sourceOf(std::string_view bytes)
 {
-    bytes += static_cast<char>(value & 0xFFU);
-    bytes += static_cast<char>((value >> 8U) & 0xFFU);
+    Source source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr),
+                  &zip_source_free);
+    require(source != nullptr, "libzip has no memory");
+    return source;
 }
 
-void add32(std::string& bytes, std::size_t value)
+/** Of the source, which the caller keeps; null: it is none. */
+Archive archiveOf(const Source& source, int flags)
 {
-    add16(bytes, static_cast<unsigned>(value & 0xFFFFU));
-    add16(bytes, static_cast<unsigned>((value >> 16U) & 0xFFFFU));
+    zip_source_keep(source.get());
+    Archive archive(zip_open_from_source(source.get(), flags, nullptr), &zip_discard);
+    if (archive == nullptr)
+        zip_source_free(source.get());
+    return archive;
 }
 
-/** Raw deflate, without the header of zlib. */
-std::string deflated(std::string_view content)
+bool endsWith(std::string_view name, std::string_view ending)
 {
-    z_stream stream{};
-    constexpr int kRawWindow = -15;
-    constexpr int kMemoryLevel = 8;
-    require(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kRawWindow, kMemoryLevel,
-                         Z_DEFAULT_STRATEGY) == Z_OK,
-            "zlib cannot deflate");
-    std::string bytes(deflateBound(&stream, static_cast<uLong>(content.size())), '\0');
-    // zlib reads through a pointer that is not const unless asked otherwise, and does not write.
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
-    stream.avail_in = static_cast<uInt>(content.size());
-    stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
-    stream.avail_out = static_cast<uInt>(bytes.size());
-    const int ended = deflate(&stream, Z_FINISH);
-    bytes.resize(stream.total_out);
-    deflateEnd(&stream);
-    require(ended == Z_STREAM_END, "zlib did not finish");
-    return bytes;
+    return name.size() >= ending.size() &&
+           std::ranges::equal(
+               name.substr(name.size() - ending.size()), ending,
+               [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
 }
 
-/** What the two headers of an entry share. */
-std::string entryOf(std::string_view name, std::string_view content, std::size_t packedSize)
+std::string allOf(const Source& source)
 {
-    constexpr unsigned kVersion = 20; // deflate
-    constexpr unsigned kUtf8Names = 1U << 11U;
-    constexpr unsigned kDeflated = 8;
-    constexpr unsigned kFirstDay = (1U << 5U) | 1U; // 1980-01-01, the earliest there is
-    std::string bytes;
-    add16(bytes, kVersion);
-    add16(bytes, kUtf8Names);
-    add16(bytes, kDeflated);
-    add16(bytes, 0); // midnight
-    add16(bytes, kFirstDay);
-    add32(bytes, crc32(0, reinterpret_cast<const Bytef*>(content.data()),
-                       static_cast<uInt>(content.size())));
-    add32(bytes, packedSize);
-    add32(bytes, content.size());
-    add16(bytes, static_cast<unsigned>(name.size()));
-    add16(bytes, 0); // no extra field
+    zip_stat_t found;
+    zip_stat_init(&found);
+    require(zip_source_stat(source.get(), &found) == 0 && zip_source_open(source.get()) == 0,
+            "libzip lost what it wrote");
+    std::string bytes(found.size, '\0');
+    const zip_int64_t got = zip_source_read(source.get(), bytes.data(), bytes.size());
+    zip_source_close(source.get());
+    require(got == static_cast<zip_int64_t>(bytes.size()), "libzip lost what it wrote");
     return bytes;
 }
 
@@ -71,34 +60,63 @@ std::string entryOf(std::string_view name, std::string_view content, std::size_t
 
 std::string zipFile(std::string_view entryName, std::string_view content)
 {
-    require(content.size() < std::numeric_limits<std::uint32_t>::max() / 2, "zipFile: too large");
-    const std::string packed = deflated(content);
-    const std::string entry = entryOf(entryName, content, packed.size());
-    std::string file = "PK\x03\x04" + entry;
-    (file += entryName) += packed;
+    const Source file = sourceOf({});
+    Archive archive = archiveOf(file, ZIP_CREATE | ZIP_TRUNCATE);
+    require(archive != nullptr, "libzip makes no archive");
+    zip_source_t* const entry = zip_source_buffer(archive.get(), content.data(), content.size(), 0);
+    const std::string name(entryName);
+    const zip_int64_t at = zip_file_add(archive.get(), name.c_str(), entry, ZIP_FL_ENC_UTF_8);
+    constexpr unsigned kBest = 9;
+    constexpr unsigned kFirstDay = (1U << 5U) | 1U; // 1980-01-01, the earliest there is
+    const auto index = static_cast<zip_uint64_t>(at);
+    require(entry != nullptr && at >= 0 &&
+                zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE, kBest) == 0 &&
+                zip_file_set_dostime(archive.get(), index, 0, kFirstDay, 0) == 0 &&
+                zip_close(archive.get()) == 0,
+            "libzip does not write");
+    static_cast<void>(archive.release()); // closed
+    return allOf(file);
+}
 
-    const std::size_t directoryAt = file.size();
-    constexpr unsigned kMadeBy = 20;
-    file += "PK\x01\x02";
-    add16(file, kMadeBy);
-    file += entry;
-    add16(file, 0); // no comment
-    add16(file, 0); // first disk
-    add16(file, 0); // no attributes
-    add32(file, 0);
-    add32(file, 0); // where the entry starts
-    file += entryName;
-    const std::size_t directorySize = file.size() - directoryAt;
-
-    file += "PK\x05\x06";
-    add16(file, 0); // this disk
-    add16(file, 0); // that of the directory
-    add16(file, 1); // entries here
-    add16(file, 1); // and in all
-    add32(file, directorySize);
-    add32(file, directoryAt);
-    add16(file, 0); // no comment
-    return file;
+std::string unzipped(std::string_view bytes, std::string_view ending, const std::string& subject,
+                     const std::stop_token& stop)
+{
+    const auto fail = [&](const std::string& reason) {
+        throw Error(ErrorCode::WrongFormat, subject, reason);
+    };
+    const Source file = sourceOf(bytes);
+    const Archive archive = archiveOf(file, ZIP_RDONLY);
+    if (archive == nullptr)
+        fail("is an archive that cannot be read: it is cut off or damaged");
+    const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+    zip_int64_t index = 0;
+    const auto nameOf = [&] {
+        const char* const name =
+            zip_get_name(archive.get(), static_cast<zip_uint64_t>(index), ZIP_FL_ENC_GUESS);
+        return std::string_view(name == nullptr ? "" : name);
+    };
+    while (index < count && !endsWith(nameOf(), ending))
+        ++index;
+    if (index >= count)
+        fail("is a compressed archive (such as XLSX) without a file *" + std::string(ending));
+    const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> entry(
+        zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(index), 0), &zip_fclose);
+    constexpr std::size_t kPiece = 1U << 16U;
+    std::string text;
+    // What the archive says of the size may be a lie, so it is counted.
+    for (zip_int64_t got = 1; got > 0;) {
+        throwIfStopped(stop);
+        const std::size_t size = text.size();
+        if (size > kLargestFile)
+            throw Error(ErrorCode::FileTooLarge, subject,
+                        "unpacks to more than " + std::to_string(kLargestFile >> 20U) + " MiB");
+        text.resize(size + kPiece);
+        got = entry == nullptr ? -1 : zip_fread(entry.get(), text.data() + size, kPiece);
+        if (got < 0)
+            fail("is an archive whose entry *" + std::string(ending) + " cannot be unpacked");
+        text.resize(size + static_cast<std::size_t>(got));
+    }
+    return text;
 }
 
 } // namespace berg

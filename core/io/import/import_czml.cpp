@@ -1,0 +1,215 @@
+#include "core/io/import/import_czml.h"
+
+#include "core/base/stopped.h"
+#include "core/io/import/import_xml.h"
+#include "core/io/import/json_members.h"
+
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+constexpr std::string_view kHome = "home/";
+constexpr std::string_view kUav = "uav/";
+
+/** A property as a text; some writers wrap it into an object that says its type. */
+std::string propertyText(const Json& value)
+{
+    if (value.is_string())
+        return value.get<std::string>();
+    if (value.is_number() || value.is_boolean())
+        return value.dump();
+    for (const char* type : {"number", "string", "boolean"})
+        if (const Json* wrapped = memberOf(&value, type); wrapped && !wrapped->is_structured())
+            return propertyText(*wrapped);
+    return {};
+}
+
+std::string idOf(const Json& packet)
+{
+    return textOf(memberOf(&packet, "id"));
+}
+
+/** Longitude, latitude and height, or a time before them, again and again. */
+const Json* degreesOf(const Json* positions)
+{
+    return arrayOf(positions, "cartographicDegrees");
+}
+
+/** Gathers the sightings of one file. */
+class CzmlSightings
+{
+public:
+    explicit CzmlSightings(const ImportText& source) : m_source(source), m_names(source.mapping) {}
+
+    SightingTable take()
+    {
+        const ParsedJson file = parseJson(m_source.text, m_source.subject, m_source.stop);
+        if (!file.root.is_array())
+            throw Error(ErrorCode::WrongFormat, m_source.subject, "is no list of CZML packets");
+        for (const Json& packet : file.root)
+            m_isOwn = m_isOwn || (idOf(packet).starts_with(kHome) &&
+                                  memberOf(memberOf(&packet, "properties"), "airspeed_mps"));
+        for (const Json& packet : file.root)
+            addPacket(packet);
+        return std::move(m_table);
+    }
+
+private:
+    void reject(RowFault fault)
+    {
+        addRow(m_table, RejectedRow{.line = m_packet, .fault = fault, .detail = {}},
+               m_source.subject);
+    }
+
+    void addPacket(const Json& packet)
+    {
+        throwIfStopped(m_source.stop);
+        ++m_packet;
+        const std::string id = idOf(packet);
+        if (id == "document")
+            return;
+        m_texts.clear();
+        m_drift = {};
+        m_data.clear();
+        readProperties(memberOf(&packet, "properties"));
+        setName(m_texts, textOf(memberOf(&packet, "name")));
+        m_texts.set({.field = SightingField::Id, .rank = 1001}, id);
+        const Json* position = memberOf(&packet, "position");
+        const Json* degrees = degreesOf(position);
+        if (m_isOwn && (id == "area" || id == "asset" || id.starts_with(kHome)))
+            readOwn(packet, id, degrees);
+        else if (m_isOwn && id.starts_with(kUav))
+            return;
+        else if (degrees == nullptr)
+            reject(position == nullptr ? RowFault::NotAPoint : RowFault::PositionMissing);
+        else if (degrees->size() <= 3)
+            addPoint(*degrees);
+        else
+            addTrack(*degrees, parseUtc(textOf(memberOf(position, "epoch"))));
+    }
+
+    void readProperties(const Json* properties)
+    {
+        if (properties == nullptr || !properties->is_object())
+            return;
+        for (const auto& [name, value] : properties->items()) {
+            std::string text = propertyText(value);
+            if (name == "drift_east_mps")
+                m_drift.east = text;
+            else if (name == "drift_north_mps")
+                m_drift.north = text;
+            else if (const std::optional<FieldUse> use = m_names.of(name);
+                     use && use->field != SightingField::Latitude &&
+                     use->field != SightingField::Longitude) // the place is the position's
+                m_texts.set(*use, text);
+            m_data[name] = std::move(text);
+        }
+    }
+
+    static bool setPlace(FieldTexts& texts, const Json& longitude, const Json& latitude)
+    {
+        if (!longitude.is_number() || !latitude.is_number())
+            return false;
+        texts.set(SightingField::Longitude, longitude.dump());
+        texts.set(SightingField::Latitude, latitude.dump());
+        return true;
+    }
+
+    void addPoint(const Json& degrees)
+    {
+        if (degrees.size() < 2 || !setPlace(m_texts, degrees[0], degrees[1])) {
+            reject(RowFault::PositionMissing);
+            return;
+        }
+        std::variant<Sighting, RejectedRow> row =
+            withDrift(sightingOf(m_texts, {}, m_packet), m_drift);
+        if (auto* const sighting = std::get_if<Sighting>(&row))
+            setData(*sighting, m_data);
+        addRow(m_table, std::move(row), m_source.subject);
+    }
+
+    void addTrack(const Json& degrees, const std::optional<UtcTime>& epoch)
+    {
+        constexpr std::size_t kStep = 4;
+        constexpr double kLongest_s = 1e9;
+        for (std::size_t i = 0; i + kStep <= degrees.size(); i += kStep) {
+            throwIfStopped(m_source.stop);
+            FieldTexts texts = m_texts;
+            const Json& time = degrees[i];
+            if (time.is_string())
+                texts.set(SightingField::Time, time.get_ref<const std::string&>());
+            else if (epoch && time.is_number() && std::abs(time.get<double>()) < kLongest_s)
+                texts.set(SightingField::Time, utcText(*epoch, time.get<double>()));
+            if (setPlace(texts, degrees[i + 1], degrees[i + 2]))
+                addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_packet),
+                       m_source.subject);
+            else
+                reject(RowFault::PositionMissing);
+        }
+        if (degrees.size() % kStep != 0)
+            reject(RowFault::PositionMissing);
+    }
+
+    /** Of an export of our own what is no iceberg. */
+    void readOwn(const Json& packet, const std::string& id, const Json* degrees)
+    {
+        if (id == "area") {
+            readArea(degreesOf(memberOf(memberOf(&packet, "polyline"), "positions")));
+            return;
+        }
+        if (degrees != nullptr && degrees->size() >= 2)
+            static_cast<void>(setPlace(m_texts, (*degrees)[0], (*degrees)[1]));
+        const std::string title = textOf(memberOf(&packet, "name"));
+        const OwnMark mark{.title = title,
+                           .place = placeOf(m_texts),
+                           .time = parseUtc(m_texts.text(SightingField::Time)),
+                           .data = m_data};
+        if (id == "asset")
+            addOwnAsset(m_table.scene, mark);
+        else
+            addOwnUav(m_table.scene, mark);
+    }
+
+    void readArea(const Json* degrees)
+    {
+        constexpr std::size_t kStep = 3;
+        const auto fence = m_data.find("geofence");
+        SceneArea area{.rings = {{}}, .geofence = fence != m_data.end() && fence->second == "true"};
+        for (std::size_t i = 0; degrees != nullptr && i + kStep <= degrees->size(); i += kStep)
+            if ((*degrees)[i].is_number() && (*degrees)[i + 1].is_number())
+                if (const auto corner =
+                        scenePlace((*degrees)[i + 1].get<double>(), (*degrees)[i].get<double>()))
+                    area.rings[0].push_back(*corner);
+        if (degrees != nullptr && area.rings[0].size() * kStep == degrees->size())
+            m_table.scene.addArea(std::move(area));
+        else
+            addFinding(m_table.scene.findings, SceneNote::AreaUnreadable);
+    }
+
+    const ImportText& m_source;
+    FieldNames m_names;
+    SightingTable m_table;
+    bool m_isOwn = false; ///< an export of our own
+    std::size_t m_packet = 0;
+    FieldTexts m_texts;
+    DriftTexts m_drift;
+    OwnData m_data;
+};
+
+} // namespace
+
+SightingTable readCzml(const ImportText& source)
+{
+    return CzmlSightings(source).take();
+}
+
+bool isCzml(std::string_view text)
+{
+    constexpr std::size_t kHead = 4096;
+    return trimmed(text).starts_with('[') &&
+           text.substr(0, kHead).find("\"document\"") != std::string_view::npos;
+}
+
+} // namespace berg
