@@ -1,0 +1,313 @@
+// Every reader of files from elsewhere, fed with mutated files in one process: see usage().
+
+#include "core/base/coordinates.h"
+#include "core/io/files/iceberg_json.h"
+#include "core/io/files/problem_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
+#include "core/io/import/import_formats.h"
+#include "core/io/import/import_scenario.h"
+#include "core/io/study/study_json.h"
+#include "core/io/text/atomic_file.h"
+#include "core/io/text/zip_file.h"
+#include "core/scenario/validate.h"
+#include "tests/fuzz/fuzz_mutator.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <fcntl.h>
+#include <filesystem>
+#include <map>
+#include <sys/mman.h>
+#include <unistd.h>
+
+using namespace berg;
+using berg::fuzz::Mutator;
+
+namespace {
+
+const std::string kSubject = "mutated";
+
+[[noreturn]] void fail(const std::string& what)
+{
+    std::fprintf(stderr, "fuzz_readers: %s\n", what.c_str());
+    std::abort();
+}
+
+/** Says the file, and the field or the line unless it is about the whole. */
+void checkMessage(const Error& error)
+{
+    const bool isWhole = error.code() == ErrorCode::WrongFormat ||
+                         error.code() == ErrorCode::UnsupportedVersion ||
+                         error.code() == ErrorCode::FileTooLarge;
+    if (error.subject() != kSubject || !std::string_view(error.what()).starts_with(kSubject + ": "))
+        fail(std::string("a message without its file: ") + error.what());
+    if (error.issues().empty())
+        fail(std::string("nothing found: ") + error.what());
+    const std::string& first = error.issues().front().message;
+    const bool isAboutAll = first.find("holds no") != std::string::npos ||
+                            first.find("column") != std::string::npos ||
+                            first.find("nested deeper") != std::string::npos;
+    if (!isWhole && !isAboutAll && error.issues().front().field.empty() &&
+        first.find("line ") == std::string::npos)
+        fail(std::string("neither field nor line: ") + error.what());
+    if (std::string_view(error.what()).find('\x1b') != std::string_view::npos)
+        fail("a raw escape in a message");
+}
+
+/** What was read is written, and read again, the same. */
+template <class Read, class Write>
+void readTwice(const std::string& text, const Read& read, const Write& write)
+{
+    const auto first = read(text);
+    const std::string written = write(first);
+    if (!(read(written) == first) || write(read(written)) != written)
+        fail("not the same again");
+}
+
+Scenario sea()
+{
+    Scenario scenario;
+    scenario.uavs.emplace_back().id = "uav-1";
+    return scenario;
+}
+
+void readAsSightings(const std::string& text)
+{
+    const SightingTable table = readSightings(text, kSubject);
+    const ImportResult result = importSightings(sea(), table);
+    if (!unreadable(result.scenario).empty())
+        fail("an import that cannot be opened");
+}
+
+void readAsStudy(const std::string& text)
+{
+    static_cast<void>(studyFromJson(text, kSubject));
+}
+
+void readAsScenario(const std::string& text)
+{
+    readTwice(
+        text, [](const std::string& t) { return scenarioFromJson(t, kSubject); },
+        [](const Scenario& s) { return scenarioToJson(s); });
+}
+
+void readAsRun(const std::string& text)
+{
+    readTwice(
+        text, [](const std::string& t) { return runFromJson(t, kSubject); },
+        [](const RunFile& run) { return runToJson(run); });
+}
+
+void readAsProblem(const std::string& text)
+{
+    static_cast<void>(problemFromJson(text, kSubject));
+}
+
+void readAsIcebergs(const std::string& text)
+{
+    static_cast<void>(icebergsFromJson(text, kSubject));
+}
+
+void readAsPlace(const std::string& text)
+{
+    static_cast<void>(parsePlace(text.substr(0, 200)));
+    static_cast<void>(parseUtc(text.substr(0, 40)));
+}
+
+void readAsFormat(const std::string& text)
+{
+    static_cast<void>(formatOf(text, kSubject));
+}
+
+/** The other readers of text now and then, whatever the file is called. */
+constexpr std::array kReaders{readAsScenario, readAsRun,       readAsProblem,  readAsStudy,
+                              readAsFormat,   readAsSightings, readAsIcebergs, readAsPlace};
+
+using Reader = void (*)(const std::string&);
+
+Reader readerOf(const std::filesystem::path& file)
+{
+    static const std::map<std::string, Reader> kByEnding{{".berg", readAsScenario},
+                                                         {".bergrun", readAsRun},
+                                                         {".bergstudy", readAsStudy},
+                                                         {".json", readAsProblem}};
+    const auto it = kByEnding.find(file.extension().string());
+    return it == kByEnding.end() ? readAsSightings : it->second;
+}
+
+struct Corpus
+{
+    std::vector<std::string> texts;
+    std::vector<Reader> readers;
+    std::vector<bool> packed; ///< is a KMZ whose text is here
+
+    void add(const std::filesystem::path& file)
+    {
+        constexpr std::size_t kLargest = 40'000;
+        std::string text = readFile(file.string());
+        const bool isPacked = isZip(text);
+        if (isPacked)
+            text = unzipped(text, ".kml", file.string());
+        if (text.empty() || text.size() > kLargest)
+            return;
+        texts.push_back(std::move(text));
+        readers.push_back(readerOf(file));
+        packed.push_back(isPacked);
+    }
+};
+
+/** The input in work, in a file that survives whatever becomes of this process. */
+class Keeper
+{
+public:
+    explicit Keeper(const std::string& path)
+    {
+        const int fd = ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC, 0666);
+        if (fd < 0 || ::ftruncate(fd, kSize) != 0)
+            fail("cannot write " + path);
+        m_map =
+            static_cast<char*>(::mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0));
+        ::close(fd);
+        if (m_map == MAP_FAILED)
+            fail("cannot map " + path);
+    }
+    /** Reader, size, bytes. */
+    void keep(std::size_t reader, const std::string& text)
+    {
+        const std::size_t size = std::min(text.size(), kSize - 2 * sizeof(std::size_t));
+        std::memcpy(m_map, &reader, sizeof reader);
+        std::memcpy(m_map + sizeof reader, &size, sizeof size);
+        std::memcpy(m_map + 2 * sizeof size, text.data(), size);
+    }
+
+private:
+    static constexpr std::size_t kSize = 1U << 18U;
+    char* m_map = nullptr;
+};
+
+/** Whether it was taken. */
+bool feed(Reader reader, const std::string& text)
+{
+    try {
+        reader(text);
+        return true;
+    } catch (const Error& error) {
+        checkMessage(error);
+        return false;
+    }
+}
+
+double processor_s()
+{
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+struct Options
+{
+    double seconds = 1e9;
+    std::uint64_t inputs = 10'000'000;
+    std::uint64_t seed = 1;
+    std::string keep = "fuzz-input";
+    std::string again; ///< a kept file
+    std::vector<std::string> folders;
+};
+
+int feedAgain(const std::string& path)
+{
+    const std::string kept = readFile(path);
+    std::size_t reader = 0;
+    std::size_t size = 0;
+    std::memcpy(&reader, kept.data(), sizeof reader);
+    std::memcpy(&size, kept.data() + sizeof reader, sizeof size);
+    std::printf("%s\n", feed(kReaders.at(reader), kept.substr(2 * sizeof size, size)) ? "taken"
+                                                                                      : "refused");
+    return 0;
+}
+
+int feedMany(const Options& options)
+{
+    constexpr double kLongest_s = 2; // of one input, sanitizers included
+    Corpus corpus;
+    for (const std::string& folder : options.folders)
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+            if (entry.is_regular_file())
+                corpus.add(entry.path());
+    if (corpus.texts.empty())
+        fail("no files to mutate");
+    Mutator mutator(options.seed, corpus.texts);
+    Keeper keeper(options.keep);
+    const auto start = std::chrono::steady_clock::now();
+    std::uint64_t done = 0;
+    std::uint64_t taken = 0;
+    double slowest_s = 0;
+    const auto elapsed_s = [&start] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    for (; done < options.inputs && (done % 64 != 0 || elapsed_s() < options.seconds); ++done) {
+        const std::size_t which = mutator.below(corpus.texts.size());
+        std::string text = mutator.mutated(corpus.texts[which]);
+        if (corpus.packed[which]) {
+            text = zipFile("doc.kml", text);
+            if (mutator.below(2) == 0)
+                text = mutator.mutated(text);
+        }
+        Reader reader = corpus.readers[which];
+        if (mutator.below(8) == 0)
+            reader = kReaders[mutator.below(kReaders.size())];
+        keeper.keep(
+            static_cast<std::size_t>(std::ranges::find(kReaders, reader) - kReaders.begin()), text);
+        const double before_s = processor_s();
+        taken += feed(reader, text) ? 1U : 0U;
+        slowest_s = std::max(slowest_s, processor_s() - before_s);
+        if (slowest_s > kLongest_s)
+            fail("an input took " + std::to_string(slowest_s) + " s");
+    }
+    std::printf("seed %llu: %llu inputs of %zu files in %.0f s, %llu taken, the slowest %.0f ms\n",
+                static_cast<unsigned long long>(options.seed),
+                static_cast<unsigned long long>(done), corpus.texts.size(), elapsed_s(),
+                static_cast<unsigned long long>(taken), slowest_s * 1e3);
+    return 0;
+}
+
+int usage()
+{
+    std::fputs(
+        "Usage: fuzz_readers [--seconds S] [--inputs N] [--seed K] [--keep FILE] FOLDER...\n"
+        "       fuzz_readers --again FILE\n"
+        "Mutates the files of the folders and reads them. The input in work is in FILE; what\n"
+        "ends the program is read from it once more with --again.\n",
+        stderr);
+    return 2;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Options options;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const bool hasValue = word.starts_with("--") && i + 1 < argc;
+        if (!word.starts_with("--"))
+            options.folders.push_back(word);
+        else if (word == "--seconds" && hasValue)
+            options.seconds = std::strtod(argv[++i], nullptr);
+        else if (word == "--inputs" && hasValue)
+            options.inputs = std::strtoull(argv[++i], nullptr, 10);
+        else if (word == "--seed" && hasValue)
+            options.seed = std::strtoull(argv[++i], nullptr, 10);
+        else if (word == "--keep" && hasValue)
+            options.keep = argv[++i];
+        else if (word == "--again" && hasValue)
+            options.again = argv[++i];
+        else
+            return usage();
+    }
+    if (!options.again.empty())
+        return feedAgain(options.again);
+    return options.folders.empty() ? usage() : feedMany(options);
+}
