@@ -585,6 +585,25 @@
     </message>
 </context>
 <context>
+    <name>FieldNames</name>
+    <message>
+        <source>Corner of the area</source>
+        <translation>Hjørne av området</translation>
+    </message>
+    <message>
+        <source>Time of the recorded track</source>
+        <translation>Tidspunkt i det registrerte sporet</translation>
+    </message>
+    <message>
+        <source>Place of the recorded track</source>
+        <translation>Sted i det registrerte sporet</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Avveining τ</translation>
+    </message>
+</context>
+<context>
     <name>ExportPicture</name>
     <message>
         <source>No icebergs</source>
@@ -2734,16 +2753,96 @@
 <context>
     <name>IssueText</name>
     <message>
+        <source>%1 must be UTF-8 text.</source>
+        <translation>%1 må være UTF-8-tekst.</translation>
+    </message>
+    <message>
+        <source>%1 must be a finite number.</source>
+        <translation>%1 må være et endelig tall.</translation>
+    </message>
+    <message>
+        <source>The wind must be two finite numbers.</source>
+        <translation>Vinden må være to endelige tall.</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3, not %4.</source>
+        <translation>%1 må være fra %2 til %3, ikke %4.</translation>
+    </message>
+    <message>
+        <source>%1 must be above %2 and at most %3, not %4.</source>
+        <translation>%1 må være over %2 og høyst %3, ikke %4.</translation>
+    </message>
+    <message>
+        <source>The start must be a UTC date and time such as 2024-05-01T06:00:00Z.</source>
+        <translation>Starten må være dato og klokkeslett i UTC, for eksempel 2024-05-01T06:00:00Z.</translation>
+    </message>
+    <message>
+        <source>The area must have from 3 to %2 corners, not %3.</source>
+        <translation>Området må ha fra 3 til %2 hjørner, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The area must neither touch nor cross itself.</source>
+        <translation>Området kan verken berøre eller krysse seg selv.</translation>
+    </message>
+    <message>
+        <source>The id must not be empty.</source>
+        <translation>Id-en kan ikke være tom.</translation>
+    </message>
+    <message>
+        <source>The id &quot;%2&quot; is taken already.</source>
+        <translation>Id-en «%2» er allerede opptatt.</translation>
+    </message>
+    <message>
+        <source>A scenario holds from 1 to %2 UAVs, not %3.</source>
+        <translation>Et scenario har fra 1 til %2 UAV-er, ikke %3.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %2 icebergs, not %3.</source>
+        <translation>Et scenario har høyst %2 isfjell, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The recorded track must have from 2 to %2 points, not %3.</source>
+        <translation>Det registrerte sporet må ha fra 2 til %2 punkter, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The recorded track has %2 times, but %3 places.</source>
+        <translation>Det registrerte sporet har %2 tidspunkter, men %3 steder.</translation>
+    </message>
+    <message>
+        <source>The times of the recorded track must rise.</source>
+        <translation>Tidspunktene i det registrerte sporet må være stigende.</translation>
+    </message>
+    <message>
+        <source>There are %2 more errors.</source>
+        <translation>Det er %2 feil til.</translation>
+    </message>
+    <message>
+        <source>The time step must not be longer than the run.</source>
+        <translation>Tidssteget kan ikke være lengre enn flygingen.</translation>
+    </message>
+    <message>
+        <source>With a limited endurance, the time between two commands of the autopilot must be at most %2, not %3.</source>
+        <translation>Med begrenset utholdenhet kan tiden mellom to kommandoer fra autopiloten være høyst %2, ikke %3.</translation>
+    </message>
+    <message>
+        <source>A geofence has at most %2 corners, not %3.</source>
+        <translation>Et geogjerde har høyst %2 hjørner, ikke %3.</translation>
+    </message>
+    <message>
+        <source>There is no UAV &quot;%2&quot; in this scenario.</source>
+        <translation>Det er ingen UAV «%2» i dette scenariet.</translation>
+    </message>
+    <message>
+        <source>The sensor interval must not be shorter than the time step.</source>
+        <translation>Sensorintervallet kan ikke være kortere enn tidssteget.</translation>
+    </message>
+    <message>
         <source>Drifts so fast that the UAV may not catch up with it.</source>
         <translation>Driver så fort at UAV-en kanskje ikke tar det igjen.</translation>
     </message>
     <message>
         <source>The UAV will make little way against this wind.</source>
         <translation>UAV-en kommer knapt fremover mot denne vinden.</translation>
-    </message>
-    <message>
-        <source>This version cannot fly the policy chosen.</source>
-        <translation>Denne versjonen kan ikke fly den valgte strategien.</translation>
     </message>
     <message>
         <source>There are no icebergs yet, so there is nothing to plan.</source>

@@ -1,7 +1,5 @@
 #include "core/base/error.h"
 
-#include <algorithm>
-
 namespace berg {
 
 namespace {
@@ -21,12 +19,6 @@ std::string joined(const std::string& subject, const std::vector<Issue>& issues)
 }
 
 } // namespace
-
-bool hasErrors(const std::vector<Issue>& issues)
-{
-    return std::any_of(issues.begin(), issues.end(),
-                       [](const Issue& i) { return i.severity == Severity::Error; });
-}
 
 Error::Error(ErrorCode code, std::string subject, const std::string& message)
     : std::runtime_error(subject.empty() ? message : subject + ": " + message)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/issue.h"
+
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -22,25 +24,6 @@ enum class ErrorCode
     SolverFailed,
     ReplayMismatch ///< a run file does not reproduce what it recorded
 };
-
-enum class Severity
-{
-    Error,
-    Warning,
-    Hint
-};
-
-/** One finding about a scenario or a file. */
-struct Issue
-{
-    Severity severity = Severity::Error;
-    std::string field;   ///< path of the field, e.g. `icebergs[3].q_m2ps`; empty for the whole
-    std::string message; ///< English reason without field and file
-    bool operator==(const Issue&) const = default;
-};
-
-/** True when at least one finding is an error. */
-[[nodiscard]] bool hasErrors(const std::vector<Issue>& issues);
 
 /**
  * Failure of input, file or back end (bugs throw `std::logic_error`, see `require`).

@@ -84,13 +84,13 @@ public:
     }
 
 private:
-    void warn(std::string field, std::string_view message)
+    void warn(std::string field, IssueId id)
     {
-        m_issues.push_back({Severity::Warning, std::move(field), std::string(message)});
+        m_issues.push_back(issueOf(Severity::Warning, std::move(field), {.id = id}));
     }
-    void hint(std::string field, std::string_view message)
+    void hint(std::string field, IssueId id)
     {
-        m_issues.push_back({Severity::Hint, std::move(field), std::string(message)});
+        m_issues.push_back(issueOf(Severity::Hint, std::move(field), {.id = id}));
     }
 
     [[nodiscard]] bool isOutside(const Point& p_m) const
@@ -161,28 +161,28 @@ void Adviser::adviseUnused()
         std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [](const Iceberg& iceberg) {
             return !iceberg.extraJson.empty() || !iceberg.trackExtraJson.empty();
         }))
-        hint({}, advised::kUnknownMembers);
+        hint({}, IssueId::UnknownMembers);
     if (!m_s.area_m.empty() && !m_s.geofence)
-        hint("area_m", advised::kAreaNoFence);
+        hint("area_m", IssueId::AreaNoFence);
     if (m_s.observer.model == ObserverModel::Simple)
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
             if (m_s.icebergs[i].velocitySd_mps > 0)
-                hint(entryPath("icebergs", i) + ".velocity_sd_mps", advised::kVelocitySdUnused);
+                hint(entryPath("icebergs", i) + ".velocity_sd_mps", IssueId::VelocitySdUnused);
 }
 
 void Adviser::adviseUavs()
 {
     for (const Flyer& flyer : m_flyers) {
         if (isOutside(flyer.uav.position_m))
-            hint(flyer.path + ".position_m", advised::kUavOutside);
+            hint(flyer.path + ".position_m", IssueId::UavOutside);
         if (flyer.isWide && !m_s.reachRadius_m)
-            hint(flyer.path + ".fov_m", advised::kWideTurn);
+            hint(flyer.path + ".fov_m", IssueId::WideTurn);
         if (flyer.uav.spec.autopilot_s * flyer.uav.spec.airspeed_mps > LosGains().lookahead_m)
-            warn(flyer.path + ".autopilot_s", advised::kSlowAutopilot);
+            warn(flyer.path + ".autopilot_s", IssueId::SlowAutopilot);
     }
     if (m_s.reachRadius_m && std::any_of(m_flyers.begin(), m_flyers.end(),
                                          [](const Flyer& flyer) { return flyer.isWide; }))
-        hint("planner.reach_radius_m", advised::kReachInsideTurn);
+        hint("planner.reach_radius_m", IssueId::ReachInsideTurn);
 }
 
 /** Told of each that is near one before it. */
@@ -195,7 +195,7 @@ void Adviser::adviseLayers()
     for (auto flyer = m_flyers.begin(); flyer != m_flyers.end(); ++flyer)
         if (std::any_of(m_flyers.begin(), flyer,
                         [&](const Flyer& before) { return isNear(before.uav, flyer->uav); }))
-            hint(flyer->path + ".altitude_m", advised::kSameLayer);
+            hint(flyer->path + ".altitude_m", IssueId::SameLayer);
 }
 
 void Adviser::adviseEndurance(const Flyer& flyer)
@@ -203,14 +203,14 @@ void Adviser::adviseEndurance(const Flyer& flyer)
     const Uav& uav = flyer.uav;
     const double endurance_s = uav.spec.endurance_s;
     if (endurance_s == 0 && uav.home_m)
-        hint(flyer.path + ".home_m", advised::kHomeUnused);
+        hint(flyer.path + ".home_m", IssueId::HomeUnused);
     if (endurance_s == 0)
         return;
     const Point home_m = uav.home_m.value_or(uav.position_m);
     const std::optional<Way> home =
         wayTo(startOf(uav), {.place_m = home_m}, motionOf(m_s, uav), m_s.dt_s);
     if (!m_s.geofence && (!home || home->time_s + kHomeReserve_s > endurance_s))
-        warn(flyer.path + ".endurance_s", advised::kNoWayHome);
+        warn(flyer.path + ".endurance_s", IssueId::NoWayHome);
     bool visits = false;
     bool returns = false;
     for (const Iceberg& iceberg : m_s.icebergs) {
@@ -222,7 +222,7 @@ void Adviser::adviseEndurance(const Flyer& flyer)
                                  endurance_s;
     }
     if (visits && !returns)
-        warn(flyer.path + ".endurance_s", advised::kNoRoundTrip);
+        warn(flyer.path + ".endurance_s", IssueId::NoRoundTrip);
 }
 
 void Adviser::adviseGeofence()
@@ -234,12 +234,12 @@ void Adviser::adviseGeofence()
         const Uav& uav = flyer.uav;
         const Geofence& fence = fences.emplace_back(m_s.area_m, motionOf(m_s, uav));
         if (fence.room_m(startOf(uav)) < 0)
-            warn(flyer.path + ".position_m", advised::kStartNearFence);
+            warn(flyer.path + ".position_m", IssueId::StartNearFence);
         if (uav.spec.endurance_s > 0)
             adviseReturn(flyer, fence);
     }
     if (m_s.planner.policy == PolicyKind::Coverage)
-        hint("geofence", advised::kFenceUnplanned);
+        hint("geofence", IssueId::FenceUnplanned);
     adviseShutOff(fences);
 }
 
@@ -256,11 +256,11 @@ void Adviser::adviseReturn(const Flyer& flyer, const Geofence& fence)
     const SafetyGuard guard({.motion = motion, .sortie = sortie, .fence = &fence, .clock = clock});
     const std::optional<ReturnPath> path = guard.returnPath(startOf(uav));
     if (!path)
-        warn(flyer.path + ".position_m", advised::kNoSafeReturn);
+        warn(flyer.path + ".position_m", IssueId::NoSafeReturn);
     else if (guard.time_s(*path) + kHomeReserve_s > uav.spec.endurance_s)
-        warn(flyer.path + ".endurance_s", advised::kNoWayHome);
+        warn(flyer.path + ".endurance_s", IssueId::NoWayHome);
     if (!guard.safeHeading_rad({.position_m = sortie->home_m}, uav.spec.endurance_s))
-        warn(flyer.path + ".home_m", advised::kHomeNearFence);
+        warn(flyer.path + ".home_m", IssueId::HomeNearFence);
 }
 
 void Adviser::adviseShutOff(const std::vector<Geofence>& fences)
@@ -274,7 +274,7 @@ void Adviser::adviseShutOff(const std::vector<Geofence>& fences)
             isShutOff = !mayVisit(m_flyers[k], iceberg) ||
                         (m_flyers[k].isWide && fences[k].isShutOff(iceberg.position_m));
         if (isShutOff)
-            warn(entryPath("icebergs", i) + ".position_m", advised::kShutOff);
+            warn(entryPath("icebergs", i) + ".position_m", IssueId::ShutOff);
     }
 }
 
@@ -283,7 +283,7 @@ void Adviser::adviseAsset()
     if (m_s.asset && std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [&](const Iceberg& b) {
             return b.appears_s == 0 && (b.position_m - m_s.asset->position_m).norm() < b.radius_m;
         }))
-        warn("asset.position_m", advised::kAssetInIce);
+        warn("asset.position_m", IssueId::AssetInIce);
 }
 
 void Adviser::adviseIceberg(std::size_t i)
@@ -291,12 +291,12 @@ void Adviser::adviseIceberg(std::size_t i)
     const Iceberg& iceberg = m_s.icebergs[i];
     const std::string path = entryPath("icebergs", i);
     if (isOutside(estimateAt(iceberg, iceberg.appears_s)))
-        warn(path + ".position_m", advised::kOutsideArea);
+        warn(path + ".position_m", IssueId::OutsideArea);
     else if (comesInTime(iceberg) &&
              isOutside(iceberg.track.empty() ? endOf(iceberg) : iceberg.track.at(m_s.duration_s)))
-        hint(path + ".velocity_mps", advised::kLeavesArea);
+        hint(path + ".velocity_mps", IssueId::LeavesArea);
     if (iceberg.velocity_mps.norm() > kFastDrift_mps)
-        hint(path + ".velocity_mps", advised::kFast);
+        hint(path + ".velocity_mps", IssueId::Fast);
     if (!iceberg.track.empty())
         adviseTrack(iceberg, path);
 }
@@ -304,10 +304,10 @@ void Adviser::adviseIceberg(std::size_t i)
 void Adviser::adviseTrack(const Iceberg& iceberg, const std::string& path)
 {
     if (iceberg.track.time_s.back() < m_s.duration_s)
-        hint(path + ".track", advised::kTrackShort);
+        hint(path + ".track", IssueId::TrackShort);
     const Point gap_m = iceberg.track.at(iceberg.appears_s) - iceberg.position_m;
     if (allVisitors(iceberg, [&](const Flyer& f) { return gap_m.norm() > f.reach_m; }))
-        warn(path + ".track", advised::kTrackFar);
+        warn(path + ".track", IssueId::TrackFar);
 }
 
 void Adviser::adviseSamePlace()
@@ -329,7 +329,7 @@ void Adviser::adviseSamePlace()
         }
     for (std::size_t i = 0; i < all.size(); ++i)
         if (isSecond[i])
-            warn(entryPath("icebergs", i) + ".position_m", advised::kSamePlace);
+            warn(entryPath("icebergs", i) + ".position_m", IssueId::SamePlace);
 }
 
 /** Of an iceberg that a UAV catches up with the end is the easiest instant to be there. */
@@ -352,11 +352,11 @@ void Adviser::adviseReach()
             far.push_back(i);
     }
     if (coming > 0 && far.size() == coming) {
-        warn("duration_s", advised::kTooShort);
+        warn("duration_s", IssueId::TooShort);
         return;
     }
     for (const std::size_t i : far)
-        warn(entryPath("icebergs", i) + ".position_m", advised::kOutOfReach);
+        warn(entryPath("icebergs", i) + ".position_m", IssueId::OutOfReach);
 }
 
 void Adviser::advisePlanner()
@@ -364,23 +364,23 @@ void Adviser::advisePlanner()
     const std::size_t count = m_s.icebergs.size();
     const PlannerSettings& planner = m_s.planner;
     if (m_s.clusters && !plansClusters(planner.policy))
-        hint("planner.clusters", advised::kClustersIgnored);
+        hint("planner.clusters", IssueId::ClustersIgnored);
     else if (m_s.clusters && m_s.uavs.size() > 1)
-        warn("planner.clusters", advised::kClustersOneUav);
+        warn("planner.clusters", IssueId::ClustersOneUav);
     if (planner.policy != PolicyKind::Visitation || count == 0)
         return;
     if (std::all_of(m_s.icebergs.begin(), m_s.icebergs.end(),
                     [](const Iceberg& iceberg) { return initialSigma_m2(iceberg) == 0; }))
-        hint("icebergs", advised::kNoSigma);
+        hint("icebergs", IssueId::NoSigma);
     if (planner.tau == 0) // sorting proves itself
         return;
     const bool exact = planner.backend == Backend::Exact;
     if (count > kMostProven && exact)
-        warn("planner.backend", advised::kSolverUnable);
+        warn("planner.backend", IssueId::SolverUnable);
     else if (count > kMostProven)
-        hint("icebergs", advised::kBeyondProof);
+        hint("icebergs", IssueId::BeyondProof);
     else if (count > kQuickProof && exact)
-        hint("planner.backend", advised::kLongProof);
+        hint("planner.backend", IssueId::LongProof);
 }
 
 } // namespace

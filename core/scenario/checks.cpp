@@ -48,25 +48,21 @@ bool readLead(unsigned char byte, Utf8Lead& lead)
 
 } // namespace
 
-std::string shortText(double value)
+std::optional<IssueReason> outOfLimits(double value, const Limits& limits)
 {
-    std::array<char, 32> buffer{};
-    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    return {buffer.data(), end};
+    const bool lowOk = limits.above ? value > limits.low : value >= limits.low;
+    if (lowOk && value <= limits.high)
+        return std::nullopt;
+    if (!std::isfinite(value))
+        return IssueReason{.id = IssueId::NotFinite};
+    return IssueReason{.id = limits.above ? IssueId::OutOfOpenRange : IssueId::OutOfRange,
+                       .arguments = {limits.low, limits.high, value}};
 }
 
 std::string limitsFault(double value, const Limits& limits)
 {
-    const bool lowOk = limits.above ? value > limits.low : value >= limits.low;
-    if (lowOk && value <= limits.high)
-        return {};
-    if (!std::isfinite(value))
-        return "must be a finite number";
-    if (limits.above)
-        return "must be above " + shortText(limits.low) + " and at most " + shortText(limits.high) +
-               ", not " + shortText(value);
-    return "must be from " + shortText(limits.low) + " to " + shortText(limits.high) + ", not " +
-           shortText(value);
+    const std::optional<IssueReason> reason = outOfLimits(value, limits);
+    return reason ? englishText(*reason) : std::string();
 }
 
 std::string entryPath(const std::string& list, std::size_t i)

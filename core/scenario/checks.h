@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/base/issue.h"
+
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,11 +16,10 @@ struct Limits
     bool above = false; ///< `low` itself is not allowed
 };
 
-/** What is wrong with a number, as the end of a sentence ("must be ..."); empty when in limits. */
+/** What is wrong with a number; none when it is in limits. */
+[[nodiscard]] std::optional<IssueReason> outOfLimits(double value, const Limits& limits);
+/** The same as the end of an English sentence ("must be ..."); empty when in limits. */
 [[nodiscard]] std::string limitsFault(double value, const Limits& limits);
-
-/** Shortest text that reads back as `value`, in the C locale; for messages. */
-[[nodiscard]] std::string shortText(double value);
 
 /** Path of an entry: "icebergs[3]". */
 [[nodiscard]] std::string entryPath(const std::string& list, std::size_t i);

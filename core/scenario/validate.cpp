@@ -34,6 +34,11 @@ constexpr double kLargestGain = 1e6;
 /** Slower autopilots cannot be told when home must be gone for: `wayTo`. */
 constexpr double kSlowestHoming_s = 1;
 
+std::int64_t count(std::size_t number)
+{
+    return static_cast<std::int64_t>(number);
+}
+
 /** Gathers the findings; the checks below call it field by field. */
 class Findings
 {
@@ -45,26 +50,28 @@ public:
     };
     explicit Findings(Kind kind) : m_kind(kind) {}
 
+    using Arguments = std::vector<IssueArgument>;
+
     /** Of fields that are each in range but do not fit together. */
-    void conflict(std::string field, std::string message)
+    void conflict(std::string field, IssueId id, Arguments arguments = {})
     {
         if (m_kind == Kind::All)
-            error(std::move(field), std::move(message));
+            error(std::move(field), id, std::move(arguments));
     }
-    void error(std::string field, std::string message)
+    void error(std::string field, IssueId id, Arguments arguments = {})
     {
         if (++m_errors <= kMostKept)
-            m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
+            add(Severity::Error, std::move(field), id, std::move(arguments));
     }
-    void warn(std::string field, std::string message)
+    void warn(std::string field, IssueId id, Arguments arguments = {})
     {
         if (m_kind == Kind::All)
-            m_issues.push_back({Severity::Warning, std::move(field), std::move(message)});
+            add(Severity::Warning, std::move(field), id, std::move(arguments));
     }
-    void hint(std::string field, std::string message)
+    void hint(std::string field, IssueId id)
     {
         if (m_kind == Kind::All)
-            m_issues.push_back({Severity::Hint, std::move(field), std::move(message)});
+            add(Severity::Hint, std::move(field), id, {});
     }
 
     /**
@@ -75,11 +82,10 @@ public:
     {
         const bool reads = m_kind == Kind::Unreadable && limits.low > 0;
         const Limits positive{.low = 0, .high = limits.high, .above = true};
-        std::string fault = limitsFault(value, reads ? positive : limits);
-        if (fault.empty())
-            return true;
-        error(field, std::move(fault));
-        return false;
+        std::optional<IssueReason> fault = outOfLimits(value, reads ? positive : limits);
+        if (fault)
+            error(field, fault->id, std::move(fault->arguments));
+        return !fault;
     }
 
     bool inRange(const Point& value, const Limits& limits, const std::string& field)
@@ -91,19 +97,24 @@ public:
     void utf8(const std::string& text, const std::string& field)
     {
         if (!isUtf8(text))
-            error(field, "must be UTF-8 text");
+            error(field, IssueId::NotUtf8);
     }
 
     [[nodiscard]] std::vector<Issue> take()
     {
         if (m_errors > kMostKept)
-            m_issues.push_back({Severity::Error, "",
-                                "and " + std::to_string(m_errors - kMostKept) + " more faults"});
+            add(Severity::Error, "", IssueId::MoreFaults, {count(m_errors - kMostKept)});
         return std::move(m_issues);
     }
 
 private:
     static constexpr std::size_t kMostKept = 1000; ///< nobody reads more
+
+    void add(Severity severity, std::string field, IssueId id, Arguments arguments)
+    {
+        m_issues.push_back(
+            issueOf(severity, std::move(field), {.id = id, .arguments = std::move(arguments)}));
+    }
 
     Kind m_kind;
     std::size_t m_errors = 0;
@@ -121,16 +132,15 @@ void checkRun(const Scenario& s, Findings& findings)
     findings.inRange(s.origin.latitude_deg, {.low = -90, .high = 90}, "origin.latitude_deg");
     findings.inRange(s.origin.longitude_deg, {.low = -180, .high = 180}, "origin.longitude_deg");
     if (!s.startUtc.empty() && !isUtcTime(s.startUtc))
-        findings.error("start_utc", "must be a UTC date and time such as 2024-05-01T06:00:00Z");
+        findings.error("start_utc", IssueId::NotUtcTime);
     const bool duration = findings.inRange(
         s.duration_s, {.low = 0, .high = kLargestDuration_s, .above = true}, "duration_s");
     const bool dt =
         findings.inRange(s.dt_s, {.low = kSmallestTimeStep_s, .high = kLargestTimeStep_s}, "dt_s");
     if (duration && dt && s.dt_s > s.duration_s)
-        findings.conflict("dt_s", "must not be longer than duration_s");
+        findings.conflict("dt_s", IssueId::StepTooLong);
     if (s.seed < 0 || s.seed > kLargestSeed)
-        findings.error("seed", "must be from 0 to " + std::to_string(kLargestSeed) + ", not " +
-                                   std::to_string(s.seed));
+        findings.error("seed", IssueId::OutOfRange, {std::int64_t{0}, kLargestSeed, s.seed});
 }
 
 void checkArea(const Scenario& s, Findings& findings)
@@ -138,15 +148,15 @@ void checkArea(const Scenario& s, Findings& findings)
     if (s.area_m.empty())
         return;
     if (s.area_m.size() < 3 || s.area_m.size() > kMostAreaCorners) {
-        findings.error("area_m", "must have from 3 to " + std::to_string(kMostAreaCorners) +
-                                     " corners, not " + std::to_string(s.area_m.size()));
+        findings.error("area_m", IssueId::AreaCorners,
+                       {count(kMostAreaCorners), count(s.area_m.size())});
         return;
     }
     bool finite = true;
     for (std::size_t i = 0; i < s.area_m.size(); ++i)
         finite = findings.inRange(s.area_m[i], kCoordinate_m, entryPath("area_m", i)) && finite;
     if (finite && !isSimplePolygon(s.area_m))
-        findings.conflict("area_m", "must be a polygon that neither touches nor crosses itself");
+        findings.conflict("area_m", IssueId::AreaNotSimple);
 }
 
 /** An id must be there, readable and unique over UAVs and icebergs together. */
@@ -155,13 +165,12 @@ void checkId(const std::string& id, const std::string& owner,
 {
     findings.utf8(id, owner + ".id");
     if (id.empty())
-        findings.error(owner + ".id", "must not be empty");
+        findings.error(owner + ".id", IssueId::IdEmpty);
     if (id.empty() || !isUtf8(id))
         return;
     const auto [it, isNew] = ownerOfId.try_emplace(id, owner);
     if (!isNew)
-        findings.error(owner + ".id",
-                       '"' + printable(id) + "\" is the id of " + it->second + " already");
+        findings.error(owner + ".id", IssueId::IdTaken, {printable(id), it->second});
 }
 
 void checkUav(const Uav& uav, const std::string& path, Findings& findings)
@@ -169,7 +178,7 @@ void checkUav(const Uav& uav, const std::string& path, Findings& findings)
     findings.utf8(uav.name, path + ".name");
     findings.inRange(uav.position_m, kCoordinate_m, path + ".position_m");
     if (!std::isfinite(uav.heading_deg))
-        findings.error(path + ".heading_deg", "must be a finite number");
+        findings.error(path + ".heading_deg", IssueId::NotFinite);
     findings.inRange(uav.spec.airspeed_mps,
                      {.low = kSlowestAirspeed_mps, .high = kFastestAirspeed_mps},
                      path + ".airspeed_mps");
@@ -188,16 +197,14 @@ void checkUav(const Uav& uav, const std::string& path, Findings& findings)
     if (findings.inRange(uav.spec.autopilot_s, {.low = 0, .high = kSlowestAutopilot_s},
                          path + ".autopilot_s") &&
         uav.spec.endurance_s > 0 && uav.spec.autopilot_s > kSlowestHoming_s)
-        findings.conflict(path + ".autopilot_s", "must be at most " + shortText(kSlowestHoming_s) +
-                                                     " where the endurance is limited, not " +
-                                                     shortText(uav.spec.autopilot_s));
+        findings.conflict(path + ".autopilot_s", IssueId::AutopilotTooSlow,
+                          {kSlowestHoming_s, uav.spec.autopilot_s});
 }
 
 void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId, Findings& findings)
 {
     if (s.uavs.empty() || s.uavs.size() > kMostUavs) {
-        findings.error("uavs", "must hold from 1 to " + std::to_string(kMostUavs) + " UAVs, not " +
-                                   std::to_string(s.uavs.size()));
+        findings.error("uavs", IssueId::UavCount, {count(kMostUavs), count(s.uavs.size())});
         return;
     }
     for (std::size_t i = 0; i < s.uavs.size(); ++i) {
@@ -213,16 +220,15 @@ void checkGeofence(const Scenario& s, Findings& findings)
     if (!s.geofence)
         return;
     if (s.area_m.empty()) {
-        findings.conflict("geofence", std::string(advised::kFenceNoArea));
+        findings.conflict("geofence", IssueId::FenceNoArea);
         return;
     }
     if (s.area_m.size() > kMostFenceCorners)
-        findings.conflict("area_m", "must have at most " + std::to_string(kMostFenceCorners) +
-                                        " corners to be a geofence, not " +
-                                        std::to_string(s.area_m.size()));
+        findings.conflict("area_m", IssueId::FenceCorners,
+                          {count(kMostFenceCorners), count(s.area_m.size())});
     const auto inside = [&](const Point& place_m, const std::string& field) {
         if (place_m.allFinite() && !insidePolygon(s.area_m, place_m))
-            findings.conflict(field, std::string(advised::kOutsideFence));
+            findings.conflict(field, IssueId::OutsideFence);
     };
     for (std::size_t i = 0; i < s.uavs.size(); ++i) {
         inside(s.uavs[i].position_m, entryPath("uavs", i) + ".position_m");
@@ -236,24 +242,23 @@ void checkTrack(const RecordedTrack& track, const std::string& path, Findings& f
 {
     if (track.empty() && track.position_m.empty())
         return;
-    const std::size_t count = track.time_s.size();
-    if (count < 2 || count > kMostTrackPoints) {
-        findings.error(path + ".time_s", "must have from 2 to " + std::to_string(kMostTrackPoints) +
-                                             " entries, not " + std::to_string(count));
+    const std::size_t points = track.time_s.size();
+    if (points < 2 || points > kMostTrackPoints) {
+        findings.error(path + ".time_s", IssueId::TrackPoints,
+                       {count(kMostTrackPoints), count(points)});
         return;
     }
-    if (track.position_m.size() != count) {
-        findings.error(path + ".position_m",
-                       "must have one entry for each of time_s: " + std::to_string(count) +
-                           ", not " + std::to_string(track.position_m.size()));
+    if (track.position_m.size() != points) {
+        findings.error(path + ".position_m", IssueId::TrackPlaces,
+                       {count(points), count(track.position_m.size())});
         return;
     }
     constexpr Limits kTime_s{.low = -kLargestTime_s, .high = kLargestTime_s};
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < points; ++i) {
         const std::string time = entryPath(path + ".time_s", i);
         if (findings.inRange(track.time_s[i], kTime_s, time) && i > 0 &&
             !(track.time_s[i] > track.time_s[i - 1]))
-            findings.error(time, "must be later than the entry before");
+            findings.error(time, IssueId::TrackNotRising);
         findings.inRange(track.position_m[i], kCoordinate_m, entryPath(path + ".position_m", i));
     }
 }
@@ -277,19 +282,19 @@ void checkIcebergs(const Scenario& s, std::map<std::string, std::string>& ownerO
                    Findings& findings)
 {
     if (s.icebergs.size() > kMostIcebergs) {
-        findings.error("icebergs", "must hold at most " + std::to_string(kMostIcebergs) +
-                                       " icebergs, not " + std::to_string(s.icebergs.size()));
+        findings.error("icebergs", IssueId::IcebergCount,
+                       {count(kMostIcebergs), count(s.icebergs.size())});
         return;
     }
     if (s.icebergs.empty())
-        findings.hint("icebergs", "none yet, so there is nothing to plan");
+        findings.hint("icebergs", IssueId::NoIcebergs);
     for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
         const Iceberg& iceberg = s.icebergs[i];
         const std::string path = entryPath("icebergs", i);
         checkId(iceberg.id, path, ownerOfId, findings);
         checkIceberg(iceberg, path, findings);
         if (iceberg.appears_s > s.duration_s && std::isfinite(iceberg.appears_s))
-            findings.hint(path + ".appears_s", "is after the end of the run");
+            findings.hint(path + ".appears_s", IssueId::AppearsTooLate);
     }
 }
 
@@ -307,8 +312,7 @@ void checkFleet(const Scenario& s, Findings& findings)
         const std::string path = entryPath("icebergs", i) + ".uav";
         findings.utf8(uav, path);
         if (isUtf8(uav) && !uav.empty() && !known.contains(uav))
-            findings.conflict(path,
-                              '"' + printable(uav) + "\" is the id of no UAV of this scenario");
+            findings.conflict(path, IssueId::UnknownUav, {printable(uav)});
     }
 }
 
@@ -328,7 +332,7 @@ void checkDrift(const Scenario& s, Findings& findings)
 {
     const bool current = findings.inRange(s.current_mps, kVelocity_mps, "current_mps");
     if (!s.wind_mps.allFinite()) {
-        findings.error("wind_mps", "must be two finite numbers");
+        findings.error("wind_mps", IssueId::NotFinitePair);
         return;
     }
     const Uav* slowest = slowestUav(s);
@@ -336,21 +340,19 @@ void checkDrift(const Scenario& s, Findings& findings)
         return;
     const double airspeed_mps = slowest->spec.airspeed_mps;
     const double wind_mps = s.wind_mps.norm();
-    const std::string speeds = "wind of " + shortText(wind_mps) + " m/s, airspeed of " +
-                               printable(slowest->id) + " " + shortText(airspeed_mps) + " m/s";
+    const std::vector<IssueArgument> speeds{wind_mps, printable(slowest->id), airspeed_mps};
     if (!(wind_mps < airspeed_mps)) {
-        findings.conflict("wind_mps", "must be slower than the UAV flies: " + speeds);
+        findings.conflict("wind_mps", IssueId::WindTooFast, speeds);
         return;
     }
     if (wind_mps >= kStrongWind * airspeed_mps)
-        findings.warn("wind_mps", "the UAV will make little way against it: " + speeds);
+        findings.warn("wind_mps", IssueId::StrongWind, speeds);
     if (!current || s.icebergs.size() > kMostIcebergs)
         return;
     for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
         const Point drift_mps = s.icebergs[i].velocity_mps + s.current_mps;
         if ((s.wind_mps - drift_mps).norm() >= airspeed_mps)
-            findings.warn(entryPath("icebergs", i) + ".velocity_mps",
-                          "drifts so fast that the UAV may not catch up with it");
+            findings.warn(entryPath("icebergs", i) + ".velocity_mps", IssueId::DriftTooFast);
     }
 }
 
@@ -376,7 +378,7 @@ void checkObserver(const Scenario& s, Findings& findings)
     if (findings.inRange(observer.interval_s, {.low = 0, .high = kLongestLookInterval_s},
                          "observer.interval_s") &&
         observer.model == ObserverModel::Kalman && observer.interval_s < s.dt_s)
-        findings.conflict("observer.interval_s", "must not be shorter than the time step dt_s");
+        findings.conflict("observer.interval_s", IssueId::SensorIntervalTooShort);
     findings.inRange(observer.detection, {.low = 0, .high = 1, .above = true},
                      "observer.detection");
 }

@@ -34,7 +34,7 @@ bool isCalledUnsafe(const Scenario& s)
 {
     const std::vector<Issue> issues = validate(s);
     return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
-        return issue.message == advised::kNoSafeReturn || issue.message == advised::kNoWayHome;
+        return issue.reason.id == IssueId::NoSafeReturn || issue.reason.id == IssueId::NoWayHome;
     });
 }
 

@@ -154,8 +154,8 @@ private slots:
             }
             const std::vector<Issue> issues = validate(s);
             const bool warned = std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
-                return issue.message == advised::kNoWayHome ||
-                       issue.message == advised::kNoSafeReturn;
+                return issue.reason.id == IssueId::NoWayHome ||
+                       issue.reason.id == IssueId::NoSafeReturn;
             });
             for (const double margin_s : margins_s(flownWithin(s))) {
                 QVERIFY2(margin_s >= 0 || warned, qPrintable(QString("scenario %1").arg(i)));

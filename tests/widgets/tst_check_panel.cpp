@@ -127,25 +127,6 @@ private slots:
         QVERIFY(line.height() >= 2 * f.list().fontMetrics().height());
     }
 
-    void everyAdviceHasItsWords()
-    {
-        for (const std::string_view message :
-             {advised::kUnknownMembers, advised::kAreaNoFence,      advised::kSameLayer,
-              advised::kNoWayHome,      advised::kHomeUnused,       advised::kHomeNearFence,
-              advised::kStartNearFence, advised::kFenceUnplanned,   advised::kNoRoundTrip,
-              advised::kShutOff,        advised::kFenceNoArea,      advised::kOutsideFence,
-              advised::kUavOutside,     advised::kWideTurn,         advised::kReachInsideTurn,
-              advised::kOutsideArea,    advised::kLeavesArea,       advised::kSamePlace,
-              advised::kOutOfReach,     advised::kTooShort,         advised::kFast,
-              advised::kTrackShort,     advised::kTrackFar,         advised::kAssetInIce,
-              advised::kNoSigma,        advised::kBeyondProof,      advised::kSolverUnable,
-              advised::kLongProof,      advised::kVelocitySdUnused, advised::kClustersIgnored,
-              advised::kClustersOneUav, advised::kNoSafeReturn,     advised::kSlowAutopilot}) {
-            const Issue issue{Severity::Hint, "field", std::string(message)};
-            QVERIFY2(!issueText(issue).startsWith(u"field: "), issue.message.c_str());
-        }
-    }
-
     void counts()
     {
         QCOMPARE(countsText({.errors = 1, .warnings = 1}), u"1 error, 1 warning"_s);

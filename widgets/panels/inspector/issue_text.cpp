@@ -1,10 +1,11 @@
 #include "widgets/panels/inspector/issue_text.h"
 
-#include "core/scenario/advice.h"
+#include "widgets/panels/inspector/field_names.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <array>
 #include <charconv>
 
 using namespace Qt::StringLiterals;
@@ -17,148 +18,173 @@ struct IssueText
     Q_DECLARE_TR_FUNCTIONS(IssueText)
 };
 
-/** "icebergs[3].q_m2ps" is "icebergs.q_m2ps". */
-std::string withoutIndices(const std::string& field)
+/** How the user is told. */
+struct SentenceRow
 {
-    std::string name;
-    bool inside = false;
-    for (const char c : field) {
-        inside = inside || c == '[';
-        if (!inside)
-            name += c;
-        inside = inside && c != ']';
-    }
-    return name;
-}
-
-/** What the core advises and how the user is told. */
-struct AdviceText
-{
-    std::string_view message;
-    const char* text;
+    IssueId id;
+    const char* text; ///< %1 stands for the field, %2, %3, ... for the arguments of the reason
 };
 
-constexpr AdviceText kAdviceTexts[] = {
-    {advised::kUnknownMembers,
-     QT_TRANSLATE_NOOP("IssueText", "The file holds members that this version does not know. They "
-                                    "are kept, but not used.")},
-    {advised::kAreaNoFence,
+constexpr std::array<SentenceRow, kIssueIds> kSentences{{
+    {IssueId::Free, nullptr},
+    {IssueId::NotUtf8, QT_TRANSLATE_NOOP("IssueText", "%1 must be UTF-8 text.")},
+    {IssueId::NotFinite, QT_TRANSLATE_NOOP("IssueText", "%1 must be a finite number.")},
+    {IssueId::NotFinitePair,
+     QT_TRANSLATE_NOOP("IssueText", "The wind must be two finite numbers.")},
+    {IssueId::OutOfRange, QT_TRANSLATE_NOOP("IssueText", "%1 must be from %2 to %3, not %4.")},
+    {IssueId::OutOfOpenRange,
+     QT_TRANSLATE_NOOP("IssueText", "%1 must be above %2 and at most %3, not %4.")},
+    {IssueId::NotUtcTime,
      QT_TRANSLATE_NOOP("IssueText",
-                       "Icebergs outside the area are not monitored; the UAV may fly beyond "
-                       "it.")},
-    {advised::kVelocitySdUnused,
+                       "The start must be a UTC date and time such as 2024-05-01T06:00:00Z.")},
+    {IssueId::AreaCorners,
+     QT_TRANSLATE_NOOP("IssueText", "The area must have from 3 to %2 corners, not %3.")},
+    {IssueId::AreaNotSimple,
+     QT_TRANSLATE_NOOP("IssueText", "The area must neither touch nor cross itself.")},
+    {IssueId::IdEmpty, QT_TRANSLATE_NOOP("IssueText", "The id must not be empty.")},
+    {IssueId::IdTaken, QT_TRANSLATE_NOOP("IssueText", "The id \"%2\" is taken already.")},
+    {IssueId::UavCount,
+     QT_TRANSLATE_NOOP("IssueText", "A scenario holds from 1 to %2 UAVs, not %3.")},
+    {IssueId::IcebergCount,
+     QT_TRANSLATE_NOOP("IssueText", "A scenario holds at most %2 icebergs, not %3.")},
+    {IssueId::TrackPoints,
+     QT_TRANSLATE_NOOP("IssueText", "The recorded track must have from 2 to %2 points, not %3.")},
+    {IssueId::TrackPlaces,
+     QT_TRANSLATE_NOOP("IssueText", "The recorded track has %2 times, but %3 places.")},
+    {IssueId::TrackNotRising,
+     QT_TRANSLATE_NOOP("IssueText", "The times of the recorded track must rise.")},
+    {IssueId::MoreFaults, QT_TRANSLATE_NOOP("IssueText", "There are %2 more errors.")},
+    {IssueId::StepTooLong,
+     QT_TRANSLATE_NOOP("IssueText", "The time step must not be longer than the run.")},
+    {IssueId::AutopilotTooSlow,
+     QT_TRANSLATE_NOOP("IssueText", "With a limited endurance, the time between two commands of "
+                                    "the autopilot must be at most %2, not %3.")},
+    {IssueId::FenceNoArea, QT_TRANSLATE_NOOP("IssueText", "A geofence needs an area.")},
+    {IssueId::FenceCorners,
+     QT_TRANSLATE_NOOP("IssueText", "A geofence has at most %2 corners, not %3.")},
+    {IssueId::OutsideFence,
+     QT_TRANSLATE_NOOP("IssueText", "Must be inside the area, which is a geofence.")},
+    {IssueId::UnknownUav,
+     QT_TRANSLATE_NOOP("IssueText", "There is no UAV \"%2\" in this scenario.")},
+    {IssueId::WindTooFast,
+     QT_TRANSLATE_NOOP("IssueText", "The wind must be slower than the UAV flies.")},
+    {IssueId::StrongWind,
+     QT_TRANSLATE_NOOP("IssueText", "The UAV will make little way against this wind.")},
+    {IssueId::DriftTooFast,
+     QT_TRANSLATE_NOOP("IssueText", "Drifts so fast that the UAV may not catch up with it.")},
+    {IssueId::SensorIntervalTooShort,
+     QT_TRANSLATE_NOOP("IssueText", "The sensor interval must not be shorter than the time step.")},
+    {IssueId::NoIcebergs,
+     QT_TRANSLATE_NOOP("IssueText", "There are no icebergs yet, so there is nothing to plan.")},
+    {IssueId::AppearsTooLate,
+     QT_TRANSLATE_NOOP("IssueText", "Appears after the end of the run, so it is never planned.")},
+    {IssueId::UnknownMembers,
+     QT_TRANSLATE_NOOP(
+         "IssueText",
+         "The file holds members that this version does not know. They are kept, but not used.")},
+    {IssueId::AreaNoFence,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "Icebergs outside the area are not monitored; the UAV may fly beyond it.")},
+    {IssueId::VelocitySdUnused,
      QT_TRANSLATE_NOOP("IssueText",
                        "The velocity's deviation counts with the Kalman filter only.")},
-    {advised::kSameLayer,
+    {IssueId::SameLayer,
      QT_TRANSLATE_NOOP("IssueText", "Starts near another UAV in the same altitude layer: let their "
                                     "altitudes differ by 30 m.")},
-    {advised::kNoWayHome,
+    {IssueId::NoWayHome,
      QT_TRANSLATE_NOOP("IssueText", "The endurance is too short for the way home from the start.")},
-    {advised::kHomeUnused,
+    {IssueId::NoRoundTrip,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "The endurance is too short for the way to the nearest iceberg and back.")},
+    {IssueId::HomeUnused,
      QT_TRANSLATE_NOOP("IssueText", "Home counts with a limited endurance only.")},
-    {advised::kHomeNearFence,
+    {IssueId::HomeNearFence,
      QT_TRANSLATE_NOOP("IssueText", "Home is so near the geofence that the UAV cannot take off "
                                     "there again and be sure to come home.")},
-    {advised::kNoSafeReturn,
+    {IssueId::NoSafeReturn,
      QT_TRANSLATE_NOOP("IssueText", "For its heading, the UAV has no path home inside the geofence "
                                     "from where it starts: no start is safe.")},
-    {advised::kSlowAutopilot,
+    {IssueId::StartNearFence,
+     QT_TRANSLATE_NOOP(
+         "IssueText",
+         "The UAV starts so near the geofence, for its heading, that it cannot turn inside it.")},
+    {IssueId::ShutOff,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "So near the geofence that the UAV cannot come as near as it has to.")},
+    {IssueId::SlowAutopilot,
      QT_TRANSLATE_NOOP("IssueText", "The time between two commands of the autopilot is too long "
                                     "for the UAV to follow a leg.")},
-    {advised::kStartNearFence,
-     QT_TRANSLATE_NOOP("IssueText", "The UAV starts so near the geofence, for its heading, that it "
-                                    "cannot turn inside it.")},
-    {advised::kShutOff,
-     QT_TRANSLATE_NOOP("IssueText", "So near the geofence that the UAV cannot come as near as it "
-                                    "has to.")},
-    {advised::kFenceNoArea, QT_TRANSLATE_NOOP("IssueText", "A geofence needs an area.")},
-    {advised::kOutsideFence,
-     QT_TRANSLATE_NOOP("IssueText", "Must be inside the area, which is a geofence.")},
-    {advised::kFenceUnplanned,
+    {IssueId::FenceUnplanned,
      QT_TRANSLATE_NOOP("IssueText",
                        "This policy plans without the geofence; it is kept in flight.")},
-    {advised::kNoRoundTrip,
-     QT_TRANSLATE_NOOP("IssueText", "The endurance is too short for the way to the nearest iceberg "
-                                    "and back.")},
-    {advised::kUavOutside, QT_TRANSLATE_NOOP("IssueText", "Starts outside the area.")},
-    {advised::kWideTurn,
+    {IssueId::UavOutside, QT_TRANSLATE_NOOP("IssueText", "Starts outside the area.")},
+    {IssueId::WideTurn,
      QT_TRANSLATE_NOOP("IssueText", "The turn radius is larger than half the field of view, so "
                                     "that an iceberg may be missed.")},
-    {advised::kClustersIgnored,
-     QT_TRANSLATE_NOOP("IssueText", "This policy plans icebergs one by one: several in one field "
-                                    "of view are not planned as one point.")},
-    {advised::kClustersOneUav,
-     QT_TRANSLATE_NOOP("IssueText", "Icebergs are planned as one point for one UAV only; with "
-                                    "several each is planned by itself.")},
-    {advised::kReachInsideTurn,
+    {IssueId::ReachInsideTurn,
      QT_TRANSLATE_NOOP("IssueText", "The radius that counts as reached is smaller than the turn "
                                     "radius, so that the UAV flies on and comes back.")},
-    {advised::kOutsideArea, QT_TRANSLATE_NOOP("IssueText", "Lies outside the area.")},
-    {advised::kLeavesArea,
+    {IssueId::OutsideArea, QT_TRANSLATE_NOOP("IssueText", "Lies outside the area.")},
+    {IssueId::LeavesArea,
      QT_TRANSLATE_NOOP("IssueText", "Drifts out of the area before the end of the run.")},
-    {advised::kSamePlace,
+    {IssueId::SamePlace,
      QT_TRANSLATE_NOOP("IssueText", "Lies where another iceberg lies. Is it the same one?")},
-    {advised::kOutOfReach,
+    {IssueId::OutOfReach,
      QT_TRANSLATE_NOOP("IssueText",
                        "So far away that the UAV cannot get there before the end of the run.")},
-    {advised::kTooShort,
+    {IssueId::TooShort,
      QT_TRANSLATE_NOOP("IssueText",
                        "The run is over before the UAV can get to the first iceberg.")},
-    {advised::kFast,
+    {IssueId::Fast,
      QT_TRANSLATE_NOOP("IssueText", "Drifts faster than icebergs do. Is the unit right?")},
-    {advised::kTrackShort,
-     QT_TRANSLATE_NOOP("IssueText", "Its recorded track ends before the run does; from then on it "
-                                    "stands still.")},
-    {advised::kTrackFar,
-     QT_TRANSLATE_NOOP("IssueText", "Its recorded track begins so far from the estimate that the "
-                                    "UAV will not see it there.")},
-    {advised::kAssetInIce, QT_TRANSLATE_NOOP("IssueText", "The asset lies inside an iceberg.")},
-    {advised::kNoSigma,
-     QT_TRANSLATE_NOOP("IssueText", "No iceberg is uncertain at the start, so distance alone makes "
-                                    "the first plan.")},
-    {advised::kBeyondProof,
-     QT_TRANSLATE_NOOP("IssueText", "More icebergs than can be proven optimal; the plan comes with "
-                                    "a bound.")},
-    {advised::kSolverUnable,
+    {IssueId::TrackShort,
+     QT_TRANSLATE_NOOP(
+         "IssueText",
+         "Its recorded track ends before the run does; from then on it stands still.")},
+    {IssueId::TrackFar,
+     QT_TRANSLATE_NOOP(
+         "IssueText",
+         "Its recorded track begins so far from the estimate that the UAV will not see it there.")},
+    {IssueId::AssetInIce, QT_TRANSLATE_NOOP("IssueText", "The asset lies inside an iceberg.")},
+    {IssueId::NoSigma,
+     QT_TRANSLATE_NOOP(
+         "IssueText",
+         "No iceberg is uncertain at the start, so distance alone makes the first plan.")},
+    {IssueId::BeyondProof,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "More icebergs than can be proven optimal; the plan comes with a bound.")},
+    {IssueId::ClustersIgnored,
+     QT_TRANSLATE_NOOP("IssueText", "This policy plans icebergs one by one: several in one field "
+                                    "of view are not planned as one point.")},
+    {IssueId::ClustersOneUav,
+     QT_TRANSLATE_NOOP("IssueText", "Icebergs are planned as one point for one UAV only; with "
+                                    "several each is planned by itself.")},
+    {IssueId::SolverUnable,
      QT_TRANSLATE_NOOP("IssueText", "This solver cannot plan so many icebergs. Choose Automatic.")},
-    {advised::kLongProof,
-     QT_TRANSLATE_NOOP("IssueText", "Proving the optimum of so many icebergs can take a minute and "
-                                    "more.")},
-};
+    {IssueId::LongProof,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "Proving the optimum of so many icebergs can take a minute and more.")},
+}};
 
-QString adviceText(const std::string& message)
+constexpr bool isInOrder()
 {
-    for (const AdviceText& advice : kAdviceTexts)
-        if (advice.message == message)
-            return QCoreApplication::translate("IssueText", advice.text);
-    return {};
+    for (std::size_t i = 0; i < kSentences.size(); ++i)
+        if (static_cast<std::size_t>(kSentences[i].id) != i)
+            return false;
+    return true;
 }
+static_assert(isInOrder(), "a row for each id, in their order");
 
-/** Of the findings that do not come from `advice`; those are told by their field. */
-QString findingText(const Issue& issue)
+/** With `%1`, `%2`, ... in place of them; what the texts themselves hold stays as it is. */
+QString filledIn(const QString& sentence, const QStringList& texts)
 {
-    const std::string field = withoutIndices(issue.field);
-    switch (issue.severity) {
-    case Severity::Error:
-        if (field == "wind_mps")
-            return IssueText::tr("The wind must be slower than the UAV flies.");
-        break;
-    case Severity::Warning:
-        if (field == "icebergs.velocity_mps")
-            return IssueText::tr("Drifts so fast that the UAV may not catch up with it.");
-        if (field == "wind_mps")
-            return IssueText::tr("The UAV will make little way against this wind.");
-        if (field == "planner.policy")
-            return IssueText::tr("This version cannot fly the policy chosen.");
-        break;
-    case Severity::Hint:
-        if (field == "icebergs")
-            return IssueText::tr("There are no icebergs yet, so there is nothing to plan.");
-        if (field == "icebergs.appears_s")
-            return IssueText::tr("Appears after the end of the run, so it is never planned.");
-        break;
-    }
-    return {};
+    QString filled;
+    for (qsizetype i = 0; i < sentence.size(); ++i)
+        if (sentence[i] == u'%' && i + 1 < sentence.size() && sentence[i + 1].isDigit())
+            filled += texts.value(sentence[++i].digitValue() - 1);
+        else
+            filled += sentence[i];
+    return filled;
 }
 
 template <class Object>
@@ -173,15 +199,16 @@ QString nameOfEntry(const Issue& issue, std::string_view list, const std::vector
 
 } // namespace
 
-QString issueText(const Issue& issue)
+QString issueText(const Issue& issue, const QLocale& locale)
 {
-    QString text = adviceText(issue.message);
-    if (text.isEmpty())
-        text = findingText(issue);
-    if (!text.isEmpty())
-        return text;
-    return u"%1: %2"_s.arg(QString::fromStdString(issue.field),
-                           QString::fromStdString(issue.message));
+    const char* const sentence = kSentences.at(static_cast<std::size_t>(issue.reason.id)).text;
+    if (sentence == nullptr)
+        return u"%1: %2"_s.arg(QString::fromStdString(issue.field),
+                               QString::fromStdString(issue.message));
+    QStringList texts{fieldName(issue.field)};
+    for (const IssueArgument& argument : issue.reason.arguments)
+        texts << fieldValue(issue.field, argument, locale);
+    return filledIn(QCoreApplication::translate("IssueText", sentence), texts);
 }
 
 QString issueLine(const Issue& issue, const Scenario& scenario)

@@ -2,15 +2,16 @@
 
 #include "core/scenario/scenario.h"
 
+#include <QLocale>
 #include <QString>
 
 namespace berg {
 
 /**
- * A finding about a scenario that can be edited, as a translated sentence. Those that the ranges
- * of the inputs rule out come in the core's own words, after their field.
+ * A finding as a sentence in the user's language and units, fields called as the inputs are. One
+ * whose reason has no id comes in the core's own words, after its field.
  */
-[[nodiscard]] QString issueText(const Issue& issue);
+[[nodiscard]] QString issueText(const Issue& issue, const QLocale& locale = QLocale());
 
 /** The same after the name of the iceberg or UAV it is about, where it is about one. */
 [[nodiscard]] QString issueLine(const Issue& issue, const Scenario& scenario);

@@ -1,0 +1,146 @@
+#include "core/base/issue.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+
+namespace berg {
+
+namespace {
+
+std::string argumentText(const IssueArgument& argument)
+{
+    if (const auto* const number = std::get_if<double>(&argument))
+        return shortText(*number);
+    if (const auto* const count = std::get_if<std::int64_t>(&argument))
+        return std::to_string(*count);
+    return std::get<std::string>(argument);
+}
+
+struct Pattern
+{
+    IssueId id;
+    std::string_view text; ///< %1, %2, ... stand for the arguments
+};
+
+constexpr std::array<Pattern, kIssueIds> kPatterns{{
+    {IssueId::Free, ""},
+    {IssueId::NotUtf8, "must be UTF-8 text"},
+    {IssueId::NotFinite, "must be a finite number"},
+    {IssueId::NotFinitePair, "must be two finite numbers"},
+    {IssueId::OutOfRange, "must be from %1 to %2, not %3"},
+    {IssueId::OutOfOpenRange, "must be above %1 and at most %2, not %3"},
+    {IssueId::NotUtcTime, "must be a UTC date and time such as 2024-05-01T06:00:00Z"},
+    {IssueId::AreaCorners, "must have from 3 to %1 corners, not %2"},
+    {IssueId::AreaNotSimple, "must be a polygon that neither touches nor crosses itself"},
+    {IssueId::IdEmpty, "must not be empty"},
+    {IssueId::IdTaken, "\"%1\" is the id of %2 already"},
+    {IssueId::UavCount, "must hold from 1 to %1 UAVs, not %2"},
+    {IssueId::IcebergCount, "must hold at most %1 icebergs, not %2"},
+    {IssueId::TrackPoints, "must have from 2 to %1 entries, not %2"},
+    {IssueId::TrackPlaces, "must have one entry for each of time_s: %1, not %2"},
+    {IssueId::TrackNotRising, "must be later than the entry before"},
+    {IssueId::MoreFaults, "and %1 more faults"},
+    {IssueId::StepTooLong, "must not be longer than duration_s"},
+    {IssueId::AutopilotTooSlow, "must be at most %1 where the endurance is limited, not %2"},
+    {IssueId::FenceNoArea, "needs an area, area_m, to stay inside"},
+    {IssueId::FenceCorners, "must have at most %1 corners to be a geofence, not %2"},
+    {IssueId::OutsideFence, "must be inside the area, which is a geofence"},
+    {IssueId::UnknownUav, "\"%1\" is the id of no UAV of this scenario"},
+    {IssueId::WindTooFast,
+     "must be slower than the UAV flies: wind of %1 m/s, airspeed of %2 %3 m/s"},
+    {IssueId::StrongWind,
+     "the UAV will make little way against it: wind of %1 m/s, airspeed of %2 %3 m/s"},
+    {IssueId::DriftTooFast, "drifts so fast that the UAV may not catch up with it"},
+    {IssueId::SensorIntervalTooShort, "must not be shorter than the time step dt_s"},
+    {IssueId::NoIcebergs, "none yet, so there is nothing to plan"},
+    {IssueId::AppearsTooLate, "is after the end of the run"},
+    {IssueId::UnknownMembers, "members that this version does not know are kept, but not used"},
+    {IssueId::AreaNoFence, "icebergs outside it are not monitored; the UAV may fly beyond it"},
+    {IssueId::VelocitySdUnused, "is used with the observer kalman only"},
+    {IssueId::SameLayer, "starts within separation_m of another UAV of the same altitude layer"},
+    {IssueId::NoWayHome, "is too short for the way home from the start"},
+    {IssueId::NoRoundTrip, "is too short for the way to the nearest iceberg and back"},
+    {IssueId::HomeUnused, "is used with a limited endurance only"},
+    {IssueId::HomeNearFence,
+     "is so near the geofence that the UAV cannot take off there again and be sure to come home"},
+    {IssueId::NoSafeReturn,
+     "has, for this heading, no path home inside the geofence, so that no start is safe"},
+    {IssueId::StartNearFence,
+     "is so near the geofence, for this heading, that the UAV cannot turn inside it"},
+    {IssueId::ShutOff, "is so near the geofence that the UAV, to be within the acceptance radius, "
+                       "cannot be sent there"},
+    {IssueId::SlowAutopilot, "is so long between two commands that the UAV cannot follow a leg"},
+    {IssueId::FenceUnplanned, "this policy plans without the geofence; it is kept in flight"},
+    {IssueId::UavOutside, "the UAV starts outside the area"},
+    {IssueId::WideTurn,
+     "the turn radius is larger than half the field of view, so that an iceberg may be missed"},
+    {IssueId::ReachInsideTurn,
+     "is smaller than the turn radius, so that the UAV flies on and comes back"},
+    {IssueId::OutsideArea, "lies outside the area"},
+    {IssueId::LeavesArea, "drifts out of the area before the end of the run"},
+    {IssueId::SamePlace, "lies where another iceberg lies: the same one?"},
+    {IssueId::OutOfReach, "is so far away that the UAV cannot get there before the end of the run"},
+    {IssueId::TooShort, "is over before the UAV can get to the first iceberg"},
+    {IssueId::Fast, "drifts faster than icebergs do: is the unit right?"},
+    {IssueId::TrackShort, "ends before the run does; from then on the iceberg stands still"},
+    {IssueId::TrackFar,
+     "begins so far from the estimate that the UAV will not see the iceberg there"},
+    {IssueId::AssetInIce, "lies inside an iceberg"},
+    {IssueId::NoSigma,
+     "no iceberg is uncertain at the start, so distance alone makes the first plan"},
+    {IssueId::BeyondProof, "more than can be proven optimal; the plan comes with a bound"},
+    {IssueId::ClustersIgnored, "the policy plans icebergs one by one, so clusters are not made"},
+    {IssueId::ClustersOneUav,
+     "clusters are planned for one UAV only, so with several they are not made"},
+    {IssueId::SolverUnable, "cannot plan so many icebergs; the back end auto can"},
+    {IssueId::LongProof, "proving the optimum of so many icebergs can take a minute and more"},
+}};
+
+constexpr bool isInOrder()
+{
+    for (std::size_t i = 0; i < kPatterns.size(); ++i)
+        if (static_cast<std::size_t>(kPatterns[i].id) != i)
+            return false;
+    return true;
+}
+static_assert(isInOrder(), "a row for each id, in their order");
+
+} // namespace
+
+std::string shortText(double value)
+{
+    std::array<char, 32> buffer{};
+    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+std::string englishText(const IssueReason& reason)
+{
+    const std::string_view pattern = kPatterns.at(static_cast<std::size_t>(reason.id)).text;
+    std::string text;
+    for (std::size_t i = 0; i < pattern.size(); ++i)
+        if (pattern[i] == '%')
+            text += argumentText(reason.arguments.at(static_cast<std::size_t>(pattern[++i] - '1')));
+        else
+            text += pattern[i];
+    return text;
+}
+
+Issue issueOf(Severity severity, std::string field, IssueReason reason)
+{
+    std::string message = englishText(reason);
+    return {.severity = severity,
+            .field = std::move(field),
+            .message = std::move(message),
+            .reason = std::move(reason)};
+}
+
+bool hasErrors(const std::vector<Issue>& issues)
+{
+    return std::any_of(issues.begin(), issues.end(),
+                       [](const Issue& i) { return i.severity == Severity::Error; });
+}
+
+} // namespace berg

@@ -1,0 +1,159 @@
+#include "core/scenario/validate.h"
+#include "tests/support/scenario_builder.h"
+#include "widgets/panels/inspector/issue_text.h"
+#include "widgets/theme/unit_settings.h"
+
+#include <QSet>
+#include <QTranslator>
+#include <QtTest>
+
+#include <limits>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/** A reason of that kind with arguments enough for any. */
+Issue exampleOf(int id)
+{
+    return {.field = "icebergs[3].q_m2ps",
+            .message = "in English",
+            .reason = {.id = static_cast<IssueId>(id), .arguments = {1.0, 2.0, 3.0}}};
+}
+
+/** Wrong in as many ways as one scenario can be. */
+Scenario wrongAllOver()
+{
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    Scenario s = test::emptySea();
+    s.name = "\xFF";
+    s.notes = "\xFF";
+    s.origin = {.latitude_deg = 91, .longitude_deg = 181};
+    s.startUtc = "yesterday";
+    s.duration_s = 0.001;
+    s.dt_s = 2;
+    s.seed = -1;
+    s.area_m = {{0, 0}, {1e9, 0}, {0, 1e9}};
+    s.geofence = true;
+    s.separation_m = -1;
+    s.current_mps = {99, 99};
+    s.wind_mps = {kNan, 0};
+    Uav& uav = s.uavs[0];
+    uav.id = "";
+    uav.name = "\xFF";
+    uav.position_m = uav.fov_m = {1e9, 1e9};
+    uav.home_m = Point(1e9, 1e9);
+    uav.heading_deg = kNan;
+    uav.turnaround_s = -1;
+    uav.spec = {.airspeed_mps = -1, .maxBank_deg = 89, .altitude_m = -1};
+    uav.spec.endurance_s = uav.spec.autopilot_s = 1e300;
+    for (const char* id : {"same", "same"}) {
+        Iceberg& iceberg = test::addIceberg(s, 1e9, 1e9);
+        iceberg.id = id;
+        iceberg.name = "\xFF";
+        iceberg.uav = "nobody";
+        iceberg.velocity_mps = {99, 99};
+        iceberg.velocitySd_mps = iceberg.q_m2ps = iceberg.sigma0_m2 = -1;
+        iceberg.observed_s = iceberg.appears_s = iceberg.radius_m = -1;
+        iceberg.track = {.time_s = {2, 1}, .position_m = {{1e9, 0}, {0, 0}}};
+    }
+    s.icebergs[1].track.time_s = {1};
+    s.asset = Asset{.name = "\xFF", .position_m = {1e9, 1e9}, .velocity_mps = {99, 99}};
+    s.asset->range_m = s.asset->gain = s.asset->alarm_m = -1;
+    s.observer = {.model = ObserverModel::Kalman, .positionSd_m = -1, .detection = 2};
+    s.observer.interval_s = -1;
+    s.planner.tau = -1;
+    s.planningTime_s = -1;
+    s.reachRadius_m = -1;
+    return s;
+}
+
+} // namespace
+
+/** What the window says of findings: in its language and units, whatever the core says. */
+class TestIssueText : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QLocale::setDefault(QLocale::c()); }
+
+    void everyReasonHasASentence()
+    {
+        QSet<QString> sentences;
+        for (int id = 1; id < kIssueIds; ++id) {
+            const QString text = issueText(exampleOf(id));
+            QVERIFY2(text.endsWith(u'.') || text.endsWith(u'?'), qPrintable(text));
+            QVERIFY2(!text.contains(u'%'), qPrintable(text));
+            sentences << text;
+        }
+        QCOMPARE(sentences.size(), kIssueIds - 1);
+    }
+
+    /** The command line and files say it in English as ever. */
+    void everyReasonHasItsEnglish()
+    {
+        QSet<QByteArray> texts;
+        for (int id = 1; id < kIssueIds; ++id)
+            texts << QByteArray::fromStdString(englishText(exampleOf(id).reason));
+        QVERIFY(!texts.contains(QByteArray()));
+        QCOMPARE(texts.size(), kIssueIds - 1);
+        QCOMPARE(englishText({.id = IssueId::OutOfRange, .arguments = {0.0, 1e6, -2.5}}),
+                 std::string("must be from 0 to 1e+06, not -2.5"));
+    }
+
+    void saysItInUnits()
+    {
+        const Issue growth = issueOf(Severity::Error, "icebergs[3].q_m2ps",
+                                     {.id = IssueId::OutOfRange, .arguments = {0.0, 1.0, 4.5}});
+        QCOMPARE(issueText(growth), u"Growth q must be from 0 m²/s to 1 m²/s, not 4.5 m²/s."_s);
+        const Issue wind =
+            issueOf(Severity::Error, "uavs[0].airspeed_mps",
+                    {.id = IssueId::OutOfRange, .arguments = {0.0, 1852 / 3.6, 0.0}});
+        setShownUnits({.speed = SpeedUnit::Knots});
+        const QString knots = issueText(wind);
+        setShownUnits({});
+        QCOMPARE(knots, u"Airspeed must be from 0 kn to 1\u202f000 kn, not 0 kn."_s);
+    }
+
+    /** A name may look like a place holder. */
+    void namesAreTakenAsTheyAre()
+    {
+        QCOMPARE(issueText(issueOf(Severity::Error, "icebergs[0].uav",
+                                   {.id = IssueId::UnknownUav, .arguments = {std::string("%1")}})),
+                 u"There is no UAV \"%1\" in this scenario."_s);
+    }
+
+    /** It was "icebergs[3].q_m2ps: must be ...". */
+    void norwegiansReadNoEnglish()
+    {
+        const Scenario scenario = wrongAllOver();
+        const std::vector<Issue> issues = validate(scenario);
+        QVERIFY2(issues.size() > 60, qPrintable(QString::number(issues.size())));
+        QStringList english;
+        for (const Issue& issue : issues)
+            english << issueText(issue);
+        QStringList ofIds;
+        for (int id = 1; id < kIssueIds; ++id)
+            ofIds << issueText(exampleOf(id));
+        QTranslator norwegian;
+        QVERIFY(norwegian.load(u":/i18n/bergwatch_nb.qm"_s));
+        QCoreApplication::installTranslator(&norwegian);
+        QStringList wrong;
+        for (std::size_t i = 0; i < issues.size(); ++i) {
+            const QString text = issueText(issues[i]);
+            if (text == english[static_cast<qsizetype>(i)] || text.contains(u" must "_s) ||
+                text.contains(u"_") || text.contains(u'['))
+                wrong << text;
+        }
+        for (int id = 1; id < kIssueIds; ++id)
+            if (issueText(exampleOf(id)) == ofIds[id - 1])
+                wrong << ofIds[id - 1];
+        QCoreApplication::removeTranslator(&norwegian);
+        QVERIFY2(wrong.empty(), qPrintable(wrong.join(u'\n')));
+    }
+};
+
+QTEST_MAIN(TestIssueText)
+#include "tst_issue_text.moc"

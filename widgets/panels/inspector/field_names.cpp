@@ -1,0 +1,210 @@
+#include "widgets/panels/inspector/field_names.h"
+
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <string_view>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct FieldNames
+{
+    Q_DECLARE_TR_FUNCTIONS(FieldNames)
+};
+
+enum class Quantity
+{
+    Text,
+    Number,
+    Metres, ///< in any case
+    Distance,
+    Speed,
+    Seconds,
+    Degrees,
+    Variance,
+    Growth
+};
+
+/** Labels are those of the inputs: their translations are in the context of these. */
+struct FieldName
+{
+    std::string_view field;
+    const char* label;
+    Quantity quantity = Quantity::Text;
+    const char* context = "InspectorRows";
+};
+
+constexpr FieldName kFields[] = {
+    {"name", QT_TRANSLATE_NOOP("InspectorRows", "Name")},
+    {"notes", QT_TRANSLATE_NOOP("InspectorRows", "Notes")},
+    {"origin.latitude_deg", QT_TRANSLATE_NOOP("InspectorRows", "Latitude"), Quantity::Degrees},
+    {"origin.longitude_deg", QT_TRANSLATE_NOOP("InspectorRows", "Longitude"), Quantity::Degrees},
+    {"duration_s", QT_TRANSLATE_NOOP("InspectorRows", "Duration"), Quantity::Seconds},
+    {"dt_s", QT_TRANSLATE_NOOP("InspectorRows", "Time step"), Quantity::Seconds},
+    {"seed", QT_TRANSLATE_NOOP("InspectorRows", "Seed"), Quantity::Number},
+    {"separation_m", QT_TRANSLATE_NOOP("InspectorRows", "Separation"), Quantity::Distance},
+    {"area_m", QT_TRANSLATE_NOOP("FieldNames", "Corner of the area"), Quantity::Distance,
+     "FieldNames"},
+    {"current_mps[0]", QT_TRANSLATE_NOOP("InspectorRows", "Current east"), Quantity::Speed},
+    {"current_mps[1]", QT_TRANSLATE_NOOP("InspectorRows", "Current north"), Quantity::Speed},
+    {"uavs.name", QT_TRANSLATE_NOOP("InspectorRows", "Name")},
+    {"uavs.id", QT_TRANSLATE_NOOP("InspectorPanel", "Id"), Quantity::Text, "InspectorPanel"},
+    {"uavs.position_m[0]", QT_TRANSLATE_NOOP("InspectorRows", "East"), Quantity::Distance},
+    {"uavs.position_m[1]", QT_TRANSLATE_NOOP("InspectorRows", "North"), Quantity::Distance},
+    {"uavs.heading_deg", QT_TRANSLATE_NOOP("InspectorRows", "Heading"), Quantity::Degrees},
+    {"uavs.airspeed_mps", QT_TRANSLATE_NOOP("InspectorRows", "Airspeed"), Quantity::Speed},
+    {"uavs.max_bank_deg", QT_TRANSLATE_NOOP("InspectorRows", "Largest bank"), Quantity::Degrees},
+    {"uavs.fov_m[0]", QT_TRANSLATE_NOOP("InspectorRows", "View along"), Quantity::Metres},
+    {"uavs.fov_m[1]", QT_TRANSLATE_NOOP("InspectorRows", "View across"), Quantity::Metres},
+    {"uavs.altitude_m", QT_TRANSLATE_NOOP("InspectorRows", "Altitude"), Quantity::Metres},
+    {"uavs.endurance_s", QT_TRANSLATE_NOOP("InspectorRows", "Endurance"), Quantity::Seconds},
+    {"uavs.home_m[0]", QT_TRANSLATE_NOOP("InspectorRows", "Home east"), Quantity::Distance},
+    {"uavs.home_m[1]", QT_TRANSLATE_NOOP("InspectorRows", "Home north"), Quantity::Distance},
+    {"uavs.turnaround_s", QT_TRANSLATE_NOOP("InspectorRows", "Turn-around"), Quantity::Seconds},
+    {"uavs.autopilot_s", QT_TRANSLATE_NOOP("InspectorRows", "Autopilot rate"), Quantity::Seconds},
+    {"icebergs.name", QT_TRANSLATE_NOOP("InspectorRows", "Name")},
+    {"icebergs.id", QT_TRANSLATE_NOOP("InspectorPanel", "Id"), Quantity::Text, "InspectorPanel"},
+    {"icebergs.position_m[0]", QT_TRANSLATE_NOOP("InspectorRows", "East"), Quantity::Distance},
+    {"icebergs.position_m[1]", QT_TRANSLATE_NOOP("InspectorRows", "North"), Quantity::Distance},
+    {"icebergs.velocity_mps[0]", QT_TRANSLATE_NOOP("InspectorRows", "Drift east"), Quantity::Speed},
+    {"icebergs.velocity_mps[1]", QT_TRANSLATE_NOOP("InspectorRows", "Drift north"),
+     Quantity::Speed},
+    {"icebergs.velocity_sd_mps", QT_TRANSLATE_NOOP("InspectorRows", "Drift error"),
+     Quantity::Speed},
+    {"icebergs.q_m2ps", QT_TRANSLATE_NOOP("InspectorRows", "Growth q"), Quantity::Growth},
+    {"icebergs.sigma0_m2", QT_TRANSLATE_NOOP("InspectorRows", "Uncertainty σ₀"),
+     Quantity::Variance},
+    {"icebergs.observed_s", QT_TRANSLATE_NOOP("InspectorRows", "Last seen"), Quantity::Seconds},
+    {"icebergs.appears_s", QT_TRANSLATE_NOOP("InspectorRows", "Appears at"), Quantity::Seconds},
+    {"icebergs.radius_m", QT_TRANSLATE_NOOP("InspectorRows", "Radius"), Quantity::Metres},
+    {"icebergs.uav", QT_TRANSLATE_NOOP("InspectorRows", "Visited by")},
+    {"icebergs.track.time_s", QT_TRANSLATE_NOOP("FieldNames", "Time of the recorded track"),
+     Quantity::Seconds, "FieldNames"},
+    {"icebergs.track.position_m", QT_TRANSLATE_NOOP("FieldNames", "Place of the recorded track"),
+     Quantity::Distance, "FieldNames"},
+    {"asset.name", QT_TRANSLATE_NOOP("InspectorRows", "Name")},
+    {"asset.position_m[0]", QT_TRANSLATE_NOOP("InspectorRows", "East"), Quantity::Distance},
+    {"asset.position_m[1]", QT_TRANSLATE_NOOP("InspectorRows", "North"), Quantity::Distance},
+    {"asset.velocity_mps[0]", QT_TRANSLATE_NOOP("InspectorRows", "Speed east"), Quantity::Speed},
+    {"asset.velocity_mps[1]", QT_TRANSLATE_NOOP("InspectorRows", "Speed north"), Quantity::Speed},
+    {"asset.range_m", QT_TRANSLATE_NOOP("InspectorRows", "Range"), Quantity::Distance},
+    {"asset.gain", QT_TRANSLATE_NOOP("InspectorRows", "Gain"), Quantity::Number},
+    {"asset.alarm_m", QT_TRANSLATE_NOOP("InspectorRows", "Inner ring"), Quantity::Distance},
+    {"observer.position_sd_m", QT_TRANSLATE_NOOP("InspectorRows", "Position error"),
+     Quantity::Metres},
+    {"observer.interval_s", QT_TRANSLATE_NOOP("InspectorRows", "Sensor interval"),
+     Quantity::Seconds},
+    {"observer.detection", QT_TRANSLATE_NOOP("InspectorRows", "Detection probability"),
+     Quantity::Number},
+    {"planner.tau", QT_TRANSLATE_NOOP("FieldNames", "Trade-off τ"), Quantity::Number, "FieldNames"},
+    {"planner.planning_delay_s", QT_TRANSLATE_NOOP("InspectorRows", "Planning time"),
+     Quantity::Seconds},
+    {"planner.reach_radius_m", QT_TRANSLATE_NOOP("InspectorRows", "Acceptance radius"),
+     Quantity::Distance},
+};
+
+/** "icebergs[3].position_m[1]" is "icebergs.position_m[1]". */
+std::string withoutEntry(const std::string& field)
+{
+    const std::size_t open = field.find('[');
+    const std::size_t close = field.find(']');
+    if (!field.starts_with("icebergs[") && !field.starts_with("uavs["))
+        return field;
+    return close == std::string::npos ? field : field.substr(0, open) + field.substr(close + 1);
+}
+
+const FieldName* findField(const std::string& field)
+{
+    for (const std::string& path : {withoutEntry(field), withoutIndices(field)})
+        for (const FieldName& name : kFields)
+            if (name.field == path)
+                return &name;
+    return nullptr;
+}
+
+/** No more decimals than the number has; six at most. */
+QString numberText(double value, const QLocale& locale)
+{
+    constexpr double kSmallest = 1e-6;
+    constexpr double kPlain = 1e9;
+    constexpr int kMostDecimals = 6;
+    if (value != 0 && (std::abs(value) < kSmallest || std::abs(value) >= kPlain))
+        return locale.toString(value, 'g', kMostDecimals);
+    const auto isRough = [value](int decimals) {
+        const double shifted = value * std::pow(10.0, decimals);
+        return std::abs(std::round(shifted) - shifted) > kSmallest * std::abs(shifted);
+    };
+    int decimals = 0;
+    while (decimals < kMostDecimals && isRough(decimals))
+        ++decimals;
+    return fixedText(value, decimals, locale);
+}
+
+QString withUnit(double value, const ShownUnit& unit, const QLocale& locale)
+{
+    return u"%1 %2"_s.arg(numberText(unit.fromSi(value), locale), unit.name);
+}
+
+QString quantityText(Quantity quantity, double value, const QLocale& locale)
+{
+    switch (quantity) {
+    case Quantity::Text:
+    case Quantity::Number:
+        break;
+    case Quantity::Metres:
+        return withUnit(value, {.name = u"m"_s}, locale);
+    case Quantity::Distance:
+        return withUnit(value, distanceUnit(), locale);
+    case Quantity::Speed:
+        return withUnit(value, speedUnit(), locale);
+    case Quantity::Seconds:
+        return withUnit(value, {.name = u"s"_s}, locale);
+    case Quantity::Degrees:
+        return numberText(value, locale) + u'°';
+    case Quantity::Variance:
+        return withUnit(value, {.name = u"m²"_s}, locale);
+    case Quantity::Growth:
+        return withUnit(value, {.name = u"m²/s"_s}, locale);
+    }
+    return numberText(value, locale);
+}
+
+} // namespace
+
+std::string withoutIndices(const std::string& field)
+{
+    std::string name;
+    bool inside = false;
+    for (const char c : field) {
+        inside = inside || c == '[';
+        if (!inside)
+            name += c;
+        inside = inside && c != ']';
+    }
+    return name;
+}
+
+QString fieldName(const std::string& field)
+{
+    const FieldName* const name = findField(field);
+    return name == nullptr ? QString::fromStdString(field)
+                           : QCoreApplication::translate(name->context, name->label);
+}
+
+QString fieldValue(const std::string& field, const IssueArgument& value, const QLocale& locale)
+{
+    if (const auto* const count = std::get_if<std::int64_t>(&value))
+        return locale.toString(static_cast<qlonglong>(*count));
+    if (const auto* const text = std::get_if<std::string>(&value))
+        return QString::fromStdString(*text);
+    const FieldName* const name = findField(field);
+    return quantityText(name == nullptr ? Quantity::Number : name->quantity,
+                        std::get<double>(value), locale);
+}
+
+} // namespace berg
