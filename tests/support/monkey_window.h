@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/dialogs/interaction.h"
 #include "app/window/window_holder.h"
 #include "app/window/window_run.h"
 #include "core/base/random.h"
