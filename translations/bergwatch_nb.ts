@@ -585,25 +585,6 @@
     </message>
 </context>
 <context>
-    <name>FieldNames</name>
-    <message>
-        <source>Corner of the area</source>
-        <translation>Hjørne av området</translation>
-    </message>
-    <message>
-        <source>Time of the recorded track</source>
-        <translation>Tidspunkt i det registrerte sporet</translation>
-    </message>
-    <message>
-        <source>Place of the recorded track</source>
-        <translation>Sted i det registrerte sporet</translation>
-    </message>
-    <message>
-        <source>Trade-off τ</source>
-        <translation>Avveining τ</translation>
-    </message>
-</context>
-<context>
     <name>ExportPicture</name>
     <message>
         <source>No icebergs</source>
@@ -816,6 +797,25 @@
     <message>
         <source>This sortie alone is written. Icebergs of the order left for later ones: %1.</source>
         <translation>Bare dette toktet skrives. Isfjell i rekkefølgen som er igjen til senere tokt: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>FieldNames</name>
+    <message>
+        <source>Corner of the area</source>
+        <translation>Hjørne av området</translation>
+    </message>
+    <message>
+        <source>Time of the recorded track</source>
+        <translation>Tidspunkt i det registrerte sporet</translation>
+    </message>
+    <message>
+        <source>Place of the recorded track</source>
+        <translation>Sted i det registrerte sporet</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Avveining τ</translation>
     </message>
 </context>
 <context>
@@ -1998,6 +1998,13 @@
     <message>
         <source>Left out: %1</source>
         <translation>Utelatt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorPanel</name>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
     </message>
 </context>
 <context>

@@ -188,16 +188,27 @@ private slots:
         QCOMPARE(codeOf([&] { (void)scenarioFromJson(text, "x"); }), std::string("FileTooLarge"));
     }
 
-    void aMillionIcebergs()
+    /** Reading so many takes more memory than their text may. */
+    void tooManyIcebergs_data()
     {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("many") << 2000
+                              << QStringLiteral(
+                                     "x: icebergs: must hold at most 1000 entries, not 2000");
+        QTest::newRow("a million") << 1'000'000 << QStringLiteral("x: holds so many small values");
+    }
+    void tooManyIcebergs()
+    {
+        QFETCH(int, count);
+        QFETCH(QString, reason);
         std::string text = kStart + R"("icebergs": [{"position_m": [1, 2]})";
-        for (int i = 1; i < 1'000'000; ++i)
+        for (int i = 1; i < count; ++i)
             text += R"(,{"position_m": [1, 2]})";
         text += "]}";
         const std::optional<Error> error = errorOf([&] { (void)scenarioFromJson(text, "x"); });
         QVERIFY(error);
-        QCOMPARE(QString::fromUtf8(error->what()),
-                 QString("x: icebergs: must hold at most 1000 entries, not 1000000"));
+        QVERIFY2(QString::fromUtf8(error->what()).startsWith(reason), error->what());
     }
 
     void manyUnknownMembersAreKeptInReasonableTime()

@@ -65,7 +65,8 @@ void requireFormat(ParsedJson& file, std::string_view format, const std::string&
 
 std::string memberPath(const std::string& object, const std::string& member)
 {
-    return object.empty() ? printable(member) : object + '.' + printable(member);
+    const std::string name = member.empty() ? "\"\"" : printable(member);
+    return object.empty() ? name : object + '.' + name;
 }
 
 std::string typeText(const Json& value)
