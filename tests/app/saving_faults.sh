@@ -94,6 +94,13 @@ if command -v strace >/dev/null; then
     done
 fi
 
+if [ "$mounted" = no ]; then
+    echo "Not tried: full disk and read-only file system, which only root can make"
+fi
+if ! command -v strace >/dev/null; then
+    echo "Not tried: faults of system calls, for which strace is missing"
+fi
+
 # kill -9 at random instants, the later half in the milliseconds of writing.
 python3 - "$kills" "${simulate[@]}" kept <<'P' >seen
 import filecmp, os, random, shutil, signal, subprocess, sys, time
