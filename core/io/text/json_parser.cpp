@@ -151,7 +151,7 @@ private:
     {
         std::string text;
         for (const Level& level : m_levels)
-            text = level.isObject ? memberPath(text, level.name)
+            text = level.isObject ? memberPath(text, level.name.empty() ? "\"\"" : level.name)
                                   : entryPath(text, level.entries.size());
         return text;
     }

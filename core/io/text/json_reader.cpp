@@ -65,8 +65,7 @@ void requireFormat(ParsedJson& file, std::string_view format, const std::string&
 
 std::string memberPath(const std::string& object, const std::string& member)
 {
-    const std::string name = member.empty() ? "\"\"" : printable(member);
-    return object.empty() ? name : object + '.' + name;
+    return object.empty() ? printable(member) : object + '.' + printable(member);
 }
 
 std::string typeText(const Json& value)
