@@ -6849,31 +6849,6 @@ virkelige flygingen avviker med støyen i driften.</translation>
     </message>
 </context>
 <context>
-    <name>berg::SessionSafety</name>
-    <message>
-        <source>Untitled</source>
-        <translation>Uten navn</translation>
-    </message>
-    <message>
-        <source>Autosaved %1</source>
-        <translation>Autolagret %1</translation>
-    </message>
-    <message>
-        <source>Autosaving failed: %1</source>
-        <translation>Autolagringen mislyktes: %1</translation>
-    </message>
-    <message>
-        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
-%1</source>
-        <translation>Ulagret arbeid fra et program som sluttet uventet, kan ikke leses. Det er tatt vare på i denne filen:
-%1</translation>
-    </message>
-    <message>
-        <source>Restored, not saved yet</source>
-        <translation>Gjenopprettet, ikke lagret ennå</translation>
-    </message>
-</context>
-<context>
     <name>berg::SightingsImport</name>
     <message>
         <source>In flight no sightings can be imported. Stop the flight to import them.</source>
@@ -7871,6 +7846,31 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>Always slower than the UAV flies: %1.</source>
         <translation>Alltid langsommere enn UAV-en flyr: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::WorkSafety</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>Autosaved %1</source>
+        <translation>Autolagret %1</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Autolagringen mislyktes: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
+%1</source>
+        <translation>Ulagret arbeid fra et program som sluttet uventet, kan ikke leses. Det er tatt vare på i denne filen:
+%1</translation>
+    </message>
+    <message>
+        <source>Restored, not saved yet</source>
+        <translation>Gjenopprettet, ikke lagret ennå</translation>
     </message>
 </context>
 <context>

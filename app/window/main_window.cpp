@@ -15,7 +15,6 @@
 #include "app/window/result_files.h"
 #include "app/window/scenario_dialogs.h"
 #include "app/window/scenario_files.h"
-#include "app/window/session_safety.h"
 #include "app/window/sightings_import.h"
 #include "app/window/solve_time_desk.h"
 #include "app/window/start_guide.h"
@@ -23,6 +22,7 @@
 #include "app/window/study_desk.h"
 #include "app/window/study_flights.h"
 #include "app/window/tab_order.h"
+#include "app/window/work_safety.h"
 #include "widgets/map/map_view.h"
 #include "widgets/map/overview_inset.h"
 #include "widgets/model/workspace.h"
@@ -56,7 +56,7 @@ struct MainWindow::Parts
     StudyDesk study;
     SolveTimeDesk solveTimes;
     StudyFlights studyFlights;
-    SessionSafety safety;
+    WorkSafety safety;
     ChecksView checks;
     ComparisonView comparison;
     PlannerView planner;

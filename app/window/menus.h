@@ -19,7 +19,7 @@ class PreferenceMenus;
 class ResultFiles;
 class ScenarioDialogs;
 class ScenarioFiles;
-class SessionSafety;
+class WorkSafety;
 class SightingsImport;
 class SolveTimeDesk;
 class StartGuide;
@@ -31,7 +31,7 @@ struct MenuTargets
     ScenarioFiles& files;
     ResultFiles& results;
     SightingsImport& sightings;
-    SessionSafety& safety;
+    WorkSafety& safety;
     StartGuide& start;
     ScenarioDialogs& dialogs;
     Docks& docks;

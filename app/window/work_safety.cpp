@@ -1,4 +1,4 @@
-#include "app/window/session_safety.h"
+#include "app/window/work_safety.h"
 
 #include "app/dialogs/interaction.h"
 #include "app/window/panels.h"
@@ -26,20 +26,20 @@ std::vector<RecoveryOffer> offersOf(const std::vector<FoundRecovery>& found, con
 {
     std::vector<RecoveryOffer> offers;
     for (const FoundRecovery& recovery : found)
-        offers.push_back({.name = recovery.info.name.isEmpty() ? SessionSafety::tr("Untitled")
-                                                               : recovery.info.name,
-                          .path = recovery.info.originalPath,
-                          .edited = locale.toString(recovery.info.edited, QLocale::ShortFormat)});
+        offers.push_back(
+            {.name = recovery.info.name.isEmpty() ? WorkSafety::tr("Untitled") : recovery.info.name,
+             .path = recovery.info.originalPath,
+             .edited = locale.toString(recovery.info.edited, QLocale::ShortFormat)});
     return offers;
 }
 
 } // namespace
 
-SessionSafety::SessionSafety(WindowContext& context, const Gates& gates, StatusLine& status)
+WorkSafety::WorkSafety(WindowContext& context, const Gates& gates, StatusLine& status)
     : WindowPart(context), m_gates(gates), m_status(status)
 {
     connectAutosaver();
-    connect(&workspace().studyKeeper(), &StudyKeeper::damaged, this, &SessionSafety::showDamaged);
+    connect(&workspace().studyKeeper(), &StudyKeeper::damaged, this, &WorkSafety::showDamaged);
     connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
             [this] { m_endAgreed = false; });
     connect(
@@ -55,7 +55,7 @@ SessionSafety::SessionSafety(WindowContext& context, const Gates& gates, StatusL
     qApp->installEventFilter(this);
 }
 
-void SessionSafety::connectAutosaver()
+void WorkSafety::connectAutosaver()
 {
     const Autosaver& autosaver = workspace().autosaver();
     connect(&autosaver, &Autosaver::autosaved, this, [this](const QDateTime& time) {
@@ -69,16 +69,16 @@ void SessionSafety::connectAutosaver()
     });
 }
 
-bool SessionSafety::eventFilter(QObject* watched, QEvent* event)
+bool WorkSafety::eventFilter(QObject* watched, QEvent* event)
 {
     followEnd(*event);
     if (watched == &window() && event->type() == QEvent::ActivationChange &&
         window().isActiveWindow())
-        QTimer::singleShot(0, this, &SessionSafety::lookAtFile);
+        QTimer::singleShot(0, this, &WorkSafety::lookAtFile);
     return WindowPart::eventFilter(watched, event);
 }
 
-bool SessionSafety::mayClose()
+bool WorkSafety::mayClose()
 {
     if (m_ends)
         return true;
@@ -91,7 +91,7 @@ bool SessionSafety::mayClose()
     return true;
 }
 
-bool SessionSafety::mayEndSession(bool mayAsk)
+bool WorkSafety::mayEndSession(bool mayAsk)
 {
     if (!mayAsk) {
         panels().finishTyping();
@@ -114,7 +114,7 @@ bool SessionSafety::mayEndSession(bool mayAsk)
 }
 
 /** Logging out closes all windows; whoever uses this one has called it off. */
-void SessionSafety::followEnd(const QEvent& event)
+void WorkSafety::followEnd(const QEvent& event)
 {
     if (!m_endAgreed)
         return;
@@ -126,7 +126,7 @@ void SessionSafety::followEnd(const QEvent& event)
     }
 }
 
-bool SessionSafety::offerRecoveries()
+bool WorkSafety::offerRecoveries()
 {
     workspace().studyKeeper().lookForAbandoned();
     FoundRecoveries found = workspace().autosaver().abandoned();
@@ -151,7 +151,7 @@ bool SessionSafety::offerRecoveries()
     return any;
 }
 
-void SessionSafety::showDamaged(const QString& path)
+void WorkSafety::showDamaged(const QString& path)
 {
     interaction().showError(&window(),
                             tr("Unsaved work of a program that ended unexpectedly cannot be read. "
@@ -159,7 +159,7 @@ void SessionSafety::showDamaged(const QString& path)
                                 .arg(QDir::toNativeSeparators(path)));
 }
 
-void SessionSafety::restore(FoundRecovery found)
+void WorkSafety::restore(FoundRecovery found)
 {
     const QString& path = found.info.originalPath;
     workspace().document().restore(found.scenario, path);
@@ -170,7 +170,7 @@ void SessionSafety::restore(FoundRecovery found)
 }
 
 /** Somebody else may have changed the file while the user was elsewhere. */
-void SessionSafety::lookAtFile()
+void WorkSafety::lookAtFile()
 {
     const ScenarioDocument& document = workspace().document();
     if (m_asksReload || !window().isActiveWindow() || !document.isClean() ||

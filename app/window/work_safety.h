@@ -12,8 +12,8 @@ class SolveTimeDesk;
 class StatusLine;
 class StudyDesk;
 
-/** Nothing is lost: recovery, the end of the session, files that others have changed. */
-class SessionSafety : public WindowPart
+/** Nothing is lost: recovery, logging out, files that others have changed. */
+class WorkSafety : public WindowPart
 {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
         StudyDesk& study;
         SolveTimeDesk& solveTimes;
     };
-    SessionSafety(WindowContext& context, const Gates& gates, StatusLine& status);
+    WorkSafety(WindowContext& context, const Gates& gates, StatusLine& status);
 
     /** Unsaved work of programs that ended unexpectedly; false, and no question: there is none. */
     bool offerRecoveries();
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] bool mayEndSession(bool mayAsk);
     /** All that is unsaved is asked about; true: the window may close. */
     [[nodiscard]] bool mayClose();
-    void takeOver(const SessionSafety& other) { m_reloadRefused = other.m_reloadRefused; }
+    void takeOver(const WorkSafety& other) { m_reloadRefused = other.m_reloadRefused; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
