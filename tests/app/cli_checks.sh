@@ -2,17 +2,10 @@
 # Command-line checks: run bergwatch-cli as a stranger would and look at what comes out.
 # Use: cli_checks.sh CLI SOURCE_DIR WORK_DIR CBC(ON|OFF) CHECKER
 # Needs bash and python3 only, so that it also runs where there is no Qt.
-set -u
-cli=$1
-source_dir=$2
-work=$3
+. "$2/tests/app/cli_support.sh"
 with_cbc=$4
 checker=${5:-true} # of certificates
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
 default="$source_dir/resources/scenarios/grand-banks-12.berg"
-. "$source_dir/tests/app/cli_support.sh"
 
 # --- usage -----------------------------------------------------------------------------------
 check "help" exits 0 "$cli" --help

@@ -1,5 +1,13 @@
 # Checks that the scripts for the command line share; sourced. Each runs a program as a stranger would
 # and looks at what comes out. Needs bash and python3 only, so that it also runs where there is no Qt.
+# The scripts are called as SCRIPT CLI SOURCE_DIR WORK_DIR ... and work in that folder, empty at first.
+set -u
+cli=$1
+source_dir=$2
+work=$3
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work" || exit 1
 checks=0
 failures=0
 

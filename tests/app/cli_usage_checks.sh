@@ -1,14 +1,7 @@
 #!/usr/bin/env bash
 # What the command line says to who mistypes, and the help it gives: run as a stranger would.
 # Use: cli_usage_checks.sh CLI SOURCE_DIR WORK_DIR
-set -u
-cli=$1
-source_dir=$2
-work=$3
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
-. "$source_dir/tests/app/cli_support.sh"
+. "$2/tests/app/cli_support.sh"
 
 cp "$source_dir/resources/scenarios/disko-bay-4.berg" four.berg
 echo '{"format": "bergwatch-problem", "version": 1, "distances": [[0, 1], [1, 0]], "sigmas": [1], "mu": 1}' >problem.json

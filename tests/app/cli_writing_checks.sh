@@ -1,16 +1,9 @@
 #!/usr/bin/env bash
 # What the command line writes, where, and what it refuses before any work: run as a stranger would.
 # Use: cli_writing_checks.sh CLI SOURCE_DIR WORK_DIR
-set -u
-cli=$1
-source_dir=$2
-work=$3
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
+. "$2/tests/app/cli_support.sh"
 scenario="$source_dir/resources/scenarios/disko-bay-4.berg"
 sightings="$source_dir/tests/data/import/iip.csv"
-. "$source_dir/tests/app/cli_support.sh"
 
 cp "$scenario" four.berg
 cp "$sightings" iip.csv

@@ -1,16 +1,9 @@
 #!/usr/bin/env bash
 # Exports that are painted: bergwatch-cli leaves them to the program bergwatch, where there is one.
 # Use: export_paint_checks.sh CLI SOURCE_DIR WORK_DIR BERGWATCH|none
-set -u
-cli=$1
-source_dir=$2
-work=$3
+. "$2/tests/app/cli_support.sh"
 bergwatch=$4
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
 default="$source_dir/resources/scenarios/grand-banks-12.berg"
-. "$source_dir/tests/app/cli_support.sh"
 
 painted="brief map-pdf map-svg map-png charts-pdf charts-svg charts-png"
 check "a plan to be in the way" exits 0 "$cli" export "$default" --format plan --output plan.plan

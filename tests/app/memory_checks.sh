@@ -4,14 +4,7 @@
 # The program of the window is in tst_main_window_memory: Qt waits for ever for threads to paint that it
 # does not get.
 # Use: memory_checks.sh CLI SOURCE_DIR WORK_DIR
-set -u
-cli=$1
-source_dir=$2
-work=$3
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
-. "$source_dir/tests/app/cli_support.sh"
+. "$2/tests/app/cli_support.sh"
 scenarios=$source_dir/resources/scenarios
 python3 - <<'P'
 import random

@@ -1,14 +1,8 @@
 #!/usr/bin/env bash
 # Pictures and screenshots go through the gate for all that is written, before any work.
 # Use: picture_checks.sh BERGWATCH SOURCE_DIR WORK_DIR
-set -u
+. "$2/tests/app/cli_support.sh"
 bergwatch=$1
-source_dir=$2
-work=$3
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
-. "$source_dir/tests/app/cli_support.sh"
 export QT_QPA_PLATFORM=offscreen
 scenario=small.berg
 python3 - "$source_dir/resources/scenarios/grand-banks-12.berg" <<'P'

@@ -2,14 +2,7 @@
 # What the command line takes of processor and memory, for what is long and what is hostile.
 # Not under sanitizers, which take many times as much.
 # Use: resource_checks.sh CLI SOURCE_DIR WORK_DIR
-set -u
-cli=$1
-source_dir=$2
-work=$3
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
-. "$source_dir/tests/app/cli_support.sh"
+. "$2/tests/app/cli_support.sh"
 
 # within SECONDS MB COMMAND...: takes no more of either, whatever it ends with.
 within() {

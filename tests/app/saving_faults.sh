@@ -2,15 +2,8 @@
 # Saving while something goes wrong: after it, each file is the old one or the new one, whole, those that
 # belong together are of one kind, and no temporary file stays. Prints a table.
 # Use: saving_faults.sh CLI SOURCE_DIR WORK_DIR [KILLS]
-set -u
-cli=$1
-source_dir=$2
-work=$3
+. "$2/tests/app/cli_support.sh"
 kills=${4:-20}
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
-. "$source_dir/tests/app/cli_support.sh"
 cp "$source_dir/resources/scenarios/disko-bay-4.berg" four.berg
 
 # The old files, and the new ones as they are to be.
