@@ -1,37 +1,139 @@
 #include "core/coverage/coverage_policy.h"
 
 #include "core/coverage/coverage_effort.h"
-#include "core/coverage/coverage_fleet.h"
-#include "core/coverage/coverage_search.h"
 #include "core/coverage/described_plan.h"
+#include "core/coverage/fleet_coverage_search.h"
+#include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/solve/tuning.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace berg {
 
 namespace {
 
-CoverageSearch searchFor(const CoverageModel& model, const FlightPicture& picture)
+using Plans = std::vector<CoveragePlan>;
+
+/** The UAV that has the iceberg in view; none is sure: the one nearest to it. */
+std::size_t viewerOf(const PlanRequest& request, std::size_t iceberg)
 {
-    const std::uint64_t stream = stableHash("coverage") + static_cast<std::uint64_t>(picture.step);
-    return CoverageSearch(model, Random(picture.seed, stream));
+    std::size_t nearest = 0;
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (std::size_t u = 0; u < request.uavs.size(); ++u) {
+        const FlightPicture& picture = *request.uavs[u].picture;
+        const Point place_m = picture.tracks[iceberg].estimate_m(picture.time_s);
+        const double away_m = (place_m - picture.uav.position_m).norm();
+        if (away_m < nearest_m) {
+            nearest = u;
+            nearest_m = away_m;
+        }
+    }
+    return nearest;
 }
 
-/** All icebergs, for the only UAV. */
-TvpProblem wholeProblem(const PlanRequest& request)
+bool isInViewOf(const FlightPicture& picture, std::size_t iceberg)
 {
-    return {.distance_m = request.uavs.front().distance_m, .sigma_m2 = request.sigma_m2};
+    return FieldOfView(picture.sensor, picture.uav.position_m, picture.uav.psi_rad)
+        .contains(picture.tracks[iceberg].estimate_m(picture.time_s));
 }
 
-/** Greedy, the paper's order, that of least waiting, and the shortest tour, either way round. */
-std::vector<CoveragePlan> firstPlans(const PlanRequest& request, const SolveOptions& limits)
+/** Tracks say what is in view of any UAV; here each picture says what is in view of its own. */
+std::vector<FlightPicture> ownPictures(const PlanRequest& request)
+{
+    std::vector<FlightPicture> own;
+    for (const UavRequest& uav : request.uavs) {
+        require(uav.picture != nullptr, "CoveragePolicy: a UAV has no picture of its flight");
+        own.push_back(*uav.picture);
+    }
+    for (std::size_t i = 0; i < request.ids.size(); ++i) {
+        if (!own.front().tracks[i].inView)
+            continue;
+        bool isClear = false;
+        for (FlightPicture& picture : own) {
+            picture.tracks[i].inView = isInViewOf(picture, i);
+            isClear = isClear || picture.tracks[i].inView;
+        }
+        if (!isClear)
+            own[viewerOf(request, i)].tracks[i].inView = true;
+    }
+    return own;
+}
+
+/** All are judged by what comes until the last of them ends its flight. */
+std::vector<CoverageModel> modelsOf(std::span<const FlightPicture> pictures,
+                                    std::optional<double> rest_s = std::nullopt)
+{
+    FlightPicture longest{.time_s = pictures.front().time_s};
+    for (const FlightPicture& picture : pictures)
+        longest.until_s = std::max(longest.until_s, picture.until_s);
+    CoverageHorizon horizon = horizonOf(longest);
+    horizon.rest_s = rest_s.value_or(horizon.rest_s);
+    std::vector<CoverageModel> models;
+    for (const FlightPicture& picture : pictures) {
+        horizon.flown_s = picture.until_s - picture.time_s;
+        models.emplace_back(picture, horizon);
+    }
+    return models;
+}
+
+/** All icebergs, as the orders to start from see them, at tau = 1. */
+FleetProblem fleetProblem(const PlanRequest& request)
 {
     constexpr double kTau = 1;
+    FleetProblem problem{.sigma_m2 = request.sigma_m2};
+    problem.allowed.assign(request.uavs.size(), std::vector<bool>(problem.sigma_m2.size(), true));
+    for (const UavRequest& uav : request.uavs)
+        problem.distance_m.push_back(uav.distance_m);
+    for (std::size_t k = 0; k < request.ids.size(); ++k) {
+        const auto may = [k](const UavRequest& uav) { return uav.available[k]; };
+        if (std::ranges::any_of(request.uavs, may)) // else in view now, and any may come later
+            for (std::size_t u = 0; u < request.uavs.size(); ++u)
+                problem.allowed[u][k + 1] = request.uavs[u].available[k];
+    }
+    problem.mu = fleetTuningWeight(problem, request.betweenUavs_m, kTau).mu;
+    return problem;
+}
+
+/** The shortest tour over those icebergs, from the UAV and back. */
+VisitOrder tourOf(TvpProblem problem, const VisitOrder& nodes, const SolveOptions& limits)
+{
+    problem.route = Route::Closed;
+    problem.mu = 1;
+    std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
+    const VisitOrder found =
+        makeSolver(Backend::Auto)->solve(restrictedTo(problem, nodes), limits).order();
+    VisitOrder tour;
+    for (const int node : found)
+        tour.push_back(nodes[static_cast<std::size_t>(node - 1)]);
+    return tour;
+}
+
+/** Greedy, the orders at tau = 1, and round tours over what these give to each UAV. */
+std::vector<Plans> firstPlans(const PlanRequest& request, const SolveOptions& limits)
+{
+    const FleetProblem problem = fleetProblem(request);
+    FleetPlan orders = solveFleet(problem, Backend::Auto, limits).plan;
+    orders.resize(request.uavs.size());
+    Plans once;
+    Plans round;
+    for (std::size_t u = 0; u < orders.size(); ++u) {
+        once.push_back(straightPlan(orders[u], 1));
+        const TvpProblem own = problemOfUav(problem, static_cast<int>(u));
+        round.push_back(straightPlan(tourOf(own, orders[u], limits), kRounds));
+    }
+    return {Plans(request.uavs.size()), once, round};
+}
+
+/** As `firstPlans`, with the order of least waiting, and the tour either way round. */
+std::vector<Plans> firstPlansAlone(const PlanRequest& request, const SolveOptions& limits)
+{
     const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
-    TvpProblem problem = wholeProblem(request);
-    problem.mu = tuningWeight(problem, kTau).mu;
+    TvpProblem problem = problemOfUav(fleetProblem(request), 0);
     const VisitOrder order = solver->solve(problem, limits).order();
     problem.mu = 1;
     VisitOrder soonest;
@@ -40,66 +142,103 @@ std::vector<CoveragePlan> firstPlans(const PlanRequest& request, const SolveOpti
         soonest = solver->solve(problem, limits).order();
         problem.criterion = Criterion::Visitation;
     }
-    std::fill(problem.sigma_m2.begin(), problem.sigma_m2.end(), 0.0);
-    problem.route = Route::Closed;
-    VisitOrder tour = solver->solve(problem, limits).order();
-    const CoveragePlan there = straightPlan(tour, kRounds);
+    VisitOrder all(request.ids.size());
+    std::iota(all.begin(), all.end(), 1);
+    VisitOrder tour = tourOf(problem, all, limits);
+    std::vector<Plans> starts{{{}}, {straightPlan(order, 1)}, {straightPlan(soonest, 1)}};
+    starts.push_back({straightPlan(tour, kRounds)});
     std::reverse(tour.begin(), tour.end());
-    return {
-        {}, straightPlan(order, 1), straightPlan(soonest, 1), there, straightPlan(tour, kRounds)};
+    starts.push_back({straightPlan(tour, kRounds)});
+    return starts;
 }
 
-/** Of a plan and its prediction; the solve that found it is the caller's to tell of. */
-PlanAnswer answerOf(const CoverageModel& model, const PlanRequest& request,
-                    const CoverageResult& found)
+/** Predicted, without weights and with what comes after the horizon by `rest_s`. */
+double zeta_m2s(std::vector<FlightPicture> pictures, std::optional<double> rest_s,
+                std::span<const CoveragePlan> plans)
 {
-    const UavRequest& uav = request.uavs.front();
-    DescribedPlan described = describe(model, uav, request.ids, found.plan);
-    const TvpProblem problem = restrictedTo(wholeProblem(request), described.nodes);
-    VisitOrder order(described.nodes.size());
-    std::iota(order.begin(), order.end(), 1);
-    PlanAnswer answer{.outcome = {.objective = objective(problem, order)},
-                      .problem = problemOf(problem),
-                      .predictedZeta_m2s = found.total_m2s,
-                      .distance_m = flownDistance(problem, order)};
-    if (!described.outlook.sightings_s.empty())
-        answer.distance_m =
-            request.speed_mps * (described.outlook.sightings_s.back() - uav.picture->time_s);
-    for (const int node : described.nodes)
-        answer.solvedIds.push_back(request.ids[static_cast<std::size_t>(node - 1)]);
-    answer.uavs = {{.order = answer.solvedIds,
-                    .legs = std::move(described.legs),
-                    .outlook = std::move(described.outlook)}};
-    answer.outcome.plan = {std::move(order)};
+    for (FlightPicture& picture : pictures)
+        picture.weights.clear();
+    return fleetTotal_m2s(modelsOf(pictures, rest_s), plans);
+}
+
+double flown_m(const PlanRequest& request, std::span<const UavAnswer> answers)
+{
+    double sum_m = 0;
+    for (std::size_t u = 0; u < answers.size(); ++u) {
+        Eigen::Index from = 0;
+        for (const int id : answers[u].order) {
+            const auto it = std::find(request.ids.begin(), request.ids.end(), id);
+            const Eigen::Index to = it - request.ids.begin() + 1;
+            sum_m += request.uavs[u].distance_m(from, to);
+            from = to;
+        }
+    }
+    return sum_m;
+}
+
+/** The solve that found it is the caller's to tell of. */
+PlanAnswer answerOf(const PlanRequest& request, std::span<const FlightPicture> pictures,
+                    const FleetCoverage& found)
+{
+    const std::vector<FlightPicture> all(pictures.begin(), pictures.end());
+    PlanAnswer answer{.uavs = describeFleet(modelsOf(pictures), request, found.plans)};
+    answer.predictedZeta_m2s =
+        isWeighted(all.front()) ? zeta_m2s(all, std::nullopt, found.plans) : found.total_m2s;
+    const double outlook_m2s = zeta_m2s(all, 0, found.plans);
+    for (UavAnswer& uav : answer.uavs)
+        uav.outlook->zeta_m2s = outlook_m2s;
+    answer.distance_m = flown_m(request, answer.uavs);
     return answer;
+}
+
+/** What Eq. (1) makes of the order of a UAV that is alone, and how far its legs go. */
+void judgeAlone(PlanAnswer& answer, const PlanRequest& request)
+{
+    const UavAnswer& only = answer.uavs.front();
+    VisitOrder nodes;
+    for (const int id : only.order)
+        nodes.push_back(static_cast<int>(std::ranges::find(request.ids, id) - request.ids.begin()) +
+                        1);
+    const TvpProblem problem = restrictedTo(
+        {.distance_m = request.uavs.front().distance_m, .sigma_m2 = request.sigma_m2}, nodes);
+    VisitOrder order(nodes.size());
+    std::iota(order.begin(), order.end(), 1);
+    answer.outcome.objective = objective(problem, order);
+    answer.outcome.plan = {std::move(order)};
+    answer.problem = problemOf(problem);
+    answer.solvedIds = only.order;
+    if (!only.outlook->sightings_s.empty())
+        answer.distance_m = request.speed_mps * (only.outlook->sightings_s.back() -
+                                                 request.uavs.front().picture->time_s);
 }
 
 /** Tells whoever made the request of better plans, a few tens a second at most. */
 class ProgressTeller
 {
 public:
-    ProgressTeller(const CoverageModel& model, const PlanRequest& request,
+    ProgressTeller(std::span<const CoverageModel> models, const PlanRequest& request,
                    const SolveOptions& options)
-        : m_model(model), m_request(request), m_options(options)
+        : m_models(models), m_request(request), m_options(options)
     {
     }
 
-    void operator()(const CoverageResult& better)
+    void operator()(const FleetCoverage& better)
     {
         constexpr double kBetween_s = 0.02;
         const double elapsed_s = m_clock.elapsed_s();
         if (elapsed_s < m_next_s)
             return;
         m_next_s = elapsed_s + kBetween_s;
-        PlanAnswer answer = answerOf(m_model, m_request, better);
-        m_options.onProgress({.plan = {std::move(answer.uavs.front().order)},
-                              .objective = better.total_m2s,
-                              .elapsed_s = elapsed_s,
-                              .legs = {std::move(answer.uavs.front().legs)}});
+        SolveProgress progress{.objective = better.total_m2s, .elapsed_s = elapsed_s};
+        for (UavAnswer& uav : describeFleet(m_models, m_request, better.plans)) {
+            progress.plan.push_back(std::move(uav.order));
+            progress.legs.push_back(std::move(uav.legs));
+        }
+        m_options.onProgress(progress);
     }
 
 private:
-    const CoverageModel& m_model;
+    std::span<const CoverageModel> m_models;
     const PlanRequest& m_request;
     const SolveOptions& m_options;
     Stopwatch m_clock;
@@ -113,29 +252,75 @@ public:
     PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override;
 
 private:
-    [[nodiscard]] PlanAnswer planOfOne(const PlanRequest& request, const SolveOptions& options);
-    [[nodiscard]] static CoverageResult first(CoverageSearch& search, const PlanRequest& request,
-                                              const SolveOptions& options, const SolveWatch& watch);
-    [[nodiscard]] CoverageResult next(CoverageSearch& search, const PlanRequest& request,
-                                      bool warmStart, const SolveOptions& options,
-                                      const SolveWatch& watch) const;
+    [[nodiscard]] CoverageLimits limitsOf(const PlanRequest& request, std::size_t uav) const;
+    [[nodiscard]] FleetCoverageSearch searchFor(const PlanRequest& request,
+                                                std::span<const CoverageModel> models) const;
+    [[nodiscard]] std::optional<Plans> warmStart(const PlanRequest& request) const;
+    [[nodiscard]] FleetCoverage first(FleetCoverageSearch& search, const PlanRequest& request,
+                                      const SolveOptions& options, const SolveWatch& watch) const;
+    [[nodiscard]] FleetCoverage next(FleetCoverageSearch& search, const std::optional<Plans>& warm,
+                                     const SolveOptions& options, const SolveWatch& watch) const;
 
-    KeptPlan m_last; ///< the plan that is flown; empty: none yet
-    bool m_isOfSeveral = false;
-    CoverageFleet m_fleet;
+    /** Plans of several UAVs take so much more work than those of one. */
+    [[nodiscard]] std::int64_t work(std::int64_t ofOne) const
+    {
+        return m_isAlone ? ofOne : ofOne * 3 / 2;
+    }
+
+    std::map<int, KeptPlan> m_last; ///< what each UAV flies, by its number; empty: no plan yet
+    /** No other UAV has ever been planned for: the last one to fly goes on as one of several. */
+    bool m_isAlone = true;
 };
 
-CoverageResult CoveragePolicy::first(CoverageSearch& search, const PlanRequest& request,
-                                     const SolveOptions& options, const SolveWatch& watch)
+/** What is in view of one of several UAVs now may be visited again later, by any of them. */
+CoverageLimits CoveragePolicy::limitsOf(const PlanRequest& request, std::size_t uav) const
 {
-    const std::int64_t work = options.workLimit.value_or(kFirstWork);
+    if (m_isAlone)
+        return {};
+    CoverageLimits limits{.any = availableToAny(request), .first = request.uavs[uav].available};
+    for (std::size_t k = 0; k < limits.any.size(); ++k)
+        limits.any[k] = !limits.any[k] || limits.first[k];
+    return limits;
+}
+
+FleetCoverageSearch CoveragePolicy::searchFor(const PlanRequest& request,
+                                              std::span<const CoverageModel> models) const
+{
+    std::vector<CoverageFlyer> flyers;
+    for (std::size_t u = 0; u < models.size(); ++u)
+        flyers.push_back({.model = models[u], .limits = limitsOf(request, u)});
+    const FlightPicture& picture = *request.uavs.front().picture;
+    return {std::move(flyers), picture.seed,
+            stableHash("coverage") + static_cast<std::uint64_t>(picture.step)};
+}
+
+/** What is left of the plans that are flown. */
+std::optional<Plans> CoveragePolicy::warmStart(const PlanRequest& request) const
+{
+    if (m_last.empty() || std::ranges::all_of(request.uavs, [](const UavRequest& uav) {
+            return uav.lastRest.empty();
+        }))
+        return std::nullopt;
+    Plans rests;
+    for (const UavRequest& uav : request.uavs) {
+        const auto kept = m_last.find(uav.uav);
+        rests.push_back(kept == m_last.end() ? CoveragePlan() : restOf(kept->second, request.ids));
+    }
+    return rests;
+}
+
+FleetCoverage CoveragePolicy::first(FleetCoverageSearch& search, const PlanRequest& request,
+                                    const SolveOptions& options, const SolveWatch& watch) const
+{
+    const std::int64_t work = options.workLimit.value_or(this->work(kFirstWork));
     const auto share = static_cast<std::int64_t>(kShareOfStart * static_cast<double>(work));
     const SolveOptions limits{.timeLimit_s = options.timeLimit_s,
                               .workLimit = std::min(kOrderWork, work),
                               .stop = options.stop};
-    std::optional<CoverageResult> best;
-    for (const CoveragePlan& start : firstPlans(request, limits)) {
-        const CoverageResult found =
+    std::optional<FleetCoverage> best;
+    for (const Plans& start :
+         m_isAlone ? firstPlansAlone(request, limits) : firstPlans(request, limits)) {
+        const FleetCoverage found =
             search.improved(search.completed(start), search.work() + share, kHeat, watch);
         if (!best || found.total_m2s < best->total_m2s)
             best = found;
@@ -143,65 +328,47 @@ CoverageResult CoveragePolicy::first(CoverageSearch& search, const PlanRequest& 
     return search.improved(*best, work, kHeat, watch);
 }
 
-CoverageResult CoveragePolicy::next(CoverageSearch& search, const PlanRequest& request,
-                                    bool warmStart, const SolveOptions& options,
-                                    const SolveWatch& watch) const
+FleetCoverage CoveragePolicy::next(FleetCoverageSearch& search, const std::optional<Plans>& warm,
+                                   const SolveOptions& options, const SolveWatch& watch) const
 {
-    CoverageResult start = search.completed({});
-    if (warmStart) {
-        CoverageResult warm = search.completed(restOf(m_last, request.ids));
-        if (warm.total_m2s <= start.total_m2s)
-            start = std::move(warm);
+    FleetCoverage start = search.completed(Plans(search.uavCount()));
+    if (warm) {
+        FleetCoverage rest = search.completed(*warm);
+        if (rest.total_m2s <= start.total_m2s)
+            start = std::move(rest);
     }
-    return search.improved(start, options.workLimit.value_or(kNextWork), kHeat, watch);
-}
-
-/** The plan was found with weights; zeta, which it is predicted to come to, has none. */
-PlanAnswer unweightedAnswer(const PlanRequest& request, const CoverageResult& found)
-{
-    FlightPicture picture = *request.uavs.front().picture;
-    picture.weights.clear();
-    const CoverageModel model(picture, horizonOf(picture));
-    CoverageState state = model.start();
-    for (const CoverageLeg& leg : found.plan)
-        model.fly(state, leg);
-    return answerOf(model, request, {.plan = found.plan, .total_m2s = model.total_m2s(state)});
+    return search.improved(start, options.workLimit.value_or(work(kNextWork)), kHeat, watch);
 }
 
 PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& options)
 {
-    // Those of several may be planned alone later, but go on from what they fly.
-    m_isOfSeveral = m_isOfSeveral || request.uavs.size() > 1;
-    return m_isOfSeveral ? m_fleet.plan(request, options) : planOfOne(request, options);
-}
-
-PlanAnswer CoveragePolicy::planOfOne(const PlanRequest& request, const SolveOptions& options)
-{
-    const UavRequest& uav = request.uavs.front();
-    require(uav.picture != nullptr, "CoveragePolicy: the request has no picture of the flight");
+    m_isAlone = m_isAlone && request.uavs.size() == 1;
     const Stopwatch clock;
     const SolveWatch watch(options);
-    PlanAnswer answer{.uavs = std::vector<UavAnswer>(1)};
-    const bool nothing =
-        std::find(uav.available.begin(), uav.available.end(), true) == uav.available.end();
-    if (!nothing) {
-        const CoverageModel model(*uav.picture, horizonOf(*uav.picture));
-        CoverageSearch search = searchFor(model, *uav.picture);
-        const bool warmStart = !uav.lastRest.empty();
+    const std::vector<FlightPicture> pictures = ownPictures(request);
+    PlanAnswer answer{.uavs = std::vector<UavAnswer>(request.uavs.size())};
+    if (const std::vector<bool> any = availableToAny(request);
+        std::find(any.begin(), any.end(), true) != any.end()) {
+        const std::vector<CoverageModel> models = modelsOf(pictures);
+        FleetCoverageSearch search = searchFor(request, models);
         if (options.onProgress && m_last.empty()) // later plans take a few milliseconds
-            search.setListener(ProgressTeller(model, request, options));
-        const CoverageResult found = m_last.empty()
-                                         ? first(search, request, options, watch)
-                                         : next(search, request, warmStart, options, watch);
+            search.setListener(ProgressTeller(models, request, options));
+        const std::optional<Plans> warm = warmStart(request);
+        const FleetCoverage found = m_last.empty() ? first(search, request, options, watch)
+                                                   : next(search, warm, options, watch);
         const std::optional<StopReason> cut = watch.cut();
         if (cut == StopReason::Cancelled)
             return {.outcome = {.reason = StopReason::Cancelled, .backend = "coverage"}};
-        answer = isWeighted(*uav.picture) ? unweightedAnswer(request, found)
-                                          : answerOf(model, request, found);
+        answer = answerOf(request, pictures, found);
+        if (m_isAlone)
+            judgeAlone(answer, request);
         answer.outcome.reason = cut.value_or(StopReason::WorkLimit);
         answer.outcome.work = search.work();
-        answer.outcome.hintUsed = warmStart && !m_last.empty();
-        m_last = keptPlan(found.plan, request.ids);
+        answer.outcome.hintUsed = warm.has_value();
+        m_last.clear();
+        for (std::size_t u = 0; u < found.plans.size(); ++u)
+            if (!found.plans[u].empty())
+                m_last[request.uavs[u].uav] = keptPlan(found.plans[u], request.ids);
     }
     answer.outcome.status = SolveStatus::Feasible;
     answer.outcome.backend = "coverage";

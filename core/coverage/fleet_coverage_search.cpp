@@ -75,6 +75,8 @@ FleetCoverage FleetCoverageSearch::completed(std::span<const CoveragePlan> plans
 FleetCoverage FleetCoverageSearch::improved(const FleetCoverage& start, std::int64_t untilWork,
                                             double heat, const SolveWatch& watch)
 {
+    if (m_members.size() == 1 && m_members.front()->first.empty())
+        return improvedAlone(start, untilWork, heat, watch);
     FleetCoverage best = start;
     tell(best);
     for (std::size_t u = 0; u < m_members.size(); ++u)
@@ -88,6 +90,20 @@ FleetCoverage FleetCoverageSearch::improved(const FleetCoverage& start, std::int
             turnOf(u, cooling, watch, best);
     }
     return best;
+}
+
+/** There is nobody to take turns with: one annealing without a break. */
+FleetCoverage FleetCoverageSearch::improvedAlone(const FleetCoverage& start, std::int64_t untilWork,
+                                                 double heat, const SolveWatch& watch)
+{
+    CoverageSearch& search = m_members.front()->search;
+    if (m_listener)
+        search.setListener([this](const CoverageResult& better) {
+            tell({.plans = {better.plan}, .total_m2s = better.total_m2s});
+        });
+    const CoverageResult best = search.improved(
+        {.plan = start.plans.front(), .total_m2s = start.total_m2s}, untilWork, heat, watch);
+    return {.plans = {best.plan}, .total_m2s = best.total_m2s};
 }
 
 /** One slice of the annealing. */

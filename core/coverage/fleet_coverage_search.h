@@ -21,13 +21,14 @@ struct FleetCoverage
 struct CoverageFlyer
 {
     CoverageModel model;   ///< horizon, icebergs and weights are those of all
-    CoverageLimits limits; ///< neither list empty
+    CoverageLimits limits; ///< of several neither list empty; none for a UAV that is alone
 };
 
 /**
  * Improves the plans of several UAVs by one simulated annealing: by turns, each UAV's plan changes
  * as in `CoverageSearch` while those of the others stand. No two first legs are to one iceberg; a
- * UAV for which that leaves none gets no legs. Work is that of all searches.
+ * UAV for which that leaves none gets no legs. Work is that of all searches. A UAV that is alone
+ * takes no turns.
  */
 class FleetCoverageSearch
 {
@@ -44,6 +45,7 @@ public:
                                          double heat, const SolveWatch& watch);
 
     [[nodiscard]] std::int64_t work() const;
+    [[nodiscard]] std::size_t uavCount() const { return m_members.size(); }
 
     /** As `CoverageSearch::setListener`, now and then. */
     void setListener(std::function<void(const FleetCoverage&)> listener)
@@ -56,6 +58,8 @@ private:
 
     void fix(std::size_t member, CoveragePlan plan);
     void lookAtOthers(std::size_t member);
+    [[nodiscard]] FleetCoverage improvedAlone(const FleetCoverage& start, std::int64_t untilWork,
+                                              double heat, const SolveWatch& watch);
     void turnOf(std::size_t member, const CoverageCooling& cooling, const SolveWatch& watch,
                 FleetCoverage& best);
     [[nodiscard]] std::vector<CoveragePlan> plans() const;

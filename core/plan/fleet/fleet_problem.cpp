@@ -130,12 +130,12 @@ TuningWeight fleetTuningWeight(const FleetProblem& problem, const Eigen::MatrixX
 {
     const Eigen::Index uavs = problem.uavCount();
     const Eigen::Index n = problem.icebergCount();
-    require(betweenStarts_m.rows() == uavs && betweenStarts_m.cols() == uavs,
-            "fleetTuningWeight: one row and column for each UAV");
     if (n < 1)
         return {};
     if (uavs == 1)
         return tuningWeight(problemOfUav(problem, 0), tau);
+    require(betweenStarts_m.rows() == uavs && betweenStarts_m.cols() == uavs,
+            "fleetTuningWeight: one row and column for each UAV");
     double sum_m = betweenStarts_m.sum() - betweenStarts_m.diagonal().sum();
     for (const Eigen::MatrixXd& all_m : problem.distance_m) {
         const Eigen::MatrixXd between_m = all_m.bottomRightCorner(n, n);
