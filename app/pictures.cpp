@@ -6,8 +6,8 @@
 #include "core/io/text/file_set.h"
 #include "widgets/charts/chart_image.h"
 #include "widgets/charts/mission_charts.h"
-#include "widgets/map/map_painter.h"
-#include "widgets/map/mission_picture.h"
+#include "widgets/map/paint/map_painter.h"
+#include "widgets/map/picture/mission_picture.h"
 
 #include <QBuffer>
 #include <QDir>

@@ -1,6 +1,6 @@
 #include "app/dialogs/export_preview_view.h"
 
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/print/export_picture.h"
 #include "widgets/theme/quantity_text.h"
 

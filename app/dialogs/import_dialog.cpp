@@ -1,7 +1,7 @@
 #include "app/dialogs/import_dialog.h"
 
-#include "widgets/map/map_view.h"
-#include "widgets/map/scenario_picture.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/import_text.h"
 #include "widgets/panels/dialogs/import_columns_view.h"
 #include "widgets/panels/dialogs/import_options_view.h"

@@ -1,7 +1,7 @@
 #include "app/dialogs/origin_dialog.h"
 
 #include "core/base/error.h"
-#include "widgets/map/overview_inset.h"
+#include "widgets/map/paint/overview_inset.h"
 #include "widgets/panels/fields/place_field.h"
 #include "widgets/theme/quantity_text.h"
 

@@ -2,8 +2,8 @@
 
 #include "core/io/files/scenario_json.h"
 #include "core/sim/mission.h"
-#include "widgets/map/map_painter.h"
-#include "widgets/map/scenario_picture.h"
+#include "widgets/map/paint/map_painter.h"
+#include "widgets/map/picture/scenario_picture.h"
 #include "widgets/model/work_failure.h"
 
 #include <QDir>

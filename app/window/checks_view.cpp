@@ -3,7 +3,7 @@
 #include "app/window/docks.h"
 #include "app/window/panels.h"
 #include "app/window/status_line.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/flight_banner.h"
 #include "widgets/panels/inspector/check_panel.h"

@@ -3,7 +3,7 @@
 #include "app/window/docks.h"
 #include "app/window/menus.h"
 #include "app/window/panels.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/object_names.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/model/workspace.h"

@@ -4,7 +4,7 @@
 #include "app/window/tab_order.h"
 #include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
 #include "widgets/panels/icebergs/iceberg_table.h"

@@ -1,7 +1,7 @@
 #include "app/window/flight_controls.h"
 
 #include "app/window/panels.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/event_panel.h"
 #include "widgets/panels/flight/flight_banner.h"

@@ -2,8 +2,8 @@
 
 #include "app/window/docks.h"
 #include "app/window/panels.h"
-#include "widgets/map/map_view.h"
-#include "widgets/map/overview_inset.h"
+#include "widgets/map/paint/overview_inset.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/plan/plan_panel.h"

@@ -16,7 +16,7 @@
 #include "app/window/start_guide.h"
 #include "app/window/study_desk.h"
 #include "app/window/work_safety.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/playback_bar.h"

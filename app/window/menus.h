@@ -2,7 +2,7 @@
 
 #include "app/window/action_maker.h"
 #include "app/window/window_part.h"
-#include "widgets/map/map_tools.h"
+#include "widgets/map/view/map_tools.h"
 
 #include <vector>
 

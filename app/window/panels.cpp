@@ -2,9 +2,9 @@
 
 #include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
-#include "widgets/map/map_view.h"
-#include "widgets/map/overview_inset.h"
-#include "widgets/map/place_mark.h"
+#include "widgets/map/paint/overview_inset.h"
+#include "widgets/map/view/map_view.h"
+#include "widgets/map/view/place_mark.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/dialogs/goto_bar.h"
 #include "widgets/panels/flight/chart_panel.h"

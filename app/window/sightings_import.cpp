@@ -4,7 +4,7 @@
 #include "app/window/panels.h"
 #include "app/window/scenario_files.h"
 #include "app/window/start_guide.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 
 #include <QDropEvent>

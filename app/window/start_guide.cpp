@@ -6,7 +6,7 @@
 #include "app/window/panels.h"
 #include "app/window/scenario_files.h"
 #include "core/scenario/presets.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/playback_bar.h"
 

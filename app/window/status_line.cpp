@@ -1,7 +1,7 @@
 #include "app/window/status_line.h"
 
 #include "app/window/panels.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/inspector/issue_text.h"

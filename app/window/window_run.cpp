@@ -6,7 +6,7 @@
 #include "app/window/window_holder.h"
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/error_text.h"
 
 #include <QApplication>

@@ -1,7 +1,7 @@
 #include "core/io/files/run_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/window_fixture.h"
-#include "widgets/map/mission_picture.h"
+#include "widgets/map/picture/mission_picture.h"
 #include "widgets/panels/flight/run_time_line.h"
 
 #include <QSignalSpy>

@@ -3,7 +3,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
-#include "widgets/map/overview_inset.h"
+#include "widgets/map/paint/overview_inset.h"
 #include "widgets/panels/dialogs/goto_bar.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/theme/quantity_text.h"

@@ -3,8 +3,8 @@
 #include "tests/support/approx.h"
 #include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
-#include "widgets/map/mission_picture.h"
-#include "widgets/map/wind_panel.h"
+#include "widgets/map/paint/wind_panel.h"
+#include "widgets/map/picture/mission_picture.h"
 #include "widgets/model/wind.h"
 #include "widgets/panels/fields/number_field.h"
 

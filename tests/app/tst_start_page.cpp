@@ -5,7 +5,7 @@
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
 #include "tests/support/window_fixture.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 
 #include <QCheckBox>
 #include <QLabel>

@@ -12,7 +12,7 @@
 #include "core/scenario/presets.h"
 #include "core/study/statistics.h"
 #include "tests/bench/bench_window.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 
 #include <QApplication>

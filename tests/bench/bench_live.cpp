@@ -12,7 +12,7 @@
 #include "app/window/main_window.h"
 #include "core/scenario/presets.h"
 #include "tests/bench/bench_window.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 
 #include <QSettings>

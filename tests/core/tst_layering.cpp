@@ -50,29 +50,36 @@ const std::vector<Module> kRooms{
     {"core/io/import", {"core/io/text", "core/io/export"}},
     {"widgets/theme", {}},
     {"widgets/model", {"widgets/theme"}},
-    {"widgets/map", {"widgets/theme", "widgets/model"}},
-    {"widgets/charts", {"widgets/theme", "widgets/model", "widgets/map"}},
-    {"widgets/panels/fields", {"widgets/theme", "widgets/model", "widgets/map", "widgets/charts"}},
-    {"widgets/panels/inspector",
-     {"widgets/theme", "widgets/model", "widgets/map", "widgets/charts", "widgets/panels/fields"}},
+    {"widgets/map/picture", {"widgets/theme", "widgets/model"}},
+    {"widgets/map/land", {"widgets/theme", "widgets/model", "widgets/map/picture"}},
+    {"widgets/map/paint",
+     {"widgets/theme", "widgets/model", "widgets/map/picture", "widgets/map/land"}},
+    {"widgets/map/view",
+     {"widgets/theme", "widgets/model", "widgets/map/picture", "widgets/map/land",
+      "widgets/map/paint"}},
+    {"widgets/charts", {"widgets/theme", "widgets/model", "widgets/map/picture"}},
+    {"widgets/panels/fields",
+     {"widgets/theme", "widgets/model", "widgets/map/picture", "widgets/map/paint"}},
+    {"widgets/panels/inspector", {"widgets/theme", "widgets/model", "widgets/panels/fields"}},
     {"widgets/panels/plan",
-     {"widgets/theme", "widgets/model", "widgets/map", "widgets/charts", "widgets/panels/fields",
-      "widgets/panels/inspector"}},
+     {"widgets/theme", "widgets/model", "widgets/map/picture", "widgets/map/paint",
+      "widgets/charts", "widgets/panels/fields", "widgets/panels/inspector"}},
     {"widgets/panels/icebergs",
-     {"widgets/theme", "widgets/model", "widgets/map", "widgets/charts", "widgets/panels/fields",
-      "widgets/panels/inspector", "widgets/panels/plan"}},
+     {"widgets/theme", "widgets/model", "widgets/map/picture", "widgets/map/paint",
+      "widgets/charts", "widgets/panels/fields", "widgets/panels/inspector",
+      "widgets/panels/plan"}},
     {"widgets/panels/flight",
-     {"widgets/theme", "widgets/model", "widgets/map", "widgets/charts", "widgets/panels/fields",
+     {"widgets/theme", "widgets/model", "widgets/charts", "widgets/panels/fields",
       "widgets/panels/plan"}},
     {"widgets/panels/study",
-     {"widgets/theme", "widgets/model", "widgets/map", "widgets/charts", "widgets/panels/fields",
+     {"widgets/theme", "widgets/model", "widgets/charts", "widgets/panels/fields",
       "widgets/panels/plan"}},
     {"widgets/panels/dialogs",
-     {"widgets/theme", "widgets/model", "widgets/map", "widgets/charts", "widgets/panels/fields",
+     {"widgets/theme", "widgets/model", "widgets/map/picture", "widgets/panels/fields",
       "widgets/panels/inspector", "widgets/panels/icebergs"}},
     {"widgets/print",
-     {"widgets/theme", "widgets/model", "widgets/map", "widgets/charts", "widgets/panels/inspector",
-      "widgets/panels/plan"}},
+     {"widgets/theme", "widgets/model", "widgets/map/picture", "widgets/map/land",
+      "widgets/map/paint", "widgets/charts", "widgets/panels/inspector", "widgets/panels/plan"}},
     {"app/dialogs", {}},
     {"app/start", {}},
     {"app/window", {"app/dialogs", "app/start"}},
@@ -318,8 +325,8 @@ private slots:
         row("core/plan/solve/tvp.cpp", "\"core/plan/policy/policy.h\"", false);
         row("core/io/export/kml.cpp", "\"core/io/text/zip_file.h\"", true);
         row("core/io/text/json_reader.cpp", "\"core/io/files/scenario_json.h\"", false);
-        row("widgets/map/map_view.cpp", "\"widgets/model/workspace.h\"", true);
-        row("widgets/map/map_view.cpp", "\"widgets/panels/plan/plan_panel.h\"", false);
+        row("widgets/map/view/map_view.cpp", "\"widgets/model/workspace.h\"", true);
+        row("widgets/map/view/map_view.cpp", "\"widgets/panels/plan/plan_panel.h\"", false);
         row("widgets/panels/plan/plan_panel.cpp", "\"widgets/panels/fields/number_field.h\"", true);
         row("widgets/panels/plan/plan_panel.cpp", "\"widgets/panels/study/study_panel.h\"", false);
         row("widgets/theme/theme.h", "<QColor>", true);
@@ -348,7 +355,7 @@ private slots:
         row("app/cli/main.cpp", "\"app/cli/commands.h\"", true);
         row("app/cli/main.cpp", "<CLI/CLI.hpp>", true);
         row("app/cli/main.cpp", "\"app/window/main_window.h\"", false);
-        row("app/cli/main.cpp", "\"widgets/map/map_view.h\"", false);
+        row("app/cli/main.cpp", "\"widgets/map/view/map_view.h\"", false);
         row("app/cli/main.cpp", "<QCoreApplication>", false);
     }
 

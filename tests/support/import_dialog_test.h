@@ -3,7 +3,7 @@
 #include "app/dialogs/import_dialog.h"
 #include "tests/support/import_fixtures.h"
 #include "tests/support/panel_test.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "widgets/map/map_picture.h"
+#include "widgets/map/picture/map_picture.h"
 
 #include <algorithm>
 

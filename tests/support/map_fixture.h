@@ -1,8 +1,8 @@
 #pragma once
 
 #include "tests/support/scenario_builder.h"
-#include "widgets/map/map_view.h"
-#include "widgets/map/scenario_picture.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/map/view/map_view.h"
 
 #include <QUndoStack>
 #include <QtTest>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/map/map_layout.h"
+#include "widgets/map/paint/map_layout.h"
 
 #include <QLineF>
 

@@ -2,7 +2,7 @@
 
 #include "core/base/random.h"
 #include "tests/support/map_fixture.h"
-#include "widgets/map/map_handles.h"
+#include "widgets/map/view/map_handles.h"
 
 #include <QSet>
 

@@ -4,7 +4,7 @@
 #include "core/base/solving_guard.h"
 #include "tests/support/fake_interaction.h"
 #include "tests/support/panel_test.h"
-#include "widgets/map/map_view.h"
+#include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 
 #include <QAction>

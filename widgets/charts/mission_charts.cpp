@@ -1,7 +1,7 @@
 #include "widgets/charts/mission_charts.h"
 
 #include "widgets/charts/uav_charts.h"
-#include "widgets/map/mission_picture.h"
+#include "widgets/map/picture/mission_picture.h"
 #include "widgets/model/object_names.h"
 #include "widgets/theme/quantity_text.h"
 

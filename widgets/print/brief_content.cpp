@@ -1,6 +1,5 @@
 #include "widgets/print/brief_content.h"
 
-#include "widgets/map/map_tools.h"
 #include "widgets/model/domain_text.h"
 #include "widgets/print/brief_warnings.h"
 #include "widgets/print/page_text.h"

@@ -1,6 +1,5 @@
 #include "widgets/print/brief_table.h"
 
-#include "widgets/map/map_tools.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
 

@@ -2,10 +2,10 @@
 
 #include "core/base/error.h"
 #include "widgets/charts/mission_charts.h"
-#include "widgets/map/painter_state.h"
 #include "widgets/print/document_chart.h"
 #include "widgets/print/page_text.h"
 #include "widgets/print/printable_text.h"
+#include "widgets/theme/painter_state.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #include "widgets/print/document_chart.h"
 
 #include "widgets/charts/line_look.h"
-#include "widgets/map/painter_state.h"
+#include "widgets/theme/painter_state.h"
 
 #include <algorithm>
 #include <numeric>

@@ -2,7 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/scenario/priority.h"
-#include "widgets/map/scenario_picture.h"
+#include "widgets/map/picture/scenario_picture.h"
 #include "widgets/print/printable_text.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/export/export_content.h"
-#include "widgets/map/map_picture.h"
+#include "widgets/map/picture/map_picture.h"
 
 namespace berg {
 

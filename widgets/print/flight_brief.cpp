@@ -1,11 +1,11 @@
 #include "widgets/print/flight_brief.h"
 
-#include "widgets/map/map_painter.h"
-#include "widgets/map/painter_state.h"
-#include "widgets/map/route_colours.h"
-#include "widgets/map/scenario_picture.h"
+#include "widgets/map/paint/map_painter.h"
+#include "widgets/map/picture/route_colours.h"
+#include "widgets/map/picture/scenario_picture.h"
 #include "widgets/print/brief_layout.h"
 #include "widgets/print/export_picture.h"
+#include "widgets/theme/painter_state.h"
 
 #include <QCoreApplication>
 

@@ -1,12 +1,12 @@
 #include "widgets/print/map_page.h"
 
-#include "widgets/map/map_painter.h"
-#include "widgets/map/map_symbols.h"
-#include "widgets/map/painter_state.h"
-#include "widgets/map/scenario_picture.h"
+#include "widgets/map/paint/map_painter.h"
+#include "widgets/map/paint/map_symbols.h"
+#include "widgets/map/picture/scenario_picture.h"
 #include "widgets/print/brief_table.h"
 #include "widgets/print/export_picture.h"
 #include "widgets/print/page_text.h"
+#include "widgets/theme/painter_state.h"
 #include "widgets/theme/palette.h"
 #include "widgets/theme/quantity_text.h"
 

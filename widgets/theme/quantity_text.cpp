@@ -1,5 +1,7 @@
 #include "widgets/theme/quantity_text.h"
 
+#include "core/base/angles.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -186,6 +188,12 @@ QString placeText(const LatLon& place, int decimals, const QLocale& locale)
 {
     return latitudeText(place.latitude_deg, decimals, locale) + u"  "_s +
            longitudeText(place.longitude_deg, decimals, locale);
+}
+
+QString bearingText(const Point& way_m)
+{
+    const double heading_deg = headingFromPsi(std::atan2(way_m.y(), way_m.x()));
+    return u"%1°"_s.arg(static_cast<int>(std::lround(heading_deg)) % 360, 3, 10, QChar(u'0'));
 }
 
 } // namespace berg

@@ -74,4 +74,7 @@ struct ShownUnit
 /** Both, as far apart as they are read. */
 [[nodiscard]] QString placeText(const LatLon& place, int decimals, const QLocale& locale);
 
+/** Direction of a way as navigators write it: "045°", clockwise from north. */
+[[nodiscard]] QString bearingText(const Point& way_m);
+
 } // namespace berg

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scenario/generate.h"
-#include "widgets/map/map_view_transform.h"
+#include "widgets/map/picture/map_view_transform.h"
 #include "widgets/panels/fields/number_field.h"
 
 #include <QDialog>

@@ -1,6 +1,6 @@
 #include "widgets/panels/icebergs/iceberg_table_delegate.h"
 
-#include "widgets/map/map_symbols.h"
+#include "widgets/map/paint/map_symbols.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/icebergs/iceberg_table_model.h"
 #include "widgets/theme/icons.h"

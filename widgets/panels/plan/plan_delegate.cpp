@@ -1,6 +1,6 @@
 #include "widgets/panels/plan/plan_delegate.h"
 
-#include "widgets/map/map_symbols.h"
+#include "widgets/map/paint/map_symbols.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/plan/plan_model.h"
 #include "widgets/theme/icons.h"

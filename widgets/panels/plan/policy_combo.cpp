@@ -1,6 +1,6 @@
 #include "widgets/panels/plan/policy_combo.h"
 
-#include "widgets/map/map_symbols.h"
+#include "widgets/map/paint/map_symbols.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/plan/planner_text.h"
 #include "widgets/theme/quantity_text.h"

@@ -1,0 +1,325 @@
+// The table of formats: what every one of them must stand, and what it says about itself.
+
+#include "core/io/export/export_files.h"
+#include "core/io/export/export_notes.h"
+#include "core/io/export/thinned_way.h"
+#include "core/io/text/zip_file.h"
+#include "tests/support/approx.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/export_fixtures.h"
+#include "tests/support/german_numbers.h"
+
+#include <QTest>
+
+#include <numeric>
+#include <set>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+const ExportFormat& format(const char* id)
+{
+    const ExportFormat* found = findExportFormat(id);
+    require(found != nullptr, id);
+    return *found;
+}
+
+QStringList noteIds(const ExportFormat& row, const ExportContent& content)
+{
+    QStringList ids;
+    for (const ExportNote& note : exportNotes(row, content)) {
+        ids << QString::fromLatin1(note.id.data(), qsizetype(note.id.size()));
+    }
+    return ids;
+}
+
+std::string allTexts(const Mission& mission)
+{
+    std::string texts;
+    for (const ExportFormat& row : exportFormats())
+        if (!row.holds.painted)
+            texts += row.text(runContent(mission));
+    return texts;
+}
+
+} // namespace
+
+class TestExportFormats : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void table()
+    {
+        QStringList ids;
+        for (const ExportFormat& row : exportFormats()) {
+            ids << QString::fromLatin1(row.id.data(), qsizetype(row.id.size()));
+            QCOMPARE(findExportFormat(row.id), &row);
+            QVERIFY(!row.extension.empty() && !row.reader.empty());
+            QCOMPARE(row.text == nullptr, row.holds.painted);
+            QVERIFY(!row.holds.painted || row.holds.fleet); // a page shows all UAVs
+        }
+        QCOMPARE(ids.join(u' '), QStringLiteral("plan wpl geojson csv sigma-csv decisions-csv "
+                                                "zeta-csv gpx kml kmz czml brief map-pdf map-svg "
+                                                "map-png charts-pdf charts-svg charts-png"));
+        QVERIFY(findExportFormat("mission") == nullptr);
+    }
+
+    /** Every format, whatever the place, the names and the way. */
+    void isWellFormed_data() { exportRows(); }
+
+    void isWellFormed()
+    {
+        QFETCH(QString, id);
+        QFETCH(Scenario, scenario);
+        QFETCH(ExportOptions, options);
+        const ExportFormat& row = format(id.toLatin1().constData());
+        std::vector<int> order(scenario.icebergs.size());
+        std::iota(order.begin(), order.end(), 0);
+        const PlanAnswer plan = planOf(order);
+        const std::string text =
+            row.text(exportContent({.scenario = scenario, .plan = plan}, options));
+        const QString fault = faultOf(id, text);
+        QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    }
+
+    void localeDoesNotMatter()
+    {
+        const Mission mission = flown(fourIcebergs(), 60);
+        const std::string expected = allTexts(mission);
+        const GermanNumbers german;
+        QVERIFY(allTexts(mission) == expected);
+    }
+
+    void oneFileForEachUav()
+    {
+        const ExportContent content = planContent(changed([](Scenario& s) {
+            s.uavs.resize(3, s.uavs[0]);
+            s.uavs[1].id = "../b c";
+            s.uavs[2].id = "../b:c";
+        }));
+        const std::vector<ExportFile> files =
+            exportFiles(format("plan"), content, "a.b/survey.plan");
+        QCOMPARE(files.size(), std::size_t{3});
+        QCOMPARE(files[0].path, std::string("a.b/survey-uav-1.plan"));
+        QCOMPARE(files[1].path, std::string("a.b/survey-.._b_c.plan"));
+        QCOMPARE(files[2].path, std::string("a.b/survey-.._b_c-3.plan"));
+        QCOMPARE(exportFiles(format("wpl"), content, "a.b/survey")[0].path,
+                 std::string("a.b/survey-uav-1"));
+        QCOMPARE(exportFiles(format("gpx"), content, "x.gpx").size(), std::size_t{1});
+        QVERIFY(noteIds(format("plan"), content).contains(QStringLiteral("one-file-each")));
+        const Scenario scenario = changed([](Scenario& s) { s.uavs.resize(2, s.uavs[0]); });
+        const PlanAnswer plan = fourIcebergPlan();
+        const std::optional<Error> error =
+            errorOf([&] { (void)format("wpl").write({.scenario = scenario, .plan = plan}); });
+        QVERIFY(error && error->code() == ErrorCode::InvalidInput);
+    }
+
+    /** Of both UAVs in one file, and of the one that is chosen. */
+    void painterGetsTheContentOfEachFile()
+    {
+        const ExportContent content =
+            planContent(changed([](Scenario& s) { s.uavs.resize(2, s.uavs[0]); }),
+                        fourIcebergPlan(), {.what = ExportWhat::FirstLeg, .altitude_m = 90});
+        std::vector<std::string_view> painted;
+        const ExportPainter painter = [&](const ExportFormat& row, const ExportContent& given) {
+            painted.push_back(row.id);
+            return std::to_string(given.uavs.size()) + " UAVs at " +
+                   std::to_string(int(given.uavs[0].uav.spec.altitude_m)) + " m";
+        };
+        for (const ExportFormat& row : exportFormats()) {
+            if (!row.holds.painted)
+                continue;
+            const std::vector<ExportFile> files = exportFiles(row, content, "a/b.x", painter);
+            QCOMPARE(files.size(), std::size_t{1});
+            QCOMPARE(files[0].path, std::string("a/b.x"));
+            QCOMPARE(files[0].content, std::string("2 UAVs at 90 m"));
+            QVERIFY(painted == std::vector{row.id});
+            painted.clear();
+        }
+        QVERIFY(exportFiles(format("kml"), content, "", painter)[0].content.starts_with("<?xml"));
+        QVERIFY(painted.empty());
+    }
+
+    void withoutPainterNothingIsPainted()
+    {
+        const Scenario scenario = fourIcebergs();
+        const PlanAnswer plan = fourIcebergPlan();
+        const ExportContent content = planContent(scenario);
+        for (const ExportFormat& row : exportFormats()) {
+            if (!row.holds.painted)
+                continue;
+            const std::optional<Error> error =
+                errorOf([&] { (void)exportFiles(row, content, "x"); });
+            QVERIFY(error && error->code() == ErrorCode::Unsupported);
+            QVERIFY(std::string_view(error->what()).find(row.id) != std::string_view::npos);
+            QCOMPARE(codeOf([&] { (void)row.write({.scenario = scenario, .plan = plan}); }),
+                     std::string("Unsupported"));
+        }
+    }
+
+    void painterThatFailsEndsTheExport()
+    {
+        const ExportPainter painter = [](const ExportFormat&, const ExportContent&) -> std::string {
+            throw Error(ErrorCode::InvalidInput, "format", "no room");
+        };
+        QCOMPARE(codeOf([&] {
+                     (void)exportFiles(format("brief"), planContent(fourIcebergs()), "x", painter);
+                 }),
+                 std::string("InvalidInput"));
+    }
+
+    void notesOfPaintedFormats()
+    {
+        const ExportContent timeless = planContent(changed([](Scenario& s) {
+            s.startUtc.clear();
+            s.geofence = true;
+            s.uavs[0].spec.airspeed_mps = 35.5;
+        }));
+        QCOMPARE(noteIds(format("brief"), timeless).join(u' '), QStringLiteral("no-times"));
+        const Mission mission = flown(fourIcebergs(), 60);
+        const ExportContent chosen = runContent(mission, {.what = ExportWhat::Order});
+        for (const char* ending : {"pdf", "svg", "png"}) {
+            const ExportFormat& map = format((std::string("map-") + ending).c_str());
+            const ExportFormat& charts = format((std::string("charts-") + ending).c_str());
+            QVERIFY(noteIds(map, timeless).isEmpty()); // a map has no dates in any case
+            QCOMPARE(noteIds(map, planContent(fourIcebergs(), planOf({}))).join(u' '),
+                     QStringLiteral("nothing-to-fly"));
+            QCOMPARE(noteIds(charts, chosen).join(u' '), QStringLiteral("choice-not-used"));
+            QVERIFY(noteIds(charts, runContent(mission)).isEmpty());
+        }
+    }
+
+    void notes()
+    {
+        const Scenario scenario = changed([](Scenario& s) {
+            s.startUtc.clear();
+            s.geofence = true;
+            s.uavs[0].spec.airspeed_mps = 35.5;
+        });
+        const ExportContent content = planContent(scenario);
+        QCOMPARE(noteIds(format("plan"), content).join(u' '),
+                 QStringLiteral("acceptance-cut loiter-in-steps whole-speed"));
+        QCOMPARE(noteIds(format("wpl"), content).join(u' '),
+                 QStringLiteral("no-fence acceptance-cut loiter-in-steps whole-speed"));
+        QCOMPARE(noteIds(format("gpx"), content).join(u' '), QStringLiteral("no-times no-fence"));
+        QCOMPARE(noteIds(format("kml"), content).join(u' '), QStringLiteral("no-times"));
+        const std::vector<ExportNote> plan = exportNotes(format("plan"), content);
+        for (const ExportNote& note : plan)
+            QVERIFY(noteText(note).starts_with(note.tool));
+        QCOMPARE(plan[0].value, 300.0);
+        QCOMPARE(plan[0].limit, 255.0);
+        QCOMPARE(plan[2].limit, 36.0);
+        const ExportContent calm =
+            planContent(fourIcebergs(), fourIcebergPlan(), {.acceptance_m = 90});
+        QVERIFY(noteIds(format("plan"), calm).isEmpty());
+        QVERIFY(noteIds(format("gpx"), calm).isEmpty());
+        const Mission mission = flown(fourIcebergs(), 60);
+        QCOMPARE(noteIds(format("wpl"), runContent(mission))[0], QStringLiteral("visits-only"));
+        QCOMPARE(noteIds(format("zeta-csv"), runContent(mission, {.what = ExportWhat::Path})),
+                 QStringList(QStringLiteral("choice-not-used")));
+        const ExportContent path =
+            planContent(fourIcebergs(), fourIcebergPlan(), {.what = ExportWhat::Path});
+        QCOMPARE(noteIds(format("plan"), path).join(u' '), QStringLiteral("path-as-waypoints"));
+        QCOMPARE(noteIds(format("plan"), planContent(fourIcebergs(), planOf({})))[0],
+                 QStringLiteral("nothing-to-fly"));
+        QVERIFY(noteIds(format("plan"), planContent(at180()))
+                    .contains(QStringLiteral("fence-across-180")));
+    }
+
+    /** Ids that make one name of two files, and names that are taken by the way out of it. */
+    void everyUavHasAFileOfItsOwn()
+    {
+        const ExportContent content = planContent(changed([](Scenario& s) {
+            s.uavs.resize(3, s.uavs[0]);
+            s.uavs[0].id = "a_b-3";
+            s.uavs[1].id = "a b";
+            s.uavs[2].id = "a_b";
+        }));
+        std::set<std::string> names;
+        for (const ExportFile& file : exportFiles(format("plan"), content, "survey.plan"))
+            names.insert(file.path);
+        QCOMPARE(names.size(), std::size_t{3});
+    }
+
+    /** Of an order for several sorties the first one is written, and that is told. */
+    void laterSortiesAreTold()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.uavs[0].spec.endurance_s = 1e6;
+        const ExportContent whole = planContent(scenario);
+        QVERIFY(!noteIds(format("plan"), whole).contains(QStringLiteral("later-sorties")));
+        scenario.uavs[0].spec.endurance_s = whole.uavs[0].visits.back().time_s;
+        for (const ExportWhat what : {ExportWhat::Order, ExportWhat::Path}) {
+            const ExportContent content = planContent(scenario, fourIcebergPlan(), {.what = what});
+            const std::size_t visits = content.uavs[0].visits.size();
+            QVERIFY(visits > 1 && visits < 5);
+            QCOMPARE(content.uavs[0].laterSorties, 5 - visits); // one is home
+            for (const char* id : {"plan", "gpx", "brief"}) {
+                const std::vector<ExportNote> notes = exportNotes(format(id), content);
+                const auto told =
+                    std::ranges::find(notes, ExportNoteKind::LaterSorties, &ExportNote::kind);
+                QVERIFY(told != notes.end());
+                QCOMPARE(told->value, double(content.uavs[0].laterSorties));
+            }
+        }
+        const ExportContent first =
+            planContent(scenario, fourIcebergPlan(), {.what = ExportWhat::FirstLeg});
+        QVERIFY(!noteIds(format("plan"), first).contains(QStringLiteral("later-sorties")));
+    }
+
+    void thinnedWayKeepsWithinTheTolerance()
+    {
+        std::vector<TimedPoint> circle;
+        for (int i = 0; i <= 360; ++i)
+            circle.push_back(
+                {.position_m = 100 * Point(std::cos(i * M_PI / 180), std::sin(i * M_PI / 180)),
+                 .time_s = double(i)});
+        const std::vector<TimedPoint> corners = thinnedWay(circle, 5);
+        // A chord of angle a is r (1 - cos(a/2)) off: 5 m of 100 m at 36 degrees.
+        QVERIFY(corners.size() >= 11 && corners.size() <= 20);
+        for (const TimedPoint& point : circle) {
+            double nearest_m = 1e9;
+            for (std::size_t i = 1; i < corners.size(); ++i)
+                nearest_m =
+                    std::min(nearest_m, distanceToSegment(corners[i - 1].position_m,
+                                                          corners[i].position_m, point.position_m));
+            QVERIFY(nearest_m <= 5);
+        }
+        QCOMPARE(thinnedWay(std::span(circle).first(2), 5).size(), std::size_t{2});
+        QVERIFY(thinnedWay({}, 5).empty());
+    }
+
+    void equalContentIsEqualBytes()
+    {
+        QVERIFY(zipFile("doc.kml", "<kml/>") == zipFile("doc.kml", "<kml/>"));
+        QVERIFY(zipFile("doc.kml", "").starts_with("PK\x03\x04"));
+    }
+
+    void golden_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char* id : {"gpx", "kml", "czml"})
+            QTest::newRow(id) << QString::fromLatin1(id);
+    }
+
+    void golden()
+    {
+        QFETCH(QString, id);
+        const std::string text =
+            format(id.toLatin1().constData())
+                .text(planContent(changed([](Scenario& s) { s.geofence = true; }),
+                                  fourIcebergPlan(), {.returnHome = true}));
+        const QByteArray expected = berg::test::golden(u"four_icebergs."_s + id, bytes(text));
+        // Numbers may differ as another processor rounds, by 1e-9 of 48 degrees: 5 mm.
+        const QString found = numbersDifference(bytes(text), expected, 1e-9);
+        QVERIFY2(found.isEmpty(), qPrintable(found));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExportFormats)
+#include "tst_export_formats.moc"

@@ -1,0 +1,359 @@
+#include "core/base/angles.h"
+#include "core/io/export/plan_csv.h"
+#include "core/io/results/result_csv.h"
+#include "core/sim/visits.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/german_numbers.h"
+#include "tests/support/golden.h"
+#include "tests/support/mission_builder.h"
+
+#include <QTest>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+using Record = QList<QByteArray>;
+
+/** RFC 4180 reader of its own: quoted fields may hold separators, line ends and doubled quotes. */
+QList<Record> csvRecords(const QByteArray& text)
+{
+    QList<Record> records;
+    Record record;
+    QByteArray field;
+    bool quoted = false;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+            field += text[++i];
+        } else if (c == '"') {
+            quoted = !quoted;
+        } else if (!quoted && (c == ',' || c == '\n')) {
+            record << field;
+            field.clear();
+            if (c == '\n') {
+                records << record;
+                record.clear();
+            }
+        } else {
+            field += c;
+        }
+    }
+    return records;
+}
+
+QList<Record> csvRecords(const std::string& text)
+{
+    return csvRecords(bytes(text));
+}
+
+} // namespace
+
+class TestResultCsv : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void numbers_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("zero") << 0.0 << QByteArray("0");
+        QTest::newRow("integer") << 22.0 << QByteArray("22");
+        QTest::newRow("not 1e+05") << 100000.0 << QByteArray("100000");
+        QTest::newRow("a tenth") << 0.1 << QByteArray("0.1");
+        QTest::newRow("step count times dt") << 3 * 0.1 << QByteArray("0.30000000000000004");
+        QTest::newRow("negative") << -47.5 << QByteArray("-47.5");
+        QTest::newRow("small") << 0.000125 << QByteArray("0.000125");
+        QTest::newRow("tiny") << 1e-17 << QByteArray("1e-17");
+        QTest::newRow("huge") << 1.5e300 << QByteArray("1.5e+300");
+    }
+
+    void numbers()
+    {
+        QFETCH(double, value);
+        QFETCH(QByteArray, text);
+        QCOMPARE(bytes(numberText(value)), text);
+    }
+
+    void numbersReadBackExactly()
+    {
+        Random random(5);
+        for (int i = 0; i < 20000; ++i) {
+            // Any finite bit pattern, and numbers of everyday size.
+            const double patterns[] = {std::bit_cast<double>(random.bits()), random.normal() * 1e4,
+                                       random.uniform() * 1e-5};
+            for (const double value : patterns) {
+                if (!std::isfinite(value))
+                    continue;
+                bool ok = false;
+                const QByteArray text = bytes(numberText(value));
+                const double back = text.toDouble(&ok);
+                QVERIFY2(ok && std::bit_cast<std::uint64_t>(back) ==
+                                   std::bit_cast<std::uint64_t>(value),
+                         text.constData());
+            }
+        }
+    }
+
+    /** What a spreadsheet would run; an import takes the apostrophe off. */
+    void formulasAreTexts()
+    {
+        QCOMPARE(csvField("=1+1"), std::string("'=1+1"));
+        QCOMPARE(csvField("@a,b"), std::string("\"'@a,b\""));
+        QCOMPARE(csvField("-x"), std::string("'-x"));
+        QCOMPARE(csvField("a=1"), std::string("a=1"));
+    }
+
+    void fields_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("field");
+        QTest::newRow("plain") << QByteArray("berg-1") << QByteArray("berg-1");
+        QTest::newRow("empty") << QByteArray() << QByteArray();
+        QTest::newRow("spaces and UTF-8") << QByteArray(" \xC3\x85 ") << QByteArray(" \xC3\x85 ");
+        QTest::newRow("comma") << QByteArray("a,b") << QByteArray("\"a,b\"");
+        QTest::newRow("quote") << QByteArray("a\"b") << QByteArray("\"a\"\"b\"");
+        QTest::newRow("line feed") << QByteArray("a\nb") << QByteArray("\"a\nb\"");
+        QTest::newRow("carriage return") << QByteArray("a\rb") << QByteArray("\"a\rb\"");
+    }
+
+    void fields()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, field);
+        QCOMPARE(bytes(csvField(text.toStdString())), field);
+        QCOMPARE(csvRecords(field + '\n'), (QList<Record>{{text}}));
+    }
+
+    void trajectoryHoldsTheSamples()
+    {
+        const Mission mission = flown(fourIcebergs());
+        const QList<Record> records = csvRecords(trajectoryCsv(mission));
+        const std::vector<Sample>& samples = mission.recorder().samples();
+        QCOMPARE(records[0].join(','),
+                 QByteArray("time_s,uav,east_m,north_m,latitude_deg,longitude_deg,heading_deg,"
+                            "turn_rate_radps,cross_track_m"));
+        QCOMPARE(records.size(), static_cast<qsizetype>(samples.size()) + 1);
+        const LocalFrame frame(mission.scenario().origin);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const Record& record = records[static_cast<qsizetype>(i) + 1];
+            QCOMPARE(record.size(), 9);
+            QCOMPARE(record[0].toDouble(), samples[i].time_s);
+            QCOMPARE(record[1], QByteArray("uav-1"));
+            QCOMPARE(record[2].toDouble(), samples[i].uavs[0].pose.position_m.x());
+            QCOMPARE(record[3].toDouble(), samples[i].uavs[0].pose.position_m.y());
+            const Point back_m = frame.toPlane(
+                {.latitude_deg = record[4].toDouble(), .longitude_deg = record[5].toDouble()});
+            // Rounding of degrees in a double, 1e-14 x 6.4e6 m, some times over.
+            QVERIFY((back_m - samples[i].uavs[0].pose.position_m).norm() < 1e-6);
+            QVERIFY(std::abs(wrapPi(psiFromHeading(record[6].toDouble()) -
+                                    samples[i].uavs[0].pose.psi_rad)) < 1e-12);
+            QCOMPARE(record[7].toDouble(), samples[i].uavs[0].u_radps);
+            QCOMPARE(record[8].toDouble(), samples[i].uavs[0].crossTrack_m);
+        }
+        // Heading 45 degrees at the start.
+        QVERIFY(std::abs(records[1][6].toDouble() - 45) < 1e-12);
+    }
+
+    void sigmaHoldsEveryIcebergThatHasAppeared()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.icebergs[2].appears_s = 50;
+        scenario.duration_s = 100;
+        const Mission mission = flown(scenario);
+        const Recorder& recorder = mission.recorder();
+        const QList<Record> records = csvRecords(sigmaCsv(mission));
+        QCOMPARE(records[0].join(','),
+                 QByteArray("time_s,iceberg,sigma_m2,east_m,north_m,in_view"));
+        qsizetype next = 1;
+        for (std::size_t row = 0; row < recorder.samples().size(); ++row) {
+            const double time_s = recorder.samples()[row].time_s;
+            for (std::size_t i = 0; i < 4; ++i) {
+                if (i == 2 && time_s < 50)
+                    continue;
+                const IcebergSample& iceberg = recorder.icebergs(row)[i];
+                const Record& record = records[next++];
+                QCOMPARE(record.size(), 6);
+                QCOMPARE(record[0].toDouble(), time_s);
+                QCOMPARE(record[1], bytes(scenario.icebergs[i].id));
+                QCOMPARE(record[2].toDouble(), iceberg.sigma_m2);
+                QCOMPARE(record[3].toDouble(), iceberg.truth_m.x());
+                QCOMPARE(record[4].toDouble(), iceberg.truth_m.y());
+                QCOMPARE(record[5], QByteArray(iceberg.inView ? "1" : "0"));
+                // In view and sigma 0 are the same thing here.
+                QCOMPARE(record[5] == "1", record[2] == "0");
+            }
+        }
+        QCOMPARE(records.size(), next);
+        QCOMPARE(next, 1 + 4 * 101 - 50);
+    }
+
+    void eventsInOrder()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.icebergs[3].id = "odd, \"id\"";
+        Mission mission(scenario);
+        mission.advance(50);
+        Iceberg added;
+        added.id = "added";
+        added.position_m = Point(0, 3000);
+        mission.intervene({.tau = 2, .appears = added});
+        mission.advance(1e9);
+        const QList<Record> records = csvRecords(eventsCsv(mission));
+        QCOMPARE(records[0].join(','), QByteArray("time_s,event,uav,iceberg,detail"));
+        QCOMPARE(records.size(), static_cast<qsizetype>(mission.events().size()) + 1);
+        QMap<QByteArray, int> count;
+        double last_s = 0;
+        for (qsizetype i = 1; i < records.size(); ++i) {
+            const Record& record = records[i];
+            const MissionEvent& event = mission.events()[static_cast<std::size_t>(i) - 1];
+            QCOMPARE(record.size(), 5);
+            QVERIFY(record[0].toDouble() >= last_s);
+            last_s = record[0].toDouble();
+            ++count[record[1]];
+            QCOMPARE(record[2], QByteArray("uav-1"));
+            const QByteArray id =
+                event.iceberg < 0
+                    ? QByteArray()
+                    : bytes(mission.icebergs()[static_cast<std::size_t>(event.iceberg)].id);
+            QCOMPARE(record[3], id);
+            QCOMPARE(record[4], bytes(eventDetail(event, mission)));
+        }
+        QCOMPARE(count["reached"], mission.metrics().visits);
+        QCOMPARE(count["planned"], mission.metrics().replans);
+        QCOMPARE(count["appeared"], 1);
+        QCOMPARE(count["intervention"], 1);
+        QVERIFY(count["sighted"] >= count["reached"]);
+    }
+
+    /** These texts are in files: they stay as they are. */
+    void detailsOfEvents_data()
+    {
+        QTest::addColumn<MissionEvent>("event");
+        QTest::addColumn<QByteArray>("detail");
+        const auto row = [](const MissionEvent& event, const char* detail) {
+            QTest::addRow("%s", *detail == 0 ? "none" : detail) << event << QByteArray(detail);
+        };
+        row({.kind = EventKind::Planned, .backend = "exact"}, "exact");
+        row({.kind = EventKind::Planned, .backend = "exact", .fellBack = true}, "last plan kept");
+        row({.kind = EventKind::Reached, .iceberg = 1, .together = {0, 2}}, "with a, c");
+        row({.kind = EventKind::Sighted, .iceberg = 0}, "");
+        row({.kind = EventKind::Sighted, .iceberg = 0, .reported = true}, "reported");
+        row({.kind = EventKind::PlannerFailed, .failure = "no memory"}, "no memory");
+        row({.kind = EventKind::Alarm, .iceberg = 0, .entry_s = 1234.5}, "in 1235 s");
+        row({.kind = EventKind::Intervention, .policy = PolicyKind::Nearest}, "nearest");
+        row({.kind = EventKind::Intervention, .changed = ChangedPart::Wind}, "wind");
+        row({.kind = EventKind::Intervention, .changed = ChangedPart::Asset}, "asset");
+        row({.kind = EventKind::Intervention, .changed = ChangedPart::Assignment}, "assigned");
+        row({.kind = EventKind::Close, .uav = 0, .otherUav = 1, .distance_m = 142.6},
+            "uav-2, 143 m");
+    }
+
+    void detailsOfEvents()
+    {
+        QFETCH(MissionEvent, event);
+        Scenario scenario = fourIcebergs();
+        scenario.uavs = {{.id = "uav-1"}, {.id = "uav-2"}};
+        for (std::size_t i = 0; i < scenario.icebergs.size(); ++i)
+            scenario.icebergs[i].id = std::string(1, static_cast<char>('a' + i));
+        QTEST(bytes(eventDetail(event, Mission(scenario))), "detail");
+    }
+
+    void zetaEndsAtTheMetric()
+    {
+        const Mission mission = flown(fourIcebergs());
+        const QList<Record> records = csvRecords(zetaCsv(mission));
+        QCOMPARE(records[0].join(','), QByteArray("time_s,sigma_sum_m2,zeta_m2s"));
+        QCOMPARE(records.size(), 402); // 0 .. 400 s and the header
+        QCOMPARE(records[1][2], QByteArray("0"));
+        QCOMPARE(records.last()[0], QByteArray("400"));
+        QCOMPARE(records.last()[2].toDouble(), mission.metrics().zeta_m2s);
+    }
+
+    void missionWithoutRecordGivesHeadersOnly()
+    {
+        Mission mission(fourIcebergs(), {.record = false});
+        mission.advance(1e9);
+        for (const std::string& text :
+             {trajectoryCsv(mission), sigmaCsv(mission), eventsCsv(mission), zetaCsv(mission)})
+            QCOMPARE(csvRecords(text).size(), 1);
+    }
+
+    void planTable()
+    {
+        const Scenario scenario = fourIcebergs();
+        const PlanAnswer plan = fourIcebergPlan();
+        const QList<Record> records = csvRecords(planCsv(planContent(scenario, plan)));
+        QCOMPARE(records[0].join(','),
+                 QByteArray("sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,"
+                            "east_m,north_m,sigma_now_m2,sigma_at_arrival_m2,uav"));
+        QCOMPARE(records.size(), 5);
+        const std::vector<Visit> visits = plannedVisits(scenario, plan);
+        Point from_m = scenario.uavs[0].position_m;
+        for (std::size_t i = 0; i < visits.size(); ++i) {
+            const Record& record = records[static_cast<qsizetype>(i) + 1];
+            const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(visits[i].iceberg)];
+            QCOMPARE(record.size(), 12);
+            QCOMPARE(record[11], QByteArray("uav-1"));
+            QCOMPARE(record[0].toInt(), static_cast<int>(i) + 1);
+            QCOMPARE(record[1], bytes(iceberg.id));
+            QCOMPARE(record[2], bytes(iceberg.name));
+            QCOMPARE(record[3].toDouble(), (visits[i].position_m - from_m).norm());
+            QCOMPARE(record[4].toDouble(), visits[i].time_s);
+            QCOMPARE(record[7].toDouble(), visits[i].position_m.x());
+            QCOMPARE(record[8].toDouble(), visits[i].position_m.y());
+            from_m = visits[i].position_m;
+        }
+        // berg-4: 5.5 m^2 and 100 s old at 0.025 m^2/s, second of the order.
+        QCOMPARE(records[2][9].toDouble(), 8.0);
+        QCOMPARE(records[2][10].toDouble(), 8.0 + 0.025 * records[2][4].toDouble());
+    }
+
+    void formatTableChoosesPlanOrTrack()
+    {
+        const Scenario scenario = fourIcebergs();
+        const Mission mission = flown(scenario);
+        const PlanAnswer plan = fourIcebergPlan();
+        const ExportFormat* csv = findExportFormat("csv");
+        QVERIFY(csv != nullptr);
+        QCOMPARE(csv->write({.scenario = scenario, .plan = plan}),
+                 planCsv(planContent(scenario, plan)));
+        QCOMPARE(csv->write({.scenario = scenario, .plan = plan, .mission = &mission}),
+                 trajectoryCsv(mission));
+        const ExportFormat* zeta = findExportFormat("zeta-csv");
+        QVERIFY(zeta != nullptr);
+        QCOMPARE(zeta->write({.scenario = scenario, .plan = plan, .mission = &mission}),
+                 zetaCsv(mission));
+        const std::optional<Error> error =
+            errorOf([&] { (void)zeta->write({.scenario = scenario, .plan = plan}); });
+        QVERIFY(error && error->code() == ErrorCode::InvalidInput);
+    }
+
+    void localeDoesNotMatter()
+    {
+        const Mission mission = flown(fourIcebergs(), 20);
+        const std::string expected = trajectoryCsv(mission);
+        const GermanNumbers german;
+        QVERIFY(trajectoryCsv(mission) == expected);
+    }
+
+    void golden()
+    {
+        const QByteArray actual = bytes(planCsv(planContent(fourIcebergs())));
+        const QByteArray expected = berg::test::golden(QStringLiteral("four_icebergs.csv"), actual);
+        // Rounding of another processor.
+        const QString found = tableDifference(actual, expected, ',', 1e-9);
+        QVERIFY2(found.isEmpty(), qPrintable(found));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestResultCsv)
+#include "tst_result_csv.moc"

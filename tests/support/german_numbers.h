@@ -1,0 +1,39 @@
+#pragma once
+
+#include <clocale>
+#include <locale>
+#include <string>
+
+namespace berg::test {
+
+/**
+ * While it lives numbers of C++ and, where the system has German, of C are German: comma for the
+ * decimals, point for the thousands.
+ */
+class GermanNumbers
+{
+public:
+    GermanNumbers()
+        : m_before(std::locale::global(std::locale(std::locale(), new Numbers))) // the locale's own
+    {
+        std::setlocale(LC_ALL, "de_DE.UTF-8");
+    }
+    ~GermanNumbers()
+    {
+        std::locale::global(m_before);
+        std::setlocale(LC_ALL, "C");
+    }
+    GermanNumbers(const GermanNumbers&) = delete;
+    GermanNumbers& operator=(const GermanNumbers&) = delete;
+
+private:
+    class Numbers final : public std::numpunct<char>
+    {
+        [[nodiscard]] char do_decimal_point() const override { return ','; }
+        [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+        [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+    };
+    std::locale m_before;
+};
+
+} // namespace berg::test

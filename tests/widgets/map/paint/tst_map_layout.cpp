@@ -1,0 +1,181 @@
+#include "tests/support/approx.h"
+#include "tests/support/map_builder.h"
+#include "tests/support/map_layouts.h"
+#include "widgets/map/paint/map_legs.h"
+#include "widgets/map/paint/map_painter.h"
+#include "widgets/map/paint/map_symbols.h"
+#include "widgets/map/picture/footprint.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace berg;
+using namespace berg::test;
+using namespace Qt::StringLiterals;
+
+/** Where things go on the map. */
+class TestMapLayout : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void labelsOverlapNothing_data()
+    {
+        QTest::addColumn<int>("icebergs");
+        QTest::addColumn<int>("seed");
+        for (const int icebergs : {4, 12, 20, 40})
+            for (int seed = 1; seed <= 8; ++seed)
+                QTest::addRow("%d icebergs, seed %d", icebergs, seed) << icebergs << seed;
+    }
+
+    void labelsOverlapNothing()
+    {
+        QFETCH(int, icebergs);
+        QFETCH(int, seed);
+        const MapPicture picture = test::randomPicture(icebergs, static_cast<std::uint64_t>(seed));
+        const MapLayout layout = layoutOf(picture, {1280, 800});
+        QCOMPARE(layout.labels.size(), picture.icebergs.size());
+        for (std::size_t i = 0; i < layout.labels.size(); ++i) {
+            const QRectF& rect = layout.labels[i].rect;
+            QVERIFY(!rect.isNull());
+            QVERIFY(layout.rect.contains(rect));
+            for (const QRectF& overlay : layout.overlays())
+                QVERIFY(!rect.intersects(overlay));
+            for (const LabelDisk& disk : layout.icebergs)
+                QVERIFY(!overlaps(rect, disk));
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!rect.intersects(layout.labels[j].rect));
+        }
+    }
+
+    void fitKeepsSymbolsClearOfOverlays_data()
+    {
+        QTest::addColumn<int>("icebergs");
+        QTest::addColumn<QSize>("size");
+        for (const int icebergs : {1, 4, 12, 20, 40})
+            for (const QSize& size : {QSize(1280, 800), QSize(1920, 1080), QSize(900, 900)})
+                QTest::addRow("%d icebergs, %dx%d", icebergs, size.width(), size.height())
+                    << icebergs << size;
+    }
+
+    void fitKeepsSymbolsClearOfOverlays()
+    {
+        QFETCH(int, icebergs);
+        QFETCH(QSize, size);
+        const MapLayout layout = layoutOf(test::randomPicture(icebergs), size);
+        QVERIFY(!layout.title.isNull());
+        QVERIFY(!layout.legend.isNull());
+        QVERIFY(!layout.scaleBar.isNull());
+        QVERIFY(!layout.north.isNull());
+        for (const LabelDisk& disk : layout.icebergs) {
+            QVERIFY(layout.rect.contains(disk.centre_px));
+            for (const QRectF& overlay : layout.overlays())
+                QVERIFY(!overlaps(overlay, disk));
+        }
+    }
+
+    void overlaysAreApart()
+    {
+        const MapLayout layout = layoutOf(test::randomPicture(12), {1280, 800});
+        const std::vector<QRectF> overlays = layout.overlays();
+        QCOMPARE(overlays.size(), std::size_t{4});
+        for (std::size_t i = 0; i < overlays.size(); ++i) {
+            QVERIFY(layout.rect.contains(overlays[i]));
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!overlays[i].intersects(overlays[j]));
+        }
+    }
+
+    /** What the UAV sees is all on a fitted map, wherever it stands and turns. */
+    void fitShowsTheFieldOfView_data()
+    {
+        QTest::addColumn<Point>("at_m");
+        QTest::addColumn<double>("psi_rad");
+        QTest::newRow("below") << Point(1500, -3000) << M_PI / 4;
+        QTest::newRow("left") << Point(-4000, 500) << 0.3;
+        QTest::newRow("corner") << Point(6000, 6000) << M_PI / 4;
+        QTest::newRow("among them") << Point(1000, 1000) << 1.0;
+    }
+    void fitShowsTheFieldOfView()
+    {
+        QFETCH(Point, at_m);
+        QFETCH(double, psi_rad);
+        MapPicture picture = test::randomPicture(4);
+        picture.routes[0].track.clear();
+        picture.uavs[0].position_m = at_m;
+        picture.uavs[0].psi_rad = psi_rad;
+        picture.uavs[0].sensor.fov_m = {1500, 1500};
+        for (const QSize& size : {QSize(960, 445), QSize(1280, 800)}) {
+            const MapLayout layout = layoutOf(picture, size);
+            QVERIFY(
+                layout.rect.contains(fieldOutline(picture.uavs[0], layout.view).boundingRect()));
+        }
+    }
+
+    /** On a low map, as in the window of 1280 x 800, the legend leaves room for the ice. */
+    void legendOfALowMapIsCompact()
+    {
+        MapPicture picture = test::randomPicture(12);
+        picture.routes[0].plan = {0, 1, 2};
+        picture.routes[0].planWays = twoWays(picture.uavs[0].position_m);
+        const MapLayout high = layoutOf(picture, {960, 800});
+        const MapLayout low = layoutOf(picture, {960, 445});
+        QVERIFY(!high.isLegendCompact && low.isLegendCompact);
+        QVERIFY(!low.legend.isNull());
+        const auto area = [](const QRectF& rect) { return rect.width() * rect.height(); };
+        QVERIFY2(area(low.legend) < 0.7 * area(high.legend),
+                 QByteArray::number(area(low.legend) / area(high.legend)));
+        QVERIFY(low.legend.width() < 1.2 * high.legend.width());
+    }
+
+    void symbolsAreLargeEnoughAndGrowBySize()
+    {
+        double last_px = 0;
+        for (const double radius_m : {3.0, 20.0, 50.0, 90.0, 150.0}) {
+            const double radius_px = icebergSymbolRadius_px(radius_m);
+            QVERIFY(2 * radius_px >= 14);
+            QVERIFY(radius_px > last_px);
+            last_px = radius_px;
+        }
+    }
+
+    void legsStartAtTheUavAndEndAtTheSymbols()
+    {
+        const MapPicture picture = test::randomPicture(5);
+        const MapLayout layout = layoutOf(picture, {1280, 800});
+        const std::vector<QLineF> legs = linesOf(planLegs(picture, layout, 0));
+        QCOMPARE(legs.size(), picture.routes[0].plan.size());
+        const QPointF uav = layout.view.toPixel(picture.uavs[0].position_m);
+        COMPARE_NEAR(QLineF(legs[0].p1(), uav).length(), 0, 1e-6);
+        for (std::size_t k = 0; k < legs.size(); ++k) {
+            const LabelDisk& target =
+                layout.icebergs[static_cast<std::size_t>(picture.routes[0].plan[k])];
+            if (!legs[k].isNull())
+                COMPARE_NEAR(QLineF(legs[k].p2(), target.centre_px).length(), target.radius_px,
+                             1e-6);
+        }
+        for (int k = 0; k < 5; ++k)
+            QCOMPARE(layout.stops[static_cast<std::size_t>(k)].order, k + 1);
+    }
+
+    void driftArrowsAreTrueToTheMap()
+    {
+        const MapPicture picture = test::randomPicture(12);
+        const MapLayout layout = layoutOf(picture, {1280, 800});
+        QVERIFY(layout.symbols.driftTime_s > 0);
+        double longest_px = 0;
+        for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
+            const QLineF arrow = driftArrow(picture, layout, i);
+            const double way_m =
+                picture.icebergs[i].velocity_mps.norm() * layout.symbols.driftTime_s;
+            COMPARE_NEAR(arrow.length(), way_m * layout.view.scale_pxpm(), 1e-6);
+            longest_px = std::max(longest_px, arrow.length());
+        }
+        QVERIFY(longest_px <= 44);
+        QVERIFY(longest_px >= 12); // times grow by at most 3 from step to step
+    }
+};
+
+QTEST_MAIN(TestMapLayout)
+#include "tst_map_layout.moc"

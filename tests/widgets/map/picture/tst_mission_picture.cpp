@@ -1,0 +1,253 @@
+#include "core/scenario/presets.h"
+#include "tests/support/approx.h"
+#include "widgets/charts/mission_charts.h"
+#include "widgets/map/picture/mission_picture.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <set>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QLocale kLocale(QLocale::English);
+
+/** Five icebergs, the last appearing at 100 s, flown for `time_s`. */
+Mission flown(double time_s)
+{
+    FieldSpec field;
+    field.icebergs = 5;
+    Scenario scenario = randomScenario(7, field);
+    scenario.duration_s = 300;
+    scenario.name = "Test field";
+    scenario.planner.policy = PolicyKind::Nearest;
+    scenario.icebergs.back().appears_s = 100;
+    scenario.icebergs.front().name = "Big one";
+    scenario.current_mps = {0.2, 0};
+    Mission mission(scenario);
+    mission.advance(time_s);
+    return mission;
+}
+
+/** Nine icebergs and three UAVs, flown for `time_s`. */
+Mission fleetFlown(double time_s)
+{
+    Scenario scenario = randomScenario(7, {.icebergs = 9});
+    scenario.duration_s = 300;
+    for (const char* name : {"two", "three"}) {
+        Uav uav = scenario.uavs.front();
+        uav.id = uav.name = name;
+        uav.position_m += 3000.0 * static_cast<double>(scenario.uavs.size()) * Point(1, 0.3);
+        uav.spec.altitude_m += 50.0 * static_cast<double>(scenario.uavs.size());
+        scenario.uavs.push_back(uav);
+    }
+    Mission mission(scenario);
+    mission.advance(time_s);
+    return mission;
+}
+
+} // namespace
+
+class TestMissionPicture : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void pictureShowsThePresent()
+    {
+        const Mission mission = flown(300);
+        const MapPicture picture = missionPicture(recordOf(mission), kLocale);
+        QCOMPARE(picture.title, u"Test field"_s);
+        QCOMPARE(picture.icebergs.size(), std::size_t{5});
+        QCOMPARE(picture.icebergs[0].id, u"Big one"_s);
+        QCOMPARE(picture.icebergs[1].id, QString::fromStdString(mission.scenario().icebergs[1].id));
+        for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
+            const int index = static_cast<int>(i);
+            const MapIceberg& shown = picture.icebergs[i];
+            QVERIFY(shown.position_m == mission.simulation().estimate_m(index));
+            COMPARE_NEAR(shown.sigma_m2, mission.simulation().track(index).sigma_m2, 0);
+            QVERIFY(shown.sigma_m2 <= picture.sigmaFull_m2);
+            // The arrow shows the way over ground: own velocity and current.
+            const Point expected_mps = mission.scenario().icebergs[i].velocity_mps + Point(0.2, 0);
+            QVERIFY(shown.velocity_mps == expected_mps);
+        }
+        QVERIFY(picture.uavs[0].position_m == mission.simulation().state().uavs[0].pose.position_m);
+        QCOMPARE(picture.readouts[0].value, u"05:00"_s);
+        QCOMPARE(picture.readouts[2].value, QString::number(mission.metrics().visits));
+    }
+
+    void wholeTrackIsShown()
+    {
+        const Mission mission = flown(300);
+        const MapPicture picture = missionPicture(recordOf(mission), kLocale);
+        QCOMPARE(picture.routes[0].track.size(), mission.recorder().samples().size());
+        COMPARE_NEAR(picture.routes[0].track.front().time_s, 0, 0);
+        COMPARE_NEAR(picture.routes[0].track.back().time_s, 300, 1e-9);
+    }
+
+    void planIsTheOneInForce()
+    {
+        const Mission mission = flown(300);
+        const MapPicture picture = missionPicture(recordOf(mission), kLocale);
+        QCOMPARE(picture.routes[0].plan, mission.plans().back().order);
+        const std::set<int> once(picture.routes[0].plan.begin(), picture.routes[0].plan.end());
+        QCOMPARE(once.size(), picture.routes[0].plan.size());
+    }
+
+    void icebergsToComeAreNotShown()
+    {
+        const Mission mission = flown(50);
+        const MapPicture picture = missionPicture(recordOf(mission), kLocale);
+        QCOMPARE(picture.icebergs.size(), std::size_t{4});
+        for (const int index : picture.routes[0].plan)
+            QVERIFY(index < 4);
+    }
+
+    void eachUavHasItsRoute()
+    {
+        const Mission mission = fleetFlown(120);
+        const FlightRecord record = recordOf(mission);
+        const MapPicture picture = missionPicture(record, kLocale);
+        QCOMPARE(picture.uavs.size(), std::size_t{3});
+        QCOMPARE(picture.routes.size(), std::size_t{3});
+        std::set<int> planned;
+        std::size_t count = 0;
+        for (std::size_t uav = 0; uav < 3; ++uav) {
+            const MapRoute& route = picture.routes[uav];
+            const DubinsState& pose = mission.simulation().state().uavs[uav].pose;
+            QVERIFY(picture.uavs[uav].position_m == pose.position_m);
+            QCOMPARE(route.plan, planOf(record.now, static_cast<int>(uav))->order);
+            QVERIFY(route.track.front().position_m == mission.scenario().uavs[uav].position_m);
+            QVERIFY(route.track.back().position_m == pose.position_m);
+            QCOMPARE(route.swept.size(), mission.recorder().samples().size());
+            QCOMPARE(route.swept.back().psi_rad, pose.psi_rad);
+            planned.insert(route.plan.begin(), route.plan.end());
+            count += route.plan.size();
+        }
+        QVERIFY(count > 0);
+        QCOMPARE(planned.size(), count); // no iceberg in two plans
+        QCOMPARE(picture.uavs[1].label, u"two"_s);
+    }
+
+    void onTheGroundNothingIsTooClose()
+    {
+        FlightRecord record = recordOf(fleetFlown(0));
+        QVERIFY(missionPicture(record, kLocale).uavs[1].isAloft);
+        record.now.world.uavs[1].mode = FlightMode::Ground;
+        QVERIFY(!missionPicture(record, kLocale).uavs[1].isAloft);
+        QVERIFY(missionPicture(record, kLocale).uavs[2].isAloft);
+    }
+
+    /** The one that has to land first, with its name. */
+    void leastEnduranceIsShown()
+    {
+        FlightRecord record = recordOf(fleetFlown(0));
+        QCOMPARE(missionPicture(record, kLocale).readouts.size(), std::size_t{3});
+        record.scenario.uavs[0].spec.endurance_s = 900;
+        record.scenario.uavs[1].spec.endurance_s = 1800; // the third flies on for ever
+        record.now.world.uavs[0].aloft_s = 300;
+        record.now.world.uavs[1].aloft_s = 1500;
+        record.now.world.uavs[2].aloft_s = 5000;
+        const MapReadout left = missionPicture(record, kLocale).readouts.back();
+        QCOMPARE(left.caption, u"Endurance left"_s);
+        QCOMPARE(left.value, u"05:00"_s);
+        QCOMPARE(left.unit, u"two"_s);
+    }
+
+    void nearMissesAreShown()
+    {
+        FlightRecord record = recordOf(fleetFlown(0));
+        record.scenario.separation_m = 150;
+        record.now.world.closest_m = 301;
+        QCOMPARE(missionPicture(record, kLocale).readouts.size(), std::size_t{3});
+        record.now.world.closest_m = 142.6;
+        const MapReadout closest = missionPicture(record, kLocale).readouts.back();
+        QCOMPARE(closest.caption, u"Closest so far"_s);
+        QCOMPARE(closest.value, u"143"_s);
+        QCOMPARE(closest.unit, u"m"_s);
+        record.scenario.separation_m = 0; // not watched
+        QCOMPARE(missionPicture(record, kLocale).readouts.size(), std::size_t{3});
+    }
+
+    void whoIcebergsAreKeptFor()
+    {
+        FlightRecord record = recordOf(fleetFlown(0));
+        record.now.assigned[1] = 2;
+        const MapPicture picture = missionPicture(record, kLocale);
+        QCOMPARE(picture.icebergs[0].keptFor, -1);
+        QCOMPARE(picture.icebergs[1].keptFor, 2);
+    }
+
+    void zetaChartEndsAtTheMetrics()
+    {
+        const Mission mission = flown(300);
+        const TimeChartContent content = zetaContent(recordOf(mission), kLocale);
+        QCOMPARE(content.lines.size(), std::size_t{2});
+        const TimeLine& zeta = content.lines[0];
+        QVERIFY(zeta.onRightAxis);
+        COMPARE_NEAR(zeta.points.back().y(), mission.metrics().zeta_m2s, 1e-9);
+        COMPARE_NEAR(zeta.points.back().x(), 300, 1e-9);
+        QCOMPARE(static_cast<int>(content.marks_s.size()), mission.metrics().visits);
+        COMPARE_NEAR(content.duration_s, 300, 1e-9);
+    }
+
+    /** With an asset, beside the sum that makes zeta; the bound stays the last line. */
+    void weightedSumIsShownWithAnAsset()
+    {
+        FlightRecord record = recordOf(flown(300));
+        ZetaBound bound{.zeta_m2s = 1, .curve = {{.time_s = 0}, {.time_s = 300, .zeta_m2s = 1}}};
+        record.bound = {.zeta_m2s = 1, .share = 1, .whole = std::make_shared<ZetaBound>(bound)};
+        QCOMPARE(zetaContent(record, kLocale).lines.size(), std::size_t{3});
+        record.now.asset.emplace();
+        for (Sample& sample : record.history.samples)
+            sample.weightedSum_m2 = 3 * sample.sigmaSum_m2;
+        const TimeChartContent content = zetaContent(record, kLocale);
+        QCOMPARE(content.lines.size(), std::size_t{4});
+        QCOMPARE(content.lines[2].key, u"weighted_sum_m2"_s);
+        QCOMPARE(content.lines[3].key, u"zeta_bound_m2s"_s);
+        const Sample& last = record.history.samples.back();
+        COMPARE_NEAR(content.lines[1].points.back().y(), last.sigmaSum_m2, 1e-12);
+        COMPARE_NEAR(content.lines[2].points.back().y(), 3 * last.sigmaSum_m2, 1e-12);
+        QVERIFY(content.summary.contains(u"Weighted by priority"_s));
+    }
+
+    void oneFormerlyUncertainIcebergDoesNotSetTheScale()
+    {
+        Scenario scenario = flown(0).scenario();
+        for (Iceberg& iceberg : scenario.icebergs) {
+            iceberg.sigma0_m2 = 4;
+            iceberg.appears_s = 0;
+            iceberg.q_m2ps = 0.01; // 7 m^2 at most at the end
+        }
+        // In view of the UAV at the start, so that its 900 m^2 are gone at once.
+        scenario.icebergs[0].sigma0_m2 = 900;
+        scenario.icebergs[0].position_m = scenario.uavs[0].position_m + Point(250, 250);
+        Mission mission(scenario);
+        mission.advance(300);
+        COMPARE_NEAR(sigmaScaleEnd_m2(recordOf(mission)), 8, 1e-9);
+        // An uncertainty that is there now always counts.
+        scenario.icebergs[0].position_m = Point(90000, 0);
+        Mission away(scenario);
+        away.advance(30);
+        COMPARE_NEAR(sigmaScaleEnd_m2(recordOf(away)), 1000, 1e-9);
+    }
+
+    void sigmaChartHasALineForEachIceberg()
+    {
+        const Mission mission = flown(300);
+        const TimeChartContent content = sigmaContent(recordOf(mission), kLocale);
+        QCOMPARE(content.lines.size(), std::size_t{5});
+        QCOMPARE(content.lines[0].label, u"Big one"_s);
+        for (std::size_t i = 0; i < content.lines.size(); ++i) {
+            QVERIFY(!content.lines[i].points.empty());
+            COMPARE_NEAR(content.lines[i].points.back().y(),
+                         mission.simulation().track(static_cast<int>(i)).sigma_m2, 1e-12);
+        }
+    }
+};
+
+QTEST_MAIN(TestMissionPicture)
+#include "tst_mission_picture.moc"

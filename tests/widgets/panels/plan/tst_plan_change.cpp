@@ -1,0 +1,376 @@
+#include "tests/support/approx.h"
+#include "tests/support/scenario_builder.h"
+#include "widgets/map/picture/mission_picture.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/model/workspace.h"
+#include "widgets/panels/plan/plan_rows.h"
+
+#include <QtTest>
+
+using namespace berg;
+
+namespace {
+
+const std::vector<int> kShortest{0, 1, 2, 3};
+const std::vector<int> kUncertainFirst{3, 2, 1, 0};
+
+/** Four icebergs in a row ahead of the UAV, the farther the more uncertain. */
+Scenario rowOfIcebergs()
+{
+    Scenario scenario = test::emptySea(1000);
+    scenario.uavs.front().fov_m = {80, 80};
+    scenario.planner.tau = 50;
+    for (int i = 0; i < 4; ++i)
+        test::addIceberg(scenario, 3000.0 * (i + 1), 0, 5 + 3.0 * i);
+    return scenario;
+}
+
+/** The same, planned with aim points. */
+Scenario aimed()
+{
+    Scenario scenario = rowOfIcebergs();
+    scenario.planner.policy = PolicyKind::Coverage;
+    return scenario;
+}
+
+/** A workspace with that scenario, planned. */
+struct Desk
+{
+    Workspace workspace;
+
+    Desk() { open(rowOfIcebergs()); }
+
+    void open(const Scenario& scenario)
+    {
+        workspace.document().reset(scenario);
+        wait();
+    }
+    void wait()
+    {
+        if (!QTest::qWaitFor(
+                [this] {
+                    return record().now.phase == RunPhase::Ready &&
+                           record().now.generation == workspace.runner().generation();
+                },
+                60'000))
+            qFatal("no plan");
+    }
+    void setTau(double tau)
+    {
+        workspace.setTau(tau);
+        wait();
+    }
+    /** Flies on, and on to a whole number of seconds. */
+    void flyTo(double time_s)
+    {
+        workspace.runner().stepBy(time_s - record().now.time_s);
+        waitFor(time_s);
+    }
+    void waitFor(double time_s)
+    {
+        if (!QTest::qWaitFor([&] { return std::abs(record().shown().time_s - time_s) < 1e-6; },
+                             60'000))
+            qFatal("the flight does not get there");
+    }
+    void intervene(double tau)
+    {
+        const std::size_t plans = record().now.planCount;
+        workspace.runner().intervene({.tau = tau});
+        if (!QTest::qWaitFor([&] { return record().now.planCount > plans; }, 60'000))
+            qFatal("no new plan");
+    }
+
+    [[nodiscard]] const FlightRecord& record() const { return workspace.record(); }
+    [[nodiscard]] MapPicture picture() const { return missionPicture(record(), QLocale::c()); }
+    [[nodiscard]] std::vector<int> former() const { return picture().routes[0].formerPlan; }
+};
+
+} // namespace
+
+/** What the plan shown took the place of: on the map and in figures. */
+class TestPlanChange : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void tauBeforeTakeOff()
+    {
+        Desk desk;
+        QCOMPARE(desk.picture().routes[0].plan, kShortest);
+        QVERIFY(desk.former().empty());
+        desk.setTau(40); // the same order
+        QVERIFY(desk.former().empty());
+        desk.setTau(0);
+        QCOMPARE(desk.picture().routes[0].plan, kUncertainFirst);
+        QCOMPARE(desk.former(), kShortest);
+        QVERIFY(
+            !desk.picture().routes[0].formerFrom_m); // from where the UAV is, wherever it is put
+        desk.setTau(0.001);                          // the drag goes on, the order stays
+        QCOMPARE(desk.former(), kShortest);
+        desk.setTau(50);
+        QCOMPARE(desk.former(), kUncertainFirst);
+    }
+
+    /** Times and zeta of a plan with aim points are those that it was made for. */
+    void planWithAimPoints()
+    {
+        Desk desk;
+        desk.open(aimed());
+        const PlanEvent plan = *desk.record().now.plan;
+        const std::vector<PlanRow> rows =
+            planSections(desk.record().now, desk.record().scenario).front().rows;
+        QCOMPARE(rows.size(), plan.order.size());
+        double way_m = 0;
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            QVERIFY(rows[k].isSeen);
+            COMPARE_NEAR(rows[k].arrival_s, plan.outlook->sightings_s[k], 1e-9);
+            QVERIFY(rows[k].arrivalSigma_m2 > rows[k].sigma_m2);
+            way_m += rows[k].leg_m;
+            COMPARE_NEAR(way_m, 22 * rows[k].arrival_s, 1); // turns are cut into chords
+        }
+        const PlanOutlook outlook = planOutlook(desk.record()).value();
+        QVERIFY(outlook.isAimed && !outlook.change && !outlook.until_s);
+        COMPARE_NEAR(outlook.zeta_m2s, plan.outlook->zeta_m2s, 1e-9);
+
+        desk.flyTo(60); // the same, nearer by what is flown
+        COMPARE_NEAR(planOutlook(desk.record())->zeta_m2s, outlook.zeta_m2s, 1e-9);
+        const std::vector<PlanRow> later =
+            planSections(desk.record().now, desk.record().scenario).front().rows;
+        COMPARE_NEAR(later[0].arrival_s, rows[0].arrival_s - 60, 1e-9);
+        COMPARE_NEAR(later[0].leg_m, rows[0].leg_m - 60 * 22, 3);
+    }
+
+    /** The judgement of a long run ends before it does. */
+    void aimedPlansOfLongRunsLookAsFarAsTheyAreMade()
+    {
+        Scenario scenario = aimed();
+        scenario.duration_s = 5000;
+        Desk desk;
+        desk.open(scenario);
+        QCOMPARE(planOutlook(desk.record())->until_s, std::optional(800.0));
+    }
+
+    /** The legs on the map, as they are flown, and of the plan before. */
+    void waysOnTheMap()
+    {
+        Desk desk;
+        QVERIFY(desk.picture().routes[0].planWays.empty());
+        desk.open(aimed());
+        const MapPicture picture = desk.picture();
+        QVERIFY(!picture.routes[0].planWays.empty());
+        QVERIFY(picture.routes[0].planWays.front().path_m.front() == Point(0, 0));
+        for (std::size_t k = 1; k < picture.routes[0].planWays.size(); ++k)
+            COMPARE_NEAR((picture.routes[0].planWays[k].path_m.front() -
+                          picture.routes[0].planWays[k - 1].path_m.back())
+                             .norm(),
+                         0, 1e-6);
+        QVERIFY(!withScenario(picture, desk.record().scenario).routes[0].planWays.empty());
+        Scenario moved = desk.record().scenario;
+        moved.icebergs[1].position_m.x() += 100; // they are of another place
+        QVERIFY(withScenario(picture, moved).routes[0].planWays.empty());
+        QCOMPARE(withScenario(picture, moved).routes[0].plan, picture.routes[0].plan);
+
+        desk.workspace.setPolicy(PolicyKind::Uncertainty);
+        desk.wait();
+        QCOMPARE(desk.picture().routes[0].plan, kUncertainFirst);
+        QVERIFY(desk.picture().routes[0].planWays.empty());
+        QCOMPARE(desk.picture().routes[0].formerWays.size(), picture.routes[0].planWays.size());
+        QVERIFY(!planOutlook(desk.record())->change); // nothing to be compared with
+    }
+
+    void waysInFlight()
+    {
+        Desk desk;
+        desk.open(aimed());
+        const std::size_t count = desk.picture().routes[0].planWays.size();
+        desk.flyTo(20);
+        QCOMPARE(desk.record().now.planCount, std::size_t{1}); // on its first leg
+        MapPicture picture = desk.picture();
+        QCOMPARE(picture.routes[0].planWays.size(), count);
+        QVERIFY(picture.routes[0].planWays.front().path_m.front() == picture.uavs[0].position_m);
+        const Point turn_m = picture.uavs[0].position_m;
+        const std::size_t plans = desk.record().now.planCount;
+        desk.workspace.setPolicy(PolicyKind::Uncertainty);
+        QTRY_VERIFY(desk.record().now.planCount > plans);
+        picture = desk.picture();
+        QVERIFY(picture.routes[0].planWays.empty());
+        QVERIFY(!picture.routes[0].formerWays.empty()); // from where it was left
+        COMPARE_NEAR((picture.routes[0].formerWays.front().path_m.front() - turn_m).norm(), 0, 3);
+    }
+
+    void figuresBeforeTakeOff()
+    {
+        Desk desk;
+        const double shortest_m2s = planOutlook(desk.record())->zeta_m2s;
+        QVERIFY(!planOutlook(desk.record())->change);
+        desk.setTau(0);
+        const PlanOutlook outlook = planOutlook(desk.record()).value();
+        const PlanChange change = outlook.change.value();
+        COMPARE_NEAR(change.distance_m, 9000, 1e-6); // and back to the first of the row
+        COMPARE_NEAR(outlook.zeta_m2s - shortest_m2s, change.zeta_m2s, 1e-6);
+        QCOMPARE(outlook.before, QStringLiteral("berg-1, berg-2, berg-3, berg-4"));
+    }
+
+    /** Of two UAVs the change is told in sum, with what was left of each. */
+    void changeOfAFleet()
+    {
+        Desk desk;
+        Scenario scenario = rowOfIcebergs();
+        scenario.uavs.push_back(scenario.uavs.front());
+        scenario.uavs[1].id = "uav-2";
+        scenario.uavs[1].position_m.x() += 20000;
+        desk.open(scenario);
+        const double shortest_m2s = planOutlook(desk.record())->zeta_m2s;
+        desk.setTau(0);
+        const PlanOutlook outlook = planOutlook(desk.record()).value();
+        double distance_m = 0;
+        QStringList before;
+        for (const int uav : {0, 1})
+            if (const std::optional<ShownChange> change = desk.record().changeShown(uav)) {
+                distance_m += change->change.distance_m;
+                before << QStringLiteral("uav-%1: ").arg(uav + 1);
+                COMPARE_NEAR(outlook.zeta_m2s - shortest_m2s, change->change.zeta_m2s, 1e-6);
+            }
+        QVERIFY(!before.isEmpty());
+        COMPARE_NEAR(outlook.change->distance_m, distance_m, 1e-9);
+        for (const QString& part : before)
+            QVERIFY2(outlook.before.contains(part), qPrintable(outlook.before));
+        QCOMPARE(outlook.before.count(QStringLiteral("; ")), before.size() - 1);
+    }
+
+    void anotherWorldForgets()
+    {
+        Desk desk;
+        desk.setTau(0);
+        QVERIFY(!desk.former().empty());
+        desk.workspace.document().edit(QStringLiteral("move"), [](Scenario& scenario) {
+            scenario.icebergs[1].position_m.y() += 500;
+        });
+        desk.wait();
+        QVERIFY(desk.former().empty());
+        desk.setTau(50);
+        QVERIFY(!desk.former().empty());
+        desk.open(rowOfIcebergs());
+        QVERIFY(desk.former().empty());
+    }
+
+    void takingOffAndResetForget()
+    {
+        Desk desk;
+        desk.setTau(0);
+        desk.flyTo(10);
+        QVERIFY(desk.former().empty()); // nothing was changed on this flight
+        QVERIFY(!planOutlook(desk.record())->change);
+        desk.workspace.reset();
+        desk.wait();
+        QVERIFY(desk.former().empty());
+    }
+
+    void inFlight()
+    {
+        Desk desk;
+        desk.flyTo(60);
+        const double shortest_m2s = planOutlook(desk.record())->zeta_m2s;
+        desk.intervene(0);
+        QCOMPARE(desk.former(), kShortest);
+        const Point turn_m = desk.record().now.world.uavs[0].pose.position_m;
+        const PlanOutlook outlook = planOutlook(desk.record()).value();
+        const PlanChange change = outlook.change.value();
+        COMPARE_NEAR(change.distance_m, 9000, 1e-6);
+        COMPARE_NEAR(outlook.zeta_m2s - shortest_m2s, change.zeta_m2s, 1e-6);
+        COMPARE_NEAR(outlook.changed_s, 60, 1e-9);
+
+        desk.intervene(0.001); // plans again, the same
+        desk.flyTo(100);
+        QCOMPARE(desk.former(), kShortest);
+        COMPARE_NEAR((*desk.picture().routes[0].formerFrom_m - turn_m).norm(), 0, 1e-6);
+        COMPARE_NEAR(planOutlook(desk.record())->change->zeta_m2s, change.zeta_m2s, 1e-9);
+        desk.flyTo(530); // past the first three of the row, the last is still to be seen
+        QCOMPARE(desk.former(), kShortest);
+        desk.flyTo(560); // the last is reached: the way back is in another order, as planned anew
+        QCOMPARE(desk.record().shown().plan->order.front(), 0);
+        QCOMPARE(desk.former(), (std::vector<int>{2, 1, 0}));
+        COMPARE_NEAR(planOutlook(desk.record())->changed_s, desk.record().shown().plan->time_s,
+                     1e-9);
+    }
+
+    /** Only on the way to an iceberg that has appeared are the others seen, all of them. */
+    void vanishesWhenAllOfItIsSeen()
+    {
+        Scenario scenario = test::emptySea(1000);
+        scenario.uavs.front().fov_m = {80, 80};
+        scenario.planner.tau = 0;
+        for (int i = 0; i < 3; ++i)
+            test::addIceberg(scenario, 3000.0 * (i + 1), 0, 14 - 3.0 * i);
+        Mission mission(scenario);
+        mission.advance(60);
+        Iceberg far = scenario.icebergs.front();
+        far.id = "far";
+        far.position_m = {12000, 0};
+        far.sigma0_m2 = 100;
+        mission.intervene({.appears = far});
+        mission.advance(400); // past two of the three
+        QCOMPARE(missionPicture(recordOf(mission), QLocale::c()).routes[0].formerPlan,
+                 (std::vector<int>{0, 1, 2}));
+        mission.advance(430); // past the third
+        QCOMPARE(mission.plans().size(), std::size_t{2});
+        QVERIFY(missionPicture(recordOf(mission), QLocale::c()).routes[0].formerPlan.empty());
+    }
+
+    void lookingBack()
+    {
+        Desk desk;
+        desk.flyTo(60);
+        desk.intervene(0);
+        desk.flyTo(560);
+        const auto formerAt = [&](double time_s) {
+            desk.workspace.lookAt(time_s);
+            desk.waitFor(time_s);
+            return desk.former();
+        };
+        QVERIFY(formerAt(59.9).empty());
+        QCOMPARE(formerAt(60), kShortest);
+        QCOMPARE(formerAt(300.3), kShortest);
+        QCOMPARE(formerAt(559), (std::vector<int>{2, 1, 0}));
+        QVERIFY(formerAt(10).empty());
+    }
+
+    /** A target is reached and the rest flown on with: nothing has changed. */
+    void reachingATarget()
+    {
+        Scenario scenario = rowOfIcebergs();
+        scenario.planner.policy = PolicyKind::Path;
+        Desk desk;
+        desk.open(scenario);
+        desk.flyTo(300);
+        QCOMPARE(desk.record().now.metrics.visits, 2);
+        QVERIFY(desk.former().empty());
+    }
+
+    void predictionEndsAtWhatIsFlown()
+    {
+        Desk desk;
+        desk.flyTo(1000);
+        QCOMPARE(desk.record().now.phase, RunPhase::Finished);
+        COMPARE_NEAR(planOutlook(desk.record())->zeta_m2s, desk.record().now.metrics.zeta_m2s,
+                     1e-9);
+    }
+
+    /** Poses of the picture: all samples until the instant shown, and the instant itself. */
+    void sweptUntilTheInstantShown()
+    {
+        Desk desk;
+        QVERIFY(!desk.picture().showsSwept());
+        desk.flyTo(20);
+        QCOMPARE(desk.picture().routes[0].swept.size(), std::size_t{21});
+        desk.workspace.lookAt(10.4);
+        desk.waitFor(10.4);
+        const std::vector<MapPose> poses = desk.picture().routes[0].swept;
+        QCOMPARE(poses.size(), std::size_t{12});
+        COMPARE_NEAR(poses.back().time_s, 10.4, 1e-9);
+        QVERIFY(poses.back().position_m == desk.record().shown().world.uavs[0].pose.position_m);
+    }
+};
+
+QTEST_MAIN(TestPlanChange)
+#include "tst_plan_change.moc"

@@ -1,0 +1,238 @@
+#include "core/base/random.h"
+#include "core/io/files/scenario_json.h"
+#include "tests/support/approx.h"
+#include "tests/support/panel_test.h"
+#include "tests/support/scenario_builder.h"
+#include "widgets/map/paint/graticule.h"
+#include "widgets/panels/fields/number_field.h"
+#include "widgets/panels/icebergs/iceberg_table_columns.h"
+#include "widgets/panels/icebergs/iceberg_table_model.h"
+#include "widgets/panels/inspector/inspector_panel.h"
+#include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QLabel>
+#include <QTemporaryDir>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr Units kAtSea{.distance = DistanceUnit::Nautical, .speed = SpeedUnit::Knots};
+const QLocale kEnglish(QLocale::English, QLocale::UnitedStates);
+const QLocale kNorwegian(QLocale::NorwegianBokmal, QLocale::Norway);
+
+Scenario oneIceberg()
+{
+    Scenario scenario = test::emptySea();
+    // Numbers that no field shows all digits of.
+    test::addIceberg(scenario, 1234.56789012345, -98765.4321098765).velocity_mps =
+        Point(0.123456789, -0.31415926535);
+    return scenario;
+}
+
+} // namespace
+
+class TestUnitSettings : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void init()
+    {
+        test::failOnWarnings();
+        setShownUnits({});
+    }
+    void cleanup() { setShownUnits({}); }
+
+    void settings()
+    {
+        const QTemporaryDir folder;
+        QSettings settings(folder.filePath(u"s.ini"_s), QSettings::IniFormat);
+        QVERIFY(readUnits(settings) == Units());
+        settings.setValue(kDistanceUnitKey, u"nautical"_s);
+        settings.setValue(kCoordinateFormKey, u"seconds"_s);
+        QVERIFY(readUnits(settings) ==
+                (Units{.distance = DistanceUnit::Nautical,
+                       .coordinates = CoordinateForm::DegreesMinutesSeconds}));
+        settings.setValue(kSpeedUnitKey, u"knots"_s);
+        settings.setValue(kCoordinateFormKey, u"decimal"_s);
+        QVERIFY(readUnits(settings).speed == SpeedUnit::Knots);
+        QVERIFY(readUnits(settings).coordinates == CoordinateForm::DecimalDegrees);
+        settings.setValue(kDistanceUnitKey, u"furlongs"_s);
+        QVERIFY(readUnits(settings).distance == DistanceUnit::Metric);
+    }
+
+    void texts()
+    {
+        QCOMPARE(distanceText(1852, kEnglish), u"1.85 km"_s);
+        QCOMPARE(offsetText(-1234.4, kEnglish), u"-1\u202f234 m"_s);
+        QCOMPARE(speedText(0.514444, kEnglish), u"0.51 m/s"_s);
+        setShownUnits(kAtSea);
+        QCOMPARE(distanceText(1852, kEnglish), u"1.00 nmi"_s);
+        QCOMPARE(distanceText(18, kNorwegian), u"0,00972 nmi"_s); // small ones too: never mixed
+        QCOMPARE(distanceText(1852, kEnglish, 3, DistanceUnit::Metric), u"1.85 km"_s);
+        QCOMPARE(offsetText(-1234.4, kEnglish), u"-0.667 nmi"_s);
+        QCOMPARE(speedText(0.5144444, kEnglish), u"1.0 kn"_s);
+    }
+
+    void places()
+    {
+        const LatLon place{.latitude_deg = 47.0533333, .longitude_deg = -(48 + 59.9999 / 60)};
+        QCOMPARE(placeText(place, 1, kEnglish), u"47° 03.2′ N  49° 00.0′ W"_s);
+        setShownUnits({.coordinates = CoordinateForm::DecimalDegrees});
+        QCOMPARE(placeText(place, 1, kNorwegian), u"47,053° N  49,000° W"_s);
+        setShownUnits({.coordinates = CoordinateForm::DegreesMinutesSeconds});
+        QCOMPARE(placeText(place, 2, kEnglish), u"47° 03′ 12″ N  49° 00′ 00″ W"_s);
+    }
+
+    /** 1 nmi is 1852 m and 1 kn is 1852 m in an hour, to the last bit of the division. */
+    void exact()
+    {
+        setShownUnits(kAtSea);
+        QCOMPARE(distanceUnit().toSi(10), 18520.0);
+        QCOMPARE(speedUnit().toSi(1), 1852.0 / 3600);
+        QCOMPARE(speedUnit().toSi(9), 4.63);
+        QCOMPARE(areaUnit().toSi(1), 1852.0 * 1852);
+    }
+
+    void typedInTheInspector()
+    {
+        setShownUnits(kAtSea);
+        ScenarioDocument document;
+        document.reset(oneIceberg());
+        Selection selection;
+        InspectorPanel panel(document, selection);
+        panel.show();
+        selection.set({document.scenario().icebergs[0].id});
+        auto& east = test::child<NumberField>(panel, u"icebergEast"_s);
+        QCOMPARE(east.suffix(), u" nmi"_s);
+        COMPARE_NEAR(east.value(), 1234.56789012345 / 1852, 0.00006); // four decimals
+        test::enter(east, u"2.5"_s);
+        QCOMPARE(document.scenario().icebergs[0].position_m.x(), 4630.0);
+        auto& drift = test::child<NumberField>(panel, u"icebergVelocityEast"_s);
+        QCOMPARE(drift.suffix(), u" kn"_s);
+        test::enter(drift, u"0.9"_s);
+        QCOMPARE(document.scenario().icebergs[0].velocity_mps.x(), 0.9 * 1852 / 3600);
+        const std::string text = scenarioToJson(document.scenario());
+        QVERIFY(scenarioFromJson(text, "test").icebergs[0].position_m.x() == 4630.0);
+        QVERIFY(test::child<QLabel>(panel, u"icebergDrift"_s).text().contains(u" kn "_s));
+    }
+
+    void leavingAFieldChangesNothing_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"icebergEast", "icebergNorth", "icebergVelocityEast",
+                                 "icebergVelocityNorth", "icebergRadius"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+
+    void leavingAFieldChangesNothing()
+    {
+        QFETCH(QString, name);
+        setShownUnits(kAtSea);
+        const Scenario before = oneIceberg();
+        ScenarioDocument document;
+        document.reset(before);
+        Selection selection;
+        InspectorPanel panel(document, selection);
+        panel.show();
+        selection.set({before.icebergs[0].id});
+        auto& field = test::child<NumberField>(panel, name);
+        field.setFocus();
+        QTest::keyClick(&field, Qt::Key_Return);
+        field.clearFocus();
+        test::enter(field, field.cleanText()); // the digits shown are not the number
+        QVERIFY(document.scenario() == before);
+    }
+
+    /** What may be typed may be stored. */
+    void limitsStayInside()
+    {
+        setShownUnits(kAtSea);
+        for (const double high : {5.0, 1e6, 50.0, 0.1}) {
+            for (const ShownUnit& unit : {distanceUnit(), speedUnit()}) {
+                const Limits limits = shownLimits({.low = -high, .high = high}, unit, 3);
+                QVERIFY(unit.toSi(limits.high) <= high);
+                QVERIFY(unit.toSi(limits.low) >= -high);
+            }
+        }
+    }
+
+    void table()
+    {
+        setShownUnits(kAtSea);
+        const Scenario before = oneIceberg();
+        ScenarioDocument document;
+        document.reset(before);
+        IcebergTableModel model(document, QLocale::c());
+        const auto at = [&](IcebergColumn column) {
+            return model.index(0, static_cast<int>(column));
+        };
+        QCOMPARE(
+            model.headerData(static_cast<int>(IcebergColumn::East), Qt::Horizontal, Qt::DisplayRole)
+                .toString(),
+            u"East, nmi"_s);
+        QCOMPARE(at(IcebergColumn::East).data().toString(), u"0.667"_s);
+        for (const IcebergColumn column : {IcebergColumn::East, IcebergColumn::North,
+                                           IcebergColumn::Speed, IcebergColumn::Direction})
+            model.setData(at(column), at(column).data(Qt::EditRole), Qt::EditRole);
+        QVERIFY(document.scenario() == before);
+        model.setData(at(IcebergColumn::East), 10.0, Qt::EditRole);
+        QCOMPARE(document.scenario().icebergs[0].position_m.x(), 18520.0);
+        model.setData(at(IcebergColumn::Speed), 1.0, Qt::EditRole);
+        COMPARE_NEAR(document.scenario().icebergs[0].velocity_mps.norm(), 1852.0 / 3600, 1e-15);
+    }
+
+    void copiedAndPastedInTheTable()
+    {
+        setShownUnits(kAtSea);
+        Random random(5, 1);
+        Scenario before = test::emptySea();
+        for (int i = 0; i < 40; ++i)
+            test::addIceberg(before, random.uniform(-1e6, 1e6), random.uniform(-1e6, 1e6))
+                .velocity_mps = Point(random.uniform(-3, 3), random.uniform(-3, 3));
+        ScenarioDocument document;
+        document.reset(before);
+        IcebergTableModel model(document, QLocale::c());
+        std::vector<int> rows;
+        for (int row = 0; row < model.rowCount(); ++row)
+            rows.push_back(row);
+        const std::vector<int> columns{static_cast<int>(IcebergColumn::East),
+                                       static_cast<int>(IcebergColumn::North),
+                                       static_cast<int>(IcebergColumn::Speed)};
+        const QString text = model.copied(rows, columns);
+        QVERIFY(text.startsWith(u"East, nmi\t"_s));
+        const PasteOutcome outcome = model.paste(text, 0, columns.front(), columns);
+        QCOMPARE(outcome.fault, QString());
+        QVERIFY(document.scenario() == before);
+    }
+
+    /** Lines of the graticule have different numbers in every form, at every scale. */
+    void graticule()
+    {
+        const LocalFrame frame({47.03, -48.11});
+        for (const CoordinateForm form :
+             {CoordinateForm::DecimalDegrees, CoordinateForm::DegreesMinutes,
+              CoordinateForm::DegreesMinutesSeconds}) {
+            setShownUnits({.coordinates = form});
+            for (double scale_pxpm = 0.001; scale_pxpm < 20; scale_pxpm *= 2.3) {
+                const QRectF rect(0, 0, 900, 600);
+                const MapViewTransform view({0, 0}, rect.center(), scale_pxpm);
+                const Graticule lines = graticuleOf(frame, view, rect);
+                QStringList texts;
+                for (const GraticuleLine& line : lines.lines)
+                    texts << (line.isMeridian
+                                  ? longitudeText(line.value_deg, lines.longitudeDecimals, kEnglish)
+                                  : latitudeText(line.value_deg, lines.latitudeDecimals, kEnglish));
+                QVERIFY(!texts.isEmpty());
+                QCOMPARE(texts.removeDuplicates(), 0);
+            }
+        }
+    }
+};
+
+QTEST_MAIN(TestUnitSettings)
+#include "tst_unit_settings.moc"

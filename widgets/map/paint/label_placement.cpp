@@ -1,0 +1,236 @@
+#include "widgets/map/paint/label_placement.h"
+
+#include "core/base/angles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace berg {
+namespace {
+
+// Directions in the order a reader expects them: right first, as on charts.
+constexpr std::array<double, 12> kAngles_deg = {0,  180, 35, -35, 145, -145,
+                                                90, -90, 65, -65, 115, -115};
+constexpr std::array<double, 7> kGaps_px = {3, 9, 17, 28, 42, 62, 90};
+constexpr double kApart_px = 9;   // a gap from which on the eye needs a leader line
+constexpr double kMargin_px = 2;  // kept free round every label
+constexpr double kReach_px = 160; // nothing farther from the anchor can be touched
+constexpr int kSweeps = 4;
+
+// Cost of a candidate: hard faults by area, then preferences in pixels.
+constexpr double kFault = 1e4;
+constexpr double kLineCost = 2.5; // per pixel of a line under the label
+constexpr double kGapCost = 1.0;
+constexpr double kAngleCost = 0.5;
+constexpr double kStayGain = 14; // what another place must be better by to move a label
+
+double overlapArea(const QRectF& a, const QRectF& b)
+{
+    const double width_px = std::min(a.right(), b.right()) - std::max(a.left(), b.left());
+    const double height_px = std::min(a.bottom(), b.bottom()) - std::max(a.top(), b.top());
+    return width_px > 0 && height_px > 0 ? width_px * height_px : 0;
+}
+
+/** The rectangle beside the anchor in a direction, its near side `gap_px` away from the disk. */
+QRectF candidate(const LabelRequest& request, double angle_deg, double gap_px)
+{
+    const double angle_rad = radFromDeg(angle_deg);
+    const double reach_px = request.anchor.radius_px + gap_px;
+    const double right = std::cos(angle_rad);
+    const double up = std::sin(angle_rad);
+    // Away from the axes the corner, on them the middle of a side faces the anchor.
+    const double side = std::clamp(1.6 * right, -1.0, 1.0);
+    const double rise = std::clamp(1.2 * up, -1.0, 1.0);
+    const QPointF centre(
+        request.anchor.centre_px.x() + right * reach_px + side * request.size_px.width() / 2,
+        request.anchor.centre_px.y() - up * reach_px - rise * request.size_px.height() / 2);
+    return {centre - QPointF(request.size_px.width() / 2, request.size_px.height() / 2),
+            request.size_px};
+}
+
+/** The neighbourhood of one label and the cost of a place in it. */
+class Neighbourhood
+{
+public:
+    Neighbourhood(const LabelRequest& request, const LabelSurroundings& all) : m_area(all.area)
+    {
+        const QPointF centre = request.anchor.centre_px;
+        const double reach_px = kReach_px + request.size_px.width() + request.anchor.radius_px;
+        const QRectF near(centre - QPointF(reach_px, reach_px), QSizeF(2, 2) * reach_px);
+        for (const QRectF& solid : all.solids)
+            if (near.intersects(solid))
+                m_solids.push_back(solid);
+        for (const LabelDisk& disk : all.disks)
+            if (overlaps(near, disk))
+                m_disks.push_back(disk);
+        for (const QLineF& line : all.lines)
+            if (lengthInside(near, line) > 0)
+                m_lines.push_back(line);
+    }
+
+    [[nodiscard]] double faults(const QRectF& rect) const
+    {
+        const QRectF padded = rect.adjusted(-kMargin_px, -kMargin_px, kMargin_px, kMargin_px);
+        // Cut off is worse than covered.
+        double cost = 4 * (rect.width() * rect.height() - overlapArea(rect, m_area));
+        for (const QRectF& solid : m_solids)
+            cost += overlapArea(padded, solid);
+        for (const LabelDisk& disk : m_disks)
+            if (overlaps(rect, disk))
+                cost += rect.height() * rect.height();
+        return kFault * cost;
+    }
+
+    [[nodiscard]] double crossings(const QRectF& rect) const
+    {
+        double cost = 0;
+        for (const QLineF& line : m_lines)
+            cost += kLineCost * lengthInside(rect, line);
+        return cost;
+    }
+
+private:
+    QRectF m_area;
+    std::vector<QRectF> m_solids;
+    std::vector<LabelDisk> m_disks;
+    std::vector<QLineF> m_lines;
+};
+
+struct Candidate
+{
+    QRectF rect;
+    bool apart = false;
+    double cost = 0; ///< other labels not counted
+};
+
+/** Width of the sea between a disk and a rectangle. */
+double gapBetween(const QRectF& rect, const LabelDisk& disk)
+{
+    const QPointF near(std::clamp(disk.centre_px.x(), rect.left(), rect.right()),
+                       std::clamp(disk.centre_px.y(), rect.top(), rect.bottom()));
+    return std::max(0.0, QLineF(near, disk.centre_px).length() - disk.radius_px);
+}
+
+/** The place of the frame before for a text that may have grown: its side at the anchor stays. */
+Candidate stayingCandidate(const LabelRequest& request, const Neighbourhood& near)
+{
+    const QRectF before = request.previous->rect;
+    QRectF rect(before.topLeft(), request.size_px);
+    if (before.center().x() < request.anchor.centre_px.x())
+        rect.moveRight(before.right());
+    const double cost = near.faults(rect) + near.crossings(rect) +
+                        kGapCost * gapBetween(rect, request.anchor) - kStayGain;
+    return {.rect = rect, .apart = request.previous->apart, .cost = cost};
+}
+
+std::vector<Candidate> candidatesOf(const LabelRequest& request,
+                                    const LabelSurroundings& surroundings)
+{
+    const Neighbourhood near(request, surroundings);
+    std::vector<Candidate> candidates;
+    if (request.previous)
+        candidates.push_back(stayingCandidate(request, near));
+    for (const double gap_px : kGaps_px) {
+        double preference = 0;
+        for (const double angle_deg : kAngles_deg) {
+            Candidate c{.rect = candidate(request, angle_deg, gap_px),
+                        .apart = gap_px >= kApart_px};
+            c.cost = near.faults(c.rect) + kGapCost * gap_px + preference;
+            if (c.cost < kFault) // a place with a fault is not shown: lines do not matter there
+                c.cost += near.crossings(c.rect);
+            candidates.push_back(c);
+            preference += kAngleCost;
+        }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    return candidates;
+}
+
+} // namespace
+
+bool overlaps(const QRectF& rect, const LabelDisk& disk)
+{
+    const double dx =
+        disk.centre_px.x() - std::clamp(disk.centre_px.x(), rect.left(), rect.right());
+    const double dy =
+        disk.centre_px.y() - std::clamp(disk.centre_px.y(), rect.top(), rect.bottom());
+    return dx * dx + dy * dy <= disk.radius_px * disk.radius_px;
+}
+
+double lengthInside(const QRectF& rect, const QLineF& line)
+{
+    // Liang and Barsky: the interval of the line's parameter inside all four half planes.
+    double from = 0;
+    double to = 1;
+    const auto clip = [&](double delta, double room) { // delta * t <= room
+        if (delta == 0)
+            return room >= 0;
+        if (delta > 0)
+            to = std::min(to, room / delta);
+        else
+            from = std::max(from, room / delta);
+        return from < to;
+    };
+    const bool inside =
+        clip(-line.dx(), line.x1() - rect.left()) && clip(line.dx(), rect.right() - line.x1()) &&
+        clip(-line.dy(), line.y1() - rect.top()) && clip(line.dy(), rect.bottom() - line.y1());
+    return inside ? (to - from) * line.length() : 0;
+}
+
+std::vector<PlacedLabel> placeLabels(std::span<const LabelRequest> requests,
+                                     const LabelSurroundings& surroundings)
+{
+    std::vector<std::vector<Candidate>> candidates;
+    for (const LabelRequest& request : requests)
+        candidates.push_back(candidatesOf(request, surroundings));
+
+    std::vector<PlacedLabel> placed(requests.size());
+    std::vector<double> ownCost(requests.size(), 0); // of the place taken, other labels not counted
+    std::vector<bool> done(requests.size(), false);
+    // Cost of a place, other labels counted; it may stop at `limit`, which is too dear anyway.
+    const auto costOf = [&](std::size_t self, const Candidate& c, double limit) {
+        const QRectF padded = c.rect.adjusted(-kMargin_px, -kMargin_px, kMargin_px, kMargin_px);
+        double cost = c.cost;
+        for (std::size_t other = 0; other < requests.size() && cost < limit; ++other)
+            if (other != self && done[other])
+                cost += kFault * overlapArea(padded, placed[other].rect);
+        return cost;
+    };
+    // The first sweep is greedy; later ones let each label move where the others left room.
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        bool moved = false;
+        for (std::size_t i = 0; i < requests.size(); ++i) {
+            double best = std::numeric_limits<double>::infinity();
+            PlacedLabel label;
+            for (const Candidate& c : candidates[i]) {
+                if (c.cost >= best)
+                    break; // they are in the order of their cost
+                const double cost = costOf(i, c, best);
+                if (cost < best) {
+                    best = cost;
+                    label = {.rect = c.rect, .apart = c.apart};
+                    ownCost[i] = c.cost;
+                }
+            }
+            moved = moved || label.rect != placed[i].rect;
+            placed[i] = label;
+            done[i] = true;
+        }
+        if (!moved)
+            break;
+    }
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const auto before = placed.begin() + static_cast<std::ptrdiff_t>(i);
+        const bool clash = std::any_of(placed.begin(), before, [&](const PlacedLabel& other) {
+            return other.rect.intersects(placed[i].rect);
+        });
+        if (ownCost[i] >= kFault || clash)
+            placed[i] = {};
+    }
+    return placed;
+}
+
+} // namespace berg

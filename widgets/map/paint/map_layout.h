@@ -1,0 +1,86 @@
+#pragma once
+
+#include "widgets/map/paint/label_placement.h"
+#include "widgets/map/paint/map_overlays.h"
+
+#include <QHash>
+#include <QPolygonF>
+
+#include <optional>
+
+namespace berg {
+
+/** An iceberg's place in the plans. */
+struct MapStop
+{
+    int order = 0; ///< 1-based; 0: not planned
+    std::size_t uav = 0;
+};
+
+/** Where everything of one picture goes, device-independent pixels. */
+struct MapLayout
+{
+    QRectF rect;
+    MapViewTransform view;
+    SymbolScale symbols;
+    QRectF title; ///< overlays; a null rectangle is not shown
+    QRectF legend;
+    bool isLegendCompact = false;
+    QRectF scaleBar;
+    QRectF north;
+    QRectF wind;
+    QRectF inset;                    ///< kept free, not painted
+    std::vector<LabelDisk> icebergs; ///< symbol with its ring, by index
+    std::vector<MapStop> stops;      ///< by iceberg
+    std::vector<QRectF> uavLabels;   ///< names of the UAVs; null: it has none
+    std::vector<PlacedLabel> labels; ///< id with order number, by iceberg; null: out of sight
+
+    [[nodiscard]] std::vector<QRectF> overlays() const;
+};
+
+/** Sizes inside an iceberg's label: number in its disk, then the id. */
+inline constexpr double kOrderDisk_px = 9; ///< radius
+inline constexpr double kOrderGap_px = 4;
+[[nodiscard]] QFont labelFont(const Theme& theme);
+/** Id of the iceberg; of one still to come with the time when it will, and whether it is lost. */
+[[nodiscard]] QString labelText(const MapIceberg& iceberg);
+
+/** Icebergs by index whose labels may look for a place. */
+struct LabelTurn
+{
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+/** What one frame hands on to the next, so that a moving map stays calm. */
+struct MapContinuity
+{
+    /** Label places by iceberg id, relative to the centre of its symbol; null: not shown. */
+    QHash<QString, PlacedLabel> labels;
+    /** The other labels stay as they were, however bad, new ones away; none: all may look. */
+    std::optional<LabelTurn> turn;
+    /** Drift arrows of this time instead of the one that suits the fastest iceberg. */
+    std::optional<double> driftTime_s;
+};
+
+/** The part of a layout that the next frame starts from. */
+[[nodiscard]] MapContinuity continuityOf(const MapPicture& picture, const MapLayout& layout);
+
+/**
+ * Layout of `picture` in `rect`. Without `view` everything is fitted so that no symbol lies under
+ * an overlay, as large as that allows. Overlays that would take too much of a small map are left
+ * out. Thread: any with a QGuiApplication (fonts).
+ */
+[[nodiscard]] MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style,
+                                   const QRectF& rect,
+                                   const std::optional<MapViewTransform>& view = {},
+                                   const MapContinuity& continuity = {});
+
+/** Longest of the usual times whose way at this speed is an arrow of good length; 0: none. */
+[[nodiscard]] double driftTimeFor_s(double speed_mps, double scale_pxpm);
+
+/** Drift arrow of an iceberg, from the edge of its symbol; null line when it does not move. */
+[[nodiscard]] QLineF driftArrow(const MapPicture& picture, const MapLayout& layout,
+                                std::size_t iceberg);
+
+} // namespace berg

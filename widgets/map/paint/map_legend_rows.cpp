@@ -1,0 +1,272 @@
+#include "widgets/map/paint/map_legend_rows.h"
+
+#include "widgets/map/paint/map_symbols.h"
+#include "widgets/map/paint/map_world.h"
+#include "widgets/map/picture/route_colours.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLinearGradient>
+
+#include <algorithm>
+
+namespace berg {
+namespace {
+
+constexpr double kRow_px = 18;
+constexpr double kSymbolRow_px = 26;
+
+struct MapLegend
+{
+    Q_DECLARE_TR_FUNCTIONS(MapLegend)
+};
+
+void drawPlanSwatch(QPainter& painter, const QRectF& swatch, const RouteColours& colours,
+                    const Theme& theme)
+{
+    const double y = swatch.center().y();
+    painter.setPen(QPen(colours.plan, 3, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(swatch.left(), y), QPointF(swatch.center().x(), y));
+    painter.setPen(QPen(colours.plan, 1.5));
+    painter.drawLine(QPointF(swatch.center().x(), y), QPointF(swatch.right(), y));
+    drawOrderDisk(painter, {swatch.center().x(), y}, 7.5, 1, theme, colours.plan);
+}
+
+void drawLineSwatch(QPainter& painter, const QRectF& swatch, const QPen& pen)
+{
+    painter.setPen(pen);
+    painter.drawLine(QPointF(swatch.left(), swatch.center().y()),
+                     QPointF(swatch.right(), swatch.center().y()));
+}
+
+void drawTrackSwatch(QPainter& painter, const QRectF& swatch, const RouteColours& colours,
+                     const Theme& theme)
+{
+    QLinearGradient fade(swatch.topLeft(), swatch.topRight());
+    fade.setColorAt(0, mixed(theme.panel, colours.track, 0.15));
+    fade.setColorAt(1, colours.track);
+    // Filled: neither SVG nor PDF of Qt has pens with a gradient.
+    painter.fillRect(QRectF(swatch.left(), swatch.center().y() - 1, swatch.width(), 2), fade);
+}
+
+void drawComparisonSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+{
+    const QLineF line(swatch.left(), swatch.center().y(), swatch.right(), swatch.center().y());
+    painter.setPen(QPen(theme.comparison, 1.6, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(line);
+    const QPointF beyond(kLegendSwatch_px, 0); // marks keep off lines too short for them
+    drawDirectionMark(painter, QLineF(line.p1() - beyond, line.p2() + beyond), theme.comparison, 9);
+}
+
+void drawFieldSwatch(QPainter& painter, const QRectF& swatch, const QColor& colour)
+{
+    const QRectF box(swatch.left() + 8, swatch.center().y() - 6, 18, 12);
+    QColor fill = colour;
+    fill.setAlphaF(0.12F);
+    painter.setPen(QPen(colour, 1.5));
+    painter.setBrush(fill);
+    painter.drawRect(box);
+}
+
+/** Water, the right half of it seen. */
+void drawSweptSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+{
+    const QRectF box(swatch.left() + 2, swatch.center().y() - 6, swatch.width() - 4, 12);
+    painter.fillRect(box, theme.sea);
+    painter.fillRect(box.adjusted(box.width() / 2, 0, 0, 0), theme.swept);
+    painter.setPen(QPen(theme.panelLine, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(box);
+}
+
+void drawRingSwatch(QPainter& painter, const QRectF& swatch, const QPen& pen)
+{
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(swatch.center(), 7, 7);
+}
+
+void drawFenceSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
+{
+    const double y = swatch.center().y() - 2;
+    drawFence(painter, QLineF(swatch.left(), y, swatch.right(), y), theme);
+}
+
+void drawClusterSwatch(QPainter& painter, const QRectF& swatch, const QColor& plan,
+                       const Theme& theme)
+{
+    painter.setPen(clusterPen(plan));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(swatch.center().x() - 13, swatch.center().y() - 7, 26, 14), 7,
+                            7);
+    drawAim(painter, swatch.center(), plan, theme);
+}
+
+/** Gathers the rows in their order. */
+class RowList
+{
+public:
+    RowList(const MapPicture& picture, const Theme& theme) : m_picture(picture), m_theme(theme) {}
+
+    void add(bool isThere, const QString& text, const QString& word,
+             std::function<void(QPainter&, const QRectF&)> draw)
+    {
+        if (isThere)
+            m_rows.push_back(
+                {.text = text, .word = word, .draw = std::move(draw), .height_px = kRow_px});
+    }
+
+    /** With the drawing of such an iceberg. */
+    void addIceberg(bool (*isSuch)(const MapIceberg&), const QString& text, const QString& word,
+                    const IcebergLook& look)
+    {
+        if (!any(isSuch))
+            return;
+        m_rows.push_back(
+            {.text = text,
+             .word = word,
+             .draw = [&theme = m_theme, look](
+                         QPainter& p, const QRectF& r) { drawIceberg(p, r.center(), look, theme); },
+             .height_px = kSymbolRow_px});
+    }
+
+    template <class Test>
+    [[nodiscard]] bool any(const Test& test) const
+    {
+        return std::any_of(m_picture.icebergs.begin(), m_picture.icebergs.end(), test);
+    }
+
+    [[nodiscard]] std::vector<LegendRow> take() { return std::move(m_rows); }
+
+private:
+    const MapPicture& m_picture;
+    const Theme& m_theme;
+    std::vector<LegendRow> m_rows;
+};
+
+void addIcebergRows(RowList& rows, const MapPicture& picture, const Theme& theme)
+{
+    const bool isCertain =
+        !rows.any([](const MapIceberg& iceberg) { return iceberg.inView && iceberg.sigma_m2 > 0; });
+    rows.addIceberg(
+        [](const MapIceberg& iceberg) { return iceberg.inView; },
+        isCertain ? MapLegend::tr("In view now: σ is 0") : MapLegend::tr("In view now"),
+        MapLegend::tr("In view"),
+        {.radius_px = 6, .sigma = {}, .inView = true, .bracket = bracketColour(picture, theme)});
+    rows.addIceberg([](const MapIceberg& iceberg) { return iceberg.appears_s > 0; },
+                    MapLegend::tr("Still to come, with its time"), MapLegend::tr("To come"),
+                    {.radius_px = 6, .ring_px = 10, .sigma = theme.sigma.at(0.3), .later = true});
+    rows.addIceberg([](const MapIceberg& iceberg) { return iceberg.status == TrackStatus::Lost; },
+                    MapLegend::tr("Lost: not where it should be"), MapLegend::tr("Lost"),
+                    {.radius_px = 8, .sigma = {}, .status = TrackStatus::Lost});
+    rows.addIceberg(
+        [](const MapIceberg& iceberg) { return iceberg.status == TrackStatus::GivenUp; },
+        MapLegend::tr("Search for it given up"), MapLegend::tr("Given up"),
+        {.radius_px = 8, .sigma = {}, .status = TrackStatus::GivenUp});
+    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.circle_m > 0; }),
+             MapLegend::tr("Inside it with 95 %"), MapLegend::tr("95 % circle"),
+             [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, circlePen(theme)); });
+    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.truth_m.has_value(); }),
+             MapLegend::tr("True position"), MapLegend::tr("Truth"),
+             [&](QPainter& p, const QRectF& r) { drawTruth(p, r.center(), theme); });
+    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.ringEntry_s.has_value(); }),
+             MapLegend::tr("Comes into the inner ring"), MapLegend::tr("Into the ring"),
+             [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
+}
+
+void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
+{
+    rows.add(!pairsTooClose(picture).empty(), MapLegend::tr("UAVs too close to each other"),
+             MapLegend::tr("Too close"),
+             [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
+    rows.add(picture.isFleet() &&
+                 rows.any([](const MapIceberg& iceberg) { return iceberg.keptFor >= 0; }),
+             MapLegend::tr("Assigned to the UAV of this colour"), MapLegend::tr("Assigned to one"),
+             [&](QPainter& p, const QRectF& r) {
+                 drawPin(p, r.center() + QPointF(0, 7), theme.ink, theme);
+             });
+}
+
+void addWayRows(RowList& rows, const MapPicture& picture, const Theme& theme)
+{
+    const RouteColours colours = legendColours(picture, theme);
+    rows.add(
+        picture.anyRoute([](const MapRoute& route) { return !route.plan.empty(); }),
+        MapLegend::tr("Plan, next leg thicker"), MapLegend::tr("Plan"),
+        [&theme, colours](QPainter& p, const QRectF& r) { drawPlanSwatch(p, r, colours, theme); });
+    rows.add(
+        picture.anyRoute([](const MapRoute& route) { return !route.search_m.empty(); }),
+        MapLegend::tr("Search pattern"), MapLegend::tr("Search"),
+        [colours](QPainter& p, const QRectF& r) { drawLineSwatch(p, r, searchPen(colours.uav)); });
+    rows.add(std::any_of(picture.clusters.begin(), picture.clusters.end(),
+                         [](const std::vector<int>& members) { return members.size() > 1; }),
+             MapLegend::tr("Planned as one point"), MapLegend::tr("One point"),
+             [&theme, colours](QPainter& p, const QRectF& r) {
+                 drawClusterSwatch(p, r, colours.plan, theme);
+             });
+    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.planWays.empty(); }),
+             MapLegend::tr("Point aimed at"), MapLegend::tr("Aim point"),
+             [&theme, colours](QPainter& p, const QRectF& r) {
+                 drawAim(p, r.center(), colours.plan, theme);
+             });
+    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.formerPlan.empty(); }),
+             MapLegend::tr("Plan before the change"), MapLegend::tr("Former plan"),
+             [colours](QPainter& p, const QRectF& r) {
+                 drawLineSwatch(p, r, formerPlanPen(colours.former));
+             });
+    rows.add(
+        picture.anyRoute([](const MapRoute& route) { return route.track.size() > 1; }),
+        MapLegend::tr("Flown, older parts fainter"), MapLegend::tr("Flown"),
+        [&theme, colours](QPainter& p, const QRectF& r) { drawTrackSwatch(p, r, colours, theme); });
+    const QFontMetricsF small(theme.small());
+    rows.add(std::any_of(picture.comparisonTracks.begin(), picture.comparisonTracks.end(),
+                         [](const std::vector<MapTrackPoint>& track) { return track.size() > 1; }),
+             small.elidedText(MapLegend::tr("Compared: %1").arg(picture.comparisonName),
+                              Qt::ElideRight, kLegendBar_px + kLegendUnits_px),
+             small.elidedText(picture.comparisonName, Qt::ElideRight, kLegendBar_px / 2),
+             [&](QPainter& p, const QRectF& r) { drawComparisonSwatch(p, r, theme); });
+    rows.add(!picture.uavs.empty(), MapLegend::tr("Field of view"), MapLegend::tr("Field of view"),
+             [colours](QPainter& p, const QRectF& r) { drawFieldSwatch(p, r, colours.uav); });
+    rows.add(picture.showsSwept(), MapLegend::tr("Seen so far"), MapLegend::tr("Seen so far"),
+             [&](QPainter& p, const QRectF& r) { drawSweptSwatch(p, r, theme); });
+}
+
+void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme)
+{
+    rows.add(std::any_of(picture.uavs.begin(), picture.uavs.end(),
+                         [](const MapUav& uav) { return uav.home_m.has_value(); }),
+             MapLegend::tr("Home"), MapLegend::tr("Home"),
+             [&](QPainter& p, const QRectF& r) { drawHome(p, r.center(), theme.ink, theme); });
+    rows.add(picture.isFenced && !picture.area_m.empty(),
+             MapLegend::tr("Geofence: flown inside only"), MapLegend::tr("Geofence"),
+             [&](QPainter& p, const QRectF& r) { drawFenceSwatch(p, r, theme); });
+    rows.add(picture.asset.has_value(), MapLegend::tr("Asset's range: more urgent inside"),
+             MapLegend::tr("Asset's range"),
+             [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, rangeRingPen(theme)); });
+    rows.add(picture.asset.has_value(), MapLegend::tr("Inner ring: alarm"),
+             MapLegend::tr("Inner ring"),
+             [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, alarmRingPen(theme)); });
+}
+
+} // namespace
+
+std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& style,
+                                  const SymbolScale& scale)
+{
+    const Theme& theme = style.theme;
+    RowList rows(picture, theme);
+    addIcebergRows(rows, picture, theme);
+    addFleetRows(rows, picture, theme);
+    addWayRows(rows, picture, theme);
+    addPlaceRows(rows, picture, theme);
+    const QString drift =
+        MapLegend::tr("Drift in %1").arg(durationText(scale.driftTime_s, style.locale));
+    rows.add(scale.driftTime_s > 0, drift, drift, [&theme](QPainter& p, const QRectF& r) {
+        const QLineF arrow(r.left() + 4, r.center().y(), r.right() - 4, r.center().y());
+        drawArrow(p, arrow, QPen(theme.ink, 1.6), 7);
+    });
+    return rows.take();
+}
+
+} // namespace berg

@@ -1,0 +1,109 @@
+#include "widgets/map/paint/map_legs.h"
+
+#include "widgets/map/picture/plan_stops.h"
+
+namespace berg {
+namespace {
+
+/** Where a leg to this iceberg ends. */
+LabelDisk stopAt(const MapPicture& picture, const MapLayout& layout, int iceberg)
+{
+    if (const std::vector<int>* members = clusterOf(picture, iceberg))
+        return {.centre_px = layout.view.toPixel(middleOf_m(picture, *members)), .radius_px = 0};
+    return layout.icebergs[static_cast<std::size_t>(iceberg)];
+}
+
+/** On the way from `from` to `to`, past the edge of its symbol. */
+QPointF pastEdge(const LabelDisk& from, const QPointF& to)
+{
+    const QLineF way(from.centre_px, to);
+    return way.length() > 0 ? way.pointAt(from.radius_px / way.length()) : to;
+}
+
+/** By way of the corners, cut at the symbols; empty: there is no room between. */
+QPolygonF legBetween(const LabelDisk& from, const QPolygonF& corners, const LabelDisk& to)
+{
+    const double length_px = QLineF(from.centre_px, to.centre_px).length();
+    if (corners.isEmpty() && length_px <= from.radius_px + to.radius_px + 1)
+        return {};
+    QPolygonF leg{pastEdge(from, corners.isEmpty() ? to.centre_px : corners.front())};
+    leg << corners;
+    leg << pastEdge(to, corners.isEmpty() ? from.centre_px : corners.back());
+    return leg;
+}
+
+/** That leg `k` of the plan goes round. */
+QPolygonF cornersOf(const MapRoute& route, const MapLayout& layout, std::size_t k)
+{
+    QPolygonF corners;
+    if (k < route.planCorners.size())
+        for (const Point& corner_m : route.planCorners[k])
+            corners << layout.view.toPixel(corner_m);
+    return corners;
+}
+
+std::vector<QPolygonF> legsAlong(const std::vector<MapWay>& ways, const MapViewTransform& view)
+{
+    std::vector<QPolygonF> legs;
+    for (const MapWay& way : ways) {
+        QPolygonF& leg = legs.emplace_back();
+        for (const Point& point_m : way.path_m)
+            leg << view.toPixel(point_m);
+    }
+    return legs;
+}
+
+LabelDisk pointAt(const Point& place_m, const MapLayout& layout)
+{
+    return {.centre_px = layout.view.toPixel(place_m), .radius_px = 0};
+}
+
+} // namespace
+
+std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layout, std::size_t uav)
+{
+    const MapRoute& route = picture.routes[uav];
+    if (!route.planWays.empty())
+        return legsAlong(route.planWays, layout.view);
+    std::vector<QPolygonF> legs;
+    LabelDisk from = pointAt(picture.uavs[uav].position_m, layout);
+    for (const int iceberg : thisSortie(route)) {
+        const LabelDisk to = stopAt(picture, layout, iceberg);
+        legs.push_back(legBetween(from, cornersOf(route, layout, legs.size()), to));
+        from = to;
+    }
+    return legs;
+}
+
+QPolygonF homeLeg(const MapPicture& picture, const MapLayout& layout, std::size_t uav)
+{
+    const MapRoute& route = picture.routes[uav];
+    const std::optional<Point>& home_m = picture.uavs[uav].home_m;
+    if (!home_m || !route.thisSortie)
+        return {};
+    const std::span<const int> flown = thisSortie(route);
+    LabelDisk from = pointAt(picture.uavs[uav].position_m, layout);
+    if (!route.planWays.empty())
+        from = pointAt(route.planWays.back().path_m.back(), layout);
+    else if (!flown.empty())
+        from = stopAt(picture, layout, flown.back());
+    return legBetween(from, cornersOf(route, layout, flown.size()), pointAt(*home_m, layout));
+}
+
+std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& layout,
+                                  std::size_t uav)
+{
+    const MapRoute& route = picture.routes[uav];
+    if (!route.formerWays.empty())
+        return legsAlong(route.formerWays, layout.view);
+    std::vector<QPolygonF> legs;
+    LabelDisk from = pointAt(route.formerFrom_m.value_or(picture.uavs[uav].position_m), layout);
+    for (const int iceberg : route.formerPlan) {
+        const LabelDisk to = stopAt(picture, layout, iceberg);
+        legs.push_back(legBetween(from, {}, to));
+        from = to;
+    }
+    return legs;
+}
+
+} // namespace berg

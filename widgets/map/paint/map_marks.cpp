@@ -1,0 +1,147 @@
+#include "widgets/map/paint/map_marks.h"
+
+#include "widgets/map/paint/map_overlays.h"
+#include "widgets/map/paint/map_symbols.h"
+#include "widgets/theme/painter_state.h"
+
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <numbers>
+
+namespace berg {
+namespace {
+
+constexpr double kRingGap_px = 3.5; // between the symbol and the ring round it
+constexpr double kHandle_px = 6;
+
+void drawRing(QPainter& painter, const QPointF& centre, double radius_px, double width_px,
+              const Theme& theme)
+{
+    painter.setBrush(Qt::NoBrush);
+    // A rim of sea sets the ring off from legs and labels.
+    painter.setPen(QPen(theme.sea, width_px + 2.2));
+    painter.drawEllipse(centre, radius_px, radius_px);
+    painter.setPen(QPen(theme.text, width_px));
+    painter.drawEllipse(centre, radius_px, radius_px);
+}
+
+} // namespace
+
+void paintSelectionMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme)
+{
+    const PainterState saved(painter);
+    const double radius_px = symbol.radius_px + kRingGap_px;
+    drawRing(painter, symbol.centre_px, radius_px, 1.8, theme);
+    painter.setPen(QPen(theme.text, 1.4));
+    painter.setBrush(theme.panel);
+    // On the diagonals they are out of the way of names, which are mostly beside the symbol.
+    const double diagonal_px = radius_px * std::numbers::sqrt2 / 2;
+    for (const QPointF& way : {QPointF(1, 1), QPointF(-1, 1), QPointF(-1, -1), QPointF(1, -1)}) {
+        const QPointF at = symbol.centre_px + way * diagonal_px;
+        painter.drawRect(
+            QRectF(at.x() - kHandle_px / 2, at.y() - kHandle_px / 2, kHandle_px, kHandle_px));
+    }
+}
+
+void paintHoverMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme)
+{
+    const PainterState saved(painter);
+    drawRing(painter, symbol.centre_px, symbol.radius_px + kRingGap_px, 1.2, theme);
+}
+
+void paintRecordedTrack(QPainter& painter, const QPolygonF& way, const Theme& theme)
+{
+    if (way.isEmpty())
+        return;
+    QPolygonF seen{way.front()}; // a pixel apart
+    for (const QPointF& at : way)
+        if ((at - seen.back()).manhattanLength() >= 1)
+            seen << at;
+    const PainterState saved(painter);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(
+        QPen(mixed(theme.sea, theme.ink, 0.55), 1.2, Qt::SolidLine, Qt::RoundCap, Qt::BevelJoin));
+    painter.drawPolyline(seen);
+    painter.setBrush(theme.sea);
+    painter.drawEllipse(seen.back(), 2.5, 2.5);
+}
+
+void paintRubberBand(QPainter& painter, const QRectF& band, const Theme& theme)
+{
+    const PainterState saved(painter);
+    QColor fill = theme.plan;
+    fill.setAlphaF(0.10F);
+    painter.setBrush(fill);
+    painter.setPen(QPen(theme.plan, 1.4, Qt::DashLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.drawRect(band);
+}
+
+void paintDragTrail(QPainter& painter, const QLineF& way, const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.setPen(QPen(theme.text, 1.2, Qt::DotLine, Qt::FlatCap));
+    painter.drawLine(way);
+    painter.setPen(QPen(theme.text, 1.2));
+    painter.setBrush(theme.sea);
+    painter.drawEllipse(way.p1(), 3.5, 3.5);
+}
+
+void paintBubble(QPainter& painter, const QPointF& at, const QString& text, const QRectF& area,
+                 const Theme& theme)
+{
+    const PainterState saved(painter);
+    const QFontMetricsF metrics(theme.body());
+    const QStringList lines = text.split(u'\n');
+    double widest_px = 0;
+    for (const QString& line : lines)
+        widest_px = std::max(widest_px, tabularWidth(metrics, line));
+    const QSizeF size(widest_px + 20, static_cast<double>(lines.size()) * metrics.height() + 10);
+    QPointF corner = at + QPointF(18, 14);
+    // Where there is no room the other side of the cursor has some.
+    if (corner.x() + size.width() > area.right())
+        corner.setX(at.x() - 14 - size.width());
+    if (corner.y() + size.height() > area.bottom())
+        corner.setY(at.y() - 14 - size.height());
+    corner.setX(std::max(corner.x(), area.left()));
+    corner.setY(std::max(corner.y(), area.top()));
+    const QRectF box(corner, size);
+    paintPanel(painter, box, theme);
+    painter.setFont(theme.body());
+    painter.setPen(theme.text);
+    QPointF baseline = box.topLeft() + QPointF(10, 5 + metrics.ascent());
+    for (const QString& line : lines) {
+        drawTabular(painter, baseline, line);
+        baseline.ry() += metrics.height();
+    }
+}
+
+void paintTag(QPainter& painter, const QPointF& centre, const QString& text, const Theme& theme)
+{
+    const PainterState saved(painter);
+    const QFontMetricsF metrics(theme.small());
+    const QSizeF size(tabularWidth(metrics, text) + 10, metrics.height() + 4);
+    const QRectF box(centre - QPointF(size.width(), size.height()) / 2, size);
+    paintPanel(painter, box, theme);
+    painter.setFont(theme.small());
+    painter.setPen(theme.text);
+    drawTabular(painter, box.topLeft() + QPointF(5, 2 + metrics.ascent()), text);
+}
+
+void paintAreaMark(QPainter& painter, const QPolygonF& outline, bool isSelected, const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.text, isSelected ? 2.2 : 1.8));
+    painter.drawPolygon(outline);
+}
+
+void paintFocusFrame(QPainter& painter, const QRectF& rect, const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.plan, 2, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.drawRect(rect.adjusted(1, 1, -1, -1));
+}
+
+} // namespace berg

@@ -1,0 +1,288 @@
+#include "widgets/map/paint/map_painter.h"
+
+#include "core/base/random.h"
+#include "widgets/map/land/land_layer.h"
+#include "widgets/map/paint/map_legend_rows.h"
+#include "widgets/map/paint/map_paint.h"
+#include "widgets/map/paint/map_sprites.h"
+#include "widgets/map/paint/map_symbols.h"
+#include "widgets/map/paint/map_ways.h"
+#include "widgets/map/paint/map_world.h"
+#include "widgets/map/paint/wind_panel.h"
+#include "widgets/map/picture/route_colours.h"
+#include "widgets/theme/painter_state.h"
+#include "widgets/theme/palette.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr double kArrowRoom_px = 60; // that a drift arrow may take beside its symbol
+constexpr double kSigmaSteps = 250;  // of the colour of kept drawings
+constexpr double kRingSteps = 4;     // for each pixel, of the rings of kept drawings
+
+/** Draws round `at`, by way of the kept drawings when there are any. */
+void paintKept(const MapPaint& p, const QString& key, const QRectF& bounds, const QPointF& at,
+               const std::function<void(QPainter&)>& draw)
+{
+    if (p.sprites != nullptr) {
+        p.sprites->paint(p.painter, key, bounds, at, draw);
+        return;
+    }
+    const PainterState saved(p.painter);
+    p.painter.translate(at);
+    draw(p.painter);
+}
+
+void paintGraticuleLabels(const MapPaint& p)
+{
+    std::vector<QRectF> taken = p.layout.overlays();
+    for (const PlacedLabel& label : p.layout.labels)
+        taken.push_back(label.rect);
+    taken.insert(taken.end(), p.layout.uavLabels.begin(), p.layout.uavLabels.end());
+    for (const LabelDisk& disk : p.layout.icebergs)
+        taken.emplace_back(disk.centre_px.x() - disk.radius_px, disk.centre_px.y() - disk.radius_px,
+                           2 * disk.radius_px, 2 * disk.radius_px);
+    for (const GraticuleLabel& label :
+         graticuleLabels(p.graticule, p.layout.rect, QFontMetricsF(p.theme.small()), p.style.locale,
+                         std::move(taken))) {
+        const QSizeF size = label.rect.size();
+        paintKept(p, u"graticule "_s + label.text, QRectF(QPointF(-3, -3), size + QSizeF(6, 6)),
+                  label.rect.topLeft(), [&](QPainter& painter) {
+                      painter.setFont(p.theme.small());
+                      drawHaloText(painter, QRectF(QPointF(0, 0), size), Qt::AlignCenter,
+                                   label.text, p.theme.graticuleText, p.theme.sea);
+                  });
+    }
+}
+
+/** Kept drawings come in steps too fine to see, so that slow growth can use them. */
+void roundForKeeping(double& ring_px, double& sigma)
+{
+    ring_px = std::round(ring_px * kRingSteps) / kRingSteps;
+    sigma = std::round(sigma * kSigmaSteps) / kSigmaSteps;
+}
+
+void paintIcebergs(const MapPaint& p)
+{
+    for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
+        const LabelDisk& disk = p.layout.icebergs[i];
+        if (!overlaps(p.layout.rect,
+                      {.centre_px = disk.centre_px, .radius_px = disk.radius_px + kArrowRoom_px}))
+            continue;
+        const MapIceberg& iceberg = p.picture.icebergs[i];
+        const double symbol_px = icebergSymbolRadius_px(iceberg.radius_m);
+        double ring_px = p.layout.symbols.ringRadius_px(symbol_px, iceberg.sigma_m2);
+        double sigma = std::clamp(iceberg.sigma_m2 / p.picture.sigmaFull_m2, 0.0, 1.0);
+        if (p.sprites != nullptr)
+            roundForKeeping(ring_px, sigma);
+        // Neighbours differ in form; the id decides, so that a form stays with its iceberg.
+        const auto variant = static_cast<unsigned>(stableHash(iceberg.id.toStdString()) % 6);
+        const IcebergLook look{.radius_px = symbol_px,
+                               .ring_px = ring_px,
+                               .sigma = p.theme.sigma.at(sigma),
+                               .inView = iceberg.inView,
+                               .bracket = bracketColour(p.picture, p.theme),
+                               .later = iceberg.appears_s > 0,
+                               .status = iceberg.status,
+                               .variant = variant};
+        const QString key =
+            u"ice %1 %2 %3 %4 %5 %6"_s.arg(symbol_px)
+                .arg(ring_px)
+                .arg(sigma)
+                .arg(int(look.inView) + 2 * int(look.later) + 4 * static_cast<int>(look.status))
+                .arg(variant)
+                .arg(look.bracket.rgb());
+        const double reach_px = std::max(symbol_px + 7, ring_px) + 2;
+        paintKept(p, key, QRectF(-reach_px, -reach_px, 2 * reach_px, 2 * reach_px), disk.centre_px,
+                  [&](QPainter& painter) {
+                      drawIceberg(painter, {0, 0}, look, p.theme);
+                  });
+        const QLineF arrow = driftArrow(p.picture, p.layout, i);
+        if (!arrow.isNull())
+            drawArrow(p.painter, arrow, QPen(p.theme.ink, 1.5), 7);
+    }
+}
+
+void paintLabel(const MapPaint& p, std::size_t i)
+{
+    const PlacedLabel& label = p.layout.labels[i];
+    if (label.rect.isNull())
+        return;
+    const LabelDisk& disk = p.layout.icebergs[i];
+    if (label.apart) {
+        const QPointF near(std::clamp(disk.centre_px.x(), label.rect.left(), label.rect.right()),
+                           std::clamp(disk.centre_px.y(), label.rect.top(), label.rect.bottom()));
+        const QLineF way(disk.centre_px, near);
+        p.painter.setPen(QPen(p.theme.graticuleText, 1));
+        p.painter.drawLine(way.pointAt(std::min(1.0, disk.radius_px / way.length())), near);
+    }
+    const QString text = labelText(p.picture.icebergs[i]);
+    const MapStop& stop = p.layout.stops[i];
+    const QColor ground =
+        stop.order > 0 ? routeColours(p.picture, p.theme, stop.uav).plan : QColor();
+    const QSizeF size = label.rect.size();
+    const auto draw = [&](QPainter& painter) {
+        QRectF box(QPointF(0, 0), size);
+        if (stop.order > 0) {
+            drawOrderDisk(painter, {kOrderDisk_px, box.center().y()}, kOrderDisk_px, stop.order,
+                          p.theme, ground);
+            box.setLeft(2 * kOrderDisk_px + kOrderGap_px);
+        }
+        painter.setFont(labelFont(p.theme));
+        drawHaloText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, text, p.theme.text,
+                     p.theme.sea);
+    };
+    paintKept(p, u"label %1 %2 "_s.arg(stop.order).arg(ground.rgb()) + text,
+              QRectF(QPointF(-3, -3), size + QSizeF(8, 6)), label.rect.topLeft(), draw);
+}
+
+/** Below handles, which are dragged in the direction that they are on. */
+void paintUavLabels(const MapPaint& p)
+{
+    p.painter.setFont(labelFont(p.theme));
+    for (std::size_t i = 0; i < p.picture.uavs.size(); ++i)
+        if (const QRectF& label = p.layout.uavLabels[i]; !label.isNull())
+            drawHaloText(p.painter, label, Qt::AlignCenter, p.picture.uavs[i].label, p.theme.text,
+                         p.theme.sea);
+}
+
+/** What the look of the legend depends on. */
+QString legendKey(const MapPaint& p)
+{
+    QString key = u"legend %1 %2 %3 %4"_s.arg(p.layout.symbols.ring_pxpm)
+                      .arg(p.picture.sigmaFull_m2)
+                      .arg(int(p.layout.isLegendCompact))
+                      .arg(p.style.locale.name());
+    for (const LegendRow& row : legendRows(p.picture, p.style, p.layout.symbols))
+        key += u'\n' + row.text;
+    for (const MapUav& uav : p.picture.uavs)
+        key += u"\n%1 "_s.arg(uav.place) + uav.label;
+    return key;
+}
+
+void paintOverlays(const MapPaint& p, double north_rad)
+{
+    const auto panel = [&](const QRectF& rect, const QString& key, const auto& draw) {
+        const QRectF bounds(QPointF(0, 0), rect.size());
+        if (!rect.isNull())
+            paintKept(p, key, bounds, rect.topLeft(),
+                      [&](QPainter& painter) { draw(painter, bounds); });
+    };
+    panel(p.layout.legend, legendKey(p), [&](QPainter& painter, const QRectF& rect) {
+        paintLegend(painter, rect, p.picture, p.style, p.layout.symbols, p.layout.isLegendCompact);
+    });
+    panel(p.layout.scaleBar,
+          u"scale %1 %2"_s.arg(p.layout.view.scale_pxpm()).arg(p.style.locale.name()),
+          [&](QPainter& painter, const QRectF& rect) {
+              paintScaleBar(painter, rect, p.layout.view, p.style);
+          });
+    panel(p.layout.north, u"north %1"_s.arg(north_rad, 0, 'f', 3),
+          [&](QPainter& painter, const QRectF& rect) {
+              paintNorthArrow(painter, rect, north_rad, p.style);
+          });
+    if (!p.layout.wind.isNull())
+        paintWindPanel(p.painter, p.layout.wind, p.picture.air, p.style);
+    if (!p.layout.title.isNull())
+        paintTitle(p.painter, p.layout.title, p.picture, p.style);
+    if (!p.picture.icebergs.empty())
+        return;
+    const double top = std::max(p.layout.title.bottom(), p.layout.rect.top()) + 6;
+    paintEmptyState(p.painter, p.layout.rect.adjusted(0, top - p.layout.rect.top(), 0, -6),
+                    p.picture, p.style);
+}
+
+} // namespace
+
+void paintMapGround(QPainter& painter, const MapFrame& frame)
+{
+    const MapPaint p(painter, frame);
+    const LandRequest land{.plane = LocalFrame(p.picture.origin),
+                           .view = p.layout.view,
+                           .rect = p.layout.rect,
+                           .ratio = painter.device()->devicePixelRatioF(),
+                           .look = landLookOf(p.theme)};
+    if (frame.land != nullptr)
+        frame.land->paint(painter, land);
+    else
+        paintLand(painter, land.plane, land.view, land.rect, land.look);
+    if (const auto reach = reachIn(land.rect, land.plane, land.view))
+        painter.setClipPath(*reach, Qt::IntersectClip);
+    painter.setPen(QPen(p.theme.graticule, 1));
+    for (const GraticuleLine& line : p.graticule.lines)
+        painter.drawPolyline(line.path_px);
+}
+
+void paintMapContent(QPainter& painter, const MapFrame& frame)
+{
+    const MapPaint p(painter, frame);
+    paintArea(p);
+    paintSwept(p);
+    paintComparison(p);
+    paintTracks(p);
+    paintFieldsOfView(p);
+    paintFormerPlans(p);
+    paintClusters(p);
+    paintPlans(p);
+    paintSearches(p);
+    paintCircles(p);
+    paintIcebergs(p);
+    paintTruths(p);
+    paintAlarms(p);
+    paintPins(p);
+    paintHomes(p);
+    paintAsset(p);
+    paintTooClose(p);
+    for (const MapUav& uav : p.picture.uavs)
+        drawUav(painter, p.layout.view.toPixel(uav.position_m), uav.psi_rad,
+                uavColour(p.theme, uav.place), p.theme);
+    paintUavLabels(p);
+}
+
+void paintMapLabels(QPainter& painter, const MapFrame& frame)
+{
+    const MapPaint p(painter, frame);
+    for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i)
+        paintLabel(p, i);
+    paintGraticuleLabels(p);
+}
+
+void paintMapOverlays(QPainter& painter, const MapFrame& frame)
+{
+    const MapPaint p(painter, frame);
+    const LocalFrame plane(p.picture.origin);
+    paintOverlays(p, northAngle_rad(plane, p.layout.view.toWorld(p.layout.rect.center())));
+}
+
+void paintMap(QPainter& painter, const MapPicture& picture, const MapStyle& style,
+              const MapLayout& layout)
+{
+    const Graticule graticule = graticuleOf(LocalFrame(picture.origin), layout.view, layout.rect);
+    const MapFrame frame{
+        .picture = picture, .style = style, .layout = layout, .graticule = graticule};
+    paintMapGround(painter, frame);
+    paintMapContent(painter, frame);
+    paintMapLabels(painter, frame);
+    paintMapOverlays(painter, frame);
+}
+
+QImage mapImage(const MapPicture& picture, const MapStyle& style, const QSize& size_px,
+                double scale)
+{
+    QImage image(size_px, QImage::Format_RGB32);
+    image.setDevicePixelRatio(scale);
+    QPainter painter(&image);
+    const QRectF rect(QPointF(0, 0), QSizeF(size_px) / scale);
+    paintMap(painter, picture, style, arrangeMap(picture, style, rect));
+    return image;
+}
+
+} // namespace berg

@@ -1,0 +1,258 @@
+#include "widgets/map/paint/map_ways.h"
+
+#include "widgets/map/paint/map_legs.h"
+#include "widgets/map/paint/map_paint.h"
+#include "widgets/map/paint/map_symbols.h"
+#include "widgets/map/paint/swept_layer.h"
+#include "widgets/map/picture/footprint.h"
+#include "widgets/map/picture/route_colours.h"
+#include "widgets/theme/palette.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+namespace {
+
+constexpr double kOldestTrack = 0.2; // share of the track's colour left at its oldest end
+constexpr int kTrackShades = 40;
+constexpr double kComparison_px = 1.2;      // thinner than the track
+constexpr double kComparisonMarks_px = 150; // between its arrow heads
+constexpr double kComparisonMark_px = 9;
+constexpr std::size_t kHeadingLegs = 3;
+constexpr double kHeading_px = 24;
+
+/** Where an arrow head has room. */
+QLineF longestPiece(const QPolygonF& leg)
+{
+    QLineF longest;
+    for (qsizetype i = 1; i < leg.size(); ++i)
+        if (const QLineF piece(leg[i - 1], leg[i]); piece.length() > longest.length())
+            longest = piece;
+    return longest;
+}
+
+/** The direction of the nose, of length 1, on a course in the wind; both over the plane. */
+Point headingOn(const Point& course, const Point& wind_mps, double airspeed_mps)
+{
+    const double across = std::clamp(-cross(course, wind_mps) / airspeed_mps, -1.0, 1.0);
+    return Eigen::Rotation2Dd(std::asin(across)) * course;
+}
+
+void paintHeadingMarks(const MapPaint& p, std::size_t uav, const QColor& colour)
+{
+    for (const QLineF& mark : headingMarks(p.picture, p.layout, uav))
+        for (const QPen& pen : {QPen(p.theme.sea, 3.6, Qt::SolidLine, Qt::RoundCap),
+                                QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap)}) {
+            p.painter.setPen(pen);
+            p.painter.drawLine(mark);
+        }
+}
+
+/** Legs end when their iceberg comes into view; their lines point on at these. */
+void paintAims(const MapPaint& p, const MapRoute& route, const QColor& colour)
+{
+    for (const MapWay& way : route.planWays) {
+        const QPointF aim = p.layout.view.toPixel(way.aim_m);
+        p.painter.setPen(QPen(colour, 1, Qt::DotLine, Qt::FlatCap));
+        p.painter.drawLine(p.layout.view.toPixel(way.path_m.back()), aim);
+        drawAim(p.painter, aim, colour, p.theme);
+    }
+}
+
+/** One colour and arrow heads along the way: told from the flown track by shape too. */
+void paintComparisonTrack(const MapPaint& p, const std::vector<MapTrackPoint>& track)
+{
+    if (track.size() < 2)
+        return;
+    QPolygonF line{p.layout.view.toPixel(track.front().position_m)};
+    std::vector<QLineF> marks;
+    double sinceMark_px = kComparisonMarks_px / 2;
+    for (const MapTrackPoint& point : track) {
+        const QLineF step(line.back(), p.layout.view.toPixel(point.position_m));
+        if (step.length() < 1)
+            continue;
+        line << step.p2();
+        sinceMark_px += step.length();
+        if (sinceMark_px >= kComparisonMarks_px && p.layout.rect.contains(step.p2())) {
+            // Longer than the step: marks keep off lines too short for them.
+            const QPointF reach = (step.p2() - step.p1()) / step.length() * 3 * kComparisonMark_px;
+            marks.emplace_back(step.p2() - reach, step.p2() + reach);
+            sinceMark_px = 0;
+        }
+    }
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(
+        QPen(p.theme.comparison, kComparison_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+    p.painter.drawPolyline(line);
+    for (const QLineF& mark : marks)
+        drawDirectionMark(p.painter, mark, p.theme.comparison, kComparisonMark_px);
+}
+
+void paintTrack(const MapPaint& p, const std::vector<MapTrackPoint>& track, const QColor& colour)
+{
+    if (track.size() < 2)
+        return;
+    const double from_s = track.front().time_s;
+    const double span_s = std::max(1e-9, track.back().time_s - from_s);
+    const auto shadeOf = [&](double time_s) {
+        return static_cast<int>((time_s - from_s) / span_s * (kTrackShades - 1));
+    };
+    p.painter.setBrush(Qt::NoBrush);
+    QPolygonF piece{p.layout.view.toPixel(track.front().position_m)};
+    int shade = 0;
+    const auto flush = [&] {
+        // Mixed with the sea instead of translucent: crossings would add up otherwise. Round joins
+        // look the same on so thin a line, but take most of the time of a frame.
+        const double share =
+            kOldestTrack + (1 - kOldestTrack) * static_cast<double>(shade) / (kTrackShades - 1);
+        p.painter.setPen(QPen(mixed(p.theme.sea, colour, share), 1.6, Qt::SolidLine, Qt::FlatCap,
+                              Qt::BevelJoin));
+        p.painter.drawPolyline(piece);
+    };
+    for (const MapTrackPoint& point : track) {
+        const QPointF at = p.layout.view.toPixel(point.position_m);
+        const QPointF step = at - piece.back();
+        if (QPointF::dotProduct(step, step) >= 1)
+            piece << at;
+        if (shadeOf(point.time_s) == shade)
+            continue;
+        flush();
+        piece = QPolygonF{piece.back()};
+        shade = shadeOf(point.time_s);
+    }
+    piece << p.layout.view.toPixel(track.back().position_m);
+    flush();
+}
+
+void paintSearch(const MapPaint& p, std::size_t uav)
+{
+    const MapRoute& route = p.picture.routes[uav];
+    if (route.search_m.empty())
+        return;
+    const QColor colour = routeColours(p.picture, p.theme, uav).uav;
+    QPolygonF way{p.layout.view.toPixel(p.picture.uavs[uav].position_m)};
+    for (const Point& corner_m : route.search_m)
+        way << p.layout.view.toPixel(corner_m);
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(searchPen(colour));
+    p.painter.drawPolyline(way);
+    drawDirectionMark(p.painter, QLineF(way[0], way[1]), colour, 10);
+}
+
+void paintPlan(const MapPaint& p, std::size_t uav)
+{
+    const MapRoute& route = p.picture.routes[uav];
+    const RouteColours colours = routeColours(p.picture, p.theme, uav);
+    paintAims(p, route, colours.plan);
+    const std::vector<QPolygonF> legs = planLegs(p.picture, p.layout, uav);
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(QPen(colours.plan, 1.6, Qt::DashLine, Qt::FlatCap));
+    p.painter.drawPolyline(homeLeg(p.picture, p.layout, uav));
+    for (std::size_t k = legs.size(); k-- > 0;) {
+        const bool isNext = k == 0 && route.search_m.empty();
+        const double width_px = isNext ? 3.2 : 1.6;
+        if (legs[k].size() < 2)
+            continue;
+        // A rim of sea sets the line off from the track below.
+        p.painter.setPen(
+            QPen(p.theme.sea, width_px + 2.4, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+        p.painter.drawPolyline(legs[k]);
+        p.painter.setPen(QPen(colours.plan, width_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+        p.painter.drawPolyline(legs[k]);
+        drawDirectionMark(p.painter, longestPiece(legs[k]), colours.plan, isNext ? 13 : 10);
+    }
+    paintHeadingMarks(p, uav, colours.uav);
+}
+
+} // namespace
+
+void paintSwept(const MapPaint& p)
+{
+    if (!p.picture.showsSwept())
+        return;
+    const SweptLook look{.view = p.layout.view,
+                         .rect = p.layout.rect,
+                         .ratio = p.painter.device()->devicePixelRatioF(),
+                         .tint = p.theme.swept};
+    std::vector<SweptTrail> trails;
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
+        trails.push_back(
+            {.poses = p.picture.routes[uav].swept, .sensor = p.picture.uavs[uav].sensor});
+    if (p.swept != nullptr) {
+        p.swept->paint(p.painter, trails, look);
+        return;
+    }
+    SweptMask mask;
+    p.painter.drawImage(p.layout.rect.topLeft(), mask.updated(trails, look));
+}
+
+void paintComparison(const MapPaint& p)
+{
+    for (const std::vector<MapTrackPoint>& track : p.picture.comparisonTracks)
+        paintComparisonTrack(p, track);
+}
+
+void paintTracks(const MapPaint& p)
+{
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
+        paintTrack(p, p.picture.routes[uav].track, routeColours(p.picture, p.theme, uav).track);
+}
+
+void paintFieldsOfView(const MapPaint& p)
+{
+    for (const MapUav& uav : p.picture.uavs) {
+        const QColor line = uavColour(p.theme, uav.place);
+        QColor fill = line;
+        fill.setAlphaF(0.09F);
+        p.painter.setPen(QPen(line, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+        p.painter.setBrush(fill);
+        p.painter.drawPolygon(fieldOutline(uav, p.layout.view));
+    }
+}
+
+void paintFormerPlans(const MapPaint& p)
+{
+    p.painter.setBrush(Qt::NoBrush);
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav) {
+        p.painter.setPen(formerPlanPen(routeColours(p.picture, p.theme, uav).former));
+        for (const QPolygonF& leg : formerLegs(p.picture, p.layout, uav))
+            p.painter.drawPolyline(leg);
+    }
+}
+
+std::vector<QLineF> headingMarks(const MapPicture& picture, const MapLayout& layout,
+                                 std::size_t uav)
+{
+    if (picture.air.wind_mps.isZero(0))
+        return {};
+    std::vector<QLineF> marks;
+    std::vector<QPolygonF> legs = planLegs(picture, layout, uav);
+    legs.resize(std::min(legs.size(), kHeadingLegs));
+    for (const QPolygonF& leg : legs) {
+        const QLineF piece = longestPiece(leg);
+        if (piece.length() < 2 * kHeading_px)
+            continue;
+        const Point course(piece.dx() / piece.length(), -piece.dy() / piece.length());
+        const Point nose = headingOn(course, picture.air.wind_mps, picture.uavs[uav].airspeed_mps);
+        marks.emplace_back(piece.center(),
+                           piece.center() + QPointF(nose.x(), -nose.y()) * kHeading_px);
+    }
+    return marks;
+}
+
+void paintSearches(const MapPaint& p)
+{
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
+        paintSearch(p, uav);
+}
+
+void paintPlans(const MapPaint& p)
+{
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
+        paintPlan(p, uav);
+}
+
+} // namespace berg

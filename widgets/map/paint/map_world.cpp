@@ -1,0 +1,221 @@
+#include "widgets/map/paint/map_world.h"
+
+#include "core/base/geometry.h"
+#include "core/scenario/advice.h"
+#include "widgets/map/paint/map_legs.h"
+#include "widgets/map/paint/map_paint.h"
+#include "widgets/map/paint/map_symbols.h"
+#include "widgets/map/picture/plan_stops.h"
+#include "widgets/map/picture/route_colours.h"
+#include "widgets/theme/palette.h"
+
+#include <QPainterPath>
+#include <QPainterPathStroker>
+
+namespace berg {
+namespace {
+
+constexpr double kClusterGap_px = 6; // between a symbol and the outline round it
+
+void paintFence(const MapPaint& p, const std::vector<Point>& corners_m)
+{
+    // Posts stand on the right of the way along: inside when the corners go round clockwise.
+    const bool isClockwise = signedArea(corners_m) < 0;
+    for (std::size_t i = 0; i < corners_m.size(); ++i) {
+        const QLineF side(p.layout.view.toPixel(corners_m[i]),
+                          p.layout.view.toPixel(corners_m[(i + 1) % corners_m.size()]));
+        drawFence(p.painter, isClockwise ? side : QLineF(side.p2(), side.p1()), p.theme);
+    }
+}
+
+/** Outer ring dashed, inner ring in full. */
+void paintRings(const MapPaint& p, const MapAsset& asset)
+{
+    const QPointF at = p.layout.view.toPixel(asset.position_m);
+    const double scale_pxpm = p.layout.view.scale_pxpm();
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(rangeRingPen(p.theme));
+    p.painter.drawEllipse(at, asset.range_m * scale_pxpm, asset.range_m * scale_pxpm);
+    p.painter.setPen(alarmRingPen(p.theme));
+    p.painter.drawEllipse(at, asset.alarm_m * scale_pxpm, asset.alarm_m * scale_pxpm);
+}
+
+/** Round the symbols of the members, as a string would lie. */
+QPainterPath outlineOf(const MapLayout& layout, const std::vector<int>& members)
+{
+    QPainterPath outline;
+    QPolygonF centres;
+    double widest_px = 0;
+    for (const int member : members) {
+        const LabelDisk& disk = layout.icebergs[static_cast<std::size_t>(member)];
+        centres << disk.centre_px;
+        widest_px = std::max(widest_px, disk.radius_px);
+    }
+    // Every two of them joined: together these cover the hull's edges.
+    for (const QPointF& from : centres)
+        for (const QPointF& to : centres) {
+            outline.moveTo(from);
+            outline.lineTo(to);
+        }
+    QPainterPathStroker stroker;
+    stroker.setWidth(2 * (widest_px + kClusterGap_px));
+    stroker.setCapStyle(Qt::RoundCap);
+    stroker.setJoinStyle(Qt::RoundJoin);
+    return stroker.createStroke(outline).simplified();
+}
+
+/** Of the plan that the first of them is in. */
+QColor clusterColour(const MapPaint& p, const std::vector<int>& members)
+{
+    const MapStop& stop = p.layout.stops[static_cast<std::size_t>(members.front())];
+    return stop.order > 0 ? routeColours(p.picture, p.theme, stop.uav).plan : p.theme.plan;
+}
+
+/** Round both, as a string would lie, with a sign in the middle. */
+void paintPairTooClose(const MapPaint& p, const QLineF& way)
+{
+    constexpr double kReach_px = 22;
+    QPainterPath line(way.p1());
+    line.lineTo(way.p2() + QPointF(0.01, 0)); // two in one place still have an outline
+    QPainterPathStroker stroker;
+    stroker.setWidth(2 * kReach_px);
+    stroker.setCapStyle(Qt::RoundCap);
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(QPen(p.theme.sea, 4.4));
+    p.painter.drawPath(stroker.createStroke(line));
+    p.painter.setPen(alarmRingPen(p.theme, 2.2));
+    p.painter.drawPath(stroker.createStroke(line));
+    p.painter.drawLine(way);
+    drawAlarm(p.painter, way.center() - QPointF(0, kReach_px), p.theme);
+}
+
+} // namespace
+
+void paintArea(const MapPaint& p)
+{
+    if (p.picture.area_m.empty())
+        return;
+    if (p.picture.isFenced) {
+        paintFence(p, p.picture.area_m);
+        return;
+    }
+    QPolygonF outline;
+    for (const Point& corner_m : p.picture.area_m)
+        outline << p.layout.view.toPixel(corner_m);
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(QPen(p.theme.coast, 1.4, Qt::DashLine));
+    p.painter.drawPolygon(outline);
+}
+
+void paintHomes(const MapPaint& p)
+{
+    for (const MapUav& uav : p.picture.uavs)
+        if (uav.home_m)
+            drawHome(p.painter, p.layout.view.toPixel(*uav.home_m),
+                     p.picture.isFleet() ? uavColour(p.theme, uav.place) : p.theme.ink, p.theme);
+}
+
+void paintAsset(const MapPaint& p)
+{
+    if (!p.picture.asset)
+        return;
+    paintRings(p, *p.picture.asset);
+    const QPointF at = p.layout.view.toPixel(p.picture.asset->position_m);
+    drawAsset(p.painter, at, p.theme);
+    p.painter.setFont(labelFont(p.theme));
+    drawHaloText(p.painter, QRectF(at.x() - 100, at.y() + 11, 200, 18), Qt::AlignHCenter,
+                 p.picture.asset->name, p.theme.text, p.theme.sea);
+}
+
+void paintClusters(const MapPaint& p)
+{
+    for (const std::vector<int>& members : p.picture.clusters) {
+        if (members.size() < 2)
+            continue;
+        const QColor colour = clusterColour(p, members);
+        QColor fill = colour;
+        fill.setAlphaF(0.07F);
+        p.painter.setBrush(fill);
+        p.painter.setPen(clusterPen(colour));
+        p.painter.drawPath(outlineOf(p.layout, members));
+        drawAim(p.painter, p.layout.view.toPixel(middleOf_m(p.picture, members)), colour, p.theme);
+    }
+}
+
+void paintCircles(const MapPaint& p)
+{
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(circlePen(p.theme));
+    for (const MapIceberg& iceberg : p.picture.icebergs) {
+        const double radius_px = iceberg.circle_m * p.layout.view.scale_pxpm();
+        const LabelDisk circle{.centre_px = p.layout.view.toPixel(iceberg.position_m),
+                               .radius_px = radius_px};
+        if (radius_px > icebergSymbolRadius_px(iceberg.radius_m) && overlaps(p.layout.rect, circle))
+            p.painter.drawEllipse(circle.centre_px, radius_px, radius_px);
+    }
+}
+
+void paintTruths(const MapPaint& p)
+{
+    for (const MapIceberg& iceberg : p.picture.icebergs) {
+        if (!iceberg.truth_m)
+            continue;
+        const QLineF way(p.layout.view.toPixel(iceberg.position_m),
+                         p.layout.view.toPixel(*iceberg.truth_m));
+        if (way.length() < icebergSymbolRadius_px(iceberg.radius_m))
+            continue; // at this scale they are in one place
+        p.painter.setPen(QPen(p.theme.ink, 1, Qt::DotLine));
+        p.painter.drawLine(way);
+        drawTruth(p.painter, way.p2(), p.theme);
+    }
+}
+
+void paintAlarms(const MapPaint& p)
+{
+    for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
+        const MapIceberg& iceberg = p.picture.icebergs[i];
+        if (!iceberg.ringEntry_s)
+            continue;
+        const double beside_px = icebergSymbolRadius_px(iceberg.radius_m);
+        drawAlarm(p.painter, p.layout.icebergs[i].centre_px + QPointF(beside_px, -beside_px),
+                  p.theme);
+    }
+}
+
+void paintPins(const MapPaint& p)
+{
+    if (!p.picture.isFleet())
+        return;
+    for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
+        const MapIceberg& iceberg = p.picture.icebergs[i];
+        if (iceberg.keptFor < 0)
+            continue;
+        const double beside_px = 0.7 * icebergSymbolRadius_px(iceberg.radius_m);
+        drawPin(p.painter, p.layout.icebergs[i].centre_px - QPointF(beside_px, beside_px),
+                uavColour(p.theme, iceberg.keptFor), p.theme);
+    }
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> pairsTooClose(const MapPicture& picture)
+{
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t a = 0; a < picture.uavs.size(); ++a)
+        for (std::size_t b = a + 1; b < picture.uavs.size(); ++b) {
+            const MapUav& one = picture.uavs[a];
+            const MapUav& other = picture.uavs[b];
+            if (one.isAloft && other.isAloft &&
+                std::abs(one.altitude_m - other.altitude_m) < kLayerHeight_m &&
+                (one.position_m - other.position_m).norm() < picture.separation_m)
+                pairs.emplace_back(a, b);
+        }
+    return pairs;
+}
+
+void paintTooClose(const MapPaint& p)
+{
+    for (const auto& [a, b] : pairsTooClose(p.picture))
+        paintPairTooClose(p, {p.layout.view.toPixel(p.picture.uavs[a].position_m),
+                              p.layout.view.toPixel(p.picture.uavs[b].position_m)});
+}
+
+} // namespace berg

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "widgets/map/picture/map_picture.h"
+
+#include <utility>
+
+namespace berg {
+
+struct MapPaint;
+
+// What there is beside icebergs and ways, as parts of the content of a map.
+
+/** The area that is monitored, with a fence the one that the UAVs stay inside. */
+void paintArea(const MapPaint& p);
+/** Where the UAVs land. */
+void paintHomes(const MapPaint& p);
+/** What is to be protected, with its rings. */
+void paintAsset(const MapPaint& p);
+/** Outlines round icebergs that are planned as one point. */
+void paintClusters(const MapPaint& p);
+/** The circles that hold 95 %. */
+void paintCircles(const MapPaint& p);
+/** True positions that are apart from the estimates. */
+void paintTruths(const MapPaint& p);
+/** Signs at icebergs on their way into the inner ring of the asset. */
+void paintAlarms(const MapPaint& p);
+/** At icebergs that one of several UAVs alone is to visit. */
+void paintPins(const MapPaint& p);
+/** Round UAVs that are nearer to each other than they should be. */
+void paintTooClose(const MapPaint& p);
+
+/** Places in `uavs` of those aloft in one altitude layer, nearer than `separation_m`. */
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>>
+pairsTooClose(const MapPicture& picture);
+
+} // namespace berg

@@ -1,0 +1,57 @@
+#include "widgets/map/picture/map_content.h"
+
+#include "widgets/map/picture/footprint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+namespace {
+
+constexpr double kFieldMargin_px = 6; // of the field of view from the edge
+
+/** Corners of the field of view that may lie nearer to the edge than symbols, by `slack_m`. */
+void addField(std::vector<Point>& points_m, const MapUav& uav, double slack_m)
+{
+    const auto nearer = [slack_m](double d_m) {
+        return std::copysign(std::max(0.0, std::abs(d_m) - slack_m), d_m);
+    };
+    for (const Point& corner_m : fieldCorners(uav)) {
+        const Point d_m = corner_m - uav.position_m;
+        points_m.emplace_back(uav.position_m + Point(nearer(d_m.x()), nearer(d_m.y())));
+    }
+}
+
+} // namespace
+
+std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, double scale_pxpm)
+{
+    std::vector<Point> points_m = picture.area_m;
+    for (const MapIceberg& iceberg : picture.icebergs) {
+        points_m.push_back(iceberg.position_m);
+        points_m.emplace_back(iceberg.position_m + iceberg.velocity_mps * driftTime_s);
+    }
+    const auto addTrack = [&](const std::vector<MapTrackPoint>& track) {
+        for (const MapTrackPoint& point : track)
+            points_m.push_back(point.position_m);
+    };
+    std::for_each(picture.comparisonTracks.begin(), picture.comparisonTracks.end(), addTrack);
+    if (picture.asset)
+        points_m.push_back(picture.asset->position_m);
+    for (const MapRoute& route : picture.routes) {
+        addTrack(route.track);
+        for (const MapWay& way : route.planWays) {
+            points_m.insert(points_m.end(), way.path_m.begin(), way.path_m.end());
+            points_m.push_back(way.aim_m);
+        }
+    }
+    for (const MapUav& uav : picture.uavs) {
+        points_m.push_back(uav.position_m);
+        addField(points_m, uav, (kSymbolMargin_px - kFieldMargin_px) / scale_pxpm);
+        if (uav.home_m)
+            points_m.push_back(*uav.home_m);
+    }
+    return points_m;
+}
+
+} // namespace berg

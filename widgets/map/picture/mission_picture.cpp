@@ -1,0 +1,330 @@
+#include "widgets/map/picture/mission_picture.h"
+
+#include "core/vehicle/geofence.h"
+#include "widgets/map/picture/plan_stops.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/model/asset_approach.h"
+#include "widgets/model/domain_text.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <bit>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct MissionPicture
+{
+    Q_DECLARE_TR_FUNCTIONS(MissionPicture)
+};
+
+/** Of the UAV at the time shown. */
+double enduranceLeft_s(const FlightRecord& record, std::size_t uav)
+{
+    const UavState& state = record.shown().world.uavs[uav];
+    const bool isOnGround = state.mode == FlightMode::Ground; // made ready for the next sortie
+    return record.scenario.uavs[uav].spec.endurance_s - (isOnGround ? 0 : state.aloft_s);
+}
+
+/** Of the UAV that has the least, with its name if there are others; none: it is unlimited. */
+std::optional<MapReadout> enduranceReadout(const FlightRecord& record,
+                                           const std::vector<MapUav>& uavs)
+{
+    std::optional<std::size_t> least;
+    for (std::size_t uav = 0; uav < uavs.size(); ++uav)
+        if (record.scenario.uavs[uav].spec.endurance_s > 0 &&
+            (!least || enduranceLeft_s(record, uav) < enduranceLeft_s(record, *least)))
+            least = uav;
+    if (!least)
+        return std::nullopt;
+    return MapReadout{.caption = MissionPicture::tr("Endurance left"),
+                      .value = clockText(enduranceLeft_s(record, *least)),
+                      .unit = uavs[*least].label};
+}
+
+/** None: UAVs in one altitude layer have kept well apart. */
+std::optional<MapReadout> closestReadout(const FlightRecord& record, const QLocale& locale)
+{
+    constexpr double kNear = 2; // times the distance they are to keep
+    const std::optional<double> closest_m = record.shown().world.closest_m;
+    if (!closest_m || *closest_m >= kNear * record.scenario.separation_m)
+        return std::nullopt;
+    const ShownUnit unit = distanceUnit();
+    return MapReadout{.caption = MissionPicture::tr("Closest so far"),
+                      .value = significantText(unit.fromSi(*closest_m), 3, locale),
+                      .unit = unit.name};
+}
+
+std::vector<MapReadout> readoutsOf(const FlightRecord& record, const std::vector<MapUav>& uavs,
+                                   const QLocale& locale)
+{
+    const Metrics& metrics = record.shown().metrics;
+    std::vector<MapReadout> readouts{{.caption = MissionPicture::tr("Time"),
+                                      .value = clockText(record.shown().time_s),
+                                      .unit = {}},
+                                     {.caption = MissionPicture::tr("Zeta ζ"),
+                                      .value = significantText(metrics.zeta_m2s, 4, locale),
+                                      .unit = u"m² s"_s},
+                                     {.caption = MissionPicture::tr("Visits"),
+                                      .value = fixedText(metrics.visits, 0, locale),
+                                      .unit = {}}};
+    for (const std::optional<MapReadout>& more :
+         {enduranceReadout(record, uavs), closestReadout(record, locale)})
+        if (more)
+            readouts.push_back(*more);
+    return readouts;
+}
+
+MapIceberg icebergOf(const FlightRecord& record, std::size_t i)
+{
+    const MissionSnapshot& shown = record.shown();
+    const Iceberg& iceberg = shown.icebergs[i];
+    const Track& track = shown.world.tracks[i];
+    MapIceberg drawn{.id = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name),
+                     .position_m = record.estimate_m(i),
+                     .velocity_mps = track.velocity_mps,
+                     .sigma_m2 = track.sigma_m2,
+                     .radius_m = iceberg.radius_m,
+                     .inView = track.inView,
+                     .key = iceberg.id,
+                     .status = track.status,
+                     .keptFor = shown.assigned[i]};
+    if (record.scenario.observer.model == ObserverModel::Kalman) {
+        drawn.circle_m = likelyRadius_m(track.sigma_m2);
+        drawn.truth_m = shown.truth_m[i];
+    }
+    if (const std::optional<AssetApproach> approach = approachOf(shown, i))
+        drawn.ringEntry_s = approach->entry_s;
+    return drawn;
+}
+
+/** Icebergs that are there; `shown[i]` is the place of iceberg i in the picture or -1. */
+std::vector<MapIceberg> icebergsOf(const FlightRecord& record, std::vector<int>& shown)
+{
+    std::vector<MapIceberg> icebergs;
+    shown.assign(record.shown().icebergs.size(), -1);
+    for (std::size_t i = 0; i < record.shown().icebergs.size(); ++i) {
+        if (!record.shown().active[i] || record.shown().world.tracks[i].left)
+            continue;
+        shown[i] = static_cast<int>(icebergs.size());
+        icebergs.push_back(icebergOf(record, i));
+    }
+    return icebergs;
+}
+
+/**
+ * The way flown until the time shown: every sample of the last stretch, then every second, fourth,
+ * ... of each twice as long one before. Which samples are left depends on their places alone, so
+ * that the line stands still while it grows.
+ */
+std::vector<MapTrackPoint> trackOf(const FlightRecord& record, std::size_t uav)
+{
+    constexpr std::size_t kDetailed = 500;
+    const MissionSnapshot& shown = record.shown();
+    const std::vector<Sample>& samples = record.history.samples;
+    const auto end = std::upper_bound(samples.begin(), samples.end(), shown.time_s,
+                                      [](double t, const Sample& s) { return t < s.time_s; });
+    const auto count = static_cast<std::size_t>(end - samples.begin());
+    std::vector<MapTrackPoint> track;
+    for (std::size_t i = 0; i < count;) {
+        track.push_back(
+            {.position_m = samples[i].uavs[uav].pose.position_m, .time_s = samples[i].time_s});
+        const std::size_t stride =
+            std::bit_floor(std::max<std::size_t>(1, (count - i) / kDetailed));
+        i += stride - i % stride;
+    }
+    if (!track.empty() && track.back().time_s < shown.time_s)
+        track.push_back(
+            {.position_m = shown.world.uavs[uav].pose.position_m, .time_s = shown.time_s});
+    return track;
+}
+
+MapPose mapPose(const DubinsState& pose, double time_s)
+{
+    return {.position_m = pose.position_m, .psi_rad = pose.psi_rad, .time_s = time_s};
+}
+
+/** Where the UAV was at each sample until the time shown, and is. */
+std::vector<MapPose> posesOf(const FlightRecord& record, std::size_t uav)
+{
+    const MissionSnapshot& shown = record.shown();
+    std::vector<MapPose> poses;
+    poses.reserve(record.history.samples.size() + 1);
+    for (const Sample& sample : record.history.samples) {
+        if (sample.time_s > shown.time_s)
+            break;
+        poses.push_back(mapPose(sample.uavs[uav].pose, sample.time_s));
+    }
+    if (!poses.empty() && poses.back().time_s < shown.time_s)
+        poses.push_back(mapPose(shown.world.uavs[uav].pose, shown.time_s));
+    return poses;
+}
+
+/** Icebergs of an order as places in the picture. */
+std::vector<int> placesOf(const std::vector<int>& order, const std::vector<int>& shown)
+{
+    std::vector<int> places;
+    for (const int iceberg : order)
+        if (const int place = shown[static_cast<std::size_t>(iceberg)]; place >= 0)
+            places.push_back(place);
+    return places;
+}
+
+/** What is left of the pattern, which drifts with the iceberg's estimate. */
+std::vector<Point> searchOf_m(const FlightRecord& record, std::size_t uav)
+{
+    const UavState& state = record.shown().world.uavs[uav];
+    if (state.mode != FlightMode::Search || !state.search)
+        return {};
+    const Point datum_m = record.estimate_m(static_cast<std::size_t>(state.search->iceberg));
+    const std::vector<Point>& offsets_m = state.search->way.corners_m();
+    std::vector<Point> corners_m;
+    for (std::size_t k = state.search->way.next(); k < offsets_m.size(); ++k)
+        corners_m.emplace_back(datum_m + offsets_m[k]);
+    return corners_m;
+}
+
+/** Of the straight legs of the plan; none without a geofence. */
+std::vector<std::vector<Point>> cornersOf(const MapPicture& picture, const MissionSnapshot& shown,
+                                          std::size_t uav)
+{
+    std::vector<std::vector<Point>> corners_m;
+    const Geofence* fence = shown.fences[uav].get();
+    if (fence == nullptr)
+        return corners_m;
+    Point from_m = shown.world.uavs[uav].pose.position_m;
+    for (const Point& to_m : planStops_m(picture, uav)) {
+        corners_m.push_back(fence->cornersBetween(from_m, to_m));
+        from_m = to_m;
+    }
+    return corners_m;
+}
+
+/** Of the plans in force the newest tells. */
+std::vector<std::vector<int>> clustersOf(const std::vector<PlanEvent>& plans,
+                                         const std::vector<int>& shown)
+{
+    std::vector<std::vector<int>> clusters;
+    const auto newest = std::ranges::max_element(plans, {}, &PlanEvent::time_s);
+    if (newest == plans.end())
+        return clusters;
+    for (const std::vector<int>& members : newest->clusters)
+        clusters.push_back(placesOf(members, shown));
+    return clusters;
+}
+
+std::vector<MapWay> mapWays(const std::vector<AimedWay>& ways)
+{
+    std::vector<MapWay> drawn;
+    for (const AimedWay& way : ways) {
+        MapWay& next = drawn.emplace_back(MapWay{.path_m = {}, .aim_m = way.aim_m});
+        for (const WayPoint& point : way.points)
+            next.path_m.push_back(point.position_m);
+    }
+    return drawn;
+}
+
+MapUav uavOf(const FlightRecord& record, std::size_t uav)
+{
+    const UavState& state = record.shown().world.uavs[uav];
+    MapUav drawn = mapUav(record.scenario, uav);
+    drawn.position_m = state.pose.position_m;
+    drawn.psi_rad = state.pose.psi_rad;
+    drawn.isAloft = state.mode != FlightMode::Ground;
+    return drawn;
+}
+
+/** Without the corners of the fence, which depend on the other parts. */
+MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<int>& shown)
+{
+    const int place = static_cast<int>(uav);
+    MapRoute route;
+    if (const PlanEvent* plan = planOf(record.shown(), place)) {
+        route.plan = placesOf(plan->order, shown);
+        route.thisSortie = plan->thisSortie;
+    }
+    route.planWays = mapWays(waysAhead(record.shown(), place));
+    if (const std::optional<ShownChange> change = record.changeShown(place)) {
+        route.formerPlan = placesOf(change->change.before, shown);
+        route.formerFrom_m = change->from_m;
+        route.formerWays = mapWays(change->ways);
+    }
+    route.search_m = searchOf_m(record, uav);
+    route.track = trackOf(record, uav);
+    route.swept = posesOf(record, uav);
+    return route;
+}
+
+} // namespace
+
+double sigmaScaleEnd_m2(const FlightRecord& record)
+{
+    constexpr double kShare = 0.95;
+    constexpr std::size_t kEnough = 20000; // values, to know a share of them well
+    const std::vector<std::vector<IcebergSample>>& rows = record.history.rows;
+    const std::size_t all = rows.empty() ? 0 : rows.size() * rows.back().size();
+    const std::size_t stride = std::bit_ceil((all + kEnough - 1) / kEnough);
+    std::vector<double> recorded_m2;
+    recorded_m2.reserve(2 * kEnough);
+    for (std::size_t row = 0; row < rows.size(); row += stride)
+        for (const IcebergSample& sample : rows[row])
+            recorded_m2.push_back(sample.sigma_m2);
+    double end_m2 = 0;
+    if (!recorded_m2.empty()) {
+        const auto at =
+            recorded_m2.begin() +
+            static_cast<std::ptrdiff_t>(kShare * static_cast<double>(recorded_m2.size() - 1));
+        std::nth_element(recorded_m2.begin(), at, recorded_m2.end());
+        end_m2 = *at;
+    }
+    for (std::size_t i = 0; i < record.now.world.tracks.size(); ++i)
+        if (record.now.active[i])
+            end_m2 = std::max(end_m2, record.now.world.tracks[i].sigma_m2);
+    return roundSigmaScale(end_m2);
+}
+
+void hideTruth(MapPicture& picture)
+{
+    for (MapIceberg& iceberg : picture.icebergs)
+        iceberg.truth_m.reset();
+    picture.hidesTruth = true;
+}
+
+MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
+{
+    const Scenario& scenario = record.scenario;
+    MapPicture picture;
+    picture.title = QString::fromStdString(scenario.name);
+    picture.subtitle = policyText(record.shown().planner, locale);
+    picture.origin = scenario.origin;
+    std::vector<int> shown;
+    picture.icebergs = icebergsOf(record, shown);
+    picture.clusters = clustersOf(record.shown().plans, shown);
+    // Until it is planned a scenario just edited may have others than the mission.
+    const std::size_t uavs = std::min(scenario.uavs.size(), record.shown().world.uavs.size());
+    for (std::size_t uav = 0; uav < uavs; ++uav) {
+        picture.uavs.push_back(uavOf(record, uav));
+        picture.routes.push_back(routeOf(record, uav, shown));
+        picture.routes[uav].planCorners = cornersOf(picture, record.shown(), uav);
+    }
+    picture.readouts = readoutsOf(record, picture.uavs, locale);
+    picture.area_m = scenario.area_m;
+    picture.isFenced = scenario.geofence;
+    picture.separation_m = scenario.separation_m;
+    picture.asset = assetOf(record.shown().asset, record.shown().time_s);
+    picture.air = airOf(scenario);
+    if (!record.shown().motions.empty())
+        picture.air.wind_mps = record.shown().motions.front().wind_mps;
+    picture.sigmaFull_m2 = sigmaScaleEnd_m2(record);
+    picture.emptyTitle = MissionPicture::tr("No icebergs yet");
+    picture.emptyHint =
+        MissionPicture::tr("Add icebergs with their positions to the scenario file, "
+                           "then draw the map again.");
+    return picture;
+}
+
+} // namespace berg

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "widgets/map/picture/map_picture.h"
+#include "widgets/model/flight_record.h"
+
+#include <QLocale>
+
+namespace berg {
+
+/**
+ * The map of a mission at the time shown: the ways flown, of long flights the older the coarser,
+ * the plans in force, the estimates of the icebergs that have appeared. Cost: linear in the
+ * icebergs and in the few thousand points of the way.
+ */
+[[nodiscard]] MapPicture missionPicture(const FlightRecord& record, const QLocale& locale);
+
+/**
+ * End of the sigma scale for map and charts, m^2: round, above every present sigma and above 95 %
+ * of those recorded, so that one iceberg that was once very uncertain does not make all others
+ * look alike. Of long records it looks at some rows at even distances, a few 10 000 values.
+ */
+[[nodiscard]] double sigmaScaleEnd_m2(const FlightRecord& record);
+
+/** Leaves only what an operator would see. */
+void hideTruth(MapPicture& picture);
+
+} // namespace berg

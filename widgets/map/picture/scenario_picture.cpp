@@ -1,0 +1,207 @@
+#include "widgets/map/picture/scenario_picture.h"
+
+#include "core/base/angles.h"
+#include "core/scenario/priority.h"
+#include "widgets/model/asset_approach.h"
+#include "widgets/model/wind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace berg {
+
+MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario)
+{
+    MapIceberg drawn{.id = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name),
+                     .position_m = iceberg.position_m,
+                     .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
+                     .sigma_m2 = initialSigma_m2(iceberg),
+                     .radius_m = iceberg.radius_m,
+                     .appears_s = iceberg.appears_s,
+                     .key = iceberg.id};
+    if (scenario.observer.model == ObserverModel::Kalman)
+        drawn.circle_m = likelyRadius_m(drawn.sigma_m2);
+    if (const std::optional<AssetApproach> approach = approachOf(scenario, iceberg))
+        drawn.ringEntry_s = approach->entry_s;
+    const auto uav = std::ranges::find(scenario.uavs, iceberg.uav, &Uav::id);
+    if (!iceberg.uav.empty() && uav != scenario.uavs.end())
+        drawn.keptFor = static_cast<int>(uav - scenario.uavs.begin());
+    return drawn;
+}
+
+namespace {
+
+std::vector<std::string> keysOf(const std::vector<int>& order,
+                                const std::vector<MapIceberg>& icebergs)
+{
+    std::vector<std::string> keys;
+    for (const int place : order)
+        keys.push_back(keyOf(icebergs[static_cast<std::size_t>(place)]));
+    return keys;
+}
+
+/** Those of the keys that are there, in their order. */
+std::vector<int> placesOf(const std::vector<std::string>& keys,
+                          const std::unordered_map<std::string, int>& places)
+{
+    std::vector<int> order;
+    for (const std::string& key : keys)
+        if (const auto place = places.find(key); place != places.end())
+            order.push_back(place->second);
+    return order;
+}
+
+/** What the UAVs see at t = 0 is certain, unless it is measured with noise. */
+void markInView(MapPicture& picture)
+{
+    std::vector<FieldOfView> fields;
+    for (const MapUav& uav : picture.uavs)
+        fields.emplace_back(uav.sensor, uav.position_m, uav.psi_rad);
+    for (MapIceberg& iceberg : picture.icebergs) {
+        iceberg.inView = iceberg.appears_s <= 0 &&
+                         std::any_of(fields.begin(), fields.end(), [&](const FieldOfView& field) {
+                             return field.contains(iceberg.position_m);
+                         });
+        if (iceberg.inView && iceberg.circle_m == 0)
+            iceberg.sigma_m2 = 0;
+    }
+}
+
+bool isAt(const MapUav& drawn, const Uav& uav)
+{
+    return drawn.position_m == uav.position_m && drawn.psi_rad == psiFromHeading(uav.heading_deg);
+}
+
+/** UAVs and icebergs are where the picture has them, as far as it has any, in the same wind. */
+bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
+{
+    if (!picture.anyRoute([](const MapRoute& route) {
+            return !route.planWays.empty() || !route.formerWays.empty() ||
+                   !route.planCorners.empty();
+        }))
+        return true;
+    if (picture.uavs.empty() || picture.uavs.size() > scenario.uavs.size() ||
+        picture.air.wind_mps != scenario.wind_mps || picture.area_m != scenario.area_m ||
+        !std::equal(picture.uavs.begin(), picture.uavs.end(), scenario.uavs.begin(), isAt))
+        return false;
+    std::unordered_map<std::string, Point> places_m;
+    for (const Iceberg& iceberg : scenario.icebergs)
+        places_m.emplace(iceberg.id, iceberg.position_m);
+    return std::all_of(picture.icebergs.begin(), picture.icebergs.end(),
+                       [&](const MapIceberg& iceberg) {
+                           const auto place = places_m.find(keyOf(iceberg));
+                           return place != places_m.end() && place->second == iceberg.position_m;
+                       });
+}
+
+/** Those of the UAVs of the scenario, by its order; of new ones empty. */
+std::vector<MapRoute> routesFor(const Scenario& scenario, const MapPicture& picture)
+{
+    std::vector<MapRoute> routes;
+    for (const Uav& uav : scenario.uavs) {
+        const auto known = std::ranges::find(picture.uavs, uav.id, &MapUav::key);
+        const auto place = static_cast<std::size_t>(known - picture.uavs.begin());
+        routes.push_back(known == picture.uavs.end() ? MapRoute() : picture.routes[place]);
+    }
+    return routes;
+}
+
+/** Only what holds wherever the UAV is. */
+void forgetPlaces(MapRoute& route)
+{
+    route.planWays.clear();
+    route.formerWays.clear();
+    route.planCorners.clear();
+}
+
+} // namespace
+
+std::string keyOf(const MapIceberg& iceberg)
+{
+    return iceberg.key.empty() ? iceberg.id.toStdString() : iceberg.key;
+}
+
+std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s)
+{
+    if (!asset)
+        return std::nullopt;
+    return MapAsset{.name = QString::fromStdString(asset->name),
+                    .position_m = asset->position_m + asset->velocity_mps * time_s,
+                    .velocity_mps = asset->velocity_mps,
+                    .range_m = asset->range_m,
+                    .alarm_m = alarmRadius_m(*asset)};
+}
+
+MapAir airOf(const Scenario& scenario)
+{
+    return {.wind_mps = scenario.wind_mps,
+            .current_mps = scenario.current_mps,
+            .limit_mps = slowestAirspeed_mps(scenario)};
+}
+
+MapUav mapUav(const Scenario& scenario, std::size_t i)
+{
+    const Uav& uav = scenario.uavs[i];
+    MapUav drawn{.position_m = uav.position_m,
+                 .psi_rad = psiFromHeading(uav.heading_deg),
+                 .sensor = {.fov_m = uav.fov_m, .shape = scenario.fovShape},
+                 .key = uav.id,
+                 .airspeed_mps = uav.spec.airspeed_mps,
+                 .label = {},
+                 .place = static_cast<int>(i),
+                 .home_m = uav.home_m,
+                 .altitude_m = uav.spec.altitude_m};
+    if (scenario.uavs.size() > 1)
+        drawn.label = QString::fromStdString(uav.name.empty() ? uav.id : uav.name);
+    if (!uav.home_m && uav.spec.endurance_s > 0)
+        drawn.home_m = uav.position_m;
+    return drawn;
+}
+
+double likelyRadius_m(double sigma_m2)
+{
+    constexpr double kSquareOf95 = 5.991; // chi-square with two degrees of freedom
+    return std::sqrt(kSquareOf95 * sigma_m2);
+}
+
+MapPicture withScenario(MapPicture picture, const Scenario& scenario)
+{
+    if (!isAsPlanned(picture, scenario)) // ways are places, an order holds until the next plan
+        std::for_each(picture.routes.begin(), picture.routes.end(), forgetPlaces);
+    picture.routes = routesFor(scenario, picture);
+    const std::vector<MapIceberg> before = std::exchange(picture.icebergs, {});
+
+    std::unordered_map<std::string, int> places;
+    for (const Iceberg& iceberg : scenario.icebergs) {
+        places.emplace(iceberg.id, static_cast<int>(picture.icebergs.size()));
+        picture.icebergs.push_back(mapIceberg(iceberg, scenario));
+    }
+    const auto follow = [&](std::vector<int>& order) {
+        order = placesOf(keysOf(order, before), places);
+    };
+    std::for_each(picture.clusters.begin(), picture.clusters.end(), follow);
+    for (MapRoute& route : picture.routes) {
+        follow(route.plan);
+        follow(route.formerPlan);
+        route.search_m.clear();
+    }
+
+    picture.uavs.clear();
+    for (std::size_t i = 0; i < scenario.uavs.size(); ++i)
+        picture.uavs.push_back(mapUav(scenario, i));
+    markInView(picture);
+
+    picture.origin = scenario.origin;
+    picture.area_m = scenario.area_m;
+    picture.isFenced = scenario.geofence;
+    picture.separation_m = scenario.separation_m;
+    picture.asset = assetOf(scenario.asset, 0);
+    picture.air = airOf(scenario);
+    for (const MapIceberg& iceberg : picture.icebergs)
+        picture.sigmaFull_m2 = std::max(picture.sigmaFull_m2, roundSigmaScale(iceberg.sigma_m2));
+    return picture;
+}
+
+} // namespace berg

@@ -1,0 +1,297 @@
+#include "widgets/map/view/area_tool.h"
+
+#include "core/scenario/validate.h"
+#include "widgets/map/paint/map_marks.h"
+#include "widgets/map/view/drift_arrow.h"
+#include "widgets/map/view/map_view.h"
+#include "widgets/theme/painter_state.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct AreaToolText
+{
+    Q_DECLARE_TR_FUNCTIONS(AreaTool)
+};
+
+constexpr double kCloseReach_px = 11;
+constexpr double kSameCorner_px = 3; // both clicks of a double click
+constexpr double kCorner_px = 3.5;   // radius
+constexpr double kFirstCorner_px = 6;
+constexpr std::size_t kFewestCorners = 3;
+
+} // namespace
+
+void AreaTool::press(const MapPointer& pointer)
+{
+    m_isPressed = true;
+    m_press = m_now = pointer;
+    m_fault = Fault::None;
+    m_corner.reset();
+    m_handle = isDrawing() ? std::nullopt : handleAt(areaHandles(context().scene), pointer.at_px);
+}
+
+void AreaTool::move(const MapPointer& pointer)
+{
+    m_now = pointer;
+    if (m_handle && !m_drag && isDragDistance(m_press.at_px, pointer.at_px)) {
+        context().selection.set({kAreaKey});
+        m_drag = makeHandleDrag(context(), *m_handle);
+    }
+    if (m_drag)
+        m_drag->move(pointer);
+}
+
+void AreaTool::release(const MapPointer& pointer)
+{
+    if (!m_isPressed)
+        return;
+    move(pointer);
+    if (m_drag) {
+        m_drag->end(pointer.isInside);
+    } else if (m_handle) {
+        if (m_handle->kind == HandleKind::Corner)
+            m_corner = m_handle->index;
+        context().selection.set({kAreaKey});
+    } else if (pointer.isInside && !context().scene.isOverlay(pointer.at_px)) {
+        click(pointer);
+    }
+    drop();
+}
+
+void AreaTool::click(const MapPointer& pointer)
+{
+    if (!isDrawing() && context().scene.objectAt(pointer.at_px) == kAreaKey)
+        context().selection.set({kAreaKey});
+    else if (closesAt(pointer.at_px))
+        finishDrawing();
+    else
+        addCorner(pointer);
+}
+
+void AreaTool::addCorner(const MapPointer& pointer)
+{
+    const Point corner_m = placeOf(pointer);
+    if (isDrawing()) {
+        const QPointF last = context().scene.view().toPixel(m_corners_m.back());
+        if (QLineF(last, pointer.at_px).length() < kSameCorner_px)
+            return;
+        if (!isClearEdge(m_corners_m, corner_m)) {
+            m_fault = Fault::Crossing;
+            return;
+        }
+    }
+    if (m_corners_m.size() >= kMostAreaCorners)
+        m_fault = Fault::TooMany;
+    else
+        m_corners_m.push_back(corner_m);
+}
+
+bool AreaTool::hover(const MapPointer& pointer)
+{
+    const std::optional<MapHandle> before = m_handle;
+    const bool wasFaulty = m_fault != Fault::None;
+    m_now = pointer;
+    m_isHovering = true;
+    m_fault = Fault::None;
+    if (!isDrawing()) {
+        m_handle = handleAt(areaHandles(context().scene), pointer.at_px);
+        const bool isSame = before && m_handle ? before->isSame(*m_handle) : !before && !m_handle;
+        return wasFaulty || !isSame;
+    }
+    m_handle.reset();
+    if (!closesAt(pointer.at_px) && !isClearEdge(m_corners_m, placeOf(pointer)) &&
+        QLineF(context().scene.view().toPixel(m_corners_m.back()), pointer.at_px).length() >
+            kSameCorner_px)
+        m_fault = Fault::Crossing;
+    return true;
+}
+
+bool AreaTool::closesAt(const QPointF& at_px) const
+{
+    if (m_corners_m.size() < kFewestCorners)
+        return false;
+    const QPointF first = context().scene.view().toPixel(m_corners_m.front());
+    return QLineF(first, at_px).length() <= kCloseReach_px;
+}
+
+void AreaTool::finishDrawing()
+{
+    if (m_corners_m.size() < kFewestCorners) {
+        m_fault = Fault::TooFew;
+        return;
+    }
+    if (!isSimplePolygon(m_corners_m)) {
+        m_fault = Fault::Crossing;
+        return;
+    }
+    const std::vector<Point> area_m = std::move(m_corners_m);
+    m_corners_m.clear();
+    ScenarioDocument& document = context().document;
+    document.edit(document.scenario().area_m.empty() ? AreaToolText::tr("Add area")
+                                                     : AreaToolText::tr("Replace area"),
+                  [&](Scenario& scenario) { scenario.area_m = area_m; });
+    context().selection.set({kAreaKey});
+}
+
+void AreaTool::takeLastBack()
+{
+    m_fault = Fault::None;
+    if (isDrawing())
+        m_corners_m.pop_back();
+}
+
+bool AreaTool::dropDrawing()
+{
+    const bool wasDrawing = isDrawing();
+    m_fault = Fault::None;
+    m_corners_m.clear();
+    m_corner.reset();
+    return wasDrawing;
+}
+
+bool AreaTool::removePart()
+{
+    if (isDrawing()) {
+        takeLastBack();
+        return true;
+    }
+    if (!m_corner)
+        return false;
+    removeCorner(context(), *m_corner);
+    m_corner.reset();
+    return true;
+}
+
+void AreaTool::cancel()
+{
+    if (m_drag)
+        m_drag->end(false);
+    drop();
+}
+
+void AreaTool::checkPart()
+{
+    if (m_corner && *m_corner >= context().document.scenario().area_m.size())
+        m_corner.reset();
+}
+
+void AreaTool::drop()
+{
+    m_isPressed = false;
+    m_handle.reset();
+    m_drag.reset();
+}
+
+void AreaTool::paintNextEdge(QPainter& painter, const QPolygonF& outline) const
+{
+    const Theme& theme = context().scene.theme();
+    const bool isCrossing = m_fault == Fault::Crossing;
+    painter.setPen(QPen(isCrossing ? theme.comparison : theme.plan, 1.8, Qt::DashLine));
+    painter.drawLine(outline.back(), m_now.at_px);
+    if (!isCrossing)
+        return;
+    for (const QPointF& arm : {QPointF(6, 6), QPointF(6, -6)}) // told by shape as well
+        painter.drawLine(QLineF(m_now.at_px - arm, m_now.at_px + arm));
+}
+
+void AreaTool::paintDrawing(QPainter& painter) const
+{
+    const PainterState saved(painter);
+    const Theme& theme = context().scene.theme();
+    QPolygonF outline;
+    for (const Point& corner_m : m_corners_m)
+        outline << context().scene.view().toPixel(corner_m);
+    QColor fill = theme.plan;
+    fill.setAlphaF(0.10F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(fill);
+    QPolygonF covered = outline;
+    if (m_isHovering && m_fault == Fault::None)
+        covered << m_now.at_px;
+    painter.drawPolygon(covered);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.plan, 2));
+    painter.drawPolyline(outline);
+    const bool closes = m_isHovering && closesAt(m_now.at_px);
+    if (m_isHovering)
+        paintNextEdge(painter, outline);
+    painter.setPen(QPen(theme.plan, 1.8));
+    for (qsizetype i = 0; i < outline.size(); ++i) {
+        const bool isGoal = i == 0 && m_corners_m.size() >= kFewestCorners;
+        painter.setBrush(isGoal && closes ? theme.plan : theme.panel);
+        const double radius_px = isGoal ? kFirstCorner_px : kCorner_px;
+        painter.drawEllipse(outline[i], radius_px, radius_px);
+    }
+}
+
+void AreaTool::paint(QPainter& painter) const
+{
+    MapScene& scene = context().scene;
+    if (m_drag)
+        paintBubble(painter, m_now.at_px, m_drag->text(), scene.rect(), scene.theme());
+    if (!isDrawing()) {
+        paintHandles(painter, areaHandles(scene), {.hovered = m_handle, .corner = m_corner},
+                     scene.theme());
+        return;
+    }
+    paintDrawing(painter);
+    if (m_isHovering && !closesAt(m_now.at_px))
+        paintBubble(painter, m_now.at_px,
+                    m_fault == Fault::None
+                        ? wayText(m_now.at_m - m_corners_m.back(), scene.locale())
+                        : faultText(),
+                    scene.rect(), scene.theme());
+}
+
+QCursor AreaTool::cursor(const std::string& over) const
+{
+    if (m_drag || m_handle)
+        return Qt::SizeAllCursor;
+    if (isDrawing() && closesAt(m_now.at_px))
+        return Qt::PointingHandCursor;
+    return !isDrawing() && over == kAreaKey ? Qt::PointingHandCursor : Qt::CrossCursor;
+}
+
+QString AreaTool::faultText() const
+{
+    switch (m_fault) {
+    case Fault::None:
+        return {};
+    case Fault::Crossing:
+        return crossingText();
+    case Fault::TooFew:
+        return AreaToolText::tr("An area needs three corners. Esc drops what is drawn.");
+    case Fault::TooMany:
+        return AreaToolText::tr("An area has at most %n corners.", nullptr,
+                                static_cast<int>(kMostAreaCorners));
+    }
+    return {};
+}
+
+QString AreaTool::status() const
+{
+    if (m_drag)
+        return m_drag->status();
+    if (m_fault != Fault::None)
+        return faultText();
+    if (m_corners_m.size() >= kFewestCorners)
+        return AreaToolText::tr("A click on the first corner or Enter closes the area. Backspace "
+                                "takes a corner back, Esc all.");
+    if (isDrawing())
+        return AreaToolText::tr(
+            "Click sets the next corner. Backspace takes one back, Esc drops the area.");
+    if (m_handle)
+        return handleText(context(), *m_handle);
+    if (!context().document.scenario().area_m.empty())
+        return AreaToolText::tr(
+            "Drag a corner or an edge's middle; a click begins another area. Esc leaves the tool.");
+    return AreaToolText::tr("Click sets the first corner of the area. Esc leaves the tool.");
+}
+
+} // namespace berg

@@ -1,0 +1,114 @@
+#include "widgets/map/view/drift_arrow.h"
+
+#include "core/base/angles.h"
+#include "widgets/map/view/map_scene.h"
+#include "widgets/model/scenario_edits.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct DriftArrowText
+{
+    Q_DECLARE_TR_FUNCTIONS(DriftArrow)
+};
+
+constexpr double kDriftStep_mps = 0.001;
+
+/** An arrow of the usual length may stand for this much drift at least. */
+constexpr double kUsualDrift_mps = 0.4;
+constexpr double kShortestTime_s = 60;
+
+/** The time that the arrows of the map stand for, unless one could hardly be drawn then. */
+double drawnTime_s(MapScene& scene)
+{
+    const double usual_s = driftTimeFor_s(kUsualDrift_mps, scene.view().scale_pxpm());
+    const double shown_s = scene.layout().symbols.driftTime_s;
+    return std::max(shown_s > 0 ? std::min(shown_s, usual_s) : usual_s, kShortestTime_s);
+}
+
+double snapped(double value, double step)
+{
+    return std::round(value / step) * step;
+}
+
+} // namespace
+
+DriftArrow::DriftArrow(MapScene& scene) : m_scene(scene), m_time_s(drawnTime_s(scene))
+{
+    m_scene.setDriftTime(m_time_s);
+}
+
+DriftArrow::~DriftArrow()
+{
+    m_scene.setDriftTime({});
+}
+
+Point DriftArrow::velocity_mps(const Iceberg& iceberg, const MapPointer& tip,
+                               const Point& current_mps) const
+{
+    const QPointF centre = m_scene.view().toPixel(iceberg.position_m);
+    const std::optional<LabelDisk> symbol = m_scene.symbolOf(iceberg.id);
+    // The arrows of the map begin at the edge of the symbol; inside it there is no drift.
+    const double edge_px = symbol ? symbol->radius_px : 0;
+    const Point way_px(tip.at_px.x() - centre.x(), centre.y() - tip.at_px.y());
+    const double length_px = way_px.norm();
+    if (length_px <= edge_px)
+        return Point::Zero();
+    Point along = way_px / length_px;
+    if (tip.modifiers.testFlag(Qt::ShiftModifier)) {
+        const double psi_rad =
+            snapped(std::atan2(along.y(), along.x()), radFromDeg(kDirectionStep_deg));
+        along = {std::cos(psi_rad), std::sin(psi_rad)};
+    }
+    const double metres = (length_px - edge_px) / m_scene.view().scale_pxpm();
+    const Point overGround_mps = along * (metres / m_time_s);
+    return roundedTo(clampedVelocity(overGround_mps - current_mps), kDriftStep_mps);
+}
+
+QString DriftArrow::status() const
+{
+    return DriftArrowText::tr(
+               "The arrow is the drift over %1. Shift keeps to steps of %2°, Esc takes it back.")
+        .arg(durationText(m_time_s, m_scene.locale()))
+        .arg(kDirectionStep_deg);
+}
+
+QString driftText(const Point& drift_mps, const QLocale& locale)
+{
+    const double speed_mps = drift_mps.norm();
+    const ShownUnit unit = speedUnit();
+    const QString speed = u"%1 %2"_s.arg(fixedText(unit.fromSi(speed_mps), 2, locale), unit.name);
+    return speed_mps > 0 ? speed + u"  "_s + bearingText(drift_mps) : speed;
+}
+
+std::optional<double> headingTowards_deg(const Point& from_m, const MapPointer& pointer)
+{
+    const Point way_m = pointer.at_m - from_m;
+    if (way_m.norm() <= 0)
+        return std::nullopt;
+    const double step_deg = pointer.modifiers.testFlag(Qt::ShiftModifier) ? kDirectionStep_deg : 1;
+    const double heading_deg = headingFromPsi(std::atan2(way_m.y(), way_m.x()));
+    return std::fmod(snapped(heading_deg, step_deg), 360.0);
+}
+
+QString headingText(double heading_deg)
+{
+    const QString degrees =
+        u"%1°"_s.arg(static_cast<int>(std::lround(heading_deg)) % 360, 3, 10, QChar(u'0'));
+    return DriftArrowText::tr("Heading %1").arg(degrees);
+}
+
+QString wayText(const Point& way_m, const QLocale& locale)
+{
+    return u"%1  %2"_s.arg(distanceText(way_m.norm(), locale), bearingText(way_m));
+}
+
+} // namespace berg

@@ -1,0 +1,227 @@
+// What dragging a handle of the map does to the scenario.
+
+#include "widgets/map/view/drift_arrow.h"
+#include "widgets/map/view/flight_drag.h"
+#include "widgets/map/view/map_handles.h"
+#include "widgets/map/view/map_view.h"
+#include "widgets/model/scenario_edits.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct HandleText
+{
+    Q_DECLARE_TR_FUNCTIONS(HandleDrag)
+};
+
+constexpr std::size_t kFewestCorners = 3;
+
+/** Icebergs among what is selected. */
+std::vector<std::string> selectedIcebergs(const MapToolContext& context)
+{
+    std::vector<std::string> ids;
+    for (const Iceberg& iceberg : icebergsOf(context.document.scenario(), context.selection.ids()))
+        ids.push_back(iceberg.id);
+    return ids;
+}
+
+class DriftDrag final : public HandleDrag
+{
+public:
+    DriftDrag(const MapToolContext& context, const MapHandle& handle)
+        : HandleDrag(context, handle)
+        , m_ids(selectedIcebergs(context))
+        , m_iceberg(*findIceberg(context.document.scenario(), handle.id))
+        , m_arrow(context.scene)
+    {
+        begin(m_ids.size() == 1 ? HandleText::tr("Change drift")
+                                : HandleText::tr("Change drift of %n icebergs", nullptr,
+                                                 static_cast<int>(m_ids.size())));
+    }
+
+    void move(const MapPointer& pointer) override
+    {
+        m_iceberg.velocity_mps = m_arrow.velocity_mps(m_iceberg, pointer, current_mps());
+        gesture().apply([this](Scenario& scenario) {
+            for (const std::string& id : m_ids)
+                findIceberg(scenario, id)->velocity_mps = m_iceberg.velocity_mps;
+        });
+    }
+    [[nodiscard]] QString text() const override
+    {
+        return driftText(m_iceberg.velocity_mps + current_mps(), context().scene.locale());
+    }
+    [[nodiscard]] QString status() const override { return m_arrow.status(); }
+
+private:
+    [[nodiscard]] Point current_mps() const { return context().document.scenario().current_mps; }
+
+    std::vector<std::string> m_ids;
+    Iceberg m_iceberg; ///< whose handle it is, with the drift drawn
+    DriftArrow m_arrow;
+};
+
+class HeadingDrag final : public HandleDrag
+{
+public:
+    HeadingDrag(const MapToolContext& context, const MapHandle& handle)
+        : HandleDrag(context, handle), m_uav(*findUav(context.document.scenario(), handle.id))
+    {
+        begin(HandleText::tr("Turn UAV"));
+    }
+
+    void move(const MapPointer& pointer) override
+    {
+        m_uav.heading_deg =
+            headingTowards_deg(m_uav.position_m, pointer).value_or(m_uav.heading_deg);
+        gesture().apply([this](Scenario& scenario) {
+            for (Uav& uav : scenario.uavs)
+                if (uav.id == m_uav.id)
+                    uav.heading_deg = m_uav.heading_deg;
+        });
+    }
+    [[nodiscard]] QString text() const override { return headingText(m_uav.heading_deg); }
+    [[nodiscard]] QString status() const override
+    {
+        return HandleText::tr("Let go to keep this heading. Shift keeps to steps of %1°, Esc takes "
+                              "it back.")
+            .arg(kDirectionStep_deg);
+    }
+
+private:
+    Uav m_uav;
+};
+
+/** A corner of the area, also one that begins in the middle of an edge. */
+class CornerDrag final : public HandleDrag
+{
+public:
+    CornerDrag(const MapToolContext& context, const MapHandle& handle)
+        : HandleDrag(context, handle)
+        , m_area_m(context.document.scenario().area_m)
+        , m_index(handle.kind == HandleKind::Edge ? handle.index + 1 : handle.index)
+        , m_from_m(context.scene.view().toWorld(handle.at_px))
+    {
+        if (handle.kind == HandleKind::Edge)
+            m_area_m.insert(m_area_m.begin() + static_cast<std::ptrdiff_t>(m_index), m_from_m);
+        begin(handle.kind == HandleKind::Edge ? HandleText::tr("Add corner")
+                                              : HandleText::tr("Move corner"));
+    }
+
+    void move(const MapPointer& pointer) override
+    {
+        std::vector<Point> area_m = m_area_m;
+        area_m[m_index] = placeOf(pointer);
+        m_isRefused = !isSimplePolygon(area_m);
+        if (m_isRefused)
+            return; // stays where it was last possible
+        m_area_m = area_m;
+        gesture().apply([&](Scenario& scenario) { scenario.area_m = area_m; });
+    }
+    [[nodiscard]] QString text() const override
+    {
+        return m_isRefused ? crossingText()
+                           : wayText(m_area_m[m_index] - m_from_m, context().scene.locale());
+    }
+    [[nodiscard]] QString status() const override
+    {
+        return m_isRefused ? crossingText()
+                           : HandleText::tr("Let go to place the corner here. Esc takes it back.");
+    }
+
+private:
+    std::vector<Point> m_area_m; ///< as far as the drag got
+    std::size_t m_index;
+    Point m_from_m;
+    bool m_isRefused = false;
+};
+
+} // namespace
+
+HandleDrag::HandleDrag(const MapToolContext& context, MapHandle handle)
+    : m_context(context), m_handle(std::move(handle))
+{
+}
+
+void HandleDrag::end(bool keep)
+{
+    if (keep)
+        m_gesture->finish();
+    else
+        m_gesture->cancel();
+}
+
+std::unique_ptr<HandleDrag> makeHandleDrag(const MapToolContext& context, const MapHandle& handle)
+{
+    switch (handle.kind) {
+    case HandleKind::Drift:
+        return std::make_unique<DriftDrag>(context, handle);
+    case HandleKind::Heading:
+        return std::make_unique<HeadingDrag>(context, handle);
+    case HandleKind::Corner:
+    case HandleKind::Edge:
+        return std::make_unique<CornerDrag>(context, handle);
+    case HandleKind::Wind:
+        return makeWindDrag(context, handle);
+    case HandleKind::Asset:
+        return makeAssetDrag(context, handle);
+    }
+    return nullptr;
+}
+
+QString handleText(const MapToolContext& context, const MapHandle& handle)
+{
+    switch (handle.kind) {
+    case HandleKind::Drift: {
+        const auto count = static_cast<int>(selectedIcebergs(context).size());
+        return count > 1 ? HandleText::tr("Drag gives all %n icebergs selected the same drift.",
+                                          nullptr, count)
+                         : HandleText::tr("Drag sets the drift of the iceberg.");
+    }
+    case HandleKind::Heading:
+        return HandleText::tr("Drag turns the UAV.");
+    case HandleKind::Corner:
+        return HandleText::tr("Drag moves the corner, a click and Del remove it.");
+    case HandleKind::Edge:
+        return HandleText::tr("Drag makes a new corner here.");
+    case HandleKind::Wind:
+        return context.view.isLocked()
+                   ? HandleText::tr("Drag changes the wind from now on; in flight that cannot be "
+                                    "undone.")
+                   : HandleText::tr("Drag sets the wind: the arrow points where it blows to.");
+    case HandleKind::Asset:
+        break; // dragged without a mark of its own
+    }
+    return {};
+}
+
+void removeCorner(const MapToolContext& context, std::size_t index)
+{
+    std::vector<Point> area_m = context.document.scenario().area_m;
+    if (area_m.size() <= kFewestCorners) {
+        emit context.view.refused(
+            HandleText::tr("An area has at least three corners. Remove the area as a whole."));
+        return;
+    }
+    area_m.erase(area_m.begin() + static_cast<std::ptrdiff_t>(index));
+    if (!isSimplePolygon(area_m)) {
+        emit context.view.refused(
+            HandleText::tr("Without this corner the outline would cross itself."));
+        return;
+    }
+    context.document.edit(HandleText::tr("Remove corner"),
+                          [&](Scenario& scenario) { scenario.area_m = area_m; });
+}
+
+QString crossingText()
+{
+    return HandleText::tr("The outline would cross itself here.");
+}
+
+} // namespace berg

@@ -1,0 +1,320 @@
+#include "widgets/map/view/map_scene.h"
+
+#include "widgets/map/paint/map_marks.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/model/selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+namespace berg {
+namespace {
+
+constexpr double kUavReach_px = 17; // half the size of the UAV's symbol and a little more
+constexpr double kAssetReach_px = 14;
+constexpr double kOutlineReach_px = 5;
+constexpr double kSmallestReach_px = 13; // symbols are at least this easy to hit
+constexpr double kReachMargin_px = 2;
+constexpr double kUnderName_px = 1e6; // any symbol under a name comes first
+
+/** Labels that can be placed anew in every frame, a few milliseconds. */
+constexpr std::size_t kLabelsPerFrame = 60;
+
+/** Labels times icebergs in sight that one frame has time for now and then. */
+constexpr std::size_t kLabelPairs = 10000;
+
+} // namespace
+
+MapScene::MapScene() : m_theme(Theme::light()), m_land(std::make_unique<LandLayer>())
+{
+    QObject::connect(m_land.get(), &LandLayer::updated, m_land.get(),
+                     [this] { m_isGroundOld = true; });
+}
+
+void MapScene::setPicture(MapPicture picture)
+{
+    if (!(picture.origin == m_picture.origin)) {
+        m_graticule.reset();
+        m_isGroundOld = true;
+    }
+    m_picture = std::move(picture);
+    m_layout.reset();
+}
+
+void MapScene::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    m_sprites.clear();
+    m_isGroundOld = true;
+    m_layout.reset();
+}
+
+void MapScene::setLocale(const QLocale& locale)
+{
+    m_locale = locale;
+    m_sprites.clear();
+    m_layout.reset();
+}
+
+void MapScene::setRect(const QRectF& rect)
+{
+    m_rect = rect;
+    m_graticule.reset();
+    m_isGroundOld = true;
+    m_layout.reset();
+}
+
+void MapScene::setView(const MapViewTransform& view)
+{
+    m_view = view;
+    m_graticule.reset();
+    m_isGroundOld = true;
+    m_layout.reset();
+}
+
+void MapScene::fit()
+{
+    m_continuity = {};
+    m_labelsOwed = m_picture.icebergs.size();
+    const MapLayout fitted = arrangeMap(m_picture, style(), m_rect, std::nullopt,
+                                        {.turn = LabelTurn{}}); // labels do not count
+    setView(fitted.view);
+}
+
+void MapScene::setInset(const QSizeF& inset_px)
+{
+    m_inset_px = inset_px;
+    m_layout.reset();
+}
+
+void MapScene::setDriftTime(std::optional<double> driftTime_s)
+{
+    m_driftTime_s = driftTime_s;
+    m_layout.reset();
+}
+
+const MapLayout& MapScene::layout()
+{
+    if (m_layout)
+        return *m_layout;
+    const auto inSight = std::count_if(
+        m_picture.icebergs.begin(), m_picture.icebergs.end(), [&](const MapIceberg& iceberg) {
+            return m_rect.contains(m_view.toPixel(iceberg.position_m));
+        });
+    m_continuity.driftTime_s = m_driftTime_s;
+    m_continuity.turn = nextTurn(static_cast<std::size_t>(inSight));
+    m_layout = arrangeMap(m_picture, style(), m_rect, m_view, m_continuity);
+    m_continuity = continuityOf(m_picture, *m_layout);
+    return *m_layout;
+}
+
+/** Labels that may look for a place in this frame; with many of them it is one part after another.
+ */
+std::optional<LabelTurn> MapScene::nextTurn(std::size_t inSight)
+{
+    const std::size_t count = m_picture.icebergs.size();
+    const bool mayTakeTime = std::exchange(m_mayTakeTime, false);
+    if (inSight <= kLabelsPerFrame) {
+        m_labelsOwed = 0;
+        return std::nullopt;
+    }
+    if (!mayTakeTime) {
+        m_labelsOwed = count;
+        return LabelTurn{};
+    }
+    if (m_turnFrom >= count)
+        m_turnFrom = 0;
+    const std::size_t part = std::max<std::size_t>(1, kLabelPairs / inSight);
+    const LabelTurn turn{.first = m_turnFrom, .count = std::min(part, count - m_turnFrom)};
+    m_turnFrom += turn.count;
+    m_labelsOwed -= std::min(m_labelsOwed, turn.count);
+    return turn;
+}
+
+void MapScene::settle()
+{
+    m_mayTakeTime = true;
+    m_layout.reset();
+}
+
+std::string MapScene::objectAt(const QPointF& at)
+{
+    if (isOverlay(at))
+        return {};
+    const MapLayout& map = layout();
+    std::string nearest;
+    double nearest_px = std::numeric_limits<double>::infinity();
+    const auto offer = [&](const std::string& key, double distance_px) {
+        if (distance_px >= nearest_px)
+            return;
+        nearest_px = distance_px;
+        nearest = key;
+    };
+    for (std::size_t i = 0; i < m_picture.uavs.size(); ++i) {
+        const MapUav& uav = m_picture.uavs[i];
+        const QLineF way(at, map.view.toPixel(uav.position_m));
+        if (uav.key.empty())
+            continue;
+        if (way.length() <= kUavReach_px)
+            offer(uav.key, way.length());
+        else if (map.uavLabels[i].contains(at))
+            offer(uav.key, kUnderName_px);
+    }
+    if (m_picture.asset) {
+        const QLineF way(at, map.view.toPixel(m_picture.asset->position_m));
+        if (way.length() <= kAssetReach_px)
+            offer(kAssetKey, way.length());
+    }
+    for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i) {
+        const LabelDisk& disk = map.icebergs[i];
+        const QLineF way(at, disk.centre_px);
+        const double reach_px = std::max(disk.radius_px + kReachMargin_px, kSmallestReach_px);
+        if (way.length() <= reach_px)
+            offer(keyOf(m_picture.icebergs[i]), way.length());
+        else if (nearest.empty() && map.labels[i].rect.contains(at))
+            offer(keyOf(m_picture.icebergs[i]), kUnderName_px);
+    }
+    return nearest.empty() && isOnAreaOutline(at) ? kAreaKey : nearest;
+}
+
+QPolygonF MapScene::areaOutline() const
+{
+    QPolygonF outline;
+    for (const Point& corner_m : m_picture.area_m)
+        outline << m_view.toPixel(corner_m);
+    return outline;
+}
+
+bool MapScene::isOnAreaOutline(const QPointF& at) const
+{
+    const QPolygonF outline = areaOutline();
+    for (qsizetype i = 0; i < outline.size(); ++i) {
+        const QPointF from = outline[i];
+        const QPointF edge = outline[(i + 1) % outline.size()] - from;
+        const double length2 = QPointF::dotProduct(edge, edge);
+        const double share =
+            length2 > 0 ? std::clamp(QPointF::dotProduct(at - from, edge) / length2, 0.0, 1.0) : 0;
+        if (QLineF(at, from + edge * share).length() <= kOutlineReach_px)
+            return true;
+    }
+    return false;
+}
+
+std::vector<std::string> MapScene::objectsIn(const QRectF& rect)
+{
+    const MapLayout& map = layout();
+    std::vector<std::string> keys;
+    for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i)
+        if (rect.contains(map.icebergs[i].centre_px))
+            keys.push_back(keyOf(m_picture.icebergs[i]));
+    for (const MapUav& uav : m_picture.uavs)
+        if (!uav.key.empty() && rect.contains(map.view.toPixel(uav.position_m)))
+            keys.push_back(uav.key);
+    if (m_picture.asset && rect.contains(map.view.toPixel(m_picture.asset->position_m)))
+        keys.emplace_back(kAssetKey);
+    return keys;
+}
+
+/** UAV or asset. */
+std::optional<LabelDisk> MapScene::singleSymbolOf(const std::string& key)
+{
+    const MapLayout& map = layout();
+    for (const MapUav& uav : m_picture.uavs)
+        if (uav.key == key && !key.empty())
+            return LabelDisk{.centre_px = map.view.toPixel(uav.position_m),
+                             .radius_px = kUavReach_px};
+    if (key == kAssetKey && m_picture.asset)
+        return LabelDisk{.centre_px = map.view.toPixel(m_picture.asset->position_m),
+                         .radius_px = kAssetReach_px};
+    return std::nullopt;
+}
+
+std::optional<LabelDisk> MapScene::symbolOf(const std::string& key)
+{
+    const std::vector<LabelDisk> symbols = symbolsOf({key});
+    return symbols.empty() ? std::nullopt : std::optional(symbols.front());
+}
+
+/** In no particular order. */
+std::vector<LabelDisk> MapScene::symbolsOf(const std::vector<std::string>& keys)
+{
+    std::vector<LabelDisk> symbols;
+    for (const std::string& key : keys)
+        if (const std::optional<LabelDisk> symbol = singleSymbolOf(key))
+            symbols.push_back(*symbol);
+    const MapLayout& map = layout();
+    const std::unordered_set<std::string_view> wanted(keys.begin(), keys.end());
+    for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i)
+        if (wanted.contains(keyOf(m_picture.icebergs[i])))
+            symbols.push_back(map.icebergs[i]);
+    return symbols;
+}
+
+void MapScene::paintSelection(QPainter& painter, const std::vector<std::string>& keys)
+{
+    constexpr double kSteps = 4; // for each pixel, of the size of kept marks
+    constexpr double kBeside_px = 10;
+    for (const LabelDisk& symbol : symbolsOf(keys)) {
+        const double radius_px = std::round(symbol.radius_px * kSteps) / kSteps;
+        const double reach_px = radius_px + kBeside_px;
+        m_sprites.paint(painter, QLatin1String("selected ") + QString::number(radius_px),
+                        QRectF(-reach_px, -reach_px, 2 * reach_px, 2 * reach_px), symbol.centre_px,
+                        [&](QPainter& own) {
+                            paintSelectionMark(own, {.centre_px = {}, .radius_px = radius_px},
+                                               m_theme);
+                        });
+    }
+}
+
+bool MapScene::isOverlay(const QPointF& at)
+{
+    const std::vector<QRectF> overlays = layout().overlays();
+    return std::any_of(overlays.begin(), overlays.end(),
+                       [&](const QRectF& overlay) { return overlay.contains(at); });
+}
+
+void MapScene::paintGround(QPainter& painter, const MapFrame& frame)
+{
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QSizeF exact = m_rect.size() * ratio;
+    const QSize size(static_cast<int>(std::ceil(exact.width())),
+                     static_cast<int>(std::ceil(exact.height())));
+    if (m_ground.size() != size || m_ground.devicePixelRatioF() != ratio) {
+        m_ground = QPixmap(size);
+        m_ground.setDevicePixelRatio(ratio);
+        m_ground.fill(m_theme.sea); // opaque, so that copying is all there is to do
+        m_isGroundOld = true;
+    }
+    if (std::exchange(m_isGroundOld, false)) {
+        QPainter own(&m_ground);
+        own.translate(-m_rect.topLeft());
+        paintMapGround(own, frame);
+    }
+    painter.drawPixmap(m_rect.topLeft(), m_ground);
+}
+
+void MapScene::paint(QPainter& painter, const std::function<void()>& marks)
+{
+    const MapLayout& map = layout();
+    if (!m_graticule)
+        m_graticule = graticuleOf(LocalFrame(m_picture.origin), m_view, m_rect);
+    const MapStyle look = style();
+    const MapFrame frame{.picture = m_picture,
+                         .style = look,
+                         .layout = map,
+                         .graticule = *m_graticule,
+                         .sprites = &m_sprites,
+                         .land = m_land.get(),
+                         .swept = &m_swept};
+    paintGround(painter, frame);
+    paintMapContent(painter, frame);
+    marks();
+    paintMapLabels(painter, frame);
+    paintMapOverlays(painter, frame);
+}
+
+} // namespace berg

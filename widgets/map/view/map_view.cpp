@@ -1,0 +1,429 @@
+#include "widgets/map/view/map_view.h"
+
+#include "widgets/map/paint/map_marks.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/model/scenario_edits.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+// The whole range of coordinates fits on the smallest scale, a tenth of a metre is a pixel on the
+// largest.
+constexpr double kSmallestScale_pxpm = 2e-4;
+constexpr double kLargestScale_pxpm = 10;
+
+/** Half the part of the view that a followed UAV may be in. */
+constexpr double kFollowShare = 0.2;
+
+constexpr int kSettle_ms = 50;
+constexpr int kOutlinePieces = 8; // of each side
+
+} // namespace
+
+MapView::MapView(ScenarioDocument& document, Selection& selection, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_selection(selection)
+    , m_tool(makeMapTool(MapToolKind::Select, {m_document, m_selection, m_scene, *this}))
+{
+    setObjectName(u"mapView"_s);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    grabGesture(Qt::PinchGesture);
+    m_scene.setLocale(locale());
+    m_settleTimer.setSingleShot(true);
+    m_settleTimer.setInterval(kSettle_ms);
+    connect(&m_settleTimer, &QTimer::timeout, this, [this] {
+        m_scene.settle();
+        update();
+    });
+    connect(&m_scene.land(), &LandLayer::updated, this, qOverload<>(&QWidget::update));
+    connect(&m_document, &ScenarioDocument::replaced, this, &MapView::scenarioReplaced);
+    connect(&m_document, &ScenarioDocument::scenarioChanged, this, &MapView::scenarioChanged);
+    connect(&m_selection, &Selection::changed, this, &MapView::selectionChanged);
+    refreshPicture();
+    updateTexts();
+}
+
+MapView::~MapView() = default;
+
+void MapView::setPicture(MapPicture picture)
+{
+    m_picture = std::move(picture);
+    refreshPicture();
+    if (m_fitsNextPicture)
+        fit();
+    m_fitsNextPicture = false;
+}
+
+void MapView::setTheme(const Theme& theme)
+{
+    m_scene.setTheme(theme);
+    update();
+}
+
+void MapView::setLocked(bool locked)
+{
+    if (m_isLocked == locked)
+        return;
+    m_tool->cancel();
+    m_isLocked = locked;
+    if (locked && isEditing(m_toolKind))
+        setTool(MapToolKind::Select);
+    refreshPicture();
+    toolActed();
+}
+
+void MapView::setMayIntervene(bool may)
+{
+    if (m_mayIntervene == may)
+        return;
+    if (m_isLocked)
+        m_tool->cancel();
+    m_mayIntervene = may;
+    toolActed();
+}
+
+void MapView::setDraft(std::function<void(MapPicture&)> draft)
+{
+    if (!draft && !m_draft)
+        return;
+    m_draft = std::move(draft);
+    refreshPicture();
+}
+
+void MapView::setTool(MapToolKind kind)
+{
+    if (kind == m_toolKind || (m_isLocked && isLockedInFlight(kind)))
+        return;
+    m_tool->cancel();
+    endNudges();
+    m_tool = makeMapTool(kind, {m_document, m_selection, m_scene, *this});
+    m_toolKind = kind;
+    toolActed();
+    emit toolChanged(kind);
+}
+
+void MapView::fit()
+{
+    m_scene.fit();
+    m_scene.settle();
+    m_isFitted = true;
+    updateHover();
+    update();
+    emit outlineChanged();
+}
+
+void MapView::setInset(QWidget* inset)
+{
+    if (m_inset != nullptr && m_inset != inset)
+        m_inset->hide();
+    m_inset = inset;
+    m_scene.setInset(inset != nullptr ? QSizeF(inset->sizeHint()) : QSizeF());
+    placeInset();
+    update();
+}
+
+void MapView::placeInset()
+{
+    if (m_inset == nullptr)
+        return;
+    const QRectF place = m_scene.layout().inset;
+    m_inset->setVisible(!place.isNull());
+    if (!place.isNull())
+        m_inset->setGeometry(place.toRect());
+}
+
+std::vector<LatLon> MapView::outline() const
+{
+    const LocalFrame frame(m_scene.picture().origin);
+    const QRectF shown = m_scene.rect();
+    const QPolygonF corners({shown.topLeft(), shown.topRight(), shown.bottomRight(),
+                             shown.bottomLeft(), shown.topLeft()});
+    std::vector<LatLon> places;
+    for (qsizetype i = 0; i + 1 < corners.size(); ++i) {
+        const QLineF side(corners[i], corners[i + 1]);
+        for (int k = 0; k < kOutlinePieces; ++k)
+            places.push_back(
+                frame.toGeographic(toWorld(side.pointAt(static_cast<double>(k) / kOutlinePieces))));
+    }
+    return places;
+}
+
+void MapView::centreOn(const LatLon& place)
+{
+    const Point place_m = LocalFrame(m_scene.picture().origin).toPlane(place);
+    panBy(m_scene.rect().center() - toScreen(place_m));
+}
+
+void MapView::finishLand()
+{
+    m_scene.land().finish();
+}
+
+void MapView::zoomBy(double factor, const QPointF& at)
+{
+    const double scale_pxpm = view().scale_pxpm();
+    const double wanted_pxpm =
+        std::clamp(scale_pxpm * factor, kSmallestScale_pxpm, kLargestScale_pxpm);
+    if (wanted_pxpm == scale_pxpm)
+        return;
+    // A followed UAV stays where it is; else the place under the cursor does.
+    const MapUav* uav = m_followsUav ? followedUav() : nullptr;
+    const QPointF fixed = uav != nullptr ? toScreen(uav->position_m) : at;
+    setView(view().zoomed(wanted_pxpm / scale_pxpm, fixed));
+}
+
+void MapView::showIceberg(const std::string& id)
+{
+    const std::vector<MapIceberg>& icebergs = m_scene.picture().icebergs;
+    const auto it = std::find_if(icebergs.begin(), icebergs.end(),
+                                 [&](const MapIceberg& iceberg) { return keyOf(iceberg) == id; });
+    if (it != icebergs.end())
+        panBy(m_scene.rect().center() - toScreen(it->position_m));
+}
+
+void MapView::panBy(const QPointF& offset_px)
+{
+    stopFollowing();
+    setView(view().moved(offset_px));
+}
+
+void MapView::setFollowUav(bool follow)
+{
+    if (m_followsUav == follow)
+        return;
+    m_followsUav = follow;
+    if (const MapUav* uav = followedUav(); follow && uav != nullptr)
+        setView(view().moved(m_scene.rect().center() - toScreen(uav->position_m)));
+    emit followUavChanged(follow);
+}
+
+void MapView::showAs(const MapView& other)
+{
+    if (!other.m_isFitted)
+        setView(other.view());
+    setFollowUav(other.m_followsUav);
+}
+
+/** The one selected, else the first; null: there is none. */
+const MapUav* MapView::followedUav() const
+{
+    const std::vector<MapUav>& uavs = m_scene.picture().uavs;
+    const auto selected = std::find_if(
+        uavs.begin(), uavs.end(), [&](const MapUav& uav) { return m_selection.contains(uav.key); });
+    if (selected != uavs.end())
+        return &*selected;
+    return uavs.empty() ? nullptr : &uavs.front();
+}
+
+void MapView::stopFollowing()
+{
+    setFollowUav(false);
+}
+
+void MapView::setView(const MapViewTransform& view)
+{
+    // The middle of the map stays where a scenario can have something.
+    const QPointF middle = m_scene.rect().center();
+    const Point middle_m = view.toWorld(middle);
+    const QPointF offset_px = middle - view.toPixel(clampedPosition(middle_m));
+    m_scene.setView(view.moved(offset_px));
+    m_isFitted = false;
+    updateHover();
+    update();
+    emit outlineChanged();
+}
+
+void MapView::keepUavInSight()
+{
+    const MapUav* uav = followedUav();
+    if (!m_followsUav || uav == nullptr)
+        return;
+    const QRectF rect = m_scene.rect();
+    const QPointF half(kFollowShare * rect.width(), kFollowShare * rect.height());
+    const QPointF at = toScreen(uav->position_m);
+    const QPointF middle = rect.center();
+    const QPointF inside(std::clamp(at.x(), middle.x() - half.x(), middle.x() + half.x()),
+                         std::clamp(at.y(), middle.y() - half.y(), middle.y() + half.y()));
+    if (inside != at)
+        setView(view().moved(inside - at));
+}
+
+void MapView::setHighlight(const std::string& id)
+{
+    if (m_highlighted == id)
+        return;
+    m_highlighted = id;
+    update();
+}
+
+void MapView::setPreview(const Scenario* scenario)
+{
+    if (scenario != nullptr)
+        m_preview = *scenario;
+    else
+        m_preview.reset();
+    refreshPicture();
+}
+
+void MapView::refreshPicture()
+{
+    const Scenario& scenario = m_preview ? *m_preview : m_document.scenario();
+    MapPicture shown = m_isLocked ? m_picture : withScenario(m_picture, scenario);
+    if (m_isLocked && m_draft)
+        m_draft(shown);
+    for (std::size_t i = 0; i < std::min(shown.uavs.size(), scenario.uavs.size()); ++i)
+        if (shown.uavs[i].key.empty())
+            shown.uavs[i].key = scenario.uavs[i].id;
+    const bool isOtherCount = shown.icebergs.size() != m_scene.picture().icebergs.size();
+    const bool isElsewhere = !(shown.origin == m_scene.picture().origin);
+    m_scene.setPicture(std::move(shown));
+    keepUavInSight();
+    if (isElsewhere)
+        emit outlineChanged();
+    if (isOtherCount)
+        updateTexts();
+    updateHover();
+    update();
+}
+
+void MapView::scenarioReplaced()
+{
+    m_tool->documentReplaced(); // taking back would bring the old scenario into the new one
+    m_fitsNextPicture = true;
+    MapPicture empty;
+    empty.emptyTitle = m_picture.emptyTitle;
+    empty.emptyHint = m_picture.emptyHint;
+    m_picture = std::move(empty);
+}
+
+void MapView::scenarioChanged()
+{
+    m_selection.keepExisting(m_document.scenario());
+    m_tool->documentChanged();
+    refreshPicture();
+    if (m_fitsNextPicture)
+        fit();
+}
+
+void MapView::selectionChanged()
+{
+    endNudges(); // those of another selection are another step
+    keepUavInSight();
+    update();
+}
+
+void MapView::endNudges()
+{
+    // The gesture of a tool ends with the tool's own press, not in the middle of it.
+    if (!m_tool->isBusy())
+        m_document.endGesture();
+}
+
+void MapView::toolActed()
+{
+    setCursor(m_tool->cursor(m_hovered));
+    if (const QString status = m_tool->status(); status != m_status) {
+        m_status = status;
+        emit statusText(m_status);
+    }
+    update();
+}
+
+void MapView::setHovered(const std::string& id)
+{
+    if (m_hovered == id)
+        return;
+    m_hovered = id;
+    setCursor(m_tool->cursor(m_hovered));
+    update();
+    emit hovered(m_hovered);
+}
+
+void MapView::updateHover()
+{
+    if (m_tool->isBusy() || m_panFrom)
+        return;
+    setHovered(m_cursor ? m_scene.objectAt(*m_cursor) : std::string());
+}
+
+void MapView::updateTexts()
+{
+    setAccessibleName(tr("Map"));
+    setAccessibleDescription(
+        tr("%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus "
+           "and minus zoom, F fits.",
+           nullptr, static_cast<int>(m_scene.picture().icebergs.size())));
+}
+
+void MapView::paintMarks(QPainter& painter)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme& theme = m_scene.theme();
+    const auto hover = [&](const std::string& id) {
+        if (id.empty() || m_selection.contains(id))
+            return;
+        if (id == kAreaKey)
+            paintAreaMark(painter, m_scene.areaOutline(), false, theme);
+        if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
+            paintHoverMark(painter, *symbol, theme);
+    };
+    hover(m_hovered);
+    if (m_highlighted != m_hovered)
+        hover(m_highlighted);
+    if (m_selection.contains(kAreaKey))
+        paintAreaMark(painter, m_scene.areaOutline(), true, theme);
+    for (const Iceberg& iceberg : m_document.scenario().icebergs) {
+        if (iceberg.track.empty() || m_picture.hidesTruth || !m_selection.contains(iceberg.id))
+            continue;
+        QPolygonF way;
+        for (const Point& position_m : iceberg.track.position_m)
+            way << toScreen(position_m);
+        paintRecordedTrack(painter, way, theme);
+    }
+    m_scene.paintSelection(painter, m_selection.ids());
+}
+
+void MapView::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    m_scene.paint(painter, [&] { paintMarks(painter); });
+    painter.setRenderHint(QPainter::Antialiasing);
+    m_tool->paint(painter);
+    if (m_hasKeyboardFocus)
+        paintFocusFrame(painter, rect(), m_scene.theme());
+    if (m_scene.isUnsettled() && !m_settleTimer.isActive())
+        m_settleTimer.start();
+}
+
+void MapView::resizeEvent(QResizeEvent*)
+{
+    const QPointF before = m_scene.rect().center();
+    m_scene.setRect(QRectF(rect()));
+    if (m_isFitted)
+        fit();
+    else
+        setView(view().moved(m_scene.rect().center() - before));
+    placeInset();
+}
+
+void MapView::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
+        m_scene.setLocale(locale());
+        updateTexts();
+        toolActed();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace berg

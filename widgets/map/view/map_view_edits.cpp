@@ -1,0 +1,254 @@
+// What the map does to the scenario beside its tools: what menus and keys ask for.
+
+#include "core/scenario/validate.h"
+#include "widgets/map/paint/map_overlays.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/map/view/map_view.h"
+#include "widgets/model/error_text.h"
+#include "widgets/model/iceberg_clipboard.h"
+#include "widgets/model/scenario_edits.h"
+
+#include <QApplication>
+#include <QClipboard>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+/** About this far beside the original a copy is put when the cursor says nothing. */
+constexpr double kCopyOffset_px = 40;
+
+/** Middle of the box round icebergs, at least one. */
+Point middleOf(std::span<const Iceberg> icebergs)
+{
+    std::vector<Point> positions_m;
+    for (const Iceberg& iceberg : icebergs)
+        positions_m.push_back(iceberg.position_m);
+    return boundsOf(positions_m).centre_m();
+}
+
+} // namespace
+
+QString MapView::removalText(const std::vector<std::string>& ids) const
+{
+    const Scenario& scenario = m_document.scenario();
+    const auto icebergs = static_cast<int>(icebergsOf(scenario, ids).size());
+    const bool hasAsset = scenario.asset && m_selection.contains(kAssetKey);
+    const bool hasArea = !scenario.area_m.empty() && m_selection.contains(kAreaKey);
+    const auto uavs = static_cast<int>(removableUavs(scenario, ids));
+    const int count = icebergs + uavs + int(hasAsset) + int(hasArea);
+    if (count == 0)
+        return {};
+    if (count > icebergs && count > 1)
+        return tr("Delete %n objects", nullptr, count);
+    if (uavs == 1)
+        return tr("Delete UAV");
+    if (hasAsset)
+        return tr("Remove asset");
+    if (hasArea)
+        return tr("Remove area");
+    return icebergs == 1 ? tr("Delete iceberg") : tr("Delete %n icebergs", nullptr, icebergs);
+}
+
+void MapView::cancelGesture()
+{
+    m_tool->cancel();
+    toolActed();
+}
+
+void MapView::deleteSelected()
+{
+    m_tool->cancel();
+    if (m_isLocked)
+        return;
+    if (m_tool->removePart()) {
+        toolActed();
+        return;
+    }
+    const std::vector<std::string> ids = m_selection.ids();
+    if (const QString text = removalText(ids); !text.isEmpty())
+        m_document.edit(text, [&](Scenario& scenario) { removeObjects(scenario, ids); });
+    else if (!uavsOf(m_document.scenario(), ids).empty())
+        emit refused(tr("The last UAV stays: a scenario has at least one."));
+}
+
+void MapView::selectAll()
+{
+    std::vector<std::string> ids;
+    for (const MapIceberg& iceberg : m_scene.picture().icebergs)
+        ids.push_back(keyOf(iceberg));
+    m_selection.set(std::move(ids));
+}
+
+void MapView::nudge(double east_m, double north_m)
+{
+    m_tool->cancel();
+    if (m_isLocked || m_selection.isEmpty())
+        return;
+    const std::vector<std::string> ids = m_selection.ids();
+    m_document.edit(
+        moveText(m_document.scenario(), ids),
+        [&](Scenario& scenario) {
+            moveObjects(scenario, ids, {east_m, north_m});
+        },
+        u"nudge"_s);
+}
+
+bool MapView::isDrawing() const
+{
+    return m_tool->isDrawing();
+}
+
+void MapView::takeLastBack()
+{
+    m_tool->takeLastBack();
+    toolActed();
+}
+
+bool MapView::copySelected()
+{
+    const std::vector<Iceberg> icebergs = icebergsOf(m_document.scenario(), m_selection.ids());
+    if (icebergs.empty())
+        return false;
+    QApplication::clipboard()->setMimeData(icebergMimeData(icebergs).release());
+    return true;
+}
+
+void MapView::cutSelected()
+{
+    m_tool->cancel();
+    if (m_isLocked || !copySelected())
+        return;
+    const std::vector<std::string> ids = m_selection.ids();
+    const auto count = static_cast<int>(icebergsOf(m_document.scenario(), ids).size());
+    m_document.edit(count == 1 ? tr("Cut iceberg") : tr("Cut %n icebergs", nullptr, count),
+                    [&](Scenario& scenario) { removeIcebergs(scenario, ids); });
+}
+
+void MapView::paste()
+{
+    pasteAt(m_cursor ? std::optional<Point>(toWorld(*m_cursor)) : std::nullopt);
+}
+
+void MapView::pasteAt(const std::optional<Point>& place_m)
+{
+    m_tool->cancel();
+    if (m_isLocked)
+        return;
+    std::vector<Iceberg> icebergs;
+    try {
+        icebergs = icebergsOf(QApplication::clipboard()->mimeData());
+    } catch (const Error& error) {
+        const bool isOther =
+            error.code() == ErrorCode::SyntaxError || error.code() == ErrorCode::WrongFormat;
+        emit refused(
+            isOther
+                ? tr("There are no icebergs on the clipboard.")
+                : tr("What is on the clipboard cannot be pasted. %1").arg(errorText(error.code())));
+        return;
+    }
+    const auto count = static_cast<int>(icebergs.size());
+    addCopiesOf(icebergs, place_m,
+                count == 1 ? tr("Paste iceberg") : tr("Paste %n icebergs", nullptr, count));
+}
+
+void MapView::duplicateSelected()
+{
+    m_tool->cancel();
+    if (m_isLocked)
+        return;
+    const std::vector<Iceberg> icebergs = icebergsOf(m_document.scenario(), m_selection.ids());
+    const auto count = static_cast<int>(icebergs.size());
+    if (icebergs.empty())
+        duplicateUavs(uavsOf(m_document.scenario(), m_selection.ids()));
+    addCopiesOf(icebergs, std::nullopt,
+                count == 1 ? tr("Duplicate iceberg") : tr("Duplicate %n icebergs", nullptr, count));
+}
+
+/** About this far beside the original, along both axes. */
+double MapView::copyStep_m() const
+{
+    return roundDown125(kCopyOffset_px / view().scale_pxpm());
+}
+
+void MapView::duplicateUavs(const std::vector<Uav>& uavs)
+{
+    if (uavs.empty() || !hasRoomForUavs(uavs.size()))
+        return;
+    const Point step_m(copyStep_m(), -copyStep_m());
+    std::vector<std::string> ids;
+    const auto count = static_cast<int>(uavs.size());
+    m_document.edit(count == 1 ? tr("Duplicate UAV") : tr("Duplicate %n UAVs", nullptr, count),
+                    [&](Scenario& scenario) {
+                        for (const Uav& uav : uavs) {
+                            scenario.uavs.push_back(
+                                anotherUav(scenario, uav, uav.position_m + step_m));
+                            ids.push_back(scenario.uavs.back().id);
+                        }
+                    });
+    m_selection.set(std::move(ids));
+}
+
+/** Says so when there is none. */
+bool MapView::hasRoomForUavs(std::size_t count)
+{
+    if (m_document.scenario().uavs.size() + count <= kMostUavs)
+        return true;
+    emit refused(tr("A scenario holds at most %n UAVs.", nullptr, static_cast<int>(kMostUavs)));
+    return false;
+}
+
+void MapView::addUavAt(const Point& place_m)
+{
+    m_tool->cancel();
+    if (m_isLocked || !hasRoomForUavs(1))
+        return;
+    const Uav uav = anotherUav(m_document.scenario(), roundedTo(place_m, kPositionStep_m));
+    m_document.edit(tr("Add UAV"), [&](Scenario& scenario) { scenario.uavs.push_back(uav); });
+    m_selection.set({uav.id});
+}
+
+void MapView::addUav()
+{
+    addUavAt(m_cursor ? toWorld(*m_cursor) : toWorld(m_scene.rect().center()));
+}
+
+/** Round `place_m`, or beside the originals where no copy hides another iceberg. */
+void MapView::addCopiesOf(const std::vector<Iceberg>& icebergs, const std::optional<Point>& place_m,
+                          const QString& undoText)
+{
+    if (icebergs.empty())
+        return;
+    const Scenario& scenario = m_document.scenario();
+    if (scenario.icebergs.size() + icebergs.size() > kMostIcebergs) {
+        emit refused(
+            tr("A scenario holds at most %n icebergs.", nullptr, static_cast<int>(kMostIcebergs)));
+        return;
+    }
+    const Point step_m(copyStep_m(), -copyStep_m());
+    const Point offset_m = place_m ? roundedTo(*place_m - middleOf(icebergs), kPositionStep_m)
+                                   : freeOffset(scenario, icebergs, step_m);
+    std::vector<std::string> ids;
+    m_document.edit(undoText, [&](Scenario& after) { ids = addCopies(after, icebergs, offset_m); });
+    m_selection.set(std::move(ids));
+}
+
+void MapView::addIcebergAt(const Point& place_m)
+{
+    m_tool->cancel();
+    Iceberg iceberg;
+    iceberg.position_m = clampedPosition(roundedTo(place_m, kPositionStep_m));
+    if (m_isLocked) {
+        emit icebergPlaced(iceberg);
+        return;
+    }
+    if (m_document.scenario().icebergs.size() >= kMostIcebergs)
+        return;
+    iceberg.id = freshIcebergId(m_document.scenario());
+    m_document.edit(tr("Add iceberg"),
+                    [&](Scenario& scenario) { scenario.icebergs.push_back(iceberg); });
+    m_selection.set({iceberg.id});
+}
+
+} // namespace berg

@@ -1,0 +1,339 @@
+// Mouse, touch and keys of the map. All that keys mean is in `keyPressEvent`.
+
+#include "widgets/map/paint/map_overlays.h"
+#include "widgets/map/paint/wind_panel.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/map/view/map_view.h"
+#include "widgets/model/asset_approach.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QContextMenuEvent>
+#include <QGestureEvent>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPinchGesture>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+constexpr double kKeyZoom = 1.25;
+constexpr double kWheelZoom = 1.2; // for one notch of 120 eighths of a degree
+constexpr double kNotch = 120;
+constexpr double kPixelZoom = 1.003;    // for one pixel of a touch pad
+constexpr double kLargestWheelZoom = 4; // of one event, however fast the wheel spins
+constexpr double kPan_px = 60;
+constexpr double kLargePan_px = 240;
+constexpr double kNudge_px = 2; // about; metres are round
+constexpr double kLargeNudge = 10;
+
+double wheelFactor(const QWheelEvent& event)
+{
+    const double factor = event.pixelDelta().isNull()
+                              ? std::pow(kWheelZoom, event.angleDelta().y() / kNotch)
+                              : std::pow(kPixelZoom, event.pixelDelta().y());
+    return std::clamp(factor, 1 / kLargestWheelZoom, kLargestWheelZoom);
+}
+
+bool isModifier(const QKeyEvent& event)
+{
+    return event.key() == Qt::Key_Shift || event.key() == Qt::Key_Control ||
+           event.key() == Qt::Key_Alt || event.key() == Qt::Key_Meta;
+}
+
+/** Keys that mean a drawing while there is one. */
+bool isDrawingKey(const QKeyEvent& event)
+{
+    return event.key() == Qt::Key_Backspace || event.matches(QKeySequence::Undo) || isEnter(event);
+}
+
+} // namespace
+
+MapPointer MapView::pointerOf(const QMouseEvent& event) const
+{
+    return {.at_px = event.position(),
+            .at_m = toWorld(event.position()),
+            .modifiers = event.modifiers(),
+            .isInside = rect().contains(event.position().toPoint())};
+}
+
+void MapView::mousePressEvent(QMouseEvent* event)
+{
+    event->accept();
+    endNudges();
+    m_cursor = event->position();
+    updateHover();
+    if (event->button() == Qt::MiddleButton) {
+        m_panFrom = event->position();
+        setCursor(Qt::ClosedHandCursor);
+    } else if (event->button() == Qt::RightButton && m_tool->isBusy()) {
+        m_tool->cancel();
+        toolActed();
+    } else if (event->button() == Qt::RightButton && m_tool->isDrawing()) {
+        m_tool->finishDrawing();
+        toolActed();
+    } else if (event->button() == Qt::RightButton) {
+        requestContextMenu(event->globalPosition().toPoint(), event->position());
+    } else if (event->button() == Qt::LeftButton && !m_panFrom) {
+        m_tool->press(pointerOf(*event));
+        toolActed();
+    }
+}
+
+void MapView::mouseMoveEvent(QMouseEvent* event)
+{
+    event->accept();
+    m_cursor = event->position();
+    if (m_panFrom && event->buttons().testFlag(Qt::MiddleButton)) {
+        panBy(event->position() - *m_panFrom);
+        m_panFrom = event->position();
+    } else if (m_tool->isBusy()) {
+        // The release may have gone elsewhere, e.g. to a dialog that came up.
+        if (event->buttons().testFlag(Qt::LeftButton))
+            m_tool->move(pointerOf(*event));
+        else
+            m_tool->cancel();
+        toolActed();
+    } else {
+        updateHover();
+        if (m_tool->hover(pointerOf(*event)))
+            toolActed();
+    }
+    emit cursorMoved(toWorld(event->position()));
+}
+
+void MapView::mouseReleaseEvent(QMouseEvent* event)
+{
+    event->accept();
+    if (event->button() == Qt::MiddleButton)
+        m_panFrom.reset();
+    else if (event->button() == Qt::LeftButton && m_tool->isBusy())
+        m_tool->release(pointerOf(*event));
+    updateHover();
+    toolActed();
+}
+
+void MapView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    event->accept();
+    if (event->button() == Qt::LeftButton && m_tool->isDrawing()) {
+        m_tool->finishDrawing();
+        toolActed();
+        return;
+    }
+    const std::string id = m_scene.objectAt(event->position());
+    if (event->button() == Qt::LeftButton && !id.empty())
+        emit editRequested(id);
+    else
+        mousePressEvent(event);
+}
+
+void MapView::contextMenuEvent(QContextMenuEvent* event)
+{
+    event->accept();
+    if (event->reason() != QContextMenuEvent::Keyboard)
+        return; // the press of the button has asked already
+    QPointF at = m_scene.rect().center();
+    const std::string id = m_selection.isEmpty() ? std::string() : m_selection.ids().front();
+    if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
+        at = symbol->centre_px;
+    emit contextMenuRequested(mapToGlobal(at.toPoint()), toWorld(at), id);
+}
+
+void MapView::requestContextMenu(const QPoint& globalPos, const QPointF& at)
+{
+    const std::string id = m_scene.objectAt(at);
+    if (!id.empty() && !m_selection.contains(id))
+        m_selection.set({id});
+    emit contextMenuRequested(globalPos, toWorld(at), id);
+}
+
+void MapView::wheelEvent(QWheelEvent* event)
+{
+    event->accept();
+    zoomBy(wheelFactor(*event), event->position());
+}
+
+void MapView::leaveEvent(QEvent*)
+{
+    m_cursor.reset();
+    updateHover();
+    emit cursorLeft();
+}
+
+void MapView::keyPressEvent(QKeyEvent* event)
+{
+    if (isModifier(*event)) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    if (m_tool->isDrawing() && isDrawingKey(*event)) {
+        if (isEnter(*event))
+            m_tool->finishDrawing();
+        else
+            m_tool->takeLastBack();
+        event->accept();
+        toolActed();
+        return;
+    }
+    const bool isArrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right ||
+                         event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
+    if (!isArrow)
+        endNudges();
+    const QPointF middle = m_scene.rect().center();
+    if (isArrow)
+        pressArrow(*event);
+    else if (event->matches(QKeySequence::SelectAll))
+        selectAll();
+    else if (event->key() == Qt::Key_Delete)
+        deleteSelected();
+    else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
+        zoomBy(kKeyZoom, middle);
+    else if (event->key() == Qt::Key_Minus)
+        zoomBy(1 / kKeyZoom, middle);
+    else if (event->key() == Qt::Key_F && event->modifiers() == Qt::NoModifier)
+        fit();
+    else if (event->key() == Qt::Key_Escape && m_tool->isBusy())
+        m_tool->cancel();
+    else if (event->key() == Qt::Key_Escape)
+        leave();
+    else if (!m_tool->key(*event)) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    event->accept();
+    toolActed();
+}
+
+/** One thing at a time: what is drawn, then the tool, then the selection. */
+void MapView::leave()
+{
+    if (m_tool->dropDrawing())
+        return;
+    if (m_toolKind != MapToolKind::Select)
+        setTool(MapToolKind::Select);
+    else
+        m_selection.clear();
+}
+
+void MapView::pressArrow(const QKeyEvent& event)
+{
+    const bool isLarge = event.modifiers().testFlag(Qt::ShiftModifier);
+    Point way = Point::Zero(); // east, north
+    if (event.key() == Qt::Key_Left)
+        way.x() = -1;
+    else if (event.key() == Qt::Key_Right)
+        way.x() = 1;
+    else if (event.key() == Qt::Key_Up)
+        way.y() = 1;
+    else
+        way.y() = -1;
+    if (m_selection.isEmpty() || m_tool->isDrawing()) {
+        // The view goes where the arrow points, so the map goes the other way.
+        const double pan_px = isLarge ? kLargePan_px : kPan_px;
+        panBy(QPointF(-way.x(), way.y()) * pan_px);
+        return;
+    }
+    const double step_m = roundDown125(kNudge_px / view().scale_pxpm());
+    way *= isLarge ? kLargeNudge * step_m : step_m;
+    nudge(way.x(), way.y());
+}
+
+bool MapView::event(QEvent* event)
+{
+    if (event->type() == QEvent::NativeGesture)
+        return nativeGesture(*static_cast<QNativeGestureEvent*>(event)) || QWidget::event(event);
+    if (event->type() == QEvent::Gesture)
+        return gesture(*static_cast<QGestureEvent*>(event)) || QWidget::event(event);
+    if (event->type() == QEvent::ToolTip)
+        return showToolTip(*static_cast<QHelpEvent*>(event));
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if ((m_tool->isBusy() && key.key() == Qt::Key_Escape) ||
+            (m_tool->isDrawing() && isDrawingKey(key))) {
+            event->accept(); // what is under way comes before any shortcut
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+bool MapView::nativeGesture(const QNativeGestureEvent& event)
+{
+    if (event.gestureType() != Qt::ZoomNativeGesture)
+        return false;
+    zoomBy(std::max(0.1, 1 + event.value()), event.position());
+    return true;
+}
+
+bool MapView::gesture(QGestureEvent& event)
+{
+    const auto* pinch = qobject_cast<QPinchGesture*>(event.gesture(Qt::PinchGesture));
+    if (pinch == nullptr)
+        return false;
+    m_tool->cancel(); // the first finger was no press
+    const QPointF centre = mapFromGlobal(pinch->centerPoint());
+    if (pinch->changeFlags().testFlag(QPinchGesture::CenterPointChanged) &&
+        pinch->state() != Qt::GestureStarted)
+        panBy(centre - mapFromGlobal(pinch->lastCenterPoint()));
+    if (pinch->changeFlags().testFlag(QPinchGesture::ScaleFactorChanged))
+        zoomBy(pinch->scaleFactor(), centre);
+    event.accept();
+    return true;
+}
+
+bool MapView::showToolTip(const QHelpEvent& event)
+{
+    if (!m_tool->isBusy() && m_scene.layout().wind.contains(event.pos())) {
+        QToolTip::showText(event.globalPos(), windToolTip(m_scene.picture().air, m_scene.locale()),
+                           this);
+        return true;
+    }
+    const std::string id = m_tool->isBusy() ? std::string() : m_scene.objectAt(event.pos());
+    const std::vector<MapIceberg>& icebergs = m_scene.picture().icebergs;
+    const auto iceberg =
+        std::find_if(icebergs.begin(), icebergs.end(),
+                     [&](const MapIceberg& candidate) { return keyOf(candidate) == id; });
+    if (iceberg == icebergs.end()) {
+        QToolTip::hideText();
+        return true;
+    }
+    const QLocale& words = m_scene.locale();
+    const double speed_mps = iceberg->velocity_mps.norm();
+    const QString drift =
+        speed_mps > 0 ? tr("drifting %1 towards %2")
+                            .arg(speedText(speed_mps, words), bearingText(iceberg->velocity_mps))
+                      : tr("not drifting");
+    QString text = tr("%1: σ %2 m² (√σ %3 m), %4")
+                       .arg(iceberg->id, significantText(iceberg->sigma_m2, 3, words),
+                            significantText(std::sqrt(iceberg->sigma_m2), 2, words), drift);
+    if (iceberg->ringEntry_s)
+        text += u'\n' + ringEntryText(iceberg->id, *iceberg->ringEntry_s, words);
+    QToolTip::showText(event.globalPos(), text, this);
+    return true;
+}
+
+void MapView::focusInEvent(QFocusEvent* event)
+{
+    m_hasKeyboardFocus = event->reason() == Qt::TabFocusReason ||
+                         event->reason() == Qt::BacktabFocusReason ||
+                         event->reason() == Qt::ShortcutFocusReason;
+    update();
+}
+
+void MapView::focusOutEvent(QFocusEvent*)
+{
+    endNudges();
+    m_hasKeyboardFocus = false;
+    update();
+}
+
+} // namespace berg

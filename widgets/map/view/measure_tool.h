@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/base/geodesy.h"
+#include "widgets/map/view/map_tools.h"
+
+namespace berg {
+
+/** One leg of a measured way on WGS 84. */
+struct MeasuredLeg
+{
+    double length_m = 0;    ///< of the geodesic
+    double bearing_deg = 0; ///< true, where the leg begins, in [0, 360)
+    double time_s = 0;      ///< of flight, straight
+};
+
+/** The leg between two places of a scenario's plane, flown by its first UAV in this wind. */
+[[nodiscard]] MeasuredLeg measureLeg(const Scenario& scenario, const Point& wind_mps,
+                                     const Point& from_m, const Point& to_m);
+
+/**
+ * Each click adds a point to a line; legs show length and bearing, the end the sum and the time of
+ * flight. Changes nothing, so it works in flight too.
+ */
+class MeasureTool final : public MapTool
+{
+public:
+    using MapTool::MapTool;
+
+    void press(const MapPointer& pointer) override;
+    void move(const MapPointer& pointer) override;
+    void release(const MapPointer& pointer) override;
+    bool hover(const MapPointer& pointer) override;
+    [[nodiscard]] bool isBusy() const override { return m_isPressed; }
+    void cancel() override { drop(); }
+    [[nodiscard]] bool isDrawing() const override { return m_isOpen; }
+    void finishDrawing() override;
+    void takeLastBack() override;
+    bool dropDrawing() override;
+    void paint(QPainter& painter) const override;
+    [[nodiscard]] QCursor cursor(const std::string& over) const override;
+    [[nodiscard]] QString status() const override;
+
+protected:
+    void drop() override { m_isPressed = false; }
+
+private:
+    [[nodiscard]] std::vector<Point> line() const;
+    [[nodiscard]] QString totalText(const std::vector<MeasuredLeg>& legs) const;
+    void paintLeg(QPainter& painter, const Point& from_m, const Point& to_m, const MeasuredLeg& leg,
+                  bool isLast) const;
+
+    std::vector<Point> m_points_m;
+    bool m_isOpen = false; ///< clicks add to the line; else the next one begins another
+    bool m_isPressed = false;
+    bool m_isHovering = false;
+    MapPointer m_now;
+};
+
+} // namespace berg

@@ -1,0 +1,386 @@
+#include "widgets/map/view/placing_tools.h"
+
+#include "core/base/angles.h"
+#include "core/scenario/validate.h"
+#include "widgets/map/paint/map_marks.h"
+#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/map/view/drift_arrow.h"
+#include "widgets/map/view/map_view.h"
+#include "widgets/model/scenario_edits.h"
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QKeyEvent>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct PlacingTools
+{
+    Q_DECLARE_TR_FUNCTIONS(PlacingTools)
+};
+
+} // namespace
+
+bool PlacingTool::key(const QKeyEvent& event)
+{
+    if (!isEnter(event))
+        return false;
+    MapPointer middle = middleOf(context().scene);
+    middle.modifiers = event.modifiers();
+    press(middle);
+    release(middle);
+    return true;
+}
+
+void IcebergTool::press(const MapPointer& pointer)
+{
+    MapScene& scene = context().scene;
+    const Scenario& scenario = context().document.scenario();
+    if (scene.isOverlay(pointer.at_px))
+        return;
+    const std::string object = scene.objectAt(pointer.at_px);
+    if (context().view.isLocked()) {
+        pressInFlight(pointer, object);
+        return;
+    }
+    const Iceberg* present = findIceberg(scenario, object);
+    if (present == nullptr && scenario.icebergs.size() >= kMostIcebergs)
+        return;
+    m_press = pointer;
+    m_now = pointer;
+    m_isPressed = true;
+    if (present != nullptr) {
+        m_iceberg = *present;
+        return;
+    }
+    m_iceberg = {};
+    m_iceberg.id = freshIcebergId(scenario);
+    m_iceberg.position_m = placeOf(pointer);
+    m_gesture = newGesture(PlacingTools::tr("Add iceberg"));
+    apply();
+}
+
+/** What is there is selected; elsewhere an iceberg is drawn until it is told to the flight. */
+void IcebergTool::pressInFlight(const MapPointer& pointer, const std::string& object)
+{
+    const std::vector<MapIceberg>& icebergs = context().scene.picture().icebergs;
+    if (std::any_of(icebergs.begin(), icebergs.end(),
+                    [&](const MapIceberg& iceberg) { return keyOf(iceberg) == object; })) {
+        context().selection.set({object});
+        return;
+    }
+    m_press = pointer;
+    m_now = pointer;
+    m_isPressed = true;
+    m_iceberg = {};
+    m_iceberg.position_m = placeOf(pointer);
+    apply();
+}
+
+void IcebergTool::beginDrift()
+{
+    m_arrow = std::make_unique<DriftArrow>(context().scene);
+    if (!m_gesture && !context().view.isLocked())
+        m_gesture = newGesture(PlacingTools::tr("Change drift"));
+}
+
+void IcebergTool::move(const MapPointer& pointer)
+{
+    if (!m_isPressed)
+        return;
+    m_now = pointer;
+    if (!m_arrow && isDragDistance(m_press.at_px, pointer.at_px))
+        beginDrift();
+    if (m_arrow)
+        apply();
+}
+
+void IcebergTool::apply()
+{
+    if (m_arrow)
+        m_iceberg.velocity_mps =
+            m_arrow->velocity_mps(m_iceberg, m_now, context().document.scenario().current_mps);
+    if (!m_gesture) {
+        context().view.setDraft([drawn = mapIceberg(m_iceberg, context().document.scenario())](
+                                    MapPicture& picture) { picture.icebergs.push_back(drawn); });
+        return;
+    }
+    m_gesture->apply([this](Scenario& scenario) {
+        if (Iceberg* present = findIceberg(scenario, m_iceberg.id))
+            present->velocity_mps = m_iceberg.velocity_mps;
+        else
+            scenario.icebergs.push_back(m_iceberg);
+    });
+}
+
+void IcebergTool::release(const MapPointer& pointer)
+{
+    if (!m_isPressed)
+        return;
+    move(pointer);
+    if (!pointer.isInside) {
+        cancel();
+        return;
+    }
+    if (context().view.isLocked()) {
+        addInFlight();
+        return;
+    }
+    if (m_gesture)
+        m_gesture->finish();
+    context().selection.set({m_iceberg.id});
+    drop();
+}
+
+void IcebergTool::addInFlight()
+{
+    const Iceberg placed = m_iceberg;
+    drop();
+    emit context().view.icebergPlaced(placed);
+}
+
+void IcebergTool::cancel()
+{
+    if (m_gesture)
+        m_gesture->cancel();
+    drop();
+}
+
+void IcebergTool::drop()
+{
+    m_isPressed = false;
+    m_arrow.reset();
+    m_gesture.reset();
+    context().view.setDraft(nullptr);
+}
+
+void IcebergTool::paint(QPainter& painter) const
+{
+    if (!m_arrow)
+        return;
+    MapScene& scene = context().scene;
+    const Point overGround_mps = m_iceberg.velocity_mps + context().document.scenario().current_mps;
+    paintBubble(painter, m_now.at_px, driftText(overGround_mps, scene.locale()), scene.rect(),
+                scene.theme());
+}
+
+QCursor IcebergTool::cursor(const std::string&) const
+{
+    return Qt::CrossCursor;
+}
+
+QString IcebergTool::status() const
+{
+    if (m_arrow)
+        return m_arrow->status();
+    if (context().view.isLocked())
+        return PlacingTools::tr("Click adds an iceberg that appears here and now, drag on to set "
+                                "its drift. In flight that cannot be undone.");
+    if (context().document.scenario().icebergs.size() >= kMostIcebergs)
+        return PlacingTools::tr("A scenario holds at most %n icebergs.", nullptr,
+                                static_cast<int>(kMostIcebergs));
+    return PlacingTools::tr(
+        "Click adds an iceberg, drag on to set its drift. Esc leaves the tool.");
+}
+
+IcebergTool::IcebergTool(const MapToolContext& context) : PlacingTool(context) {}
+
+IcebergTool::~IcebergTool() = default;
+
+void UavTool::press(const MapPointer& pointer)
+{
+    MapScene& scene = context().scene;
+    if (scene.isOverlay(pointer.at_px))
+        return;
+    m_press = pointer;
+    m_now = pointer;
+    const Scenario& scenario = context().document.scenario();
+    const Uav* grabbed = findUav(scenario, scene.objectAt(pointer.at_px));
+    const Uav* meant = meantUav();
+    const bool adds =
+        meant == nullptr || (grabbed == nullptr && pointer.modifiers.testFlag(Qt::ControlModifier));
+    if (adds && scenario.uavs.size() >= kMostUavs)
+        return;
+    if (adds)
+        m_uav = anotherUav(scenario, placeOf(pointer));
+    else
+        m_uav = grabbed != nullptr ? *grabbed : *meant;
+    if (grabbed == nullptr)
+        m_uav.position_m = placeOf(pointer);
+    m_gesture = newGesture(adds ? PlacingTools::tr("Add UAV") : PlacingTools::tr("Place UAV"));
+    apply();
+}
+
+/** Which one a click moves: the first selected, else the first there is; null: none. */
+const Uav* UavTool::meantUav() const
+{
+    const Scenario& scenario = context().document.scenario();
+    for (const std::string& id : context().selection.ids())
+        if (const Uav* uav = findUav(scenario, id))
+            return uav;
+    return scenario.uavs.empty() ? nullptr : &scenario.uavs.front();
+}
+
+void UavTool::apply()
+{
+    m_gesture->apply([this](Scenario& scenario) {
+        const auto present = std::find_if(scenario.uavs.begin(), scenario.uavs.end(),
+                                          [&](const Uav& uav) { return uav.id == m_uav.id; });
+        if (present != scenario.uavs.end())
+            *present = m_uav;
+        else
+            scenario.uavs.push_back(m_uav);
+    });
+}
+
+void UavTool::move(const MapPointer& pointer)
+{
+    if (!m_gesture)
+        return;
+    m_now = pointer;
+    m_isTurning = m_isTurning || isDragDistance(m_press.at_px, pointer.at_px);
+    if (!m_isTurning)
+        return;
+    if (const std::optional<double> heading_deg = headingTowards_deg(m_uav.position_m, pointer)) {
+        m_uav.heading_deg = *heading_deg;
+        apply();
+    }
+}
+
+void UavTool::release(const MapPointer& pointer)
+{
+    if (!m_gesture)
+        return;
+    move(pointer);
+    end(!pointer.isInside);
+    if (pointer.isInside)
+        context().selection.set({m_uav.id});
+}
+
+void UavTool::drop()
+{
+    m_isTurning = false;
+    m_gesture.reset();
+}
+
+void UavTool::end(bool takeBack)
+{
+    if (m_gesture && takeBack)
+        m_gesture->cancel();
+    else if (m_gesture)
+        m_gesture->finish();
+    drop();
+}
+
+void UavTool::paint(QPainter& painter) const
+{
+    if (!m_isTurning)
+        return;
+    MapScene& scene = context().scene;
+    const QPointF from = scene.view().toPixel(m_uav.position_m);
+    paintDragTrail(painter, {from, m_now.at_px}, scene.theme());
+    paintBubble(painter, m_now.at_px, headingText(m_uav.heading_deg), scene.rect(), scene.theme());
+}
+
+QCursor UavTool::cursor(const std::string&) const
+{
+    return Qt::CrossCursor;
+}
+
+QString UavTool::status() const
+{
+    if (m_isTurning)
+        return PlacingTools::tr("Let go to keep this heading. Esc takes it back.");
+    const Uav* uav = meantUav();
+    if (uav == nullptr || context().document.scenario().uavs.size() == 1)
+        return PlacingTools::tr("Click places the UAV, drag on to turn it. With Ctrl it is another "
+                                "one. Esc leaves the tool.");
+    return PlacingTools::tr("Click places %1, drag on to turn it. With Ctrl it is another UAV. "
+                            "Esc leaves the tool.")
+        .arg(QString::fromStdString(uav->name.empty() ? uav->id : uav->name));
+}
+
+void AssetTool::press(const MapPointer& pointer)
+{
+    MapScene& scene = context().scene;
+    if (scene.isOverlay(pointer.at_px))
+        return;
+    m_now = pointer;
+    const std::optional<Asset>& asset = context().document.scenario().asset;
+    m_asset = asset.value_or(Asset());
+    const bool isGrabbed = asset && scene.objectAt(pointer.at_px) == kAssetKey;
+    m_grip_m = isGrabbed ? Point(pointer.at_m - m_asset.position_m) : Point(Point::Zero());
+    m_press = pointer;
+    m_isMoving = !isGrabbed;
+    m_gesture =
+        newGesture(asset ? PlacingTools::tr("Move asset") : PlacingTools::tr("Place asset"));
+    move(pointer);
+}
+
+void AssetTool::move(const MapPointer& pointer)
+{
+    if (!m_gesture)
+        return;
+    m_now = pointer;
+    m_isMoving = m_isMoving || isDragDistance(m_press.at_px, pointer.at_px);
+    if (!m_isMoving)
+        return;
+    MapPointer centre = pointer;
+    centre.at_m -= m_grip_m;
+    m_asset.position_m = placeOf(centre);
+    m_gesture->apply([this](Scenario& scenario) { scenario.asset = m_asset; });
+}
+
+void AssetTool::release(const MapPointer& pointer)
+{
+    if (!m_gesture)
+        return;
+    move(pointer);
+    end(!pointer.isInside);
+    if (context().document.scenario().asset)
+        context().selection.set({kAssetKey});
+}
+
+void AssetTool::end(bool takeBack)
+{
+    if (m_gesture && takeBack)
+        m_gesture->cancel();
+    else if (m_gesture)
+        m_gesture->finish();
+    drop();
+}
+
+void AssetTool::paint(QPainter& painter) const
+{
+    if (!m_gesture || !m_isMoving || !m_gesture->start().asset)
+        return;
+    MapScene& scene = context().scene;
+    const Point from_m = m_gesture->start().asset->position_m;
+    const Point way_m = m_asset.position_m - from_m;
+    paintDragTrail(painter,
+                   {scene.view().toPixel(from_m), scene.view().toPixel(m_asset.position_m)},
+                   scene.theme());
+    paintBubble(painter, m_now.at_px, wayText(way_m, scene.locale()), scene.rect(), scene.theme());
+}
+
+QCursor AssetTool::cursor(const std::string& over) const
+{
+    return over == kAssetKey ? Qt::SizeAllCursor : Qt::CrossCursor;
+}
+
+QString AssetTool::status() const
+{
+    if (m_gesture)
+        return PlacingTools::tr("Let go to place it here. Esc takes it back.");
+    if (context().document.scenario().asset)
+        return PlacingTools::tr("Click moves the asset here. Esc leaves the tool.");
+    return PlacingTools::tr("Click places the protected asset. Esc leaves the tool.");
+}
+
+} // namespace berg
