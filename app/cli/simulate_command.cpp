@@ -50,14 +50,6 @@ Scenario changed(Scenario scenario, const SimulateArguments& arguments)
     return scenario;
 }
 
-void checkBound(const SimulateArguments& arguments, const Scenario& scenario)
-{
-    if (arguments.bound && !hasZetaBound(scenario))
-        throw Error(ErrorCode::Unsupported, arguments.file,
-                    "uavs: --bound is for one UAV, there are " +
-                        std::to_string(scenario.uavs.size()));
-}
-
 /** A flight and the files that are being written of it. */
 struct Flown
 {
@@ -78,7 +70,6 @@ Flown flyScenario(const SimulateArguments& arguments, const std::string& text,
 {
     const Scenario scenario =
         reading([&] { return changed(scenarioFromJson(text, arguments.file), arguments); });
-    checkBound(arguments, scenario);
     printWarnings(arguments.file, validate(scenario));
     MissionOptions options;
     options.record = !arguments.outputFolder.empty();
@@ -106,7 +97,6 @@ Flown replayRun(const SimulateArguments& arguments, const std::string& text,
         throw UsageError{"simulate: a run file is replayed as it was flown; --tau, --policy, "
                          "--duration, --dt, --seed and --no-noise are for scenarios"};
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
-    checkBound(arguments, run.scenario);
     std::unique_ptr<FlightFiles> files = filesOf(arguments, run.scenario, run.interventions);
     ProgressBar bar("replaying", !arguments.json);
     Mission mission = replay(

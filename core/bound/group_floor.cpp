@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 
@@ -34,9 +36,52 @@ std::int64_t legWork(int icebergs, int perRegion)
     return kOneLeg * cells * cells;
 }
 
-Travel travelIn(const Scenario& scenario, const Point& velocity_mps)
+/** Looks at shares of several UAVs in a window; between two of them the later one holds. */
+constexpr int kLooksAtShares = 20;
+
+/** Of sharing out all sets of icebergs between UAVs, once. */
+std::int64_t shareWork(std::size_t icebergs, std::size_t uavs)
 {
-    const double airspeed_mps = scenario.uavs.at(0).spec.airspeed_mps;
+    constexpr std::int64_t kOneShare = 3;
+    std::int64_t shares = kOneShare * static_cast<std::int64_t>(uavs - 1);
+    for (std::size_t i = 0; i < icebergs; ++i)
+        shares *= 3; // each is one's, the others', or in nobody's set
+    return shares;
+}
+
+/** For each set the least sum over the ways to share it out between two. */
+std::vector<double> sharedOut(const std::vector<double>& a, const std::vector<double>& b)
+{
+    std::vector<double> least(a.size());
+    for (std::size_t set = 0; set < a.size(); ++set) {
+        double best = a[set] + b[0];
+        for (std::size_t part = set; part != 0;) {
+            part = (part - 1) & set;
+            best = std::min(best, a[part] + b[set ^ part]);
+        }
+        least[set] = best;
+    }
+    return least;
+}
+
+/** The same edges and legs do for both. */
+bool isAlike(const Uav& a, const Uav& b)
+{
+    return a.spec.airspeed_mps == b.spec.airspeed_mps && a.fov_m == b.fov_m;
+}
+
+/** UAVs that are not like the one before. */
+std::int64_t kindsOf(const std::vector<Uav>& uavs)
+{
+    std::int64_t kinds = 1;
+    for (std::size_t u = 1; u < uavs.size(); ++u)
+        kinds += isAlike(uavs[u - 1], uavs[u]) ? 0 : 1;
+    return kinds;
+}
+
+Travel travelIn(const Scenario& scenario, const Uav& uav, const Point& velocity_mps)
+{
+    const double airspeed_mps = uav.spec.airspeed_mps;
     const Point wind_mps = scenario.wind_mps - velocity_mps;
     if (wind_mps.norm() <= kStrongWind * airspeed_mps)
         return {.airspeed_mps = airspeed_mps, .wind_mps = wind_mps};
@@ -83,12 +128,13 @@ double GroupFloor::spread(const BoundWindow& window) const
     double radius_m = 0;
     for (const int i : icebergs)
         radius_m += m_motion.enclosure(i, window.from, window.end, velocity_mps).radius_m;
-    return radius_m / static_cast<double>(icebergs.size()) / region({}).half_m.norm();
+    return radius_m / static_cast<double>(icebergs.size()) /
+           region({}, m_scenario.uavs.at(0)).half_m.norm();
 }
 
-ViewRegion GroupFloor::region(const Enclosure& enclosure) const
+ViewRegion GroupFloor::region(const Enclosure& enclosure, const Uav& uav) const
 {
-    const Point half_m = m_scenario.uavs.at(0).fov_m / 2;
+    const Point half_m = uav.fov_m / 2;
     ViewRegion result{.centre_m = enclosure.centre_m, .half_m = half_m, .disk = true};
     switch (m_scenario.fovShape) {
     case FovShape::North: // its first extent points north
@@ -116,10 +162,17 @@ std::int64_t GroupFloor::workOf(const BoundWindow& window, int perRegion) const
     const int icebergs = static_cast<int>(present(window).size());
     if (icebergs == 0)
         return 0;
-    const std::size_t tables = 1 + (window.from == 0 ? 1 + startPrices(perRegion).size() : 0);
-    const std::int64_t sets = std::int64_t{1} << icebergs;
-    return legWork(icebergs, perRegion) + (window.end - window.begin) * sets +
-           static_cast<std::int64_t>(tables) * chainWork(icebergs, perRegion);
+    const std::vector<Uav>& uavs = m_scenario.uavs;
+    const auto sets = std::int64_t{1} << icebergs;
+    const auto fromStarts =
+        window.from == 0
+            ? static_cast<std::int64_t>(uavs.size() * (1 + startPrices(perRegion).size()))
+            : 0;
+    const std::int64_t looks =
+        (window.end - window.begin - 1) / blocksPerLook(window) + 2; // and one for the mean age
+    return kindsOf(uavs) * legWork(icebergs, perRegion) + (window.end - window.begin) * sets +
+           (kindsOf(uavs) + fromStarts) * chainWork(icebergs, perRegion) +
+           looks * shareWork(static_cast<std::size_t>(icebergs), uavs.size());
 }
 
 void GroupFloor::raise(const BoundWindow& window, int perRegion, WorkMeter& meter)
@@ -127,48 +180,61 @@ void GroupFloor::raise(const BoundWindow& window, int perRegion, WorkMeter& mete
     const std::vector<int> icebergs = present(window);
     if (icebergs.empty())
         return;
-    const std::optional<Chains> chains = chainsOf(icebergs, window, perRegion, meter);
+    const std::optional<std::vector<Chains>> chains = chainsOf(icebergs, window, perRegion, meter);
     if (!chains)
         return;
     double growth = 0;
     for (const int i : icebergs)
         growth += growth_m2ps(i);
-    if (growth > 0)
-        m_meanAge_s = std::max(m_meanAge_s, chains->priced.front().cost_m2.back() / growth);
+    if (growth > 0) {
+        const std::vector<double> cost_m2 = sharedOut(*chains, std::nullopt, meter);
+        m_meanAge_s = std::max(m_meanAge_s, cost_m2.back() / growth);
+    }
     raiseBlocks(window, *chains, unseenSets(icebergs, window.from == 0), meter);
 }
 
-std::optional<GroupFloor::Chains> GroupFloor::chainsOf(const std::vector<int>& icebergs,
-                                                       const BoundWindow& window, int perRegion,
-                                                       WorkMeter& meter) const
+std::optional<std::vector<GroupFloor::Chains>>
+GroupFloor::chainsOf(const std::vector<int>& icebergs, const BoundWindow& window, int perRegion,
+                     WorkMeter& meter) const
 {
     const Point velocity_mps = meanVelocity_mps(icebergs, window);
     std::vector<ViewRegion> regions;
     ChainPrice price;
-    for (const int i : icebergs) {
-        regions.push_back(region(m_motion.enclosure(i, window.from, window.end, velocity_mps)));
+    for (const int i : icebergs)
         price.perSeen.push_back(growth_m2ps(i));
+    std::optional<ViewCells> cells;
+    std::vector<Chains> all;
+    for (const Uav& uav : m_scenario.uavs) {
+        Chains chains;
+        if (!all.empty() && isAlike(uav, m_scenario.uavs[all.size() - 1])) {
+            chains.priced.push_back(all.back().priced.front());
+        } else {
+            regions.clear();
+            for (const int i : icebergs)
+                regions.push_back(
+                    region(m_motion.enclosure(i, window.from, window.end, velocity_mps), uav));
+            if (!meter.spend(legWork(static_cast<int>(icebergs.size()), perRegion)))
+                return std::nullopt;
+            cells.emplace(regions, perRegion, travelIn(m_scenario, uav, velocity_mps), meter.stop);
+            if (!meter.goesOn())
+                return std::nullopt;
+            chains.priced.push_back({.cost_m2 = chainCosts(*cells, price, {}, meter)});
+        }
+        if (window.from == 0)
+            reachFromStart(chains, *cells, uav.position_m, price, meter);
+        if (!meter.goesOn())
+            return std::nullopt;
+        if (window.from == 0)
+            seeAtStart(chains, regions, uav.position_m);
+        all.push_back(std::move(chains));
     }
-    if (!meter.spend(legWork(static_cast<int>(icebergs.size()), perRegion)))
-        return std::nullopt;
-    const ViewCells cells(regions, perRegion, travelIn(m_scenario, velocity_mps), meter.stop);
-    if (!meter.goesOn())
-        return std::nullopt;
-    Chains chains;
-    chains.priced.push_back({.cost_m2 = chainCosts(cells, price, {}, meter)});
-    if (window.from == 0)
-        reachFromStart(chains, cells, price, meter);
-    if (!meter.goesOn())
-        return std::nullopt;
-    if (window.from == 0)
-        seeAtStart(chains, regions);
-    return chains;
+    return all;
 }
 
-void GroupFloor::reachFromStart(Chains& chains, const ViewCells& cells, ChainPrice price,
-                                WorkMeter& meter) const
+void GroupFloor::reachFromStart(Chains& chains, const ViewCells& cells, const Point& start_m,
+                                ChainPrice price, WorkMeter& meter)
 {
-    const std::vector<float> fromStart_s = cells.legsFrom_s(m_scenario.uavs.at(0).position_m);
+    const std::vector<float> fromStart_s = cells.legsFrom_s(start_m);
     const ChainPrice time{.perSeen = std::vector<double>(price.perSeen.size(), 0.0), .always = 1};
     chains.soonest_s = chainCosts(cells, time, fromStart_s, meter);
     const double growth = std::accumulate(price.perSeen.begin(), price.perSeen.end(), 0.0);
@@ -179,15 +245,48 @@ void GroupFloor::reachFromStart(Chains& chains, const ViewCells& cells, ChainPri
     }
 }
 
-void GroupFloor::seeAtStart(Chains& chains, const std::vector<ViewRegion>& regions) const
+void GroupFloor::seeAtStart(Chains& chains, const std::vector<ViewRegion>& regions,
+                            const Point& start_m)
 {
     std::size_t seen = 0;
     for (std::size_t i = 0; i < regions.size(); ++i)
-        if (regions[i].contains(m_scenario.uavs.at(0).position_m))
+        if (regions[i].contains(start_m))
             seen |= std::size_t{1} << i;
-    chains.soonest_s[seen] = 0;
-    for (PricedChains& priced : chains.priced)
-        priced.cost_m2[seen] = 0;
+    for (std::size_t part = seen; part != 0; part = (part - 1) & seen) {
+        chains.soonest_s[part] = 0;
+        for (PricedChains& priced : chains.priced)
+            priced.cost_m2[part] = 0;
+    }
+}
+
+std::vector<double> GroupFloor::seenBy(const Chains& chains, std::optional<double> time_s)
+{
+    std::vector<double> cost_m2 = chains.priced.front().cost_m2;
+    if (!time_s)
+        return cost_m2;
+    for (std::size_t set = 1; set < cost_m2.size(); ++set) {
+        if (!chains.soonest_s.empty() && chains.soonest_s[set] > *time_s) {
+            cost_m2[set] = std::numeric_limits<double>::infinity();
+            continue;
+        }
+        double seen_m2 = 0;
+        for (const PricedChains& priced : chains.priced)
+            seen_m2 = std::max(seen_m2, priced.cost_m2[set] - priced.perSecond * *time_s);
+        cost_m2[set] = seen_m2;
+    }
+    return cost_m2;
+}
+
+std::vector<double> GroupFloor::sharedOut(const std::vector<Chains>& chains,
+                                          std::optional<double> time_s, WorkMeter& meter)
+{
+    std::vector<double> all_m2 = seenBy(chains.front(), time_s);
+    if (!meter.spend(
+            shareWork(static_cast<std::size_t>(std::countr_zero(all_m2.size())), chains.size())))
+        return all_m2;
+    for (std::size_t u = 1; u < chains.size(); ++u)
+        all_m2 = berg::sharedOut(all_m2, seenBy(chains[u], time_s));
+    return all_m2;
 }
 
 std::vector<GroupFloor::Unseen> GroupFloor::unseenSets(const std::vector<int>& icebergs,
@@ -207,25 +306,35 @@ std::vector<GroupFloor::Unseen> GroupFloor::unseenSets(const std::vector<int>& i
     return unseen;
 }
 
-void GroupFloor::raiseBlocks(const BoundWindow& window, const Chains& chains,
+int GroupFloor::blocksPerLook(const BoundWindow& window) const
+{
+    const int blocks = window.end - window.begin;
+    if (window.from > 0)
+        return blocks; // the start does not matter, so neither does the time
+    return m_scenario.uavs.size() == 1 ? 1 : (blocks - 1) / kLooksAtShares + 1;
+}
+
+void GroupFloor::raiseBlocks(const BoundWindow& window, const std::vector<Chains>& chains,
                              const std::vector<Unseen>& unseen, WorkMeter& meter)
 {
     const double from_s = m_motion.edge_s(window.from);
+    const int perLook = blocksPerLook(window);
+    std::vector<double> seen_m2;
     for (int block = window.begin; block < window.end; ++block) {
         if (!meter.spend(static_cast<std::int64_t>(unseen.size())))
             return;
-        const double first_s = m_motion.edge_s(block) + m_scenario.dt_s - from_s;
-        const double last_s = m_motion.edge_s(block + 1) - from_s; // step of the block
-        double least_m2 = unseen.front().base_m2 + unseen.front().rate_m2ps * first_s;
-        for (std::size_t set = 1; set < unseen.size(); ++set) {
-            if (!chains.soonest_s.empty() && chains.soonest_s[set] > last_s)
-                continue;
-            double seen_m2 = 0;
-            for (const PricedChains& priced : chains.priced)
-                seen_m2 = std::max(seen_m2, priced.cost_m2[set] - priced.perSecond * last_s);
-            least_m2 =
-                std::min(least_m2, seen_m2 + unseen[set].base_m2 + unseen[set].rate_m2ps * first_s);
+        if ((block - window.begin) % perLook == 0) {
+            // Chains get no dearer with time: those of the last block hold for all before it.
+            const int last = std::min(block + perLook, window.end);
+            seen_m2 = sharedOut(chains, m_motion.edge_s(last) - from_s, meter);
+            if (!meter.goesOn())
+                return;
         }
+        const double first_s = m_motion.edge_s(block) + m_scenario.dt_s - from_s; // its first step
+        double least_m2 = unseen.front().base_m2 + unseen.front().rate_m2ps * first_s;
+        for (std::size_t set = 1; set < unseen.size(); ++set)
+            least_m2 = std::min(least_m2, seen_m2[set] + unseen[set].base_m2 +
+                                              unseen[set].rate_m2ps * first_s);
         double& floor_m2 = m_floor_m2[static_cast<std::size_t>(block)];
         floor_m2 = std::max(floor_m2, least_m2);
     }

@@ -19,7 +19,8 @@ struct BoundWindow
 };
 
 /**
- * A lower bound of the sum of sigma over some icebergs in each block of the run, for any flight.
+ * A lower bound of the sum of sigma over some icebergs in each block of the run, for any flight of
+ * the UAVs.
  * Every call of `raise` can only raise it, and it is valid before and after each.
  */
 class GroupFloor
@@ -59,7 +60,7 @@ private:
         double perSecond = 0;
         std::vector<double> cost_m2;
     };
-    /** What is known of the ways that end having seen each set. */
+    /** What is known of the ways of one UAV that end having seen each set. */
     struct Chains
     {
         std::vector<double> soonest_s; ///< empty: the start does not matter
@@ -69,19 +70,32 @@ private:
     [[nodiscard]] std::vector<int> present(const BoundWindow& window) const;
     [[nodiscard]] Point meanVelocity_mps(const std::vector<int>& icebergs,
                                          const BoundWindow& window) const;
-    [[nodiscard]] ViewRegion region(const Enclosure& enclosure) const;
+    [[nodiscard]] ViewRegion region(const Enclosure& enclosure, const Uav& uav) const;
     [[nodiscard]] double growth_m2ps(int iceberg) const;
-    [[nodiscard]] std::optional<Chains> chainsOf(const std::vector<int>& icebergs,
-                                                 const BoundWindow& window, int perRegion,
-                                                 WorkMeter& meter) const;
+    /** By UAV. */
+    [[nodiscard]] std::optional<std::vector<Chains>> chainsOf(const std::vector<int>& icebergs,
+                                                              const BoundWindow& window,
+                                                              int perRegion,
+                                                              WorkMeter& meter) const;
     /** Adds what it takes to be there in time. */
-    void reachFromStart(Chains& chains, const ViewCells& cells, ChainPrice price,
-                        WorkMeter& meter) const;
+    static void reachFromStart(Chains& chains, const ViewCells& cells, const Point& start_m,
+                               ChainPrice price, WorkMeter& meter);
     /** What is in view at the start and ever since costs nothing: no edge was crossed. */
-    void seeAtStart(Chains& chains, const std::vector<ViewRegion>& regions) const;
+    static void seeAtStart(Chains& chains, const std::vector<ViewRegion>& regions,
+                           const Point& start_m);
+    /** By set: what it costs one UAV to have seen it by then; infinite when it cannot. Without a
+     * time: when the start does not matter. */
+    [[nodiscard]] static std::vector<double> seenBy(const Chains& chains,
+                                                    std::optional<double> time_s);
+    /** The same for all UAVs together, each iceberg being seen last by one of them. Of no use when
+     * the work is not to be done any more. */
+    [[nodiscard]] static std::vector<double>
+    sharedOut(const std::vector<Chains>& chains, std::optional<double> time_s, WorkMeter& meter);
+    /** For so many blocks `sharedOut` is asked for once. */
+    [[nodiscard]] int blocksPerLook(const BoundWindow& window) const;
     [[nodiscard]] std::vector<Unseen> unseenSets(const std::vector<int>& icebergs,
                                                  bool sinceStart) const;
-    void raiseBlocks(const BoundWindow& window, const Chains& chains,
+    void raiseBlocks(const BoundWindow& window, const std::vector<Chains>& chains,
                      const std::vector<Unseen>& unseen, WorkMeter& meter);
 
     const Scenario& m_scenario;

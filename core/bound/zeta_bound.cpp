@@ -194,16 +194,8 @@ double ZetaBound::by_m2s(double time_s) const
     return after == curve.begin() ? 0 : std::prev(after)->zeta_m2s;
 }
 
-bool hasZetaBound(const Scenario& scenario)
-{
-    return scenario.uavs.size() <= 1;
-}
-
 ZetaBound zetaLowerBound(const Scenario& scenario, const BoundOptions& options)
 {
-    if (!hasZetaBound(scenario))
-        throw Error(ErrorCode::Unsupported, "uavs",
-                    "the bound is for one UAV, there are " + std::to_string(scenario.uavs.size()));
     // Those that may leave the area may stop counting: what bounds the rest bounds them all.
     Scenario staying = scenario;
     std::erase_if(staying.icebergs,

@@ -44,9 +44,6 @@ struct ZetaBound
     [[nodiscard]] double by_m2s(double time_s) const;
 };
 
-/** Whether `zetaLowerBound` is for such scenarios: those of one UAV. */
-[[nodiscard]] bool hasZetaBound(const Scenario& scenario);
-
 /**
  * A number that zeta, Eq. (24), of no flight of this scenario is below, whatever the policy.
  *
@@ -72,9 +69,13 @@ struct ZetaBound
  * is the least over all sets, at each block of time steps, the most over windows w and refinements,
  * summed over disjoint groups of icebergs: what bounds one group says nothing of the others.
  *
+ * Several UAVs: each iceberg of the set is last seen by one of them, and what is said above of the
+ * set holds for each UAV and its share of it, in regions and times of its own. So the set costs at
+ * least the least sum of chains over all ways to share it out (subset convolution, 3^n). Windows
+ * with w > 0 take every UAV to begin anywhere, which is the weaker the more there are.
+ *
  * The same bytes for the same scenario and work limit. More work never lowers it. The scenario must
- * have no errors (`validate`). The chain is that of one UAV: throws `Error{Unsupported}` of `uavs`
- * for several.
+ * have no errors (`validate`).
  */
 [[nodiscard]] ZetaBound zetaLowerBound(const Scenario& scenario, const BoundOptions& options = {});
 

@@ -236,8 +236,8 @@ fi
 check "fleet: coverage is nothing to verify" exits 3 "$cli" plan "$fleet" --policy coverage --verify
 check "fleet: curve" exits 3 "$cli" curve "$fleet"
 check "fleet: curve: says why" says "uavs: the curve is for one UAV, there are 2"
-check "fleet: --bound" exits 3 "$cli" simulate "$fleet" --bound
-check "fleet: --bound: says why" says "uavs: --bound is for one UAV, there are 2"
+check "fleet: --bound" exits 0 "$cli" simulate "$fleet" --duration 120 --bound --json
+check "fleet: --bound: below zeta" json '0 < d["lower_bound_m2s"] < d["zeta_m2s"]'
 check "fleet: simulate" exits 0 "$cli" simulate "$fleet" --json --output fleet
 check "fleet: simulate: members" json 'list(d) == ["zeta_m2s","visits","replans","flown_m","lower_bound_m2s","seconds","uavs","closest_m"] and d["lower_bound_m2s"] is None'
 check "fleet: simulate: sums" json 'sum(u["visits"] for u in d["uavs"]) == d["visits"] and abs(sum(u["flown_m"] for u in d["uavs"]) - d["flown_m"]) < 1e-6 and all(u["visits"] > 0 for u in d["uavs"])'

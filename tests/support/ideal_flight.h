@@ -13,8 +13,8 @@
 namespace berg::test {
 
 /**
- * Flights better than any UAV's: a point that turns on the spot, may hover, knows where the
- * icebergs truly are, and has its camera at the best heading for each iceberg at the same time.
+ * Flights better than any UAVs': points that turn on the spot, may hover, know where the
+ * icebergs truly are, and have their cameras at the best heading for each iceberg at the same time.
  * Searches flights of low zeta or of low sigma at the end, and keeps the lowest sum of sigma any of
  * them had at each step.
  */
@@ -71,7 +71,8 @@ private:
         std::size_t iceberg = 0;
         Point offset_m = Point::Zero();
     };
-    using Plan = std::vector<Aim>; // flown in turn, again and again
+    using Aims = std::vector<Aim>;  // flown in turn, again and again
+    using Plan = std::vector<Aims>; // by UAV
 
     struct Flown
     {
@@ -83,9 +84,9 @@ private:
         }
     };
 
-    [[nodiscard]] bool sees(const Point& off_m) const
+    [[nodiscard]] bool sees(const Uav& uav, const Point& off_m) const
     {
-        const Point half_m = m_scenario.uavs[0].fov_m / 2;
+        const Point half_m = uav.fov_m / 2;
         switch (m_scenario.fovShape) {
         case FovShape::Body:
             return off_m.norm() <= half_m.norm();
@@ -105,13 +106,15 @@ private:
     }
     [[nodiscard]] Plan draw(Random& random) const
     {
-        Plan plan;
-        for (std::size_t i = 0; i < 2 * m_truth_m.size(); ++i)
-            plan.push_back(drawAim(random));
+        Plan plan(m_scenario.uavs.size());
+        for (Aims& aims : plan)
+            for (std::size_t i = 0; i < 2 * m_truth_m.size(); ++i)
+                aims.push_back(drawAim(random));
         return plan;
     }
-    void change(Plan& plan, Random& random) const
+    void change(Plan& all, Random& random) const
     {
+        Aims& plan = all[all.size() == 1 ? 0 : random.below(all.size())];
         const auto at = [&]() -> Aim& { return plan[random.below(plan.size())]; };
         switch (random.below(6)) {
         case 0:
@@ -137,24 +140,26 @@ private:
     Flown flown(const Plan& plan)
     {
         const double dt_s = m_scenario.dt_s;
-        const double step_m = m_scenario.uavs[0].spec.airspeed_mps * dt_s;
-        Point uav_m = m_scenario.uavs[0].position_m;
-        std::size_t next = 0;
+        std::vector<Point> uavs_m;
+        for (const Uav& uav : m_scenario.uavs)
+            uavs_m.push_back(uav.position_m);
+        std::vector<std::size_t> next(plan.size(), 0);
         Flown result;
         std::vector<double> sigma_m2;
         for (const Iceberg& iceberg : m_scenario.icebergs)
             sigma_m2.push_back(initialSigma_m2(iceberg));
         for (std::size_t k = 0; k <= m_steps; ++k) {
-            if (k > 0) {
-                const Aim& aim = plan[next % plan.size()];
-                const Point air_m =
-                    m_truth_m[aim.iceberg][k] + aim.offset_m - uav_m - m_scenario.wind_mps * dt_s;
+            for (std::size_t u = 0; k > 0 && u < plan.size(); ++u) {
+                const double step_m = m_scenario.uavs[u].spec.airspeed_mps * dt_s;
+                const Aim& aim = plan[u][next[u] % plan[u].size()];
+                const Point air_m = m_truth_m[aim.iceberg][k] + aim.offset_m - uavs_m[u] -
+                                    m_scenario.wind_mps * dt_s;
                 const bool there = air_m.norm() <= step_m;
-                uav_m += m_scenario.wind_mps * dt_s +
-                         (there ? air_m : Point(air_m * (step_m / air_m.norm())));
-                next += there ? 1 : 0;
+                uavs_m[u] += m_scenario.wind_mps * dt_s +
+                             (there ? air_m : Point(air_m * (step_m / air_m.norm())));
+                next[u] += there ? 1 : 0;
             }
-            result.lastSigma_m2 = observe(k, uav_m, sigma_m2);
+            result.lastSigma_m2 = observe(k, uavs_m, sigma_m2);
             if (k > 0) {
                 m_lowestSigma_m2[k] = std::min(m_lowestSigma_m2[k], result.lastSigma_m2);
                 result.zeta_m2s += result.lastSigma_m2 * dt_s;
@@ -165,7 +170,8 @@ private:
     }
 
     /** (22)-(23) at step k; the sum over the icebergs that have appeared. */
-    double observe(std::size_t k, const Point& uav_m, std::vector<double>& sigma_m2) const
+    double observe(std::size_t k, const std::vector<Point>& uavs_m,
+                   std::vector<double>& sigma_m2) const
     {
         double sum_m2 = 0;
         for (std::size_t i = 0; i < m_truth_m.size(); ++i) {
@@ -174,8 +180,9 @@ private:
                 sigma_m2[i] += iceberg.q_m2ps * m_scenario.dt_s;
             if (std::llround(iceberg.appears_s / m_scenario.dt_s) > static_cast<long long>(k))
                 continue;
-            if (sees(m_truth_m[i][k] - uav_m))
-                sigma_m2[i] = 0;
+            for (std::size_t u = 0; u < uavs_m.size(); ++u)
+                if (sees(m_scenario.uavs[u], m_truth_m[i][k] - uavs_m[u]))
+                    sigma_m2[i] = 0;
             sum_m2 += sigma_m2[i];
         }
         return sum_m2;

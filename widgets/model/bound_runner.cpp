@@ -84,11 +84,8 @@ void BoundRunner::setScenario(const Scenario& scenario)
     m_scenario = std::move(part);
     m_task.drop();
     m_known = {};
-    m_complete = !hasZetaBound(*m_scenario);
-    if (m_complete)
-        m_pause.stop();
-    else
-        m_pause.start();
+    m_complete = false;
+    m_pause.start();
     emit updated();
 }
 

@@ -24,7 +24,7 @@ public:
     explicit BoundRunner(QObject* parent = nullptr,
                          std::int64_t workLimit = BoundOptions().workLimit);
 
-    /** None is known of a scenario with errors, or with several UAVs. */
+    /** None is known of a scenario with errors. */
     void setScenario(const Scenario& scenario);
 
     /** Of the present scenario only. */

@@ -3,14 +3,16 @@
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
-#include "tests/support/expect_error.h"
 #include "tests/support/fleet_flight.h"
 #include "tests/support/ideal_flight.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QtTest>
 
+#include <array>
+
 using namespace berg;
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -93,6 +95,22 @@ void addFeatureRows()
                                             kOddView | kUnequal};
 }
 
+/** Two to four UAVs over it, alike or each of its own kind. */
+Scenario fleetOf(Scenario s, std::uint64_t seed)
+{
+    Random random(seed, 98);
+    const auto uavs = 2 + static_cast<int>(random.below(3));
+    s = test::withUavs(std::move(s), uavs);
+    for (Uav& uav : s.uavs) {
+        uav.position_m = {random.uniform(-800, 3500), random.uniform(-800, 3000)};
+        if (seed % 3 == 0)
+            uav.fov_m = {random.uniform(100, 900), random.uniform(300, 900)};
+        if (seed % 4 == 0)
+            uav.spec.airspeed_mps = random.uniform(18, 30);
+    }
+    return s;
+}
+
 } // namespace
 
 class TestZetaBound : public QObject
@@ -116,7 +134,10 @@ private slots:
     void sameAgain();
     void stopped();
     void stoppedOnTheWay();
-    void severalUavs();
+    void idealFleets_data() { addFeatureRows(); }
+    void idealFleets();
+    void fleetsFly();
+    void fleetsAreBoundedAsTheyShould();
     void longRun();
 };
 
@@ -319,17 +340,63 @@ void TestZetaBound::stoppedOnTheWay()
     QVERIFY(bound.zeta_m2s < boundOf(s, 400'000'000));
 }
 
-/** Two UAVs can be below what bounds one: nothing is said of them. */
-void TestZetaBound::severalUavs()
+void TestZetaBound::idealFleets()
 {
-    Scenario s = randomScenario(2, {.icebergs = 3});
-    QVERIFY(hasZetaBound(s));
-    s = test::withUavs(s, 2);
-    QVERIFY(!hasZetaBound(s));
-    const std::optional<Error> error = test::errorOf([&] { return zetaLowerBound(s).zeta_m2s; });
-    QVERIFY(error);
-    QCOMPARE(test::codeName(error->code()), "Unsupported");
-    QCOMPARE(error->subject(), "uavs");
+    QFETCH(unsigned, features);
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const Scenario s = fleetOf(drawn(seed, 3 + static_cast<int>(seed % 3), features), seed);
+        const ZetaBound bound = zetaLowerBound(s, {.workLimit = kLittleWork});
+        test::IdealFlights flights(s);
+        const double lowest_m2s = flights.search(seed, 800, seed % 2 == 0);
+        QVERIFY2(bound.zeta_m2s <= lowest_m2s,
+                 qPrintable(u"seed %1: %2 > %3"_s.arg(seed).arg(bound.zeta_m2s).arg(lowest_m2s)));
+        for (std::size_t k = 1; k < bound.curve.size(); ++k) {
+            const auto step =
+                static_cast<std::size_t>(std::llround(bound.curve[k].time_s / s.dt_s));
+            QVERIFY(bound.curve[k].sigma_m2 <= flights.lowestSigma_m2()[step] * (1 + 1e-9) + 1e-9);
+        }
+    }
+}
+
+/** 104 random fleets, each flown by every policy. */
+void TestZetaBound::fleetsFly()
+{
+    constexpr std::array kFeatures{0U, unsigned{kMoving}, unsigned{kWind | kUnequal},
+                                   unsigned{kDisk | kMoving | kAppearing}};
+    int positive = 0;
+    for (std::uint64_t seed = 1; seed <= 104; ++seed) {
+        Scenario s = fleetOf(
+            drawn(seed, 3 + static_cast<int>(seed % 4), kFeatures[seed % kFeatures.size()]), seed);
+        s.duration_s = 250;
+        const double bound_m2s = boundOf(s, 5'000'000);
+        positive += bound_m2s > 0 ? 1 : 0;
+        for (const Named<PolicyKind>& policy : kPolicyNames) {
+            s.planner.policy = policy.value;
+            Mission mission(s, {.workLimit = 10'000, .record = false});
+            mission.advance(s.duration_s);
+            QVERIFY2(
+                bound_m2s <= mission.metrics().zeta_m2s,
+                qPrintable(QString::number(seed) + u' ' + QString::fromLatin1(policy.name.data())));
+        }
+    }
+    QVERIFY2(positive > 90, qPrintable(QString::number(positive)));
+}
+
+/** More UAVs can only do better; a second one too far off to see anything is as none. */
+void TestZetaBound::fleetsAreBoundedAsTheyShould()
+{
+    Scenario s = randomScenario(2, {.icebergs = 7});
+    s.duration_s = 300;
+    double before_m2s = boundOf(s);
+    const double alone_m2s = before_m2s;
+    for (int uavs = 2; uavs <= 4; ++uavs) {
+        const double bound_m2s = boundOf(test::withUavs(s, uavs));
+        QVERIFY(0 < bound_m2s && bound_m2s < before_m2s);
+        before_m2s = bound_m2s;
+    }
+    Scenario apart = test::withUavs(s, 2);
+    apart.uavs[1].position_m = {1e5, 1e5};
+    QVERIFY(boundOf(apart) > 0.9 * alone_m2s);
 }
 
 void TestZetaBound::longRun()
