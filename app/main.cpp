@@ -99,11 +99,10 @@ berg::WindowOptions windowOptionsOf(const QCommandLineParser& parser, const Opti
     berg::WindowOptions window{.config = parser.value(options.config),
                                .screenshot = parser.value(options.screenshot)};
     if (parser.isSet(options.size)) {
-        const std::optional<QSize> size_px = sizeOf(parser.value(options.size));
-        if (!size_px)
+        window.size_px = sizeOf(parser.value(options.size));
+        if (!window.size_px)
             fault = Main::tr("--size: \"%1\" is not a size like 1920x1080.")
                         .arg(parser.value(options.size));
-        window.size_px = size_px.value_or(window.size_px);
     }
     if (parser.isSet(options.theme)) {
         const QString theme = parser.value(options.theme);

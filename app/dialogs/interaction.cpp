@@ -7,9 +7,15 @@
 #include "app/dialogs/wind_dialog.h"
 
 #include <QCoreApplication>
+#include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
 
@@ -190,9 +196,24 @@ void DialogInteraction::showError(QWidget* parent, const QString& text)
 
 void DialogInteraction::showInformation(QWidget* parent, const QString& title, const QString& html)
 {
-    QMessageBox box(QMessageBox::NoIcon, title, html, QMessageBox::Close, parent);
-    box.setTextFormat(Qt::RichText);
-    box.exec();
+    QDialog dialog(parent);
+    dialog.setWindowTitle(title);
+    auto* text = new QLabel(html);
+    text->setTextFormat(Qt::RichText);
+    text->setOpenExternalLinks(true);
+    auto* scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(text);
+    // As large as the text where the screen has room; else it scrolls.
+    const int bar_px = scroll->verticalScrollBar()->sizeHint().width();
+    scroll->setMinimumSize(
+        (text->sizeHint() + QSize(bar_px, 0)).boundedTo(dialog.screen()->availableSize() * 4 / 5));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    auto* layout = new QVBoxLayout(&dialog);
+    layout->addWidget(scroll);
+    layout->addWidget(buttons);
+    dialog.exec();
 }
 
 } // namespace berg

@@ -385,22 +385,25 @@ void Menus::updateActions()
 
 void Menus::showShortcuts()
 {
-    QString rows;
+    QStringList cells;
+    const auto add = [&](const QString& what, const QString& how) {
+        cells << u"<td>%1</td><td style='padding-left:16px; padding-right:32px'><b>%2</b></td>"_s
+                     .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
+    };
     for (const QAction* action : window().findChildren<QAction*>())
         if (!action->shortcut().isEmpty() && !action->text().isEmpty())
-            rows += u"<tr><td style='padding-right:24px'>%1</td><td><b>%2</b></td></tr>"_s.arg(
-                QString(action->text()).remove(u'&').toHtmlEscaped(),
-                action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped());
-    const auto row = [](const QString& what, const QString& how) {
-        return u"<tr><td style='padding-right:24px'>%1</td><td><b>%2</b></td></tr>"_s.arg(what,
-                                                                                          how);
-    };
-    rows += row(tr("Zoom at the cursor"), tr("wheel"));
-    rows += row(tr("Pan"), tr("middle button, or arrow keys"));
-    rows += row(tr("Nudge what is selected"), tr("arrow keys"));
-    rows += row(tr("Close what is drawn, take its last point back"), tr("Enter, Backspace"));
-    rows += row(tr("Steps of 15° while an arrow is drawn"), tr("Shift"));
-    rows += row(tr("Leave what is drawn, the tool, the selection"), tr("Esc"));
+            add(QString(action->text()).remove(u'&'),
+                action->shortcut().toString(QKeySequence::NativeText));
+    add(tr("Zoom at the cursor"), tr("wheel"));
+    add(tr("Pan"), tr("middle button, or arrow keys"));
+    add(tr("Nudge what is selected"), tr("arrow keys"));
+    add(tr("Close what is drawn, take its last point back"), tr("Enter, Backspace"));
+    add(tr("Steps of 15° while an arrow is drawn"), tr("Shift"));
+    add(tr("Leave what is drawn, the tool, the selection"), tr("Esc"));
+    const qsizetype half = (cells.size() + 1) / 2; // two beside each other
+    QString rows;
+    for (qsizetype row = 0; row < half; ++row)
+        rows += u"<tr>%1%2</tr>"_s.arg(cells[row], cells.value(row + half));
     interaction().showInformation(&window(), tr("Shortcuts"), u"<table>%1</table>"_s.arg(rows));
 }
 

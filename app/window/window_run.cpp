@@ -15,6 +15,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLibraryInfo>
+#include <QScreen>
 #include <QTextStream>
 #include <QTranslator>
 
@@ -138,6 +139,19 @@ void greet(MainWindow& window, Interaction& interaction, const QSettings& settin
     window.offerRecoveries();
 }
 
+/** As asked for; else as designed, or all of the screen where that is too small for it. */
+void giveSize(MainWindow& window, const std::optional<QSize>& size_px, bool picture)
+{
+    constexpr QSize kDesigned_px(1280, 800);
+    constexpr int kFrame_px = 40; // title of the window, at least
+    const QSize screen_px = window.screen()->availableSize();
+    window.resize(size_px.value_or(kDesigned_px));
+    if (!size_px && !picture &&
+        (screen_px.width() < kDesigned_px.width() ||
+         screen_px.height() < kDesigned_px.height() + kFrame_px))
+        window.setWindowState(Qt::WindowMaximized);
+}
+
 } // namespace
 
 void installLanguage(const QString& language)
@@ -150,7 +164,8 @@ void installLanguage(const QString& language)
     QLocale::setDefault(locale);
     if (own.load(locale, u"bergwatch"_s, u"_"_s, u":/i18n"_s))
         QCoreApplication::installTranslator(&own);
-    if (qt.load(locale, u"qtbase"_s, u"_"_s, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    if (qt.load(locale, u"qt"_s, u"_"_s, u":/i18n"_s) ||
+        qt.load(locale, u"qtbase"_s, u"_"_s, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&qt);
 }
 
@@ -174,7 +189,8 @@ int runWindow(const WindowOptions& options)
         return kBadInput;
     WindowHolder holder(workspace, interaction, settings);
     MainWindow& window = holder.window();
-    window.resize(options.size_px);
+    if (options.size_px || picture || !settings.contains(u"window/geometry"_s))
+        giveSize(window, options.size_px, picture);
     if (options.dark)
         window.applyTheme(*options.dark ? Theme::dark() : Theme::light());
     if (picture)

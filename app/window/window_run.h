@@ -10,12 +10,12 @@ namespace berg {
 /** How the window is opened. */
 struct WindowOptions
 {
-    QString scenario;   ///< file to open; empty: the default scenario
-    QString config;     ///< settings file in place of the user's own
-    QString screenshot; ///< file to render the window into, then end; empty: stay open
-    QSize size_px{1280, 800};
-    std::optional<bool> dark; ///< none: as the user chose
-    double at_s = 0;          ///< flown until then before the screenshot
+    QString scenario;             ///< file to open; empty: the default scenario
+    QString config;               ///< settings file in place of the user's own
+    QString screenshot;           ///< file to render the window into, then end; empty: stay open
+    std::optional<QSize> size_px; ///< none: as it was left, at first what fits the screen
+    std::optional<bool> dark;     ///< none: as the user chose
+    double at_s = 0;              ///< flown until then before the screenshot
 };
 
 /** Translators of one language, its own words and Qt's; empty: the system's language. */

@@ -1,3 +1,4 @@
+#include "app/dialogs/interaction.h"
 #include "app/window/main_window.h"
 #include "app/window/window_run.h"
 #include "core/io/files/scenario_json.h"
@@ -11,7 +12,11 @@
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
+#include <QScopeGuard>
+#include <QScreen>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -86,6 +91,58 @@ private slots:
             runUntil({.scenario = path(name), .config = path(u"settings.ini"_s)}, closesTheMessage),
             0);
         QVERIFY(told.contains(name));
+    }
+
+    /** A window opens as large as it was left; the options go before that. */
+    void windowKeepsItsSize()
+    {
+        const QString config = path(u"size.ini"_s);
+        const QSize left_px(1111, 766);
+        const auto open = [&](const std::optional<QSize>& asked_px, const auto& look) {
+            QSize seen_px;
+            runUntil({.config = config, .size_px = asked_px}, [&] {
+                MainWindow* window = mainWindow();
+                if (window == nullptr || !window->isVisible())
+                    return false;
+                seen_px = window->size();
+                look(*window);
+                return true;
+            });
+            return seen_px;
+        };
+        open(QSize(1000, 760), [&](MainWindow& window) {
+            window.resize(left_px);
+            window.close(); // saves it
+        });
+        const auto nothing = [](MainWindow&) {};
+        QCOMPARE(open(std::nullopt, nothing), left_px);
+        QCOMPARE(open(QSize(1300, 760), nothing), QSize(1300, 760));
+    }
+
+    /** All that Qt itself writes: buttons, the dialog for files. */
+    void ownTextsOfQtAreTranslated()
+    {
+        const auto language = qScopeGuard([] { installLanguage(u"en"_s); });
+        installLanguage(u"nb"_s);
+        const QMessageBox box(QMessageBox::NoIcon, {}, {}, QMessageBox::Cancel | QMessageBox::Yes);
+        QCOMPARE(box.button(QMessageBox::Cancel)->text(), u"Avbryt"_s);
+        QCOMPARE(box.button(QMessageBox::Yes)->text(), u"&Ja"_s);
+        const QFileDialog files;
+        QCOMPARE(files.labelText(QFileDialog::FileName), u"Fil&navn:"_s);
+    }
+
+    void longMessagesFitTheScreen()
+    {
+        const QString rows = u"<tr><td>%1</td></tr>"_s.arg(QString(2000, u'x')).repeated(300);
+        QSize seen_px;
+        QTimer::singleShot(0, this, [&] {
+            seen_px = QApplication::activeModalWidget()->size();
+            QApplication::activeModalWidget()->close();
+        });
+        DialogInteraction().showInformation(nullptr, u"Title"_s, u"<table>%1</table>"_s.arg(rows));
+        const QSize screen_px = QApplication::primaryScreen()->availableSize();
+        QVERIFY(seen_px.height() > screen_px.height() / 2);
+        QVERIFY(seen_px.height() <= screen_px.height() && seen_px.width() <= screen_px.width());
     }
 
     /** It is saved to, and after a crash offered, from other folders as well. */
