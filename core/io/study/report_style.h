@@ -49,38 +49,22 @@ tbody th { font-weight: 400; }
 tbody tr { border-bottom: 1px solid var(--grid); }
 tr.marked th, tr.marked td { font-weight: 700; }
 svg { display: block; width: 100%; height: auto; }
-svg text { font: 12px system-ui, "Segoe UI", "Noto Sans", sans-serif; fill: var(--text); }
-svg text.muted { fill: var(--muted); }
-svg text.number { font-variant-numeric: tabular-nums; }
-svg text.strong { font-weight: 700; }
-svg line, svg polyline { fill: none; stroke: var(--axis); stroke-width: 1; }
-svg .grid { stroke: var(--grid); }
-svg .most, svg .half { fill: var(--plan); fill-opacity: .13; stroke: none; }
-svg .half { fill-opacity: .2; }
-svg .mean { stroke: var(--plan); stroke-width: 2.5; stroke-linejoin: round; }
-svg .median { stroke: var(--text); stroke-dasharray: 2 3; stroke-width: 1.5; }
-svg .policy { stroke-width: 2; }
-svg .whisker { stroke: var(--text); stroke-width: 1.2; }
-svg .dot, svg .bar { fill: var(--plan); }
-svg .hollow { fill: var(--page); stroke: var(--text); stroke-width: 1.5; }
-svg line.p-visitation { stroke: var(--plan); }
-svg line.p-path { stroke: var(--path); }
-svg line.p-tour { stroke: var(--tour); }
-svg line.p-nearest { stroke: var(--nearest); }
-svg line.p-uncertainty { stroke: var(--uncertainty); }
-svg line.p-latency { stroke: var(--latency); }
-svg line.p-coverage { stroke: var(--coverage); }
-svg .policy.p-path { stroke-dasharray: 9 4; }
-svg .policy.p-tour { stroke-dasharray: 9 3 2 3; }
-svg .policy.p-nearest { stroke-dasharray: 2 3; }
-svg .policy.p-uncertainty { stroke-dasharray: 5 5; }
-svg .policy.p-latency { stroke-dasharray: 14 3; }
-svg circle.p-path { fill: var(--path); }
-svg circle.p-tour { fill: var(--tour); }
-svg circle.p-nearest { fill: var(--nearest); }
-svg circle.p-uncertainty { fill: var(--uncertainty); }
-svg circle.p-latency { fill: var(--latency); }
-svg circle.p-coverage { fill: var(--coverage); }
+svg .text { --ink: var(--text); }
+svg .muted { --ink: var(--muted); }
+svg .axis { --ink: var(--axis); }
+svg .grid { --ink: var(--grid); }
+svg .plan, svg .p-visitation { --ink: var(--plan); }
+svg .p-path { --ink: var(--path); }
+svg .p-tour { --ink: var(--tour); }
+svg .p-nearest { --ink: var(--nearest); }
+svg .p-uncertainty { --ink: var(--uncertainty); }
+svg .p-latency { --ink: var(--latency); }
+svg .p-coverage { --ink: var(--coverage); }
+svg text { font: 12px system-ui, "Segoe UI", "Noto Sans", sans-serif; fill: var(--ink);
+  font-variant-numeric: tabular-nums; }
+svg polyline { fill: none; stroke: var(--ink); stroke-linejoin: round; }
+svg polygon, svg circle { fill: var(--ink); }
+svg .hollow { fill: var(--page); stroke: var(--ink); stroke-width: 1.5; }
 @media screen { svg { min-width: 34rem; } }
 @page { size: A4; margin: 15mm 14mm; }
 @media print {

@@ -1,8 +1,7 @@
 #include "core/io/study/study_charts.h"
 
-#include "core/base/label_column.h"
+#include "core/io/figure/figure_svg.h"
 #include "core/io/results/result_csv.h"
-#include "core/io/study/svg_plot.h"
 #include "core/io/text/number_text.h"
 #include "core/plan/policy/policy.h"
 
@@ -15,8 +14,6 @@ namespace berg {
 namespace {
 
 constexpr double kWidth_px = 760;
-constexpr int kXTicks = 8;
-constexpr int kYTicks = 6;
 
 /** Settings with a tau, by tau. */
 std::vector<const SettingSummary*> byTau(const StudySummary& summary)
@@ -30,198 +27,144 @@ std::vector<const SettingSummary*> byTau(const StudySummary& summary)
     return settings;
 }
 
-std::string policyStyle(const StudySetting& setting)
+Ink inkOf(const StudySetting& setting)
 {
-    return "p-" + nameOf(kPolicyNames, setting.policy);
+    if (setting.tau)
+        return {.of = InkOf::Plan};
+    return {.of = InkOf::Policy, .value = static_cast<double>(setting.policy)};
 }
 
-/** The chart of zeta against tau. */
-class ZetaChart
+/** Policies without tau are told apart by their dashes, too. */
+std::vector<double> dashOf(PolicyKind policy)
 {
-public:
-    explicit ZetaChart(const StudySummary& summary)
-        : m_summary(summary)
-        , m_taus(byTau(summary))
-        , m_single(summary.cases.size() == 1)
-        , m_x(niceRange(*m_taus.front()->setting.tau, *m_taus.back()->setting.tau, kXTicks),
-              kFrame.left, kFrame.right)
-        , m_y(zetaRange(), kFrame.bottom, kFrame.top)
-        , m_drawing({kWidth_px, 420}, "Zeta against tau; the numbers are in the table of settings")
-    {
+    switch (policy) {
+    case PolicyKind::Path:
+        return {9, 4};
+    case PolicyKind::Tour:
+        return {9, 3, 2, 3};
+    case PolicyKind::Nearest:
+        return {2, 3};
+    case PolicyKind::Uncertainty:
+        return {5, 5};
+    case PolicyKind::Latency:
+        return {14, 3};
+    case PolicyKind::Visitation:
+    case PolicyKind::Coverage:
+        break;
     }
+    return {};
+}
 
-    std::string svg()
-    {
-        drawYAxis(m_drawing, kFrame, m_y, "ζ, m² s");
-        drawXAxis(m_drawing, kFrame, m_x, "trade-off τ", false);
-        if (!m_single)
-            drawSpread();
-        for (const SettingSummary& s : m_summary.settings)
-            if (!s.setting.tau)
-                drawPolicy(s);
-        drawCurves();
-        drawLabels();
-        return m_drawing.svg();
-    }
+PlotAxis axisFor(AxisEnds ends, double spacing_px, std::string title = {})
+{
+    return {
+        .ends = ends, .spacing_px = spacing_px, .text = printedNumber, .title = std::move(title)};
+}
 
-private:
+void include(PlotAxis& axis, double value)
+{
+    axis.least = std::min(axis.least, value);
+    axis.largest = std::max(axis.largest, value);
+}
+
+/** zeta against tau, put together. */
+struct ZetaFigure
+{
     using Value = double Summary::*;
-    struct Label
-    {
-        double y_px;
-        std::string text;
-        std::string style;
-    };
 
-    static constexpr PlotFrame kFrame{.left = 70, .top = 40, .right = 610, .bottom = 370};
+    Figure figure;
+    std::vector<const SettingSummary*> taus;
 
-    [[nodiscard]] NiceRange zetaRange() const
+    [[nodiscard]] std::vector<PlotPoint> curve(Value value) const
     {
-        double least = m_summary.settings.front().zeta_m2s.mean;
-        double largest = least;
-        const auto include = [&](double zeta_m2s) {
-            least = std::min(least, zeta_m2s);
-            largest = std::max(largest, zeta_m2s);
-        };
-        for (const SettingSummary& s : m_summary.settings) {
-            include(s.zeta_m2s.mean);
-            if (s.setting.tau) {
-                include(s.zeta_m2s.decile1);
-                include(s.zeta_m2s.decile9);
-            }
-        }
-        return niceRange(least, largest, kYTicks);
-    }
-
-    [[nodiscard]] std::vector<SvgPoint> curve(Value value) const
-    {
-        std::vector<SvgPoint> points;
-        for (const SettingSummary* s : m_taus)
-            points.push_back({m_x.at(*s->setting.tau), m_y.at(s->zeta_m2s.*value)});
+        std::vector<PlotPoint> points;
+        for (const SettingSummary* s : taus)
+            points.push_back({.x = *s->setting.tau, .y = s->zeta_m2s.*value});
         return points;
     }
-
-    void drawBand(Value low, Value high, std::string_view style)
+    void addBand(Value low, Value high, double opacity, std::string key)
     {
-        std::vector<SvgPoint> outline = curve(low);
-        const std::vector<SvgPoint> back = curve(high);
+        std::vector<PlotPoint> outline = curve(low);
+        const std::vector<PlotPoint> back = curve(high);
         outline.insert(outline.end(), back.rbegin(), back.rend());
-        m_drawing.polygon(outline, style);
+        figure.areas.push_back({.outline = std::move(outline),
+                                .ink = {.of = InkOf::Plan},
+                                .opacity = opacity,
+                                .key = std::move(key)});
     }
-
-    /** The label of a curve that ends at the largest tau. */
-    void labelCurve(Value value, std::string text, std::string style)
+    void addLabel(double zeta_m2s, std::string text, const Ink& ink)
     {
-        m_labels.push_back(
-            {m_y.at(m_taus.back()->zeta_m2s.*value), std::move(text), std::move(style)});
+        figure.labels.push_back(
+            {.text = std::move(text), .end = {kPlotEdge, zeta_m2s}, .ink = ink});
     }
-
-    void drawSpread()
+    /** Of a curve that ends at the largest tau. */
+    void labelCurve(Value value, std::string text, InkOf ink = InkOf::Muted)
     {
-        drawBand(&Summary::decile1, &Summary::decile9, "most");
-        drawBand(&Summary::quartile1, &Summary::quartile3, "half");
-        m_drawing.polyline(curve(&Summary::median), "median");
-        labelCurve(&Summary::decile9, "90 % of cases below", "muted");
-        labelCurve(&Summary::quartile3, "75 %", "muted");
-        labelCurve(&Summary::median, "median", "muted");
-        labelCurve(&Summary::quartile1, "25 %", "muted");
-        labelCurve(&Summary::decile1, "10 %", "muted");
+        addLabel(taus.back()->zeta_m2s.*value, std::move(text), {.of = ink});
     }
-
-    void drawPolicy(const SettingSummary& s)
+    void addSpread()
     {
-        const double y = m_y.at(s.zeta_m2s.mean);
-        const std::string style = policyStyle(s.setting);
-        m_drawing.line({kFrame.left, y}, {kFrame.right, y}, "policy " + style);
-        m_labels.push_back({y, settingName(s.setting), style});
+        addBand(&Summary::decile1, &Summary::decile9, 0.13, "most");
+        addBand(&Summary::quartile1, &Summary::quartile3, 0.2, "half");
+        figure.lines.push_back({.points = curve(&Summary::median),
+                                .width_px = 1.5,
+                                .dash_px = {2, 3},
+                                .key = "median"});
+        labelCurve(&Summary::decile9, "90 % of cases below");
+        labelCurve(&Summary::quartile3, "75 %");
+        labelCurve(&Summary::median, "median");
+        labelCurve(&Summary::quartile1, "25 %");
+        labelCurve(&Summary::decile1, "10 %");
     }
-
-    void drawCurves()
+    void addPolicy(const SettingSummary& s)
     {
-        m_drawing.polyline(curve(&Summary::mean), "mean");
-        labelCurve(&Summary::mean, m_single ? "visitation" : "mean, visitation", "p-visitation");
+        const double zeta_m2s = s.zeta_m2s.mean;
+        include(figure.y, zeta_m2s);
+        figure.lines.push_back({.points = {{-kPlotEdge, zeta_m2s}, {kPlotEdge, zeta_m2s}},
+                                .ink = inkOf(s.setting),
+                                .width_px = 2,
+                                .dash_px = dashOf(s.setting.policy)});
+        addLabel(zeta_m2s, settingName(s.setting), inkOf(s.setting));
+    }
+    void addMean(bool isSingle)
+    {
+        figure.lines.push_back({.points = curve(&Summary::mean),
+                                .ink = {.of = InkOf::Plan},
+                                .width_px = 2.5,
+                                .key = "mean"});
+        labelCurve(&Summary::mean, isSingle ? "visitation" : "mean, visitation", InkOf::Plan);
         constexpr std::size_t kMostDots = 60;
-        if (m_taus.size() > kMostDots)
-            return;
-        const int decimals = decimalsFor(m_taus.front()->zeta_m2s.mean, 5);
-        for (const SettingSummary* s : m_taus)
-            m_drawing.circle({m_x.at(*s->setting.tau), m_y.at(s->zeta_m2s.mean)}, 3, "dot",
-                             settingName(s->setting) + ": " +
-                                 printedNumber(s->zeta_m2s.mean, decimals) + " m² s");
-    }
-
-    /** Beside the plot, moved apart, with a line to what they belong to. */
-    void drawLabels()
-    {
-        std::vector<double> wanted;
-        for (const Label& label : m_labels)
-            wanted.push_back(label.y_px);
-        const std::vector<double> places = spreadLabels(
-            wanted, {.top = kFrame.top - 12, .bottom = kFrame.bottom + 12, .spacing = 15});
-        for (std::size_t i = 0; i < m_labels.size(); ++i) {
-            const Label& label = m_labels[i];
-            m_drawing.line({kFrame.right + 2, label.y_px}, {kFrame.right + 16, places[i]},
-                           "leader " + label.style);
-            m_drawing.text({kFrame.right + 20, places[i]}, label.text,
-                           label.style == "muted" ? "muted" : "");
+        const int decimals = decimalsFor(taus.front()->zeta_m2s.mean, 5);
+        for (const SettingSummary* s : taus) {
+            for (const Value value : {&Summary::decile1, &Summary::mean, &Summary::decile9})
+                include(figure.y, s->zeta_m2s.*value);
+            if (taus.size() <= kMostDots)
+                figure.marks.push_back({.at = {*s->setting.tau, s->zeta_m2s.mean},
+                                        .ink = {.of = InkOf::Plan},
+                                        .tip = settingName(s->setting) + ": " +
+                                               printedNumber(s->zeta_m2s.mean, decimals) +
+                                               " m² s"});
         }
     }
-
-    const StudySummary& m_summary;
-    std::vector<const SettingSummary*> m_taus;
-    bool m_single;
-    PlotScale m_x;
-    PlotScale m_y;
-    SvgDrawing m_drawing;
-    std::vector<Label> m_labels;
 };
 
-/** Range of the intervals that are drawn, 0 included, in percent. */
-NiceRange differenceRange(const StudySummary& summary, const std::vector<std::size_t>& drawn)
-{
-    double least = 0;
-    double largest = 0;
-    for (const std::size_t i : drawn) {
-        least = std::min(least, 100 * summary.differences[i].relative.low);
-        largest = std::max(largest, 100 * summary.differences[i].relative.high);
-    }
-    return niceRange(least, largest, kXTicks);
-}
-
-void drawDifference(SvgDrawing& drawing, const PlotScale& x, double y,
-                    const PairedDifference& difference, bool isReference)
+/** Mean of the cases with its interval, in row `row`. */
+void addDifference(Figure& figure, double row, const PairedDifference& difference)
 {
     const MeanInterval& change = difference.relative;
-    const std::string name = settingName(difference.setting);
-    drawing.text({150, y}, isReference ? name + " (reference)" : name, isReference ? "strong" : "",
-                 TextAnchor::End);
-    const double mean_px = x.at(100 * change.mean);
-    if (isReference) {
-        drawing.circle({mean_px, y}, 4, "hollow", {});
-        return;
+    const auto line = [&](const PlotPoint& from, const PlotPoint& to) {
+        figure.lines.push_back({.points = {from, to}, .width_px = 1.2});
+    };
+    line({100 * change.low, row}, {100 * change.high, row});
+    for (const double end : {100 * change.low, 100 * change.high}) {
+        include(figure.x, end);
+        line({end, row, 0, -4}, {end, row, 0, 4});
     }
-    const double low_px = x.at(100 * change.low);
-    const double high_px = x.at(100 * change.high);
-    drawing.line({low_px, y}, {high_px, y}, "whisker");
-    for (const double end_px : {low_px, high_px})
-        drawing.line({end_px, y - 4}, {end_px, y + 4}, "whisker");
-    drawing.circle({mean_px, y}, 4, "dot " + policyStyle(difference.setting), {});
-    drawing.text({kWidth_px - 4, y},
-                 signedNumber(100 * change.mean, 1) + " %  [" + signedNumber(100 * change.low, 1) +
-                     ", " + signedNumber(100 * change.high, 1) + "]",
-                 "number", TextAnchor::End);
-}
-
-/** Whole numbers from 0. */
-NiceRange countRange(int most)
-{
-    constexpr int kSteps = 5;
-    if (most <= kSteps)
-        return {.first = 0, .step = 1, .count = most};
-    NiceTicks ticks = niceTicks(most, kSteps);
-    if (ticks.decimals() > 0) // 2.5
-        ticks = niceTicks(most, kSteps - 2);
-    return {.first = 0, .step = ticks.step, .count = ticks.count};
+    figure.marks.push_back(
+        {.at = {100 * change.mean, row}, .radius_px = 4, .ink = inkOf(difference.setting)});
+    figure.y.rowEnds.back() = signedNumber(100 * change.mean, 1) + " %  [" +
+                              signedNumber(100 * change.low, 1) + ", " +
+                              signedNumber(100 * change.high, 1) + "]";
 }
 
 } // namespace
@@ -236,9 +179,25 @@ std::string settingName(const StudySetting& setting)
 
 std::string zetaChart(const StudySummary& summary)
 {
-    if (summary.cases.empty() || byTau(summary).size() < 2)
+    ZetaFigure zeta{.figure = {}, .taus = byTau(summary)};
+    if (summary.cases.empty() || zeta.taus.size() < 2)
         return {};
-    return ZetaChart(summary).svg();
+    const bool isSingle = summary.cases.size() == 1;
+    Figure& figure = zeta.figure;
+    figure.name = "Zeta against tau; the numbers are in the table of settings";
+    figure.leftTitles = {"ζ, m² s"};
+    figure.x = axisFor(AxisEnds::Round, 66, "trade-off τ");
+    figure.x.least = *zeta.taus.front()->setting.tau;
+    figure.x.largest = *zeta.taus.back()->setting.tau;
+    figure.y = axisFor(AxisEnds::Round, 54);
+    figure.y.least = figure.y.largest = zeta.taus.front()->zeta_m2s.mean;
+    if (!isSingle)
+        zeta.addSpread();
+    for (const SettingSummary& s : summary.settings)
+        if (!s.setting.tau)
+            zeta.addPolicy(s);
+    zeta.addMean(isSingle);
+    return figureSvg(figure, kWidth_px, 420);
 }
 
 std::vector<std::size_t> drawnDifferences(const StudySummary& summary)
@@ -261,23 +220,29 @@ std::string differenceChart(const StudySummary& summary)
     if (summary.cases.size() < 2 || summary.settings.size() < 2)
         return {};
     constexpr double kRow_px = 18;
+    constexpr double kAround_px = 60; // above and below the rows
     const std::vector<std::size_t> drawn = drawnDifferences(summary);
-    const double height_px = kRow_px * static_cast<double>(drawn.size());
-    const PlotFrame frame{.left = 165, .top = 10, .right = 590, .bottom = 10 + height_px};
-    const PlotScale x(differenceRange(summary, drawn), frame.left, frame.right);
-    SvgDrawing drawing({kWidth_px, frame.bottom + 50},
-                       "Differences to the reference; the numbers are in the table of differences");
-    drawXAxis(drawing, frame, x,
-              "mean difference of ζ to " +
-                  settingName(summary.settings[summary.reference].setting) + ", %",
-              true);
-    drawing.line({x.at(0), frame.top}, {x.at(0), frame.bottom}, "axis");
-    double y = frame.top + kRow_px / 2;
+    Figure figure;
+    figure.name = "Differences to the reference; the numbers are in the table of differences";
+    figure.x = axisFor(AxisEnds::Round, 52,
+                       "mean difference of ζ to " +
+                           settingName(summary.settings[summary.reference].setting) + ", %");
+    figure.x.largest = 0;
+    figure.y = {.ends = AxisEnds::Rows, .hasGrid = false};
+    figure.lines.push_back(
+        {.points = {{0, -kPlotEdge}, {0, kPlotEdge}}, .ink = {.of = InkOf::Axis}});
     for (const std::size_t i : drawn) {
-        drawDifference(drawing, x, y, summary.differences[i], i == summary.reference);
-        y += kRow_px;
+        const auto row = static_cast<double>(figure.y.rows.size());
+        figure.y.rows.push_back(settingName(summary.settings[i].setting));
+        figure.y.rowEnds.emplace_back();
+        if (i != summary.reference) {
+            addDifference(figure, row, summary.differences[i]);
+            continue;
+        }
+        figure.y.rows.back() += " (reference)";
+        figure.marks.push_back({.at = {0, row}, .radius_px = 4, .isHollow = true});
     }
-    return drawing.svg();
+    return figureSvg(figure, kWidth_px, kRow_px * static_cast<double>(drawn.size()) + kAround_px);
 }
 
 std::string bestTauChart(const StudySummary& summary)
@@ -287,29 +252,36 @@ std::string bestTauChart(const StudySummary& summary)
     std::map<double, int> counts;
     for (const SettingSummary* s : byTau(summary))
         counts[*s->setting.tau] = 0;
-    int most = 0;
     for (const double tau : summary.bestTau->byCase)
-        most = std::max(most, ++counts[tau]);
-
-    const PlotFrame frame{.left = 70, .top = 40, .right = 740, .bottom = 210};
-    constexpr double kInset_px = 24; // room for half a bar
-    const PlotScale x(niceRange(counts.begin()->first, counts.rbegin()->first, kXTicks),
-                      frame.left + kInset_px, frame.right - kInset_px);
-    const PlotScale y(countRange(most), frame.bottom, frame.top);
-    double gap_px = 40;
+        ++counts[tau];
+    Figure figure;
+    figure.name = "Cases in which each tau is the best";
+    figure.leftTitles = {"cases"};
+    figure.x = axisFor(AxisEnds::Round, 80, "τ of the lowest ζ of a case");
+    figure.x.least = counts.begin()->first;
+    figure.x.largest = counts.rbegin()->first;
+    figure.x.inset_px = 24; // room for half a bar
+    figure.y = axisFor(AxisEnds::Around0, 34);
+    figure.y.isWhole = true;
+    constexpr double kPlot_px = 640;
+    double half_px = 16;
     for (auto at = counts.begin(); std::next(at) != counts.end(); ++at)
-        gap_px = std::min(gap_px, x.at(std::next(at)->first) - x.at(at->first));
-    const double width_px = std::max(1.5, 0.8 * gap_px);
-
-    SvgDrawing drawing({kWidth_px, frame.bottom + 50}, "Cases in which each tau is the best");
-    drawYAxis(drawing, frame, y, "cases");
-    for (const auto& [tau, count] : counts)
+        half_px = std::min(half_px, 0.4 * kPlot_px * (std::next(at)->first - at->first) /
+                                        (figure.x.largest - figure.x.least));
+    half_px = std::max(0.75, half_px);
+    for (const auto& [tau, count] : counts) {
+        include(figure.y, count);
+        const double top = count;
         if (count > 0)
-            drawing.rect({x.at(tau) - width_px / 2, y.at(count)},
-                         {width_px, frame.bottom - y.at(count)}, "bar",
-                         settingName({.tau = tau}) + ": " + std::to_string(count));
-    drawXAxis(drawing, frame, x, "τ of the lowest ζ of a case", false);
-    return drawing.svg();
+            figure.areas.push_back(
+                {.outline = {{tau, 0, -half_px},
+                             {tau, top, -half_px},
+                             {tau, top, half_px},
+                             {tau, 0, half_px}},
+                 .ink = {.of = InkOf::Plan},
+                 .tip = settingName({.tau = tau}) + ": " + std::to_string(count)});
+    }
+    return figureSvg(figure, kWidth_px, 260);
 }
 
 } // namespace berg

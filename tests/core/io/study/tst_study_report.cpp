@@ -119,7 +119,7 @@ Page parsed(const std::string& html)
 /** Points of the first element of this class. */
 QList<QPointF> pointsOf(const std::string& html, const QString& style)
 {
-    const QRegularExpression element(u"class=\"%1\" points=\"([^\"]*)\""_s.arg(style));
+    const QRegularExpression element(u"class=\"%1 [a-z-]*\" points=\"([^\"]*)\""_s.arg(style));
     QList<QPointF> points;
     const QString all = element.match(QString::fromStdString(html)).captured(1);
     for (const QString& pair : all.split(' ', Qt::SkipEmptyParts))
