@@ -43,9 +43,9 @@ struct ResultWindow : WindowFixture
     {
         trigger(u"studyAction"_s);
         auto& chart = test::child<StudyChart>(window(), u"studyChart"_s);
-        for (const SettingSpot& spot : chart.spots())
-            if (spot.setting == setting)
-                QTest::mouseClick(&chart, Qt::LeftButton, {}, spot.at.toPoint());
+        for (const DrawnItem& item : chart.drawing().items)
+            if (item.of.id == setting)
+                QTest::mouseClick(&chart, Qt::LeftButton, {}, toQt(item.at).toPoint());
         test::child<QTableView>(window(), u"studyCases"_s).selectRow(row);
         press(u"openStudyRun"_s);
     }

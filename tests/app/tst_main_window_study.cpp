@@ -48,9 +48,9 @@ struct StudyWindow : WindowFixture
     void openRun(std::size_t setting, int row)
     {
         auto& chart = get<StudyChart>(u"studyChart"_s);
-        for (const SettingSpot& spot : chart.spots())
-            if (spot.setting == setting)
-                QTest::mouseClick(&chart, Qt::LeftButton, {}, spot.at.toPoint());
+        for (const DrawnItem& item : chart.drawing().items)
+            if (item.of.id == setting)
+                QTest::mouseClick(&chart, Qt::LeftButton, {}, toQt(item.at).toPoint());
         get<QTableView>(u"studyCases"_s).selectRow(row);
         click(u"openStudyRun"_s);
     }
@@ -145,7 +145,7 @@ private slots:
         w.click(u"startStudy"_s);
         QVERIFY(w.until([&] { return w.study().isComplete(); }));
         QCOMPARE(w.study().count(), std::size_t{6}); // tau 0 .. 4 and the shortest path
-        QCOMPARE(w.get<StudyChart>(u"studyChart"_s).spots().size(), std::size_t{6});
+        QCOMPARE(w.get<StudyChart>(u"studyChart"_s).drawing().items.size(), std::size_t{6});
     }
 
     void reportTableAndPictureAreWritten()
@@ -240,7 +240,7 @@ private slots:
         const MainWindow* before = &w.window();
         w.trigger(u"view/language-nb"_s);
         QVERIFY(w.until([&] { return &w.window() != before; }));
-        QCOMPARE(w.get<StudyChart>(u"studyChart"_s).spots().size(), std::size_t{4});
+        QCOMPARE(w.get<StudyChart>(u"studyChart"_s).drawing().items.size(), std::size_t{4});
         before = &w.window();
         w.trigger(u"view/language-en"_s);
         QVERIFY(w.until([&] { return &w.window() != before; }));

@@ -1,11 +1,7 @@
 #pragma once
 
-#include "widgets/charts/chart_frame.h"
+#include "widgets/charts/figure_view.h"
 #include "widgets/model/run_list.h"
-
-#include <QWidget>
-
-#include <optional>
 
 namespace berg {
 
@@ -14,7 +10,7 @@ namespace berg {
  * other one in that of comparisons, named where they end; between them the difference is shaded,
  * plain where the reference has less and hatched where the other one has. Less is better.
  */
-class ComparisonChart : public QWidget
+class ComparisonChart : public FigureView
 {
     Q_OBJECT
 
@@ -23,43 +19,20 @@ public:
 
     /** None: says how to get two runs. */
     void setComparison(const std::optional<RunComparison>& comparison);
-    void setTheme(const Theme& theme);
-    /** Without it the plot has its room: for a chart inside something that has a title. */
-    void setTitleShown(bool shown);
     /** The instant shown on the map; none: no cursor. */
     void setCursor_s(std::optional<double> time_s);
 
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
-
-    /** Place of a value in the widget, pixels. */
-    [[nodiscard]] QPointF toView(double time_s, double zeta_m2s) const;
-    /** Direct labels as shown, for tests. */
-    [[nodiscard]] const std::vector<ChartLabel>& labels() const { return m_frame.labels; }
-    /** Who is ahead, in words, as shown; empty: nothing is compared. */
-    [[nodiscard]] const QString& verdict() const { return m_frame.rightTitle; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 130}; }
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
+    [[nodiscard]] Figure figure() const override;
 
 private:
-    void layOut();
-    void setAxes();
-    void placeLabels();
-    void setVerdict();
-    [[nodiscard]] ChartLabel labelInPlot(const ComparedRun& run, const ComparedRun& beside) const;
-    [[nodiscard]] bool endsAtMargin(const ComparedRun& run) const;
-    void paintDifference(QPainter& painter) const;
-    [[nodiscard]] QPolygonF polygon(const ComparedRun& run) const;
+    void addRun(Figure& figure, const ComparedRun& run, const QList<QPointF>& line,
+                InkOf ink) const;
 
-    Theme m_theme;
     std::optional<RunComparison> m_comparison;
-    bool m_titleShown = true;
     std::optional<double> m_cursor_s;
-    double m_duration_s = 1; ///< ends of the axes
-    double m_zetaEnd_m2s = 1;
-    ChartFrame m_frame;
 };
 
 /** "Tour has 8.0 % more than τ 1.00": the other run beside the reference at the common time. */

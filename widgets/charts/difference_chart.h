@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/base/nice_ticks.h"
-#include "widgets/charts/study_picture.h"
+#include "widgets/charts/study_chart.h"
 
 namespace berg {
 
@@ -16,23 +15,12 @@ class DifferenceChart : public StudyPicture
 public:
     explicit DifferenceChart(const Theme& theme, QWidget* parent = nullptr);
 
-    [[nodiscard]] QStringList readout(std::size_t setting) const override;
-    [[nodiscard]] const std::vector<DifferenceRow>& rows() const { return m_rows; }
-
 protected:
-    void layOut() override;
-    void paintContent(QPainter& painter) const override;
+    [[nodiscard]] Figure figure() const override;
 
 private:
-    void fillTitles();
-    void setAxis();
-    void setTicks();
-    [[nodiscard]] double x_px(double share) const;
-    [[nodiscard]] double y_px(std::size_t row) const;
-    void paintRow(QPainter& painter, std::size_t row) const;
-
-    std::vector<DifferenceRow> m_rows;
-    NiceTicks m_ticks; ///< per cent
+    void addRow(Figure& figure, const DifferenceRow& row) const;
+    [[nodiscard]] std::vector<std::string> readout(std::size_t setting) const;
 };
 
 } // namespace berg

@@ -1,13 +1,9 @@
 #pragma once
 
 #include "core/study/benchmark.h"
-#include "widgets/charts/chart_frame.h"
-#include "widgets/theme/theme.h"
-
-#include <QWidget>
+#include "widgets/charts/figure_view.h"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace berg {
@@ -44,7 +40,7 @@ struct SolveTimeLine
  * the median of each solver with a marker at each size, hollow where the budget cut some, the worst
  * dashed; average and worst of the paper's CPLEX in grey. Lines are labelled where they end.
  */
-class SolveTimeChart : public QWidget
+class SolveTimeChart : public FigureView
 {
     Q_OBJECT
 
@@ -52,40 +48,19 @@ public:
     explicit SolveTimeChart(const Theme& theme, QWidget* parent = nullptr);
 
     void setRows(const std::vector<BenchmarkRow>& rows);
-    void setTheme(const Theme& theme);
 
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
-
-    /** Place of a time in the widget, pixels. */
-    [[nodiscard]] QPointF toView(double icebergs, double time_s) const;
-    /** What the marker at a place stands for, for its tooltip; empty where there is none. */
-    [[nodiscard]] QString pointText(const QPointF& at) const;
-    /** Direct labels as shown, for tests. */
-    [[nodiscard]] const std::vector<ChartLabel>& labels() const { return m_frame.labels; }
-    /** Numbers at the time axis, for tests. */
-    [[nodiscard]] const std::vector<ChartTick>& timeTicks() const { return m_frame.left; }
+    [[nodiscard]] QSize sizeHint() const override { return {760, 420}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {280, 200}; }
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-    bool event(QEvent* event) override;
+    [[nodiscard]] Figure figure() const override;
 
 private:
-    void layOut();
-    void setRange();
-    void setTicks();
-    void placeLabels();
-    void placeLabel(ChartLabel label, std::span<const QPolygonF> lines);
-    void paintLine(QPainter& painter, const SolveTimeLine& line) const;
-    [[nodiscard]] QPolygonF polygon(const SolveTimeLine& line, bool worst) const;
+    void addLine(Figure& figure, const SolveTimeLine& line) const;
+    [[nodiscard]] std::vector<std::string> readout(const SolveTimeLine& line,
+                                                   const SolveTimePoint& point) const;
 
-    Theme m_theme;
     std::vector<SolveTimeLine> m_lines;
-    double m_mostIcebergs = 20;
-    double m_lowest = -6; ///< powers of ten of a second at the ends of the axis
-    double m_highest = 5;
-    ChartFrame m_frame;
 };
 
 } // namespace berg

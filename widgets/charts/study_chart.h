@@ -1,9 +1,36 @@
 #pragma once
 
-#include "core/base/nice_ticks.h"
-#include "widgets/charts/study_picture.h"
+#include "widgets/charts/figure_view.h"
+#include "widgets/charts/study_content.h"
+#include "widgets/model/study_runner.h"
 
 namespace berg {
+
+/** What the figures of a study have in common: their items are its settings. */
+class StudyPicture : public FigureView
+{
+    Q_OBJECT
+
+public:
+    using FigureView::FigureView;
+
+    /** Null: none yet. */
+    void setResult(const StudyPointer& result);
+    [[nodiscard]] QSize sizeHint() const override { return {720, 320}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {360, 190}; }
+
+protected:
+    [[nodiscard]] const StudySummary& summary() const { return m_result->summary; }
+    [[nodiscard]] bool hasCases() const { return m_result && !m_result->summary.cases.empty(); }
+    [[nodiscard]] bool hasSpread() const { return summary().cases.size() > 1; }
+    [[nodiscard]] QString nameOfSetting(std::size_t setting) const;
+    [[nodiscard]] QString nameOfReference() const { return nameOfSetting(summary().reference); }
+    /** With "Grand Banks, 100 cases", what was flown, as title; without cases with `emptyText`. */
+    [[nodiscard]] Figure titled(const QString& name, const QString& emptyText) const;
+
+private:
+    StudyPointer m_result;
+};
 
 /**
  * zeta against tau, as Figure 4 of the paper: mean with a band between the quartiles, median
@@ -17,33 +44,15 @@ class StudyChart : public StudyPicture
 public:
     explicit StudyChart(const Theme& theme, QWidget* parent = nullptr);
 
-    [[nodiscard]] QStringList readout(std::size_t setting) const override;
-    /** Place of a point of the curve, pixels. */
-    [[nodiscard]] QPointF toView(double tau, double zeta_m2s) const;
-
 protected:
-    void layOut() override;
-    void paintContent(QPainter& painter) const override;
+    [[nodiscard]] Figure figure() const override;
 
 private:
-    void fillTitles();
-    void setPlot();
-    void setTicks();
-    void setSpots();
-    void placeLabels();
-    [[nodiscard]] QString labelOf(const ZetaPoint& policy) const;
-    [[nodiscard]] double slot_px(std::size_t policy) const;
-    [[nodiscard]] bool hasSpread() const { return m_content.cases > 1; }
-    [[nodiscard]] QPolygonF curve(double Summary::*value) const;
-    void paintPolicies(QPainter& painter) const;
-    void paintCurve(QPainter& painter) const;
-    void paintReference(QPainter& painter) const;
-
-    ZetaContent m_content;
-    NiceRange m_axis;
-    QRectF m_curveArea; ///< part of the plot that tau spans
-    double m_lowTau = 0;
-    double m_highTau = 1;
+    void addTitles(Figure& figure, const ZetaContent& content) const;
+    void addCurve(Figure& figure, const ZetaContent& content) const;
+    void addPolicies(Figure& figure, const ZetaContent& content) const;
+    void addItem(Figure& figure, std::size_t setting, const PlotPoint& at) const;
+    [[nodiscard]] std::vector<std::string> readout(std::size_t setting) const;
 };
 
 } // namespace berg

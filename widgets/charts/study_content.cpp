@@ -1,19 +1,13 @@
 #include "widgets/charts/study_content.h"
 
+#include "widgets/charts/figure_painter.h"
 #include "widgets/model/compared_run.h"
-
-#include <QPainter>
-#include <QPolygonF>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 
 namespace berg {
 namespace {
-
-constexpr double kGap_px = 1.2; ///< of the chart's colour round a mark
 
 struct PolicyColour
 {
@@ -30,18 +24,25 @@ constexpr std::array kColours{
     PolicyColour{PolicyKind::Coverage, 0xff00805d, 0xff2cc29a},    // bluish green
 };
 
-/** A regular polygon, its first corner `turn_rad` from straight up; `inner` < 1: a star. */
-QPolygonF corners(const QPointF& at, double radius_px, int count, double turn_rad = 0,
-                  double inner = 1)
+MarkShape shapeOf(PolicyKind policy)
 {
-    QPolygonF polygon;
-    const int points = inner < 1 ? 2 * count : count;
-    for (int k = 0; k < points; ++k) {
-        const double angle = turn_rad + 2 * std::numbers::pi * k / points;
-        const double away_px = inner < 1 && k % 2 == 1 ? inner * radius_px : radius_px;
-        polygon << at + away_px * QPointF(std::sin(angle), -std::cos(angle));
+    switch (policy) {
+    case PolicyKind::Visitation:
+        return MarkShape::Disk;
+    case PolicyKind::Path:
+        return MarkShape::Diamond;
+    case PolicyKind::Tour:
+        return MarkShape::Square;
+    case PolicyKind::Nearest:
+        return MarkShape::Triangle;
+    case PolicyKind::Uncertainty:
+        return MarkShape::TriangleDown;
+    case PolicyKind::Latency:
+        return MarkShape::Hexagon;
+    case PolicyKind::Coverage:
+        return MarkShape::Star;
     }
-    return polygon;
+    return MarkShape::Disk;
 }
 
 ZetaPoint pointOf(const StudySummary& summary, std::size_t setting, const QLocale& locale)
@@ -95,34 +96,12 @@ QColor policyColour(PolicyKind policy, const Theme& theme)
     return theme.plan;
 }
 
-void paintPolicyMark(QPainter& painter, const QPointF& at, double radius_px, PolicyKind policy,
-                     const Theme& theme)
+PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px)
 {
-    painter.setPen(QPen(theme.chart, kGap_px));
-    painter.setBrush(policyColour(policy, theme));
-    switch (policy) {
-    case PolicyKind::Visitation:
-        painter.drawEllipse(at, radius_px, radius_px);
-        return;
-    case PolicyKind::Path:
-        painter.drawPolygon(corners(at, 1.25 * radius_px, 4));
-        return;
-    case PolicyKind::Tour:
-        painter.drawPolygon(corners(at, 1.25 * radius_px, 4, std::numbers::pi / 4));
-        return;
-    case PolicyKind::Nearest:
-        painter.drawPolygon(corners(at, 1.3 * radius_px, 3));
-        return;
-    case PolicyKind::Uncertainty:
-        painter.drawPolygon(corners(at, 1.3 * radius_px, 3, std::numbers::pi));
-        return;
-    case PolicyKind::Latency:
-        painter.drawPolygon(corners(at, 1.15 * radius_px, 6));
-        return;
-    case PolicyKind::Coverage:
-        painter.drawPolygon(corners(at, 1.5 * radius_px, 5, 0, 0.5));
-        return;
-    }
+    return {.at = at,
+            .radius_px = radius_px,
+            .ink = {.of = InkOf::Policy, .value = static_cast<double>(policy)},
+            .shape = shapeOf(policy)};
 }
 
 QPixmap policyMark(PolicyKind policy, const Theme& theme, int size_px)
@@ -133,7 +112,8 @@ QPixmap policyMark(PolicyKind policy, const Theme& theme, int size_px)
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintPolicyMark(painter, {size_px / 2.0, size_px / 2.0}, size_px / 3.0, policy, theme);
+    paintMark(painter, {size_px / 2.0, size_px / 2.0}, policyMark(policy, {}, size_px / 3.0),
+              theme);
     return pixmap;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/figure/figure.h"
 #include "core/study/study_summary.h"
 #include "widgets/theme/theme.h"
 
@@ -18,9 +19,8 @@ namespace berg {
 /** Okabe-Ito, darkened or lightened to at least 3 : 1 on the chart; visitation as its plan. */
 [[nodiscard]] QColor policyColour(PolicyKind policy, const Theme& theme);
 
-/** Paints the mark of a policy, a shape of its own, filled in its colour. */
-void paintPolicyMark(QPainter& painter, const QPointF& at, double radius_px, PolicyKind policy,
-                     const Theme& theme);
+/** The mark of a policy, a shape of its own in its colour. */
+[[nodiscard]] PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px);
 
 /** The mark of a policy on nothing, for lists; sharp on screens of high density. */
 [[nodiscard]] QPixmap policyMark(PolicyKind policy, const Theme& theme, int size_px);

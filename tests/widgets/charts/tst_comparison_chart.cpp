@@ -8,6 +8,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+QPointF viewOf(const FigureView& chart, double time_s, double zeta_m2s)
+{
+    return toQt(chart.drawing().at({time_s, zeta_m2s}));
+}
+
 struct Fixture
 {
     ComparisonChart chart{Theme::light()};
@@ -24,8 +29,8 @@ struct Fixture
     {
         const QImage grabbed = image();
         int found = 0;
-        for (int x = static_cast<int>(chart.toView(from_s, 0).x());
-             x < static_cast<int>(chart.toView(to_s, 0).x()); ++x)
+        for (int x = static_cast<int>(viewOf(chart, from_s, 0).x());
+             x < static_cast<int>(viewOf(chart, to_s, 0).x()); ++x)
             for (int y = 0; y < grabbed.height(); ++y)
                 found += grabbed.pixelColor(x, y).rgb() == colour.rgb() ? 1 : 0;
         return found;
@@ -48,8 +53,8 @@ private slots:
     {
         ComparisonChart chart(Theme::dark());
         chart.resize(480, 210);
-        QVERIFY(chart.labels().empty());
-        QVERIFY(chart.verdict().isEmpty());
+        QVERIFY(chart.drawing().labels.empty());
+        QVERIFY(chart.drawing().rightTitle.empty());
         QVERIFY(!chart.accessibleDescription().isEmpty());
         QCOMPARE(chart.grab().toImage().pixelColor(1, 1).rgb(), Theme::dark().chart.rgb());
     }
@@ -57,16 +62,16 @@ private slots:
     void linesEndWithTheirNames()
     {
         Fixture f(test::comparisonOf({0, 40, 80, 100}, {0, 50, 100, 120}));
-        QCOMPARE(f.chart.labels().size(), std::size_t{2});
-        const ChartLabel& reference = f.chart.labels()[0];
-        const ChartLabel& other = f.chart.labels()[1];
-        QCOMPARE(reference.text, u"τ 1.00"_s);
-        QCOMPARE(other.text, u"Tour"_s);
-        QCOMPARE(reference.colour, Theme::light().accumulated);
-        QCOMPARE(other.colour, Theme::light().comparison);
-        QVERIFY(other.rect.center().y() < reference.rect.center().y()); // more is higher
-        COMPARE_NEAR(reference.end.y(), f.chart.toView(3, 100).y(), 1e-9);
-        QVERIFY(QRectF(f.chart.rect()).contains(reference.rect));
+        QCOMPARE(f.chart.drawing().labels.size(), std::size_t{2});
+        const DrawnLabel& reference = f.chart.drawing().labels[0];
+        const DrawnLabel& other = f.chart.drawing().labels[1];
+        QCOMPARE(QString::fromStdString(reference.text), u"τ 1.00"_s);
+        QCOMPARE(QString::fromStdString(other.text), u"Tour"_s);
+        QCOMPARE(reference.of.ink.of, InkOf::Accumulated);
+        QCOMPARE(other.of.ink.of, InkOf::Comparison);
+        QVERIFY(other.rect.top < reference.rect.top); // more is higher
+        COMPARE_NEAR(reference.end.y, viewOf(f.chart, 3, 100).y(), 1e-9);
+        QVERIFY(QRectF(f.chart.rect()).contains(toQt(reference.rect)));
         QVERIFY(!reference.rect.intersects(other.rect));
     }
 
@@ -82,14 +87,16 @@ private slots:
     {
         QFETCH(double, zeta_m2s);
         Fixture f(test::comparisonOf({0, 20, 40, 60, 80, 100}, {0, zeta_m2s / 2, zeta_m2s}));
-        QVERIFY(f.chart.labels()[0].inMargin);
-        const ChartLabel& label = f.chart.labels()[1];
-        QVERIFY(!label.inMargin);
-        const QPointF end = f.chart.toView(2, zeta_m2s);
-        if (zeta_m2s > 40)
-            QVERIFY(label.rect.bottom() < end.y() && label.rect.right() < end.x());
-        else
-            QVERIFY(label.rect.top() > end.y() && label.rect.left() > end.x());
+        QVERIFY(f.chart.drawing().labels[0].of.place == LabelPlace::Margin);
+        const DrawnLabel& label = f.chart.drawing().labels[1];
+        QVERIFY(label.of.place == LabelPlace::Free);
+        // Right of its end, where the reference goes on above or below.
+        QVERIFY(label.rect.left > viewOf(f.chart, 2, zeta_m2s).x());
+        const double rightmost_s = (label.rect.right - f.chart.drawing().x.from_px) /
+                                   (f.chart.drawing().x.at(1) - f.chart.drawing().x.from_px);
+        const double height_px = viewOf(f.chart, 0, 20 * rightmost_s).y();
+        QVERIFY(zeta_m2s > 40 ? label.rect.bottom < height_px
+                              : label.rect.top > viewOf(f.chart, 0, 40).y());
     }
 
     void verdict_data()
@@ -119,7 +126,7 @@ private slots:
             test::comparisonOf({reference.begin(), reference.end()}, {other.begin(), other.end()});
         QCOMPARE(verdictText(comparison, QLocale::c()), text);
         Fixture f(comparison);
-        QCOMPARE(f.chart.verdict(), text);
+        QCOMPARE(QString::fromStdString(f.chart.drawing().rightTitle), text);
         QCOMPARE(f.chart.accessibleDescription(), text);
     }
 
@@ -148,7 +155,7 @@ private slots:
     {
         Fixture f(test::comparisonOf({0, 50, 100, 150}, {0, 60, 120, 170}));
         const auto atCursor = [&] {
-            return f.image().pixelColor(f.chart.toView(1, 140).toPoint()).rgb();
+            return f.image().pixelColor(viewOf(f.chart, 1, 140).toPoint()).rgb();
         };
         const QRgb before = atCursor();
         f.chart.setCursor_s(1);
@@ -177,10 +184,10 @@ private slots:
         f.chart.resize(size);
         f.chart.setTheme(Theme::dark());
         QCOMPARE(f.image().pixelColor(0, 0).rgb(), Theme::dark().chart.rgb());
-        for (const ChartLabel& label : f.chart.labels())
-            QVERIFY(label.rect.right() <= size.width());
+        for (const DrawnLabel& label : f.chart.drawing().labels)
+            QVERIFY(label.rect.right <= size.width());
         // Higher is more, whatever the size.
-        QVERIFY(f.chart.toView(0, 170).y() < f.chart.toView(0, 0).y());
+        QVERIFY(viewOf(f.chart, 0, 170).y() < viewOf(f.chart, 0, 0).y());
     }
 
     void aLongRunIsQuicklyMadeSmall()
@@ -200,7 +207,7 @@ private slots:
         Fixture f(test::comparisonOf({0, 50, 100}, {0, 60, 120}));
         f.chart.resize(260, 200);
         QVERIFY(!f.image().isNull()); // a hidden widget is laid out when it is drawn
-        QCOMPARE(f.chart.verdict(), u"τ 1.00 ahead by 20.0 %"_s);
+        QCOMPARE(QString::fromStdString(f.chart.drawing().rightTitle), u"τ 1.00 ahead by 20.0 %"_s);
         QVERIFY(f.chart.accessibleDescription().contains(u"has 20.0 % more"_s));
     }
 };

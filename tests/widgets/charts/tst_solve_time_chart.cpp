@@ -3,6 +3,8 @@
 #include "tests/support/panel_test.h"
 #include "widgets/charts/solve_time_chart.h"
 
+#include <QMouseEvent>
+
 #include <set>
 
 using namespace berg;
@@ -11,6 +13,11 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr BenchmarkSolver kExact{.backend = Backend::Exact};
+
+QPointF viewOf(const FigureView& chart, double icebergs, double time_s)
+{
+    return toQt(chart.drawing().at({icebergs, time_s}));
+}
 
 bool hasColour(const QImage& image, const QColor& colour)
 {
@@ -52,15 +59,15 @@ private slots:
         SolveTimeChart chart(Theme::light());
         chart.resize(800, 420);
         chart.setRows(test::benchmarkTable());
-        const double second = chart.toView(0, 1).y();
-        const double decade_px = second - chart.toView(0, 10).y();
+        const double second = viewOf(chart, 0, 1).y();
+        const double decade_px = second - viewOf(chart, 0, 10).y();
         QVERIFY(decade_px > 10);
-        COMPARE_NEAR(chart.toView(0, 1e-3).y(), second + 3 * decade_px, 1e-6);
-        COMPARE_NEAR(chart.toView(0, 1e4).y(), second - 4 * decade_px, 1e-6);
-        COMPARE_NEAR(chart.toView(40, 1).x(),
-                     (chart.toView(0, 1).x() + chart.toView(80, 1).x()) / 2, 1e-6);
+        COMPARE_NEAR(viewOf(chart, 0, 1e-3).y(), second + 3 * decade_px, 1e-6);
+        COMPARE_NEAR(viewOf(chart, 0, 1e4).y(), second - 4 * decade_px, 1e-6);
+        COMPARE_NEAR(viewOf(chart, 40, 1).x(),
+                     (viewOf(chart, 0, 1).x() + viewOf(chart, 80, 1).x()) / 2, 1e-6);
         // Zero has no logarithm: drawn at the foot of the axis, not outside.
-        COMPARE_NEAR(chart.toView(0, 0).y(), chart.toView(0, 1e-6).y(), 1e-9);
+        COMPARE_NEAR(viewOf(chart, 0, 0).y(), viewOf(chart, 0, 1e-6).y(), 1e-9);
     }
 
     void everythingIsInsideThePlot()
@@ -68,10 +75,10 @@ private slots:
         SolveTimeChart chart(Theme::light());
         chart.resize(700, 400);
         chart.setRows(test::benchmarkTable());
-        const double top = chart.toView(0, 17269.17).y();
-        const double foot = chart.toView(0, 1e-6).y();
-        QVERIFY(top >= kChartTop_px && foot <= 400 - kChartBottom_px);
-        QVERIFY(chart.toView(80, 1).x() < 700);
+        const double top = viewOf(chart, 0, 17269.17).y();
+        const double foot = viewOf(chart, 0, 1e-6).y();
+        QVERIFY(top >= kFigureTop_px && foot <= 400 - kFigureBottom_px);
+        QVERIFY(viewOf(chart, 80, 1).x() < 700);
     }
 
     void ticksArePowersOfTenWithUnits()
@@ -81,14 +88,14 @@ private slots:
         chart.resize(800, 600);
         chart.setRows(test::benchmarkTable());
         QStringList texts;
-        for (const ChartTick& tick : chart.timeTicks())
-            texts << tick.text;
+        for (const DrawnTick& tick : chart.drawing().yTicks)
+            texts << QString::fromStdString(tick.text);
         for (const QString& text : {u"1 µs"_s, u"100 µs"_s, u"10 ms"_s, u"1 s"_s, u"100 s"_s})
             QVERIFY2(texts.contains(text), qPrintable(texts.join(u", "_s)));
         chart.resize(400, 200);
         chart.setRows(test::benchmarkTable());
-        QVERIFY(chart.timeTicks().size() >= 3);
-        QVERIFY(chart.timeTicks().size() < static_cast<std::size_t>(texts.size()));
+        QVERIFY(chart.drawing().yTicks.size() >= 3);
+        QVERIFY(chart.drawing().yTicks.size() < static_cast<std::size_t>(texts.size()));
     }
 
     void linesAreLabelled_data()
@@ -105,14 +112,14 @@ private slots:
         SolveTimeChart chart(Theme::dark());
         chart.resize(size);
         chart.setRows(test::benchmarkTable());
-        QCOMPARE(chart.labels().size(), std::size_t{7}); // the paper has two
+        QCOMPARE(chart.drawing().labels.size(), std::size_t{7}); // the paper has two
         std::set<QString> texts;
-        for (std::size_t i = 0; i < chart.labels().size(); ++i) {
-            const ChartLabel& label = chart.labels()[i];
-            texts.insert(label.text);
-            QVERIFY(QRectF(QPointF(), QSizeF(size)).contains(label.rect));
+        for (std::size_t i = 0; i < chart.drawing().labels.size(); ++i) {
+            const DrawnLabel& label = chart.drawing().labels[i];
+            texts.insert(QString::fromStdString(label.text));
+            QVERIFY(QRectF(QPointF(), QSizeF(size)).contains(toQt(label.rect)));
             for (std::size_t j = 0; j < i; ++j)
-                QVERIFY(!label.rect.intersects(chart.labels()[j].rect));
+                QVERIFY(!label.rect.intersects(chart.drawing().labels[j].rect));
         }
         QCOMPARE(texts.size(), std::size_t{7});
     }
@@ -121,10 +128,10 @@ private slots:
     {
         SolveTimeChart chart(Theme::light());
         chart.resize(760, 420);
-        QCOMPARE(chart.labels().size(), std::size_t{2});
+        QCOMPARE(chart.drawing().labels.size(), std::size_t{2});
         chart.setRows(test::benchmarkTable());
         chart.setRows({});
-        QCOMPARE(chart.labels().size(), std::size_t{2});
+        QCOMPARE(chart.drawing().labels.size(), std::size_t{2});
         QVERIFY(!chart.grab().isNull());
     }
 
@@ -161,12 +168,16 @@ private slots:
         chart.setLocale(QLocale::c());
         chart.resize(760, 420);
         chart.setRows({test::benchmarkRow(kExact, 40, 0.08)});
-        const QPointF at = chart.toView(40, 0.08);
+        const QPointF at = viewOf(chart, 40, 0.08);
+        const auto textAt = [&chart](const QPointF& place) {
+            QMouseEvent event(QEvent::MouseMove, place, place, Qt::NoButton, {}, {});
+            QCoreApplication::sendEvent(&chart, &event);
+            return chart.accessibleDescription();
+        };
         for (const QString& part : {u"40"_s, u"80.0 ms"_s, u"240 ms"_s, u"10 of 10"_s})
-            QVERIFY2(chart.pointText(at + QPointF(3, -3)).contains(part),
-                     qPrintable(chart.pointText(at)));
-        QVERIFY(chart.pointText(chart.toView(20, 2969.69)).contains(u"CPLEX"_s));
-        QVERIFY(chart.pointText(at + QPointF(0, 40)).isEmpty());
+            QVERIFY2(textAt(at + QPointF(3, -3)).contains(part), qPrintable(textAt(at)));
+        QVERIFY(textAt(viewOf(chart, 20, 2969.69)).contains(u"CPLEX"_s));
+        QVERIFY(textAt(at + QPointF(0, 40)).isEmpty());
     }
 
     void everySolverHasAName()

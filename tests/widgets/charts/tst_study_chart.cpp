@@ -41,6 +41,16 @@ struct Shown
     }
 };
 
+QStringList readoutOf(const FigureView& chart, std::size_t setting)
+{
+    QStringList lines;
+    for (const DrawnItem& item : chart.drawing().items)
+        if (item.of.id == setting)
+            for (const std::string& line : item.of.readout)
+                lines << QString::fromStdString(line);
+    return lines;
+}
+
 } // namespace
 
 class TestStudyChart : public QObject
@@ -84,10 +94,10 @@ private slots:
     void nothingFlownTeaches()
     {
         const Shown<StudyChart> zeta{nullptr};
-        QVERIFY(zeta.chart.spots().empty());
+        QVERIFY(zeta.chart.drawing().items.empty());
         QVERIFY(!zeta.chart.accessibleDescription().isEmpty());
         const Shown<DifferenceChart> differences{nullptr};
-        QVERIFY(differences.chart.spots().empty());
+        QVERIFY(differences.chart.drawing().items.empty());
         QVERIFY(zetaContent(StudySummary(), QLocale::c()).curve.empty());
         QVERIFY(differenceRows(StudySummary(), 10, QLocale::c()).empty());
     }
@@ -95,19 +105,22 @@ private slots:
     void lessIsLowerAndTauGoesRight()
     {
         const Shown<StudyChart> f;
-        QVERIFY(f.chart.toView(0, 100).y() > f.chart.toView(0, 120).y());
-        QVERIFY(f.chart.toView(2, 100).x() > f.chart.toView(1, 100).x());
-        QCOMPARE(f.chart.spots().size(), std::size_t{4});
-        QCOMPARE(f.chart.spots()[1].at, f.chart.toView(1, 108.75));
-        QVERIFY(f.chart.spots()[3].at.x() > f.chart.toView(2, 100).x()); // policies beside it
+        const PlotScale& x = f.chart.drawing().x;
+        const PlotScale& y = f.chart.drawing().y;
+        QVERIFY(y.at(100) > y.at(120));
+        QVERIFY(x.at(2) > x.at(1));
+        QCOMPARE(f.chart.drawing().items.size(), std::size_t{4});
+        QCOMPARE(f.chart.drawing().items[1].at.x, x.at(1));
+        QCOMPARE(f.chart.drawing().items[1].at.y, y.at(108.75));
+        QVERIFY(f.chart.drawing().items[3].at.x > x.at(2)); // policies beside it
     }
 
     void policiesAreNamedBesideTheirLines()
     {
         const Shown<StudyChart> f;
         QStringList names;
-        for (const ChartLabel& label : f.chart.labels())
-            names << label.text;
+        for (const DrawnLabel& label : f.chart.drawing().labels)
+            names << QString::fromStdString(label.text);
         QCOMPARE(names, (QStringList{u"Shortest path (TSP)"_s, u"Best τ of each case"_s}));
     }
 
@@ -115,13 +128,13 @@ private slots:
     {
         const Shown<StudyChart> f;
         QCOMPARE(
-            f.chart.readout(0),
+            readoutOf(f.chart, 0),
             (QStringList{u"τ 0.00"_s, u"mean 127.5, median 110.0"_s, u"quartiles 97.50 to 140.0"_s,
                          u"+16.2 % to τ 1.00"_s, u"stuck in 1 of 4 cases"_s}));
-        QCOMPARE(f.chart.readout(1).size(), 4); // the reference is not compared with itself
+        QCOMPARE(readoutOf(f.chart, 1).size(), 4); // the reference is not compared with itself
         const Shown<DifferenceChart> d;
-        QCOMPARE(d.chart.readout(1).back(), u"the reference"_s);
-        QVERIFY(d.chart.readout(3).contains(u"less in 1 of 4 cases"_s));
+        QCOMPARE(readoutOf(d.chart, 1).back(), u"the reference"_s);
+        QVERIFY(readoutOf(d.chart, 3).contains(u"less in 1 of 4 cases"_s));
     }
 
     void differencesHavePoliciesFirst()
@@ -152,8 +165,8 @@ private slots:
     void arrowsWalkThroughTheSettings()
     {
         Shown<StudyChart> f;
-        QSignalSpy chosen(&f.chart, &StudyPicture::settingChosen);
-        QSignalSpy activated(&f.chart, &StudyPicture::settingActivated);
+        QSignalSpy chosen(&f.chart, &FigureView::itemChosen);
+        QSignalSpy activated(&f.chart, &FigureView::itemActivated);
         f.chart.setFocus();
         QTest::keyClick(&f.chart, Qt::Key_Right);
         QTest::keyClick(&f.chart, Qt::Key_Right);
@@ -171,10 +184,10 @@ private slots:
     void clickChoosesThePointNearby()
     {
         Shown<DifferenceChart> f;
-        QSignalSpy activated(&f.chart, &StudyPicture::settingActivated);
-        const SettingSpot spot = f.chart.spots().front();
-        QTest::mouseClick(&f.chart, Qt::LeftButton, {}, spot.at.toPoint() + QPoint(4, 3));
-        QCOMPARE(activated.front().front().value<std::size_t>(), spot.setting);
+        QSignalSpy activated(&f.chart, &FigureView::itemActivated);
+        const DrawnItem item = f.chart.drawing().items.front();
+        QTest::mouseClick(&f.chart, Qt::LeftButton, {}, toQt(item.at).toPoint() + QPoint(4, 3));
+        QCOMPARE(activated.front().front().value<std::size_t>(), item.of.id);
         QTest::mouseClick(&f.chart, Qt::LeftButton, {}, {2, 2});
         QCOMPARE(activated.count(), 1);
     }
@@ -199,15 +212,15 @@ private slots:
     {
         QFETCH(QSize, size);
         const Shown<StudyChart> f(everything(), size);
-        const std::vector<ChartLabel>& labels = f.chart.labels();
+        const std::vector<DrawnLabel>& labels = f.chart.drawing().labels;
         QVERIFY(labels.size() >= 6);
         for (std::size_t a = 0; a < labels.size(); ++a) {
-            QVERIFY(QRectF(f.chart.rect()).adjusted(0, -1, 0, 1).contains(labels[a].rect));
+            QVERIFY(QRectF(f.chart.rect()).adjusted(0, -1, 0, 1).contains(toQt(labels[a].rect)));
             for (std::size_t b = a + 1; b < labels.size(); ++b)
-                QVERIFY(labels[a].rect.intersected(labels[b].rect).height() < 0.1);
+                QVERIFY(toQt(labels[a].rect).intersected(toQt(labels[b].rect)).height() < 0.1);
         }
-        for (const SettingSpot& spot : f.chart.spots())
-            QVERIFY(f.chart.rect().contains(spot.at.toPoint()));
+        for (const DrawnItem& item : f.chart.drawing().items)
+            QVERIFY(f.chart.rect().contains(toQt(item.at).toPoint()));
     }
 
     void coloursAreSeen()

@@ -118,9 +118,9 @@ QWidget* StudyResults::makePictures()
 
 void StudyResults::connectPicture(StudyPicture& picture)
 {
-    connect(&picture, &StudyPicture::settingChosen, this,
+    connect(&picture, &FigureView::itemChosen, this,
             [this](std::size_t setting) { choose(setting); });
-    connect(&picture, &StudyPicture::settingActivated, this, &StudyResults::drillDown);
+    connect(&picture, &FigureView::itemActivated, this, &StudyResults::drillDown);
 }
 
 QTableView* StudyResults::makeTable(const char* name, const QString& title, StudyTableModel& model)

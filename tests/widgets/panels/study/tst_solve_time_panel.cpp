@@ -99,7 +99,7 @@ private slots:
         f.start.click();
         QVERIFY(f.runner.isRunning());
         QTRY_COMPARE_WITH_TIMEOUT(f.finished.count(), 1, kPatience_ms);
-        QCOMPARE(f.chart.labels().size(), std::size_t{3}); // the paper's two and ours
+        QCOMPARE(f.chart.drawing().labels.size(), std::size_t{3}); // the paper's two and ours
         QCOMPARE(f.bar.value(), f.bar.maximum());
         QVERIFY(f.state.text().startsWith(u"Measured in"_s));
         QVERIFY(f.start.isEnabled() && f.start.text() == u"Start"_s);

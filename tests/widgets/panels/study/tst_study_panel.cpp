@@ -193,7 +193,7 @@ private slots:
         QVERIFY(f.ends());
         QVERIFY(f.runner.result()->study.spec == figure4(test::quickScenario()));
         QCOMPARE(f.state(), u"42 missions flown."_s);
-        QCOMPARE(f.get<StudyChart>(u"studyChart"_s).spots().size(), std::size_t{42});
+        QCOMPARE(f.get<StudyChart>(u"studyChart"_s).drawing().items.size(), std::size_t{42});
         QCOMPARE(f.column(u"studySettings"_s, StudySettingsModel::Setting).size(), 42);
         const auto& bar = f.get<QProgressBar>(u"studyProgress"_s);
         QCOMPARE(bar.value(), bar.maximum());
@@ -277,7 +277,7 @@ private slots:
         auto& open = f.get<QPushButton>(u"openStudyRun"_s);
         QVERIFY(!open.isEnabled());
         QSignalSpy opened(&f.panel, &StudyPanel::openRunRequested);
-        QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.spots()[2].at.toPoint());
+        QTest::mouseClick(&chart, Qt::LeftButton, {}, toQt(chart.drawing().items[2].at).toPoint());
         QCOMPARE(f.get<QTabWidget>(u"studyTables"_s).currentIndex(), 1);
         QCOMPARE(f.column(u"studyCases"_s, StudyCasesModel::Zeta),
                  (QStringList{u"90.00"_s, u"150.0"_s, u"104.0"_s, u"99.00"_s}));

@@ -1,0 +1,227 @@
+#include "widgets/charts/figure_painter.h"
+
+#include "widgets/charts/solve_time_chart.h"
+#include "widgets/charts/study_content.h"
+#include "widgets/theme/painter_state.h"
+#include "widgets/theme/palette.h"
+
+#include <QFontMetricsF>
+#include <QPolygonF>
+
+#include <cmath>
+#include <numbers>
+
+namespace berg {
+namespace {
+
+constexpr double kGap_px = 1.2; ///< of the ground's colour round a mark
+constexpr double kOutline_px = 1.6;
+constexpr double kTint = 0.12; ///< of a hatched area, between the lines
+constexpr double kHatch = 0.5; ///< of these
+
+QFont fontOf(FigureFont font, const Theme& theme)
+{
+    if (font == FigureFont::Body)
+        return theme.body();
+    QFont chosen = font == FigureFont::Strong ? theme.strong() : theme.small();
+    chosen.setBold(font != FigureFont::Small);
+    return chosen;
+}
+
+QColor solverColour(double place, const Theme& theme)
+{
+    return benchmarkSolverColour(
+        place < 0 ? std::nullopt
+                  : std::optional(kBenchmarkSolverNames.at(static_cast<std::size_t>(place)).value),
+        theme);
+}
+
+QColor fullColour(const Ink& ink, const Theme& theme)
+{
+    switch (ink.of) {
+    case InkOf::Text:
+        return theme.text;
+    case InkOf::Muted:
+        return theme.mutedText;
+    case InkOf::Axis:
+        return theme.chartAxis;
+    case InkOf::Grid:
+        return theme.chartGrid;
+    case InkOf::Uav:
+        return uavColour(theme, static_cast<int>(ink.value));
+    case InkOf::Plan:
+        return theme.plan;
+    case InkOf::Accumulated:
+        return theme.accumulated;
+    case InkOf::Momentary:
+        return theme.momentary;
+    case InkOf::Comparison:
+        return theme.comparison;
+    case InkOf::Policy:
+        return policyColour(static_cast<PolicyKind>(static_cast<int>(ink.value)), theme);
+    case InkOf::Solver:
+        return solverColour(ink.value, theme);
+    case InkOf::Sigma:
+        return theme.sigma.at(ink.value);
+    }
+    return {};
+}
+
+/** A regular polygon, its first corner `turn_rad` from straight up; `inner` < 1: a star. */
+QPolygonF corners(const QPointF& at, double radius_px, int count, double turn_rad = 0,
+                  double inner = 1)
+{
+    QPolygonF polygon;
+    const int points = inner < 1 ? 2 * count : count;
+    for (int k = 0; k < points; ++k) {
+        const double angle = turn_rad + 2 * std::numbers::pi * k / points;
+        const double away_px = inner < 1 && k % 2 == 1 ? inner * radius_px : radius_px;
+        polygon << at + away_px * QPointF(std::sin(angle), -std::cos(angle));
+    }
+    return polygon;
+}
+
+QPolygonF polygonOf(const std::vector<Pixel>& points)
+{
+    QPolygonF polygon;
+    polygon.reserve(static_cast<qsizetype>(points.size()));
+    for (const Pixel& point : points)
+        polygon << toQt(point);
+    return polygon;
+}
+
+void paintLine(QPainter& painter, const DrawnLine& line, const Theme& theme)
+{
+    const Qt::PenCapStyle cap = line.width_px < 2 ? Qt::FlatCap : Qt::RoundCap;
+    QPen pen(inkColour(line.ink, theme), line.width_px, Qt::SolidLine, cap, Qt::RoundJoin);
+    if (!line.dash_px.empty()) {
+        QList<qreal> dashes; // in widths of the pen
+        for (const double dash_px : line.dash_px)
+            dashes << dash_px / line.width_px;
+        pen.setDashPattern(dashes);
+    }
+    painter.setPen(pen);
+    painter.drawPolyline(polygonOf(line.points));
+}
+
+void paintArea(QPainter& painter, const DrawnArea& area, const Theme& theme)
+{
+    const QPolygonF outline = polygonOf(area.outline);
+    Ink ink = area.of.ink;
+    const auto fill = [&](double strength, Qt::BrushStyle style) {
+        ink.strength = strength;
+        QColor colour = inkColour(ink, theme);
+        colour.setAlphaF(static_cast<float>(area.of.opacity));
+        painter.setBrush(QBrush(colour, style));
+        painter.drawPolygon(outline);
+    };
+    painter.setPen(Qt::NoPen);
+    fill(area.of.isHatched ? kTint : ink.strength, Qt::SolidPattern);
+    if (area.of.isHatched)
+        fill(kHatch, Qt::BDiagPattern);
+}
+
+void paintText(QPainter& painter, const DrawnText& text, const Theme& theme)
+{
+    const bool isLong = text.font == FigureFont::Body; // what there is in place of a picture
+    painter.setFont(fontOf(text.font, theme));
+    painter.setPen(inkColour(text.ink, theme));
+    const Qt::AlignmentFlag align = text.align == TextAlign::Left    ? Qt::AlignLeft
+                                    : text.align == TextAlign::Right ? Qt::AlignRight
+                                                                     : Qt::AlignHCenter;
+    painter.drawText(toQt(text.rect),
+                     static_cast<int>(align | Qt::AlignVCenter) |
+                         (isLong ? Qt::TextWordWrap : Qt::TextDontClip),
+                     QString::fromStdString(text.text));
+}
+
+} // namespace
+
+QColor inkColour(const Ink& ink, const Theme& theme)
+{
+    const QColor colour = fullColour(ink, theme);
+    return ink.strength < 1 ? mixed(theme.chart, colour, ink.strength) : colour;
+}
+
+FigureFonts figureFonts(const Theme& theme)
+{
+    const auto metrics = [theme](FigureFont font) { return QFontMetricsF(fontOf(font, theme)); };
+    return {.width_px =
+                [metrics](const std::string& text, FigureFont font) {
+                    return metrics(font).horizontalAdvance(QString::fromStdString(text));
+                },
+            .elided =
+                [metrics](const std::string& text, FigureFont font, double room_px) {
+                    return metrics(font)
+                        .elidedText(QString::fromStdString(text), Qt::ElideRight, room_px)
+                        .toStdString();
+                }};
+}
+
+QPointF toQt(const Pixel& pixel)
+{
+    return {pixel.x, pixel.y};
+}
+
+QRectF toQt(const PixelRect& rect)
+{
+    return {rect.left, rect.top, rect.width(), rect.height()};
+}
+
+void paintMark(QPainter& painter, const QPointF& at, const PlotMark& mark, const Theme& theme)
+{
+    const QColor colour = inkColour(mark.ink, theme);
+    const double radius_px = mark.radius_px;
+    painter.setPen(mark.isHollow ? QPen(colour, kOutline_px) : QPen(theme.chart, kGap_px));
+    painter.setBrush(mark.isHollow ? theme.chart : colour);
+    switch (mark.shape) {
+    case MarkShape::Ring:
+        painter.setPen(QPen(colour, kOutline_px));
+        painter.setBrush(Qt::NoBrush);
+        [[fallthrough]];
+    case MarkShape::Disk:
+        painter.drawEllipse(at, radius_px, radius_px);
+        return;
+    case MarkShape::Diamond:
+        painter.drawPolygon(corners(at, 1.25 * radius_px, 4));
+        return;
+    case MarkShape::Square:
+        painter.drawPolygon(corners(at, 1.25 * radius_px, 4, std::numbers::pi / 4));
+        return;
+    case MarkShape::Triangle:
+        painter.drawPolygon(corners(at, 1.3 * radius_px, 3));
+        return;
+    case MarkShape::TriangleDown:
+        painter.drawPolygon(corners(at, 1.3 * radius_px, 3, std::numbers::pi));
+        return;
+    case MarkShape::Hexagon:
+        painter.drawPolygon(corners(at, 1.15 * radius_px, 6));
+        return;
+    case MarkShape::Star:
+        painter.drawPolygon(corners(at, 1.5 * radius_px, 5, 0, 0.5));
+        return;
+    }
+}
+
+void paintDrawing(QPainter& painter, const Drawing& drawing, const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const DrawnLine& line : drawing.grid)
+        paintLine(painter, line, theme);
+    for (const DrawnArea& area : drawing.areas)
+        paintArea(painter, area, theme);
+    painter.setBrush(Qt::NoBrush);
+    for (const DrawnLine& line : drawing.lines)
+        paintLine(painter, line, theme);
+    for (const DrawnMark& mark : drawing.marks)
+        paintMark(painter, toQt(mark.at), mark.of, theme);
+    painter.setBrush(Qt::NoBrush);
+    for (const DrawnLine& leader : drawing.leaders)
+        paintLine(painter, leader, theme);
+    for (const DrawnText& text : drawing.texts)
+        paintText(painter, text, theme);
+}
+
+} // namespace berg
