@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -71,7 +72,8 @@ std::optional<GeoBox> areaOf(const std::string& text)
     for (std::size_t i = 0; ok && i < edges_deg.size(); ++i) {
         const auto [next, error] = std::from_chars(at, end, edges_deg[i]);
         const bool last = i + 1 == edges_deg.size();
-        ok = error == std::errc() && (last ? next == end : next != end && *next == ',');
+        ok = error == std::errc() && std::isfinite(edges_deg[i]) &&
+             (last ? next == end : next != end && *next == ',');
         at = next + (last ? 0 : 1);
     }
     if (!ok)
@@ -145,11 +147,15 @@ void printDetails(const std::string& file, const ImportResult& result)
             tell(word(file) + ": line " + std::to_string(row.line) + ": " + rowFaultText(row));
     if (result.rejected.count > kMostRows)
         tell(word(file) + ": and " + std::to_string(result.rejected.count - kMostRows) + " more");
+    std::size_t notes = 0;
     for (const ImportedIceberg& iceberg : result.icebergs)
         for (const ImportNote note : iceberg.notes)
-            if (iceberg.outcome == ImportOutcome::LeftOut || note == ImportNote::VelocityClamped ||
-                note == ImportNote::GrowthClamped || note == ImportNote::Jumped)
+            if ((iceberg.outcome == ImportOutcome::LeftOut || note == ImportNote::VelocityClamped ||
+                 note == ImportNote::GrowthClamped || note == ImportNote::Jumped) &&
+                notes++ < kMostRows)
                 tell(word(file) + ": " + word(iceberg.id) + ": " + importNoteText(note));
+    if (notes > kMostRows)
+        tell(word(file) + ": and " + std::to_string(notes - kMostRows) + " more notes on icebergs");
 }
 
 std::pair<SightingTable, ImportResult>
@@ -206,16 +212,20 @@ void addImportCommand(CLI::App& app, Action& action)
     command->add_option("-f,--format", arguments->format, formatList())->capture_default_str();
     addOutputFile(*command, "-o,--output", arguments->outputFile, "Scenario to write")->required();
     addForce(*command, arguments->force);
-    command->add_option("--into", arguments->intoFile, "Scenario to add to (default: a new one)");
+    command->add_option("--into", arguments->intoFile, "Scenario to add to (a new one)");
     command->add_option("--map", arguments->mappings,
-                        "FIELD=COLUMN: " + allowedNames(kSightingFieldNames));
-    addNamed(*command, "--dates", arguments->dates, kDateOrderNames, "Dates such as 05/02/2021");
-    command->add_option("--at", arguments->at, "Start, UTC (default: the last sighting)");
+                        "FIELD=COLUMN (columns by their names): " +
+                            allowedNames(kSightingFieldNames));
+    addNamed(*command, "--dates", arguments->dates, kDateOrderNames,
+             "Dates such as 05/02/2021 (as the file's other dates tell)");
+    command->add_option("--at", arguments->at, "Start, UTC (the last sighting)");
     command->add_option("--since", arguments->since, "Leave out what was sighted before, UTC");
     command->add_option("--until", arguments->until, "Leave out what was sighted after, UTC");
-    command->add_option("--area", arguments->area, "SOUTH,WEST,NORTH,EAST in degrees");
-    command->add_option("--sigma", arguments->sigma_m2, "sigma where the file has none, m^2");
-    command->add_option("--q", arguments->q_m2ps, "q where it cannot be estimated, m^2/s");
+    command->add_option("--area", arguments->area, "SOUTH,WEST,NORTH,EAST in degrees (everywhere)");
+    command->add_option("--sigma", arguments->sigma_m2, "sigma where the file has none, m^2 (5)")
+        ->check(numberFrom(0, kLargestSigma_m2));
+    command->add_option("--q", arguments->q_m2ps, "q where it cannot be estimated, m^2/s (0.025)")
+        ->check(numberFrom(0, kLargestGrowth_m2ps));
     command->add_flag("--with-tracks", arguments->withTracks,
                       "Sightings after --at become the true motion");
     command->add_flag("--json", arguments->json, "Print one JSON document");

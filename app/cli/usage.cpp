@@ -1,5 +1,7 @@
 #include "app/cli/usage.h"
 
+#include "core/io/text/read_budget.h"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <numeric>
@@ -130,7 +132,9 @@ std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<st
 {
     const CLI::App* command = chosen(app, words);
     if (command == nullptr) {
-        if (words.empty() || words.front().starts_with('-'))
+        if (words.empty())
+            return "a command is required";
+        if (words.front().starts_with('-'))
             return std::nullopt;
         std::vector<std::string> names;
         for (const CLI::App* one : commandsOf(app))
@@ -190,6 +194,10 @@ void addExamples(CLI::App& app)
         {"validate", "validate *.berg"},
         {"import", "import sightings.csv --output field.berg --map id=name"},
         {"completion", "completion bash > bergwatch-cli.bash"}};
+    app.footer("Environment:\n  " + std::string(kReadLimitsVariable) + "=N" +
+               std::string(kHelpColumn - 25, ' ') +
+               "Every limit of reading (64 MiB, ten times a file and 50 MB of memory, 10 000 000 "
+               "values, 1 000 000 rows) times N, from 1 to 1000");
     for (CLI::App* command : app.get_subcommands({}))
         for (const auto& [name, lines] : kExamples)
             if (command->get_name() == name)

@@ -150,8 +150,10 @@ struct Corpus
         constexpr std::size_t kLargest = 40'000;
         std::string text = readFile(file.string());
         const bool isPacked = isZip(text);
-        if (isPacked)
-            text = unzipped(text, ".kml", file.string());
+        if (isPacked) {
+            ReadBudget budget(file.string(), text.size());
+            text = unzipped(text, ".kml", budget);
+        }
         if (text.empty() || text.size() > kLargest)
             return;
         texts.push_back(std::move(text));

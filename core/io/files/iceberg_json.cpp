@@ -45,7 +45,8 @@ std::vector<Iceberg> icebergsFromJson(std::string_view text, const std::string& 
     if (text.size() > kLargestIcebergText)
         throw Error(ErrorCode::FileTooLarge, subject,
                     "is larger than " + std::to_string(kLargestIcebergText >> 20U) + " MiB");
-    ParsedJson file = parseJson(text, subject);
+    ReadBudget budget(subject, text.size());
+    ParsedJson file = parseJson(text, budget);
     requireFormat(file, kFormat, subject);
     ObjectReader object(file.root, "", file.faults);
     (void)object.need("icebergs");

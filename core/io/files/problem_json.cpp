@@ -107,9 +107,11 @@ Eigen::MatrixXd readGeometry(ObjectReader& object, std::size_t nodes)
 
 } // namespace
 
-ProblemFile problemFromJson(std::string_view text, const std::string& subject)
+ProblemFile problemFromJson(std::string_view text, const std::string& subject,
+                            const std::stop_token& stop)
 {
-    ParsedJson parsed = parseJson(text, subject);
+    ReadBudget budget(subject, text.size(), stop);
+    ParsedJson parsed = parseJson(text, budget);
     requireFormat(parsed, kFormat, subject);
     ObjectReader object(parsed.root, "", parsed.faults);
 

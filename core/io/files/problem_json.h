@@ -3,6 +3,7 @@
 #include "core/plan/solve/tvp.h"
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,8 @@ struct ProblemFile
 };
 
 /** Errors as for `scenarioFromJson`. Without `tau` and `mu`, tau is 1. */
-[[nodiscard]] ProblemFile problemFromJson(std::string_view text, const std::string& subject);
+[[nodiscard]] ProblemFile problemFromJson(std::string_view text, const std::string& subject,
+                                          const std::stop_token& stop = {});
 [[nodiscard]] std::string problemToJson(const ProblemFile& file);
 [[nodiscard]] ProblemFile loadProblem(const std::string& path);
 

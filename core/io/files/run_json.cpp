@@ -402,9 +402,10 @@ std::string runToJson(const RunFile& run)
     return object.inLines(0) + '\n';
 }
 
-RunFile runFromJson(std::string_view text, const std::string& subject)
+RunFile runFromJson(std::string_view text, const std::string& subject, const std::stop_token& stop)
 {
-    ParsedJson parsed = parseJson(text, subject);
+    ReadBudget budget(subject, text.size(), stop);
+    ParsedJson parsed = parseJson(text, budget);
     requireFormat(parsed, kFormat, subject);
     ObjectReader object(parsed.root, "", parsed.faults);
     RunFile file = readRun(object);
@@ -426,14 +427,10 @@ std::string formatOf(std::string_view text, const std::string& subject)
 {
     constexpr std::array<std::string_view, 4> kFormats = {"bergwatch-scenario", "bergwatch-problem",
                                                           kFormat, "bergwatch-study"};
-    const ParsedJson parsed = parseJson(text, subject);
-    if (parsed.root.is_object()) {
-        const auto format = parsed.root.find("format");
-        if (format != parsed.root.end() && format->is_string())
-            for (const std::string_view known : kFormats)
-                if (format->get_ref<const std::string&>() == known)
-                    return std::string(known);
-    }
+    ReadBudget budget(subject, text.size());
+    const std::optional<std::string> format = rootText(text, "format", budget);
+    if (format && std::ranges::find(kFormats, *format) != kFormats.end())
+        return *format;
     throw Error(ErrorCode::WrongFormat, subject,
                 {{Severity::Error, "format",
                   "must be \"bergwatch-scenario\", \"bergwatch-problem\", \"bergwatch-run\" or "

@@ -42,7 +42,8 @@ struct RunFile
 [[nodiscard]] RunFile runOf(const Mission& mission);
 [[nodiscard]] std::string runToJson(const RunFile& run);
 /** Errors as for `scenarioFromJson`. */
-[[nodiscard]] RunFile runFromJson(std::string_view text, const std::string& subject);
+[[nodiscard]] RunFile runFromJson(std::string_view text, const std::string& subject,
+                                  const std::stop_token& stop = {});
 [[nodiscard]] RunFile loadRun(const std::string& path);
 void saveRun(const RunFile& run, const std::string& path);
 

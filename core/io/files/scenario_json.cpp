@@ -279,9 +279,11 @@ std::string scenarioText(const Scenario& scenario, int indent)
     return object.inLines(indent);
 }
 
-Scenario scenarioFromJson(std::string_view text, const std::string& subject, ScenarioUse use)
+Scenario scenarioFromJson(std::string_view text, const std::string& subject, ScenarioUse use,
+                          const std::stop_token& stop)
 {
-    ParsedJson file = parseJson(text, subject);
+    ReadBudget budget(subject, text.size(), stop);
+    ParsedJson file = parseJson(text, budget);
     requireFormat(file, kFormat, subject);
     ObjectReader object(file.root, "", file.faults);
     Scenario scenario = readScenario(object, use);

@@ -2,6 +2,7 @@
 
 #include "core/scenario/scenario.h"
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -17,10 +18,12 @@ enum class ScenarioUse
 /**
  * Scenario of a `.berg` text. `subject` (usually the path) names it in errors. Throws `Error`:
  * SyntaxError (with line and column), WrongFormat, UnsupportedVersion, InvalidInput with every
- * fault found: wrong types, missing and duplicate members, and what is wrong for its use.
+ * fault found: wrong types, missing and duplicate members, and what is wrong for its use;
+ * FileTooLarge (`ReadBudget`); `Stopped` when asked to stop.
  */
 [[nodiscard]] Scenario scenarioFromJson(std::string_view text, const std::string& subject,
-                                        ScenarioUse use = ScenarioUse::Flying);
+                                        ScenarioUse use = ScenarioUse::Flying,
+                                        const std::stop_token& stop = {});
 
 /** Text of the `.berg` file: stable member order, numbers that read back exactly, final newline. */
 [[nodiscard]] std::string scenarioToJson(const Scenario& scenario);

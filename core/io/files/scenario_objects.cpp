@@ -25,6 +25,9 @@ void readTrack(const Json& value, const std::string& path, Faults& faults, Icebe
         return;
     if (times->empty())
         faults.add(object.path("time_s"), "must have at least 2 entries");
+    faults.take(times->size() * sizeof(double) + places->size() * sizeof(Point));
+    iceberg.track.time_s.reserve(times->size());
+    iceberg.track.position_m.reserve(places->size());
     for (std::size_t i = 0; i < times->size(); ++i)
         if (const auto time_s = numberOf((*times)[i], entryPath(object.path("time_s"), i), faults))
             iceberg.track.time_s.push_back(*time_s);

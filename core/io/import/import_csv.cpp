@@ -1,7 +1,6 @@
 #include "core/io/import/import_csv.h"
 
 #include "core/base/error.h"
-#include "core/base/stopped.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/text/csv_reader.h"
 #include "core/scenario/checks.h"
@@ -95,7 +94,7 @@ void forRows(const ImportText& source, bool header, Use use)
     CsvRow row;
     bool first = header;
     while (reader.next(row)) {
-        throwIfStopped(source.stop);
+        source.budget.goOn();
         if (isBlank(row))
             continue;
         if (first)
@@ -164,7 +163,7 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
                 result = RejectedRow{
                     .line = row.line, .fault = *late, .detail = timeText(texts, rules.timeApart)};
         }
-        addRow(table, std::move(result), source.subject);
+        addRow(table, std::move(result), source.budget);
         return true;
     });
     return table;
@@ -197,7 +196,7 @@ void requireMappedColumns(const ImportText& source, const std::vector<std::strin
             issues.push_back({Severity::Error, nameOf(kSightingFieldNames, mapped.field),
                               "there is no column \"" + mapped.column + '"'});
     if (!issues.empty())
-        throw Error(ErrorCode::InvalidInput, source.subject, std::move(issues));
+        throw Error(ErrorCode::InvalidInput, source.budget.subject(), std::move(issues));
 }
 
 /** Two columns of one name: which of them holds the field, nobody can tell. */
@@ -221,7 +220,7 @@ CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingF
 {
     const CsvRow header = firstRow(source.text);
     if (header.cells.empty() || header.cells.size() > kMostColumns)
-        throw Error(ErrorCode::WrongFormat, source.subject,
+        throw Error(ErrorCode::WrongFormat, source.budget.subject(),
                     "the first line must name from 1 to " + std::to_string(kMostColumns) +
                         " columns");
     std::vector<std::string> cells;
@@ -230,7 +229,7 @@ CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingF
     requireMappedColumns(source, cells);
     FieldNames names(source.mapping);
     CsvLayout layout{.columns = columnsOf(cells, names), .width = cells.size()};
-    refuseTwins(layout.columns, cells, source.subject);
+    refuseTwins(layout.columns, cells, source.budget.subject());
     if (fields.size() > 0)
         std::erase_if(layout.columns, [&](const ReadColumn& column) {
             return std::find(fields.begin(), fields.end(), column.use.field) == fields.end();
@@ -301,7 +300,7 @@ bool isAnyCsv(std::string_view text)
 SightingTable readAnyCsv(const ImportText& source)
 {
     CsvLayout layout = layoutByName(source);
-    requirePlace(layout, source.subject);
+    requirePlace(layout, source.budget.subject());
     layout.timeNeeded = reads(layout, SightingField::Time) || reads(layout, SightingField::Date);
     layout.isMonthFirst = false;
     SightingTable table = readRows(source, layout);
@@ -323,7 +322,7 @@ SightingTable readIip(const ImportText& source)
     using enum SightingField;
     const CsvRow first = firstRow(source.text);
     if (first.cells.size() != kIipColumns)
-        throw Error(ErrorCode::WrongFormat, source.subject,
+        throw Error(ErrorCode::WrongFormat, source.budget.subject(),
                     "IIP sightings have " + std::to_string(kIipColumns) + " columns, not " +
                         std::to_string(first.cells.size()));
     CsvLayout layout{.width = kIipColumns,
@@ -347,8 +346,8 @@ SightingTable readCisBeacon(const ImportText& source)
     using enum SightingField;
     // Its speed and direction are differences of positions, which the estimate does better.
     const CsvLayout layout = layoutByName(source, {Id, Time, Latitude, Longitude});
-    requirePlace(layout, source.subject);
-    requireField(layout, Time, source.subject);
+    requirePlace(layout, source.budget.subject());
+    requireField(layout, Time, source.budget.subject());
     SightingTable table = readRows(source, layout);
     decideOneIceberg(table);
     return table;
@@ -364,8 +363,8 @@ SightingTable readUsnic(const ImportText& source)
 {
     using enum SightingField;
     const CsvLayout layout = layoutByName(source, {Id, Time, Latitude, Longitude, Length, Remarks});
-    requirePlace(layout, source.subject);
-    requireField(layout, Time, source.subject);
+    requirePlace(layout, source.budget.subject());
+    requireField(layout, Time, source.budget.subject());
     return readRows(source, layout);
 }
 

@@ -1,6 +1,5 @@
 #include "core/io/import/import_czml.h"
 
-#include "core/base/stopped.h"
 #include "core/io/import/import_xml.h"
 #include "core/io/import/json_members.h"
 
@@ -45,14 +44,15 @@ public:
 
     SightingTable take()
     {
-        const ParsedJson file = parseJson(m_source.text, m_source.subject, m_source.stop);
+        ParsedJson file = parseJson(m_source.text, m_source.budget);
         if (!file.root.is_array())
-            throw Error(ErrorCode::WrongFormat, m_source.subject, "is no list of CZML packets");
+            throw Error(ErrorCode::WrongFormat, m_source.budget.subject(),
+                        "is no list of CZML packets");
         for (const Json& packet : file.root)
             m_isOwn = m_isOwn || (idOf(packet).starts_with(kHome) &&
                                   memberOf(memberOf(&packet, "properties"), "airspeed_mps"));
-        for (const Json& packet : file.root)
-            addPacket(packet);
+        forEachReleased(file.root.get_ref<Json::array_t&>(), m_source.budget,
+                        [this](const Json& packet) { addPacket(packet); });
         return std::move(m_table);
     }
 
@@ -60,12 +60,12 @@ private:
     void reject(RowFault fault)
     {
         addRow(m_table, RejectedRow{.line = m_packet, .fault = fault, .detail = {}},
-               m_source.subject);
+               m_source.budget);
     }
 
     void addPacket(const Json& packet)
     {
-        throwIfStopped(m_source.stop);
+        m_source.budget.goOn();
         ++m_packet;
         const std::string id = idOf(packet);
         if (id == "document")
@@ -127,7 +127,7 @@ private:
             withDrift(sightingOf(m_texts, {}, m_packet), m_drift);
         if (auto* const sighting = std::get_if<Sighting>(&row))
             setData(*sighting, m_data);
-        addRow(m_table, std::move(row), m_source.subject);
+        addRow(m_table, std::move(row), m_source.budget);
     }
 
     void addTrack(const Json& degrees, const std::optional<UtcTime>& epoch)
@@ -135,7 +135,7 @@ private:
         constexpr std::size_t kStep = 4;
         constexpr double kLongest_s = 1e9;
         for (std::size_t i = 0; i + kStep <= degrees.size(); i += kStep) {
-            throwIfStopped(m_source.stop);
+            m_source.budget.goOn();
             FieldTexts texts = m_texts;
             const Json& time = degrees[i];
             if (time.is_string())
@@ -143,8 +143,7 @@ private:
             else if (epoch && time.is_number() && std::abs(time.get<double>()) < kLongest_s)
                 texts.set(SightingField::Time, utcText(*epoch, time.get<double>()));
             if (setPlace(texts, degrees[i + 1], degrees[i + 2]))
-                addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_packet),
-                       m_source.subject);
+                addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_packet), m_source.budget);
             else
                 reject(RowFault::PositionMissing);
         }

@@ -297,21 +297,23 @@ std::variant<Sighting, RejectedRow> withDrift(std::variant<Sighting, RejectedRow
     return row;
 }
 
-void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row,
-            const std::string& subject)
+void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row, ReadBudget& budget)
 {
-    if (table.sightings.size() + table.rejected.count >= kMostSightings)
-        throw Error(ErrorCode::FileTooLarge, subject,
-                    "holds more than " + std::to_string(kMostSightings) + " sightings");
-    if (auto* const sighting = std::get_if<Sighting>(&row))
-        table.sightings.push_back(std::move(*sighting));
-    else
+    constexpr std::size_t kAfterwards = 120; // to choose, to place and to follow it
+    auto* const sighting = std::get_if<Sighting>(&row);
+    if (sighting == nullptr) {
+        budget.takeRow(0);
         table.rejected.add(std::get<RejectedRow>(std::move(row)));
+        return;
+    }
+    budget.takeRow(sizeof(Sighting) + kAfterwards + sighting->id.capacity() +
+                   sighting->name.capacity());
+    table.sightings.push_back(std::move(*sighting));
 }
 
 void decideOneIceberg(SightingTable& table)
 {
-    const std::vector<Sighting>& rows = table.sightings;
+    const std::deque<Sighting>& rows = table.sightings;
     const bool unnamed = std::all_of(rows.begin(), rows.end(), [](const Sighting& row) {
         return row.id.empty() && row.time.has_value();
     });

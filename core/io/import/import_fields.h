@@ -4,6 +4,7 @@
 
 #include "core/io/import/import_table.h"
 #include "core/io/import/import_time.h"
+#include "core/io/text/read_budget.h"
 
 #include <map>
 #include <variant>
@@ -104,9 +105,8 @@ struct DriftTexts
 /** Small letters and digits of a name, for comparing: "Length (NM)" is "lengthnm". */
 [[nodiscard]] std::string plainName(std::string_view name);
 
-/** Adds what was read of a row to the table. Throws `Error{FileTooLarge}` beyond the limit. */
-void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row,
-            const std::string& subject);
+/** Adds what was read of a row to the table. */
+void addRow(SightingTable& table, std::variant<Sighting, RejectedRow> row, ReadBudget& budget);
 
 /** Sets `oneIceberg`: rows without ids, at different times, are the track of one beacon. */
 void decideOneIceberg(SightingTable& table);

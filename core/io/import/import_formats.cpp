@@ -7,7 +7,6 @@
 #include "core/io/import/import_geojson.h"
 #include "core/io/import/import_mission.h"
 #include "core/io/import/import_xml.h"
-#include "core/io/text/atomic_file.h"
 #include "core/io/text/zip_file.h"
 #include "core/scenario/checks.h"
 
@@ -123,20 +122,19 @@ const ImportFormat* findImportFormat(std::string_view id)
     return it == kFormats.end() ? nullptr : &*it;
 }
 
-SightingTable readSightings(std::string_view bytes, const std::string& subject,
-                            const ReadOptions& options, const std::stop_token& stop)
+namespace {
+
+SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, ReadBudget& budget)
 {
-    if (bytes.size() > kLargestFile)
-        throw Error(ErrorCode::FileTooLarge, subject,
-                    "is larger than " + std::to_string(kLargestFile >> 20U) + " MiB");
+    const std::string& subject = budget.subject();
     if (isZip(bytes)) {
         const bool isAny = options.format == "auto" || options.format == "kmz";
         ReadOptions inside = options;
         inside.format = isAny ? "kml" : options.format;
-        const std::string text = unzipped(bytes, ".kml", subject, stop);
+        const std::string text = unzipped(bytes, ".kml", budget);
         if (isZip(text)) // some archives hold themselves
             throw Error(ErrorCode::WrongFormat, subject, "is an archive in an archive");
-        SightingTable table = readSightings(text, subject, inside, stop);
+        SightingTable table = sightingsOf(text, inside, budget);
         table.format = isAny ? "kmz" : table.format;
         return table;
     }
@@ -148,17 +146,23 @@ SightingTable readSightings(std::string_view bytes, const std::string& subject,
     if (!format.namedColumns && !options.mapping.empty())
         throw Error(ErrorCode::InvalidInput, subject,
                     "columns of the format " + std::string(format.id) + " cannot be mapped");
-    SightingTable table = format.read({.text = text,
-                                       .subject = subject,
-                                       .mapping = options.mapping,
-                                       .dates = options.dates,
-                                       .stop = stop});
+    SightingTable table = format.read(
+        {.text = text, .budget = budget, .mapping = options.mapping, .dates = options.dates});
     table.format = format.id;
     if (!table.sightings.empty())
         return table;
     if (table.rejected.count > 0)
         throw Error(ErrorCode::InvalidInput, subject, issuesOf(table.rejected));
     throw Error(ErrorCode::InvalidInput, subject, "holds no sightings");
+}
+
+} // namespace
+
+SightingTable readSightings(std::string_view bytes, const std::string& subject,
+                            const ReadOptions& options, const std::stop_token& stop)
+{
+    ReadBudget budget(subject, bytes.size(), stop);
+    return sightingsOf(bytes, options, budget);
 }
 
 } // namespace berg

@@ -2,6 +2,7 @@
 
 #include "core/io/import/import_table.h"
 #include "core/io/import/import_time.h"
+#include "core/io/text/read_budget.h"
 
 #include <span>
 #include <stop_token>
@@ -14,10 +15,9 @@ namespace berg {
 struct ImportText
 {
     std::string_view text;
-    const std::string& subject;   ///< names the file in errors
+    ReadBudget& budget;
     const ColumnMapping& mapping; ///< columns the user has named; the rest is guessed
     std::optional<DateOrder> dates = {};
-    std::stop_token stop = {};
 };
 
 /** One row of the table that the command line and the dialog share. */
@@ -47,11 +47,11 @@ struct ReadOptions
 
 /**
  * Sightings of a file's bytes; rows that cannot be used are rejected one by one. Text that is not
- * UTF-8 is taken as ISO 8859-1 in tables. Throws `Error`: FileTooLarge above `kLargestFile` bytes
- * or `kMostSightings` rows; WrongFormat for what is no text, of no known format or not of the one
- * asked for; SyntaxError for broken JSON or XML; InvalidInput when a needed column is missing, a
- * mapped one does not exist, or there is no usable row (with the reasons); `Stopped` when asked to
- * stop. Cost: linear; 50 MB take a few seconds.
+ * UTF-8 is taken as ISO 8859-1 in tables. Throws `Error`: FileTooLarge (`ReadBudget`); WrongFormat
+ * for what is no text, of no known format or not of the one asked for; SyntaxError for broken JSON
+ * or XML; InvalidInput when a needed column is missing, a mapped one does not exist, or there is no
+ * usable row (with the reasons); `Stopped` when asked to stop. Cost: linear; 50 MB take a few
+ * seconds.
  */
 [[nodiscard]] SightingTable readSightings(std::string_view bytes, const std::string& subject,
                                           const ReadOptions& options = {},

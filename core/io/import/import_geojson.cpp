@@ -1,6 +1,5 @@
 #include "core/io/import/import_geojson.h"
 
-#include "core/base/stopped.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_geojson_scene.h"
 
@@ -90,12 +89,11 @@ std::optional<double> appearsIn_s(const Json* properties)
 }
 
 /** The features of a collection, or the one that the file is. */
-std::span<const Json> featuresOf(const Json& root)
+std::span<Json> featuresOf(Json& root)
 {
-    const Json* features = memberOf(&root, "features");
-    if (typeOf(&root) != "FeatureCollection" || features == nullptr || !features->is_array())
+    if (typeOf(&root) != "FeatureCollection" || arrayOf(&root, "features") == nullptr)
         return {&root, 1};
-    return features->get_ref<const Json::array_t&>();
+    return root.find("features")->get_ref<Json::array_t&>();
 }
 
 /** Gathers the sightings of one file. */
@@ -108,15 +106,14 @@ public:
 
     SightingTable take()
     {
-        const ParsedJson file = parseJson(m_source.text, m_source.subject, m_source.stop);
-        const std::span<const Json> features = featuresOf(file.root);
+        ParsedJson file = parseJson(m_source.text, m_source.budget);
+        const std::span<Json> features = featuresOf(file.root);
         for (const Json& feature : features) {
             const std::string type = typeOf(memberOf(&feature, "geometry"));
             m_isRoute = m_isRoute && type != "Point" && type != "Polygon";
             m_isOwn = m_isOwn || isOwnGeoJson(memberOf(&feature, "properties"));
         }
-        for (const Json& feature : features)
-            addFeature(feature);
+        forEachReleased(features, m_source.budget, [this](const Json& one) { addFeature(one); });
         return std::move(m_table);
     }
 
@@ -125,12 +122,12 @@ private:
     {
         addRow(m_table,
                RejectedRow{.line = m_feature, .fault = fault, .detail = cleanText(detail, 60)},
-               m_source.subject);
+               m_source.budget);
     }
 
     void addFeature(const Json& feature)
     {
-        throwIfStopped(m_source.stop);
+        m_source.budget.goOn();
         ++m_feature;
         const bool bare = typeOf(&feature) != "Feature";
         const Json* geometry = bare ? &feature : memberOf(&feature, "geometry");
@@ -182,17 +179,17 @@ private:
             withDrift(sightingOf(texts, {}, m_feature), driftOf(properties));
         if (auto* const sighting = std::get_if<Sighting>(&row))
             sighting->appearsIn_s = appearsIn_s(properties);
-        addRow(m_table, std::move(row), m_source.subject);
+        addRow(m_table, std::move(row), m_source.budget);
     }
 
     /** Corners of a line are places without a name of their own. */
     void addRoute(const Json& corners)
     {
         for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
-            throwIfStopped(m_source.stop);
+            m_source.budget.goOn();
             FieldTexts texts;
             if (setPlace(texts, corners[i]))
-                addRow(m_table, sightingOf(texts, {}, m_feature), m_source.subject);
+                addRow(m_table, sightingOf(texts, {}, m_feature), m_source.budget);
             else
                 reject(RowFault::PositionMissing);
         }
@@ -201,14 +198,14 @@ private:
     void addTrack(const FieldTexts& common, const Json& corners, const Json& times)
     {
         for (std::size_t i = 0; corners.is_array() && i < corners.size(); ++i) {
-            throwIfStopped(m_source.stop);
+            m_source.budget.goOn();
             FieldTexts texts = common;
             const bool placed = setPlace(texts, corners[i]);
             if (i < times.size())
                 texts.set(SightingField::Time, cellText(times[i]));
             if (placed)
                 addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_feature),
-                       m_source.subject);
+                       m_source.budget);
             else
                 reject(RowFault::PositionMissing);
         }

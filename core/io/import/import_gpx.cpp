@@ -14,7 +14,7 @@ public:
     {
         const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
                                .closed = [this](XmlPath path) { closed(path); }};
-        readXml(m_source.text, m_source.subject, events, m_source.stop);
+        readXml(m_source.text, events, m_source.budget);
         decideOneIceberg(m_table);
         return std::move(m_table);
     }
@@ -92,7 +92,7 @@ private:
             withDrift(sightingOf(m_texts, {.timeNeeded = isTrack}, point.line), m_drift);
         if (auto* const sighting = std::get_if<Sighting>(&row))
             setData(*sighting, m_data);
-        addRow(m_table, std::move(row), m_source.subject);
+        addRow(m_table, std::move(row), m_source.budget);
     }
 
     /** Of an export of our own what is no iceberg; routes and tracks say nothing more. */

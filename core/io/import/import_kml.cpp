@@ -1,6 +1,7 @@
 #include "core/io/import/import_xml.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace berg {
 
@@ -61,7 +62,7 @@ public:
     {
         const XmlEvents events{.opened = [this](XmlPath path) { opened(path.back()); },
                                .closed = [this](XmlPath path) { closed(path); }};
-        readXml(m_source.text, m_source.subject, events, m_source.stop);
+        readXml(m_source.text, events, m_source.budget);
         return std::move(m_table);
     }
 
@@ -89,6 +90,7 @@ private:
         m_holes = 0;
         m_whens.clear();
         m_coordinates.clear();
+        m_source.budget.giveBack(std::exchange(m_kept, 0));
         // A name or an id of the data is a better name for the iceberg.
         m_texts.set({.field = SightingField::Id, .rank = 1001}, element.attribute("id"));
     }
@@ -106,9 +108,9 @@ private:
         else if (element.name == "styleUrl" && parent == "Placemark")
             m_style = trimmed(element.text);
         else if (element.name == "when" && parent == "Track")
-            m_whens.push_back(element.text);
+            m_whens.push_back(kept(element.text));
         else if (element.name == "coord")
-            m_coordinates.push_back({.line = element.line, .text = element.text});
+            m_coordinates.push_back({.line = element.line, .text = kept(element.text)});
         else if (element.name == "when" || (element.name == "begin" && parent == "TimeSpan"))
             m_texts.set(SightingField::Time, element.text);
         else if (element.name == "coordinates" && parent == "Point" && m_point.empty())
@@ -121,13 +123,22 @@ private:
             property(element.attribute("name"), element.text);
     }
 
+    /** A text that is kept until the end of the Placemark, in a list that grows. */
+    const std::string& kept(const std::string& text)
+    {
+        const std::size_t memory = 3 * sizeof(Coordinate) + text.capacity();
+        m_source.budget.take(memory);
+        m_kept += memory;
+        return text;
+    }
+
     /** Outlines of an export of our own. */
     void shape(XmlPath path)
     {
         const std::string& text = path.back().text;
         const std::string_view parent = parentName(path);
         if (parent == "LinearRing" && parentName(path.first(path.size() - 1)) == kExterior)
-            m_rings.push_back(text);
+            m_rings.push_back(kept(text));
         else if (parent == "LinearRing")
             ++m_holes;
     }
@@ -153,14 +164,14 @@ private:
             finishTrack();
         } else if (m_point.empty()) {
             addRow(m_table, RejectedRow{.line = m_line, .fault = RowFault::NotAPoint, .detail = {}},
-                   m_source.subject);
+                   m_source.budget);
         } else {
             setPlace(m_texts, m_point, ",");
             std::variant<Sighting, RejectedRow> row =
                 withDrift(sightingOf(m_texts, {}, m_line), m_drift);
             if (auto* const sighting = std::get_if<Sighting>(&row))
                 setData(*sighting, m_data);
-            addRow(m_table, std::move(row), m_source.subject);
+            addRow(m_table, std::move(row), m_source.budget);
         }
     }
 
@@ -208,7 +219,7 @@ private:
             if (i < m_whens.size())
                 texts.set(SightingField::Time, m_whens[i]);
             setPlace(texts, m_coordinates[i].text, " \t\n");
-            addRow(m_table, sightingOf(texts, {.timeNeeded = true}, line), m_source.subject);
+            addRow(m_table, sightingOf(texts, {.timeNeeded = true}, line), m_source.budget);
         }
     }
 
@@ -228,6 +239,7 @@ private:
     OwnData m_data;
     std::vector<std::string> m_whens;
     std::vector<Coordinate> m_coordinates;
+    std::size_t m_kept = 0; ///< bytes of them
 };
 
 } // namespace

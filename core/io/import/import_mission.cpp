@@ -65,7 +65,7 @@ void MissionPlaces::setHome(const MissionItem& home)
     std::variant<Sighting, RejectedRow> row = rowOf(home);
     const auto* const sighting = std::get_if<Sighting>(&row);
     if (sighting == nullptr) {
-        addRow(m_table, std::move(row), m_subject);
+        addRow(m_table, std::move(row), m_budget);
     } else if (!isNowhere(sighting->place)) {
         (void)isNew(sighting->place);
         m_uav.start = m_uav.home = sighting->place;
@@ -132,14 +132,14 @@ void MissionPlaces::add(const MissionItem& item)
         if (!isNew(sighting->place))
             return;
     }
-    addRow(m_table, std::move(row), m_subject);
+    addRow(m_table, std::move(row), m_budget);
 }
 
 void MissionPlaces::reject(std::size_t line, const std::string& what)
 {
     addRow(m_table,
            RejectedRow{.line = line, .fault = RowFault::NotAPoint, .detail = cleanText(what, 60)},
-           m_subject);
+           m_budget);
 }
 
 } // namespace berg

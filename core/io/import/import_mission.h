@@ -52,7 +52,7 @@ struct MissionItem
 class MissionPlaces
 {
 public:
-    explicit MissionPlaces(const ImportText& source) : m_subject(source.subject) {}
+    explicit MissionPlaces(const ImportText& source) : m_budget(source.budget) {}
 
     /** 0, 0 stands for a home that is not known. */
     void setHome(const MissionItem& home);
@@ -71,7 +71,7 @@ private:
     void setSpeed(const MissionItem& item);
     void setAltitude(const MissionItem& item);
 
-    const std::string& m_subject;
+    ReadBudget& m_budget;
     SightingTable m_table;
     SceneUav m_uav;
     double m_homeAltitude_m = 0;                             ///< above mean sea level

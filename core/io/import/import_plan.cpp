@@ -1,5 +1,4 @@
 #include "core/base/error.h"
-#include "core/base/stopped.h"
 #include "core/io/import/import_geojson.h"
 #include "core/io/import/import_mission.h"
 #include "core/io/import/json_members.h"
@@ -53,9 +52,8 @@ class PlanReading
 {
 public:
     explicit PlanReading(const ImportText& source)
-        : m_subject(source.subject)
-        , m_file(parseJson(source.text, source.subject, source.stop))
-        , m_stop(source.stop)
+        : m_subject(source.budget.subject())
+        , m_file(parseJson(source.text, source.budget))
         , m_places(source)
     {
     }
@@ -96,7 +94,6 @@ private:
         if (items == nullptr || (items = mission.array("items")) == nullptr)
             return;
         for (std::size_t i = 0; i < items->size(); ++i) {
-            throwIfStopped(m_stop);
             readItem((*items)[i], i);
         }
         if (const Json* cruise = mission.find("cruiseSpeed"); cruise && cruise->is_number())
@@ -182,7 +179,6 @@ private:
 
     const std::string& m_subject;
     ParsedJson m_file;
-    const std::stop_token& m_stop;
     const Json* m_rally = nullptr; ///< null: no rally points
     MissionPlaces m_places;
 };

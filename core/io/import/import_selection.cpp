@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/stopped.h"
+#include "core/io/text/read_budget.h"
 #include "core/scenario/checks.h"
 
 #include <algorithm>
@@ -82,6 +83,8 @@ std::optional<UtcTime> startOf(const Scenario& base, const std::vector<const Sig
 
 namespace {
 
+constexpr std::size_t kMostGrouped = 50'000; ///< a scenario takes a fiftieth of them
+
 /** Gathers the sightings of each iceberg. */
 class Grouping
 {
@@ -95,6 +98,9 @@ public:
     {
         std::string id = idOf(sighting);
         const auto [it, isNew] = m_rows.try_emplace(id, m_icebergs.size());
+        if (isNew && m_icebergs.size() == readLimit(kMostGrouped))
+            failTooLarge("import", "there are more than " + std::to_string(m_icebergs.size()) +
+                                       " icebergs to choose from: narrow the area or the time");
         if (isNew)
             m_icebergs.push_back({.id = std::move(id), .sightings = {}});
         PlacedSighting placed{.sighting = &sighting, .timeKnown = sighting.time && m_start};

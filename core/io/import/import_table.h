@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -122,8 +123,8 @@ using ColumnMapping = std::vector<FieldColumn>;
 /** What a file of sightings holds. */
 struct SightingTable
 {
-    std::string format; ///< id of the format it was read as
-    std::vector<Sighting> sightings;
+    std::string format;             ///< id of the format it was read as
+    std::deque<Sighting> sightings; ///< many: a vector would have to copy them to grow
     FileScene scene;
     Rejections rejected;
     std::vector<std::string> columns; ///< of the file by name; empty where there are none
@@ -135,7 +136,6 @@ struct SightingTable
 };
 
 // Hostile or mistaken files end here.
-inline constexpr std::size_t kMostSightings = 1'000'000; ///< rows or features of a file
 inline constexpr std::size_t kMostColumns = 1000;
 inline constexpr std::size_t kLongestId = 64;    ///< bytes
 inline constexpr std::size_t kLongestName = 200; ///< bytes; longer ones are cut

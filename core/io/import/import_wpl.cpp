@@ -1,5 +1,4 @@
 #include "core/base/error.h"
-#include "core/base/stopped.h"
 #include "core/io/import/import_fields.h"
 #include "core/io/import/import_mission.h"
 #include "core/scenario/checks.h"
@@ -50,10 +49,7 @@ class WplReading
 {
 public:
     explicit WplReading(const ImportText& source)
-        : m_subject(source.subject)
-        , m_stop(source.stop)
-        , m_rest(withoutMark(source.text))
-        , m_places(source)
+        : m_budget(source.budget), m_rest(withoutMark(source.text)), m_places(source)
     {
     }
 
@@ -62,7 +58,7 @@ public:
         const bool firstIsHome = readHead();
         bool first = true;
         while (nextLine()) {
-            throwIfStopped(m_stop);
+            m_budget.goOn();
             if (trimmed(m_text).empty()) {
                 m_comment = {};
                 continue;
@@ -80,7 +76,8 @@ public:
 private:
     [[noreturn]] void fail(const std::string& reason, ErrorCode code = ErrorCode::SyntaxError) const
     {
-        throw Error(code, m_subject, {{Severity::Error, "line " + std::to_string(m_line), reason}});
+        throw Error(code, m_budget.subject(),
+                    {{Severity::Error, "line " + std::to_string(m_line), reason}});
     }
 
     bool nextLine()
@@ -170,8 +167,7 @@ private:
         return value;
     }
 
-    const std::string& m_subject;
-    const std::stop_token& m_stop;
+    ReadBudget& m_budget;
     std::string_view m_rest;
     std::string_view m_text; ///< of the present line
     std::size_t m_line = 0;

@@ -6,7 +6,9 @@
 #include "core/io/text/json_reader.h"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace berg {
@@ -17,6 +19,18 @@ namespace berg {
 [[nodiscard]] const Json* arrayOf(const Json* value, const char* name);
 /** Empty when it is no text. */
 [[nodiscard]] std::string textOf(const Json* value);
+
+/** Calls `use` for each entry, whose memory then is free for what was made of it. */
+template <class Use>
+void forEachReleased(std::span<Json> entries, ReadBudget& budget, Use use)
+{
+    const std::size_t each = entries.empty() ? 0 : budget.memory() / entries.size();
+    for (Json& entry : entries) {
+        use(std::as_const(entry));
+        release(entry);
+        budget.giveBack(each);
+    }
+}
 
 enum class AxisOrder
 {

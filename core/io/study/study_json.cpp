@@ -244,9 +244,10 @@ std::string studyToJson(const Study& study)
     return object.inLines(0) + '\n';
 }
 
-Study studyFromJson(std::string_view text, const std::string& subject)
+Study studyFromJson(std::string_view text, const std::string& subject, const std::stop_token& stop)
 {
-    ParsedJson parsed = parseJson(text, subject);
+    ReadBudget budget(subject, text.size(), stop);
+    ParsedJson parsed = parseJson(text, budget);
     requireFormat(parsed, kFormat, subject);
     ObjectReader object(parsed.root, "", parsed.faults);
     Study study{.spec = readSpec(object)};

@@ -2,6 +2,7 @@
 
 #include "core/study/study.h"
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,8 @@ namespace berg {
  */
 [[nodiscard]] std::string studyToJson(const Study& study);
 /** Errors as for `scenarioFromJson`. */
-[[nodiscard]] Study studyFromJson(std::string_view text, const std::string& subject);
+[[nodiscard]] Study studyFromJson(std::string_view text, const std::string& subject,
+                                  const std::stop_token& stop = {});
 /** Of a study file, or of the one that a report keeps (`studyReportHtml`). */
 [[nodiscard]] Study loadStudy(const std::string& path);
 /** Throws `Error{FileTooLarge}` when the file of the whole study could not be read back. */

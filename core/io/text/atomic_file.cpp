@@ -4,6 +4,7 @@
 #include "core/base/stopped.h"
 #include "core/io/file_descriptor.h"
 #include "core/io/temporary_file.h"
+#include "core/io/text/read_budget.h"
 
 #include <cerrno>
 #include <charconv>
@@ -160,7 +161,8 @@ std::string readFile(const std::string& path, const std::stop_token& stop)
     constexpr std::size_t kChunk = std::size_t{1} << 20U;
     std::string content;
     std::size_t size = 0;
-    while (size <= kLargestFile) {
+    const std::size_t most = readLimit(kLargestFile);
+    while (size <= most) {
         throwIfStopped(stop);
         content.resize(size + kChunk);
         const ssize_t got = ::read(file.get(), content.data() + size, kChunk);
@@ -174,8 +176,7 @@ std::string readFile(const std::string& path, const std::stop_token& stop)
             return content;
         }
     }
-    throw Error(ErrorCode::FileTooLarge, path,
-                "is larger than " + std::to_string(kLargestFile >> 20U) + " MiB");
+    failTooLarge(path, "is larger than " + std::to_string(most >> 20U) + " MiB");
 }
 
 namespace {

@@ -1,5 +1,3 @@
-#include "core/base/stopped.h"
-#include "core/io/text/atomic_file.h"
 #include "core/io/text/json_reader.h"
 
 #include <algorithm>
@@ -11,11 +9,6 @@ namespace berg {
 namespace {
 
 constexpr std::size_t kDeepest = 64;
-constexpr std::size_t kMostValues = 10'000'000;
-
-// What reading may take: ten times the file and 50 MB, of which the file itself is one.
-constexpr std::size_t kMemoryPerByte = 9;
-constexpr std::size_t kMemoryBeside = 50'000'000;
 // About what a value takes in a list that is read, and while it grows: then there are two of it,
 // one of them with room for as many again.
 constexpr std::size_t kGrowing = 3;
@@ -54,21 +47,6 @@ std::string reasonText(std::string message)
     return start == std::string::npos ? message : message.substr(start);
 }
 
-/** Lists go one after another: the library would first gather all of their entries in one. */
-void release(Json& value)
-{
-    if (value.is_object()) {
-        for (auto& [name, member] : membersOf(value))
-            release(member);
-        Members().swap(membersOf(value));
-    } else if (value.is_array()) {
-        Json::array_t& entries = value.get_ref<Json::array_t&>();
-        for (Json& entry : entries)
-            release(entry);
-        Json::array_t().swap(entries);
-    }
-}
-
 /**
  * Builds the tree from the parser's events and checks what the library does not: depth, duplicate
  * members, number of values.
@@ -76,15 +54,14 @@ void release(Json& value)
 class TreeBuilder
 {
 public:
-    TreeBuilder(std::string_view text, const std::string& subject, const std::stop_token& stop)
-        : m_text(text)
-        , m_subject(subject)
-        , m_stop(stop)
-        , m_mostMemory(kMemoryPerByte * text.size() + kMemoryBeside)
+    /** `wanted`: the member of the root that is read, and nothing behind it; empty: all. */
+    TreeBuilder(std::string_view text, ReadBudget& budget, std::string wanted = {})
+        : m_text(text), m_budget(budget), m_wanted(std::move(wanted)), m_faults(&budget)
     {
     }
 
     [[nodiscard]] ParsedJson take() { return {std::move(m_root), std::move(m_faults)}; }
+    [[nodiscard]] bool hasWanted() const { return m_hasWanted; }
 
     // The interface the library calls; each returns whether to go on.
     // NOLINTBEGIN(readability-identifier-naming): the names are the library's
@@ -98,7 +75,7 @@ public:
     }
     bool string(std::string& value)
     {
-        take(sizeof(std::string) + textMemory(value));
+        m_budget.take(sizeof(std::string) + textMemory(value));
         return add(std::move(value));
     }
     bool binary(Json::binary_t& /*value*/) { return false; }
@@ -109,7 +86,7 @@ public:
     bool key(std::string& name)
     {
         Level& level = m_levels.back();
-        take(textMemory(name));
+        m_budget.take(textMemory(name));
         takeWhileOpen(kNameMemory + textMemory(name));
         level.duplicate = !level.names.insert(name).second;
         level.name = std::move(name);
@@ -143,7 +120,8 @@ private:
 
     [[noreturn]] void fail(std::size_t offset, const std::string& reason) const
     {
-        throw Error(ErrorCode::SyntaxError, m_subject, placeText(m_text, offset) + ": " + reason);
+        throw Error(ErrorCode::SyntaxError, m_budget.subject(),
+                    placeText(m_text, offset) + ": " + reason);
     }
 
     /** Path of the value being read. */
@@ -159,7 +137,7 @@ private:
     bool open(bool isObject)
     {
         if (m_levels.size() >= kDeepest)
-            throw Error(ErrorCode::SyntaxError, m_subject,
+            throw Error(ErrorCode::SyntaxError, m_budget.subject(),
                         "nested deeper than " + std::to_string(kDeepest) + " levels");
         m_levels.emplace_back().isObject = isObject;
         return true;
@@ -169,9 +147,9 @@ private:
     {
         Level level = std::move(m_levels.back());
         m_levels.pop_back();
-        take(kNodeMemory + level.entries.size() * sizeof(Json) +
-             level.members.size() * sizeof(Members::value_type));
-        m_memory -= level.memory;
+        m_budget.take(kNodeMemory + level.entries.size() * sizeof(Json) +
+                      level.members.size() * sizeof(Members::value_type));
+        m_budget.giveBack(level.memory);
         level.entries.shrink_to_fit();
         if (!level.isObject)
             return add(std::move(level.entries));
@@ -185,70 +163,83 @@ private:
 
     bool add(Json value)
     {
-        throwIfStopped(m_stop);
-        if (++m_values > kMostValues)
-            throw Error(ErrorCode::FileTooLarge, m_subject,
-                        "holds more than " + std::to_string(kMostValues) + " values");
+        m_budget.takeValue();
         if (!m_levels.empty())
             takeWhileOpen(kGrowing *
                           (m_levels.back().isObject ? sizeof(Members::value_type) : sizeof(Json)));
-        if (m_levels.empty())
+        m_hasWanted = !m_wanted.empty() && m_levels.size() == 1 && m_levels[0].name == m_wanted;
+        if (m_levels.empty() || m_hasWanted)
             m_root = std::move(value);
         else if (Level& level = m_levels.back(); !level.isObject)
             level.entries.push_back(std::move(value));
         else if (!level.duplicate)
             level.members.emplace_back(std::move(level.name), std::move(value));
-        return true;
-    }
-
-    /** Counts what is kept of the file. */
-    void take(std::size_t bytes)
-    {
-        constexpr std::size_t kMegabyte = 1'000'000;
-        m_memory += bytes;
-        if (m_memory > m_mostMemory)
-            throw Error(ErrorCode::FileTooLarge, m_subject,
-                        "holds so many small values that reading it takes more than the " +
-                            std::to_string(m_mostMemory / kMegabyte) +
-                            " MB that a file of this size may: split it, or leave out what is "
-                            "empty");
+        return !m_hasWanted;
     }
 
     void takeWhileOpen(std::size_t bytes)
     {
         m_levels.back().memory += bytes;
-        take(bytes);
+        m_budget.take(bytes);
     }
 
     std::string_view m_text;
-    const std::string& m_subject;
-    const std::stop_token& m_stop;
-    std::size_t m_memory = 0; ///< taken by what is kept
-    std::size_t m_mostMemory;
+    ReadBudget& m_budget;
+    std::string m_wanted;
+    bool m_hasWanted = false;
     std::vector<Level> m_levels;
-    std::size_t m_values = 0;
     Json m_root;
     Faults m_faults;
 };
 
 } // namespace
 
+/** Lists go one after another: the library would first gather all of their entries in one. */
+void release(Json& value)
+{
+    if (value.is_object()) {
+        for (auto& [name, member] : membersOf(value))
+            release(member);
+        Members().swap(membersOf(value));
+    } else if (value.is_array()) {
+        Json::array_t& entries = value.get_ref<Json::array_t&>();
+        for (Json& entry : entries)
+            release(entry);
+        Json::array_t().swap(entries);
+    }
+}
+
 ParsedJson::~ParsedJson()
 {
     release(root);
 }
 
-ParsedJson parseJson(std::string_view text, const std::string& subject, const std::stop_token& stop)
+namespace {
+
+std::string_view withoutMark(std::string_view text)
 {
-    if (text.size() > kLargestFile)
-        throw Error(ErrorCode::FileTooLarge, subject,
-                    "is larger than " + std::to_string(kLargestFile >> 20U) + " MiB");
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.starts_with(kByteOrderMark))
-        text.remove_prefix(kByteOrderMark.size());
-    TreeBuilder builder(text, subject, stop);
-    require(Json::sax_parse(text, &builder), "parseJson: stopped without a reason");
+    return text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+}
+
+} // namespace
+
+ParsedJson parseJson(std::string_view text, ReadBudget& budget)
+{
+    TreeBuilder builder(withoutMark(text), budget);
+    require(Json::sax_parse(withoutMark(text), &builder), "parseJson: stopped without a reason");
     return builder.take();
+}
+
+std::optional<std::string> rootText(std::string_view text, const std::string& member,
+                                    ReadBudget& budget)
+{
+    TreeBuilder builder(withoutMark(text), budget, member);
+    Json::sax_parse(withoutMark(text), &builder);
+    const ParsedJson found = builder.take();
+    if (!builder.hasWanted() || !found.root.is_string())
+        return std::nullopt;
+    return found.root.get<std::string>();
 }
 
 } // namespace berg

@@ -95,6 +95,7 @@ std::string typeText(const Json& value)
 std::optional<double> numberOf(const Json& value, const std::string& path, Faults& faults,
                                const std::optional<Limits>& limits)
 {
+    faults.goOn();
     if (!value.is_number()) {
         faults.add(path, "must be a number, not " + typeText(value));
         return std::nullopt;
@@ -140,6 +141,7 @@ std::optional<Point> pointOf(const Json& value, const std::string& path, Faults&
 ObjectReader::ObjectReader(const Json& value, std::string path, Faults& faults)
     : m_object(value.is_object() ? &value : nullptr), m_path(std::move(path)), m_faults(&faults)
 {
+    faults.goOn();
     if (m_object == nullptr)
         faults.add(m_path, "must be an object, not " + typeText(value));
 }
@@ -230,12 +232,15 @@ Point ObjectReader::point(const char* member, const Point& fallback)
 
 std::string ObjectReader::unknown() const
 {
-    Json rest = Json::object();
+    std::string
+        text; // written member by member: a copy of the values could be as large as the file
     if (m_object != nullptr)
-        for (const auto& [name, value] : m_object->items())
+        for (const auto& [name, value] : m_object->items()) {
+            m_faults->goOn();
             if (!m_read.contains(name))
-                membersOf(rest).emplace_back(name, value);
-    return rest.empty() ? std::string() : rest.dump();
+                text += (text.empty() ? '{' : ',') + Json(name).dump() + ':' + value.dump();
+        }
+    return text.empty() ? text : text + '}';
 }
 
 } // namespace berg

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/geometry.h"
+#include "core/io/text/read_budget.h"
 #include "core/plan/solve/names.h"
 #include "core/scenario/checks.h"
 
@@ -14,7 +15,6 @@
 #include <functional>
 #include <optional>
 #include <set>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,14 +36,30 @@ using Members = std::vector<Json::object_t::value_type>;
 class Faults
 {
 public:
+    /** `budget`, when not null, is asked whether to go on; it must live as long. */
+    explicit Faults(ReadBudget* budget = nullptr) : m_budget(budget) {}
+
     void add(std::string field, std::string message);
     [[nodiscard]] bool empty() const { return m_issues.empty(); }
     /** True when a fault of exactly this field was noted. */
     [[nodiscard]] bool has(const std::string& field) const;
     /** Throws `Error{InvalidInput}` with all of them when there is one. */
     void throwIfAny(const std::string& subject) const;
+    /** Throws `Stopped` when the reading is to end. */
+    void goOn() const
+    {
+        if (m_budget != nullptr)
+            m_budget->goOn();
+    }
+    /** Memory of what is made of the file. */
+    void take(std::size_t bytes) const
+    {
+        if (m_budget != nullptr)
+            m_budget->take(bytes);
+    }
 
 private:
+    ReadBudget* m_budget;
     std::vector<Issue> m_issues;
     std::size_t m_notKept = 0;
 };
@@ -60,12 +76,17 @@ struct ParsedJson
 /**
  * Parses JSON as RFC 8259 has it; a UTF-8 byte order mark is skipped. Throws `Error` SyntaxError
  * with line and column (byte order, comments, NaN, numbers no double can hold, nesting deeper than
- * 64), FileTooLarge above `kLargestFile` bytes, ten million values or memory of ten times the text
- * and 50 MB. A member given twice is a
- * fault that names it. `Stopped` when asked to stop.
+ * 64), and what the budget throws, which must outlive the result. A member given twice is a fault
+ * that names it.
  */
-[[nodiscard]] ParsedJson parseJson(std::string_view text, const std::string& subject,
-                                   const std::stop_token& stop = {});
+[[nodiscard]] ParsedJson parseJson(std::string_view text, ReadBudget& budget);
+
+/** A member of the root that is a text, read no further; none without one. Errors as above. */
+[[nodiscard]] std::optional<std::string> rootText(std::string_view text, const std::string& member,
+                                                  ReadBudget& budget);
+
+/** Gives the memory of a value back, list by list; those are empty then. */
+void release(Json& value);
 
 /**
  * Checks `format` and `version` of a file. Throws WrongFormat when it is not an object of that

@@ -1,7 +1,6 @@
 #include "core/io/text/xml_reader.h"
 
 #include "core/base/error.h"
-#include "core/base/stopped.h"
 
 #include <algorithm>
 #include <exception>
@@ -19,8 +18,8 @@ constexpr char kNamespaceEnd = '|';
 class Reading
 {
 public:
-    Reading(const std::string& subject, const XmlEvents& events)
-        : m_subject(subject)
+    Reading(const XmlEvents& events, ReadBudget& budget)
+        : m_budget(budget)
         , m_events(events)
         , m_parser(XML_ParserCreateNS(nullptr, kNamespaceEnd), &XML_ParserFree)
     {
@@ -31,11 +30,11 @@ public:
         XML_SetStartDoctypeDeclHandler(m_parser.get(), &Reading::doctype);
     }
 
-    void run(std::string_view text, const std::stop_token& stop)
+    void run(std::string_view text)
     {
         constexpr std::size_t kPiece = 1U << 16U; // milliseconds
         for (std::size_t at = 0; at == 0 || at < text.size(); at += kPiece) {
-            throwIfStopped(stop);
+            m_budget.goOn();
             const std::string_view piece = text.substr(at, kPiece);
             const bool last = at + piece.size() >= text.size();
             const XML_Status status = XML_Parse(m_parser.get(), piece.data(),
@@ -50,7 +49,7 @@ public:
 private:
     [[noreturn]] void fail(const std::string& reason) const
     {
-        throw Error(ErrorCode::SyntaxError, m_subject,
+        throw Error(ErrorCode::SyntaxError, m_budget.subject(),
                     "line " + std::to_string(line()) + ": " + reason);
     }
     [[nodiscard]] std::size_t line() const { return XML_GetCurrentLineNumber(m_parser.get()); }
@@ -83,6 +82,14 @@ private:
             if (reading.m_path.size() >= kDeepest)
                 reading.fail("nested deeper than " + std::to_string(kDeepest) + " levels");
             XmlElement element{.name = localName(name), .line = reading.line()};
+            std::size_t count = 0;
+            while (attributes[2 * count] != nullptr)
+                ++count;
+            constexpr std::size_t kOfLibrary = 64; // about what it takes for each as well
+            const std::size_t memory = count * (sizeof(element.attributes.front()) + kOfLibrary);
+            reading.m_budget.take(memory);
+            reading.m_budget.giveBack(memory); // it is gone with the element
+            element.attributes.reserve(count);
             for (const char** pair = attributes; *pair != nullptr; pair += 2)
                 element.attributes.emplace_back(localName(pair[0]), pair[1]);
             reading.m_path.push_back(std::move(element));
@@ -112,7 +119,7 @@ private:
         });
     }
 
-    const std::string& m_subject;
+    ReadBudget& m_budget;
     const XmlEvents& m_events;
     std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> m_parser;
     std::vector<XmlElement> m_path;
@@ -128,10 +135,9 @@ std::string XmlElement::attribute(std::string_view wanted) const
     return it == attributes.end() ? std::string() : it->second;
 }
 
-void readXml(std::string_view text, const std::string& subject, const XmlEvents& events,
-             const std::stop_token& stop)
+void readXml(std::string_view text, const XmlEvents& events, ReadBudget& budget)
 {
-    Reading(subject, events).run(text, stop);
+    Reading(events, budget).run(text);
 }
 
 } // namespace berg

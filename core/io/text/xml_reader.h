@@ -1,9 +1,10 @@
 #pragma once
 
+#include "core/io/text/read_budget.h"
+
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,10 +36,9 @@ struct XmlEvents
 /**
  * Reads well-formed XML (UTF-8, UTF-16 or ISO 8859-1) and tells of each element in turn. Throws
  * `Error` SyntaxError with line and reason; also for a document type declaration, so that there are
- * no entities but the five of XML, and for nesting deeper than 64. What the callbacks throw passes;
- * `Stopped` when asked to stop.
+ * no entities but the five of XML, and for nesting deeper than 64. What the callbacks and the
+ * budget throw passes.
  */
-void readXml(std::string_view text, const std::string& subject, const XmlEvents& events,
-             const std::stop_token& stop = {});
+void readXml(std::string_view text, const XmlEvents& events, ReadBudget& budget);
 
 } // namespace berg

@@ -1,8 +1,6 @@
 #include "core/io/text/zip_file.h"
 
 #include "core/base/error.h"
-#include "core/base/stopped.h"
-#include "core/io/text/atomic_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -78,11 +76,10 @@ std::string zipFile(std::string_view entryName, std::string_view content)
     return allOf(file);
 }
 
-std::string unzipped(std::string_view bytes, std::string_view ending, const std::string& subject,
-                     const std::stop_token& stop)
+std::string unzipped(std::string_view bytes, std::string_view ending, ReadBudget& budget)
 {
     const auto fail = [&](const std::string& reason) {
-        throw Error(ErrorCode::WrongFormat, subject, reason);
+        throw Error(ErrorCode::WrongFormat, budget.subject(), reason);
     };
     const Source file = sourceOf(bytes);
     const Archive archive = archiveOf(file, ZIP_RDONLY);
@@ -105,11 +102,14 @@ std::string unzipped(std::string_view bytes, std::string_view ending, const std:
     std::string text;
     // What the archive says of the size may be a lie, so it is counted.
     for (zip_int64_t got = 1; got > 0;) {
-        throwIfStopped(stop);
+        budget.goOn();
         const std::size_t size = text.size();
-        if (size > kLargestFile)
-            throw Error(ErrorCode::FileTooLarge, subject,
-                        "unpacks to more than " + std::to_string(kLargestFile >> 20U) + " MiB");
+        if (text.capacity() < size + kPiece) { // while it grows there are two of it
+            const std::size_t capacity = text.capacity();
+            budget.take(2 * capacity + kPiece);
+            text.reserve(2 * capacity + kPiece);
+            budget.giveBack(capacity);
+        }
         text.resize(size + kPiece);
         got = entry == nullptr ? -1 : zip_fread(entry.get(), text.data() + size, kPiece);
         if (got < 0)

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <stop_token>
+#include "core/io/text/read_budget.h"
+
 #include <string>
 #include <string_view>
 
@@ -16,10 +17,10 @@ namespace berg {
 
 /**
  * The first entry whose name ends with `ending`, in letters of either case. Throws `Error`
- * WrongFormat when there is none or the archive cannot be read, FileTooLarge when it would unpack
- * to more than `kLargestFile`; `Stopped` when asked to stop.
+ * WrongFormat when there is none or the archive cannot be read, and what the budget of the archive
+ * throws, of which the text takes.
  */
 [[nodiscard]] std::string unzipped(std::string_view bytes, std::string_view ending,
-                                   const std::string& subject, const std::stop_token& stop = {});
+                                   ReadBudget& budget);
 
 } // namespace berg

@@ -196,7 +196,7 @@ private slots:
         QTest::newRow("many") << 2000
                               << QStringLiteral(
                                      "x: icebergs: must hold at most 1000 entries, not 2000");
-        QTest::newRow("a million") << 1'000'000 << QStringLiteral("x: holds so many small values");
+        QTest::newRow("a million") << 1'000'000 << QStringLiteral("x: would take more than");
     }
     void tooManyIcebergs()
     {

@@ -175,8 +175,8 @@ private slots:
                  std::string("file: is a compressed archive (such as XLSX) without a file *.kml"));
         QCOMPARE(said(zipFile("doc.kml", kmz)), std::string("file: is an archive in an archive"));
         QCOMPARE(said(zipFile("doc.kml", "")), std::string("file: is empty"));
-        QCOMPARE(said(zipFile("doc.kml", std::string(80'000'000, ' '))),
-                 std::string("file: unpacks to more than 64 MiB"));
+        const std::string bomb = said(zipFile("doc.kml", std::string(80'000'000, ' ')));
+        QVERIFY2(bomb.starts_with("file: would take more than 50 MB of memory"), bomb.c_str());
         std::string broken = kmz;
         broken[broken.size() / 3] = static_cast<char>(~broken[broken.size() / 3]);
         QVERIFY(said(broken) != "nothing");
@@ -375,7 +375,7 @@ private slots:
     void tooManyRows()
     {
         std::string text = "lat,lon\n";
-        for (std::size_t i = 0; i <= kMostSightings; ++i)
+        for (std::size_t i = 0; i <= 1'000'000; ++i)
             text += "1,2\n";
         QCOMPARE(codeOf([&] { (void)readText(text); }), std::string("FileTooLarge"));
         QCOMPARE(codeOf([&] { (void)readText(std::string((64U << 20U) + 1, 'x')); }),

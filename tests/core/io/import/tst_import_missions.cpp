@@ -338,7 +338,7 @@ private slots:
     void tooManyItems()
     {
         std::string rows;
-        for (std::size_t i = 0; i <= kMostSightings; ++i)
+        for (std::size_t i = 0; i <= 1'000'000; ++i)
             rows += "1 0 3 16 0 0 0 0 0 0 0 1\n";
         QCOMPARE(codeOf([&] { (void)read(wplFile(rows)); }), std::string("FileTooLarge"));
     }

@@ -1,10 +1,16 @@
 #include "core/base/stopped.h"
+#include "core/io/files/problem_json.h"
+#include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_scenario.h"
+#include "core/io/study/study_json.h"
+#include "core/io/text/zip_file.h"
 #include "tests/support/import_fixtures.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <ctime>
 #include <pthread.h>
 #include <thread>
@@ -13,6 +19,13 @@ using namespace berg;
 using namespace berg::test;
 
 namespace {
+
+/** JSON written with single quotes. */
+std::string json(std::string text)
+{
+    std::ranges::replace(text, '\'', '"');
+    return text;
+}
 
 constexpr int kRows = 50'000; // what was read of them is given back first, which takes time as well
 
@@ -24,8 +37,8 @@ std::string csvRow(int i)
 std::string pointRow(int i)
 {
     return std::string(i == 0 ? "" : ",") +
-           R"({"type":"Feature","geometry":{"type":"Point","coordinates":[-48.5678,47.1234]},)"
-           R"("properties":{"name":"berg-)" +
+           json("{'type':'Feature','geometry':{'type':'Point','coordinates':[-48.5678,47.1234]},"
+                "'properties':{'name':'berg-") +
            std::to_string(i) + "\"}}\n";
 }
 
@@ -45,6 +58,25 @@ std::string missionItem(int i)
 {
     return std::to_string(i) + "\t0\t3\t16\t0\t0\t0\t0\t" + std::to_string(47 + i * 1e-6) +
            "\t-48.5678\t100\t1\n";
+}
+
+std::string packet(int i)
+{
+    return json(",{'id':'berg-") + std::to_string(i) +
+           json("','position':{'cartographicDegrees':[-48.5678,47.1234,0]}}");
+}
+
+std::string planItem(int i)
+{
+    return std::string(i == 0 ? "" : ",") +
+           json("{'type':'SimpleItem','command':16,'frame':3,'params':[0,0,0,null,") +
+           std::to_string(47 + i * 1e-6) + ",-48.5678,100]}";
+}
+
+/** One entry of a list of numbers, as files of our own have them by the thousand. */
+std::string entry(int i)
+{
+    return std::string(i == 0 ? "" : ",") + "[" + std::to_string(i) + ", 0.123456789]";
 }
 
 /** A file of many rows. */
@@ -83,6 +115,8 @@ std::optional<double> workAfterStop_s(double after_s, const Work& work)
     });
     try {
         work(source.get_token());
+        return std::nullopt;
+    } catch (const Error&) { // what the file says at its end
         return std::nullopt;
     } catch (const Stopped&) {
         const double ended_s = used_s(self);
@@ -134,6 +168,12 @@ private slots:
         add("gpx", large("<gpx version=\"1.1\" xmlns=\"http://www.topografix.com/GPX/1/1\">\n",
                          waypoint, "</gpx>"));
         add("wpl", large("QGC WPL 110\n", missionItem, ""));
+        add("czml", large(json("[{'id':'document'}"), packet, "]"));
+        add("plan", large(json("{'fileType':'Plan','groundStation':'','mission':{'items':["),
+                          planItem, "]}}"));
+        add("kmz",
+            zipFile("doc.kml", large("<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>",
+                                     placemark, "</Document></kml>")));
     }
     void reading()
     {
@@ -141,6 +181,35 @@ private slots:
         checkStops([&](const std::stop_token& stop) {
             (void)readSightings({text.constData(), static_cast<std::size_t>(text.size())}, "file",
                                 {}, stop);
+        });
+    }
+
+    void filesOfOurOwn_data()
+    {
+        QTest::addColumn<QByteArray>("format");
+        for (const char* format : {"scenario", "run", "study", "problem"})
+            QTest::newRow(format) << QByteArray("bergwatch-") + format;
+    }
+    /** Their lists are read to the last entry, and so are the members that nobody knows. */
+    void filesOfOurOwn()
+    {
+        QFETCH(const QByteArray, format);
+        const std::string list = large("[", entry, "]");
+        const std::string text =
+            json("{'format': '") + format.toStdString() +
+            json("', 'version': 1, 'uavs': [], 'sigma': [0, 1], 'distance_m': ") + list +
+            json(", 'taus': ") + list +
+            json(", 'icebergs': [{'position_m': [0, 0], 'track': {'time_s': ") + list +
+            json(", 'position_m': ") + list + json("}}], 'unknown': ") + list + "}";
+        checkStops([&](const std::stop_token& stop) {
+            if (format == "bergwatch-scenario")
+                (void)scenarioFromJson(text, "file", ScenarioUse::Flying, stop);
+            else if (format == "bergwatch-run")
+                (void)runFromJson(text, "file", stop);
+            else if (format == "bergwatch-study")
+                (void)studyFromJson(text, "file", stop);
+            else
+                (void)problemFromJson(text, "file", stop);
         });
     }
 

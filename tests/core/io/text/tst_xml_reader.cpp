@@ -10,16 +10,22 @@ using namespace berg::test;
 
 namespace {
 
+void readEvents(const std::string& text, const XmlEvents& events)
+{
+    ReadBudget budget("file", text.size());
+    readXml(text, events, budget);
+}
+
 /** "name@line=text" of each element as it is closed. */
 QStringList elementsOf(const std::string& text)
 {
     QStringList elements;
-    readXml(text, "file",
-            {.opened = {}, .closed = [&](XmlPath path) {
-                 const XmlElement& element = path.back();
-                 elements.append(QString::fromStdString(
-                     element.name + '@' + std::to_string(element.line) + '=' + element.text));
-             }});
+    readEvents(text,
+               {.opened = {}, .closed = [&](XmlPath path) {
+                    const XmlElement& element = path.back();
+                    elements.append(QString::fromStdString(
+                        element.name + '@' + std::to_string(element.line) + '=' + element.text));
+                }});
     return elements;
 }
 
@@ -53,13 +59,13 @@ private slots:
     {
         std::string value;
         std::string missing = "?";
-        readXml("<r xmlns:g='u' g:x='1 &amp; 2'/>", "file",
-                {.opened =
-                     [&](XmlPath path) {
-                         value = path.back().attribute("x");
-                         missing = path.back().attribute("y");
-                     },
-                 .closed = {}});
+        readEvents("<r xmlns:g='u' g:x='1 &amp; 2'/>", {.opened =
+                                                            [&](XmlPath path) {
+                                                                value = path.back().attribute("x");
+                                                                missing =
+                                                                    path.back().attribute("y");
+                                                            },
+                                                        .closed = {}});
         QCOMPARE(value, std::string("1 & 2"));
         QCOMPARE(missing, std::string());
     }
@@ -104,7 +110,7 @@ private slots:
                                        throw std::logic_error("mine");
                                    },
                                .closed = {}};
-        QVERIFY_EXCEPTION_THROWN(readXml("<a><b/></a>", "file", events), std::logic_error);
+        QVERIFY_EXCEPTION_THROWN(readEvents("<a><b/></a>", events), std::logic_error);
         QCOMPARE(calls, 1);
     }
 
@@ -117,12 +123,12 @@ private slots:
         text += "</r>";
         std::size_t points = 0;
         std::size_t lastLine = 0;
-        readXml(text, "file", {.opened = {}, .closed = [&](XmlPath path) {
-                                   if (path.size() == 2 && path.back().text == "12") {
-                                       ++points;
-                                       lastLine = path.back().line;
-                                   }
-                               }});
+        readEvents(text, {.opened = {}, .closed = [&](XmlPath path) {
+                              if (path.size() == 2 && path.back().text == "12") {
+                                  ++points;
+                                  lastLine = path.back().line;
+                              }
+                          }});
         QCOMPARE(points, std::size_t{200'000});
         QCOMPARE(lastLine, std::size_t{200'000});
     }
