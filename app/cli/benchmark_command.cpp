@@ -124,15 +124,15 @@ void addBenchmarkCommand(CLI::App& app, Action& action)
         app.add_subcommand("benchmark", "Solution times beside Table 2 of the paper");
     const auto arguments = std::make_shared<BenchmarkArguments>();
     BenchmarkArguments& a = *arguments;
-    command->add_option("--sizes", a.sizes, "Numbers of icebergs, with commas")
+    command
+        ->add_option("--sizes", a.sizes, "Numbers of icebergs, with commas (2 to 80, as the paper)")
         ->delimiter(',')
         ->transform(wholeFrom(0, 500));
-    command->add_option("--repeat", a.repeat, "Instances of each size")
+    command->add_option("--repeat", a.repeat, "Instances of each size (10)")
         ->transform(wholeFrom(1, 10000));
     command->add_option("--backends", a.backends,
-                        "With commas, by default all but auto: " +
-                            allowedNames(kBenchmarkSolverNames));
-    command->add_option("--seconds", a.seconds, "Budget for everything")
+                        "With commas (all but auto): " + allowedNames(kBenchmarkSolverNames));
+    command->add_option("--seconds", a.seconds, "Budget for everything (60)")
         ->check(numberFrom(0.001, 1e7));
     addOutputFile(*command, "-o,--output", a.outputFile, "CSV file for the table");
     addForce(*command, a.force);

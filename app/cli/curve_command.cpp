@@ -114,7 +114,7 @@ void addCurveCommand(CLI::App& app, Action& action)
     const auto arguments = std::make_shared<CurveArguments>();
     CurveArguments& a = *arguments;
     command->add_option("SCENARIO", a.file, "The file to plan from")->required();
-    command->add_option("--tau-max", a.tauMax, "Largest trade-off, 5 by default")
+    command->add_option("--tau-max", a.tauMax, "Largest trade-off (5)")
         ->check(numberFrom(1e-6, 100.0));
     addOutputFile(*command, "-o,--output", a.outputFile, "CSV file for the table");
     addOutputFile(*command, "--certificate", a.certificateFile,

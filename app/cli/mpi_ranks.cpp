@@ -197,7 +197,7 @@ Study prepareForAll(const MpiWorld& world, const SweepLead& lead, bool sameOptio
 {
     try {
         if (!sameOptions)
-            throw UsageError{"sweep: the processes of MPI were given different options"};
+            throw UsageError{"the processes of MPI were given different options"};
         Study study = lead.prepare();
         static_cast<void>(world.shared(studyToJson(study)));
         return study;

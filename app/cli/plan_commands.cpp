@@ -42,19 +42,24 @@ std::shared_ptr<SolveArguments> addArguments(CLI::App& command, const std::strin
     auto arguments = std::make_shared<SolveArguments>();
     SolveArguments& a = *arguments;
     command.add_option(fileName, a.file, "The file to plan from")->required();
-    command.add_option("--tau", a.tau, "Trade-off: 0 most uncertain first, large shortest path")
+    command
+        .add_option("-t,--tau", a.tau,
+                    "Trade-off: 0 most uncertain first, large shortest path (the file's)")
         ->check(numberFrom(0.0, 100.0));
-    command.add_option("--mu", a.mu, "Weight of distance, in place of tau")
+    command.add_option("--mu", a.mu, "Distance weight, in place of tau (that of tau)")
         ->check(numberFrom(0.0, kLargestProblemNumber));
-    addNamed(command, "--backend", a.backend, kBackendNames, "Solver");
+    addNamed(command, "--backend", a.backend, kBackendNames, "Solver (auto)");
     addNamed(command, "--formulation", a.formulation, kFormulationNames,
-             "MILP of the cbc solver, also of --verify");
-    addNamed(command, "--route", a.route, kRouteNames, "Path or round trip");
+             "MILP of the cbc solver, also of --verify (position)");
+    addNamed(command, "--route", a.route, kRouteNames, "Path or round trip (the file's)");
     command.add_flag("--verify", a.verify, "Solve with a second, independent solver and compare");
-    command.add_option("--time-limit", a.timeLimit_s, "Seconds")->check(numberFrom(0.0, 1e9));
-    command.add_option("--work-limit", a.workLimit, "Steps of the solver's own kind; repeatable")
+    command.add_option("--time-limit", a.timeLimit_s, "Seconds (no limit)")
+        ->check(numberFrom(0.0, 1e9));
+    command
+        .add_option("--work-limit", a.workLimit,
+                    "Steps of the solver's own kind, the same every time (no limit)")
         ->transform(wholeFrom(0, std::int64_t{1} << 60));
-    command.add_option("--gap", a.gap, "Stop within this relative gap, e.g. 0.01")
+    command.add_option("--gap", a.gap, "Stop within this relative gap, such as 0.01 (0)")
         ->check(numberFrom(0.0, 1.0));
     addOutputFile(command, "--certificate", a.certificateFile,
                   "File for a proof of the bound that others can check");
@@ -279,7 +284,7 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
 int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 {
     if (arguments.mu)
-        throw UsageError{"plan: --mu is for problem files; a scenario is planned with --tau"};
+        throw UsageError{"--mu is for problem files; a scenario is planned with --tau"};
     checkSolveFiles(arguments);
     Scenario scenario = reading([&] { return loadScenario(arguments.file); });
     PlannerSettings& planner = scenario.planner;
@@ -308,7 +313,8 @@ void addPlanCommands(CLI::App& app, Action& action)
     });
     CLI::App* plan = app.add_subcommand("plan", "Plan the visiting order from a scenario's start");
     const auto scenario = addArguments(*plan, "SCENARIO");
-    addNamed(*plan, "--policy", scenario->policy, kPolicyNames, "How the order is chosen");
+    addNamed(*plan, "--policy", scenario->policy, kPolicyNames,
+             "How the order is chosen (the scenario's)");
     plan->callback([scenario, &action] {
         action = [scenario](const std::stop_token& stop) { return planScenario(*scenario, stop); };
     });

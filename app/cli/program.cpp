@@ -11,6 +11,7 @@
 #include <memory>
 #include <new>
 #include <sstream>
+#include <sys/resource.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -58,16 +59,29 @@ std::string hintOf(const Error& error)
     return {};
 }
 
+/** What the user typed, and who is told. */
+struct Line
+{
+    const Program& program;
+    const std::vector<std::string>& words;
+};
+
 /** What went wrong, told as a sentence and, where the command was asked for JSON, on stdout as
  * such. */
-int failed(const Program& program, const std::vector<std::string>& words, const Error& error)
+int failed(const Line& line, int exitCode, const std::string& text, const std::string& json)
 {
-    if (!program.isSilent) {
-        tell(error.what() + hintOf(error));
-        if (std::ranges::find(words, "--json") != words.end())
-            print(failureJson(error));
-    }
-    return exitCodeOf(error);
+    if (line.program.isSilent)
+        return exitCode;
+    tell(text);
+    if (std::ranges::find(line.words, "--json") != line.words.end())
+        std::fputs(json.c_str(), stdout); // that nobody reads it changes nothing
+    return exitCode;
+}
+
+int failed(const Line& line, int exitCode, const char* kind, const std::string& text)
+{
+    const FileFindings finding{.file = {}, .issues = {{Severity::Error, {}, text}}};
+    return failed(line, exitCode, text, failureJson(kind, finding));
 }
 
 void addCompletion(CLI::App& app, Action& action)
@@ -84,16 +98,31 @@ void addCompletion(CLI::App& app, Action& action)
 }
 
 /** How the line is wrong, in one sentence, and where to read how it should be. */
-int wrongUsage(const CLI::App& app, const std::vector<std::string>& words, const std::string& fault)
+int wrongUsage(const CLI::App& app, const Line& line, const std::string& fault)
 {
-    const std::string command = commandOf(app, words);
-    tell(command + ": " + unknownWord(app, words).value_or(fault) + "\nTry '" + command +
-         " --help'.");
-    return kWrongUsage;
+    const std::string command = commandOf(app, line.words);
+    const FileFindings finding{.file = command, .issues = {{Severity::Error, {}, fault}}};
+    return failed(line, kWrongUsage, command + ": " + fault + "\nTry '" + command + " --help'.",
+                  failureJson("wrong-usage", finding));
 }
 
-int run(const Program& program, const std::vector<std::string>& words, const std::stop_token& stop)
+/** What -v adds. */
+void tellEffort()
 {
+    rusage used = {};
+    if (getrusage(RUSAGE_SELF, &used) != 0)
+        return;
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    tell("took " + fixed(seconds(used.ru_utime) + seconds(used.ru_stime), 2) +
+         " s of processor time and " + grouped(static_cast<double>(used.ru_maxrss) / 1e3) +
+         " MB of memory");
+}
+
+int run(const Line& line, const std::stop_token& stop)
+{
+    const auto& [program, words] = line;
     CLI::App app{program.about, program.name};
     app.set_version_flag("-V,--version", program.version);
     app.require_subcommand(1);
@@ -102,8 +131,11 @@ int run(const Program& program, const std::vector<std::string>& words, const std
     program.addCommands(app, action);
     addCompletion(app, action);
     addExamples(app);
-    for (CLI::App* command : app.get_subcommands({}))
+    bool isVerbose = false;
+    for (CLI::App* command : app.get_subcommands({})) {
         command->add_flag_callback("-q,--quiet", beQuiet, "No progress, warnings and hints");
+        command->add_flag("-v,--verbose", isVerbose, "Tell the time and memory taken");
+    }
     try {
         app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // from the back
     } catch (const CLI::Success& asked) {
@@ -113,9 +145,16 @@ int run(const Program& program, const std::vector<std::string>& words, const std
             print(wrapped(text.str(), terminalWidth()));
         return kDone;
     } catch (const CLI::ParseError& error) {
-        return program.isSilent ? kWrongUsage : wrongUsage(app, words, error.what());
+        return wrongUsage(app, line, unknownWord(app, words).value_or(error.what()));
     }
-    return action(stop);
+    try {
+        const int exitCode = action(stop);
+        if (isVerbose && !program.isSilent)
+            tellEffort();
+        return exitCode;
+    } catch (const UsageError& error) {
+        return wrongUsage(app, line, error.message);
+    }
 }
 
 } // namespace
@@ -123,31 +162,24 @@ int run(const Program& program, const std::vector<std::string>& words, const std
 int runProgram(const Program& program, int argc, char** argv, const std::stop_token& stop)
 {
     const std::vector<std::string> words = wordsOf(argc, argv);
-    const auto complain = [&program](const std::string& text) {
-        if (!program.isSilent)
-            tell(text);
-    };
+    const Line line{.program = program, .words = words};
     try {
-        return run(program, words, stop);
+        return run(line, stop);
     } catch (const Interrupted&) {
-        complain(kNothingWritten);
-        return kInterrupted;
-    } catch (const UsageError& error) {
-        complain(error.message);
-        return kWrongUsage;
+        return failed(line, kInterrupted, "interrupted", kNothingWritten);
     } catch (const Error& error) {
-        return failed(program, words, error);
+        return failed(line, exitCodeOf(error), error.what() + hintOf(error), failureJson(error));
     } catch (const std::bad_alloc&) {
         if (!program.isSilent)
             std::fprintf(stderr, "%s\n", kNoMemory); // which takes none
         return kFailure;
     } catch (const std::system_error& error) {
         const bool isScarce = error.code() == std::errc::resource_unavailable_try_again;
-        complain(isScarce ? kNoMemory : std::string("internal error: ") + error.what());
-        return kFailure;
+        return failed(line, kFailure, isScarce ? "no-memory" : "internal-error",
+                      isScarce ? kNoMemory : std::string("internal error: ") + error.what());
     } catch (const std::exception& error) {
-        complain(std::string("internal error: ") + error.what());
-        return kFailure;
+        return failed(line, kFailure, "internal-error",
+                      std::string("internal error: ") + error.what());
     }
 }
 

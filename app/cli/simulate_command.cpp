@@ -94,7 +94,7 @@ Flown replayRun(const SimulateArguments& arguments, const std::string& text,
                 const std::stop_token& stop)
 {
     if (arguments.changesScenario())
-        throw UsageError{"simulate: a run file is replayed as it was flown; --tau, --policy, "
+        throw UsageError{"a run file is replayed as it was flown; --tau, --policy, "
                          "--duration, --dt, --seed and --no-noise are for scenarios"};
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     std::unique_ptr<FlightFiles> files = filesOf(arguments, run.scenario, run.interventions);
@@ -117,11 +117,11 @@ std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
 {
     if (std::ranges::any_of(mission.interventions(),
                             [](const Intervention& change) { return change.seen.has_value(); }))
-        throw UsageError{"simulate: --bound is for what the UAV sees by itself; in this run an "
+        throw UsageError{"--bound is for what the UAV sees by itself; in this run an "
                          "iceberg was reported seen"};
     if (std::ranges::any_of(mission.interventions(),
                             [](const Intervention& change) { return change.wind_mps.has_value(); }))
-        throw UsageError{"simulate: --bound is for the scenario's wind; in this run it changed"};
+        throw UsageError{"--bound is for the scenario's wind; in this run it changed"};
     ProgressBar bar("bounding", !quiet);
     const ZetaBound bound = zetaLowerBound(
         mission.scenario(), {.stop = stop, .onProgress = [&](const BoundProgress& progress) {
@@ -209,18 +209,21 @@ void addSimulateCommand(CLI::App& app, Action& action)
     const auto arguments = std::make_shared<SimulateArguments>();
     SimulateArguments& a = *arguments;
     command->add_option("FILE", a.file, "Scenario (.berg) or run (.bergrun)")->required();
-    command->add_option("-t,--tau", a.tau, "Trade-off of the policy visitation")
+    command->add_option("-t,--tau", a.tau, "Trade-off of the policy visitation (the scenario's)")
         ->check(numberFrom(0.0, 100.0));
-    addNamed(*command, "--policy", a.policy, kPolicyNames, "How the next iceberg is chosen");
-    command->add_option("--duration", a.duration_s, "Seconds of flight")
+    addNamed(*command, "--policy", a.policy, kPolicyNames,
+             "How the next iceberg is chosen (the scenario's)");
+    command->add_option("--duration", a.duration_s, "Seconds of flight (the scenario's)")
         ->check(numberFrom(1e-9, 604800.0));
-    command->add_option("--dt", a.dt_s, "Time step, s")->check(numberFrom(0.01, 1.0));
-    command->add_option("--seed", a.seed, "Seed of the noise")
+    command->add_option("--dt", a.dt_s, "Time step, s (the scenario's)")
+        ->check(numberFrom(0.01, 1.0));
+    command->add_option("--seed", a.seed, "Seed of the noise (the scenario's)")
         ->transform(wholeFrom(0, std::int64_t{1} << 53));
     command->add_flag("--no-noise", a.noNoise, "Icebergs move with their known velocity alone");
     command->add_flag("--bound", a.bound,
                       "Also find a lower bound on zeta of any flight of the scenario");
-    command->add_option("-o,--output", a.outputFolder, "Folder for tables and the run file");
+    command->add_option("-o,--output", a.outputFolder,
+                        "Folder for tables and the run file (none is written)");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
     command->callback([arguments, &action] {

@@ -112,7 +112,7 @@ void addStudyOutput(CLI::App& command, StudyOutput& output, const std::string& s
     command.add_flag("--replace-study", output.replaceStudy,
                      "Replace a --study file of another study");
     command.add_option("--reference", output.reference,
-                       "POLICY[:TAU] that differences are measured from; by default tau = 1");
+                       "POLICY[:TAU] that differences are measured from (tau = 1)");
     addOutputFile(command, "-o,--output", output.tableFile, "CSV file for the table");
     addOutputFile(command, "--report", output.reportFile,
                   "Web page with charts, tables and the whole study");

@@ -69,7 +69,7 @@ StudySpec specOf(const SweepArguments& arguments)
                    .policies = policiesOf(arguments.policies),
                    .runs = arguments.runs};
     if (arguments.files.empty() && arguments.random == 0)
-        throw UsageError{"sweep: name scenarios, or give --random N"};
+        throw UsageError{"name scenarios, or give --random N"};
     for (const std::string& file : arguments.files)
         spec.scenarios.push_back(loadScenario(file));
     return spec;
@@ -191,17 +191,21 @@ void addSweepCommand(CLI::App& app, Action& action)
     const auto arguments = std::make_shared<SweepArguments>();
     SweepArguments& a = *arguments;
     command->add_option("SCENARIO", a.files, "Scenarios to fly");
-    command->add_option("--random", a.random, "Also fly N random scenarios")
+    command->add_option("--random", a.random, "Also fly N random scenarios (none)")
         ->transform(wholeFrom(1, 1000000));
     command->add_option("--first-seed", a.firstSeed, "Seed of the first random scenario (1)")
         ->transform(wholeFrom(0, (std::int64_t{1} << 53) - 1000000));
     command->add_option("-t,--tau", a.taus, "A:B:STEP, or values with commas")->required();
-    command->add_option("--policies", a.policies, "With commas: " + allowedNames(kPolicyNames));
-    command->add_option("--runs", a.runs, "Noise seeds for each scenario")
+    command->add_option("--policies", a.policies,
+                        "With commas (visitation): " + allowedNames(kPolicyNames));
+    command->add_option("--runs", a.runs, "Noise seeds for each scenario (1)")
         ->transform(wholeFrom(1, 1000000));
-    command->add_option("--threads", a.threads, "0: one per core; never changes the result")
+    command
+        ->add_option("--threads", a.threads,
+                     "Threads, which never change the result (0: one per core)")
         ->transform(wholeFrom(0, 1024));
-    command->add_option("--shard", a.shard, "I/N: fly part I of N only, for 'study' to merge");
+    command->add_option("--shard", a.shard,
+                        "I/N: fly part I of N only, for 'study' to merge (all)");
     addStudyOutput(*command, a.output, "Keep what is flown in this file, and carry on from it");
     command->callback([arguments, command, &action] {
         action = [arguments, options = command->config_to_str(true)](const std::stop_token& stop) {

@@ -233,11 +233,16 @@ std::string findingsJson(const std::vector<FileFindings>& files)
     return resultText(list);
 }
 
-std::string failureJson(const Error& error)
+std::string failureJson(std::string_view kind, const FileFindings& found)
 {
     Json list = Json::array();
-    addFindings(list, {.file = error.subject(), .issues = error.issues()});
-    return resultText(Json{{"error", {{"kind", kindOf(error.code())}, {"findings", list}}}});
+    addFindings(list, found);
+    return resultText(Json{{"error", {{"kind", kind}, {"findings", list}}}});
+}
+
+std::string failureJson(const Error& error)
+{
+    return failureJson(kindOf(error.code()), {.file = error.subject(), .issues = error.issues()});
 }
 
 std::string sweepCsv(const StudySummary& summary)

@@ -42,6 +42,8 @@ struct FileFindings
 
 /** `{"error": {"kind", "findings"}}`, the findings as above. */
 [[nodiscard]] std::string failureJson(const Error& error);
+/** The same of what is no `Error`. */
+[[nodiscard]] std::string failureJson(std::string_view kind, const FileFindings& found);
 
 // The same as CSV tables (RFC 4180).
 /** A row for each setting; differences are against the reference, in % of its zeta. */
