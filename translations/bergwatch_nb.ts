@@ -1375,6 +1375,10 @@
         <source>Time to the closest point of approach</source>
         <translation>Tid til nærmeste punkt</translation>
     </message>
+    <message>
+        <source>The UAV that has it in its plan</source>
+        <translation>UAV-en som har det i planen sin</translation>
+    </message>
 </context>
 <context>
     <name>IcebergPasteText</name>

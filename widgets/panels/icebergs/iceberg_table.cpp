@@ -36,6 +36,7 @@ QString widestText(IcebergColumn column, double sigmaFull_m2, const QLocale& loc
 {
     switch (column) {
     case IcebergColumn::Name:
+    case IcebergColumn::Uav:
         return u"berg-100"_s;
     case IcebergColumn::State:
         return stateText({.id = {}, .name = {}, .state = IcebergStanding::Planned, .values = {}}) +

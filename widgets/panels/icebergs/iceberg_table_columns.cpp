@@ -133,6 +133,9 @@ IcebergColumnSpecs icebergColumnSpecs()
     };
     const NumberRow drift = numberOf(u"icebergVelocityEast"_s);
     const auto [assetDistance, assetTime] = assetColumns();
+    IcebergColumnSpec uav = inFlight(u"uav"_s, u"UAV"_s, u"UAV"_s,
+                                     IcebergColumnText::tr("The UAV that has it in its plan"));
+    uav.isOfFleet = true;
     IcebergColumnSpec name{
         .key = u"name"_s,
         .title = IcebergColumnText::tr("Iceberg"),
@@ -153,6 +156,7 @@ IcebergColumnSpecs icebergColumnSpecs()
         assetTime,
         inFlight(u"state"_s, IcebergColumnText::tr("State"), IcebergColumnText::tr("State"),
                  IcebergColumnText::tr("In view, next target, or its place in the visiting order")),
+        uav,
         inFlight(u"unseen"_s, IcebergColumnText::tr("Unseen for"),
                  IcebergColumnText::tr("Unseen for, s"),
                  IcebergColumnText::tr("Time since it was last in view, or since it is known")),
@@ -213,6 +217,7 @@ std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column
     case IcebergColumn::Sigma:
     case IcebergColumn::Deviation:
     case IcebergColumn::State:
+    case IcebergColumn::Uav:
     case IcebergColumn::AssetDistance:
     case IcebergColumn::AssetTime:
     case IcebergColumn::Unseen:
@@ -261,6 +266,7 @@ void setIcebergNumber(Iceberg& iceberg, IcebergColumn column, double value)
     case IcebergColumn::Sigma:
     case IcebergColumn::Deviation:
     case IcebergColumn::State:
+    case IcebergColumn::Uav:
     case IcebergColumn::AssetDistance:
     case IcebergColumn::AssetTime:
     case IcebergColumn::Unseen:

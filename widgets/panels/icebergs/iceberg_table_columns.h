@@ -17,6 +17,7 @@ enum class IcebergColumn
     AssetDistance,
     AssetTime,
     State,
+    Uav,
     Unseen,
     Arrival,
     Visits,
@@ -41,6 +42,7 @@ struct IcebergColumnSpec
     bool isInEditor = false;         ///< there before take-off
     bool isInFlight = false;         ///< there in flight
     bool isOfAsset = false;          ///< there only with an asset
+    bool isOfFleet = false;          ///< there only with several UAVs
     std::optional<NumberRow> number; ///< how the inspector edits it; none: no number to be edited
     ShownUnit unit;                  ///< its numbers are shown, edited and copied in this
 

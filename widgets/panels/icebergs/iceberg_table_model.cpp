@@ -23,7 +23,8 @@ constexpr IcebergColumn columnOf(int column)
 
 bool isText(IcebergColumn column)
 {
-    return column == IcebergColumn::Name || column == IcebergColumn::State;
+    return column == IcebergColumn::Name || column == IcebergColumn::State ||
+           column == IcebergColumn::Uav;
 }
 
 bool isSameIcebergs(const std::vector<IcebergTableRow>& a, const std::vector<IcebergTableRow>& b)
@@ -51,7 +52,9 @@ void IcebergTableModel::showScenario()
 
 void IcebergTableModel::showRecord(const FlightRecord& record)
 {
-    setRows(flightRows(record), {.isInFlight = true, .hasAsset = record.shown().asset.has_value()});
+    setRows(flightRows(record), {.isInFlight = true,
+                                 .hasAsset = record.shown().asset.has_value(),
+                                 .hasFleet = record.scenario.uavs.size() > 1});
 }
 
 void IcebergTableModel::setRows(std::vector<IcebergTableRow> rows, const Kind& kind)
@@ -223,7 +226,7 @@ bool IcebergTableModel::hasColumn(int column) const
 {
     const IcebergColumnSpec& one = spec(column);
     return (m_kind.isInFlight ? one.isInFlight : one.isInEditor) &&
-           (m_kind.hasAsset || !one.isOfAsset);
+           (m_kind.hasAsset || !one.isOfAsset) && (m_kind.hasFleet || !one.isOfFleet);
 }
 
 int IcebergTableModel::rowCount(const QModelIndex& parent) const

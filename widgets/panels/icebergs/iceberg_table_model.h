@@ -46,7 +46,8 @@ public:
     /** So many icebergs there are, the ones that the filter hides included. */
     [[nodiscard]] int total() const { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] const IcebergColumnSpec& spec(int column) const;
-    /** Whether the column is there now, in the editor or in flight, with an asset or without. */
+    /** Whether the column is there now, in the editor or in flight, by the asset and the UAVs
+     * there are. */
     [[nodiscard]] bool hasColumn(int column) const;
 
     /** Sets a cell of all these rows, one undo step; a number is brought into its range. */
@@ -76,6 +77,7 @@ private:
     {
         bool isInFlight = false;
         bool hasAsset = false;
+        bool hasFleet = false;
         bool operator==(const Kind&) const = default;
     };
     void setRows(std::vector<IcebergTableRow> rows, const Kind& kind);

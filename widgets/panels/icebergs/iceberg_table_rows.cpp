@@ -186,6 +186,7 @@ QString numberText(double value, IcebergColumn column, bool inFlight, const QLoc
         return fixedText(value, 0, locale);
     case IcebergColumn::Name:
     case IcebergColumn::State:
+    case IcebergColumn::Uav:
         break;
     }
     return {};
@@ -234,6 +235,8 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
         row.state = stateOf(shown, i, places[i].place);
         row.uav = nameInFleet(record.scenario.uavs, places[i].uav);
         put(row, IcebergColumn::State, stateOrder(row.state, places[i].place));
+        if (places[i].place > 0)
+            put(row, IcebergColumn::Uav, places[i].uav);
         if (row.state == IcebergStanding::Later)
             put(row, IcebergColumn::Appears, iceberg.appears_s);
         if (!shown.active[i] || track.left)
@@ -290,6 +293,8 @@ QString cellText(const IcebergTableRow& row, IcebergColumn column, bool inFlight
         return row.label();
     if (column == IcebergColumn::State)
         return stateText(row);
+    if (column == IcebergColumn::Uav)
+        return orDash(row.uav);
     const std::optional<double> value = row.value(column);
     return orDash(value ? numberText(*value, column, inFlight, locale) : QString());
 }
@@ -319,6 +324,7 @@ QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLoc
                      : QString();
     case IcebergColumn::Direction:
         return value ? QString() : IcebergRowText::tr("It stands still.");
+    case IcebergColumn::Uav:
     case IcebergColumn::Deviation:
     case IcebergColumn::Unseen:
     case IcebergColumn::Arrival:

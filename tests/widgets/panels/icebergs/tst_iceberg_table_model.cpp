@@ -135,12 +135,24 @@ private slots:
         scenario.uavs.push_back({.id = "uav-2", .name = "East", .position_m = Point(5000, 3000)});
         const FlightRecord record = recordAt(test::flown(scenario, 5), 5);
         const std::vector<IcebergTableRow> rows = flightRows(record);
+        Fixture f(scenario);
+        const auto hasUavs = [&f] { return f.model.hasColumn(test::col(IcebergColumn::Uav)); };
+        QVERIFY(!hasUavs()); // there is no plan before take-off
+        f.model.showRecord(record);
+        QVERIFY(hasUavs());
+        f.model.sort(test::col(IcebergColumn::Uav), Qt::DescendingOrder);
+        QCOMPARE(f.cell(0, IcebergColumn::Uav), u"East"_s);
+        f.model.sort(-1, Qt::AscendingOrder);
+        f.model.showRecord(recordAt(test::flown(test::fourIcebergs(), 5), 5));
+        QVERIFY(!hasUavs());
+        f.model.showRecord(record);
         for (const PlanEvent& plan : record.shown().plans)
             for (std::size_t k = 0; k < plan.order.size(); ++k) {
                 const IcebergTableRow& row = rows[static_cast<std::size_t>(plan.order[k])];
                 const QString uav = plan.uav == 0 ? u"uav-1"_s : u"East"_s;
                 QCOMPARE(stateText(row), k == 0 ? u"target of %1"_s.arg(uav)
                                                 : u"number %1 of %2"_s.arg(k + 1).arg(uav));
+                QCOMPARE(f.cell(plan.order[k], IcebergColumn::Uav), uav);
                 QVERIFY(*row.value(IcebergColumn::Arrival) > 0);
             }
         QCOMPARE(record.shown().plans.size(), std::size_t{2});
