@@ -6199,10 +6199,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Distance, %1</source>
         <translation>Avstand, %1</translation>
     </message>
-    <message>
-        <source>Available for a single UAV only</source>
-        <translation>Planene for hver τ gjelder én UAV</translation>
-    </message>
 </context>
 <context>
     <name>berg::PlaceField</name>

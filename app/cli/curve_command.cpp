@@ -6,7 +6,6 @@
 #include "core/io/results/curve_result.h"
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/policy/tau_curve.h"
-#include "core/plan/solve/tuning.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
 
@@ -28,6 +27,11 @@ struct CurveArguments
     bool json = false;
 };
 
+std::string uavId(const CurveReport& report, std::size_t order)
+{
+    return word(report.scenario.uavs[static_cast<std::size_t>(report.uavs[order])].id);
+}
+
 std::string curveTable(const CurveReport& report)
 {
     std::string text = "tau from    tau to  distance m   reward m2  proven  order\n";
@@ -36,23 +40,30 @@ std::string curveTable(const CurveReport& report)
                 column(grouped(interval.distance_m), 12) +
                 column(fixed(interval.reward_m2, 2), 12) +
                 column(interval.proven ? "yes" : "no", 8) + ' ';
-        for (const int number : icebergNumbers(report, interval.order))
-            text += ' ' + std::to_string(number);
+        for (std::size_t k = 0; k < interval.plan.size(); ++k) {
+            text += k == 0 ? "" : std::string{' ', kBetweenOrders};
+            for (const int number : icebergNumbers(report, interval.plan[k]))
+                text += ' ' + std::to_string(number);
+        }
         text += '\n';
     }
-    return text + "order: icebergs by their place in the scenario, 1 is the first\n";
+    text += "order: icebergs by their place in the scenario, 1 is the first";
+    for (std::size_t k = 1; k < report.uavs.size(); ++k)
+        text += (k == 1 ? "; those of " + uavId(report, 0) + " | " : " | ") + uavId(report, k);
+    return text + '\n';
 }
 
 /** Every order at both ends of its interval: optimal there, it is optimal between, because F is
  * linear in tau and the optimum concave. */
-Certificate certificateOf(TvpProblem problem, const TauCurve& curve, const std::stop_token& stop)
+Certificate certificateOf(const FleetTask& task, const TauCurve& curve, const std::stop_token& stop)
 {
-    Certificate certificate = certificateFor(problem);
-    const double muPerTau = tuningWeight(problem, 1).mu;
+    FleetProblem problem = task.problem;
+    Certificate certificate{.problem = problem};
+    const double muPerTau = fleetTuningWeight(problem, task.betweenStarts_m, 1).mu;
     for (const CurveInterval& interval : curve.intervals)
         for (const double tau : {interval.tauFrom, interval.tauTo}) {
             problem.mu = muPerTau * tau;
-            certificate.proofs.push_back(certify(problem, interval.order, stop));
+            certificate.proofs.push_back(certify(problem, interval.plan, stop));
         }
     return certificate;
 }
@@ -65,21 +76,17 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
                 .force = arguments.force,
                 .json = arguments.json});
     const Scenario scenario = reading([&] { return loadScenario(arguments.file); });
-    if (scenario.uavs.size() > 1)
-        throw Error(ErrorCode::Unsupported, arguments.file,
-                    "uavs: the curve is for one UAV, there are " +
-                        std::to_string(scenario.uavs.size()));
     printWarnings(arguments.file, validate(scenario));
     const Mission mission(scenario, {.record = false});
     const PlanRequest request = mission.simulation().clusteredRequest();
-    const VisitationProblem visitation = visitationProblem(request, scenario.planner.route);
+    const FleetTask task = visitationTask(request, scenario.planner.route);
 
     const Stopwatch watch;
     TauCurve curve;
     {
         ProgressBar bar("proving the curve", !arguments.json);
         curve = tauCurve(
-            visitation.problem,
+            task.problem, task.betweenStarts_m,
             {.tauMax = arguments.tauMax, .stop = stop, .onProgress = [&bar](const TauCurve& known) {
                  const auto proven = std::count_if(known.intervals.begin(), known.intervals.end(),
                                                    [](const CurveInterval& i) { return i.proven; });
@@ -89,13 +96,19 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
     }
     if (curve.reason == StopReason::Cancelled)
         throw Interrupted{};
-    const CurveReport report{
-        .curve = curve, .scenario = scenario, .ids = visitation.ids, .clusters = request.clusters};
+    std::vector<int> uavs;
+    for (const int uav : task.uavs)
+        uavs.push_back(request.uavs[static_cast<std::size_t>(uav)].uav);
+    const CurveReport report{.curve = curve,
+                             .scenario = scenario,
+                             .ids = task.ids,
+                             .uavs = uavs,
+                             .clusters = request.clusters};
     std::vector<NewFile> files;
     if (!arguments.outputFile.empty())
         files.push_back({.path = arguments.outputFile, .content = curveCsv(report)});
-    if (!arguments.certificateFile.empty() && !visitation.ids.empty()) {
-        const Certificate certificate = certificateOf(visitation.problem, curve, stop);
+    if (!arguments.certificateFile.empty() && !task.ids.empty()) {
+        const Certificate certificate = certificateOf(task, curve, stop);
         files.push_back(
             {.path = arguments.certificateFile, .content = certificateJson(certificate)});
     }

@@ -49,7 +49,6 @@ void PlannerView::showPlanner()
 void PlannerView::showCurve()
 {
     panels().tradeoff->showCurve(workspace().curve().curve());
-    panels().pareto->setOfFleet(workspace().curve().isOfFleet());
     panels().pareto->setCurve(workspace().curve().curve());
 }
 

@@ -234,8 +234,13 @@ if [ "$with_cbc" = ON ]; then
     check "fleet: --verify: by cbc" json 'd["verify"]["backend"] == "cbc" and d["verify"]["formulation"] is None and d["verify"]["agrees"] is not False'
 fi
 check "fleet: coverage is nothing to verify" exits 3 "$cli" plan "$fleet" --policy coverage --verify
-check "fleet: curve" exits 3 "$cli" curve "$fleet"
-check "fleet: curve: says why" says "uavs: the curve is for one UAV, there are 2"
+check "fleet: curve" exits 0 "$cli" curve "$fleet" --json --output fleet-curve.csv --certificate fleet-curve-proof.json
+check "fleet: curve: proven" json 'd["complete"] and all(i["proven"] for i in d["intervals"])'
+check "fleet: curve: orders by UAV" json 'all([u["id"] for u in i["uavs"]] == ["uav-1", "uav-2"] and sum((u["order"] for u in i["uavs"]), []) == i["order"] for i in d["intervals"])'
+check "fleet: curve: both in the table" grep -q "^0,.*,[0-9 ]*|[0-9 ]*," fleet-curve.csv
+check "fleet: curve: its proofs are confirmed" "$checker" fleet-curve-proof.json
+check "fleet: curve in words" exits 0 "$cli" curve "$fleet" --tau-max 1
+check "fleet: curve in words: whose" grep -q "those of uav-1 | uav-2" stdout.txt
 check "fleet: --bound" exits 0 "$cli" simulate "$fleet" --duration 120 --bound --json
 check "fleet: --bound: below zeta" json '0 < d["lower_bound_m2s"] < d["zeta_m2s"]'
 check "fleet: simulate" exits 0 "$cli" simulate "$fleet" --json --output fleet

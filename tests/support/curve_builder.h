@@ -15,7 +15,7 @@ inline TauCurve curveThrough(std::initializer_list<double> ends)
         const auto k = static_cast<double>(curve.intervals.size());
         curve.intervals.push_back({.tauFrom = from,
                                    .tauTo = end,
-                                   .order = {1},
+                                   .plan = {{1}},
                                    .distance_m = 30000 - 3000 * k,
                                    .reward_m2 = 500 - 10 * k * k,
                                    .proven = true});

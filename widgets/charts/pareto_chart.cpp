@@ -36,14 +36,6 @@ void ParetoChart::setCurve(const TauCurve& curve)
     refresh();
 }
 
-void ParetoChart::setOfFleet(bool isOfFleet)
-{
-    if (isOfFleet == m_isOfFleet)
-        return;
-    m_isOfFleet = isOfFleet;
-    refresh();
-}
-
 void ParetoChart::setTau(double tau)
 {
     if (tau == m_tau)
@@ -58,9 +50,8 @@ Figure ParetoChart::figure() const
     figure.title = figure.name;
     const std::vector<CurveInterval>& plans = m_curve.intervals;
     if (plans.empty()) {
-        figure.emptyText = utf8(m_isOfFleet        ? tr("Available for a single UAV only")
-                                : m_curve.complete ? tr("No icebergs to plan for")
-                                                   : tr("Computing the plans for every τ"));
+        figure.emptyText = utf8(m_curve.complete ? tr("No icebergs to plan for")
+                                                 : tr("Computing the plans for every τ"));
         return figure;
     }
     // Along the curve both go down.

@@ -19,8 +19,6 @@ public:
 
     /** Its plans are the items, in its order. */
     void setCurve(const TauCurve& curve);
-    /** With several UAVs there is no curve: the chart says so. */
-    void setOfFleet(bool isOfFleet);
     void setTau(double tau);
 
 signals:
@@ -37,7 +35,6 @@ private:
     void choose(std::optional<double> tau);
 
     TauCurve m_curve{.intervals = {}, .complete = true};
-    bool m_isOfFleet = false;
     double m_tau = 1;
 };
 

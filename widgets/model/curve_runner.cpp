@@ -4,6 +4,7 @@
 #include "core/sim/simulation.h"
 #include "widgets/model/compared_run.h"
 
+#include <algorithm>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -13,12 +14,18 @@ namespace {
 
 constexpr int kPause_ms = 150;
 
-bool same(const VisitationProblem& a, const VisitationProblem& b)
+bool same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
-    return a.ids == b.ids && a.problem.route == b.problem.route &&
-           a.problem.sigma_m2 == b.problem.sigma_m2 &&
-           a.problem.distance_m.rows() == b.problem.distance_m.rows() &&
-           a.problem.distance_m == b.problem.distance_m;
+    return a.rows() == b.rows() && a == b;
+}
+
+bool same(const FleetTask& a, const FleetTask& b)
+{
+    return a.ids == b.ids && a.uavs == b.uavs && a.problem.route == b.problem.route &&
+           a.problem.sigma_m2 == b.problem.sigma_m2 && a.problem.allowed == b.problem.allowed &&
+           same(a.betweenStarts_m, b.betweenStarts_m) &&
+           std::ranges::equal(a.problem.distance_m, b.problem.distance_m,
+                              [](const auto& x, const auto& y) { return same(x, y); });
 }
 
 } // namespace
@@ -27,8 +34,9 @@ CurveRunner::CurveRunner(QObject* parent)
     : QObject(parent)
     , m_task(u"curve"_s,
              {.work =
-                  [](const TvpProblem& problem, const std::stop_token& stop, const auto& tell) {
-                      tell(tauCurve(problem, {.stop = stop, .onProgress = tell}));
+                  [](const FleetTask& task, const std::stop_token& stop, const auto& tell) {
+                      tell(tauCurve(task.problem, task.betweenStarts_m,
+                                    {.stop = stop, .onProgress = tell}));
                   },
               .deliver =
                   [this](TauCurve curve) {
@@ -52,28 +60,19 @@ void CurveRunner::setScenario(const Scenario& scenario)
     if (m_scenario && isSameWorld(*m_scenario, scenario) &&
         m_scenario->planner.route == scenario.planner.route)
         return;
-    if (const bool isOfFleet = scenario.uavs.size() > 1; isOfFleet != m_isOfFleet) {
-        m_isOfFleet = isOfFleet;
-        clear();
-        emit updated();
-    }
     m_scenario = scenario;
-    if (m_isOfFleet)
-        return;
-    ask([this]() -> std::optional<VisitationProblem> {
+    ask([this]() -> std::optional<FleetTask> {
         if (hasErrors(validate(*m_scenario)))
             return std::nullopt;
-        return visitationProblem(Simulation(*m_scenario).clusteredRequest(),
-                                 m_scenario->planner.route);
+        return visitationTask(Simulation(*m_scenario).clusteredRequest(),
+                              m_scenario->planner.route);
     });
 }
 
 void CurveRunner::setRequest(std::shared_ptr<const PlanRequest> request, Route route)
 {
-    if (m_isOfFleet)
-        return;
     m_scenario.reset();
-    ask([request = std::move(request), route] { return visitationProblem(*request, route); });
+    ask([request = std::move(request), route] { return visitationTask(*request, route); });
 }
 
 /** A problem has a matrix of distances: in a drag only the last one is made. */
@@ -87,7 +86,7 @@ void CurveRunner::ask(MakeProblem problem)
     take(problem());
 }
 
-void CurveRunner::take(std::optional<VisitationProblem> problem)
+void CurveRunner::take(std::optional<FleetTask> problem)
 {
     if (!problem) {
         clear();
@@ -123,14 +122,14 @@ void CurveRunner::dropCurve(bool complete)
 void CurveRunner::start()
 {
     if (m_next) {
-        std::optional<VisitationProblem> problem = std::exchange(m_next, {})();
+        std::optional<FleetTask> problem = std::exchange(m_next, {})();
         if (!problem) {
             clear();
             return;
         }
         m_problem = std::move(*problem);
     }
-    m_task.start(m_problem.problem);
+    m_task.start(m_problem);
 }
 
 } // namespace berg

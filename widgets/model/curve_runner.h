@@ -27,46 +27,37 @@ class CurveRunner : public QObject
 public:
     explicit CurveRunner(QObject* parent = nullptr);
 
-    /**
-     * The curve of the plan from the scenario's start; none when the scenario has errors or
-     * several UAVs.
-     */
+    /** The curve of the plan from the scenario's start; none when the scenario has errors. */
     void setScenario(const Scenario& scenario);
-    /**
-     * The curve of any other instant, `ids` being icebergs of the caller; none when the
-     * scenario set last has several UAVs.
-     */
+    /** The curve of any other instant, `ids` being icebergs of the caller. */
     void setRequest(std::shared_ptr<const PlanRequest> request, Route route);
     /** No curve wanted. */
     void clear();
 
     /** Newest known, of the present problem only; grows until it is `complete`. */
     [[nodiscard]] const TauCurve& curve() const { return m_curve; }
-    /** There is none, as the scenario has several UAVs. */
-    [[nodiscard]] bool isOfFleet() const { return m_isOfFleet; }
     /** What its orders are about. */
-    [[nodiscard]] const VisitationProblem& problem() const { return m_problem; }
+    [[nodiscard]] const FleetTask& problem() const { return m_problem; }
 
 signals:
-    /** The curve, also to none, or why there is none has changed. */
+    /** The curve has changed, also to none. */
     void updated();
 
 private:
     /** None: there is no curve. */
-    using MakeProblem = std::function<std::optional<VisitationProblem>()>;
+    using MakeProblem = std::function<std::optional<FleetTask>()>;
 
     void ask(MakeProblem problem);
-    void take(std::optional<VisitationProblem> problem);
+    void take(std::optional<FleetTask> problem);
     void dropCurve(bool complete);
     void start();
 
-    bool m_isOfFleet = false;
     std::optional<Scenario> m_scenario; ///< what was asked for last; none: a request
     MakeProblem m_next; ///< asked for since the last change came: made when they are at rest
-    VisitationProblem m_problem;
+    FleetTask m_problem;
     TauCurve m_curve{.intervals = {}, .complete = true};
-    QTimer m_pause;                          ///< runs out when changes have come to rest
-    LatestTask<TvpProblem, TauCurve> m_task; ///< last: it ends before the rest
+    QTimer m_pause;                         ///< runs out when changes have come to rest
+    LatestTask<FleetTask, TauCurve> m_task; ///< last: it ends before the rest
 };
 
 } // namespace berg

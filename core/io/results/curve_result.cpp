@@ -16,11 +16,17 @@ std::vector<std::string> icebergIds(const CurveReport& report, const VisitOrder&
     return ids;
 }
 
+void addOrder(JsonObject& json, const CurveReport& report, const VisitOrder& order)
+{
+    json.addText("order", jsonArrayOf(icebergNumbers(report, order)));
+    json.addText("icebergs", jsonArrayOf(icebergIds(report, order)));
+}
+
 std::string joined(const std::vector<std::string>& parts, char separator)
 {
     std::string text;
-    for (const std::string& part : parts)
-        text += (text.empty() ? "" : std::string(1, separator)) + part;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += (i == 0 ? "" : std::string(1, separator)) + parts[i];
     return text;
 }
 
@@ -48,8 +54,20 @@ std::string curveJson(const CurveReport& report, double elapsed_s)
         entry.add("distance_m", interval.distance_m);
         entry.add("reward_m2", interval.reward_m2);
         entry.add("proven", interval.proven);
-        entry.addText("order", jsonArrayOf(icebergNumbers(report, interval.order)));
-        entry.addText("icebergs", jsonArrayOf(icebergIds(report, interval.order)));
+        VisitOrder all;
+        std::vector<std::string> uavs;
+        for (std::size_t k = 0; k < interval.plan.size(); ++k) {
+            const VisitOrder& order = interval.plan[k];
+            all.insert(all.end(), order.begin(), order.end());
+            const auto place = static_cast<std::size_t>(report.uavs[k]);
+            JsonObject uav;
+            uav.add("id", report.scenario.uavs[place].id);
+            addOrder(uav, report, order);
+            uavs.push_back(uav.inLine());
+        }
+        addOrder(entry, report, all);
+        if (uavs.size() > 1)
+            entry.addText("uavs", '[' + joined(uavs, ',') + ']');
         intervals.push_back(entry.inLine());
     }
     JsonObject document;
@@ -64,12 +82,18 @@ std::string curveCsv(const CurveReport& report)
     std::string text = "tau_from,tau_to,distance_m,reward_m2,proven,order,icebergs\n";
     for (const CurveInterval& interval : report.curve.intervals) {
         std::vector<std::string> numbers;
-        for (const int number : icebergNumbers(report, interval.order))
-            numbers.push_back(std::to_string(number));
+        std::vector<std::string> ids;
+        for (const VisitOrder& order : interval.plan) {
+            std::vector<std::string> own;
+            for (const int number : icebergNumbers(report, order))
+                own.push_back(std::to_string(number));
+            numbers.push_back(joined(own, ' '));
+            ids.push_back(joined(icebergIds(report, order), ';'));
+        }
         text += numberText(interval.tauFrom) + ',' + numberText(interval.tauTo) + ',' +
                 numberText(interval.distance_m) + ',' + numberText(interval.reward_m2) + ',' +
-                (interval.proven ? "1" : "0") + ',' + joined(numbers, ' ') + ',' +
-                csvField(joined(icebergIds(report, interval.order), ';')) + "\n";
+                (interval.proven ? "1" : "0") + ',' + joined(numbers, kBetweenOrders) + ',' +
+                csvField(joined(ids, kBetweenOrders)) + "\n";
     }
     return text;
 }

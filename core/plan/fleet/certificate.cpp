@@ -95,9 +95,4 @@ Proof certify(const FleetProblem& problem, const FleetPlan& plan, const std::sto
     return proof;
 }
 
-Certificate certificateFor(const TvpProblem& problem)
-{
-    return {.problem = problemOf(problem)};
-}
-
 } // namespace berg

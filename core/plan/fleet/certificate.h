@@ -59,7 +59,4 @@ inline constexpr int kMostCertifiedExactly = 40;
 [[nodiscard]] Proof certify(const FleetProblem& problem, const FleetPlan& plan,
                             const std::stop_token& stop = {});
 
-/** A certificate of the problem of one UAV, without proofs. */
-[[nodiscard]] Certificate certificateFor(const TvpProblem& problem);
-
 } // namespace berg

@@ -101,6 +101,11 @@ double fleetObjective(const FleetProblem& problem, const FleetPlan& plan)
         }
         return problem.mu * latency;
     }
+    return problem.mu * fleetDistance(problem, plan) - fleetReward(problem, plan);
+}
+
+double fleetReward(const FleetProblem& problem, const FleetPlan& plan)
+{
     double reward = 0;
     for (const VisitOrder& order : plan) {
         int t = 1;
@@ -108,7 +113,7 @@ double fleetObjective(const FleetProblem& problem, const FleetPlan& plan)
             reward +=
                 problem.sigma_m2[static_cast<std::size_t>(node)] * (problem.nodeCount() - ++t);
     }
-    return problem.mu * fleetDistance(problem, plan) - reward;
+    return reward;
 }
 
 double fleetObjectiveShift(const FleetProblem& problem)

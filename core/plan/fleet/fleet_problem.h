@@ -63,6 +63,9 @@ struct FleetProblem
  */
 [[nodiscard]] double fleetObjective(const FleetProblem& problem, const FleetPlan& plan);
 
+/** As `uncertaintyReward`, over all orders. */
+[[nodiscard]] double fleetReward(const FleetProblem& problem, const FleetPlan& plan);
+
 /** As `objectiveShift`. */
 [[nodiscard]] double fleetObjectiveShift(const FleetProblem& problem);
 

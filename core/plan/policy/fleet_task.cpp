@@ -75,17 +75,20 @@ FleetTask fleetTask(const PlanRequest& request)
     for (const int node : all)
         task.problem.sigma_m2.push_back(request.sigma_m2[static_cast<std::size_t>(node)]);
     task.problem.allowed = allowedOf(request, task, nodes);
+    if (request.betweenUavs_m.rows() == static_cast<Eigen::Index>(request.uavs.size()))
+        task.betweenStarts_m = request.betweenUavs_m(task.uavs, task.uavs);
     return task;
 }
 
-Eigen::MatrixXd betweenStarts(const PlanRequest& request, const FleetTask& task)
+FleetTask visitationTask(const PlanRequest& request, Route route)
 {
-    if (task.uavs.size() == 1)
-        return Eigen::MatrixXd::Zero(1, 1);
-    const auto size = static_cast<Eigen::Index>(request.uavs.size());
-    require(request.betweenUavs_m.rows() == size && request.betweenUavs_m.cols() == size,
-            "betweenStarts: one row and column for each UAV");
-    return request.betweenUavs_m(task.uavs, task.uavs);
+    FleetTask task = fleetTask(request);
+    if (task.uavs.empty()) {
+        task.uavs = {0};
+        task.problem.distance_m = {Eigen::MatrixXd::Zero(1, 1)};
+    }
+    task.problem.route = route;
+    return task;
 }
 
 std::vector<std::vector<int>> ordersInIds(const PlanRequest& request, const FleetTask& task,
@@ -117,18 +120,6 @@ PlanAnswer answerOf(const PlanRequest& request, const std::vector<std::vector<in
         answer.uavs.emplace_back().order = orders[uav];
     }
     return answer;
-}
-
-VisitationProblem visitationProblem(const PlanRequest& request, Route route)
-{
-    PlanRequest alone{
-        .uavs = {request.uavs.front()}, .ids = request.ids, .sigma_m2 = request.sigma_m2};
-    FleetTask task = fleetTask(alone);
-    if (task.uavs.empty())
-        task.problem.distance_m = {Eigen::MatrixXd::Zero(1, 1)};
-    VisitationProblem result{.problem = problemOfUav(task.problem, 0), .ids = std::move(task.ids)};
-    result.problem.route = route;
-    return result;
 }
 
 } // namespace berg

@@ -11,15 +11,17 @@ namespace berg {
  * that one of them may visit. */
 struct FleetTask
 {
-    FleetProblem problem;  ///< `mu` is 0
-    std::vector<int> uavs; ///< index in `PlanRequest::uavs` of UAV k of `problem`
-    std::vector<int> ids;  ///< id of iceberg node k + 1
+    FleetProblem problem;            ///< `mu` is 0
+    std::vector<int> uavs;           ///< index in `PlanRequest::uavs` of UAV k of `problem`
+    std::vector<int> ids;            ///< id of iceberg node k + 1
+    Eigen::MatrixXd betweenStarts_m; ///< of these UAVs, for Eq. (14); empty when nothing says it
 };
 
 [[nodiscard]] FleetTask fleetTask(const PlanRequest& request);
 
-/** Distances between the starts of the task's UAVs, of which there is one at least. */
-[[nodiscard]] Eigen::MatrixXd betweenStarts(const PlanRequest& request, const FleetTask& task);
+/** What the policies `visitation` and `latency` solve; with nothing to visit the first UAV alone.
+ */
+[[nodiscard]] FleetTask visitationTask(const PlanRequest& request, Route route);
 
 /** Orders in ids for each UAV of the request, from a plan of the task's problem or an empty one. */
 [[nodiscard]] std::vector<std::vector<int>>
@@ -37,14 +39,5 @@ ordersInIds(const PlanRequest& request, const FleetTask& task, const FleetPlan& 
 
 /** Node number (1 ..) of an id of the request. */
 [[nodiscard]] int nodeOfId(const PlanRequest& request, int id);
-
-/** What the policies `visitation` and `latency` solve for the first UAV of a request; `mu` is 0. */
-struct VisitationProblem
-{
-    TvpProblem problem;   ///< the UAV and the icebergs available to it
-    std::vector<int> ids; ///< id of iceberg node k+1
-};
-
-[[nodiscard]] VisitationProblem visitationProblem(const PlanRequest& request, Route route);
 
 } // namespace berg

@@ -75,7 +75,7 @@ public:
         task.problem.route = m_settings.route;
         if (!task.uavs.empty())
             task.problem.mu =
-                fleetTuningWeight(task.problem, betweenStarts(request, task), m_settings.tau).mu;
+                fleetTuningWeight(task.problem, task.betweenStarts_m, m_settings.tau).mu;
         return m_solver.solve(request, std::move(task), true, options);
     }
 

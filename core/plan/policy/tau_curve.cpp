@@ -1,6 +1,7 @@
 #include "core/plan/policy/tau_curve.h"
 
 #include "core/base/solving_guard.h"
+#include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/solve/certified.h"
 #include "core/plan/solve/layered_bound.h"
 #include "core/plan/solve/order_search.h"
@@ -26,6 +27,11 @@ constexpr std::int64_t kMostWorkOfProof = 900'000'000;
 
 constexpr std::int64_t kMostMemory_bytes = 500'000'000; ///< a curve is made beside other work
 
+/** Of one solve for several UAVs, about as long: dynamic programming, or a search that proves
+ * little.
+ */
+constexpr std::int64_t kWorkOfFleet = 60'000'000;
+
 /** Restarts of the local search at one crossing: fewer than usual, a neighbour starts it well. */
 std::int64_t restartsFor(std::int64_t icebergs)
 {
@@ -40,10 +46,10 @@ enum class Knowledge
     GivenUp ///< not proven within the limits
 };
 
-/** A known order: F = tau k D - R. */
+/** A known plan: F = tau k D - R. */
 struct Line
 {
-    VisitOrder order;
+    FleetPlan plan;
     double distance_m = 0;
     double reward_m2 = 0;
 };
@@ -59,17 +65,26 @@ struct Crossing
 class CurveSearch
 {
 public:
-    CurveSearch(const TvpProblem& problem, const TauCurveOptions& options, double muPerTau)
+    CurveSearch(const FleetProblem& problem, const TauCurveOptions& options, double muPerTau)
         : m_problem(problem), m_options(options), m_muPerTau(muPerTau)
     {
         m_problem.mu = 0;
-        // No order costs less than 2 sum(sigma): a tenth of the tolerance at most.
-        m_same_m2 = 0.1 * kProofTolerance * 2 * objectiveShift(problem) / problem.nodeCount();
-        addLine(sigmaOrder(m_problem)); // the largest reward there is: optimal at tau = 0
+        // No plan costs less than 2 sum(sigma): a tenth of the tolerance at most.
+        m_same_m2 = 0.1 * kProofTolerance * 2 * fleetObjectiveShift(problem) / problem.nodeCount();
+        // The largest reward there is: optimal at tau = 0.
+        if (m_isAlone) {
+            addLine({sigmaOrder(problemOfUav(m_problem, 0))});
+        } else if (SolveOutcome first = solveFleet(m_problem, Backend::Auto, limits());
+                   first.status != SolveStatus::None) {
+            m_isFirstProven = first.status == SolveStatus::Optimal;
+            addLine(first.plan);
+        }
     }
 
     TauCurve run()
     {
+        if (m_lines.empty())
+            return curve(StopReason::Cancelled);
         while (const std::optional<Crossing> crossing = nextToExamine()) {
             if (m_options.stop.stop_requested())
                 return curve(StopReason::Cancelled);
@@ -99,11 +114,11 @@ private:
         return m_lines[static_cast<std::size_t>(number)];
     }
 
-    void addLine(const VisitOrder& order)
+    void addLine(const FleetPlan& plan)
     {
-        m_lines.push_back({.order = order,
-                           .distance_m = flownDistance(m_problem, order),
-                           .reward_m2 = uncertaintyReward(m_problem, order)});
+        m_lines.push_back({.plan = plan,
+                           .distance_m = fleetDistance(m_problem, plan),
+                           .reward_m2 = fleetReward(m_problem, plan)});
         refreshEnvelope();
     }
 
@@ -169,7 +184,9 @@ private:
     {
         m_problem.mu = m_muPerTau * crossing.tau;
         std::optional<Knowledge> known;
-        if (m_problem.icebergCount() <= kLargestByTable)
+        if (!m_isAlone)
+            known = solveTogether(crossing);
+        else if (m_problem.icebergCount() <= kLargestByTable)
             known = solve(crossing);
         else if (!knowledge(crossing))
             known = search(crossing);
@@ -179,25 +196,45 @@ private:
             m_known[{crossing.left, crossing.right}] = *known;
     }
 
+    [[nodiscard]] SolveOptions limits() const
+    {
+        return {.workLimit = kWorkOfFleet, .stop = m_options.stop};
+    }
+
+    std::optional<Knowledge> solveTogether(const Crossing& crossing)
+    {
+        if (m_work >= m_options.workLimit)
+            return Knowledge::GivenUp;
+        SolveOptions options = limits();
+        options.hint = line(crossing.left).plan;
+        const SolveOutcome outcome = solveFleet(m_problem, Backend::Auto, options);
+        if (m_options.stop.stop_requested())
+            return std::nullopt;
+        m_work += outcome.work;
+        offer(outcome.plan, crossing);
+        return outcome.status == SolveStatus::Optimal ? Knowledge::Proven : Knowledge::GivenUp;
+    }
+
     std::optional<Knowledge> solve(const Crossing& crossing)
     {
-        const SolveOutcome outcome = SubsetSolver().solve(m_problem, {.stop = m_options.stop});
+        const SolveOutcome outcome =
+            SubsetSolver().solve(problemOfUav(m_problem, 0), {.stop = m_options.stop});
         if (outcome.status != SolveStatus::Optimal)
             return std::nullopt;
-        offer(outcome.order(), crossing);
+        offer(outcome.plan, crossing);
         return Knowledge::Proven;
     }
 
     std::optional<Knowledge> search(const Crossing& crossing)
     {
-        const VisitCosts costs(m_problem);
+        const VisitCosts costs(problemOfUav(m_problem, 0));
         SearchEffort effort{.cut = [this] { return m_options.stop.stop_requested(); }};
         OrderSearch search(costs, effort);
-        search.take(line(crossing.left).order);
+        search.take(line(crossing.left).plan.front());
         search.disturb(restartsFor(costs.icebergs));
         if (m_options.stop.stop_requested())
             return std::nullopt;
-        offer(search.best(), crossing);
+        offer({search.best()}, crossing);
         return Knowledge::Searched;
     }
 
@@ -210,23 +247,23 @@ private:
             return Knowledge::GivenUp;
         options.cut = [this] { return m_options.stop.stop_requested(); };
         options.lambda = multipliersNear(crossing.tau);
-        const BoundResult result =
-            improveBound(VisitCosts(m_problem), line(crossing.left).order, options);
+        const BoundResult result = improveBound(VisitCosts(problemOfUav(m_problem, 0)),
+                                                line(crossing.left).plan.front(), options);
         m_work += result.work;
         if (m_options.stop.stop_requested())
             return std::nullopt;
         m_multipliers[crossing.tau] = result.lambda;
-        offer(result.order, crossing);
+        offer({result.order}, crossing);
         return result.reached ? Knowledge::Proven : Knowledge::GivenUp;
     }
 
-    /** Makes an order that is better at the crossing a line of its own. */
-    void offer(const VisitOrder& order, const Crossing& crossing)
+    /** Makes a plan that is better at the crossing a line of its own. */
+    void offer(const FleetPlan& plan, const Crossing& crossing)
     {
-        const double shift = objectiveShift(m_problem);
-        const double known = objective(m_problem, line(crossing.left).order) + shift;
-        if (objective(m_problem, order) + shift < cutoffBelow(known, 0))
-            addLine(order);
+        const double shift = fleetObjectiveShift(m_problem);
+        const double known = fleetObjective(m_problem, line(crossing.left).plan) + shift;
+        if (fleetObjective(m_problem, plan) + shift < cutoffBelow(known, 0))
+            addLine(plan);
     }
 
     /**
@@ -248,7 +285,7 @@ private:
     [[nodiscard]] TauCurve curve(StopReason reason) const
     {
         TauCurve result{.intervals = {}, .reason = reason};
-        bool fromProven = true; // tau = 0: the first line has the largest reward there is
+        bool fromProven = m_isFirstProven;
         for (const Crossing& end : m_envelope) {
             const bool toProven = knowledge(end) == Knowledge::Proven;
             const Line& best = line(end.left);
@@ -256,7 +293,7 @@ private:
             result.intervals.push_back(
                 {.tauFrom = result.intervals.empty() ? 0 : result.intervals.back().tauTo,
                  .tauTo = end.tau,
-                 .order = best.order,
+                 .plan = best.plan,
                  .distance_m = best.distance_m,
                  .reward_m2 = best.reward_m2,
                  .proven = fromProven && toProven});
@@ -265,7 +302,9 @@ private:
         return result;
     }
 
-    TvpProblem m_problem; ///< its mu is that of the crossing under examination
+    FleetProblem m_problem; ///< its mu is that of the crossing under examination
+    bool m_isAlone = m_problem.uavCount() == 1;
+    bool m_isFirstProven = true; ///< at tau = 0
     const TauCurveOptions& m_options;
     double m_muPerTau;
     double m_same_m2 = 0; ///< rewards so close are equal: sigmas that differ by rounding are ties
@@ -276,18 +315,19 @@ private:
     std::int64_t m_work = 0;
 };
 
-/** One order for every tau: mu does not depend on it, or there is nothing to visit. */
-TauCurve constantCurve(TvpProblem problem, const TauCurveOptions& options, double mu)
+/** One plan for every tau: mu does not depend on it, or there is nothing to visit. */
+TauCurve constantCurve(FleetProblem problem, const TauCurveOptions& options, double mu)
 {
     problem.mu = mu;
-    const SolveOutcome outcome = makeSolver(Backend::Auto)->solve(problem, {.stop = options.stop});
+    const SolveOutcome outcome =
+        solve(problem, Backend::Auto, *makeSolver(Backend::Auto), {.stop = options.stop});
     TauCurve curve{.intervals = {}, .reason = outcome.reason};
     if (outcome.status != SolveStatus::None)
         curve.intervals.push_back({.tauFrom = 0,
                                    .tauTo = options.tauMax,
-                                   .order = outcome.order(),
-                                   .distance_m = flownDistance(problem, outcome.order()),
-                                   .reward_m2 = uncertaintyReward(problem, outcome.order()),
+                                   .plan = outcome.plan,
+                                   .distance_m = fleetDistance(problem, outcome.plan),
+                                   .reward_m2 = fleetReward(problem, outcome.plan),
                                    .proven = outcome.status == SolveStatus::Optimal});
     curve.complete = outcome.reason != StopReason::Cancelled;
     return curve;
@@ -297,14 +337,20 @@ TauCurve constantCurve(TvpProblem problem, const TauCurveOptions& options, doubl
 
 TauCurve tauCurve(const TvpProblem& problem, const TauCurveOptions& options)
 {
+    return tauCurve(problemOf(problem), {}, options);
+}
+
+TauCurve tauCurve(const FleetProblem& problem, const Eigen::MatrixXd& betweenStarts_m,
+                  const TauCurveOptions& options)
+{
     requireSolvingAllowed();
     require(options.tauMax > 0, "tauCurve: tauMax must be positive");
-    TvpProblem checked = problem;
+    FleetProblem checked = problem;
     checked.mu = 0;
     if (std::vector<Issue> issues = validate(checked); !issues.empty())
         throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));
 
-    const TuningWeight weight = tuningWeight(checked, 1);
+    const TuningWeight weight = fleetTuningWeight(checked, betweenStarts_m, 1);
     checked.mu = weight.mu * options.tauMax;
     if (std::vector<Issue> issues = validate(checked); !issues.empty())
         throw Error(ErrorCode::InvalidInput, "problem", std::move(issues));

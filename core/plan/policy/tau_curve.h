@@ -9,21 +9,23 @@
 
 namespace berg {
 
-/** One order and the trade-offs it is best for. */
+/** One plan and the trade-offs it is best for. */
 struct CurveInterval
 {
     double tauFrom = 0;
     double tauTo = 0;
-    VisitOrder order;
-    double distance_m = 0; ///< D of Eq. (2)
+    FleetPlan plan;        ///< an order for each UAV
+    double distance_m = 0; ///< D of Eq. (2), in all
     double reward_m2 = 0;  ///< first term of Eq. (1) with its sign changed
     bool proven = false;   ///< optimal for every tau of the interval, to 1e-9 of the cost
+    /** That of the first UAV, and the plan when there is one only. */
+    [[nodiscard]] const VisitOrder& order() const { return plan.front(); }
     bool operator==(const CurveInterval&) const = default;
 };
 
 /**
- * The optimum of Eq. (1) as a function of tau: a concave, piecewise linear curve, since F of an
- * order is linear in mu and mu in tau, Eq. (14). Also the supported Pareto front of distance
+ * The optimum of Eq. (1) as a function of tau: a concave, piecewise linear curve, since F of a
+ * plan is linear in mu and mu in tau, Eq. (14). Also the supported Pareto front of distance
  * against reward: along tau both go down.
  */
 struct TauCurve
@@ -44,14 +46,19 @@ struct TauCurveOptions
 };
 
 /**
- * All optimal orders of a problem over [0, tauMax] with exact breakpoints, by the dichotomic
- * scheme of Aneja and Nair (1979): where the lines of two known neighbours cross, either an order
+ * All optimal plans of a problem over [0, tauMax] with exact breakpoints, by the dichotomic
+ * scheme of Aneja and Nair (1979): where the lines of two known neighbours cross, either a plan
  * below both is found, or the two are neighbours for good. `mu` of the problem is not read. The
  * first interval holds what is optimal for tau -> 0+: ties of sigma broken by distance.
  *
- * Proven up to 13 icebergs by dynamic programming, above by `improveBound` as far as the work
- * limit allows. Throws `Error{InvalidInput}` for problems that `validate` faults.
+ * Of one UAV proven up to 13 icebergs by dynamic programming, above by `improveBound` as far as the
+ * work limit allows. Of several as far as `solveFleet` proves its plans: up to 14 icebergs.
+ * `betweenStarts_m`: as `fleetTuningWeight`. Throws `Error{InvalidInput}` for problems that
+ * `validate` faults.
  */
+[[nodiscard]] TauCurve tauCurve(const FleetProblem& problem, const Eigen::MatrixXd& betweenStarts_m,
+                                const TauCurveOptions& options);
+/** Of one UAV. */
 [[nodiscard]] TauCurve tauCurve(const TvpProblem& problem, const TauCurveOptions& options);
 
 /**

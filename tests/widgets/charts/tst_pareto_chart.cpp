@@ -58,16 +58,6 @@ class TestParetoChart : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void saysThatThereIsNoneOfSeveralUavs()
-    {
-        Fixture fixture;
-        fixture.chart.setOfFleet(true);
-        fixture.chart.setCurve({.intervals = {}, .complete = true});
-        QVERIFY(fixture.chart.accessibleDescription().contains(u"single UAV"_s));
-        fixture.chart.setOfFleet(false);
-        QVERIFY(fixture.chart.accessibleDescription().contains(u"No icebergs"_s));
-    }
-
     void plansAreInsideAndInOrder_data()
     {
         QTest::addColumn<QSize>("size");

@@ -16,9 +16,9 @@ constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measur
 
 TauCurve expectedCurve(const Scenario& scenario)
 {
-    const VisitationProblem visitation =
-        visitationProblem(Simulation(scenario).planRequest(), scenario.planner.route);
-    return tauCurve(visitation.problem, {});
+    const FleetTask task =
+        visitationTask(Simulation(scenario).planRequest(), scenario.planner.route);
+    return tauCurve(task.problem, task.betweenStarts_m, {});
 }
 
 bool completes(const CurveRunner& runner)
@@ -49,7 +49,7 @@ private slots:
         QVERIFY(completes(runner));
         QVERIFY(updated.count() >= 2);
         QVERIFY(runner.curve() == expected);
-        QCOMPARE(runner.problem().ids.size(), runner.curve().intervals.front().order.size());
+        QCOMPARE(runner.problem().ids.size(), runner.curve().intervals.front().order().size());
     }
 
     /** What the curve does not depend on neither restarts it nor makes it vanish. */
@@ -142,7 +142,7 @@ private slots:
         bool stale = false;
         connect(&runner, &CurveRunner::updated, this, [&] {
             for (const CurveInterval& interval : runner.curve().intervals)
-                stale = stale || interval.order.size() != runner.problem().ids.size();
+                stale = stale || interval.order().size() != runner.problem().ids.size();
         });
         QVERIFY(completes(runner));
         QVERIFY(!stale);
@@ -174,30 +174,24 @@ private slots:
         request.sigma_m2[2] = 99;
         runner.setRequest(std::make_shared<const PlanRequest>(request), Route::Open);
         QVERIFY(completes(runner));
-        QVERIFY(runner.curve() == tauCurve(visitationProblem(request, Route::Open).problem, {}));
+        QVERIFY(runner.curve() == tauCurve(visitationTask(request, Route::Open).problem, {}, {}));
     }
 
-    /** Neither at the start nor in flight; with one UAV again there is one. */
-    void severalUavsHaveNone()
+    /** At the start and in flight. */
+    void severalUavsHaveOne()
     {
-        const Scenario alone = randomScenario(10);
-        const Scenario two = test::withUavs(alone, 2);
+        const Scenario two = test::withUavs(randomScenario(10, {.icebergs = 6}), 2);
         CurveRunner runner;
-        runner.setScenario(alone);
-        QVERIFY(completes(runner));
-        QVERIFY(!runner.isOfFleet() && !runner.curve().intervals.empty());
-        const QSignalSpy updated(&runner, &CurveRunner::updated);
         runner.setScenario(two);
-        QVERIFY(updated.count() > 0);
-        QVERIFY(runner.isOfFleet());
-        QVERIFY(runner.curve().complete && runner.curve().intervals.empty());
-        runner.setRequest(std::make_shared<const PlanRequest>(Simulation(alone).planRequest()),
-                          Route::Open);
-        QVERIFY(runner.curve().complete && runner.curve().intervals.empty());
-        runner.setScenario(alone);
-        QVERIFY(!runner.isOfFleet());
         QVERIFY(completes(runner));
-        QVERIFY(runner.curve() == expectedCurve(alone));
+        QVERIFY(runner.curve() == expectedCurve(two));
+        QCOMPARE(runner.curve().intervals.front().plan.size(), std::size_t{2});
+        PlanRequest request = Simulation(two).planRequest();
+        request.sigma_m2[2] = 99;
+        runner.setRequest(std::make_shared<const PlanRequest>(request), Route::Open);
+        QVERIFY(!runner.curve().complete);
+        QVERIFY(completes(runner));
+        QVERIFY(runner.curve() != expectedCurve(two));
     }
 
     /** Closing does not wait for proofs: the stop token ends them. */

@@ -93,7 +93,7 @@ private slots:
             if (!curve.curve().complete || at < 0)
                 return false;
             std::vector<int> order;
-            for (const int node : curve.curve().intervals[static_cast<std::size_t>(at)].order)
+            for (const int node : curve.curve().intervals[static_cast<std::size_t>(at)].order())
                 order.push_back(curve.problem().ids[static_cast<std::size_t>(node) - 1]);
             return order == f.record().shown().plan->order;
         };

@@ -317,9 +317,10 @@ private slots:
         const TauCurve curve;
         const Scenario scenario = twoTogether();
         const std::vector<int> ids{0, 1, 3};
+        const std::vector<int> uavs{0};
         const Groups clusters{{0, 2}};
         const CurveReport report{
-            .curve = curve, .scenario = scenario, .ids = ids, .clusters = clusters};
+            .curve = curve, .scenario = scenario, .ids = ids, .uavs = uavs, .clusters = clusters};
         QCOMPARE(icebergNumbers(report, {3, 1, 2}), (std::vector<int>{4, 1, 3, 2}));
     }
 

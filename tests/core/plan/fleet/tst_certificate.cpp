@@ -37,7 +37,7 @@ VisitOrder solved(const TvpProblem& problem)
 
 Certificate certificateOf(const TvpProblem& problem, const VisitOrder& order)
 {
-    Certificate certificate = certificateFor(problem);
+    Certificate certificate = {.problem = problemOf(problem)};
     certificate.proofs.push_back(certify(problem, order));
     return certificate;
 }

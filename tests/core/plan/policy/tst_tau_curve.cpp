@@ -7,6 +7,8 @@
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/fleet_flight.h"
+#include "tests/support/fleet_problems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,17 +87,35 @@ void checkShape(const TauCurve& curve, const TvpProblem& problem, double tauMax)
     for (std::size_t i = 0; i < curve.intervals.size(); ++i) {
         const CurveInterval& interval = curve.intervals[i];
         QVERIFY(interval.tauFrom < interval.tauTo);
-        QVERIFY(isVisitOrder(problem, interval.order));
-        QCOMPARE(interval.distance_m, flownDistance(problem, interval.order));
-        QCOMPARE(interval.reward_m2, uncertaintyReward(problem, interval.order));
+        QVERIFY(isVisitOrder(problem, interval.order()));
+        QCOMPARE(interval.distance_m, flownDistance(problem, interval.order()));
+        QCOMPARE(interval.reward_m2, uncertaintyReward(problem, interval.order()));
         if (i == 0)
             continue;
         const CurveInterval& before = curve.intervals[i - 1];
         QCOMPARE(interval.tauFrom, before.tauTo);
         QVERIFY(interval.distance_m < before.distance_m);
         QVERIFY(interval.reward_m2 < before.reward_m2);
-        const double here = costAt(problem, interval.order, interval.tauFrom);
-        COMPARE_NEAR(costAt(problem, before.order, interval.tauFrom), here, 1e-9 * here);
+        const double here = costAt(problem, interval.order(), interval.tauFrom);
+        COMPARE_NEAR(costAt(problem, before.order(), interval.tauFrom), here, 1e-9 * here);
+    }
+}
+
+void checkFleetShape(const TauCurve& curve, const FleetProblem& problem, double tauMax)
+{
+    QVERIFY(!curve.intervals.empty());
+    QCOMPARE(curve.intervals.front().tauFrom, 0.0);
+    QCOMPARE(curve.intervals.back().tauTo, tauMax);
+    for (std::size_t i = 0; i < curve.intervals.size(); ++i) {
+        const CurveInterval& interval = curve.intervals[i];
+        QVERIFY(interval.tauFrom < interval.tauTo);
+        QVERIFY(isFleetPlan(problem, interval.plan));
+        QCOMPARE(interval.distance_m, fleetDistance(problem, interval.plan));
+        if (i == 0)
+            continue;
+        QCOMPARE(interval.tauFrom, curve.intervals[i - 1].tauTo);
+        QVERIFY(interval.distance_m < curve.intervals[i - 1].distance_m);
+        QVERIFY(interval.reward_m2 < curve.intervals[i - 1].reward_m2);
     }
 }
 
@@ -156,7 +176,7 @@ private slots:
                     best = std::min(best, mu * distance_m - reward_m2);
                 const int index = intervalAt(curve, tau);
                 seen.insert(index);
-                const VisitOrder& order = curve.intervals[static_cast<std::size_t>(index)].order;
+                const VisitOrder& order = curve.intervals[static_cast<std::size_t>(index)].order();
                 COMPARE_NEAR(costAt(problem, order, tau), best + shift, 1e-9 * (best + shift));
             }
             QVERIFY(seen.size() <= curve.intervals.size());
@@ -195,7 +215,7 @@ private slots:
                 return;
             QCOMPARE(rounded.intervals.size(), curve.intervals.size());
             for (std::size_t i = 0; i < curve.intervals.size(); ++i)
-                QCOMPARE(rounded.intervals[i].order, curve.intervals[i].order);
+                QCOMPARE(rounded.intervals[i].order(), curve.intervals[i].order());
         }
     }
 
@@ -233,7 +253,7 @@ private slots:
             problem.mu = tuningWeight(problem, tau).mu;
             const SolveOutcome best = SubsetSolver().solve(problem, {});
             const int index = intervalAt(curve, tau);
-            const VisitOrder& order = curve.intervals[static_cast<std::size_t>(index)].order;
+            const VisitOrder& order = curve.intervals[static_cast<std::size_t>(index)].order();
             const double cost = best.objective + objectiveShift(problem);
             COMPARE_NEAR(objective(problem, order) + objectiveShift(problem), cost, 1e-9 * cost);
         }
@@ -244,11 +264,11 @@ private slots:
         const TauCurve none = tauCurve(makeProblem(Shape::Plain, 1, 0, Route::Open), {});
         QVERIFY(none.complete);
         QCOMPARE(none.intervals.size(), 1U);
-        QVERIFY(none.intervals[0].order.empty());
+        QVERIFY(none.intervals[0].order().empty());
         QVERIFY(none.intervals[0].proven);
         const TauCurve one = tauCurve(makeProblem(Shape::Plain, 1, 1, Route::Closed), {});
         QCOMPARE(one.intervals.size(), 1U);
-        QCOMPARE(one.intervals[0].order, VisitOrder{1});
+        QCOMPARE(one.intervals[0].order(), VisitOrder{1});
     }
 
     /** By the rule for sigma all 0 the distance alone counts, whatever tau. */
@@ -305,8 +325,8 @@ private slots:
                 const auto at = [tau](const TauCurve& c) {
                     return c.intervals[static_cast<std::size_t>(intervalAt(c, tau))];
                 };
-                QVERIFY(costAt(problem, at(curve).order, tau) <=
-                        costAt(problem, at(last).order, tau) * (1 + 1e-12));
+                QVERIFY(costAt(problem, at(curve).order(), tau) <=
+                        costAt(problem, at(last).order(), tau) * (1 + 1e-12));
                 QVERIFY(at(curve).proven || !at(last).proven);
             }
             last = curve;
@@ -391,18 +411,102 @@ private slots:
             scenario.icebergs[3].position_m = scenario.uavs[0].position_m; // in view: not planned
             if (windy)
                 scenario.wind_mps = {6, -3};
-            const VisitationProblem visitation =
-                visitationProblem(Simulation(scenario).planRequest(), route);
+            const FleetTask task = visitationTask(Simulation(scenario).planRequest(), route);
             const PlanAnswer plan = planFromStart(scenario);
-            QCOMPARE(visitation.ids, plan.solvedIds);
-            QVERIFY(visitation.problem.distance_m == plan.problem.distance_m.at(0));
-            QCOMPARE(visitation.problem.sigma_m2, plan.problem.sigma_m2);
-            QCOMPARE(visitation.problem.route, plan.problem.route);
+            QCOMPARE(task.ids, plan.solvedIds);
+            QVERIFY(task.problem.distance_m == plan.problem.distance_m);
+            QCOMPARE(task.problem.sigma_m2, plan.problem.sigma_m2);
+            QCOMPARE(task.problem.route, plan.problem.route);
 
-            const TauCurve curve = tauCurve(visitation.problem, {});
+            const TauCurve curve = tauCurve(task.problem, task.betweenStarts_m, {});
             const int index = intervalAt(curve, scenario.planner.tau);
-            QCOMPARE(curve.intervals[static_cast<std::size_t>(index)].order, plan.outcome.order());
+            QCOMPARE(curve.intervals[static_cast<std::size_t>(index)].order(),
+                     plan.outcome.order());
         }
+    }
+
+    /** Every tau has its best plan, whatever sets the UAVs apart. */
+    void fleetsByBruteForce_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::newRow("alike") << static_cast<int>(FleetKind::Plain);
+        QTest::newRow("unlike, asymmetric") << static_cast<int>(FleetKind::Unlike);
+        QTest::newRow("icebergs assigned") << static_cast<int>(FleetKind::Assigned);
+        QTest::newRow("round trips") << static_cast<int>(FleetKind::Closed);
+    }
+    void fleetsByBruteForce()
+    {
+        QFETCH(int, kind);
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            const int uavs = 2 + static_cast<int>(seed % 2);
+            FleetProblem problem = randomFleet(seed, uavs, 5, 1, static_cast<FleetKind>(kind));
+            const Eigen::MatrixXd apart_m = Eigen::MatrixXd::Constant(uavs, uavs, 1000);
+            const TauCurve curve = tauCurve(problem, apart_m, {.tauMax = 3});
+            checkFleetShape(curve, problem, 3);
+            QVERIFY(allProven(curve) && curve.complete);
+            for (double tau = 0.02; tau < 3; tau += 0.11) {
+                problem.mu = fleetTuningWeight(problem, apart_m, tau).mu;
+                const CurveInterval& here =
+                    curve.intervals[static_cast<std::size_t>(intervalAt(curve, tau))];
+                const double shift = fleetObjectiveShift(problem);
+                const double best = bruteForceFleet(problem) + shift;
+                COMPARE_NEAR(fleetObjective(problem, here.plan) + shift, best, 1e-9 * best);
+            }
+        }
+    }
+
+    /** More than are proven: no gap, the same again, and no plan worse than the planner's by much.
+     */
+    void manyOfSeveralUavs()
+    {
+        const Scenario scenario = withUavs(randomScenario(4, {.icebergs = 24}), 3);
+        const FleetTask task = visitationTask(Simulation(scenario).planRequest(), Route::Open);
+        const TauCurveOptions options{.tauMax = 2, .workLimit = 400'000'000};
+        const TauCurve curve = tauCurve(task.problem, task.betweenStarts_m, options);
+        checkFleetShape(curve, task.problem, 2);
+        QVERIFY(curve.complete && curve.reason == StopReason::WorkLimit);
+        QCOMPARE(curve, tauCurve(task.problem, task.betweenStarts_m, options));
+        FleetProblem problem = task.problem;
+        problem.mu = fleetTuningWeight(problem, task.betweenStarts_m, 1).mu;
+        const double shift = fleetObjectiveShift(problem);
+        const double planned = planFromStart(scenario).outcome.objective + shift;
+        const auto at = static_cast<std::size_t>(intervalAt(curve, 1));
+        QVERIFY(fleetObjective(problem, curve.intervals[at].plan) + shift < 1.02 * planned);
+    }
+
+    void ofSeveralUavsIsThatOfThePlanShown()
+    {
+        for (std::int64_t seed = 1; seed <= 4; ++seed) {
+            Scenario scenario = withUavs(randomScenario(seed, {.icebergs = 8}), 2);
+            scenario.planner.tau = 0.3 * static_cast<double>(seed);
+            const PlanRequest request = Simulation(scenario).planRequest();
+            const FleetTask task = visitationTask(request, Route::Open);
+            const PlanAnswer plan = planFromStart(scenario);
+            const TauCurve curve = tauCurve(task.problem, task.betweenStarts_m, {});
+            const auto at = static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau));
+            const std::vector<std::vector<int>> orders =
+                ordersInIds(request, task, curve.intervals[at].plan);
+            for (std::size_t u = 0; u < 2; ++u)
+                QCOMPARE(orders[u], plan.uavs[u].order);
+        }
+    }
+
+    void stoppedOfSeveralUavs()
+    {
+        const FleetProblem problem = randomFleet(1, 3, 20, 1);
+        std::stop_source source;
+        int reports = 0;
+        const TauCurve curve =
+            tauCurve(problem, Eigen::MatrixXd::Constant(3, 3, 1000),
+                     {.stop = source.get_token(), .onProgress = [&](const TauCurve&) {
+                          if (++reports == 2)
+                              source.request_stop();
+                      }});
+        QVERIFY(curve.reason == StopReason::Cancelled && !curve.complete);
+        checkFleetShape(curve, problem, 5);
+        QVERIFY(
+            tauCurve(problem, Eigen::MatrixXd::Constant(3, 3, 1000), {.stop = source.get_token()})
+                .intervals.empty());
     }
 };
 
