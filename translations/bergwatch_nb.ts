@@ -3255,12 +3255,12 @@
         <translation>Sannhet</translation>
     </message>
     <message>
-        <source>Comes into the inner ring</source>
+        <source>Will enter inner ring</source>
         <translation>Kommer inn i indre ring</translation>
     </message>
     <message>
-        <source>Into the ring</source>
-        <translation>Inn i ringen</translation>
+        <source>Enters ring</source>
+        <translation>Inn i ring</translation>
     </message>
     <message>
         <source>Planned as one point</source>
@@ -5970,8 +5970,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Gå til tid</translation>
     </message>
     <message>
-        <source>Newest pict&amp;ure</source>
-        <translation>N&amp;yeste bilde</translation>
+        <source>Back to &amp;latest</source>
+        <translation>Tilbake til &amp;siste</translation>
     </message>
     <message>
         <source>&amp;Help</source>

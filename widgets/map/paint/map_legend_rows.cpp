@@ -171,7 +171,7 @@ void addIcebergRows(RowList& rows, const MapPicture& picture, const Theme& theme
              MapLegend::tr("True position"), MapLegend::tr("Truth"),
              [&](QPainter& p, const QRectF& r) { drawTruth(p, r.center(), theme); });
     rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.ringEntry_s.has_value(); }),
-             MapLegend::tr("Comes into the inner ring"), MapLegend::tr("Into the ring"),
+             MapLegend::tr("Will enter inner ring"), MapLegend::tr("Enters ring"),
              [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
 }
 
