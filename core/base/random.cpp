@@ -30,7 +30,7 @@ std::uint64_t stableHash(std::string_view text)
     return hash;
 }
 
-Random::Random(std::uint64_t seed, std::uint64_t stream) : m_state{}
+Random::Random(std::uint64_t seed, std::uint64_t stream)
 {
     // The stream is scrambled before it is mixed in, so that (1, 2) and (2, 1) differ.
     std::uint64_t x = stream;

@@ -35,7 +35,7 @@ public:
     static constexpr double kLargestNormal = 12.1;
 
 private:
-    std::uint64_t m_state[4];
+    std::uint64_t m_state[4] = {};
     std::optional<double> m_spareNormal;
 };
 

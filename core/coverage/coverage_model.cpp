@@ -230,7 +230,7 @@ private:
     std::vector<CoverageView>* m_views;
     double m_from_s = 0;
     double m_end_s = 0;
-    std::array<int, 48> m_near;
+    std::array<int, 48> m_near{};
 };
 
 CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon)

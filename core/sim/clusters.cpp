@@ -78,7 +78,7 @@ private:
         double radius_m = 0;
         std::size_t a = 0; ///< the smaller index
         std::size_t b = 0;
-        auto operator<=>(const Union&) const = default;
+        auto operator<=>(const Union&) const = default; // NOLINT(modernize-use-nullptr)
     };
 
     void offer(std::size_t a, std::size_t b)

@@ -46,7 +46,7 @@ public:
         for (int round = 0; round < kRounds; ++round)
             arrival_s = m_time_s + flightTime_s(placeAt(arrival_s).centre_m - m_position_m,
                                                 m_airspeed_mps, m_wind_mps);
-        const Circle met = placeAt(arrival_s);
+        Circle met = placeAt(arrival_s);
         m_time_s = arrival_s;
         m_position_m = met.centre_m;
         return met;

@@ -23,7 +23,7 @@ public:
     /** False when the row is to end: cancelled, or nothing left of the budget. */
     bool solveNext(const TvpSolver& solver, double left_s, const std::stop_token& stop)
     {
-        const auto seed = static_cast<std::uint64_t>(m_row.instances + 1);
+        const auto seed = static_cast<std::uint64_t>(m_row.instances) + 1;
         const TvpProblem problem = tableOneProblem(seed, m_row.icebergs, m_spec.tau);
         const SolveOutcome outcome = solver.solve(problem, {.timeLimit_s = left_s, .stop = stop});
         if (outcome.reason == StopReason::Cancelled)

@@ -64,7 +64,8 @@ std::vector<Point> expandingSquare(double spacing_m, double reach_m, double head
     const int rounds = static_cast<int>(std::ceil(reach_m / spacing_m));
     std::vector<Point> corners_m{Point::Zero()};
     for (int leg = 0; leg < 4 * rounds + 1 && rounds > 0; ++leg) {
-        const double length_m = spacing_m * (leg / 2 + 1);
+        const int longer = leg / 2 + 1; // every second time
+        const double length_m = spacing_m * longer;
         corners_m.emplace_back(corners_m.back() + length_m * towards(heading_rad - leg * kPi / 2));
     }
     return corners_m;

@@ -125,7 +125,8 @@ std::optional<double> SafetyGuard::safeHeading_rad(const DubinsState& pose, doub
     constexpr int kHeadings = 36;
     const ReturnSearch paths = search();
     for (int k = 0; k <= kHeadings; ++k) {
-        const double offset_rad = (k % 2 == 1 ? 1 : -1) * ((k + 1) / 2) * 2 * kPi / kHeadings;
+        const int steps = (k % 2 == 1 ? 1 : -1) * ((k + 1) / 2); // right and left in turn
+        const double offset_rad = steps * 2 * kPi / kHeadings;
         DubinsState turned = pose;
         turned.psi_rad = k == 0 ? pose.psi_rad : wrapPi(pose.psi_rad + offset_rad);
         const std::optional<ReturnPath> path = paths.quickPath(turned);

@@ -97,7 +97,7 @@ struct DriftTexts
 
 /** UTF-8 without control characters and blanks around it, cut to `most` bytes; without the
  * apostrophe that keeps spreadsheets from running it as a formula. */
-[[nodiscard]] std::string cleanText(std::string_view text, std::size_t most);
+[[nodiscard]] std::string cleanText(std::string_view given, std::size_t most);
 
 /** Without blanks on either side. */
 [[nodiscard]] std::string_view trimmed(std::string_view text);

@@ -138,7 +138,7 @@ std::string csvField(const std::string& given)
 {
     constexpr std::string_view kFormulaStarts = "=+-@\t\r";
     const bool isFormula = !given.empty() && kFormulaStarts.find(given[0]) != std::string::npos;
-    const std::string text = isFormula ? '\'' + given : given;
+    std::string text = isFormula ? '\'' + given : given;
     if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
     std::string quoted = "\"";

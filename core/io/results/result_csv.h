@@ -66,6 +66,6 @@ void appendTrajectoryRow(std::string& text, const LocalFrame& frame, const std::
  * One CSV field, quoted when it must be. A text that a spreadsheet would run as a formula gets an
  * apostrophe in front, which imports take off again (`cleanText`).
  */
-[[nodiscard]] std::string csvField(const std::string& text);
+[[nodiscard]] std::string csvField(const std::string& given);
 
 } // namespace berg

@@ -45,7 +45,8 @@ std::int64_t bytesOf(const FleetProblem& problem, std::int64_t matrices)
 {
     const std::int64_t n = problem.nodeCount();
     // One more on the way.
-    return std::int64_t{sizeof(double)} * n * ((matrices + 1) * n + 2 * problem.uavCount());
+    return std::int64_t{sizeof(double)} * n *
+           ((matrices + 1) * n + std::int64_t{2} * problem.uavCount());
 }
 
 } // namespace

@@ -92,7 +92,8 @@ void FleetSearch::descend()
         moved = false;
         for (int a = 0; a < uavs; ++a)
             for (int b = 0; b < uavs; ++b) {
-                int& last = looked[static_cast<std::size_t>(a * uavs + b)];
+                int& last = looked[static_cast<std::size_t>(a) * static_cast<std::size_t>(uavs) +
+                                   static_cast<std::size_t>(b)];
                 while (!m_effort.spent() && last < std::max(changed[static_cast<std::size_t>(a)],
                                                             changed[static_cast<std::size_t>(b)])) {
                     const FleetMove move = a == b ? bestMoveWithin(routes, a, m_effort)
@@ -121,7 +122,7 @@ void FleetSearch::disturb(std::int64_t times)
         std::vector<int> out = takeOut(next);
         putBack(next, out);
         const double nextCost = m_costs.total(next);
-        m_effort.work += 4 * m_costs.icebergs();
+        m_effort.work += std::int64_t{4} * m_costs.icebergs();
         const double heat = first * std::exp(cooling * static_cast<double>(k));
         if (nextCost >= cost - heat * std::log(1 - m_random.uniform()))
             continue;

@@ -76,8 +76,8 @@ private:
             const double share_m =
                 lengths_m[n] * static_cast<double>(k) / static_cast<double>(m_uavs.size());
             const auto flown_m = [&](std::size_t steps) {
-                const double from_base_m = lengths_m[(base + steps) % n] - lengths_m[base];
-                return from_base_m < 0 ? from_base_m + lengths_m[n] : from_base_m;
+                const double fromBase_m = lengths_m[(base + steps) % n] - lengths_m[base];
+                return fromBase_m < 0 ? fromBase_m + lengths_m[n] : fromBase_m;
             };
             step = k == 0 ? 0 : step + 1;
             while (step + 1 < n && flown_m(step) < share_m)

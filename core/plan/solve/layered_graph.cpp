@@ -47,17 +47,15 @@ LayeredGraph<Costs>::LayeredGraph(const Costs& costs, const LayeredPaths<Costs>&
                                   const Prices& prices, const CutQuestion& cut)
     : m_costs(&costs)
 {
-    if constexpr (Costs::kWeighted)
-        buildBySigmaSeen(paths, prices, cut);
-    else
-        buildByPosition(paths, prices, cut);
+    build(paths, prices, cut);
 }
 
-template <class Costs>
-void LayeredGraph<Costs>::buildByPosition(const LayeredPaths<Costs>& paths, const Prices& prices,
-                                          const CutQuestion& cut) requires(!Costs::kWeighted)
+/** Layers are positions in the order. */
+template <>
+void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths, const Prices& prices,
+                                     const CutQuestion& cut)
 {
-    const Costs& costs = *m_costs;
+    const VisitCosts& costs = *m_costs;
     const int n = costs.icebergs;
     // Completion of the complete graph, from the back; column p - 1 for position p.
     Eigen::ArrayXXd completion(n, n);
@@ -109,11 +107,36 @@ void LayeredGraph<Costs>::buildByPosition(const LayeredPaths<Costs>& paths, cons
     (void)arcs.moveTo(m_arcs, cut);
 }
 
-template <class Costs>
-void LayeredGraph<Costs>::buildBySigmaSeen(const LayeredPaths<Costs>& paths, const Prices& prices,
-                                           const CutQuestion& cut) requires(Costs::kWeighted)
+template <>
+bool LayeredGraph<LatencyCosts>::refreshUnseen(const CutQuestion& cut)
 {
-    const Costs& costs = *m_costs;
+    if (!fillInPieces(m_unseen, m_iceberg.size(), kInfinity, cut))
+        return false;
+    // Rounded down, or a difference of large sums would be above the true one by their rounding.
+    const double rounding = roundingMargin(1, m_costs->sigmaSum);
+    m_unseen[0] = m_costs->sigmaSum - rounding * icebergs();
+    for (int level = 0; level <= lastLayer(); ++level)
+        for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
+            if (v % kNodesPerCheck == 0 && cut && cut())
+                return false;
+            double& unseen = m_unseen[static_cast<std::size_t>(v)];
+            const double alongPaths = unseen - m_costs->sigmaOf(iceberg(v)) - rounding;
+            const double ofAnySet = m_costs->leastUnseen(level);
+            unseen = alongPaths < kInfinity ? std::max(alongPaths, ofAnySet) : ofAnySet;
+            for (const int to : successors(v)) {
+                double& there = m_unseen[static_cast<std::size_t>(to)];
+                there = std::min(there, unseen);
+            }
+        }
+    return true;
+}
+
+/** Layers are levels of the sigma seen. */
+template <>
+void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
+                                       const Prices& prices, const CutQuestion& cut)
+{
+    const LatencyCosts& costs = *m_costs;
     const int n = costs.icebergs;
     const double allowed = prices.allowedLength();
     Eigen::ArrayXXd length = Eigen::ArrayXXd::Constant(n, lastLayer() + 1, kInfinity);
@@ -162,30 +185,6 @@ void LayeredGraph<Costs>::buildBySigmaSeen(const LayeredPaths<Costs>& paths, con
     m_firstArc.push_back(arcs.size());
     if (arcs.moveTo(m_arcs, cut))
         (void)refreshUnseen(cut);
-}
-
-template <class Costs>
-bool LayeredGraph<Costs>::refreshUnseen(const CutQuestion& cut) requires(Costs::kWeighted)
-{
-    if (!fillInPieces(m_unseen, m_iceberg.size(), kInfinity, cut))
-        return false;
-    // Rounded down, or a difference of large sums would be above the true one by their rounding.
-    const double rounding = roundingMargin(1, m_costs->sigmaSum);
-    m_unseen[0] = m_costs->sigmaSum - rounding * icebergs();
-    for (int level = 0; level <= lastLayer(); ++level)
-        for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
-            if (v % kNodesPerCheck == 0 && cut && cut())
-                return false;
-            double& unseen = m_unseen[static_cast<std::size_t>(v)];
-            const double alongPaths = unseen - m_costs->sigmaOf(iceberg(v)) - rounding;
-            const double ofAnySet = m_costs->leastUnseen(level);
-            unseen = alongPaths < kInfinity ? std::max(alongPaths, ofAnySet) : ofAnySet;
-            for (const int to : successors(v)) {
-                double& there = m_unseen[static_cast<std::size_t>(to)];
-                there = std::min(there, unseen);
-            }
-        }
-    return true;
 }
 
 template <class Costs>

@@ -166,10 +166,7 @@ private:
 
     explicit LayeredGraph(const Costs& costs) : m_costs(&costs) {}
     [[nodiscard]] static std::int64_t bytesOf(std::size_t nodes, std::size_t arcs);
-    void buildByPosition(const LayeredPaths<Costs>& paths, const Prices& prices,
-                         const CutQuestion& cut) requires(!Costs::kWeighted);
-    void buildBySigmaSeen(const LayeredPaths<Costs>& paths, const Prices& prices,
-                          const CutQuestion& cut) requires(Costs::kWeighted);
+    void build(const LayeredPaths<Costs>& paths, const Prices& prices, const CutQuestion& cut);
     [[nodiscard]] int lastLayer() const { return m_costs->lastLevel(); }
     [[nodiscard]] int layerBegin(int layer) const
     {
@@ -187,9 +184,9 @@ private:
         else
             return 1;
     }
-    /** Finds the least sigma unseen of every node anew. False when cut: the graph is of no use any
-     * more then. */
-    [[nodiscard]] bool refreshUnseen(const CutQuestion& cut) requires(Costs::kWeighted);
+    /** Finds the least sigma unseen of every node anew, where legs have weights. False when cut:
+     * the graph is of no use any more then. */
+    [[nodiscard]] bool refreshUnseen(const CutQuestion& cut);
 
     const Costs* m_costs;
     std::vector<int> m_firstNode;        ///< levels + 2: nodes of layer p are [p] .. [p + 1] - 1

@@ -181,7 +181,9 @@ private:
     template <class Vector>
     BERG_INLINE void treatGroup(std::uint32_t upper)
     {
-        std::array<Next, kMostIcebergs> nexts; // not zeroed: that would be dear here
+        // Not zeroed: that would be dear here.
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+        std::array<Next, kMostIcebergs> nexts;
         std::size_t count = 0;
         for (std::uint32_t rest = upper; rest != 0; rest &= rest - 1) {
             const int j = std::countr_zero(rest);
