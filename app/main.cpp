@@ -4,7 +4,7 @@
 #include "app/pictures.h"
 #include "app/window/window_run.h"
 #include "core/base/error.h"
-#include "widgets/model/error_text.h"
+#include "widgets/words/error_text.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

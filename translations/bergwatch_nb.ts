@@ -64,34 +64,6 @@
 <context>
     <name>ComparedRunText</name>
     <message>
-        <source>τ %1</source>
-        <translation>τ %1</translation>
-    </message>
-    <message>
-        <source>Shortest path</source>
-        <translation>Korteste vei</translation>
-    </message>
-    <message>
-        <source>Tour</source>
-        <translation>Rundtur</translation>
-    </message>
-    <message>
-        <source>Nearest first</source>
-        <translation>Nærmeste først</translation>
-    </message>
-    <message>
-        <source>Most uncertain first</source>
-        <translation>Mest usikre først</translation>
-    </message>
-    <message>
-        <source>Least waiting</source>
-        <translation>Minst venting</translation>
-    </message>
-    <message>
-        <source>Best coverage</source>
-        <translation>Best dekning</translation>
-    </message>
-    <message>
         <source>%1, changed in flight, to %2</source>
         <translation>%1, endret under flyging, til %2</translation>
     </message>
@@ -334,37 +306,6 @@
     <message>
         <source>Continue flight</source>
         <translation>Fly videre</translation>
-    </message>
-</context>
-<context>
-    <name>DomainText</name>
-    <message>
-        <source>Shortest path, repeated</source>
-        <translation>Korteste vei, gjentatt</translation>
-    </message>
-    <message>
-        <source>Shortest round tour, repeated</source>
-        <translation>Korteste rundtur, gjentatt</translation>
-    </message>
-    <message>
-        <source>Nearest iceberg first</source>
-        <translation>Nærmeste isfjell først</translation>
-    </message>
-    <message>
-        <source>Most uncertain iceberg first</source>
-        <translation>Mest usikre isfjell først</translation>
-    </message>
-    <message>
-        <source>Best predicted coverage</source>
-        <translation>Best forventet dekning</translation>
-    </message>
-    <message>
-        <source>Least waiting time, weighted by uncertainty</source>
-        <translation>Kortest ventetid, vektet med usikkerheten</translation>
-    </message>
-    <message>
-        <source>Weighted visiting order, trade-off τ %1</source>
-        <translation>Vektet besøksrekkefølge, avveining τ %1</translation>
     </message>
 </context>
 <context>
@@ -3923,27 +3864,7 @@
     </message>
 </context>
 <context>
-    <name>PlannerText</name>
-    <message>
-        <source>Shortest path, repeated</source>
-        <translation>Korteste vei, gjentatt</translation>
-    </message>
-    <message>
-        <source>Shortest round tour, repeated</source>
-        <translation>Korteste rundtur, gjentatt</translation>
-    </message>
-    <message>
-        <source>Nearest iceberg first</source>
-        <translation>Nærmeste isfjell først</translation>
-    </message>
-    <message>
-        <source>Most uncertain iceberg first</source>
-        <translation>Mest usikre isfjell først</translation>
-    </message>
-    <message>
-        <source>Best predicted coverage</source>
-        <translation>Best forventet dekning</translation>
-    </message>
+    <name>PlanText</name>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
@@ -4040,6 +3961,104 @@
         <translation>Følger ruten som alt er lagt</translation>
     </message>
     <message>
+        <source>under 1 ms</source>
+        <translation>mindre enn 1 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Predicted zeta: %1 m² s</source>
+        <translation>Forutsagt zeta: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Objective: %1 m² s</source>
+        <translation>Målfunksjon: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Lower bound: %1 m² s</source>
+        <translation>Nedre grense: %1 m² s</translation>
+    </message>
+    <message>
+        <source>by assignment</source>
+        <comment>solver</comment>
+        <translation>ved tilordning</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAVs</source>
+        <translation>
+            <numerusform>%n UAV</numerusform>
+            <numerusform>%n UAV-er</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n isfjell</numerusform>
+            <numerusform>%n isfjell</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>PolicyText</name>
+    <message>
+        <source>Shortest path, repeated</source>
+        <translation>Korteste vei, gjentatt</translation>
+    </message>
+    <message>
+        <source>Shortest round tour, repeated</source>
+        <translation>Korteste rundtur, gjentatt</translation>
+    </message>
+    <message>
+        <source>Nearest iceberg first</source>
+        <translation>Nærmeste isfjell først</translation>
+    </message>
+    <message>
+        <source>Most uncertain iceberg first</source>
+        <translation>Mest usikre isfjell først</translation>
+    </message>
+    <message>
+        <source>Best predicted coverage</source>
+        <translation>Best forventet dekning</translation>
+    </message>
+    <message>
+        <source>Least waiting time, weighted by uncertainty</source>
+        <translation>Kortest ventetid, vektet med usikkerheten</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order, trade-off τ %1</source>
+        <translation>Vektet besøksrekkefølge, avveining τ %1</translation>
+    </message>
+    <message>
+        <source>τ %1</source>
+        <translation>τ %1</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Korteste vei</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>Nearest first</source>
+        <translation>Nærmeste først</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Mest usikre først</translation>
+    </message>
+    <message>
+        <source>Least waiting</source>
+        <translation>Minst venting</translation>
+    </message>
+    <message>
+        <source>Best coverage</source>
+        <translation>Best dekning</translation>
+    </message>
+    <message>
         <source>Weighted visiting order (as published)</source>
         <translation>Vektet besøksrekkefølge (som publisert)</translation>
     </message>
@@ -4074,27 +4093,7 @@
         <translation>Rundtur</translation>
     </message>
     <message>
-        <source>under 1 ms</source>
-        <translation>mindre enn 1 ms</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Predicted zeta: %1 m² s</source>
-        <translation>Forutsagt zeta: %1 m² s</translation>
-    </message>
-    <message>
-        <source>Objective: %1 m² s</source>
-        <translation>Målfunksjon: %1 m² s</translation>
-    </message>
-    <message>
-        <source>Lower bound: %1 m² s</source>
-        <translation>Nedre grense: %1 m² s</translation>
-    </message>
-    <message>
-        <source>Weighs uncertainty seen early against the length of the way, by τ.</source>
+        <source>Weighs uncertainty seen early against the length of the path, by τ.</source>
         <translation>Veier usikkerhet sett tidlig mot veiens lengde, med τ.</translation>
     </message>
     <message>
@@ -4120,25 +4119,6 @@
     <message>
         <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
         <translation>Forutsier zeta for veier som passerer isfjell på avstand og ser flere på én gang.</translation>
-    </message>
-    <message>
-        <source>by assignment</source>
-        <comment>solver</comment>
-        <translation>ved tilordning</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs</source>
-        <translation>
-            <numerusform>%n UAV</numerusform>
-            <numerusform>%n UAV-er</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n icebergs</source>
-        <translation>
-            <numerusform>%n isfjell</numerusform>
-            <numerusform>%n isfjell</numerusform>
-        </translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,8 @@
 #include "app/dialogs/export_dialog.h"
 
 #include "app/dialogs/export_options_view.h"
-#include "widgets/model/export_text.h"
 #include "widgets/model/mission_runner.h"
+#include "widgets/words/export_text.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>

@@ -2,11 +2,11 @@
 
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/import_text.h"
 #include "widgets/panels/dialogs/import_columns_view.h"
 #include "widgets/panels/dialogs/import_options_view.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/fields/wheel_guard.h"
+#include "widgets/words/import_text.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -292,7 +292,7 @@ void ImportDialog::showState()
     else if (busy)
         m_summary->setText(tr("Working ..."));
     else
-        m_summary->setText(m_preview->error ? QString() : importSummary(*m_preview));
+        m_summary->setText(m_preview->error ? QString() : importSummary(m_preview->result));
 }
 
 /** The iceberg of a row is marked on the map. */

@@ -7,8 +7,8 @@
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/flight_banner.h"
 #include "widgets/panels/inspector/check_panel.h"
-#include "widgets/panels/inspector/issue_text.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/words/issue_text.h"
 
 using namespace Qt::StringLiterals;
 

@@ -4,10 +4,10 @@
 #include "app/window/menus.h"
 #include "app/window/panels.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/object_names.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/plan/plan_panel.h"
+#include "widgets/words/object_names.h"
 
 #include <QMainWindow>
 #include <QMenu>

@@ -3,13 +3,13 @@
 #include "app/window/docks.h"
 #include "app/window/panels.h"
 #include "app/window/plan_fault.h"
-#include "widgets/model/event_text.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/plan/plan_panel.h"
+#include "widgets/words/event_text.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "app/window/plan_fault.h"
 
-#include "widgets/model/error_text.h"
 #include "widgets/model/workspace.h"
-#include "widgets/panels/inspector/issue_text.h"
+#include "widgets/words/error_text.h"
+#include "widgets/words/issue_text.h"
 
 namespace berg {
 

@@ -4,10 +4,10 @@
 #include "app/window/file_names.h"
 #include "app/window/panels.h"
 #include "core/io/text/file_set.h"
-#include "widgets/model/error_text.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/print/export_painter.h"
+#include "widgets/words/error_text.h"
 
 #include <QDir>
 #include <QFile>

@@ -5,8 +5,8 @@
 #include "app/window/panels.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
-#include "widgets/model/error_text.h"
 #include "widgets/model/workspace.h"
+#include "widgets/words/error_text.h"
 
 #include <QDir>
 #include <QFile>

@@ -8,10 +8,10 @@
 #include "core/io/results/result_json.h"
 #include "core/io/text/atomic_file.h"
 #include "core/study/paper_figures.h"
-#include "widgets/model/error_text.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/study/solve_time_panel.h"
 #include "widgets/panels/study/study_panel.h"
+#include "widgets/words/error_text.h"
 
 #include <QFile>
 #include <QMainWindow>

@@ -4,9 +4,9 @@
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/fields/panel_labels.h"
-#include "widgets/panels/inspector/issue_text.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QLabel>
 #include <QMainWindow>

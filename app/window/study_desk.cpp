@@ -4,11 +4,11 @@
 #include "app/window/file_names.h"
 #include "app/window/panels.h"
 #include "core/io/study/study_json.h"
-#include "widgets/model/error_text.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/study/study_panel.h"
 #include "widgets/panels/study/study_results.h"
+#include "widgets/words/error_text.h"
 
 #include <QFile>
 #include <QMainWindow>

@@ -7,7 +7,7 @@
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/error_text.h"
+#include "widgets/words/error_text.h"
 
 #include <QApplication>
 #include <QBuffer>

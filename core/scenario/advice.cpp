@@ -1,7 +1,6 @@
 #include "core/scenario/advice.h"
 
 #include "core/base/angles.h"
-#include "core/plan/policy/plans_clusters.h"
 #include "core/plan/solve/engine.h"
 #include "core/scenario/checks.h"
 #include "core/vehicle/safety_guard.h"
@@ -238,7 +237,7 @@ void Adviser::adviseGeofence()
         if (uav.spec.endurance_s > 0)
             adviseReturn(flyer, fence);
     }
-    if (m_s.planner.policy == PolicyKind::Coverage)
+    if (traitsOf(m_s.planner.policy).method == PolicyMethod::PredictedZeta)
         hint("geofence", IssueId::FenceUnplanned);
     adviseShutOff(fences);
 }
@@ -363,11 +362,11 @@ void Adviser::advisePlanner()
 {
     const std::size_t count = m_s.icebergs.size();
     const PlannerSettings& planner = m_s.planner;
-    if (m_s.clusters && !plansClusters(planner.policy))
+    if (m_s.clusters && !traitsOf(planner.policy).plansClusters)
         hint("planner.clusters", IssueId::ClustersIgnored);
     else if (m_s.clusters && m_s.uavs.size() > 1)
         warn("planner.clusters", IssueId::ClustersOneUav);
-    if (planner.policy != PolicyKind::Visitation || count == 0)
+    if (!traitsOf(planner.policy).usesTau || count == 0)
         return;
     if (std::all_of(m_s.icebergs.begin(), m_s.icebergs.end(),
                     [](const Iceberg& iceberg) { return initialSigma_m2(iceberg) == 0; }))

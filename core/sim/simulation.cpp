@@ -206,7 +206,7 @@ void Simulation::assign(int iceberg, int uav)
 
 void Simulation::setPolicy(PolicyKind policy)
 {
-    m_plansIdleAlone = policy != PolicyKind::Path && policy != PolicyKind::Tour;
+    m_plansIdleAlone = !traitsOf(policy).keepsRoute();
 }
 
 void Simulation::setAsset(const Asset& asset)

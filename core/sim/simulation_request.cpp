@@ -1,6 +1,5 @@
 // What planners are asked: the part of `Simulation` that makes problems of what is known.
 
-#include "core/plan/policy/plans_clusters.h"
 #include "core/sim/clusters.h"
 #include "core/sim/simulation.h"
 #include "core/vehicle/geofence.h"
@@ -11,7 +10,8 @@ namespace berg {
 
 PlanRequest requestFor(const Simulation& simulation, PolicyKind policy)
 {
-    return plansClusters(policy) ? simulation.clusteredRequest() : simulation.planRequest();
+    return traitsOf(policy).plansClusters ? simulation.clusteredRequest()
+                                          : simulation.planRequest();
 }
 
 PlanRequest Simulation::planRequest() const

@@ -140,8 +140,8 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const std::vector<int
         visits.push_back({.iceberg = index, .time_s = flight.time_s(), .position_m = met_m});
     }
     // The other policies do not read the route.
-    const bool closed = scenario.planner.route == Route::Closed &&
-                        scenario.planner.policy == PolicyKind::Visitation;
+    const bool closed =
+        scenario.planner.route == Route::Closed && traitsOf(scenario.planner.policy).usesTau;
     if (!endures || (closed && !visits.empty())) {
         const Uav& uav = scenario.uavs.at(0);
         const Point end_m = endures ? uav.position_m : uav.home_m.value_or(uav.position_m);

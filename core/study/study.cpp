@@ -243,19 +243,19 @@ std::vector<StudySetting> settingsOf(const StudySpec& spec)
 {
     std::vector<StudySetting> settings;
     for (const PolicyKind policy : spec.policies)
-        if (policy == PolicyKind::Visitation)
+        if (traitsOf(policy).usesTau)
             for (const double tau : spec.taus)
                 settings.push_back({policy, tau});
     for (const PolicyKind policy : spec.policies)
-        if (policy != PolicyKind::Visitation)
+        if (!traitsOf(policy).usesTau)
             settings.push_back({policy, std::nullopt});
     return settings;
 }
 
 std::size_t settingCount(const StudySpec& spec)
 {
-    const auto withTau =
-        static_cast<std::size_t>(std::ranges::count(spec.policies, PolicyKind::Visitation));
+    const auto withTau = static_cast<std::size_t>(std::ranges::count_if(
+        spec.policies, [](PolicyKind policy) { return traitsOf(policy).usesTau; }));
     return withTau * spec.taus.size() + spec.policies.size() - withTau;
 }
 

@@ -4,9 +4,9 @@
 #include "core/scenario/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/window_fixture.h"
-#include "widgets/model/export_text.h"
 #include "widgets/print/export_painter.h"
 #include "widgets/theme/unit_settings.h"
+#include "widgets/words/export_text.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -1,6 +1,6 @@
 #include "tests/support/import_dialog_test.h"
-#include "widgets/model/import_text.h"
 #include "widgets/panels/dialogs/import_options_view.h"
+#include "widgets/words/import_text.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,4 +1,4 @@
-#include "widgets/model/domain_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <QFile>
 #include <QProcess>

@@ -1,6 +1,7 @@
 #include "widgets/charts/difference_chart.h"
 
 #include "widgets/charts/figure_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <algorithm>
 #include <cmath>

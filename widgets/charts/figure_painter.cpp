@@ -1,9 +1,9 @@
 #include "widgets/charts/figure_painter.h"
 
 #include "widgets/charts/solve_time_chart.h"
-#include "widgets/charts/study_content.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/palette.h"
+#include "widgets/words/policy_words.h"
 
 #include <QFontMetricsF>
 #include <QPolygonF>

@@ -2,8 +2,8 @@
 
 #include "widgets/charts/uav_charts.h"
 #include "widgets/map/picture/mission_picture.h"
-#include "widgets/model/object_names.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
 

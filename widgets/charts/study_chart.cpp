@@ -2,6 +2,7 @@
 
 #include "widgets/charts/figure_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <cmath>
 

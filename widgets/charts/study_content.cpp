@@ -1,49 +1,14 @@
 #include "widgets/charts/study_content.h"
 
 #include "widgets/charts/figure_painter.h"
-#include "widgets/model/compared_run.h"
+#include "widgets/words/policy_words.h"
+
+#include <QPainter>
 
 #include <algorithm>
-#include <array>
 
 namespace berg {
 namespace {
-
-struct PolicyColour
-{
-    PolicyKind policy;
-    QRgb light;
-    QRgb dark;
-};
-constexpr std::array kColours{
-    PolicyColour{PolicyKind::Path, 0xff9c4f83, 0xffe0a0c4},        // reddish purple
-    PolicyColour{PolicyKind::Tour, 0xffa86f00, 0xffe69f00},        // orange
-    PolicyColour{PolicyKind::Nearest, 0xff2b88bb, 0xff56b4e9},     // sky blue
-    PolicyColour{PolicyKind::Uncertainty, 0xff7f7600, 0xfff0e442}, // yellow
-    PolicyColour{PolicyKind::Latency, 0xffd55e00, 0xffff8a45},     // vermillion
-    PolicyColour{PolicyKind::Coverage, 0xff00805d, 0xff2cc29a},    // bluish green
-};
-
-MarkShape shapeOf(PolicyKind policy)
-{
-    switch (policy) {
-    case PolicyKind::Visitation:
-        return MarkShape::Disk;
-    case PolicyKind::Path:
-        return MarkShape::Diamond;
-    case PolicyKind::Tour:
-        return MarkShape::Square;
-    case PolicyKind::Nearest:
-        return MarkShape::Triangle;
-    case PolicyKind::Uncertainty:
-        return MarkShape::TriangleDown;
-    case PolicyKind::Latency:
-        return MarkShape::Hexagon;
-    case PolicyKind::Coverage:
-        return MarkShape::Star;
-    }
-    return MarkShape::Disk;
-}
 
 ZetaPoint pointOf(const StudySummary& summary, std::size_t setting, const QLocale& locale)
 {
@@ -82,27 +47,6 @@ std::vector<DifferenceRow> thinned(const std::vector<DifferenceRow>& all, std::s
 }
 
 } // namespace
-
-QString settingText(const StudySetting& setting, const QLocale& locale)
-{
-    return shortPolicyText({.policy = setting.policy, .tau = setting.tau.value_or(0)}, locale);
-}
-
-QColor policyColour(PolicyKind policy, const Theme& theme)
-{
-    for (const PolicyColour& colour : kColours)
-        if (colour.policy == policy)
-            return QColor::fromRgb(theme.isDark ? colour.dark : colour.light);
-    return theme.plan;
-}
-
-PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px)
-{
-    return {.at = at,
-            .radius_px = radius_px,
-            .ink = {.of = InkOf::Policy, .value = static_cast<double>(policy)},
-            .shape = shapeOf(policy)};
-}
 
 QPixmap policyMark(PolicyKind policy, const Theme& theme, int size_px)
 {

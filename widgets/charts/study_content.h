@@ -13,15 +13,6 @@
 
 namespace berg {
 
-/** "τ 1.00", "Least waiting": what tells the settings of a study apart. */
-[[nodiscard]] QString settingText(const StudySetting& setting, const QLocale& locale);
-
-/** Okabe-Ito, darkened or lightened to at least 3 : 1 on the chart; visitation as its plan. */
-[[nodiscard]] QColor policyColour(PolicyKind policy, const Theme& theme);
-
-/** The mark of a policy, a shape of its own in its colour. */
-[[nodiscard]] PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px);
-
 /** The mark of a policy on nothing, for lists; sharp on screens of high density. */
 [[nodiscard]] QPixmap policyMark(PolicyKind policy, const Theme& theme, int size_px);
 

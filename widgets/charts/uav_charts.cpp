@@ -2,8 +2,8 @@
 
 #include "core/base/angles.h"
 #include "core/vehicle/dubins.h"
-#include "widgets/model/object_names.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
 

@@ -1,8 +1,8 @@
 #include "widgets/model/autosaver.h"
 
-#include "widgets/model/error_text.h"
 #include "widgets/model/scenario_document.h"
 #include "widgets/model/work_failure.h"
+#include "widgets/words/error_text.h"
 
 #include <QCoreApplication>
 #include <QSysInfo>

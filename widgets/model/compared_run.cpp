@@ -1,6 +1,7 @@
 #include "widgets/model/compared_run.h"
 
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <QCoreApplication>
 
@@ -43,13 +44,6 @@ int countUntil(const std::vector<double>& times_s, double until_s)
         std::upper_bound(times_s.begin(), times_s.end(), until_s + kRounding_s) - times_s.begin());
 }
 
-QString tauText(double tau, const QLocale& locale)
-{
-    constexpr double kHundred = 100;
-    const bool isShort = std::abs(tau * kHundred - std::round(tau * kHundred)) < 1e-9;
-    return isShort ? fixedText(tau, 2, locale) : significantText(tau, 3, locale);
-}
-
 } // namespace
 
 ComparedRun comparedRun(const FlightRecord& record)
@@ -88,27 +82,6 @@ ComparedRun comparedRun(const FlightRecord& record)
     return run;
 }
 
-QString shortPolicyText(const PlannerSettings& planner, const QLocale& locale)
-{
-    switch (planner.policy) {
-    case PolicyKind::Visitation:
-        return ComparedRunText::tr("τ %1").arg(tauText(planner.tau, locale));
-    case PolicyKind::Path:
-        return ComparedRunText::tr("Shortest path");
-    case PolicyKind::Tour:
-        return ComparedRunText::tr("Tour");
-    case PolicyKind::Nearest:
-        return ComparedRunText::tr("Nearest first");
-    case PolicyKind::Uncertainty:
-        return ComparedRunText::tr("Most uncertain first");
-    case PolicyKind::Latency:
-        return ComparedRunText::tr("Least waiting");
-    case PolicyKind::Coverage:
-        return ComparedRunText::tr("Best coverage");
-    }
-    return {};
-}
-
 QString runName(const ComparedRun& run, const QLocale& locale)
 {
     const QString policy = shortPolicyText(run.planner, locale);
@@ -137,7 +110,7 @@ bool isComparable(const ComparedRun& a, const ComparedRun& b)
 bool isSamePlanner(const PlannerSettings& a, const PlannerSettings& b)
 {
     PlannerSettings other = b;
-    if (a.policy != PolicyKind::Visitation)
+    if (!traitsOf(a.policy).usesTau)
         other.tau = a.tau;
     return a == other;
 }

@@ -31,8 +31,6 @@ struct ComparedRun
 
 /** "τ 1.00", "Tour", "τ 1.00, changed in flight, to 05:00": what tells runs of a scenario apart. */
 [[nodiscard]] QString runName(const ComparedRun& run, const QLocale& locale);
-/** The part of it that says how the next iceberg is chosen. */
-[[nodiscard]] QString shortPolicyText(const PlannerSettings& planner, const QLocale& locale);
 
 /** Equal scenarios apart from name, notes and planner: runs of one can be set beside the other. */
 [[nodiscard]] bool isSameWorld(const Scenario& a, const Scenario& b);

@@ -1,6 +1,7 @@
 #include "widgets/model/flight_record.h"
 
 #include "widgets/model/compared_run.h"
+#include "widgets/words/plan_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -208,6 +209,20 @@ FlightRecord recordOf(const Mission& mission)
     history.plans = mission.plans();
     history.events = mission.events();
     return record;
+}
+
+PlanReadout readoutOf(const FlightRecord& record, const QString& fault)
+{
+    const MissionSnapshot& shown = record.shown();
+    PlanReadout readout{.plan = shown.plan,
+                        .solving = record.now.phase == RunPhase::Planning,
+                        .fault = fault,
+                        .others = {}};
+    for (const PlanEvent& plan : shown.plans)
+        if (shown.plan && plan.uav != shown.plan->uav && plan.sameSolve &&
+            plan.time_s == shown.plan->time_s)
+            readout.others.push_back(plan.order);
+    return readout;
 }
 
 MissionOptions recordingOf(const Scenario& scenario)

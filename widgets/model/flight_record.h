@@ -7,6 +7,8 @@
 
 namespace berg {
 
+struct PlanReadout; // widgets/words
+
 /** The last plan that was made before take-off. */
 struct StartPlan
 {
@@ -78,6 +80,9 @@ private:
 };
 
 [[nodiscard]] FlightRecord recordOf(const Mission& mission);
+
+/** Of the instant shown, with the plans of the last solve. */
+[[nodiscard]] PlanReadout readoutOf(const FlightRecord& record, const QString& fault);
 
 /**
  * How a flight to be watched is recorded: a sample each second, on long flights of many icebergs

@@ -1,7 +1,7 @@
 #include "widgets/model/mission_worker.h"
 
 #include "core/io/export/export_flight.h"
-#include "widgets/model/error_text.h"
+#include "widgets/words/error_text.h"
 
 #include <algorithm>
 #include <iterator>

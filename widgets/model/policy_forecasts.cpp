@@ -5,7 +5,7 @@
 #include "widgets/model/compared_run.h"
 
 #include <algorithm>
-#include <array>
+#include <tuple>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -17,21 +17,28 @@ constexpr int kPause_ms = 300;
 constexpr int kBetweenReports_ms = 200;
 
 /** Those that are soon flown first. */
-constexpr std::array kPolicies{PolicyKind::Nearest, PolicyKind::Uncertainty, PolicyKind::Path,
-                               PolicyKind::Tour,    PolicyKind::Visitation,  PolicyKind::Latency,
-                               PolicyKind::Coverage};
+std::vector<PolicyKind> soonFirst()
+{
+    std::vector<PolicyTraits> all(kPolicyTable.begin(), kPolicyTable.end());
+    std::ranges::stable_sort(all, {}, [](const PolicyTraits& policy) {
+        return std::tuple(policy.method == PolicyMethod::PredictedZeta,
+                          policy.solves() && !policy.keepsRoute(), policy.solves());
+    });
+    std::vector<PolicyKind> policies;
+    for (const PolicyTraits& policy : all)
+        policies.push_back(policy.kind);
+    return policies;
+}
 
 /** What of the settings a flight with the policy depends on. */
 PlannerSettings relevant(PolicyKind policy, const PlannerSettings& settings)
 {
     PlannerSettings used{.policy = policy};
-    const bool solves = policy != PolicyKind::Nearest && policy != PolicyKind::Uncertainty &&
-                        policy != PolicyKind::Coverage;
-    if (solves) {
+    if (traitsOf(policy).solves()) {
         used.backend = settings.backend;
         used.formulation = settings.formulation;
     }
-    if (policy == PolicyKind::Visitation) {
+    if (traitsOf(policy).usesTau) {
         used.tau = settings.tau;
         used.route = settings.route;
     }
@@ -47,6 +54,7 @@ bool isUnderWay(const PolicyForecast& forecast)
 
 PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms)
     : QObject(parent)
+    , m_order(soonFirst())
     , m_task(u"forecasts"_s,
              {.work =
                   [](const Request& request, const std::stop_token& stop, const auto& tell) {
@@ -89,7 +97,7 @@ void PolicyForecasts::setScenario(const Scenario& scenario)
                relevant(policy, m_scenario->planner) == relevant(policy, scenario.planner);
     };
     bool changed = false;
-    for (const PolicyKind policy : kPolicies) {
+    for (const PolicyKind policy : m_order) {
         if (stillHolds(policy))
             continue;
         if (m_present == policy)
@@ -119,7 +127,7 @@ void PolicyForecasts::startNext()
 {
     if (m_present || m_pause.isActive())
         return;
-    for (const PolicyKind policy : kPolicies) {
+    for (const PolicyKind policy : m_order) {
         PolicyForecast& forecast = m_forecasts[policy];
         if (forecast.state != ForecastState::Waiting)
             continue;

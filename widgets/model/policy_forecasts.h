@@ -73,6 +73,7 @@ private:
 
     std::optional<Scenario> m_scenario;
     PolicyForecastList m_forecasts;
+    std::vector<PolicyKind> m_order;     ///< in which they are flown
     std::optional<PolicyKind> m_present; ///< under way
     QTimer m_pause;                      ///< runs out when changes have come to rest
     QTimer m_limit;

@@ -1,5 +1,7 @@
 #include "widgets/model/run_list.h"
 
+#include "widgets/words/policy_words.h"
+
 #include <QFile>
 #include <QFileInfo>
 

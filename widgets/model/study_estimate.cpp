@@ -43,22 +43,17 @@ double costOf(std::span<const PlanCost> table, double icebergs)
 
 double planning_s(PolicyKind policy, double icebergs, double plans)
 {
-    switch (policy) {
-    case PolicyKind::Visitation:
-        return plans * costOf(kVisitation, icebergs);
-    case PolicyKind::Latency:
-        return plans * costOf(kLatency, icebergs);
-    case PolicyKind::Path:
-        return (1 + plans / std::max(1.0, icebergs)) * costOf(kVisitation, icebergs);
-    case PolicyKind::Tour:
-        return costOf(kVisitation, icebergs);
-    case PolicyKind::Coverage:
+    const PolicyTraits& traits = traitsOf(policy);
+    if (traits.method == PolicyMethod::PredictedZeta)
         return kFirstCoverage_s + plans * kNextCoverage_s;
-    case PolicyKind::Nearest:
-    case PolicyKind::Uncertainty:
-        break;
-    }
-    return 0;
+    if (!traits.solves())
+        return 0;
+    if (traits.life == PlanLife::ToItsEnd)
+        plans = 1 + plans / std::max(1.0, icebergs);
+    else if (traits.life == PlanLife::WholeFlight)
+        plans = 1;
+    const bool isLatency = traits.criterion == Criterion::Latency;
+    return plans * (isLatency ? costOf(kLatency, icebergs) : costOf(kVisitation, icebergs));
 }
 
 /** CPU time of every setting of one case. */

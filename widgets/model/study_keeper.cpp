@@ -1,8 +1,8 @@
 #include "widgets/model/study_keeper.h"
 
 #include "core/io/study/study_json.h"
-#include "widgets/model/error_text.h"
 #include "widgets/model/work_failure.h"
+#include "widgets/words/error_text.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,6 @@
 #include "widgets/model/work_failure.h"
 
-#include "widgets/model/error_text.h"
+#include "widgets/words/error_text.h"
 
 #include <QCoreApplication>
 

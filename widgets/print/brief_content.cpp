@@ -1,10 +1,10 @@
 #include "widgets/print/brief_content.h"
 
-#include "widgets/model/domain_text.h"
 #include "widgets/print/brief_warnings.h"
 #include "widgets/print/page_text.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <QCoreApplication>
 

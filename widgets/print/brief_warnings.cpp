@@ -3,12 +3,12 @@
 #include "core/scenario/advice.h"
 #include "core/scenario/validate.h"
 #include "widgets/model/asset_approach.h"
-#include "widgets/panels/inspector/issue_text.h"
-#include "widgets/panels/plan/planner_text.h"
 #include "widgets/print/brief_table.h"
 #include "widgets/print/export_picture.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/issue_text.h"
+#include "widgets/words/plan_text.h"
 
 #include <QCoreApplication>
 
@@ -87,28 +87,6 @@ bool visitsNothing(const ExportContent& content)
     return std::ranges::all_of(content.uavs, isIdle);
 }
 
-/** Whether the policy has an order proven to be the best. */
-bool provesOrders(PolicyKind policy)
-{
-    switch (policy) {
-    case PolicyKind::Visitation:
-    case PolicyKind::Path:
-    case PolicyKind::Tour:
-    case PolicyKind::Latency:
-        return true;
-    case PolicyKind::Nearest:
-    case PolicyKind::Uncertainty:
-    case PolicyKind::Coverage:
-        return false;
-    }
-    return false;
-}
-
-bool isChosenOneByOne(PolicyKind policy)
-{
-    return policy == PolicyKind::Nearest || policy == PolicyKind::Uncertainty;
-}
-
 /** "Lost (2): B04, B07" of the icebergs for which `test` holds; nothing of none. */
 template <class Test>
 QStringList namedLine(const QString& sentence, const ExportContent& content, const Test& test)
@@ -179,7 +157,7 @@ QStringList idleLines(const ExportContent& content)
 QStringList planLines(const ExportContent& content, const QLocale& locale)
 {
     if (content.what == ExportWhat::Track || visitsNothing(content) || content.plan.fellBack ||
-        !provesOrders(content.planner.policy) || content.plan.status == SolveStatus::Optimal)
+        !traitsOf(content.planner.policy).solves() || content.plan.status == SolveStatus::Optimal)
         return {};
     return {FlightBrief::tr("The order is not proven to be the best one: %1.")
                 .arg(planWords(content, locale))};
@@ -259,7 +237,7 @@ QString planWords(const ExportContent& content, const QLocale& locale)
         return FlightBrief::tr("Nothing to visit");
     if (content.plan.fellBack)
         return FlightBrief::tr("Solver limit reached; previous plan kept");
-    if (isChosenOneByOne(content.planner.policy))
+    if (traitsOf(content.planner.policy).method == PolicyMethod::OneByOne)
         return FlightBrief::tr("Chosen one iceberg at a time");
     switch (content.plan.status) {
     case SolveStatus::Optimal:

@@ -1,8 +1,8 @@
 #include "widgets/print/page_text.h"
 
-#include "widgets/model/domain_text.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

@@ -12,29 +12,6 @@ namespace berg {
 
 namespace {
 
-std::string policyMeaning(PolicyKind policy)
-{
-    switch (policy) {
-    case PolicyKind::Visitation:
-        return "the order of Eq. (1) with the weight τ of Eq. (14), planned again at each iceberg";
-    case PolicyKind::Path:
-        return "the shortest path through all icebergs, flown to its end, then solved again";
-    case PolicyKind::Tour:
-        return "the shortest round tour, flown again and again";
-    case PolicyKind::Nearest:
-        return "the nearest iceberg next";
-    case PolicyKind::Uncertainty:
-        return "the most uncertain iceberg next";
-    case PolicyKind::Latency:
-        return "the order with the least waiting, weighted by uncertainty, planned again at each "
-               "iceberg";
-    case PolicyKind::Coverage:
-        return "legs with aim points that give the lowest predicted ζ, planned again at each "
-               "sighting";
-    }
-    return {};
-}
-
 std::string counted(double count, const std::string& one, const std::string& many)
 {
     return printedNumber(count, 0) + ' ' + (count == 1 ? one : many);
@@ -100,8 +77,8 @@ std::string policiesHtml(const StudySpec& spec)
 {
     std::string html = "<dt>Policies</dt>\n";
     for (const PolicyKind policy : std::set(spec.policies.begin(), spec.policies.end()))
-        html += "<dd><strong>" + nameOf(kPolicyNames, policy) +
-                "</strong>: " + policyMeaning(policy) + "</dd>\n";
+        html += "<dd><strong>" + std::string(traitsOf(policy).name) +
+                "</strong>: " + std::string(traitsOf(policy).meaning) + "</dd>\n";
     return html;
 }
 
@@ -149,8 +126,8 @@ std::string tausInWords(const std::vector<double>& taus)
 
 std::string tausFlown(const StudySpec& spec)
 {
-    const bool isFlown = std::find(spec.policies.begin(), spec.policies.end(),
-                                   PolicyKind::Visitation) != spec.policies.end();
+    const bool isFlown = std::ranges::any_of(
+        spec.policies, [](PolicyKind policy) { return traitsOf(policy).usesTau; });
     return isFlown ? tausInWords(spec.taus) : std::string();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/plan/fleet/fleet_problem.h"
-#include "core/plan/solve/names.h"
+#include "core/plan/policy/policy_table.h"
 #include "core/plan/solve/solver.h"
 
 #include <memory>
@@ -10,28 +10,6 @@
 #include <vector>
 
 namespace berg {
-
-/** How the next iceberg is chosen. Names: `kPolicyNames`. */
-enum class PolicyKind
-{
-    Visitation,
-    Path,
-    Tour,
-    Nearest,
-    Uncertainty,
-    Latency,
-    Coverage
-};
-
-inline constexpr std::array<Named<PolicyKind>, 7> kPolicyNames{{
-    {PolicyKind::Visitation, "visitation"},
-    {PolicyKind::Path, "path"},
-    {PolicyKind::Tour, "tour"},
-    {PolicyKind::Nearest, "nearest"},
-    {PolicyKind::Uncertainty, "uncertainty"},
-    {PolicyKind::Latency, "latency"},
-    {PolicyKind::Coverage, "coverage"},
-}};
 
 /** The knobs of planning that a scenario stores. */
 struct PlannerSettings

@@ -2,6 +2,7 @@
 #include "tests/support/study_builder.h"
 #include "widgets/charts/difference_chart.h"
 #include "widgets/charts/study_chart.h"
+#include "widgets/words/policy_words.h"
 
 #include <QSignalSpy>
 
@@ -249,4 +250,5 @@ private slots:
 };
 
 QTEST_MAIN(TestStudyChart)
+
 #include "tst_study_chart.moc"

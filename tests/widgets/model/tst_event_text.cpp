@@ -1,5 +1,5 @@
-#include "widgets/model/event_text.h"
 #include "widgets/theme/unit_settings.h"
+#include "widgets/words/event_text.h"
 
 #include <QSet>
 #include <QtTest>

@@ -1,4 +1,4 @@
-#include "widgets/model/export_text.h"
+#include "widgets/words/export_text.h"
 
 #include <QSet>
 #include <QtTest>

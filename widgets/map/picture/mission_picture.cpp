@@ -4,8 +4,8 @@
 #include "widgets/map/picture/plan_stops.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/model/asset_approach.h"
-#include "widgets/model/domain_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <QCoreApplication>
 

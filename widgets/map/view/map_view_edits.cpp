@@ -4,9 +4,9 @@
 #include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/error_text.h"
 #include "widgets/model/iceberg_clipboard.h"
 #include "widgets/model/scenario_edits.h"
+#include "widgets/words/error_text.h"
 
 #include <QApplication>
 #include <QClipboard>

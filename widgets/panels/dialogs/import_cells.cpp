@@ -1,9 +1,9 @@
 #include "widgets/panels/dialogs/import_cells.h"
 
 #include "core/base/angles.h"
-#include "widgets/model/import_text.h"
-#include "widgets/panels/icebergs/iceberg_table_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/iceberg_table_text.h"
+#include "widgets/words/import_text.h"
 
 #include <QAction>
 #include <QClipboard>

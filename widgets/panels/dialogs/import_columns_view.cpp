@@ -1,7 +1,7 @@
 #include "widgets/panels/dialogs/import_columns_view.h"
 
-#include "widgets/model/import_text.h"
 #include "widgets/panels/fields/wheel_guard.h"
+#include "widgets/words/import_text.h"
 
 #include <QComboBox>
 #include <QFormLayout>

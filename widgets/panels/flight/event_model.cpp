@@ -1,9 +1,9 @@
 #include "widgets/panels/flight/event_model.h"
 
-#include "widgets/model/event_text.h"
 #include "widgets/model/mission_snapshot.h"
-#include "widgets/panels/plan/planner_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/event_text.h"
+#include "widgets/words/plan_text.h"
 
 #include <algorithm>
 

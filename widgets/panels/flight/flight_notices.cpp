@@ -2,8 +2,8 @@
 
 #include "core/scenario/advice.h"
 #include "widgets/model/asset_approach.h"
-#include "widgets/model/object_names.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -2,8 +2,8 @@
 
 #include "widgets/model/asset_approach.h"
 #include "widgets/model/scenario_edits.h"
-#include "widgets/panels/icebergs/iceberg_table_text.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/words/iceberg_table_text.h"
 
 #include <QCollator>
 

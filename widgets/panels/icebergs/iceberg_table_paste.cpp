@@ -2,8 +2,8 @@
 
 #include "core/scenario/validate.h"
 #include "widgets/model/scenario_edits.h"
-#include "widgets/panels/icebergs/iceberg_table_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/iceberg_table_text.h"
 
 #include <QCoreApplication>
 

@@ -1,10 +1,10 @@
 #include "widgets/panels/icebergs/iceberg_table_rows.h"
 
 #include "widgets/model/asset_approach.h"
-#include "widgets/model/object_names.h"
 #include "widgets/panels/plan/plan_model.h"
 #include "widgets/panels/plan/plan_rows.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
 

@@ -1,8 +1,8 @@
 #include "widgets/panels/inspector/check_panel.h"
 
 #include "widgets/panels/fields/panel_labels.h"
-#include "widgets/panels/inspector/issue_text.h"
 #include "widgets/theme/icons.h"
+#include "widgets/words/issue_text.h"
 
 #include <QListWidget>
 #include <QStackedLayout>

@@ -1,6 +1,6 @@
-#include "widgets/model/import_text.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/import_text.h"
 
 #include <cmath>
 

@@ -4,9 +4,9 @@
 #include "widgets/panels/fields/id_field.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/inspector/inspector_form.h"
-#include "widgets/panels/inspector/issue_text.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/palette.h"
+#include "widgets/words/issue_text.h"
 
 #include <QFormLayout>
 #include <QScrollArea>

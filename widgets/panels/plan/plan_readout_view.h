@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/panels/plan/planner_text.h"
 #include "widgets/theme/theme.h"
+#include "widgets/words/plan_text.h"
 
 #include <QWidget>
 

@@ -1,6 +1,6 @@
 #include "widgets/panels/plan/plan_rows.h"
 
-#include "widgets/model/object_names.h"
+#include "widgets/words/object_names.h"
 
 #include <QStringList>
 

@@ -2,8 +2,8 @@
 
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/panels/fields/panel_labels.h"
-#include "widgets/panels/plan/planner_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <QAbstractItemView>
 #include <QPainter>
@@ -116,9 +116,7 @@ int PolicyDelegate::widthFor(const QAbstractItemModel& offers) const
 PolicyCombo::PolicyCombo(QWidget* parent) : QComboBox(parent), m_delegate(new PolicyDelegate(this))
 {
     setItemDelegate(m_delegate);
-    for (const PolicyKind policy :
-         {PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage, PolicyKind::Path,
-          PolicyKind::Tour, PolicyKind::Nearest, PolicyKind::Uncertainty}) {
+    for (const PolicyKind policy : offeredPolicies()) {
         addItem(policyName(policy), static_cast<int>(policy));
         setItemData(count() - 1, policySentence(policy), PolicyDelegate::SentenceRole);
     }

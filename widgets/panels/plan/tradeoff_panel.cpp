@@ -6,6 +6,7 @@
 #include "widgets/panels/plan/plan_readout_view.h"
 #include "widgets/panels/plan/policy_combo.h"
 #include "widgets/panels/plan/tau_strip.h"
+#include "widgets/words/policy_words.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -342,10 +343,8 @@ void TradeoffPanel::setInFlight(bool inFlight)
 
 void TradeoffPanel::updateEnabled()
 {
-    const PolicyKind policy = m_settings.policy;
-    const bool usesTau = policy == PolicyKind::Visitation;
-    const bool usesSolver = usesTau || policy == PolicyKind::Path || policy == PolicyKind::Tour ||
-                            policy == PolicyKind::Latency;
+    const bool usesTau = traitsOf(m_settings.policy).usesTau;
+    const bool usesSolver = traitsOf(m_settings.policy).solves();
     const QString noUse = tr("The policy chosen does not use this.");
     const QString locked = tr("Locked in flight. Stop the flight to change this.");
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "widgets/model/policy_forecasts.h"
-#include "widgets/panels/plan/planner_text.h"
 #include "widgets/theme/theme.h"
+#include "widgets/words/plan_text.h"
 
 #include <QTimer>
 #include <QWidget>

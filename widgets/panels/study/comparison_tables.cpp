@@ -1,8 +1,8 @@
 #include "widgets/panels/study/comparison_tables.h"
 
-#include "widgets/model/object_names.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
 #include <QHeaderView>

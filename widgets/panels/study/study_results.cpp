@@ -6,6 +6,7 @@
 #include "widgets/panels/study/study_tables.h"
 #include "widgets/theme/picture_page.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <QBoxLayout>
 #include <QComboBox>

@@ -2,6 +2,7 @@
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/study/study_tables.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <limits>
 

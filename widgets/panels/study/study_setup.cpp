@@ -4,14 +4,13 @@
 #include "widgets/charts/study_content.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/fields/panel_labels.h"
-#include "widgets/panels/plan/planner_text.h"
+#include "widgets/words/policy_words.h"
 
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QRadioButton>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -29,9 +28,6 @@ constexpr double kIcebergs = 12; ///< Table 3 of the paper
 constexpr double kMostScenarios = 100'000;
 constexpr double kMostRuns = 10'000;
 constexpr double kLargestSeed = 999'999'999;
-constexpr std::array kPolicies{PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage,
-                               PolicyKind::Path,       PolicyKind::Tour,    PolicyKind::Nearest,
-                               PolicyKind::Uncertainty};
 
 QIcon markIcon(PolicyKind policy, const Theme& theme)
 {
@@ -142,7 +138,7 @@ void StudySetup::addTau()
 
 void StudySetup::addPolicies()
 {
-    for (const PolicyKind policy : kPolicies) {
+    for (const PolicyKind policy : offeredPolicies()) {
         auto* box = new QCheckBox(policyName(policy));
         box->setObjectName(u"studyPolicy-"_s +
                            QString::fromStdString(nameOf(kPolicyNames, policy)));
@@ -154,7 +150,7 @@ void StudySetup::addPolicies()
         });
         columnOf(*this).addWidget(box);
         m_policies.emplace_back(policy, box);
-        if (policy == PolicyKind::Visitation)
+        if (traitsOf(policy).usesTau)
             addTau(); // its own
     }
 }

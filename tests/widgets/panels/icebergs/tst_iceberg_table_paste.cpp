@@ -2,7 +2,7 @@
 #include "tests/support/scenario_builder.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/panels/icebergs/iceberg_table_paste.h"
-#include "widgets/panels/icebergs/iceberg_table_text.h"
+#include "widgets/words/iceberg_table_text.h"
 
 #include <array>
 #include <cmath>

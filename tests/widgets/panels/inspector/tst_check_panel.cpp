@@ -2,7 +2,7 @@
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
 #include "widgets/panels/inspector/check_panel.h"
-#include "widgets/panels/inspector/issue_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QListWidget>
 #include <QSignalSpy>

@@ -4,7 +4,7 @@
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/inspector/inspector_panel.h"
 #include "widgets/panels/inspector/inspector_rows.h"
-#include "widgets/panels/inspector/issue_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QCheckBox>
 #include <QLabel>

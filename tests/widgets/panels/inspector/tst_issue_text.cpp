@@ -1,7 +1,7 @@
 #include "core/scenario/validate.h"
 #include "tests/support/scenario_builder.h"
-#include "widgets/panels/inspector/issue_text.h"
 #include "widgets/theme/unit_settings.h"
+#include "widgets/words/issue_text.h"
 
 #include <QSet>
 #include <QTranslator>

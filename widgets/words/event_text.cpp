@@ -1,7 +1,7 @@
-#include "widgets/model/event_text.h"
+#include "widgets/words/event_text.h"
 
-#include "widgets/model/object_names.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
 

@@ -1,4 +1,4 @@
-#include "widgets/model/error_text.h"
+#include "widgets/words/error_text.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
-#include "widgets/model/import_text.h"
+#include "widgets/words/import_text.h"
 
-#include "widgets/model/error_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/error_text.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -279,9 +279,8 @@ QString importFormatName(std::string_view id)
     return QString::fromUtf8(id.data(), qsizetype(id.size()));
 }
 
-QString importSummary(const ImportPreview& preview)
+QString importSummary(const ImportResult& result)
 {
-    const ImportResult& result = preview.result;
     QStringList parts;
     const auto add = [&](std::size_t count, const char* one, const char* many) {
         if (count > 0)

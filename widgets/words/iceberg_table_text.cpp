@@ -1,4 +1,4 @@
-#include "widgets/panels/icebergs/iceberg_table_text.h"
+#include "widgets/words/iceberg_table_text.h"
 
 #include <QStringList>
 

@@ -1,4 +1,4 @@
-#include "widgets/panels/inspector/field_names.h"
+#include "widgets/words/field_names.h"
 
 #include "widgets/theme/quantity_text.h"
 

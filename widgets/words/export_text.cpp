@@ -1,8 +1,8 @@
-#include "widgets/model/export_text.h"
+#include "widgets/words/export_text.h"
 
 #include "core/base/error.h"
-#include "widgets/model/error_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/error_text.h"
 
 #include <QCoreApplication>
 

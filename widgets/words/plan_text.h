@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/plan/policy/policy.h"
-#include "widgets/model/flight_record.h"
+#include "core/sim/plan_forecast.h"
+#include "core/sim/recorder.h"
 
 #include <QLocale>
 #include <QString>
@@ -9,13 +9,6 @@
 #include <optional>
 
 namespace berg {
-
-/** Name of a choice in the user's words, as the lists of the trade-off panel show it. */
-[[nodiscard]] QString policyName(PolicyKind policy);
-/** What it does, in a sentence. */
-[[nodiscard]] QString policySentence(PolicyKind policy);
-[[nodiscard]] QString backendName(Backend backend);
-[[nodiscard]] QString routeName(Route route);
 
 /** The plan there is, and whether another one is being made. */
 struct PlanReadout
@@ -28,9 +21,6 @@ struct PlanReadout
     /** In the orders of all of them. */
     [[nodiscard]] std::size_t icebergs() const;
 };
-
-/** Of the instant shown, with the plans of the last solve. */
-[[nodiscard]] PlanReadout readoutOf(const FlightRecord& record, const QString& fault);
 
 /** How much is known about a plan. */
 enum class PlanVerdict

@@ -1,6 +1,6 @@
-#include "widgets/panels/inspector/issue_text.h"
+#include "widgets/words/issue_text.h"
 
-#include "widgets/panels/inspector/field_names.h"
+#include "widgets/words/field_names.h"
 
 #include <QCoreApplication>
 #include <QStringList>

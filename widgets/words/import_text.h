@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/import_preview.h"
+#include "core/io/import/import_scenario.h"
 
 #include <QLocale>
 
@@ -16,7 +16,7 @@ namespace berg {
 [[nodiscard]] QString importFormatName(std::string_view id);
 
 /** "12 new, 3 updated, 7 rows rejected": what there is none of is not told. */
-[[nodiscard]] QString importSummary(const ImportPreview& preview);
+[[nodiscard]] QString importSummary(const ImportResult& result);
 
 /**
  * What becomes of the UAVs, area and asset of the file: what is taken over on a line, what is left

@@ -1,0 +1,188 @@
+#include "widgets/words/plan_text.h"
+
+#include "widgets/theme/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+struct PlanText
+{
+    Q_DECLARE_TR_FUNCTIONS(PlanText)
+};
+
+/** The names by which the policies that need no solver sign their answers. */
+constexpr std::string_view kGreedy = "greedy";
+constexpr std::string_view kKeptRoute = "route";
+/** Weighs predicted zeta, not an order. */
+constexpr std::string_view kCoverage = "coverage";
+
+/** True when a solver has judged the order by Eq. (1). */
+bool isSolved(const PlanEvent& plan)
+{
+    return plan.status != SolveStatus::None && plan.backend != kGreedy &&
+           plan.backend != kKeptRoute;
+}
+
+/** The back end that signed an answer, in the middle of a sentence. */
+QString solverText(const std::string& backend)
+{
+    if (backend == "exact")
+        return PlanText::tr("exact", "solver");
+    if (backend == "heuristic")
+        return PlanText::tr("local search", "solver");
+    if (backend == "assignment") // of several UAVs by uncertainty alone
+        return PlanText::tr("by assignment", "solver");
+    if (backend.starts_with("cbc"))
+        return PlanText::tr("COIN-OR CBC", "solver");
+    return QString::fromStdString(backend);
+}
+
+QString detailsOf(const PlanEvent& plan, const QLocale& locale)
+{
+    const auto number = [&](double value) { return significantText(value, 6, locale); };
+    QStringList lines{
+        PlanText::tr("Solver: %1").arg(QString::fromStdString(plan.backend)),
+        PlanText::tr("Status: %1").arg(QString::fromStdString(nameOf(kStatusNames, plan.status))),
+        PlanText::tr("Time: %1").arg(solveTimeText(plan.elapsed_s, locale))};
+    const bool isLatency = plan.criterion == Criterion::Latency;
+    if (plan.backend == kCoverage && plan.predictedZeta_m2s)
+        lines << PlanText::tr("Predicted zeta: %1 m² s").arg(number(*plan.predictedZeta_m2s));
+    else if (plan.status != SolveStatus::None)
+        lines << (isLatency ? PlanText::tr("Objective: %1 m² s") : PlanText::tr("Objective: %1 m²"))
+                     .arg(number(plan.objective));
+    if (plan.bound)
+        lines << (isLatency ? PlanText::tr("Lower bound: %1 m² s")
+                            : PlanText::tr("Lower bound: %1 m²"))
+                     .arg(number(*plan.bound));
+    if (plan.warmStarted)
+        lines << PlanText::tr("Started from the plan before");
+    return lines.join(u'\n');
+}
+
+/** Of an answer with an order that is what was asked for. */
+PlanState stateOfSolve(const PlanReadout& readout, const QLocale& locale)
+{
+    const PlanEvent& plan = *readout.plan;
+    const QString time = solveTimeText(plan.elapsed_s, locale);
+    if (plan.status == SolveStatus::Optimal)
+        return {PlanVerdict::Proven,
+                PlanText::tr("Proven optimal, %1 (%2)").arg(time, solverText(plan.backend)),
+                {}};
+    if (readout.solving)
+        return {PlanVerdict::Estimate,
+                plan.gap ? PlanText::tr("Best order so far, within %1 % of optimal")
+                               .arg(gapText(*plan.gap, locale))
+                         : PlanText::tr("Best order so far"),
+                {}};
+    if (plan.gap)
+        return {PlanVerdict::Estimate,
+                PlanText::tr("Within %1 % of optimal, %2").arg(gapText(*plan.gap, locale), time),
+                {}};
+    return {PlanVerdict::Estimate, PlanText::tr("Best order found, %1").arg(time), {}};
+}
+
+/** "2 UAVs, 16 icebergs". */
+QString fleetText(const PlanReadout& readout)
+{
+    return u"%1, %2"_s.arg(
+        PlanText::tr("%n UAVs", nullptr, static_cast<int>(readout.others.size()) + 1),
+        PlanText::tr("%n icebergs", nullptr, static_cast<int>(readout.icebergs())));
+}
+
+PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
+{
+    if (!readout.fault.isEmpty())
+        return {PlanVerdict::Fault, readout.fault, {}};
+    if (!readout.plan)
+        return {PlanVerdict::None,
+                readout.solving ? PlanText::tr("Planning…") : PlanText::tr("No plan yet"),
+                {}};
+    const PlanEvent& plan = *readout.plan;
+    if (readout.icebergs() == 0)
+        return {PlanVerdict::None, PlanText::tr("Nothing to visit now"), {}};
+    if (plan.stop == StopReason::Unable)
+        return {PlanVerdict::Warning,
+                PlanText::tr("This solver cannot plan so many icebergs. Choose Automatic."),
+                {}};
+    if (plan.fellBack)
+        return {PlanVerdict::Warning,
+                plan.reason == PlanReason::Start
+                    ? PlanText::tr("Limit reached, flying to the nearest iceberg")
+                    : PlanText::tr("Limit reached, flying the previous plan"),
+                {}};
+    if (plan.backend == kGreedy)
+        return {PlanVerdict::None, PlanText::tr("Chosen one iceberg at a time"), {}};
+    if (plan.backend == kKeptRoute)
+        return {PlanVerdict::None, PlanText::tr("Following the route made before"), {}};
+    PlanState state = stateOfSolve(readout, locale);
+    if (!readout.others.empty())
+        state.text += u" · "_s + fleetText(readout);
+    return state;
+}
+
+} // namespace
+
+std::size_t PlanReadout::icebergs() const
+{
+    std::size_t count = plan ? plan->order.size() : 0;
+    for (const std::vector<int>& order : others)
+        count += order.size();
+    return count;
+}
+
+PlanState planState(const PlanReadout& readout, const QLocale& locale)
+{
+    PlanState state = stateOf(readout, locale);
+    if (readout.plan && (isSolved(*readout.plan) || readout.plan->fellBack))
+        state.details = detailsOf(*readout.plan, locale);
+    return state;
+}
+
+PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
+{
+    PlanFigures figures;
+    if (!readout.plan || readout.icebergs() == 0)
+        return figures;
+    const PlanEvent& plan = *readout.plan;
+    if (plan.status == SolveStatus::None || plan.backend == kKeptRoute)
+        return figures;
+    figures.distance_m = plan.distance_m;
+    // Only Eq. (1) has a reward: the routes are made as if every sigma were 0, the others weigh
+    // time.
+    if (!traitsOf(policy).weighsSigma)
+        return figures;
+    figures.reward_m2 = plan.mu * plan.distance_m - plan.objective;
+    if (!isSolved(plan))
+        return figures;
+    figures.objective_m2 = plan.objective;
+    figures.mu_m = plan.mu;
+    return figures;
+}
+
+QString gapText(double gap, const QLocale& locale)
+{
+    const double percent = 100 * gap;
+    constexpr double kRounding = 1e-9; // keeps 0.8 from becoming 0.9
+    if (percent > 10)
+        return fixedText(std::ceil(percent - kRounding), 0, locale);
+    return fixedText(std::max(1.0, std::ceil(10 * percent - kRounding)) / 10, 1, locale);
+}
+
+QString solveTimeText(double elapsed_s, const QLocale& locale)
+{
+    if (elapsed_s < 0.001)
+        return PlanText::tr("under 1 ms");
+    if (elapsed_s < 0.9995)
+        return PlanText::tr("%1 ms").arg(fixedText(1000 * elapsed_s, 0, locale));
+    return PlanText::tr("%1 s").arg(significantText(elapsed_s, 2, locale));
+}
+
+} // namespace berg
