@@ -99,7 +99,7 @@ std::string noPlan(const SolveOutcome& outcome)
 /** "cbc" or, when it matters, "cbc (reduced)". */
 std::string nameOfSecond(const SecondOpinion& second)
 {
-    std::string name = second.outcome.backend;
+    std::string name = nameOf(kSourceNames, second.outcome.source);
     if (second.formulation)
         name += " (" + nameOf(kFormulationNames, *second.formulation) + ')';
     return name;
@@ -191,7 +191,8 @@ std::string reportText(const PlanReport& report, bool json)
     const std::optional<double> objective = report.objective();
     text += "objective  " + (objective ? fixed(*objective, 3) : std::string("none")) + "  (" +
             solverWords(report.problem, outcome) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
-            " ms, " + outcome.backend + ")\ndistance   " + grouped(report.distance_m) + " m" +
+            " ms, " + nameOf(kSourceNames, outcome.source) + ")\ndistance   " +
+            grouped(report.distance_m) + " m" +
             (report.mu() ? "   mu " + fixed(*report.mu(), 6) : std::string()) + '\n';
     if (report.secondOpinion)
         text += verificationLine(report);
@@ -255,7 +256,7 @@ int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOpt
     if (!report.secondOpinion || report.secondOpinion->verdict != Verdict::Disagrees)
         return kDone;
     const std::string message =
-        arguments.file + ": " + report.outcome.backend + " and " +
+        arguments.file + ": " + nameOf(kSourceNames, report.outcome.source) + " and " +
         nameOfSecond(*report.secondOpinion) +
         " contradict each other: one of the two is wrong. Do not trust this order.\n";
     std::fputs(message.c_str(), stderr);

@@ -358,7 +358,7 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& 
                                                    : next(search, warm, options, watch);
         const std::optional<StopReason> cut = watch.cut();
         if (cut == StopReason::Cancelled)
-            return {.outcome = {.reason = StopReason::Cancelled, .backend = "coverage"}};
+            return {.outcome = {.reason = StopReason::Cancelled, .source = AnswerSource::Coverage}};
         answer = answerOf(request, pictures, found);
         if (m_isAlone)
             judgeAlone(answer, request);
@@ -371,7 +371,7 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& 
                 m_last[request.uavs[u].uav] = keptPlan(found.plans[u], request.ids);
     }
     answer.outcome.status = SolveStatus::Feasible;
-    answer.outcome.backend = "coverage";
+    answer.outcome.source = AnswerSource::Coverage;
     answer.outcome.elapsed_s = clock.elapsed_s();
     return answer;
 }

@@ -19,7 +19,7 @@ PlanEvent planEvent(const PlanAnswer& answer)
             .predictedZeta_m2s = answer.predictedZeta_m2s,
             .status = outcome.status,
             .stop = outcome.reason,
-            .backend = outcome.backend,
+            .source = outcome.source,
             .criterion = answer.problem.criterion,
             .mu = answer.problem.mu,
             .objective = outcome.objective,
@@ -164,7 +164,7 @@ void Mission::tell(PlanEvent plan)
         note({.kind = EventKind::Planned,
               .iceberg = plan.target,
               .uav = plan.uav,
-              .backend = plan.backend,
+              .source = plan.source,
               .fellBack = plan.fellBack});
     noteEvents();
     m_plans.push_back(std::move(plan));

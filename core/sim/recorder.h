@@ -28,7 +28,7 @@ struct PlanEvent
     double zeta_m2s = 0;                     ///< Eq. (24) until then
     SolveStatus status = SolveStatus::None;
     StopReason stop = StopReason::Finished;
-    std::string backend;
+    AnswerSource source = AnswerSource::None;
     Criterion criterion = Criterion::Visitation; ///< what `objective` and `bound` measure
     double mu = 0;
     double objective = 0;

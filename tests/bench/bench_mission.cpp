@@ -32,7 +32,7 @@ class PairedSolver final : public TvpSolver
 {
 public:
     PairedSolver(Backend backend, Times& times) : m_solver(makeSolver(backend)), m_times(times) {}
-    [[nodiscard]] std::string name() const override { return m_solver->name(); }
+    [[nodiscard]] AnswerSource source() const override { return m_solver->source(); }
     [[nodiscard]] std::string whyNot(const TvpProblem& p) const override
     {
         return m_solver->whyNot(p);

@@ -19,7 +19,7 @@ namespace berg::test {
 class BareEngine final : public TvpSolver
 {
 public:
-    [[nodiscard]] std::string name() const override { return "engine"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
     [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
 
 protected:
@@ -62,7 +62,7 @@ inline QString faultOf(const Contestant& contestant, const TvpProblem& problem,
 {
     const double scale = optimum + objectiveShift(problem);
     const double tolerance = contestant.tolerance * scale + 1e-9;
-    if (outcome.backend.empty())
+    if (outcome.source == AnswerSource::None)
         return QStringLiteral("no name");
     if (outcome.elapsed_s < 0 || outcome.work < 0)
         return QStringLiteral("negative effort");
@@ -99,7 +99,7 @@ inline bool same(const SolveOutcome& a, const SolveOutcome& b)
 {
     return a.status == b.status && a.reason == b.reason && a.plan == b.plan &&
            a.objective == b.objective && a.bound == b.bound && a.work == b.work &&
-           a.hintUsed == b.hintUsed && a.backend == b.backend;
+           a.hintUsed == b.hintUsed && a.source == b.source;
 }
 
 // Rows and columns of the tests; the column `contestant` is the index in `kAll`.

@@ -23,7 +23,7 @@ class ScriptedSolver final : public TvpSolver
 {
 public:
     explicit ScriptedSolver(SolverScript& script) : m_script(script) {}
-    [[nodiscard]] std::string name() const override { return "scripted"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
     [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
 
 protected:

@@ -18,42 +18,45 @@ struct PlanText
     Q_DECLARE_TR_FUNCTIONS(PlanText)
 };
 
-/** The names by which the policies that need no solver sign their answers. */
-constexpr std::string_view kGreedy = "greedy";
-constexpr std::string_view kKeptRoute = "route";
-/** Weighs predicted zeta, not an order. */
-constexpr std::string_view kCoverage = "coverage";
-
 /** True when a solver has judged the order by Eq. (1). */
 bool isSolved(const PlanEvent& plan)
 {
-    return plan.status != SolveStatus::None && plan.backend != kGreedy &&
-           plan.backend != kKeptRoute;
+    return plan.status != SolveStatus::None && plan.source != AnswerSource::OneByOne &&
+           plan.source != AnswerSource::KeptRoute;
 }
 
-/** The back end that signed an answer, in the middle of a sentence. */
-QString solverText(const std::string& backend)
+/** In the middle of a sentence. */
+QString solverText(AnswerSource source)
 {
-    if (backend == "exact")
+    switch (source) {
+    case AnswerSource::Exact:
         return PlanText::tr("exact", "solver");
-    if (backend == "heuristic")
+    case AnswerSource::Heuristic:
         return PlanText::tr("local search", "solver");
-    if (backend == "assignment") // of several UAVs by uncertainty alone
+    case AnswerSource::Assignment:
         return PlanText::tr("by assignment", "solver");
-    if (backend.starts_with("cbc"))
+    case AnswerSource::Cbc:
         return PlanText::tr("COIN-OR CBC", "solver");
-    return QString::fromStdString(backend);
+    case AnswerSource::None:
+    case AnswerSource::Auto:
+    case AnswerSource::Subsets:
+    case AnswerSource::OneByOne:
+    case AnswerSource::KeptRoute:
+    case AnswerSource::Coverage:
+        break;
+    }
+    return QString::fromStdString(nameOf(kSourceNames, source));
 }
 
 QString detailsOf(const PlanEvent& plan, const QLocale& locale)
 {
     const auto number = [&](double value) { return significantText(value, 6, locale); };
     QStringList lines{
-        PlanText::tr("Solver: %1").arg(QString::fromStdString(plan.backend)),
+        PlanText::tr("Solver: %1").arg(QString::fromStdString(nameOf(kSourceNames, plan.source))),
         PlanText::tr("Status: %1").arg(QString::fromStdString(nameOf(kStatusNames, plan.status))),
         PlanText::tr("Time: %1").arg(solveTimeText(plan.elapsed_s, locale))};
     const bool isLatency = plan.criterion == Criterion::Latency;
-    if (plan.backend == kCoverage && plan.predictedZeta_m2s)
+    if (plan.source == AnswerSource::Coverage && plan.predictedZeta_m2s)
         lines << PlanText::tr("Predicted zeta: %1 m² s").arg(number(*plan.predictedZeta_m2s));
     else if (plan.status != SolveStatus::None)
         lines << (isLatency ? PlanText::tr("Objective: %1 m² s") : PlanText::tr("Objective: %1 m²"))
@@ -74,7 +77,7 @@ PlanState stateOfSolve(const PlanReadout& readout, const QLocale& locale)
     const QString time = solveTimeText(plan.elapsed_s, locale);
     if (plan.status == SolveStatus::Optimal)
         return {PlanVerdict::Proven,
-                PlanText::tr("Proven optimal, %1 (%2)").arg(time, solverText(plan.backend)),
+                PlanText::tr("Proven optimal, %1 (%2)").arg(time, solverText(plan.source)),
                 {}};
     if (readout.solving)
         return {PlanVerdict::Estimate,
@@ -118,9 +121,9 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
                     ? PlanText::tr("Limit reached, flying to the nearest iceberg")
                     : PlanText::tr("Limit reached, flying the previous plan"),
                 {}};
-    if (plan.backend == kGreedy)
+    if (plan.source == AnswerSource::OneByOne)
         return {PlanVerdict::None, PlanText::tr("Chosen one iceberg at a time"), {}};
-    if (plan.backend == kKeptRoute)
+    if (plan.source == AnswerSource::KeptRoute)
         return {PlanVerdict::None, PlanText::tr("Following the route made before"), {}};
     PlanState state = stateOfSolve(readout, locale);
     if (!readout.others.empty())
@@ -152,7 +155,7 @@ PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
     if (!readout.plan || readout.icebergs() == 0)
         return figures;
     const PlanEvent& plan = *readout.plan;
-    if (plan.status == SolveStatus::None || plan.backend == kKeptRoute)
+    if (plan.status == SolveStatus::None || plan.source == AnswerSource::KeptRoute)
         return figures;
     figures.distance_m = plan.distance_m;
     // Only Eq. (1) has a reward: the routes are made as if every sigma were 0, the others weigh

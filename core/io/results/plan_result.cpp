@@ -54,7 +54,7 @@ Json secondOpinionJson(const SecondOpinion& second)
     if (second.verdict != Verdict::NotVerified)
         agrees = second.verdict == Verdict::Agrees;
     return {{"agrees", agrees},
-            {"backend", outcome.backend},
+            {"backend", nameOf(kSourceNames, outcome.source)},
             {"formulation", second.formulation
                                 ? Json(nameOf(kFormulationNames, *second.formulation))
                                 : Json(nullptr)},
@@ -136,7 +136,7 @@ std::string planJson(const PlanReport& report)
               {"distance_m", solved ? Json(report.distance_m) : Json(nullptr)},
               {"mu", orNull(report.mu())},
               {"seconds", outcome.elapsed_s},
-              {"backend", outcome.backend}};
+              {"backend", nameOf(kSourceNames, outcome.source)}};
     if (!ids.empty())
         json["icebergs"] = ids;
     if (!report.clusters.empty())

@@ -96,7 +96,7 @@ std::string eventDetail(const MissionEvent& event, const Mission& mission)
     std::string text;
     switch (event.kind) {
     case EventKind::Planned:
-        return event.fellBack ? "last plan kept" : event.backend;
+        return event.fellBack ? "last plan kept" : nameOf(kSourceNames, event.source);
     case EventKind::Reached:
         for (const int other : event.together)
             text += (text.empty() ? "with " : ", ") + idOf(mission.icebergs(), other);

@@ -58,7 +58,7 @@ std::string allOf(const Source& source)
 
 std::string zipFile(std::string_view entryName, std::string_view content)
 {
-    const Source file = sourceOf({});
+    const Source file = sourceOf(std::string_view());
     Archive archive = archiveOf(file, ZIP_CREATE | ZIP_TRUNCATE);
     require(archive != nullptr, "libzip makes no archive");
     zip_source_t* const entry = zip_source_buffer(archive.get(), content.data(), content.size(), 0);

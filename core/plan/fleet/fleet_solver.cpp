@@ -89,7 +89,7 @@ public:
         return {.status = SolveStatus::Optimal,
                 .plan = *plan,
                 .work = fleetSubsetWork(m_costs.uavs(), m_costs.icebergs()),
-                .backend = "exact"};
+                .source = AnswerSource::Exact};
     }
 
     SolveOutcome byEngine(CoverFunction cover)
@@ -232,7 +232,7 @@ SolveOutcome byRanks(const FleetProblem& problem, const SolveOptions& options)
     SolveOutcome outcome{.status = ranks.isBest ? SolveStatus::Optimal : SolveStatus::Feasible,
                          .plan = std::move(ranks.plan),
                          .work = n * n * n * problem.uavCount(),
-                         .backend = "assignment"};
+                         .source = AnswerSource::Assignment};
     if (!ranks.isBest)
         outcome.reason = cutOf(options, watch).value_or(StopReason::Finished);
     if (options.onProgress) {
@@ -333,9 +333,8 @@ SolveOutcome solveFleet(const FleetProblem& problem, Backend backend, const Solv
         outcome.bound = outcome.objective;
     else if (outcome.bound)
         outcome.bound = std::min(*outcome.bound, outcome.objective);
-    if (outcome.backend.empty())
-        outcome.backend =
-            nameOf(kBackendNames, backend == Backend::Auto ? Backend::Heuristic : backend);
+    if (outcome.source == AnswerSource::None)
+        outcome.source = sourceOf(backend == Backend::Auto ? Backend::Heuristic : backend);
     outcome.elapsed_s = watch.elapsed_s();
     return outcome;
 }
@@ -344,9 +343,7 @@ SolveOutcome solve(const FleetProblem& problem, Backend backend, const TvpSolver
                    const SolveOptions& options)
 {
     if (problem.uavCount() == 0)
-        return {.status = SolveStatus::Optimal,
-                .bound = 0.0,
-                .backend = nameOf(kBackendNames, backend)};
+        return {.status = SolveStatus::Optimal, .bound = 0.0, .source = sourceOf(backend)};
     if (problem.uavCount() > 1)
         return solveFleet(problem, backend, options);
     SolveOptions own = options;

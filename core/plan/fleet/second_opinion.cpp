@@ -47,7 +47,7 @@ SecondOpinion secondOpinion(const FleetProblem& problem, const SolveOutcome& fir
         return solve(problem, backend, *makeSolver(backend, milp), proof);
     };
     SecondOpinion second;
-    if (first.backend == "cbc") {
+    if (first.source == AnswerSource::Cbc) {
         second.outcome = solvedBy(Backend::Exact, {});
         if (second.outcome.reason == StopReason::Unable)
             second.outcome = solvedBy(Backend::Auto, {});

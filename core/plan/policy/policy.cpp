@@ -126,7 +126,7 @@ public:
             done[static_cast<std::size_t>(next.node)] = true;
         }
         PlanAnswer answer = answerOf(request, ordersInIds(request, task, plan));
-        answer.outcome = {.status = SolveStatus::Feasible, .backend = "greedy"};
+        answer.outcome = {.status = SolveStatus::Feasible, .source = AnswerSource::OneByOne};
         answer.outcome.objective = fleetObjective(task.problem, plan);
         answer.outcome.plan = std::move(plan);
         answer.problem = std::move(task.problem);
@@ -188,7 +188,8 @@ public:
             const std::vector<std::vector<int>> orders = takeRests(request);
             if (!std::ranges::all_of(orders, &std::vector<int>::empty)) {
                 PlanAnswer answer = answerOf(request, orders);
-                answer.outcome = {.status = SolveStatus::Feasible, .backend = "route"};
+                answer.outcome = {.status = SolveStatus::Feasible,
+                                  .source = AnswerSource::KeptRoute};
                 return answer;
             }
         }

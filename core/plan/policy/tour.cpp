@@ -188,7 +188,7 @@ public:
         m_known = request.ids;
         if (!m_rest.empty()) {
             PlanAnswer answer = answerOf(request, {m_rest});
-            answer.outcome = {.status = SolveStatus::Feasible, .backend = "route"};
+            answer.outcome = {.status = SolveStatus::Feasible, .source = AnswerSource::KeptRoute};
             return answer;
         }
         if (m_cycleIds != request.ids) {
@@ -252,9 +252,10 @@ public:
         const FleetTask task = fleetTask(request);
         const std::vector<std::vector<int>> none(request.uavs.size());
         if (task.uavs.empty())
-            return withOrders(
-                {.outcome = {.status = SolveStatus::Optimal, .bound = 0.0, .backend = "route"}},
-                none);
+            return withOrders({.outcome = {.status = SolveStatus::Optimal,
+                                           .bound = 0.0,
+                                           .source = AnswerSource::KeptRoute}},
+                              none);
         const Eigen::MatrixXd distance_m = meanDistances(request, task.uavs);
         if (m_ids != request.ids) {
             options.onProgress = {}; // the UAVs' parts in it are not known yet

@@ -15,7 +15,7 @@ class CbcSolver final : public TvpSolver
 {
 public:
     explicit CbcSolver(Formulation formulation);
-    [[nodiscard]] std::string name() const override { return "cbc"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Cbc; }
     [[nodiscard]] std::string whyNot(const TvpProblem& problem) const override;
 
 protected:

@@ -17,7 +17,7 @@ SolveOutcome ExactSolver::doSolve(const TvpProblem& problem, const SolveOptions&
 {
     if (subsetsPay(problem, options)) {
         SolveOutcome outcome = SubsetSolver().solve(problem, options);
-        outcome.backend = name();
+        outcome.source = source();
         return outcome;
     }
     return solveByEngine(problem, options, std::nullopt);

@@ -15,7 +15,7 @@ namespace berg {
 class ExactSolver final : public TvpSolver
 {
 public:
-    [[nodiscard]] std::string name() const override { return "exact"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
     [[nodiscard]] std::string whyNot(const TvpProblem& problem) const override;
 
 protected:

@@ -11,7 +11,7 @@ namespace berg {
 class LocalSearch final : public TvpSolver
 {
 public:
-    [[nodiscard]] std::string name() const override { return "heuristic"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Heuristic; }
     [[nodiscard]] std::string whyNot(const TvpProblem& problem) const override;
 
 protected:

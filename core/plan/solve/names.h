@@ -41,6 +41,19 @@ inline constexpr std::array<Named<SolveStatus>, 3> kStatusNames{{
     {SolveStatus::None, "none"},
 }};
 
+inline constexpr std::array<Named<AnswerSource>, 10> kSourceNames{{
+    {AnswerSource::None, ""},
+    {AnswerSource::Auto, "auto"},
+    {AnswerSource::Exact, "exact"},
+    {AnswerSource::Heuristic, "heuristic"},
+    {AnswerSource::Cbc, "cbc"},
+    {AnswerSource::Subsets, "subsets"},
+    {AnswerSource::Assignment, "assignment"},
+    {AnswerSource::OneByOne, "greedy"},
+    {AnswerSource::KeptRoute, "route"},
+    {AnswerSource::Coverage, "coverage"},
+}};
+
 /** Name of a value; every value of these enumerations is in its table. */
 template <class Table, class Enum>
 [[nodiscard]] std::string nameOf(const Table& table, Enum value)

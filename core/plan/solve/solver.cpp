@@ -24,7 +24,7 @@ std::int64_t now_ns()
 class AutoSolver final : public TvpSolver
 {
 public:
-    [[nodiscard]] std::string name() const override { return "auto"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Auto; }
     [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
 
 protected:
@@ -99,8 +99,8 @@ SolveOutcome TvpSolver::solve(const TvpProblem& problem, const SolveOptions& opt
         outcome = doSolve(problem, withoutHint);
     }
     settle(problem, outcome);
-    if (outcome.backend.empty())
-        outcome.backend = name();
+    if (outcome.source == AnswerSource::None)
+        outcome.source = source();
     outcome.elapsed_s = watch.elapsed_s();
     return outcome;
 }

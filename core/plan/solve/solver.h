@@ -32,6 +32,21 @@ enum class StopReason
     Unable
 };
 
+/** What made an answer. Names: `kSourceNames`. */
+enum class AnswerSource
+{
+    None,
+    Auto, ///< nothing was solved
+    Exact,
+    Heuristic,
+    Cbc,
+    Subsets,
+    Assignment, ///< of several UAVs by uncertainty alone
+    OneByOne,   ///< no solver: again and again the best next iceberg
+    KeptRoute,  ///< no solver: what is left of a route made before
+    Coverage    ///< weighs predicted zeta, not an order
+};
+
 /** What a long solve tells while it runs; each one is at least as good as the one before. */
 struct SolveProgress
 {
@@ -64,10 +79,10 @@ struct SolveOutcome
     double objective = 0;        ///< Eq. (1) of `plan`, re-scored outside the back end
     std::optional<double> bound; ///< valid lower bound, never above `objective`
     double elapsed_s = 0;
-    std::int64_t work = 0;    ///< what `workLimit` counts
-    bool hintUsed = false;    ///< the hint was accepted as starting incumbent
-    std::string backend = {}; ///< e.g. "exact"
-    std::string detail = {};  ///< the back end's own words, for a tooltip
+    std::int64_t work = 0; ///< what `workLimit` counts
+    bool hintUsed = false; ///< the hint was accepted as starting incumbent
+    AnswerSource source = AnswerSource::None;
+    std::string detail = {}; ///< the back end's own words, for a tooltip
 
     /** That of the only UAV; empty when there is none. */
     [[nodiscard]] const VisitOrder& order() const;
@@ -86,8 +101,8 @@ public:
     TvpSolver& operator=(const TvpSolver&) = delete;
     virtual ~TvpSolver() = default;
 
-    /** Short name as in files and on the command line. */
-    [[nodiscard]] virtual std::string name() const = 0;
+    /** What signs the answers that name no other source. */
+    [[nodiscard]] virtual AnswerSource source() const = 0;
 
     /** Empty when the back end is able to solve the problem, else the reason in a sentence. */
     [[nodiscard]] virtual std::string whyNot(const TvpProblem& problem) const = 0;
@@ -112,6 +127,13 @@ enum class Backend
     Cbc,
     Heuristic
 };
+
+[[nodiscard]] constexpr AnswerSource sourceOf(Backend backend)
+{
+    constexpr AnswerSource kSources[]{AnswerSource::Auto, AnswerSource::Exact, AnswerSource::Cbc,
+                                      AnswerSource::Heuristic};
+    return kSources[static_cast<std::size_t>(backend)];
+}
 
 /** MILP used by `Backend::Cbc`: position-indexed, as printed in the paper, or reduced. */
 enum class Formulation

@@ -26,7 +26,7 @@ public:
         return (std::int64_t{1} << icebergs) * rows * static_cast<std::int64_t>(sizeof(double));
     }
 
-    [[nodiscard]] std::string name() const override { return "subsets"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Subsets; }
     [[nodiscard]] std::string whyNot(const TvpProblem& problem) const override;
 
 protected:

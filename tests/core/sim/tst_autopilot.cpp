@@ -19,7 +19,7 @@ class FaultySolver final : public TvpSolver
 {
 public:
     FaultySolver(int good, int silent) : m_good(good), m_silent(silent) {}
-    [[nodiscard]] std::string name() const override { return "faulty"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
     [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
 
 protected:

@@ -17,7 +17,7 @@ class FailingSolver final : public TvpSolver
 {
 public:
     explicit FailingSolver(int good) : m_good(good) {}
-    [[nodiscard]] std::string name() const override { return "failing"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
     [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
 
 protected:

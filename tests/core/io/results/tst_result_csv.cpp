@@ -242,8 +242,9 @@ private slots:
         const auto row = [](const MissionEvent& event, const char* detail) {
             QTest::addRow("%s", *detail == 0 ? "none" : detail) << event << QByteArray(detail);
         };
-        row({.kind = EventKind::Planned, .backend = "exact"}, "exact");
-        row({.kind = EventKind::Planned, .backend = "exact", .fellBack = true}, "last plan kept");
+        row({.kind = EventKind::Planned, .source = AnswerSource::Exact}, "exact");
+        row({.kind = EventKind::Planned, .source = AnswerSource::Exact, .fellBack = true},
+            "last plan kept");
         row({.kind = EventKind::Reached, .iceberg = 1, .together = {0, 2}}, "with a, c");
         row({.kind = EventKind::Sighted, .iceberg = 0}, "");
         row({.kind = EventKind::Sighted, .iceberg = 0, .reported = true}, "reported");

@@ -233,7 +233,8 @@ QString faultOfBackEnds(const TvpProblem& problem, std::uint64_t seed)
         return fault;
     for (const Backend backend : {Backend::Exact, Backend::Auto, Backend::Heuristic}) {
         const SolveOutcome outcome = makeSolver(backend)->solve(problem, options);
-        if (QString fault = check(QString::fromStdString(outcome.backend), outcome);
+        if (QString fault =
+                check(QString::fromStdString(nameOf(kSourceNames, outcome.source)), outcome);
             !fault.isEmpty())
             return fault;
     }
@@ -285,7 +286,7 @@ QString faultOfFleetBackEnds(std::uint64_t seed)
         const QString fault =
             faultOfOutcome(problem, outcome, outcome.plan, fleetObjectiveShift(problem), optimum);
         if (!fault.isEmpty())
-            return QString::fromStdString(outcome.backend) + ": " + fault;
+            return QString::fromStdString(nameOf(kSourceNames, outcome.source)) + ": " + fault;
     }
     return {};
 }

@@ -255,7 +255,7 @@ private slots:
             QCOMPARE(answer.outcome.objective, best.objective);
             QCOMPARE(answer.gap.value(), 0.0);
             QVERIFY(answer.outcome.status == SolveStatus::Optimal);
-            QCOMPARE(answer.outcome.backend, std::string("exact"));
+            QCOMPARE(answer.outcome.source, AnswerSource::Exact);
         }
     }
 

@@ -84,7 +84,7 @@ private slots:
         const SolveOutcome outcome = solveFleet(problem, Backend::Cbc, {});
         QCOMPARE(faultOf(problem, outcome, optimumOf(problem)), QString());
         QVERIFY(outcome.status == SolveStatus::Optimal);
-        QCOMPARE(outcome.backend, std::string(problem.mu > 0 ? "cbc" : "assignment"));
+        QCOMPARE(outcome.source, problem.mu > 0 ? AnswerSource::Cbc : AnswerSource::Assignment);
     }
 
     /** The engine's proof against dynamic programming. */

@@ -67,26 +67,26 @@ private slots:
     {
         QTest::addColumn<Backend>("backend");
         QTest::addColumn<int>("icebergs");
-        QTest::addColumn<QString>("second");
+        QTest::addColumn<AnswerSource>("second");
         QTest::addColumn<std::optional<Formulation>>("formulation");
         const std::optional<Formulation> none;
         QTest::newRow("exact, small")
-            << Backend::Exact << 9 << "cbc" << std::optional(Formulation::Position);
+            << Backend::Exact << 9 << AnswerSource::Cbc << std::optional(Formulation::Position);
         QTest::newRow("heuristic, large")
-            << Backend::Heuristic << 25 << "cbc" << std::optional(Formulation::Reduced);
-        QTest::newRow("cbc") << Backend::Cbc << 9 << "exact" << none;
+            << Backend::Heuristic << 25 << AnswerSource::Cbc << std::optional(Formulation::Reduced);
+        QTest::newRow("cbc") << Backend::Cbc << 9 << AnswerSource::Exact << none;
     }
 
     void asksTheOtherSolver()
     {
         QFETCH(Backend, backend);
         QFETCH(int, icebergs);
-        QFETCH(QString, second);
+        QFETCH(AnswerSource, second);
         QFETCH(std::optional<Formulation>, formulation);
         const TvpProblem problem = randomProblem(2, icebergs, 0.5, Route::Open);
         const SolveOutcome first = makeSolver(backend)->solve(problem, {});
         const SecondOpinion opinion = secondOpinion(problemOf(problem), first, {});
-        QCOMPARE(QString::fromStdString(opinion.outcome.backend), second);
+        QCOMPARE(opinion.outcome.source, second);
         QVERIFY(opinion.formulation == formulation);
         QCOMPARE(opinion.verdict, Verdict::Agrees);
     }

@@ -292,7 +292,7 @@ private slots:
         Planner planner({.backend = Backend::Exact});
         const PlanAnswer answer = planner.plan(five(), {});
         QCOMPARE(answer.outcome.status, SolveStatus::Optimal);
-        QCOMPARE(answer.outcome.backend, std::string("exact"));
+        QCOMPARE(answer.outcome.source, AnswerSource::Exact);
         COMPARE_NEAR(answer.outcome.objective,
                      bruteForce(problemOfUav(answer.problem, 0)).objective, 1e-9);
         planner.setSettings({.tau = 0.2, .backend = Backend::Auto});

@@ -51,7 +51,7 @@ PlanEvent provenPlan()
     return {.target = 1,
             .order = {1, 0},
             .status = SolveStatus::Optimal,
-            .backend = "exact",
+            .source = AnswerSource::Exact,
             .mu = 0.02,
             .objective = -130,
             .bound = -130.0,
@@ -72,7 +72,7 @@ PlanEvent goodPlan(std::optional<double> gap)
 {
     return planWith([gap](PlanEvent& plan) {
         plan.status = SolveStatus::Feasible;
-        plan.backend = "heuristic";
+        plan.source = AnswerSource::Heuristic;
         plan.elapsed_s = 0.012;
         plan.gap = gap;
     });
@@ -332,7 +332,8 @@ private slots:
         row("fleet with nothing",
             {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); }), .others = {{}}},
             PlanVerdict::None, u"Nothing to visit now"_s);
-        row("greedy", {.plan = planWith([](PlanEvent& plan) { plan.backend = "greedy"; })},
+        row("greedy",
+            {.plan = planWith([](PlanEvent& plan) { plan.source = AnswerSource::OneByOne; })},
             PlanVerdict::None, u"Chosen one iceberg at a time"_s);
     }
 
