@@ -154,13 +154,13 @@ void addOptions(CLI::App& command, ExportArguments& arguments)
              "What to export (a run: track, a scenario: order)");
     command.add_option("--uav", options.uav, "Id of one UAV (all of them)");
     command.add_option("--altitude", options.altitude_m, "Flight altitude, m (the scenario's)")
-        ->check(numberFrom(kSmallestExtent_m, kLargestLength_m));
+        ->check(numberFrom(limits::kExtent_m.low, limits::kExtent_m.high));
     command.add_option("--speed", options.airspeed_mps, "Airspeed, m/s (the scenario's)")
-        ->check(numberFrom(kSlowestAirspeed_mps, kFastestAirspeed_mps));
+        ->check(numberFrom(limits::kAirspeed_mps.low, limits::kAirspeed_mps.high));
     command
         .add_option("--acceptance", options.acceptance_m,
                     "Radius within which a waypoint counts as reached, m (the field of view's)")
-        ->check(numberFrom(kSmallestExtent_m, kLargestLength_m));
+        ->check(numberFrom(limits::kExtent_m.low, limits::kExtent_m.high));
     command.add_option("--loiter", options.loiterTurns, "Turns over each iceberg (0)")
         ->transform(wholeFrom(0, kMostLoiterTurns));
     command.add_flag_function(

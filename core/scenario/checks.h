@@ -1,20 +1,13 @@
 #pragma once
 
 #include "core/base/issue.h"
+#include "core/scenario/limits.h"
 
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace berg {
-
-/** Allowed values of a number. */
-struct Limits
-{
-    double low = 0;
-    double high = 0;
-    bool above = false; ///< `low` itself is not allowed
-};
 
 /** What is wrong with a number; none when it is in limits. */
 [[nodiscard]] std::optional<IssueReason> outOfLimits(double value, const Limits& limits);

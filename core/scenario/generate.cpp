@@ -74,15 +74,15 @@ void check(const Scenario& scenario, const FieldRequest& request)
         faults.check("icebergs", request.icebergs, {.low = 1, .high = room});
     checkArea(request.area_m, faults);
     faults.check("speedMin_mps", "speedMax_mps", {request.speedMin_mps, request.speedMax_mps},
-                 {.low = 0, .high = kLargestVelocity_mps});
+                 limits::kSpeed_mps);
     faults.check("towards_deg", request.towards_deg, {.low = -360, .high = 360});
     faults.check("spread_deg", request.spread_deg, {.low = 0, .high = kAnySpread_deg});
     faults.check("sigmaMin_m2", "sigmaMax_m2", {request.sigmaMin_m2, request.sigmaMax_m2},
-                 {.low = 0, .high = kLargestSigma_m2});
-    faults.check("q_m2ps", request.q_m2ps, {.low = 0, .high = kLargestGrowth_m2ps});
+                 limits::kSigma_m2);
+    faults.check("q_m2ps", request.q_m2ps, limits::kGrowth_m2ps);
     if (request.seed < 0)
         faults.add("seed", "must be at least 0");
-    faults.check("spacing_m", request.spacing_m, {.low = 0, .high = kLargestLength_m});
+    faults.check("spacing_m", request.spacing_m, limits::kLength_m);
     faults.raise();
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/geodesy.h"
 #include "core/plan/policy/policy.h"
+#include "core/scenario/limits.h"
 #include "core/tracking/drift.h"
 #include "core/tracking/observer.h"
 #include "core/vehicle/dubins.h"
@@ -96,16 +97,6 @@ struct Scenario
     std::string extraJson;
     bool operator==(const Scenario&) const = default;
 };
-
-/** Largest |coordinate| and |velocity component| a scenario may hold. */
-inline constexpr double kLargestCoordinate_m = 1e6;
-inline constexpr double kLargestVelocity_mps = 5;
-// Where the file format sets no upper limit, these keep every sum of a run finite.
-inline constexpr double kLargestLength_m = 1e6;
-inline constexpr double kLargestTime_s = 1e9;
-inline constexpr double kLongestLookInterval_s = 60;
-inline constexpr double kLargestGrowth_m2ps = 1e6;
-inline constexpr double kLargestSigma_m2 = 1e12;
 
 /** sigma at t = 0: sigma0 plus growth since the last observation. */
 [[nodiscard]] double initialSigma_m2(const Iceberg& iceberg);

@@ -15,21 +15,8 @@ namespace berg {
 
 namespace {
 
-constexpr double kLargestDuration_s = 604800;
-constexpr double kSmallestTimeStep_s = 0.01;
-constexpr double kLargestTimeStep_s = 1;
-constexpr std::int64_t kLargestSeed = std::int64_t{1} << 53;
-constexpr double kSmallestBank_deg = 1;
-constexpr double kLargestBank_deg = 80;
-constexpr double kLargestTau = 100;
-constexpr double kSlowestAutopilot_s = 60;
-constexpr double kLongestPlanning_s = 3600;
 /** Part of the airspeed above which wind makes flight times grow without much warning. */
 constexpr double kStrongWind = 0.7;
-
-// Where the file format sets no upper limit; others of this kind are in scenario.h.
-constexpr double kLargestAssetSpeed_mps = 50;
-constexpr double kLargestGain = 1e6;
 
 /** Slower autopilots cannot be told when home must be gone for: `wayTo`. */
 constexpr double kSlowestHoming_s = 1;
@@ -121,22 +108,16 @@ private:
     std::vector<Issue> m_issues;
 };
 
-constexpr Limits kCoordinate_m{.low = -kLargestCoordinate_m, .high = kLargestCoordinate_m};
-constexpr Limits kVelocity_mps{.low = -kLargestVelocity_mps, .high = kLargestVelocity_mps};
-constexpr Limits kExtent_m{.low = kSmallestExtent_m, .high = kLargestLength_m};
-
 void checkRun(const Scenario& s, Findings& findings)
 {
     findings.utf8(s.name, "name");
     findings.utf8(s.notes, "notes");
-    findings.inRange(s.origin.latitude_deg, {.low = -90, .high = 90}, "origin.latitude_deg");
-    findings.inRange(s.origin.longitude_deg, {.low = -180, .high = 180}, "origin.longitude_deg");
+    findings.inRange(s.origin.latitude_deg, limits::kLatitude_deg, "origin.latitude_deg");
+    findings.inRange(s.origin.longitude_deg, limits::kLongitude_deg, "origin.longitude_deg");
     if (!s.startUtc.empty() && !isUtcTime(s.startUtc))
         findings.error("start_utc", IssueId::NotUtcTime);
-    const bool duration = findings.inRange(
-        s.duration_s, {.low = 0, .high = kLargestDuration_s, .above = true}, "duration_s");
-    const bool dt =
-        findings.inRange(s.dt_s, {.low = kSmallestTimeStep_s, .high = kLargestTimeStep_s}, "dt_s");
+    const bool duration = findings.inRange(s.duration_s, limits::kDuration_s, "duration_s");
+    const bool dt = findings.inRange(s.dt_s, limits::kTimeStep_s, "dt_s");
     if (duration && dt && s.dt_s > s.duration_s)
         findings.conflict("dt_s", IssueId::StepTooLong);
     if (s.seed < 0 || s.seed > kLargestSeed)
@@ -154,7 +135,8 @@ void checkArea(const Scenario& s, Findings& findings)
     }
     bool finite = true;
     for (std::size_t i = 0; i < s.area_m.size(); ++i)
-        finite = findings.inRange(s.area_m[i], kCoordinate_m, entryPath("area_m", i)) && finite;
+        finite =
+            findings.inRange(s.area_m[i], limits::kCoordinate_m, entryPath("area_m", i)) && finite;
     if (finite && !isSimplePolygon(s.area_m))
         findings.conflict("area_m", IssueId::AreaNotSimple);
 }
@@ -176,26 +158,21 @@ void checkId(const std::string& id, const std::string& owner,
 void checkUav(const Uav& uav, const std::string& path, Findings& findings)
 {
     findings.utf8(uav.name, path + ".name");
-    findings.inRange(uav.position_m, kCoordinate_m, path + ".position_m");
+    findings.inRange(uav.position_m, limits::kCoordinate_m, path + ".position_m");
     if (!std::isfinite(uav.heading_deg))
         findings.error(path + ".heading_deg", IssueId::NotFinite);
-    findings.inRange(uav.spec.airspeed_mps,
-                     {.low = kSlowestAirspeed_mps, .high = kFastestAirspeed_mps},
-                     path + ".airspeed_mps");
-    findings.inRange(uav.spec.maxBank_deg, {.low = kSmallestBank_deg, .high = kLargestBank_deg},
-                     path + ".max_bank_deg");
-    findings.inRange(uav.fov_m, kExtent_m, path + ".fov_m");
-    findings.inRange(uav.spec.altitude_m, kExtent_m, path + ".altitude_m");
+    findings.inRange(uav.spec.airspeed_mps, limits::kAirspeed_mps, path + ".airspeed_mps");
+    findings.inRange(uav.spec.maxBank_deg, limits::kBank_deg, path + ".max_bank_deg");
+    findings.inRange(uav.fov_m, limits::kExtent_m, path + ".fov_m");
+    findings.inRange(uav.spec.altitude_m, limits::kExtent_m, path + ".altitude_m");
     // In memory 0 stands for "none"; a file leaves the member out instead.
-    findings.inRange(
-        uav.spec.endurance_s,
-        {.low = uav.spec.endurance_s > 0 ? kShortestFlight_s : 0, .high = kLargestTime_s},
-        path + ".endurance_s");
+    findings.inRange(uav.spec.endurance_s,
+                     uav.spec.endurance_s > 0 ? limits::kEndurance_s : limits::kTime_s,
+                     path + ".endurance_s");
     if (uav.home_m)
-        findings.inRange(*uav.home_m, kCoordinate_m, path + ".home_m");
-    findings.inRange(uav.turnaround_s, {.low = 0, .high = kLargestTime_s}, path + ".turnaround_s");
-    if (findings.inRange(uav.spec.autopilot_s, {.low = 0, .high = kSlowestAutopilot_s},
-                         path + ".autopilot_s") &&
+        findings.inRange(*uav.home_m, limits::kCoordinate_m, path + ".home_m");
+    findings.inRange(uav.turnaround_s, limits::kTime_s, path + ".turnaround_s");
+    if (findings.inRange(uav.spec.autopilot_s, limits::kAutopilot_s, path + ".autopilot_s") &&
         uav.spec.endurance_s > 0 && uav.spec.autopilot_s > kSlowestHoming_s)
         findings.conflict(path + ".autopilot_s", IssueId::AutopilotTooSlow,
                           {kSlowestHoming_s, uav.spec.autopilot_s});
@@ -253,28 +230,27 @@ void checkTrack(const RecordedTrack& track, const std::string& path, Findings& f
                        {count(points), count(track.position_m.size())});
         return;
     }
-    constexpr Limits kTime_s{.low = -kLargestTime_s, .high = kLargestTime_s};
     for (std::size_t i = 0; i < points; ++i) {
         const std::string time = entryPath(path + ".time_s", i);
-        if (findings.inRange(track.time_s[i], kTime_s, time) && i > 0 &&
+        if (findings.inRange(track.time_s[i], limits::kTrackTime_s, time) && i > 0 &&
             !(track.time_s[i] > track.time_s[i - 1]))
             findings.error(time, IssueId::TrackNotRising);
-        findings.inRange(track.position_m[i], kCoordinate_m, entryPath(path + ".position_m", i));
+        findings.inRange(track.position_m[i], limits::kCoordinate_m,
+                         entryPath(path + ".position_m", i));
     }
 }
 
 void checkIceberg(const Iceberg& iceberg, const std::string& path, Findings& findings)
 {
     findings.utf8(iceberg.name, path + ".name");
-    findings.inRange(iceberg.position_m, kCoordinate_m, path + ".position_m");
-    findings.inRange(iceberg.velocity_mps, kVelocity_mps, path + ".velocity_mps");
-    findings.inRange(iceberg.velocitySd_mps, {.low = 0, .high = kLargestVelocity_mps},
-                     path + ".velocity_sd_mps");
-    findings.inRange(iceberg.q_m2ps, {.low = 0, .high = kLargestGrowth_m2ps}, path + ".q_m2ps");
-    findings.inRange(iceberg.sigma0_m2, {.low = 0, .high = kLargestSigma_m2}, path + ".sigma0_m2");
-    findings.inRange(iceberg.observed_s, {.low = 0, .high = kLargestTime_s}, path + ".observed_s");
-    findings.inRange(iceberg.appears_s, {.low = 0, .high = kLargestTime_s}, path + ".appears_s");
-    findings.inRange(iceberg.radius_m, {.low = 0, .high = kLargestLength_m}, path + ".radius_m");
+    findings.inRange(iceberg.position_m, limits::kCoordinate_m, path + ".position_m");
+    findings.inRange(iceberg.velocity_mps, limits::kVelocity_mps, path + ".velocity_mps");
+    findings.inRange(iceberg.velocitySd_mps, limits::kSpeed_mps, path + ".velocity_sd_mps");
+    findings.inRange(iceberg.q_m2ps, limits::kGrowth_m2ps, path + ".q_m2ps");
+    findings.inRange(iceberg.sigma0_m2, limits::kSigma_m2, path + ".sigma0_m2");
+    findings.inRange(iceberg.observed_s, limits::kTime_s, path + ".observed_s");
+    findings.inRange(iceberg.appears_s, limits::kTime_s, path + ".appears_s");
+    findings.inRange(iceberg.radius_m, limits::kLength_m, path + ".radius_m");
     checkTrack(iceberg.track, path + ".track", findings);
 }
 
@@ -301,7 +277,7 @@ void checkIcebergs(const Scenario& s, std::map<std::string, std::string>& ownerO
 /** Whom icebergs are kept for, and how far apart those fly. */
 void checkFleet(const Scenario& s, Findings& findings)
 {
-    findings.inRange(s.separation_m, {.low = 0, .high = kLargestLength_m}, "separation_m");
+    findings.inRange(s.separation_m, limits::kLength_m, "separation_m");
     if (s.icebergs.size() > kMostIcebergs)
         return;
     std::set<std::string_view> known;
@@ -330,7 +306,7 @@ const Uav* slowestUav(const Scenario& s)
 /** Wind and current: what the UAV can still make way against, and follow. */
 void checkDrift(const Scenario& s, Findings& findings)
 {
-    const bool current = findings.inRange(s.current_mps, kVelocity_mps, "current_mps");
+    const bool current = findings.inRange(s.current_mps, limits::kVelocity_mps, "current_mps");
     if (!s.wind_mps.allFinite()) {
         findings.error("wind_mps", IssueId::NotFinitePair);
         return;
@@ -361,35 +337,29 @@ void checkAsset(const Scenario& s, Findings& findings)
     if (!s.asset)
         return;
     findings.utf8(s.asset->name, "asset.name");
-    findings.inRange(s.asset->position_m, kCoordinate_m, "asset.position_m");
-    findings.inRange(s.asset->velocity_mps,
-                     {.low = -kLargestAssetSpeed_mps, .high = kLargestAssetSpeed_mps},
-                     "asset.velocity_mps");
-    findings.inRange(s.asset->range_m, kExtent_m, "asset.range_m");
-    findings.inRange(s.asset->gain, {.low = 0, .high = kLargestGain}, "asset.gain");
-    findings.inRange(s.asset->alarm_m, {.low = 0, .high = kLargestLength_m}, "asset.alarm_m");
+    findings.inRange(s.asset->position_m, limits::kCoordinate_m, "asset.position_m");
+    findings.inRange(s.asset->velocity_mps, limits::kAssetVelocity_mps, "asset.velocity_mps");
+    findings.inRange(s.asset->range_m, limits::kExtent_m, "asset.range_m");
+    findings.inRange(s.asset->gain, limits::kGain, "asset.gain");
+    findings.inRange(s.asset->alarm_m, limits::kLength_m, "asset.alarm_m");
 }
 
 void checkObserver(const Scenario& s, Findings& findings)
 {
     const ObserverSpec& observer = s.observer;
-    findings.inRange(observer.positionSd_m, {.low = 0, .high = kLargestLength_m},
-                     "observer.position_sd_m");
-    if (findings.inRange(observer.interval_s, {.low = 0, .high = kLongestLookInterval_s},
-                         "observer.interval_s") &&
+    findings.inRange(observer.positionSd_m, limits::kLength_m, "observer.position_sd_m");
+    if (findings.inRange(observer.interval_s, limits::kSensorInterval_s, "observer.interval_s") &&
         observer.model == ObserverModel::Kalman && observer.interval_s < s.dt_s)
         findings.conflict("observer.interval_s", IssueId::SensorIntervalTooShort);
-    findings.inRange(observer.detection, {.low = 0, .high = 1, .above = true},
-                     "observer.detection");
+    findings.inRange(observer.detection, limits::kDetection, "observer.detection");
 }
 
 void checkPlanner(const Scenario& s, Findings& findings)
 {
-    findings.inRange(s.planner.tau, {.low = 0, .high = kLargestTau}, "planner.tau");
-    findings.inRange(s.planningTime_s, {.low = 0, .high = kLongestPlanning_s},
-                     "planner.planning_delay_s");
+    findings.inRange(s.planner.tau, limits::kTau, "planner.tau");
+    findings.inRange(s.planningTime_s, limits::kPlanningDelay_s, "planner.planning_delay_s");
     if (s.reachRadius_m)
-        findings.inRange(*s.reachRadius_m, kExtent_m, "planner.reach_radius_m");
+        findings.inRange(*s.reachRadius_m, limits::kExtent_m, "planner.reach_radius_m");
 }
 
 std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)

@@ -1,20 +1,9 @@
 #pragma once
 
+#include "core/scenario/limits.h"
 #include "core/scenario/scenario.h"
 
 namespace berg {
-
-// Sizes beyond which planning or checking would take memory or time without end.
-inline constexpr std::size_t kMostIcebergs = 1000;
-inline constexpr std::size_t kMostUavs = 100;
-inline constexpr std::size_t kMostAreaCorners = 2000;
-inline constexpr std::size_t kMostTrackPoints = 10'000; ///< of one iceberg
-
-// What nothing that flies is below: smaller numbers make flights that never end.
-inline constexpr double kSlowestAirspeed_mps = 1;
-inline constexpr double kFastestAirspeed_mps = 1000;
-inline constexpr double kSmallestExtent_m = 1; ///< of a field of view, a radius, an altitude
-inline constexpr double kShortestFlight_s = 1;
 
 /**
  * All findings about a scenario at once. Errors: what no program can fly (out of range, not

@@ -10,8 +10,6 @@ namespace {
 
 constexpr int kMostRandom = 1'000'000;
 constexpr int kMostRuns = 1'000'000;
-constexpr double kLargestSeed = 9007199254740992.0; // 2^53
-constexpr double kLargestTau = 100;
 
 /** Gathers what is wrong with a spec. */
 class SpecFaults
@@ -40,19 +38,16 @@ private:
 
 void checkField(const FieldSpec& field, SpecFaults& faults)
 {
-    const Limits length_m{.low = 0, .high = kLargestLength_m};
-    const Limits sigma_m2{.low = 0, .high = kLargestSigma_m2};
     faults.check("field.icebergs", field.icebergs,
                  {.low = 0, .high = static_cast<double>(kMostIcebergs)});
-    faults.check("field.size_m[0]", field.size_m.x(), length_m);
-    faults.check("field.size_m[1]", field.size_m.y(), length_m);
-    faults.check("field.speed_max_mps", field.speedMax_mps,
-                 {.low = 0, .high = kLargestVelocity_mps});
-    faults.check("field.sigma_min_m2", field.sigmaMin_m2, sigma_m2);
-    if (faults.check("field.sigma_max_m2", field.sigmaMax_m2, sigma_m2) &&
+    faults.check("field.size_m[0]", field.size_m.x(), limits::kLength_m);
+    faults.check("field.size_m[1]", field.size_m.y(), limits::kLength_m);
+    faults.check("field.speed_max_mps", field.speedMax_mps, limits::kSpeed_mps);
+    faults.check("field.sigma_min_m2", field.sigmaMin_m2, limits::kSigma_m2);
+    if (faults.check("field.sigma_max_m2", field.sigmaMax_m2, limits::kSigma_m2) &&
         field.sigmaMax_m2 < field.sigmaMin_m2)
         faults.add("field.sigma_max_m2", "must not be below sigma_min_m2");
-    faults.check("field.q_m2ps", field.q_m2ps, {.low = 0, .high = kLargestGrowth_m2ps});
+    faults.check("field.q_m2ps", field.q_m2ps, limits::kGrowth_m2ps);
 }
 
 /** In floating point: a product of hostile numbers must not wrap round. */
@@ -70,14 +65,14 @@ std::vector<Issue> validate(const StudySpec& spec)
     const bool random = faults.check("random", spec.random, {.low = 0, .high = kMostRandom});
     const bool runs = faults.check("runs", spec.runs, {.low = 1, .high = kMostRuns});
     faults.check("first_seed", static_cast<double>(spec.firstSeed),
-                 {.low = 0, .high = kLargestSeed - kMostRandom});
+                 {.low = 0, .high = static_cast<double>(kLargestSeed - kMostRandom)});
     checkField(spec.field, faults);
     if (settingCount(spec) > kMostMissions)
         faults.add("taus", "with the policies would be " + std::to_string(settingCount(spec)) +
                                " settings; at most " + std::to_string(kMostMissions) +
                                " fit into one study");
     for (std::size_t i = 0; i < std::min(spec.taus.size(), kMostMissions); ++i)
-        faults.check(entryPath("taus", i), spec.taus[i], {.low = 0, .high = kLargestTau});
+        faults.check(entryPath("taus", i), spec.taus[i], limits::kTau);
     if (spec.scenarios.empty() && spec.random == 0)
         faults.add("scenarios", "must not be empty when random is 0");
     if (settingCount(spec) == 0)

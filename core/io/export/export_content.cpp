@@ -32,11 +32,9 @@ void checkRange(const std::string& option, const std::optional<double>& value, c
 
 void checkOptions(const ExportSource& source, const ExportOptions& options)
 {
-    constexpr Limits kExtent_m{.low = kSmallestExtent_m, .high = kLargestLength_m};
-    checkRange("altitude", options.altitude_m, kExtent_m);
-    checkRange("speed", options.airspeed_mps,
-               {.low = kSlowestAirspeed_mps, .high = kFastestAirspeed_mps});
-    checkRange("acceptance", options.acceptance_m, kExtent_m);
+    checkRange("altitude", options.altitude_m, limits::kExtent_m);
+    checkRange("speed", options.airspeed_mps, limits::kAirspeed_mps);
+    checkRange("acceptance", options.acceptance_m, limits::kExtent_m);
     if (options.loiterTurns < 0 || options.loiterTurns > kMostLoiterTurns)
         refuse("loiter", "must be 0 to " + std::to_string(kMostLoiterTurns) + " turns");
     if (options.what == ExportWhat::Track && source.mission == nullptr)

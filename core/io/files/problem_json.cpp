@@ -119,7 +119,7 @@ ProblemFile problemFromJson(std::string_view text, const std::string& subject,
     file.problem.sigma_m2 = readSigmas(object);
     file.problem.distance_m = readGeometry(object, file.problem.sigma_m2.size());
     file.problem.route = object.choice("route", Route::Open, kRouteNames);
-    const std::optional<double> tau = object.optionalNumber("tau", kTauLimits);
+    const std::optional<double> tau = object.optionalNumber("tau", limits::kTau);
     const std::optional<double> mu = object.optionalNumber("mu", kProblemNumber);
     parsed.faults.throwIfAny(subject);
 

@@ -143,7 +143,7 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
         Intervention intervention;
         intervention.time_s =
             readTime(object, flownUntil_s, i == 0 ? 0 : interventions.back().time_s);
-        intervention.tau = object.optionalNumber("tau", kTauLimits);
+        intervention.tau = object.optionalNumber("tau", limits::kTau);
         if (object.find("policy") != nullptr)
             intervention.policy = object.choice("policy", PolicyKind::Visitation, kPolicyNames);
         if (object.find("wind_mps") != nullptr)

@@ -225,7 +225,7 @@ Scenario readScenario(ObjectReader& object, ScenarioUse use)
         scenario.origin = readOrigin(*value, scenario, object);
     scenario.startUtc = object.text("start_utc");
     scenario.duration_s = object.number("duration_s", scenario.duration_s);
-    constexpr WholeLimits kSeedLimits{.low = 0, .high = std::int64_t{1} << 53};
+    constexpr WholeLimits kSeedLimits{.low = 0, .high = kLargestSeed};
     scenario.seed = object.whole("seed", scenario.seed, kSeedLimits);
     scenario.dt_s = object.number("dt_s", scenario.dt_s);
     scenario.noise = object.boolean("noise", scenario.noise);

@@ -65,8 +65,8 @@ Uav readUav(const Json& value, const std::string& path, Faults& faults)
     uav.fov_m = object.point("fov_m", uav.fov_m);
     uav.spec.altitude_m = object.number("altitude_m", uav.spec.altitude_m);
     // No member means no limit, which memory writes as 0; a file that says 0 is mistaken.
-    uav.spec.endurance_s =
-        object.number("endurance_s", 0, Limits{.low = 0, .high = 1e9, .above = true});
+    uav.spec.endurance_s = object.number(
+        "endurance_s", 0, Limits{.low = 0, .high = limits::kEndurance_s.high, .above = true});
     if (object.find("home_m") != nullptr)
         uav.home_m = object.point("home_m", uav.position_m);
     uav.turnaround_s = object.number("turnaround_s", uav.turnaround_s);

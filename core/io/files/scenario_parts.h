@@ -9,8 +9,6 @@
 
 namespace berg {
 
-inline constexpr Limits kTauLimits{.low = 0, .high = 100};
-
 /**
  * Scenario of an object whose format and version are checked already. Notes what has the wrong
  * type, is missing or is wrong for this use; the value returned is whole only without faults.

@@ -259,9 +259,9 @@ std::variant<Sighting, RejectedRow> sightingOf(const FieldTexts& texts, const Ro
     Numbers numbers(texts);
     sighting.speed_mps = numbers.read(SightingField::Speed, {.low = 0, .high = kFastest_mps});
     sighting.direction_deg = numbers.read(SightingField::Direction, {.low = -360, .high = 360});
-    sighting.sigma_m2 = numbers.read(SightingField::Sigma, {.low = 0, .high = kLargestSigma_m2});
-    sighting.q_m2ps = numbers.read(SightingField::Growth, {.low = 0, .high = kLargestGrowth_m2ps});
-    const Limits length_m{.low = 0, .high = kLargestLength_m};
+    sighting.sigma_m2 = numbers.read(SightingField::Sigma, limits::kSigma_m2);
+    sighting.q_m2ps = numbers.read(SightingField::Growth, limits::kGrowth_m2ps);
+    const Limits length_m = limits::kLength_m;
     const auto length = numbers.read(SightingField::Length, length_m);
     const auto area = numbers.read(SightingField::Area, {.low = 0, .high = 1e12});
     sighting.radius_m = numbers.read(SightingField::Radius, length_m);

@@ -28,12 +28,12 @@ void checkOptions(const Scenario& base, const ImportOptions& options)
         if (std::string fault = limitsFault(value, limits); !fault.empty())
             issues.push_back({Severity::Error, field, std::move(fault)});
     };
-    check("sigma", options.sigma0_m2, {.low = 0, .high = kLargestSigma_m2});
-    check("q", options.q_m2ps, {.low = 0, .high = kLargestGrowth_m2ps});
-    check("window", options.track.window_s, {.low = 0, .high = kLargestTime_s});
-    check("tolerance", options.tolerance_m, {.low = 0, .high = kLargestLength_m});
+    check("sigma", options.sigma0_m2, limits::kSigma_m2);
+    check("q", options.q_m2ps, limits::kGrowth_m2ps);
+    check("window", options.track.window_s, limits::kTime_s);
+    check("tolerance", options.tolerance_m, limits::kLength_m);
     if (options.area) {
-        check("area: south", options.area->south_deg, {.low = -90, .high = 90});
+        check("area: south", options.area->south_deg, limits::kLatitude_deg);
         check("area: north", options.area->north_deg, {.low = options.area->south_deg, .high = 90});
         check("area: west", options.area->west_deg, {.low = -180, .high = 360});
         check("area: east", options.area->east_deg, {.low = -180, .high = 360});

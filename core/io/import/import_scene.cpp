@@ -115,7 +115,7 @@ void FileScene::addAsset(SceneAsset added)
 
 std::optional<LatLon> scenePlace(double latitude_deg, double longitude_deg)
 {
-    if (!limitsFault(latitude_deg, {.low = -90, .high = 90}).empty() ||
+    if (!limitsFault(latitude_deg, limits::kLatitude_deg).empty() ||
         !limitsFault(longitude_deg, {.low = -180, .high = 360}).empty())
         return std::nullopt;
     return LatLon{.latitude_deg = latitude_deg,

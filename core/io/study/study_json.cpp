@@ -113,7 +113,7 @@ std::vector<Scenario> readScenarios(ObjectReader& study)
 
 StudySpec readSpec(ObjectReader& study)
 {
-    constexpr WholeLimits kSeeds{.low = 0, .high = std::int64_t{1} << 53};
+    constexpr WholeLimits kSeeds{.low = 0, .high = kLargestSeed};
     StudySpec spec;
     spec.name = study.text("name");
     spec.taus = readTaus(study);

@@ -21,7 +21,7 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr int kLargestSeed = 999'999;
+constexpr int kLastSeed = 999'999;
 constexpr double kLargestSide_m = 1e6;
 constexpr double kLargestSigma = 1e6;
 constexpr double kLargestGrowth = 1e3;
@@ -144,14 +144,14 @@ void GenerateDialog::addMotion(QFormLayout& form)
                              tr("Lowest speed"),
                              u' ' + speed.name,
                              {1, 2},
-                             shownLimits({.low = 0, .high = kLargestVelocity_mps}, speed, 2).high,
+                             shownLimits(limits::kSpeed_mps, speed, 2).high,
                              0.05,
                              speed.fromSi(standard.speedMin_mps)});
     m_speedMax = makeNumber({"generateSpeedMax",
                              tr("Highest speed"),
                              u' ' + speed.name,
                              {1, 2},
-                             shownLimits({.low = 0, .high = kLargestVelocity_mps}, speed, 2).high,
+                             shownLimits(limits::kSpeed_mps, speed, 2).high,
                              0.05,
                              speed.fromSi(standard.speedMax_mps)});
     addRow(form, tr("S&peed"), {m_speedMin, new QLabel(tr("to")), m_speedMax});
@@ -217,7 +217,7 @@ void GenerateDialog::addSeed(QFormLayout& form)
 {
     m_seed = new QSpinBox;
     m_seed->setObjectName(u"generateSeed"_s);
-    m_seed->setRange(0, kLargestSeed);
+    m_seed->setRange(0, kLastSeed);
     m_seed->setValue(static_cast<int>(FieldRequest{}.seed));
     m_seed->setToolTip(tr("The same number draws the same field again."));
     auto* dice = new QPushButton(tr("&Another"));
@@ -227,7 +227,7 @@ void GenerateDialog::addSeed(QFormLayout& form)
     addRow(form, tr("&Seed"), {m_seed, dice});
     connect(m_seed, &QSpinBox::valueChanged, this, &GenerateDialog::draw);
     connect(dice, &QPushButton::clicked, this,
-            [this] { m_seed->setValue(QRandomGenerator::global()->bounded(1, kLargestSeed)); });
+            [this] { m_seed->setValue(QRandomGenerator::global()->bounded(1, kLastSeed)); });
 }
 
 void GenerateDialog::addEnd(QFormLayout& form)

@@ -19,7 +19,6 @@ struct IcebergColumnText
     Q_DECLARE_TR_FUNCTIONS(IcebergColumnText)
 };
 
-constexpr Limits kSpeed_mps{.low = 0, .high = kLargestVelocity_mps};
 constexpr Limits kDirection_deg{.low = 0, .high = 360};
 
 /** The row of the inspector that edits this number. */
@@ -180,7 +179,7 @@ IcebergColumnSpecs icebergColumnSpecs()
         inBoth(inEditor(u"speed"_s, IcebergColumnText::tr("Speed, %1"),
                         IcebergColumnText::tr("Known drift; in flight the current is in it"),
                         driftRow(drift, {.least = 2, .most = 3},
-                                 shownLimits(kSpeed_mps, speedUnit(), 3))),
+                                 shownLimits(limits::kSpeed_mps, speedUnit(), 3))),
                speedUnit()),
         inEditor(u"direction"_s, IcebergColumnText::tr("Direction, °"),
                  IcebergColumnText::tr("Where it drifts to, degrees clockwise from north"),

@@ -8,8 +8,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kLargestAssetSpeed_mps = 50;
-constexpr double kLargestGain = 1e6;
 constexpr double kSpeedStep_mps = 0.5;
 
 template <class Number>
@@ -25,20 +23,21 @@ NumberRow assetRow(const RowWords& words, const QString& unit, Number number, co
 
 std::vector<InspectorRow> velocityRows()
 {
-    constexpr Limits kSpeed_mps{.low = -kLargestAssetSpeed_mps, .high = kLargestAssetSpeed_mps};
     const QString undoText = InspectorRows::tr("Change velocity of the asset");
     NumberRow east = assetRow(
         {.key = u"assetVelocityEast"_s,
          .label = InspectorRows::tr("Speed east"),
          .toolTip = InspectorRows::tr("What a ship makes to the east; 0 for a platform."),
          .undoText = undoText},
-        {}, [](auto& asset) -> auto& { return asset.velocity_mps.x(); }, kSpeed_mps);
+        {}, [](auto& asset) -> auto& { return asset.velocity_mps.x(); },
+        limits::kAssetVelocity_mps);
     NumberRow north = assetRow(
         {.key = u"assetVelocityNorth"_s,
          .label = InspectorRows::tr("Speed north"),
          .toolTip = InspectorRows::tr("What a ship makes to the north; 0 for a platform."),
          .undoText = undoText},
-        {}, [](auto& asset) -> auto& { return asset.velocity_mps.y(); }, kSpeed_mps);
+        {}, [](auto& asset) -> auto& { return asset.velocity_mps.y(); },
+        limits::kAssetVelocity_mps);
     east.step = north.step = kSpeedStep_mps;
     return {
         asSpeed(east), asSpeed(north),
@@ -71,27 +70,26 @@ std::vector<InspectorRow> assetRows()
          .label = InspectorRows::tr("Range"),
          .toolTip = InspectorRows::tr("How near an iceberg matters to it."),
          .undoText = InspectorRows::tr("Change range of the asset")},
-        {}, [](auto& asset) -> auto& { return asset.range_m; }, kExtent_m);
+        {}, [](auto& asset) -> auto& { return asset.range_m; }, limits::kExtent_m);
     range.step = 500;
     rows.emplace_back(asDistance(range));
-    NumberRow alarm = assetRow({.key = u"assetAlarm"_s,
-                                .label = InspectorRows::tr("Inner ring"),
-                                .toolTip = InspectorRows::tr(
-                                    "An iceberg on its way into it within an hour is an alarm; at "
-                                    "0 it is half the range."),
-                                .undoText = InspectorRows::tr("Change inner ring of the asset")},
-                               {}, [](auto& asset) -> auto& { return asset.alarm_m; },
-                               {.low = 0, .high = kExtent_m.high});
+    NumberRow alarm = assetRow(
+        {.key = u"assetAlarm"_s,
+         .label = InspectorRows::tr("Inner ring"),
+         .toolTip =
+             InspectorRows::tr("An iceberg on its way into it within an hour is an alarm; at "
+                               "0 it is half the range."),
+         .undoText = InspectorRows::tr("Change inner ring of the asset")},
+        {}, [](auto& asset) -> auto& { return asset.alarm_m; }, limits::kLength_m);
     alarm.step = 500;
     alarm.lowestText = InspectorRows::tr("half the range");
     rows.emplace_back(asDistance(alarm));
-    rows.emplace_back(
-        assetRow({.key = u"assetGain"_s,
-                  .label = InspectorRows::tr("Gain"),
-                  .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
-                  .undoText = InspectorRows::tr("Change gain of the asset")},
-                 QString(), [](auto& asset) -> auto& { return asset.gain; },
-                 {.low = 0, .high = kLargestGain}));
+    rows.emplace_back(assetRow(
+        {.key = u"assetGain"_s,
+         .label = InspectorRows::tr("Gain"),
+         .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
+         .undoText = InspectorRows::tr("Change gain of the asset")},
+        QString(), [](auto& asset) -> auto& { return asset.gain; }, limits::kGain));
     rows.emplace_back(
         ActionRow{.words = {.key = u"assetRemove"_s,
                             .toolTip = InspectorRows::tr("Takes the asset off the map."),

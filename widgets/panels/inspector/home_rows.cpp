@@ -6,8 +6,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr Limits kCoordinate_m{.low = -kLargestCoordinate_m, .high = kLargestCoordinate_m};
-
 bool isLimited(const Scenario& scenario, const std::string& id)
 {
     const Uav* uav = objectOf(scenario.uavs, id);
@@ -46,7 +44,7 @@ NumberRow homeRow(const QString& key, const QString& label, const QString& toolT
                                home_m[axis] = value;
                                uav->home_m = home_m;
                            },
-                       .range = always(kCoordinate_m)});
+                       .range = always(limits::kCoordinate_m)});
 }
 
 PartRow ownHomeRow()
@@ -95,7 +93,7 @@ std::vector<InspectorRow> homeRows()
                       .step = 60,
                       .read = reading<Uav>(number),
                       .write = writing<Uav>(number),
-                      .range = always(kTime_s)}};
+                      .range = always(limits::kTime_s)}};
 }
 
 } // namespace berg

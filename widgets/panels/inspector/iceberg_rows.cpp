@@ -9,10 +9,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr Limits kSigma_m2{.low = 0, .high = 1e12};
-constexpr Limits kGrowth_m2ps{.low = 0, .high = 1e6};
-constexpr Limits kRadius_m{.low = 0, .high = 1e6};
-
 NumberRow icebergRow(const RowWords& words, const QString& unit, double Iceberg::*member,
                      const Limits& limits)
 {
@@ -41,7 +37,7 @@ std::vector<InspectorRow> driftRows()
                         .step = kVelocityStep_mps,
                         .read = reading<Iceberg>(number),
                         .write = writing<Iceberg>(number),
-                        .range = always(kVelocity_mps)});
+                        .range = always(limits::kVelocity_mps)});
     };
     NumberRow deviation = asSpeed(
         icebergRow({.key = u"icebergVelocitySd"_s,
@@ -51,7 +47,7 @@ std::vector<InspectorRow> driftRows()
                         "differs from it by as much."),
                     .undoText = InspectorRows::tr("Change drift error"),
                     .isShown = isFiltered},
-                   {}, &Iceberg::velocitySd_mps, {.low = 0, .high = kLargestVelocity_mps}));
+                   {}, &Iceberg::velocitySd_mps, limits::kSpeed_mps));
     deviation.decimals = {.least = 2, .most = 3};
     deviation.step = kVelocityStep_mps;
     return {
@@ -79,14 +75,14 @@ std::vector<InspectorRow> uncertaintyRows()
                     .label = InspectorRows::tr("Uncertainty σ₀"),
                     .toolTip = InspectorRows::tr("Variance of the position when it was last seen."),
                     .undoText = InspectorRows::tr("Change uncertainty")},
-                   u" m²"_s, &Iceberg::sigma0_m2, kSigma_m2);
+                   u" m²"_s, &Iceberg::sigma0_m2, limits::kSigma_m2);
     sigma.decimals = {.least = 0, .most = 3};
     NumberRow growth = icebergRow(
         {.key = u"icebergGrowth"_s,
          .label = InspectorRows::tr("Growth q"),
          .toolTip = InspectorRows::tr("What the uncertainty grows by in a second out of view."),
          .undoText = InspectorRows::tr("Change growth of uncertainty")},
-        u" m²/s"_s, &Iceberg::q_m2ps, kGrowth_m2ps);
+        u" m²/s"_s, &Iceberg::q_m2ps, limits::kGrowth_m2ps);
     growth.decimals = {.least = 3, .most = 6};
     growth.step = 0.005;
     const auto deviation = [](const Scenario& scenario, const std::string& id,
@@ -171,13 +167,13 @@ std::vector<InspectorRow> icebergRows()
          .toolTip = InspectorRows::tr("How long before the start it was last seen; σ has grown "
                                       "since."),
          .undoText = InspectorRows::tr("Change time last seen")},
-        InspectorRows::tr(" s ago", "unit after a number"), &Iceberg::observed_s, kTime_s));
+        InspectorRows::tr(" s ago", "unit after a number"), &Iceberg::observed_s, limits::kTime_s));
     NumberRow appears = icebergRow(
         {.key = u"icebergAppears"_s,
          .label = InspectorRows::tr("Appears at"),
          .toolTip = InspectorRows::tr("Time of the run from which on it is known; 0 is the start."),
          .undoText = InspectorRows::tr("Change time of appearing")},
-        u" s"_s, &Iceberg::appears_s, kTime_s);
+        u" s"_s, &Iceberg::appears_s, limits::kTime_s);
     appears.step = 10;
     rows.emplace_back(appears);
     NumberRow radius =
@@ -185,7 +181,7 @@ std::vector<InspectorRow> icebergRows()
                     .label = InspectorRows::tr("Radius"),
                     .toolTip = InspectorRows::tr("Half its length; decides its size on the map."),
                     .undoText = InspectorRows::tr("Change radius")},
-                   u" m"_s, &Iceberg::radius_m, kRadius_m);
+                   u" m"_s, &Iceberg::radius_m, limits::kLength_m);
     radius.step = 5;
     rows.emplace_back(radius);
     rows.emplace_back(visitorRow());

@@ -21,11 +21,6 @@ struct InspectorRows
     Q_DECLARE_TR_FUNCTIONS(InspectorRows)
 };
 
-// Ranges of `validate`; what it wants above 0 starts at the smallest number that can be typed.
-inline constexpr Limits kVelocity_mps{.low = -kLargestVelocity_mps, .high = kLargestVelocity_mps};
-inline constexpr Limits kExtent_m{.low = kSmallestExtent_m, .high = kLargestLength_m};
-inline constexpr Limits kTime_s{.low = 0, .high = 1e9};
-
 // Steps of the arrows.
 inline constexpr double kVelocityStep_mps = 0.05;
 

@@ -10,7 +10,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr Limits kCoordinate_m{.low = -kLargestCoordinate_m, .high = kLargestCoordinate_m};
 constexpr double kPositionStep_m = 10;
 constexpr int kMoreDecimals = 3; ///< of nautical miles than of metres
 constexpr double kKnotSteps = 2; ///< as large a step as in m/s, about
@@ -67,7 +66,7 @@ std::vector<InspectorRow> positionRows(const QString& kind)
                            .step = kPositionStep_m,
                            .read = reading<Object>(number),
                            .write = writing<Object>(number),
-                           .range = always(kCoordinate_m)});
+                           .range = always(limits::kCoordinate_m)});
     };
     const auto place = [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
         const Object* object = objectIn<Object>(scenario, id);

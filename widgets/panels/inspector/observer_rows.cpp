@@ -19,7 +19,7 @@ NumberRow measurementRow()
          .undoText = InspectorRows::tr("Change position error"),
          .isShown = isFiltered},
         u" m"_s, [](auto& scenario) -> auto& { return scenario.observer.positionSd_m; },
-        always({.low = 0, .high = kLargestLength_m}));
+        always(limits::kLength_m));
     row.decimals = {.least = 0, .most = 1};
     return row;
 }
@@ -36,7 +36,7 @@ NumberRow intervalRow()
          .isShown = isFiltered},
         u" s"_s, [](auto& scenario) -> auto& { return scenario.observer.interval_s; },
         [](const Scenario& scenario) {
-            return Limits{.low = scenario.dt_s, .high = kLongestLookInterval_s};
+            return Limits{.low = scenario.dt_s, .high = limits::kSensorInterval_s.high};
         });
     row.decimals = {.least = 0, .most = 3};
     return row;

@@ -19,10 +19,11 @@ std::vector<InspectorRow> plannerRows()
                    const std::string&) { return scenario.reachRadius_m.value_or(0); },
         .write =
             [](Scenario& scenario, const std::string&, double value) {
-                scenario.reachRadius_m =
-                    value > 0 ? std::optional(std::max(value, kExtent_m.low)) : std::nullopt;
+                scenario.reachRadius_m = value > 0
+                                             ? std::optional(std::max(value, limits::kExtent_m.low))
+                                             : std::nullopt;
             },
-        .range = always({.low = 0, .high = kExtent_m.high}),
+        .range = always(limits::kLength_m),
         .lowestText = InspectorRows::tr("in view")};
     NumberRow latency{
         .words = {.key = u"scenarioLatency"_s,
@@ -37,7 +38,7 @@ std::vector<InspectorRow> plannerRows()
                    const std::string&) { return scenario.planningTime_s; },
         .write = [](Scenario& scenario, const std::string&,
                     double value) { scenario.planningTime_s = value; },
-        .range = always({.low = 0, .high = 3600})};
+        .range = always(limits::kPlanningDelay_s)};
     const FlagRow clusters{
         .words = {.key = u"scenarioClusters"_s,
                   .label = InspectorRows::tr("Group nearby icebergs"),

@@ -8,17 +8,13 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr Limits kSeed{.low = 0, .high = 9007199254740992};
-constexpr double kLargestDuration_s = 604800;
-constexpr double kSmallestTimeStep_s = 0.01;
-constexpr double kLargestTimeStep_s = 1;
 constexpr double kWindStep_mps = 0.5;
 
 /** What is left for one component of the wind beside the other: slower than the slowest UAV. */
 Limits windRange(const Scenario& scenario, double other_mps)
 {
     const double airspeed_mps =
-        scenario.uavs.empty() ? kFastestAirspeed_mps : slowestAirspeed_mps(scenario);
+        scenario.uavs.empty() ? limits::kAirspeed_mps.high : slowestAirspeed_mps(scenario);
     const double room_mps =
         std::sqrt(std::max(0.0, airspeed_mps * airspeed_mps - other_mps * other_mps));
     const double largest_mps = std::max(0.0, std::ceil(100 * room_mps - 1) / 100);
@@ -61,14 +57,14 @@ std::vector<InspectorRow> currentRows()
          .toolTip = InspectorRows::tr("Carries every iceberg towards the east."),
          .undoText = undoText},
         {}, [](auto& scenario) -> auto& { return scenario.current_mps.x(); },
-        always(kVelocity_mps));
+        always(limits::kVelocity_mps));
     NumberRow north = scenarioRow(
         {.key = u"scenarioCurrentNorth"_s,
          .label = InspectorRows::tr("Current north"),
          .toolTip = InspectorRows::tr("Carries every iceberg towards the north."),
          .undoText = undoText},
         {}, [](auto& scenario) -> auto& { return scenario.current_mps.y(); },
-        always(kVelocity_mps));
+        always(limits::kVelocity_mps));
     east.step = north.step = kVelocityStep_mps;
     east.decimals = north.decimals = {.least = 2, .most = 3};
     return {asSpeed(east), asSpeed(north)};
@@ -83,8 +79,8 @@ std::vector<InspectorRow> runRows()
          .undoText = InspectorRows::tr("Change duration")},
         u" s"_s, [](auto& scenario) -> auto& { return scenario.duration_s; },
         [](const Scenario& scenario) {
-            return Limits{.low = std::max(kSmallestTimeStep_s, scenario.dt_s),
-                          .high = kLargestDuration_s};
+            return Limits{.low = std::max(limits::kTimeStep_s.low, scenario.dt_s),
+                          .high = limits::kDuration_s.high};
         });
     duration.step = 60;
     NumberRow timeStep = scenarioRow(
@@ -94,8 +90,8 @@ std::vector<InspectorRow> runRows()
          .undoText = InspectorRows::tr("Change time step")},
         u" s"_s, [](auto& scenario) -> auto& { return scenario.dt_s; },
         [](const Scenario& scenario) {
-            return Limits{.low = kSmallestTimeStep_s,
-                          .high = std::min({kLargestTimeStep_s, scenario.duration_s,
+            return Limits{.low = limits::kTimeStep_s.low,
+                          .high = std::min({limits::kTimeStep_s.high, scenario.duration_s,
                                             scenario.observer.interval_s})};
         });
     timeStep.step = 0.05;
@@ -110,7 +106,7 @@ std::vector<InspectorRow> runRows()
                    const std::string&) { return static_cast<double>(scenario.seed); },
         .write = [](Scenario& scenario, const std::string&,
                     double value) { scenario.seed = std::llround(value); },
-        .range = always(kSeed)};
+        .range = always({.low = 0, .high = static_cast<double>(kLargestSeed)})};
     const FlagRow noise{
         .words = {.key = u"scenarioNoise"_s,
                   .label = InspectorRows::tr("Random drift"),
@@ -131,7 +127,7 @@ NumberRow separationRow()
          .undoText = InspectorRows::tr("Change separation"),
          .isShown = isFleet},
         {}, [](auto& scenario) -> auto& { return scenario.separation_m; },
-        always({.low = 0, .high = kLargestLength_m}));
+        always(limits::kLength_m));
     row.step = 50;
     row.lowestText = InspectorRows::tr("never warned of");
     return asDistance(row);
@@ -140,13 +136,12 @@ NumberRow separationRow()
 std::vector<InspectorRow> placeRows()
 {
     const auto degrees = [](const QString& key, const QString& label, const QString& toolTip,
-                            auto number, double largest_deg) {
-        NumberRow row =
-            scenarioRow({.key = key,
-                         .label = label,
-                         .toolTip = toolTip,
-                         .undoText = InspectorRows::tr("Change origin")},
-                        u"°"_s, number, always({.low = -largest_deg, .high = largest_deg}));
+                            auto number, const Limits& range) {
+        NumberRow row = scenarioRow({.key = key,
+                                     .label = label,
+                                     .toolTip = toolTip,
+                                     .undoText = InspectorRows::tr("Change origin")},
+                                    u"°"_s, number, always(range));
         row.decimals = {.least = 1, .most = 6};
         row.step = 0.1;
         return row;
@@ -155,11 +150,13 @@ std::vector<InspectorRow> placeRows()
         degrees(
             u"scenarioLatitude"_s, InspectorRows::tr("Latitude"),
             InspectorRows::tr("Of the origin, north positive; everything moves along with it."),
-            [](auto& scenario) -> auto& { return scenario.origin.latitude_deg; }, 90),
+            [](auto& scenario) -> auto& { return scenario.origin.latitude_deg; },
+            limits::kLatitude_deg),
         degrees(
             u"scenarioLongitude"_s, InspectorRows::tr("Longitude"),
             InspectorRows::tr("Of the origin, east positive; everything moves along with it."),
-            [](auto& scenario) -> auto& { return scenario.origin.longitude_deg; }, 180),
+            [](auto& scenario) -> auto& { return scenario.origin.longitude_deg; },
+            limits::kLongitude_deg),
         InfoRow{.key = u"scenarioPlace"_s,
                 .text =
                     [](const Scenario& scenario, const std::string&, const QLocale& locale) {

@@ -7,8 +7,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr Limits kBank_deg{.low = 1, .high = 80};
-
 NumberRow uavRow(const RowWords& words, const QString& unit, double UavSpec::*member,
                  const Limits& limits)
 {
@@ -63,8 +61,9 @@ NumberRow airspeedRow()
     row.decimals = {.least = 0, .most = 2};
     row.range = [](const Scenario& scenario) {
         const double wind_mps = scenario.wind_mps.norm();
-        return Limits{.low = std::max(kSlowestAirspeed_mps, std::floor(100 * wind_mps + 1) / 100),
-                      .high = kFastestAirspeed_mps};
+        return Limits{.low =
+                          std::max(limits::kAirspeed_mps.low, std::floor(100 * wind_mps + 1) / 100),
+                      .high = limits::kAirspeed_mps.high};
     };
     return asSpeed(row);
 }
@@ -82,7 +81,7 @@ std::vector<InspectorRow> fieldOfViewRows()
                          .step = 50,
                          .read = reading<Uav>(number),
                          .write = writing<Uav>(number),
-                         .range = always(kExtent_m)};
+                         .range = always(limits::kExtent_m)};
     };
     return {row(
                 u"uavFovAlong"_s, InspectorRows::tr("View along"),
@@ -107,7 +106,7 @@ std::vector<InspectorRow> uavRows()
                               .toolTip = InspectorRows::tr("Bank in a turn; the larger, the "
                                                            "tighter the turns."),
                               .undoText = InspectorRows::tr("Change largest bank")},
-                             u"°"_s, &UavSpec::maxBank_deg, kBank_deg));
+                             u"°"_s, &UavSpec::maxBank_deg, limits::kBank_deg));
     append(rows, fieldOfViewRows());
     NumberRow altitude =
         uavRow({.key = u"uavAltitude"_s,
@@ -115,7 +114,7 @@ std::vector<InspectorRow> uavRows()
                 .toolTip = InspectorRows::tr("Height above the sea: UAVs that are 30 m "
                                              "apart in it pass each other."),
                 .undoText = InspectorRows::tr("Change altitude")},
-               u" m"_s, &UavSpec::altitude_m, kExtent_m);
+               u" m"_s, &UavSpec::altitude_m, limits::kExtent_m);
     altitude.step = 10;
     rows.emplace_back(altitude);
     NumberRow endurance =
@@ -124,7 +123,7 @@ std::vector<InspectorRow> uavRows()
                 .toolTip = InspectorRows::tr("Longest flight: it is home before that; at 0 "
                                              "it never lands."),
                 .undoText = InspectorRows::tr("Change endurance")},
-               u" s"_s, &UavSpec::endurance_s, kTime_s);
+               u" s"_s, &UavSpec::endurance_s, limits::kTime_s);
     endurance.step = 60;
     endurance.lowestText = InspectorRows::tr("unlimited");
     rows.emplace_back(endurance);
@@ -135,7 +134,7 @@ std::vector<InspectorRow> uavRows()
                 .toolTip = InspectorRows::tr("Time between two commands of the autopilot; at 0 it "
                                              "commands at each time step."),
                 .undoText = InspectorRows::tr("Change autopilot rate")},
-               u" s"_s, &UavSpec::autopilot_s, {.low = 0, .high = 60});
+               u" s"_s, &UavSpec::autopilot_s, limits::kAutopilot_s);
     autopilot.decimals = {.least = 0, .most = 2};
     autopilot.lowestText = InspectorRows::tr("each time step");
     rows.emplace_back(autopilot);

@@ -26,7 +26,6 @@ namespace {
 constexpr double kSliderStep = 0.01;
 constexpr int kSliderEnd = 500; ///< tau 5
 constexpr int kSliderPage = 25; ///< tau 0.25
-constexpr double kLargestTau = 100;
 constexpr double kFieldStep = 0.05;
 constexpr int kTauRest_ms = 500;
 constexpr int kMargin_px = 10;
@@ -153,7 +152,7 @@ void TradeoffPanel::addTau()
     m_tau = new NumberField;
     m_tau->setObjectName(u"tauField"_s);
     m_tau->setAccessibleName(tr("Trade-off τ"));
-    m_tau->setRange(0, kLargestTau);
+    m_tau->setRange(limits::kTau.low, limits::kTau.high);
     m_tau->setNumberFormat({.least = 2, .most = 3}, {});
     m_tau->setSingleStep(kFieldStep);
     auto* label = new QLabel(tr("Trade-off τ"));

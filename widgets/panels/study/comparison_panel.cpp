@@ -26,7 +26,6 @@ constexpr int kBar_px = 6;
 constexpr int kLowestTable_px = 44; ///< a row and the header: a dock may come from side to foot
 constexpr int kBarSteps = 1000;
 constexpr int kLowFrom_px = 125; ///< wider than high by so much: list and tables side by side
-constexpr double kMostTau = 100;
 
 bool isTour(const ComparedRun& run)
 {
@@ -121,7 +120,7 @@ void ComparisonPanel::addActions()
     m_tau->setToolTip(tr("0: most uncertain first; the larger, the shorter the route."));
     m_tau->setNumberFormat({.least = 2, .most = 4}, {});
     m_tau->setSingleStep(0.25);
-    m_tau->setRange(0, kMostTau);
+    m_tau->setRange(limits::kTau.low, limits::kTau.high);
     m_tau->showValue(0.5);
     m_tauLabel->setBuddy(m_tau);
     m_fly = new QPushButton(tr("Fly"));

@@ -21,13 +21,12 @@ namespace {
 constexpr int kGap_px = 6;
 constexpr int kSection_px = 10;
 constexpr int kMark_px = 12;
-constexpr double kLargestTau = 100;
 constexpr double kMostTaus = 1000;
 constexpr double kRandom = 100;
 constexpr double kIcebergs = 12; ///< Table 3 of the paper
 constexpr double kMostScenarios = 100'000;
 constexpr double kMostRuns = 10'000;
-constexpr double kLargestSeed = 999'999'999;
+constexpr double kLastSeed = 999'999'999;
 
 QIcon markIcon(PolicyKind policy, const Theme& theme)
 {
@@ -109,7 +108,7 @@ void StudySetup::addScenarios()
     row->setSpacing(kGap_px);
     m_count = addNumber(*row, {"studyCount", tr("How many"), 1, kMostScenarios, kRandom, 0,
                                tr("Number of random scenarios.")});
-    m_seed = addNumber(*row, {"studySeed", tr("First seed"), 0, kLargestSeed, 1, 0,
+    m_seed = addNumber(*row, {"studySeed", tr("First seed"), 0, kLastSeed, 1, 0,
                               tr("The others have the seeds that follow.")});
     m_icebergs = addNumber(*row, {"studyIcebergs", tr("Icebergs"), 1, 500, kIcebergs, 0,
                                   tr("Number of icebergs in each random scenario.")});
@@ -127,12 +126,12 @@ void StudySetup::addTau()
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(kGap_px);
-    m_from = addNumber(
-        *row, {"studyTauFrom", tr("τ from"), 0, kLargestTau, 0, 3, tr("Smallest trade-off τ.")});
-    m_to = addNumber(*row, {"studyTauTo", tr("to", "largest tau"), 0, kLargestTau, 4, 3,
+    m_from = addNumber(*row, {"studyTauFrom", tr("τ from"), 0, limits::kTau.high, 0, 3,
+                              tr("Smallest trade-off τ.")});
+    m_to = addNumber(*row, {"studyTauTo", tr("to", "largest tau"), 0, limits::kTau.high, 4, 3,
                             tr("Largest trade-off τ.")});
-    m_step = addNumber(*row, {"studyTauStep", tr("step", "of tau"), 0.001, kLargestTau, 0.1, 3,
-                              tr("Between two values of τ.")});
+    m_step = addNumber(*row, {"studyTauStep", tr("step", "of tau"), 0.001, limits::kTau.high, 0.1,
+                              3, tr("Between two values of τ.")});
     columnOf(*this).addLayout(row);
 }
 

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace berg {
+
+/** Allowed values of a number. */
+struct Limits
+{
+    double low = 0;
+    double high = 0;
+    bool above = false; ///< `low` itself is not allowed
+};
+
+// Sizes beyond which planning or checking would take memory or time without end.
+inline constexpr std::size_t kMostIcebergs = 1000;
+inline constexpr std::size_t kMostUavs = 100;
+inline constexpr std::size_t kMostAreaCorners = 2000;
+inline constexpr std::size_t kMostTrackPoints = 10'000; ///< of one iceberg
+
+inline constexpr double kLargestCoordinate_m = 1e6;
+inline constexpr double kLargestVelocity_mps = 5; ///< of an iceberg or the current, each component
+// Where the file format sets no upper limit, these keep every sum of a run finite.
+inline constexpr double kLargestLength_m = 1e6;
+inline constexpr double kLargestTime_s = 1e9;
+inline constexpr double kLargestGrowth_m2ps = 1e6;
+inline constexpr double kLargestSigma_m2 = 1e12;
+inline constexpr std::int64_t kLargestSeed = std::int64_t{1}
+                                             << 53; ///< exact in every reader of JSON
+
+/**
+ * What the numbers of a scenario may be, the only place that says so: `validate`, readers and input
+ * fields ask here, and a test compares it with the page about scenario files.
+ */
+namespace limits {
+inline constexpr Limits kLatitude_deg{.low = -90, .high = 90};
+inline constexpr Limits kLongitude_deg{.low = -180, .high = 180};
+inline constexpr Limits kDuration_s{.low = 0, .high = 604800, .above = true};
+inline constexpr Limits kTimeStep_s{.low = 0.01, .high = 1};
+inline constexpr Limits kCoordinate_m{.low = -kLargestCoordinate_m, .high = kLargestCoordinate_m};
+inline constexpr Limits kVelocity_mps{.low = -kLargestVelocity_mps, .high = kLargestVelocity_mps};
+inline constexpr Limits kSpeed_mps{.low = 0, .high = kLargestVelocity_mps};
+inline constexpr Limits kLength_m{.low = 0, .high = kLargestLength_m};
+inline constexpr Limits kTime_s{.low = 0, .high = kLargestTime_s};
+inline constexpr Limits kTrackTime_s{.low = -kLargestTime_s, .high = kLargestTime_s};
+inline constexpr Limits kGrowth_m2ps{.low = 0, .high = kLargestGrowth_m2ps};
+inline constexpr Limits kSigma_m2{.low = 0, .high = kLargestSigma_m2};
+// Nothing that flies is below: smaller numbers make flights that never end.
+inline constexpr Limits kAirspeed_mps{.low = 1, .high = 1000};
+inline constexpr Limits kExtent_m{.low = 1, .high = kLargestLength_m};  ///< field of view, altitude
+inline constexpr Limits kEndurance_s{.low = 1, .high = kLargestTime_s}; ///< or none
+inline constexpr Limits kBank_deg{.low = 1, .high = 80};
+inline constexpr Limits kAutopilot_s{.low = 0, .high = 60};
+inline constexpr Limits kAssetVelocity_mps{.low = -50, .high = 50};
+inline constexpr Limits kGain{.low = 0, .high = 1e6};
+inline constexpr Limits kSensorInterval_s{.low = 0, .high = 60};
+inline constexpr Limits kDetection{.low = 0, .high = 1, .above = true};
+inline constexpr Limits kTau{.low = 0, .high = 100};
+inline constexpr Limits kPlanningDelay_s{.low = 0, .high = 3600};
+} // namespace limits
+
+} // namespace berg
