@@ -6289,6 +6289,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Plan: isfjell i besøksrekkefølge</translation>
     </message>
     <message>
+        <source>%1 including the return, flown %2</source>
+        <translation>%1 med returen, fløyet %2</translation>
+    </message>
+    <message>
         <source>%1, flown %2</source>
         <translation>%1, fløyet %2</translation>
     </message>
@@ -6301,9 +6305,9 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Rekkefølgen før endringen ved %1: %2</translation>
     </message>
     <message>
-        <source>Predicted for straight legs to where the icebergs are now,
+        <source>Predicted for straight legs to the icebergs as they drift,
 with nothing seen on the way and no new plans.</source>
-        <translation>Beregnet for rette etapper til der isfjellene er nå,
+        <translation>Beregnet for rette etapper til isfjellene slik de driver,
 uten noe sett underveis og uten ny planlegging.</translation>
     </message>
     <message>

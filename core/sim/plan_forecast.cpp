@@ -1,7 +1,7 @@
 #include "core/sim/plan_forecast.h"
 
-#include "core/base/enclosing_circle.h"
 #include "core/sim/clusters.h"
+#include "core/sim/leg_flight.h"
 
 #include <algorithm>
 
@@ -38,17 +38,27 @@ std::span<const int> seenTogether(std::span<const int> order,
     return order.first(count);
 }
 
-/** Where they are seen from. */
-Point placeOf(std::span<const int> icebergs, const ForecastStart& start)
+/** The circle round them after the start, as they drift. */
+Circle circleRound(std::span<const int> icebergs, const ForecastStart& start, double after_s)
 {
-    std::vector<Point> estimates_m;
-    for (const int iceberg : icebergs) {
-        const auto i = static_cast<std::size_t>(iceberg);
-        require(iceberg >= 0 && i < start.world.tracks.size(),
+    std::vector<Point> places_m;
+    for (const int iceberg : icebergs)
+        places_m.push_back(start.world.tracks[static_cast<std::size_t>(iceberg)].estimate_m(
+            start.time_s + after_s));
+    return enclosingCircle(places_m);
+}
+
+/** Flies on to where they are seen. */
+void flyTo(std::span<const int> icebergs, const ForecastStart& start, LegFlight& flight)
+{
+    for (const int iceberg : icebergs)
+        require(iceberg >= 0 && static_cast<std::size_t>(iceberg) < start.world.tracks.size(),
                 "order names an iceberg that is not there");
-        estimates_m.push_back(start.world.tracks[i].estimate_m(start.time_s));
-    }
-    return enclosingCircle(estimates_m).centre_m;
+    const Track& first = start.world.tracks[static_cast<std::size_t>(icebergs.front())];
+    if (icebergs.size() == 1)
+        flight.flyTo(first.estimate_m(start.time_s), first.velocity_mps);
+    else
+        flight.flyTo([&](double after_s) { return circleRound(icebergs, start, after_s); });
 }
 
 bool startsWith(std::span<const int> order, std::span<const int> beginning)
@@ -57,27 +67,32 @@ bool startsWith(std::span<const int> order, std::span<const int> beginning)
            beginning.end();
 }
 
-/** The visits of one UAV and when they are; sigmas are another matter. */
-RouteForecast routeOf(const ForecastStart& start, std::size_t uav, std::span<const int> order,
-                      std::span<const std::vector<int>> clusters)
+struct FlownRoute
 {
     RouteForecast route;
-    Point from_m = start.world.uavs.at(uav).pose.position_m;
-    double arrival_s = 0;
+    LegFlight flight; ///< at its end
+};
+
+/** The visits of one UAV and when they are; sigmas are another matter. */
+FlownRoute flyRoute(const ForecastStart& start, std::size_t uav, std::span<const int> order,
+                    std::span<const std::vector<int>> clusters)
+{
+    FlownRoute flown{
+        {},
+        {start.world.uavs.at(uav).pose.position_m, start.airspeeds_mps.at(uav), start.wind_mps}};
     while (!order.empty()) {
         const std::span<const int> together = seenTogether(order, clusters);
         order = order.subspan(together.size());
-        const Point to_m = placeOf(together, start);
-        const Point leg_m = to_m - from_m;
-        arrival_s += flightTime_s(leg_m, start.airspeeds_mps.at(uav), start.wind_mps);
-        route.distance_m += leg_m.norm();
-        from_m = to_m;
+        const Point from_m = flown.flight.position_m();
+        flyTo(together, start, flown.flight);
+        const double leg_m = (flown.flight.position_m() - from_m).norm();
+        flown.route.distance_m += leg_m;
         for (const int iceberg : together)
-            route.visits.push_back({.iceberg = iceberg,
-                                    .leg_m = iceberg == together.front() ? leg_m.norm() : 0,
-                                    .arrival_s = arrival_s});
+            flown.route.visits.push_back({.iceberg = iceberg,
+                                          .leg_m = iceberg == together.front() ? leg_m : 0,
+                                          .arrival_s = flown.flight.time_s()});
     }
-    return route;
+    return flown;
 }
 
 /** All visits in order of time, those of one UAV in its order. */
@@ -111,6 +126,12 @@ OrdersByUav withVisitsOf(OrdersByUav orders, const OrdersByUav& others)
 
 } // namespace
 
+LegFlight flownAhead(const ForecastStart& start, std::size_t uav, std::span<const int> order,
+                     std::span<const std::vector<int>> clusters)
+{
+    return flyRoute(start, uav, order, clusters).flight;
+}
+
 PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders, double horizon_s,
                           std::span<const std::vector<int>> clusters)
 {
@@ -122,7 +143,7 @@ PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders,
 
     PlanForecast forecast;
     for (std::size_t uav = 0; uav < orders.size(); ++uav)
-        forecast.uavs.push_back(routeOf(start, uav, orders[uav], clusters));
+        forecast.uavs.push_back(flyRoute(start, uav, orders[uav], clusters).route);
     for (ForecastVisit* visit : inOrderOfTime(forecast.uavs)) {
         Growth& growth = growths[static_cast<std::size_t>(visit->iceberg)];
         visit->arrivalSigma_m2 = growth.sigmaAt_m2(visit->arrival_s);

@@ -46,7 +46,7 @@ struct PlanForecast
 /**
  * What becomes of flying `orders` for `horizon_s` from the start: arrivals and sigmas, Eq. (22),
  * and the zeta, Eq. (24), that they add, in closed form. It is assumed that
- * - the estimates of the start stand still, as the planner takes them to do;
+ * - the estimates of the start drift on, and each leg is aimed ahead of them (`LegFlight`);
  * - legs are straight and flown at the airspeed in the wind, without the time that turns take;
  * - an iceberg is seen for an instant, when the UAV is over its estimate: sigma falls to 0 and
  *   grows again. In a flight it is seen earlier, by half the field of view, and for longer;

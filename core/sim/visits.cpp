@@ -1,7 +1,7 @@
 #include "core/sim/visits.h"
 
-#include "core/base/enclosing_circle.h"
 #include "core/sim/clusters.h"
+#include "core/sim/leg_flight.h"
 
 #include <algorithm>
 #include <span>
@@ -10,54 +10,6 @@
 namespace berg {
 
 namespace {
-
-/** A UAV under way along the plan. */
-class Flight
-{
-public:
-    explicit Flight(const Scenario& scenario)
-        : m_airspeed_mps(scenario.uavs.at(0).spec.airspeed_mps)
-        , m_wind_mps(scenario.wind_mps)
-        , m_position_m(scenario.uavs[0].position_m)
-    {
-    }
-
-    [[nodiscard]] double time_s() const { return m_time_s; }
-
-    /** Flies to what is at `place_m` now and drifts with `drift_mps`; returns where it is met. */
-    Point flyTo(const Point& place_m, const Point& drift_mps)
-    {
-        const Point relativeWind_mps = m_wind_mps - drift_mps;
-        const bool sure = relativeWind_mps.norm() < m_airspeed_mps;
-        const Point leg_m = place_m - m_position_m;
-        const double flight_s =
-            flightTime_s(leg_m, m_airspeed_mps, sure ? relativeWind_mps : m_wind_mps);
-        m_time_s += flight_s;
-        m_position_m = sure ? Point(place_m + drift_mps * flight_s) : place_m;
-        return m_position_m;
-    }
-
-    /** Flies to a place that moves, slower than the UAV makes way; returns where it is then. */
-    template <class PlaceAt>
-    Circle flyTo(const PlaceAt& placeAt)
-    {
-        constexpr int kRounds = 20; // each as much nearer as the place is slower
-        double arrival_s = m_time_s;
-        for (int round = 0; round < kRounds; ++round)
-            arrival_s = m_time_s + flightTime_s(placeAt(arrival_s).centre_m - m_position_m,
-                                                m_airspeed_mps, m_wind_mps);
-        Circle met = placeAt(arrival_s);
-        m_time_s = arrival_s;
-        m_position_m = met.centre_m;
-        return met;
-    }
-
-private:
-    double m_airspeed_mps;
-    Point m_wind_mps;
-    Point m_position_m;
-    double m_time_s = 0;
-};
 
 /** The drift of one iceberg of a mission, as its simulation made it. */
 DriftModel driftOf(const Mission& mission, std::size_t iceberg)
@@ -89,7 +41,7 @@ Circle circleRound(std::span<const int> members, const PlaceOf& placeOf)
 }
 
 /** The flight goes on to the cluster. */
-Visit visitOf(std::span<const int> members, const Scenario& scenario, Flight& flight)
+Visit visitOf(std::span<const int> members, const Scenario& scenario, LegFlight& flight)
 {
     const Circle met = flight.flyTo([&](double time_s) {
         return circleRound(members, [&](int member) {
@@ -120,9 +72,10 @@ std::span<const int> clusterReached(const Mission& mission, const MissionEvent& 
 std::vector<Visit> plannedVisits(const Scenario& scenario, const std::vector<int>& order,
                                  const std::vector<std::vector<int>>& clusters)
 {
-    Flight flight(scenario);
+    const Uav& uav = scenario.uavs.at(0);
+    LegFlight flight(uav.position_m, uav.spec.airspeed_mps, scenario.wind_mps);
     std::vector<Visit> visits;
-    const bool endures = scenario.uavs.at(0).spec.endurance_s == 0;
+    const bool endures = uav.spec.endurance_s == 0;
     const auto count =
         endures ? order.size()
                 : static_cast<std::size_t>(*thisSortie(Simulation(scenario), 0, order, clusters));
@@ -135,15 +88,13 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const std::vector<int
         }
         const Iceberg& iceberg = scenario.icebergs.at(static_cast<std::size_t>(index));
         const Point drift_mps = iceberg.velocity_mps + scenario.current_mps;
-        const Point now_m = iceberg.position_m + drift_mps * flight.time_s();
-        const Point met_m = flight.flyTo(now_m, drift_mps);
+        const Point met_m = flight.flyTo(iceberg.position_m, drift_mps);
         visits.push_back({.iceberg = index, .time_s = flight.time_s(), .position_m = met_m});
     }
     // The other policies do not read the route.
     const bool closed =
         scenario.planner.route == Route::Closed && traitsOf(scenario.planner.policy).usesTau;
     if (!endures || (closed && !visits.empty())) {
-        const Uav& uav = scenario.uavs.at(0);
         const Point end_m = endures ? uav.position_m : uav.home_m.value_or(uav.position_m);
         flight.flyTo(end_m, Point::Zero());
         visits.push_back({.time_s = flight.time_s(), .position_m = end_m});

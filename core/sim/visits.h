@@ -26,15 +26,11 @@ struct Visit
 };
 
 /**
- * Where and when the only UAV of the scenario meets each iceberg of the order: the estimates drift
- * with their velocity and the current while the UAV flies straight legs at its airspeed in the
- * wind, each leg aimed ahead of the iceberg (flight time t = d / (w_par + sqrt(U^2 - w_n^2)) with
- * wind minus drift in place of the wind). Turns take no time here, and an iceberg is met at its
- * centre, although it comes into view earlier. One that drifts too fast to be sure of (relative
- * wind not below the airspeed) is taken as standing still from the start of its leg, as in
- * planning. The icebergs of a cluster are one visit, at the middle of the circle round them as they
- * will be then. With a limited endurance those of the first sortie (`Simulation::thisSortie`), and
- * home as the last.
+ * Where and when the only UAV of the scenario meets each iceberg of the order (`LegFlight`): the
+ * estimates drift with their velocity and the current. An iceberg is met at its centre, although it
+ * comes into view earlier. The icebergs of a cluster are one visit, at the middle of the circle
+ * round them as they will be then. With a limited endurance those of the first sortie
+ * (`Simulation::thisSortie`), and home as the last.
  */
 [[nodiscard]] std::vector<Visit> plannedVisits(const Scenario& scenario,
                                                const std::vector<int>& order,

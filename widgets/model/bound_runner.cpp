@@ -12,24 +12,30 @@ namespace {
 constexpr int kPause_ms = 1000; // plan, curve and forecasts come first
 constexpr int kBetweenReports_ms = 200;
 
-/** The scenario with only what its bound depends on. */
+/** The scenario without what its bound does not depend on: no field is forgotten by mistake. */
 Scenario boundedPart(const Scenario& scenario)
 {
-    Scenario part{.duration_s = scenario.duration_s,
-                  .seed = scenario.seed,
-                  .dt_s = scenario.dt_s,
-                  .noise = scenario.noise,
-                  .wind_mps = scenario.wind_mps,
-                  .current_mps = scenario.current_mps,
-                  .area_m = scenario.area_m,
-                  .observer = scenario.observer,
-                  .uavs = scenario.uavs,
-                  .icebergs = scenario.icebergs,
-                  .fovShape = scenario.fovShape};
-    for (Uav& uav : part.uavs)
+    const Scenario standard;
+    Scenario part = scenario;
+    for (std::string* text : {&part.name, &part.notes, &part.startUtc, &part.plannerExtraJson,
+                              &part.originExtraJson, &part.observerExtraJson, &part.extraJson})
+        text->clear();
+    part.origin = standard.origin;
+    part.geofence = standard.geofence;
+    part.separation_m = standard.separation_m;
+    part.asset = standard.asset;
+    part.planner = standard.planner;
+    part.planningTime_s = standard.planningTime_s;
+    part.clusters = standard.clusters;
+    part.reachRadius_m = standard.reachRadius_m;
+    for (Uav& uav : part.uavs) {
         uav.name.clear();
-    for (Iceberg& iceberg : part.icebergs)
-        iceberg.name.clear(); // its id stays: the noise is drawn by it
+        uav.extraJson.clear();
+    }
+    for (Iceberg& iceberg : part.icebergs) // its id stays: the noise is drawn by it
+        for (std::string* text :
+             {&iceberg.name, &iceberg.uav, &iceberg.trackExtraJson, &iceberg.extraJson})
+            text->clear();
     return part;
 }
 

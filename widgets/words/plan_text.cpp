@@ -157,7 +157,7 @@ PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
     const PlanEvent& plan = *readout.plan;
     if (plan.status == SolveStatus::None || plan.source == AnswerSource::KeptRoute)
         return figures;
-    figures.distance_m = plan.distance_m;
+    figures.distance_m = readout.distance_m.value_or(plan.distance_m);
     // Only Eq. (1) has a reward: the routes are made as if every sigma were 0, the others weigh
     // time.
     if (!traitsOf(policy).weighsSigma)

@@ -17,6 +17,7 @@ struct PlanReadout
     bool solving = false;
     QString fault;      ///< why nothing can be planned; empty: nothing stands in the way
     OrdersByUav others; ///< of the UAVs that were planned together with it
+    std::optional<double> distance_m = {}; ///< of what lies ahead of all UAVs; none: as solved
 
     /** In the orders of all of them. */
     [[nodiscard]] std::size_t icebergs() const;

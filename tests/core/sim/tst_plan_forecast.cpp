@@ -154,13 +154,15 @@ private slots:
                      20, 1e-9);
     }
 
-    void driftIsThatOfTheStart()
+    void aimsAheadOfDrift()
     {
         World world;
         world.add({0, 0}, 1, 0);
-        world.state.tracks[0].velocity_mps = {2, 0}; // 100 s after its anchor
+        world.state.tracks[0].velocity_mps = {2, 0}; // 100 s after its anchor: 200 m ahead
         const std::vector<int> order{0};
-        COMPARE_NEAR(forecastPlan(world.start(), {order}, 1).uavs[0].distance_m, 200, 1e-9);
+        const ForecastVisit visit = forecastPlan(world.start(), {order}, 1).uavs[0].visits[0];
+        COMPARE_NEAR(visit.arrival_s, 200 / (kAirspeed_mps - 2), 1e-9);
+        COMPARE_NEAR(visit.leg_m, kAirspeed_mps * visit.arrival_s, 1e-9);
     }
 
     void anUnknownIcebergIsABug()

@@ -34,14 +34,6 @@ QString signedText(double value, const QString& size)
     return (value < 0 ? u"−"_s : u"+"_s) + size;
 }
 
-double length_m(const std::vector<PlanSection>& sections)
-{
-    double length_m = 0;
-    for (const PlanSection& section : sections)
-        length_m += section.length_m();
-    return length_m;
-}
-
 /** From now; 0 without rows. */
 double lastArrival_s(const std::vector<PlanSection>& sections)
 {
@@ -49,6 +41,12 @@ double lastArrival_s(const std::vector<PlanSection>& sections)
     for (const PlanSection& section : sections)
         last_s = std::max(last_s, section.lastArrival_s());
     return last_s;
+}
+
+bool returns(const std::vector<PlanSection>& sections)
+{
+    return std::ranges::any_of(sections,
+                               [](const PlanSection& s) { return s.returns.has_value(); });
 }
 
 bool hasRows(const std::vector<PlanSection>& sections)
@@ -197,8 +195,9 @@ QStringList PlanPanel::summaryLines() const
 {
     QStringList lines;
     if (hasRows(m_sections))
-        lines << tr("%1, flown %2")
-                     .arg(distanceText(length_m(m_sections), locale()),
+        lines << (returns(m_sections) ? tr("%1 including the return, flown %2")
+                                      : tr("%1, flown %2"))
+                     .arg(distanceText(planLength_m(m_sections), locale()),
                           PlanModel::arrivalText(lastArrival_s(m_sections)));
     if (!m_outlook)
         return lines;
@@ -238,7 +237,7 @@ QString PlanPanel::summaryToolTip() const
                      .arg(clockText(m_outlook->changed_s), m_outlook->before);
     lines << (m_outlook->isAimed ? tr("Predicted for the path on the map, with every iceberg that "
                                       "comes into view\non it, and no new plans.")
-                                 : tr("Predicted for straight legs to where the icebergs are now,\n"
+                                 : tr("Predicted for straight legs to the icebergs as they drift,\n"
                                       "with nothing seen on the way and no new plans."));
     if (m_outlook->bound_m2s)
         lines << tr("That limit is proven for this scenario and the noise that it draws,\n"

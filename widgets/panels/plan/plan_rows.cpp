@@ -1,5 +1,6 @@
 #include "widgets/panels/plan/plan_rows.h"
 
+#include "core/sim/leg_flight.h"
 #include "widgets/words/object_names.h"
 
 #include <QStringList>
@@ -78,6 +79,27 @@ std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan
     return rows;
 }
 
+/** As exports end: at home where the endurance is limited, at the start of a closed route. */
+std::optional<ReturnLeg> returnOf(const MissionSnapshot& now, const Uav& uav, const PlanEvent& plan)
+{
+    const auto seen = static_cast<std::size_t>(
+        std::max(0, plan.thisSortie.value_or(static_cast<int>(plan.order.size()))));
+    const bool isLimited = uav.spec.endurance_s > 0;
+    const bool isClosed =
+        now.planner.route == Route::Closed && traitsOf(now.planner.policy).usesTau && seen > 0;
+    if (!isLimited && !isClosed)
+        return std::nullopt;
+    const auto place = static_cast<std::size_t>(plan.uav);
+    LegFlight flight =
+        flownAhead(forecastStart(now), place,
+                   std::span(plan.order).first(std::min(seen, plan.order.size())), plan.clusters);
+    const Point from_m = flight.position_m();
+    flight.flyTo(isLimited ? uav.home_m.value_or(uav.position_m)
+                           : now.world.uavs[place].pose.position_m,
+                 Point::Zero());
+    return ReturnLeg{.leg_m = (flight.position_m() - from_m).norm(), .arrival_s = flight.time_s()};
+}
+
 PlanOutlook aimedOutlook(const MissionSnapshot& shown, const Scenario& scenario)
 {
     constexpr double kRounding_s = 1e-6; // times are whole steps
@@ -154,7 +176,7 @@ std::optional<PlanOutlook> predictedOutlook(const FlightRecord& record)
 
 double PlanSection::length_m() const
 {
-    double length_m = 0;
+    double length_m = returns ? returns->leg_m : 0;
     for (const PlanRow& row : rows)
         length_m += row.leg_m;
     return length_m;
@@ -162,7 +184,7 @@ double PlanSection::length_m() const
 
 double PlanSection::lastArrival_s() const
 {
-    double last_s = 0;
+    double last_s = returns ? returns->arrival_s : 0;
     for (const PlanRow& row : rows)
         last_s = std::max(last_s, row.arrival_s); // 0 of those that are not seen
     return last_s;
@@ -186,8 +208,18 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
             continue;
         section.rows = plan->outlook ? aimedRows(now, *plan) : straightRows(now, forecast.uavs[u]);
         leaveForNextSortie(section.rows, *plan);
+        if (!plan->outlook)
+            section.returns = returnOf(now, scenario.uavs[u], *plan);
     }
     return sections;
+}
+
+double planLength_m(const std::vector<PlanSection>& sections)
+{
+    double length_m = 0;
+    for (const PlanSection& section : sections)
+        length_m += section.length_m();
+    return length_m;
 }
 
 std::optional<PlanOutlook> planOutlook(const FlightRecord& record)

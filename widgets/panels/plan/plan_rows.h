@@ -23,6 +23,13 @@ struct PlanRow
     bool operator==(const PlanRow&) const = default;
 };
 
+/** Back home, or to the start of a closed route. */
+struct ReturnLeg
+{
+    double leg_m = 0;
+    double arrival_s = 0; ///< from now
+};
+
 /** What one UAV is to visit. */
 struct PlanSection
 {
@@ -31,10 +38,11 @@ struct PlanSection
     int place = 0;           ///< in the scenario: it gives the colour
     bool isHomeward = false; ///< on its way home or on the ground, where nothing is planned
     std::vector<PlanRow> rows;
+    std::optional<ReturnLeg> returns; ///< after the rows that are seen
 
-    /** Of all legs that are known. */
+    /** Of all legs that are known, the return among them. */
     [[nodiscard]] double length_m() const;
-    /** At the last iceberg that is known, from now; 0 without any. */
+    /** At the end of what is known, from now; 0 without any. */
     [[nodiscard]] double lastArrival_s() const;
 };
 
@@ -44,6 +52,8 @@ struct PlanSection
  */
 [[nodiscard]] std::vector<PlanSection> planSections(const MissionSnapshot& now,
                                                     const Scenario& scenario);
+/** Of all sections. */
+[[nodiscard]] double planLength_m(const std::vector<PlanSection>& sections);
 
 /** What is told of the plan as a whole. */
 struct PlanOutlook

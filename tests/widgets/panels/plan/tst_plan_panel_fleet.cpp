@@ -29,6 +29,7 @@ private slots:
         scenario.uavs.push_back({.id = "uav-2", .name = "North", .position_m = Point(300, 2000)});
         scenario.uavs[1].spec.airspeed_mps = 10;
         MissionSnapshot now = twoIcebergs(scenario);
+        now.world.tracks[1] = {.anchor_m = Point(300, 1000), .sigma_m2 = 7, .q_m2ps = 0.1};
         now.plan->order = {0};
         now.plans = {*now.plan, {.uav = 1, .sameSolve = true, .order = {1}}};
         now.assigned = {-1, 1};

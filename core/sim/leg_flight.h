@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/base/enclosing_circle.h"
+#include "core/vehicle/dubins.h"
+
+#include <span>
+#include <vector>
+
+namespace berg {
+
+/**
+ * A UAV that flies a plan ahead: straight legs at its airspeed in the wind, each aimed at where
+ * what drifts will be (flight time t = d / (w_par + sqrt(U^2 - w_n^2)) with wind minus drift in
+ * place of the wind). Turns take no time. Whatever foretells when a plan comes to an iceberg asks
+ * this class.
+ */
+class LegFlight
+{
+public:
+    LegFlight(const Point& from_m, double airspeed_mps, const Point& wind_mps)
+        : m_airspeed_mps(airspeed_mps), m_wind_mps(wind_mps), m_position_m(from_m)
+    {
+    }
+
+    [[nodiscard]] double time_s() const { return m_time_s; }
+    [[nodiscard]] const Point& position_m() const { return m_position_m; }
+
+    /**
+     * Flies to what is at `place_m` at the start and drifts with `drift_mps`; returns where it is
+     * met. What drifts too fast to be sure of (relative wind not below the airspeed) is taken as
+     * standing still from the start of its leg, as in planning.
+     */
+    Point flyTo(const Point& place_m, const Point& drift_mps)
+    {
+        const Point now_m = place_m + drift_mps * m_time_s;
+        const Point relativeWind_mps = m_wind_mps - drift_mps;
+        const bool sure = relativeWind_mps.norm() < m_airspeed_mps;
+        const double flight_s = flightTime_s(now_m - m_position_m, m_airspeed_mps,
+                                             sure ? relativeWind_mps : m_wind_mps);
+        m_time_s += flight_s;
+        m_position_m = sure ? Point(now_m + drift_mps * flight_s) : now_m;
+        return m_position_m;
+    }
+
+    /** Flies to the middle of what moves, slower than the UAV makes way; returns it as it is then.
+     */
+    template <class CircleAt>
+    Circle flyTo(const CircleAt& circleAt)
+    {
+        constexpr int kRounds = 20; // each as much nearer as the place is slower
+        double arrival_s = m_time_s;
+        for (int round = 0; round < kRounds; ++round)
+            arrival_s = m_time_s + flightTime_s(circleAt(arrival_s).centre_m - m_position_m,
+                                                m_airspeed_mps, m_wind_mps);
+        const Circle met = circleAt(arrival_s);
+        m_time_s = arrival_s;
+        m_position_m = met.centre_m;
+        return met;
+    }
+
+private:
+    double m_airspeed_mps;
+    Point m_wind_mps;
+    Point m_position_m;
+    double m_time_s = 0;
+};
+
+struct ForecastStart;
+
+/** The UAV at the end of the order, flown from that start as `forecastPlan` has it. */
+[[nodiscard]] LegFlight flownAhead(const ForecastStart& start, std::size_t uav,
+                                   std::span<const int> order,
+                                   std::span<const std::vector<int>> clusters);
+
+} // namespace berg

@@ -1,0 +1,114 @@
+#include "core/io/export/export_content.h"
+#include "core/io/export/export_flight.h"
+#include "core/scenario/presets.h"
+#include "tests/support/approx.h"
+#include "tests/support/panel_test.h"
+#include "tests/support/scenario_builder.h"
+#include "widgets/panels/plan/plan_rows.h"
+#include "widgets/print/brief_table.h"
+#include "widgets/words/plan_text.h"
+
+#include <QtTest>
+
+using namespace berg;
+
+namespace {
+
+/** Ten icebergs that drift, in wind and current. */
+Scenario driftingField(int uavs)
+{
+    Scenario scenario = randomScenario(7, {.icebergs = 10, .speedMax_mps = 0.8});
+    scenario.wind_mps = {4, -3};
+    scenario.current_mps = {0.3, 0.2};
+    const Uav first = scenario.uavs.front();
+    for (int k = 1; k < uavs; ++k) {
+        Uav& uav = scenario.uavs.emplace_back(first);
+        uav.id = "uav-" + std::to_string(k + 1);
+        uav.position_m += Point(2000 * k, 0);
+        uav.spec.altitude_m += 50 * k;
+    }
+    return scenario;
+}
+
+Scenario with(Scenario scenario, void (*change)(Scenario&))
+{
+    change(scenario);
+    return scenario;
+}
+
+} // namespace
+
+/** Whatever tells how long a plan is and when it comes where says the same. */
+class TestPlanOutlook : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void panelsAndExportsAgree_data()
+    {
+        QTest::addColumn<Scenario>("scenario");
+        QTest::addColumn<double>("time_s");
+        QTest::newRow("one UAV") << driftingField(1) << 0.0;
+        QTest::newRow("under way") << driftingField(1) << 200.0;
+        QTest::newRow("two UAVs") << driftingField(2) << 0.0;
+        QTest::newRow("round trip")
+            << with(driftingField(1), [](Scenario& s) { s.planner.route = Route::Closed; }) << 0.0;
+        QTest::newRow("clusters") << with(driftingField(1), [](Scenario& s) {
+            s.clusters = true;
+            s.uavs[0].fov_m = {2500, 2500};
+        }) << 0.0;
+        QTest::newRow("sortie") << with(driftingField(1), [](Scenario& s) {
+            s.uavs[0].spec.endurance_s = 400;
+            s.uavs[0].home_m = Point(-300, 100);
+        }) << 0.0;
+        QTest::newRow("shortest path") << with(driftingField(1), [](Scenario& s) {
+            s.planner.policy = PolicyKind::Path;
+            s.planner.route = Route::Closed; // not read
+        }) << 0.0;
+    }
+
+    void panelsAndExportsAgree()
+    {
+        QFETCH(Scenario, scenario);
+        QFETCH(double, time_s);
+        Mission mission(scenario);
+        mission.advance(time_s);
+        const FlightRecord record = recordOf(mission);
+        const std::vector<PlanSection> sections = planSections(record.shown(), record.scenario);
+        const PlanAnswer plan = startPlan(mission);
+        const ExportContent content = exportContent(
+            {.scenario = scenario, .plan = plan, .mission = &mission}, {.what = ExportWhat::Order});
+        QCOMPARE(sections.size(), content.uavs.size());
+        double length_m = 0;
+        for (std::size_t u = 0; u < sections.size(); ++u) {
+            const WayTotals way = wayTotals(content.uavs[u]);
+            length_m += way.length_m;
+            COMPARE_NEAR(sections[u].length_m(), way.length_m, 1e-6);
+            COMPARE_NEAR(sections[u].lastArrival_s(), way.time_s, 1e-6);
+            compareArrivals(sections[u], content.uavs[u].visits, time_s);
+        }
+        QVERIFY(length_m > 1000);
+        PlanReadout readout = readoutOf(record, {});
+        readout.distance_m = planLength_m(sections);
+        const PlanFigures figures = planFigures(readout, scenario.planner.policy);
+        COMPARE_NEAR(figures.distance_m.value_or(0), length_m, 1e-6);
+    }
+
+private:
+    /** Visits of the export against the rows that are seen, members of a cluster in one visit. */
+    static void compareArrivals(const PlanSection& section, const std::vector<Visit>& visits,
+                                double now_s)
+    {
+        std::size_t row = 0;
+        for (const Visit& visit : visits) {
+            if (visit.iceberg < 0)
+                continue;
+            for (std::size_t k = 0; k < icebergsOf(visit).size(); ++k, ++row)
+                COMPARE_NEAR(section.rows.at(row).arrival_s, visit.time_s - now_s, 1e-6);
+        }
+        QVERIFY(row == section.rows.size() || !section.rows.at(row).isSeen);
+    }
+};
+
+QTEST_MAIN(TestPlanOutlook)
+#include "tst_plan_outlook.moc"
