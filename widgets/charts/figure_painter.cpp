@@ -145,7 +145,13 @@ QColor inkColour(const Ink& ink, const Theme& theme)
 
 FigureFonts figureFonts(const Theme& theme)
 {
-    const auto metrics = [theme](FigureFont font) { return QFontMetricsF(fontOf(font, theme)); };
+    std::vector<QFontMetricsF> all;
+    for (const FigureFont font :
+         {FigureFont::Small, FigureFont::SmallBold, FigureFont::Strong, FigureFont::Body})
+        all.emplace_back(fontOf(font, theme));
+    const auto metrics = [all = std::move(all)](FigureFont font) -> const QFontMetricsF& {
+        return all[static_cast<std::size_t>(font)];
+    };
     return {.width_px =
                 [metrics](const std::string& text, FigureFont font) {
                     return metrics(font).horizontalAdvance(QString::fromStdString(text));
@@ -217,9 +223,18 @@ void paintDrawing(QPainter& painter, const Drawing& drawing, const Theme& theme)
         paintLine(painter, line, theme);
     for (const DrawnMark& mark : drawing.marks)
         paintMark(painter, toQt(mark.at), mark.of, theme);
+    paintFrame(painter, drawing, theme);
+}
+
+void paintFrame(QPainter& painter, const Drawing& drawing, const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    for (const DrawnLine& leader : drawing.leaders)
-        paintLine(painter, leader, theme);
+    if (!drawing.grid.empty()) // the axis
+        paintLine(painter, drawing.grid.back(), theme);
+    for (const DrawnLine& line : drawing.over)
+        paintLine(painter, line, theme);
     for (const DrawnText& text : drawing.texts)
         paintText(painter, text, theme);
 }

@@ -21,5 +21,7 @@ void paintMark(QPainter& painter, const QPointF& at, const PlotMark& mark, const
 
 /** All of it but the ground; the painter is left as it was. */
 void paintDrawing(QPainter& painter, const Drawing& drawing, const Theme& theme);
+/** What is round and over the lines, which something else has painted. */
+void paintFrame(QPainter& painter, const Drawing& drawing, const Theme& theme);
 
 } // namespace berg

@@ -1,7 +1,5 @@
 #include "widgets/charts/line_look.h"
 
-#include "widgets/theme/palette.h"
-
 namespace berg {
 namespace {
 
@@ -42,31 +40,35 @@ double width_px(const TimeLine& line)
 
 } // namespace
 
-QColor lineColour(const TimeLine& line, const Theme& theme, double sigmaFull_m2)
+Ink sigmaInk(double sigma_m2, double full_m2)
+{
+    return {.of = InkOf::Sigma, .value = full_m2 > 0 ? sigma_m2 / full_m2 : 0};
+}
+
+Ink lineInk(const TimeLine& line, double sigmaFull_m2)
 {
     switch (line.role) {
     case LineRole::Accumulated:
-        return theme.accumulated;
+        return {.of = InkOf::Accumulated};
     case LineRole::Momentary:
     case LineRole::Weighted:
     case LineRole::Signed:
-        return theme.momentary;
+        return {.of = InkOf::Momentary};
     case LineRole::Sigma:
-        return theme.sigma.colour(line.points.empty() ? 0 : line.points.back().y(), sigmaFull_m2);
+        return sigmaInk(line.points.empty() ? 0 : line.points.back().y(), sigmaFull_m2);
     case LineRole::Bound:
-        return theme.mutedText;
+        return {.of = InkOf::Muted};
     case LineRole::Uav:
-        return uavColour(theme, line.uav);
+        return {.of = InkOf::Uav, .value = static_cast<double>(line.uav)};
     }
     return {};
 }
 
-QPen linePen(const TimeLine& line, const QBrush& ink, bool crowded, Qt::PenCapStyle cap)
+double lineWidth_px(const TimeLine& line, bool crowded)
 {
     const bool isThin = crowded && line.emphasis != LineEmphasis::Strong &&
                         line.role != LineRole::Accumulated; // which is smooth anyway
-    return {ink, isThin ? kThin_px : width_px(line),
-            line.role == LineRole::Weighted ? Qt::DashLine : Qt::SolidLine, cap, Qt::RoundJoin};
+    return isThin ? kThin_px : width_px(line);
 }
 
 bool isCrowded(qsizetype segments)

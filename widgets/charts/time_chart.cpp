@@ -1,5 +1,6 @@
 #include "widgets/charts/time_chart.h"
 
+#include "widgets/charts/figure_painter.h"
 #include "widgets/charts/line_look.h"
 
 #include <QAreaSeries>
@@ -125,7 +126,7 @@ void TimeChart::addSeries(QAbstractSeries* series, const TimeLine& line)
 
 QColor TimeChart::colourOf(const TimeLine& line) const
 {
-    return lineColour(line, m_theme, m_content.sigmaFull_m2);
+    return inkColour(lineInk(line, m_content.sigmaFull_m2), m_theme);
 }
 
 int TimeChart::columns() const
@@ -140,8 +141,9 @@ void TimeChart::layOut()
                                       .locale = locale(),
                                       .size_px = viewport()->size(),
                                       .window = window(),
-                                      .hasTitle = m_titleShown});
-    chart()->setPlotArea(m_figure.frame.plot);
+                                      .hasTitle = m_titleShown,
+                                      .hasLines = false});
+    chart()->setPlotArea(plot());
     for (std::size_t i = 0; i < m_series.size(); ++i) {
         // Each change of an axis would lay out the points that are about to be replaced.
         m_series[i]->clear();
@@ -153,19 +155,20 @@ void TimeChart::layOut()
     chart()->layout()->activate();
     styleLines();
     showPoints();
-    placeLabels(m_figure, m_content, m_theme, flagsAtCursor());
+    placeLabels(m_figure.figure, figureFonts(m_theme), m_figure.drawing, flagsAtCursor());
     m_picture = {};
     viewport()->update();
 }
 
 void TimeChart::setAxes()
 {
-    m_left->setTickInterval(m_figure.left.step);
-    m_left->setRange(m_figure.left.start(), m_figure.left.end());
-    m_right->setTickInterval(m_figure.right.step);
-    m_right->setRange(m_figure.right.start(), m_figure.right.end());
-    m_time->setTickInterval(m_figure.timeStep_s);
-    m_time->setRange(m_figure.window.from_s, m_figure.window.to_s);
+    const auto set = [](QValueAxis& axis, const PlotScale& scale) {
+        axis.setTickInterval(scale.step);
+        axis.setRange(scale.from, scale.to);
+    };
+    set(*m_left, m_figure.drawing.y);
+    set(*m_right, m_figure.drawing.right);
+    set(*m_time, m_figure.drawing.x);
 }
 
 void TimeChart::showPoints()
@@ -181,13 +184,13 @@ void TimeChart::showPoints()
 void TimeChart::styleLines()
 {
     // Series draw in the coordinates of the plot: the colour of sigma follows the height.
-    QLinearGradient gradient(0, m_figure.frame.plot.height(), 0, 0);
+    QLinearGradient gradient(0, m_figure.drawing.plot.height(), 0, 0);
     QLinearGradient faint = gradient;
     for (int k = 0; k <= kGradientStops; ++k) {
         const double t = static_cast<double>(k) / kGradientStops;
-        QColor colour = m_theme.sigma.colour(t * m_figure.left.end(), m_content.sigmaFull_m2);
+        QColor colour = m_theme.sigma.colour(t * m_figure.drawing.y.to, m_content.sigmaFull_m2);
         gradient.setColorAt(t, colour);
-        colour.setAlphaF(kFaintInk);
+        colour.setAlphaF(static_cast<float>(kFaintInk));
         faint.setColorAt(t, colour);
     }
     qsizetype segments = 0;
@@ -210,14 +213,15 @@ void TimeChart::styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapSt
     const TimeLine& line = m_content.lines[index];
     QColor colour = colourOf(line);
     if (line.emphasis == LineEmphasis::Faint)
-        colour.setAlphaF(kFaintInk);
+        colour.setAlphaF(static_cast<float>(kFaintInk));
     const QBrush brush = line.role == LineRole::Sigma && m_gradients ? bySigma : QBrush(colour);
-    m_series[index]->setPen(linePen(line, brush, m_plain, cap));
+    const Qt::PenStyle style = line.role == LineRole::Weighted ? Qt::DashLine : Qt::SolidLine;
+    m_series[index]->setPen(QPen(brush, lineWidth_px(line, m_plain), style, cap, Qt::RoundJoin));
     if (m_areas[index] == nullptr)
         return;
     m_areas[index]->setPen(Qt::NoPen);
     QColor fill = colourOf(line);
-    fill.setAlphaF(kAreaInk);
+    fill.setAlphaF(static_cast<float>(kAreaInk));
     m_areas[index]->setBrush(fill);
 }
 
@@ -239,7 +243,7 @@ void TimeChart::paintEvent(QPaintEvent* /*event*/)
     }
     QPainter painter(viewport());
     painter.drawPixmap(0, 0, m_picture);
-    paintReadout(painter, readout(), m_figure.frame.plot, m_theme);
+    paintReadout(painter);
     if (hasFocus()) {
         painter.setPen(QPen(m_theme.plan, 1));
         painter.drawRect(QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5));
@@ -253,7 +257,7 @@ void TimeChart::drawBackground(QPainter* painter, const QRectF& rect)
 
 void TimeChart::drawForeground(QPainter* painter, const QRectF& /*rect*/)
 {
-    paintChartFrame(*painter, m_figure.frame, m_theme);
+    paintFrame(*painter, m_figure.drawing, m_theme);
 }
 
 } // namespace berg

@@ -17,6 +17,24 @@ class QValueAxis;
 
 namespace berg {
 
+/** The value of one line at the instant read. */
+struct ReadoutFlag
+{
+    QRectF rect{};
+    QPointF at; ///< on the line
+    QString text;
+    QColor colour; ///< of the line
+};
+
+/** What all lines say at one instant. */
+struct ChartReadout
+{
+    std::optional<double> hover_px; ///< abscissa of the thin line; none: the cursor is there
+    QRectF timeRect;
+    QString time;
+    std::vector<ReadoutFlag> flags;
+};
+
 /**
  * Chart over time in the look of the program: no frame, light grid, times as mm:ss, the unit above
  * each axis, labels at the lines in place of a legend. Lines are decimated to the pixels there are;
@@ -59,7 +77,8 @@ public:
     /** Series as drawn, after decimation, in the order of `content().lines`. */
     [[nodiscard]] const std::vector<QList<QPointF>>& drawnPoints() const { return m_figure.drawn; }
     /** Everything around the lines as drawn, for tests. */
-    [[nodiscard]] const ChartFrame& frame() const { return m_figure.frame; }
+    [[nodiscard]] const Drawing& drawing() const { return m_figure.drawing; }
+    [[nodiscard]] QRectF plot() const;
     /** Values at the pointer, or at the cursor; without flags where there is nothing to read. */
     [[nodiscard]] ChartReadout readout() const;
 
@@ -102,14 +121,15 @@ private:
     void styleLines();
     void styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapStyle cap);
     [[nodiscard]] QColor colourOf(const TimeLine& line) const;
-    [[nodiscard]] std::vector<QRectF> flagsAtCursor() const;
+    [[nodiscard]] std::vector<PixelRect> flagsAtCursor() const;
     [[nodiscard]] QString valueText(const TimeLine& line, double value) const;
     [[nodiscard]] ReadoutFlag flagOf(std::size_t index, const QPointF& value,
                                      double middle_px) const;
     void alignFlags(ChartReadout& readout, double at_px) const;
+    void paintReadout(QPainter& painter) const;
     void pick(const QMouseEvent& event);
     void hoverAt(std::optional<QPointF> position);
-    [[nodiscard]] const ChartLabel* labelAt(const QPointF& position) const;
+    [[nodiscard]] const DrawnLabel* labelAt(const QPointF& position) const;
     void zoom(double factor, double anchor_s);
     void pan(double by_s);
     void changeWindow();

@@ -1,3 +1,4 @@
+#include "widgets/charts/figure_painter.h"
 #include "widgets/charts/time_chart.h"
 
 #include <QContextMenuEvent>
@@ -92,17 +93,18 @@ void TimeChart::pick(const QMouseEvent& event)
         emit timePicked(m_figure.viewToTime(event.position().x()));
 }
 
-const ChartLabel* TimeChart::labelAt(const QPointF& position) const
+const DrawnLabel* TimeChart::labelAt(const QPointF& position) const
 {
-    const auto found = std::find_if(
-        m_figure.frame.labels.begin(), m_figure.frame.labels.end(),
-        [&](const ChartLabel& label) { return label.inMargin && label.rect.contains(position); });
-    return found == m_figure.frame.labels.end() ? nullptr : &*found;
+    const std::vector<DrawnLabel>& labels = m_figure.drawing.labels;
+    const auto found = std::find_if(labels.begin(), labels.end(), [&](const DrawnLabel& label) {
+        return label.inMargin && toQt(label.rect).contains(position);
+    });
+    return found == labels.end() ? nullptr : &*found;
 }
 
 void TimeChart::hoverAt(std::optional<QPointF> position)
 {
-    if (position && !m_figure.frame.plot.contains(*position))
+    if (position && !plot().contains(*position))
         position.reset();
     if (!position && !m_hover)
         return;
@@ -118,13 +120,13 @@ void TimeChart::mousePressEvent(QMouseEvent* event)
         hoverAt({});
         return;
     }
-    if (const ChartLabel* label = labelAt(event->position())) {
-        emit linePicked(label->key);
+    if (const DrawnLabel* label = labelAt(event->position())) {
+        emit linePicked(QString::fromStdString(label->of.key));
         return;
     }
-    const QRectF plot =
-        m_figure.frame.plot.adjusted(-kPlotEdge_px, -kPlotEdge_px, kPlotEdge_px, kPlotEdge_px);
-    m_picking = plot.contains(event->position());
+    m_picking = plot()
+                    .adjusted(-kPlotEdge_px, -kPlotEdge_px, kPlotEdge_px, kPlotEdge_px)
+                    .contains(event->position());
     if (m_picking)
         pick(*event);
 }
@@ -134,7 +136,7 @@ void TimeChart::mouseMoveEvent(QMouseEvent* event)
     if (m_panFrom) {
         const double moved_px = event->position().x() - m_panFrom->x();
         m_panFrom = event->position();
-        pan(-moved_px / m_figure.frame.plot.width() * window().length_s());
+        pan(-moved_px / m_figure.drawing.plot.width() * window().length_s());
         return;
     }
     if (m_picking && event->buttons().testFlag(Qt::LeftButton))

@@ -1,9 +1,13 @@
 #include "core/base/label_column.h"
 #include "widgets/charts/decimate.h"
+#include "widgets/charts/figure_painter.h"
+#include "widgets/charts/line_look.h"
 #include "widgets/charts/time_chart.h"
+#include "widgets/theme/painter_state.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QFontMetricsF>
+#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
@@ -24,34 +28,43 @@ constexpr std::size_t kMostFlags = 8;
 std::vector<QRectF> TimeChart::labelRects() const
 {
     std::vector<QRectF> rects;
-    for (const ChartLabel& label : m_figure.frame.labels)
-        rects.push_back(label.rect);
+    for (const DrawnLabel& label : m_figure.drawing.labels)
+        rects.push_back(toQt(label.rect));
     return rects;
 }
 
-/** They stay while there is no pointer: names keep off them. */
-std::vector<QRectF> TimeChart::flagsAtCursor() const
+QRectF TimeChart::plot() const
 {
-    std::vector<QRectF> rects;
+    return toQt(m_figure.drawing.plot);
+}
+
+/** They stay while there is no pointer: names keep off them. */
+std::vector<PixelRect> TimeChart::flagsAtCursor() const
+{
+    std::vector<PixelRect> rects;
     if (!m_hover)
         for (const ReadoutFlag& flag : readout().flags)
-            rects.push_back(flag.rect);
+            rects.push_back(
+                {flag.rect.left(), flag.rect.top(), flag.rect.right(), flag.rect.bottom()});
     return rects;
 }
 
 ChartReadout TimeChart::readout() const
 {
     ChartReadout readout;
-    if (!hasPoints(m_content) || (!m_hover && !m_figure.frame.cursor_px))
+    const TimeWindow& view = m_figure.window;
+    const bool atCursor = m_content.cursor_s && *m_content.cursor_s >= view.from_s &&
+                          *m_content.cursor_s <= view.to_s;
+    if (!hasPoints(m_content) || (!m_hover && !atCursor))
         return readout;
     const double time_s = m_hover ? m_figure.viewToTime(m_hover->x()) : *m_content.cursor_s;
-    const double at_px = m_figure.timeToView(time_s);
+    const double at_px = m_figure.drawing.x.at(time_s);
     const QFontMetricsF metrics(m_theme.small());
     if (m_hover)
         readout.hover_px = at_px;
     readout.time = clockText(time_s);
     const double timeWidth_px = metrics.horizontalAdvance(readout.time) + 10;
-    readout.timeRect = QRectF(at_px - timeWidth_px / 2, m_figure.frame.plot.bottom() + 4,
+    readout.timeRect = QRectF(at_px - timeWidth_px / 2, m_figure.drawing.plot.bottom + 4,
                               timeWidth_px, kFlagHeight_px);
 
     std::vector<std::optional<QPointF>> values;
@@ -59,7 +72,7 @@ ChartReadout TimeChart::readout() const
         values.push_back(line.hidden ? std::nullopt : pointAt(line.points, time_s));
     std::vector<std::size_t> order = byImportance(m_content, values);
     const auto height = [&](std::size_t i) {
-        return m_figure.toView(m_content.lines[i], *values[i]).y();
+        return m_figure.toView(m_content.lines[i], *values[i]).y;
     };
     if (m_hover) // those near the pointer
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -69,8 +82,8 @@ ChartReadout TimeChart::readout() const
     std::vector<double> wanted;
     for (const std::size_t i : order)
         wanted.push_back(height(i));
-    const LabelColumn column{.top = m_figure.frame.plot.top(),
-                             .bottom = m_figure.frame.plot.bottom(),
+    const LabelColumn column{.top = m_figure.drawing.plot.top,
+                             .bottom = m_figure.drawing.plot.bottom,
                              .spacing = kFlagSpacing_px};
     const auto middles = nameableLabels(wanted, column, kFarthestFlag_px);
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -83,8 +96,8 @@ ChartReadout TimeChart::readout() const
 QString TimeChart::valueText(const TimeLine& line, double value) const
 {
     // As fine as the eye could read the axis, and no finer.
-    const NiceTicks& axis = m_figure.axisOf(line);
-    const double finest = (axis.end() - axis.start()) / 1000;
+    const PlotScale& axis = m_figure.axisOf(line);
+    const double finest = (axis.to - axis.from) / 1000;
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 0, 6);
     if (decimals == 0)
         return significantText(value, 4, locale());
@@ -97,9 +110,9 @@ ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double mi
 {
     const TimeLine& line = m_content.lines[index];
     ReadoutFlag flag{
-        .at = m_figure.toView(line, value), .text = line.name, .colour = colourOf(line)};
+        .at = toQt(m_figure.toView(line, value)), .text = line.name, .colour = colourOf(line)};
     if (line.role == LineRole::Sigma)
-        flag.colour = m_theme.sigma.colour(value.y(), m_content.sigmaFull_m2);
+        flag.colour = inkColour(sigmaInk(value.y(), m_content.sigmaFull_m2), m_theme);
     if (flag.text.isEmpty())
         flag.text = line.label;
     flag.text += u' ' + valueText(line, value.y());
@@ -118,6 +131,39 @@ void TimeChart::alignFlags(ChartReadout& readout, double at_px) const
     const bool isRight = at_px + kFlagGap_px + widest_px <= viewport()->width() - 2;
     for (ReadoutFlag& flag : readout.flags)
         flag.rect.moveLeft(isRight ? at_px + kFlagGap_px : at_px - kFlagGap_px - flag.rect.width());
+}
+
+void TimeChart::paintReadout(QPainter& painter) const
+{
+    const ChartReadout readout = this->readout();
+    if (readout.time.isEmpty())
+        return;
+    const PainterState saved(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (readout.hover_px) {
+        painter.setPen(QPen(m_theme.chartAxis, 1));
+        painter.drawLine(QPointF(*readout.hover_px, plot().top()),
+                         QPointF(*readout.hover_px, plot().bottom()));
+    }
+    painter.setFont(m_theme.small());
+    const auto flag = [&](const QRectF& rect, const QString& text, const QColor& line) {
+        painter.setPen(QPen(line, 1));
+        painter.setBrush(m_theme.panel);
+        painter.drawRoundedRect(rect, 3, 3);
+        painter.setPen(m_theme.text);
+        painter.drawText(
+            rect, static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextDontClip), text);
+    };
+    flag(readout.timeRect, readout.time, m_theme.chartAxis);
+    for (const ReadoutFlag& one : readout.flags) {
+        const bool isRight = one.rect.left() > one.at.x();
+        painter.setPen(QPen(one.colour, 1));
+        painter.drawLine(
+            one.at, QPointF(isRight ? one.rect.left() : one.rect.right(), one.rect.center().y()));
+        painter.setBrush(one.colour);
+        painter.drawEllipse(one.at, 3, 3);
+        flag(one.rect, one.text, one.colour);
+    }
 }
 
 } // namespace berg

@@ -1,23 +1,20 @@
 #include "widgets/charts/time_figure.h"
 
 #include "widgets/charts/decimate.h"
+#include "widgets/charts/figure_painter.h"
+#include "widgets/charts/figure_text.h"
 #include "widgets/charts/line_look.h"
-#include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
 
 #include <algorithm>
-#include <cmath>
 
 namespace berg {
 namespace {
 
-constexpr double kTickSpacing_px = 52;      // least distance of grid lines
-constexpr double kSmallTickSpacing_px = 30; // where the plot is low: up to
-constexpr int kSmallSteps = 4;              // so many, or round numbers leave much of it empty
-constexpr double kTimeSpacing_px = 84;
 constexpr double kSimplify_px = 0.1;
+constexpr double kReferenceGap_px = 6; // between its name and the end of the plot
+constexpr double kReferenceUp_px = 9;  // from it to the middle of its name
 
 /** Context of the texts: that of the class would have its namespace, which lupdate leaves out. */
 struct TimeChartText
@@ -75,154 +72,177 @@ std::vector<QList<QPointF>> linesInView(const TimeChartContent& content, const T
     return drawn;
 }
 
-struct ValueRange
+/** Has its name in the margin, and a colour that is not that of the axis. */
+bool isOneOfMany(const TimeLine& line)
 {
-    double lowest = 0;
-    double highest = 0;
-};
+    return line.role == LineRole::Sigma || line.role == LineRole::Uav;
+}
 
-ValueRange rangeOf(const TimeFigure& figure, const TimeChartContent& content, bool onRightAxis)
+PlotAxis valueAxis(const TimeFigure& time, const TimeChartContent& content, const QLocale& locale,
+                   bool onRightAxis)
 {
-    ValueRange range;
-    const auto include = [&range](double value) {
-        range.lowest = std::min(range.lowest, value);
-        range.highest = std::max(range.highest, value);
+    PlotAxis axis{.ends = AxisEnds::Around0,
+                  .largest = 0,
+                  .spacing_px = 52,
+                  .fewSpacing_px = 30,
+                  .text = numberText(locale)};
+    const auto include = [&axis](double value) {
+        axis.least = std::min(axis.least, value);
+        axis.largest = std::max(axis.largest, value);
     };
-    for (std::size_t i = 0; i < figure.drawn.size(); ++i)
+    for (std::size_t i = 0; i < time.drawn.size(); ++i)
         if (content.lines[i].onRightAxis == onRightAxis)
-            for (const QPointF& p : figure.drawn[i])
+            for (const QPointF& p : time.drawn[i])
                 include(p.y());
     if (!onRightAxis && hasPoints(content))
         for (const ReferenceLine& reference : content.references)
             include(reference.value);
-    return range;
+    return axis;
 }
 
-void setValueAxes(TimeFigure& figure, const TimeChartContent& content)
+void addAxes(TimeFigure& time, const TimeChartContent& content, const TimeFigureStyle& style)
 {
-    const double height_px = figure.frame.size.height() - chartTop(figure.frame) - kChartBottom_px;
-    const int few = std::min(kSmallSteps, static_cast<int>(height_px / kSmallTickSpacing_px));
-    const int most = std::max({1, few, static_cast<int>(height_px / kTickSpacing_px)});
-    const ValueRange left = rangeOf(figure, content, false);
-    figure.left = niceTicksAround(left.lowest, left.highest, most);
-    figure.right =
-        niceTicksExactly(rangeOf(figure, content, true).highest, std::max(1, figure.left.count));
-    figure.right.below = figure.left.below; // one grid
-    figure.right.count = figure.left.count;
-}
-
-std::vector<ChartTick> valueTicks(const NiceTicks& ticks, const QRectF& plot, const QLocale& locale)
-{
-    std::vector<ChartTick> out;
-    const int steps = ticks.below + ticks.count;
-    for (int k = 0; k <= steps; ++k)
-        out.push_back(
-            {.at_px = plot.bottom() - plot.height() * k / steps,
-             .text = fixedText((k - ticks.below) * ticks.step, ticks.decimals(), locale)});
-    return out;
-}
-
-void setPlot(TimeFigure& figure, const TimeChartContent& content, const TimeFigureStyle& style)
-{
-    const QFontMetricsF small(style.theme.small());
-    const auto widest = [&](const NiceTicks& ticks) {
-        double width_px = 0;
-        for (const ChartTick& tick : valueTicks(ticks, {}, style.locale))
-            width_px = std::max(width_px, small.horizontalAdvance(tick.text));
-        return width_px;
+    Figure& figure = time.figure;
+    figure.x = {.ends = AxisEnds::Exact,
+                .least = style.window.from_s,
+                .largest = style.window.to_s,
+                .spacing_px = 84,
+                .text = clockNumber,
+                .title = utf8(style.window.to_s >= 3600 ? TimeChartText::tr("Time, h:mm:ss")
+                                                        : TimeChartText::tr("Time, mm:ss")),
+                .isTime = true};
+    figure.y = valueAxis(time, content, style.locale, false);
+    figure.leftTitles = {utf8(content.leftTitle)};
+    if (hasRightAxis(content)) {
+        figure.right = valueAxis(time, content, style.locale, true);
+        figure.rightTitles = {utf8(content.rightTitle)};
+    }
+    const auto inkOf = [&](bool onRightAxis) {
+        for (const TimeLine& line : content.lines)
+            if (line.onRightAxis == onRightAxis && !isOneOfMany(line) && !line.hidden)
+                return lineInk(line, content.sigmaFull_m2);
+        return Ink{.of = InkOf::Muted};
     };
-    const double margin_px = labelMargin_px(content, style.theme, style.size_px.width());
-    const double rightWidth_px = margin_px > 0           ? margin_px
-                                 : hasRightAxis(content) ? widest(figure.right)
-                                                         : 0;
-    const double left_px =
-        std::max(style.leastLeft_px, kChartSide_px + widest(figure.left) + kChartTickGap_px);
-    const double right_px =
-        style.size_px.width() -
-        std::max(style.leastRight_px, kChartSide_px + rightWidth_px + kChartTickGap_px);
-    const double top_px = chartTop(figure.frame);
-    figure.frame.plot = QRectF(left_px, top_px, std::max(10.0, right_px - left_px),
-                               std::max(10.0, style.size_px.height() - top_px - kChartBottom_px));
-    if (hasRightAxis(content))
-        figure.frame.rightEdge_px =
-            figure.frame.plot.right() + kChartTickGap_px + widest(figure.right);
+    figure.leftInk = inkOf(false);
+    figure.rightInk = inkOf(true);
 }
 
-void simplifyLines(TimeFigure& figure, const TimeChartContent& content)
+/** Long ramps become one segment. */
+void simplifyLines(TimeFigure& time, const TimeChartContent& content, double height_px)
 {
-    for (std::size_t i = 0; i < figure.drawn.size(); ++i) {
-        const NiceTicks& axis = figure.axisOf(content.lines[i]);
-        const double unit = (axis.end() - axis.start()) / figure.frame.plot.height();
-        figure.drawn[i] = simplified(figure.drawn[i], kSimplify_px * unit);
+    for (std::size_t i = 0; i < time.drawn.size(); ++i) {
+        const PlotAxis& axis =
+            content.lines[i].onRightAxis && time.figure.right ? *time.figure.right : time.figure.y;
+        const double unit = (axis.largest - axis.least) / std::max(10.0, height_px);
+        time.drawn[i] = simplified(time.drawn[i], kSimplify_px * unit);
     }
 }
 
-void fillTitles(ChartFrame& frame, const TimeChartContent& content, const TimeFigureStyle& style)
+void addLine(Figure& figure, const TimeLine& line, const QList<QPointF>& drawn, double sigmaFull_m2,
+             bool crowded)
 {
-    const auto colourOf = [&](bool onRightAxis) {
-        for (const TimeLine& line : content.lines)
-            if (line.onRightAxis == onRightAxis && !isOneOfMany(line) && !line.hidden)
-                return lineColour(line, style.theme, content.sigmaFull_m2);
-        return style.theme.mutedText;
+    PlotLine out{.points = {},
+                 .ink = lineInk(line, sigmaFull_m2),
+                 .width_px = lineWidth_px(line, crowded),
+                 .onRightAxis = line.onRightAxis,
+                 .key = utf8(line.key)};
+    if (line.role == LineRole::Weighted)
+        out.dash_px = {4 * out.width_px, 2 * out.width_px};
+    if (crowded && line.role == LineRole::Sigma)
+        out.ink.strength = kFaintInk;
+    for (const QPointF& p : drawn)
+        out.points.push_back({p.x(), p.y()});
+    if (line.role == LineRole::Momentary && !drawn.isEmpty()) {
+        PlotArea area{.outline = out.points, .ink = out.ink, .opacity = kAreaInk};
+        area.outline.push_back({drawn.back().x(), 0});
+        area.outline.push_back({drawn.front().x(), 0});
+        figure.areas.push_back(std::move(area));
+    }
+    figure.lines.push_back(std::move(out));
+}
+
+/** Where the polyline ends within a view that ends at `to`. */
+std::optional<QPointF> endOf(const QList<QPointF>& points, const TimeWindow& view)
+{
+    if (points.empty() || points.back().x() > view.to_s)
+        return pointAt(points, view.to_s);
+    return points.back().x() < view.from_s ? std::nullopt : std::optional(points.back());
+}
+
+void addNames(TimeFigure& time, const TimeChartContent& content)
+{
+    const bool areMany = std::any_of(content.lines.begin(), content.lines.end(), isOneOfMany);
+    std::vector<std::optional<QPointF>> ends;
+    for (const QList<QPointF>& points : time.drawn)
+        ends.push_back(endOf(points, time.window));
+    std::vector<std::size_t> order = byImportance(content, ends); // where lines crowd
+    if (!areMany)
+        std::sort(order.begin(), order.end());
+    for (const std::size_t i : order) {
+        const TimeLine& line = content.lines[i];
+        time.figure.labels.push_back({.text = utf8(line.label),
+                                      .shortText = utf8(line.name),
+                                      .end = {ends[i]->x(), ends[i]->y()},
+                                      .ink = lineInk(line, content.sigmaFull_m2),
+                                      .place = areMany ? LabelPlace::AtEnd : LabelPlace::Inside,
+                                      .onRightAxis = line.onRightAxis,
+                                      .isStrong = line.emphasis == LineEmphasis::Strong,
+                                      .isQuiet = line.role == LineRole::Bound,
+                                      .needsMargin = areMany,
+                                      .line = i,
+                                      .key = utf8(line.key)});
+    }
+}
+
+/** Visits at the foot, limits across, the instant looked at. */
+void addMarks(TimeFigure& time, const TimeChartContent& content)
+{
+    const auto inView = [&time](double time_s) {
+        return time_s >= time.window.from_s && time_s <= time.window.to_s;
     };
-    frame.leftTitle = content.leftTitle;
-    frame.rightTitle = hasRightAxis(content) ? content.rightTitle : QString();
-    frame.timeTitle = style.window.to_s >= 3600 ? TimeChartText::tr("Time, h:mm:ss")
-                                                : TimeChartText::tr("Time, mm:ss");
-    frame.leftColour = colourOf(false);
-    frame.rightColour = colourOf(true);
-    frame.emptyText = hasPoints(content) ? QString() : content.emptyText;
-}
-
-void fillTicks(TimeFigure& figure, const TimeChartContent& content, const QLocale& locale)
-{
-    ChartFrame& frame = figure.frame;
-    frame.left = valueTicks(figure.left, frame.plot, locale);
-    if (hasRightAxis(content))
-        frame.right = valueTicks(figure.right, frame.plot, locale);
-    const double step_s = figure.timeStep_s;
-    const double first = std::ceil(figure.window.from_s / step_s - 1e-9);
-    for (double k = first; k * step_s <= figure.window.to_s * (1 + 1e-9); ++k)
-        frame.times.push_back(
-            {.at_px = figure.timeToView(k * step_s), .text = clockText(k * step_s)});
-}
-
-void fillMarks(TimeFigure& figure, const TimeChartContent& content)
-{
-    ChartFrame& frame = figure.frame;
-    const auto inView = [&figure](double time_s) {
-        return time_s >= figure.window.from_s && time_s <= figure.window.to_s;
+    Figure& figure = time.figure;
+    const auto over = [&figure](const PlotPoint& from, const PlotPoint& to, double width_px) {
+        figure.lines.push_back({.points = {from, to},
+                                .ink = {.of = InkOf::Uav},
+                                .width_px = width_px,
+                                .isOver = true});
     };
     for (const double time_s : content.marks_s)
         if (inView(time_s))
-            frame.marks_px.push_back(figure.timeToView(time_s));
-    frame.marksTitle = content.marksTitle;
-    if (hasPoints(content))
-        for (const ReferenceLine& reference : content.references)
-            frame.references.push_back(
-                {.at_px = figure.toView({}, {0, reference.value}).y(), .text = reference.label});
+            over({time_s, -kPlotEdge, 0, -kFootMark_px}, {time_s, -kPlotEdge}, 1.6);
+    if (!figure.lines.empty() && figure.lines.back().isOver)
+        figure.markKey = utf8(content.marksTitle);
+    for (const ReferenceLine& reference : content.references) {
+        over({-kPlotEdge, reference.value}, {kPlotEdge, reference.value}, 1);
+        figure.lines.back().ink = {.of = InkOf::Muted};
+        figure.lines.back().dash_px = {4, 2};
+        figure.labels.push_back(
+            {.text = utf8(reference.label),
+             .end = {kPlotEdge, reference.value, -kReferenceGap_px, -kReferenceUp_px},
+             .ink = {.of = InkOf::Muted},
+             .place = LabelPlace::Left,
+             .needsMargin = false});
+        if (reference.label.isEmpty())
+            figure.labels.pop_back();
+    }
     if (content.cursor_s && inView(*content.cursor_s))
-        frame.cursor_px = figure.timeToView(*content.cursor_s);
+        over({*content.cursor_s, -kPlotEdge}, {*content.cursor_s, kPlotEdge}, 1.2);
+}
+
+qsizetype segmentsOf(const std::vector<QList<QPointF>>& drawn)
+{
+    qsizetype segments = 0;
+    for (const QList<QPointF>& points : drawn)
+        segments += points.size();
+    return segments;
 }
 
 } // namespace
 
-double TimeFigure::timeToView(double time_s) const
-{
-    return frame.plot.left() + frame.plot.width() * (time_s - window.from_s) / window.length_s();
-}
-
 double TimeFigure::viewToTime(double x_px) const
 {
-    const double part = (x_px - frame.plot.left()) / frame.plot.width();
+    const double part = (x_px - drawing.plot.left) / drawing.plot.width();
     return window.from_s + std::clamp(part, 0.0, 1.0) * window.length_s();
-}
-
-QPointF TimeFigure::toView(const TimeLine& line, const QPointF& p) const
-{
-    const NiceTicks& axis = axisOf(line);
-    const double part = (p.y() - axis.start()) / (axis.end() - axis.start());
-    return {timeToView(p.x()), frame.plot.bottom() - frame.plot.height() * part};
 }
 
 bool hasPoints(const TimeChartContent& content)
@@ -232,31 +252,52 @@ bool hasPoints(const TimeChartContent& content)
 
 int chartColumns(double width_px)
 {
-    return std::max(1, static_cast<int>(width_px) - static_cast<int>(2 * kChartSide_px));
+    return std::max(1, static_cast<int>(width_px) - static_cast<int>(2 * kFigureSide_px));
 }
 
-bool isOneOfMany(const TimeLine& line)
+std::vector<std::size_t> byImportance(const TimeChartContent& content,
+                                      const std::vector<std::optional<QPointF>>& points)
 {
-    return line.role == LineRole::Sigma || line.role == LineRole::Uav;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i])
+            order.push_back(i);
+    const auto isStrong = [&content](std::size_t i) {
+        return content.lines[i].emphasis == LineEmphasis::Strong;
+    };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return isStrong(a) != isStrong(b) ? isStrong(a) : points[a]->y() > points[b]->y();
+    });
+    return order;
 }
 
 TimeFigure timeFigure(const TimeChartContent& content, const TimeFigureStyle& style)
 {
-    TimeFigure figure;
-    figure.window = style.window;
-    figure.frame.size = style.size_px;
-    figure.frame.title = style.hasTitle ? content.title : QString();
-    figure.drawn = linesInView(content, style.window, chartColumns(style.size_px.width()));
-    setValueAxes(figure, content);
-    setPlot(figure, content, style);
-    figure.timeStep_s =
-        timeStep_s(style.window.length_s(),
-                   std::max(1, static_cast<int>(figure.frame.plot.width() / kTimeSpacing_px)));
-    simplifyLines(figure, content);
-    fillTitles(figure.frame, content, style);
-    fillTicks(figure, content, style.locale);
-    fillMarks(figure, content);
-    return figure;
+    TimeFigure time{.window = style.window};
+    time.figure.title = style.hasTitle ? utf8(content.title) : std::string();
+    time.figure.leastLeft_px = style.leastLeft_px;
+    time.figure.leastRight_px = style.leastRight_px;
+    time.drawn = linesInView(content, style.window, chartColumns(style.size_px.width()));
+    addAxes(time, content, style);
+    simplifyLines(time, content, style.size_px.height() - kFigureTop_px - kFigureBottom_px);
+    const bool crowded = isCrowded(segmentsOf(time.drawn));
+    const bool areMany = std::any_of(content.lines.begin(), content.lines.end(), isOneOfMany);
+    if (style.hasLines || !areMany)
+        for (std::size_t i = 0; i < time.drawn.size(); ++i)
+            addLine(time.figure, content.lines[i], time.drawn[i], content.sigmaFull_m2, crowded);
+    const bool isEmpty = !hasPoints(content);
+    if (!isEmpty) {
+        addNames(time, content);
+        addMarks(time, content);
+    }
+    time.drawing = layOutPlot(time.figure, {style.size_px.width(), style.size_px.height()},
+                              figureFonts(style.theme));
+    if (isEmpty)
+        time.drawing.texts.push_back({.text = utf8(content.emptyText),
+                                      .rect = time.drawing.plot,
+                                      .font = FigureFont::Body,
+                                      .align = TextAlign::Centre});
+    return time;
 }
 
 } // namespace berg

@@ -1,13 +1,11 @@
 #pragma once
 
-#include "core/base/nice_ticks.h"
+#include "core/io/figure/figure_layout.h"
 #include "widgets/charts/chart_content.h"
-#include "widgets/charts/chart_frame.h"
 #include "widgets/charts/time_window.h"
+#include "widgets/theme/theme.h"
 
 #include <QLocale>
-
-#include <span>
 
 namespace berg {
 
@@ -19,29 +17,30 @@ struct TimeFigureStyle
     QSizeF size_px;
     TimeWindow window; ///< in view; longer than 0
     bool hasTitle = true;
+    bool hasLines = true;     ///< false: of many lines the chart shows them itself
     double leastLeft_px = 0;  ///< of the plot from the edges, so that charts one below the other
     double leastRight_px = 0; ///< have one time axis
 };
 
-/** Where everything of a chart over time goes, device-independent pixels. */
+/** A chart over time as a figure, laid out. */
 struct TimeFigure
 {
     TimeWindow window;
-    double timeStep_s = 1; ///< between the times written
-    NiceTicks left;
-    NiceTicks right;
-    ChartFrame frame;
+    Figure figure;
+    Drawing drawing;
     /** By line of the content: what is in view of it as at most two points for each column of
      * pixels, seconds and the unit of its axis. */
     std::vector<QList<QPointF>> drawn;
 
-    [[nodiscard]] const NiceTicks& axisOf(const TimeLine& line) const
-    {
-        return line.onRightAxis ? right : left;
-    }
-    [[nodiscard]] double timeToView(double time_s) const;
     [[nodiscard]] double viewToTime(double x_px) const; ///< within the window
-    [[nodiscard]] QPointF toView(const TimeLine& line, const QPointF& p) const;
+    [[nodiscard]] const PlotScale& axisOf(const TimeLine& line) const
+    {
+        return line.onRightAxis ? drawing.right : drawing.y;
+    }
+    [[nodiscard]] Pixel toView(const TimeLine& line, const QPointF& p) const
+    {
+        return drawing.at({p.x(), p.y()}, line.onRightAxis);
+    }
 };
 
 /** There are lines with points to see. */
@@ -50,25 +49,16 @@ struct TimeFigure
 /** Number of columns for which lines in a chart of this width are worth having points. */
 [[nodiscard]] int chartColumns(double width_px);
 
-/** Layout of a chart without the names beside the lines. Thread: any with a QGuiApplication. */
-[[nodiscard]] TimeFigure timeFigure(const TimeChartContent& content, const TimeFigureStyle& style);
-
 /**
- * Names the lines: in the right margin where there are many, as far as there is room, those of the
- * largest values first; else in the plot, clear of all lines and of `taken`.
+ * Layout of a chart without the names beside the lines, which `placeLabels` of
+ * its figure adds: in the right margin where there are many, as far as there is
+ * room, those of the largest values first; else in the plot, clear of all
+ * lines. Thread: any with a QGuiApplication.
  */
-void placeLabels(TimeFigure& figure, const TimeChartContent& content, const Theme& theme,
-                 std::span<const QRectF> taken = {});
-
-/** Width of the margin for names; 0: they are in the plot. */
-[[nodiscard]] double labelMargin_px(const TimeChartContent& content, const Theme& theme,
-                                    double chartWidth_px);
+[[nodiscard]] TimeFigure timeFigure(const TimeChartContent& content, const TimeFigureStyle& style);
 
 /** Lines by importance for names: emphasised first, then by the value at `points`. */
 [[nodiscard]] std::vector<std::size_t>
 byImportance(const TimeChartContent& content, const std::vector<std::optional<QPointF>>& points);
-
-/** Has its name in the margin, and a colour that is not that of the axis. */
-[[nodiscard]] bool isOneOfMany(const TimeLine& line);
 
 } // namespace berg

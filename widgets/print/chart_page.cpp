@@ -1,6 +1,7 @@
 #include "widgets/print/chart_page.h"
 
 #include "core/base/error.h"
+#include "widgets/charts/figure_painter.h"
 #include "widgets/charts/mission_charts.h"
 #include "widgets/print/document_chart.h"
 #include "widgets/print/page_text.h"
@@ -35,18 +36,18 @@ struct ChartSheet
     QString title;
     QString subtitle;
     Theme theme = Theme::light();
-    std::vector<DocumentChart> charts; ///< from above
+    std::vector<TimeFigure> charts; ///< from above
 };
 
 void paintHead(QPainter& painter, const ChartSheet& sheet)
 {
-    const double width_px = kPage_px.width() - 2 * kChartSide_px;
+    const double width_px = kPage_px.width() - 2 * kFigureSide_px;
     double top_px = 16;
     const auto line = [&](const QFont& font, const QColor& colour, const QString& text) {
         const QFontMetricsF metrics(font);
         painter.setFont(font);
         painter.setPen(colour);
-        painter.drawText(QPointF(kChartSide_px, top_px + metrics.ascent()),
+        painter.drawText(QPointF(kFigureSide_px, top_px + metrics.ascent()),
                          metrics.elidedText(text, Qt::ElideRight, width_px));
         top_px += metrics.height() + 2;
     };
@@ -60,10 +61,10 @@ void paintSheet(QPainter& painter, const ChartSheet& sheet)
 {
     const PainterState saved(painter);
     paintHead(painter, sheet);
-    QPointF at(0, kHead_px);
-    for (const DocumentChart& chart : sheet.charts) {
-        paintDocumentChart(painter, at, chart, sheet.theme);
-        at.ry() += kChart_px;
+    painter.translate(0, kHead_px);
+    for (const TimeFigure& chart : sheet.charts) {
+        paintDrawing(painter, chart.drawing, sheet.theme);
+        painter.translate(0, kChart_px);
     }
 }
 

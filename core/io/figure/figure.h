@@ -54,7 +54,8 @@ struct PlotLine
     double width_px = 1;
     std::vector<double> dash_px{};
     bool onRightAxis = false;
-    std::string key{}; ///< tells lines apart; class of it in SVG
+    bool isOver = false; ///< above all that is shown, such as the instant looked at
+    std::string key{};   ///< tells lines apart; class of it in SVG
 };
 
 struct PlotArea
@@ -102,7 +103,8 @@ enum class LabelPlace
 struct PlotLabel
 {
     std::string text;
-    PlotPoint end;
+    std::string shortText{}; ///< for `Inside`, where there is no room for the whole
+    PlotPoint end{};
     Ink ink{};
     LabelPlace place = LabelPlace::Margin;
     bool onRightAxis = false;
@@ -135,7 +137,8 @@ struct PlotAxis
     AxisEnds ends = AxisEnds::Round;
     double least = 0; ///< to be seen
     double largest = 1;
-    double spacing_px = 40; ///< of ticks, at least
+    double spacing_px = 40;   ///< of ticks, at least
+    double fewSpacing_px = 0; ///< of up to four of them, where the axis is short
     std::function<std::string(double value, int decimals)> text{};
     std::string title{};
     bool isTime = false;  ///< seconds: steps of minutes and hours
@@ -161,7 +164,11 @@ struct Figure
     Ink rightInk{.of = InkOf::Muted};
     PlotAxis x;
     PlotAxis y;
-    std::vector<PlotArea> areas; ///< from below, as all that follows
+    std::optional<PlotAxis> right{}; ///< from 0 on, with the grid of the left one
+    double leastLeft_px = 0;         ///< of the plot from the edges, so that figures
+    double leastRight_px = 0;        ///< one below the other have one axis
+    std::string markKey{};           ///< what small ticks at the foot of the plot are
+    std::vector<PlotArea> areas;     ///< from below, as all that follows
     std::vector<PlotLine> lines;
     std::vector<PlotMark> marks;
     std::vector<PlotLabel> labels; ///< by importance

@@ -77,7 +77,10 @@ AxisTicks powerTicks(const PlotAxis& axis, double length_px)
 
 AxisTicks ticksOf(const PlotAxis& axis, double length_px)
 {
-    const int most = std::max(1, static_cast<int>(length_px / axis.spacing_px));
+    constexpr int kFew = 4; // or round numbers leave much of it empty
+    int most = std::max(1, static_cast<int>(length_px / axis.spacing_px));
+    if (axis.fewSpacing_px > 0)
+        most = std::max(most, std::min(kFew, static_cast<int>(length_px / axis.fewSpacing_px)));
     switch (axis.ends) {
     case AxisEnds::Round:
     case AxisEnds::Around0:
@@ -91,6 +94,16 @@ AxisTicks ticksOf(const PlotAxis& axis, double length_px)
                 1,    static_cast<int>(axis.rows.size()) - 1,      0};
     }
     return {};
+}
+
+/** On the grid of the left axis. */
+AxisTicks rightTicksOf(const PlotAxis& axis, const AxisTicks& left)
+{
+    const int below = static_cast<int>(std::lround(-left.from / left.step));
+    const int above = left.count - below;
+    const NiceTicks ticks = niceTicksExactly(axis.largest, std::max(1, above));
+    return {-below * ticks.step, above * ticks.step, -below * ticks.step,
+            ticks.step,          left.count,         ticks.decimals()};
 }
 
 std::string tickText(const PlotAxis& axis, const AxisTicks& ticks, int k)
@@ -109,6 +122,8 @@ struct Layout
     Drawing out{};
     AxisTicks xTicks{};
     AxisTicks yTicks{};
+    AxisTicks rightTicks{};
+    double rightNumbers_px = 0; ///< width
 
     [[nodiscard]] double width_px(const std::string& text) const
     {
@@ -126,33 +141,59 @@ double titlesTop(const Figure& figure)
     return figure.title.empty() ? kFigureTop_px - kTitle_px : kFigureTop_px;
 }
 
-/** The row above the plot: of both titles the longest alternatives that fit. */
+/** Says what the small ticks are, where there is room; returns the width taken of the first row. */
+double placeMarkKey(Layout& l)
+{
+    if (l.figure.markKey.empty())
+        return 0;
+    const bool isTitled = !l.figure.title.empty();
+    const double key_px = l.width_px(l.figure.markKey) + 14;
+    const double titles_px =
+        2 * std::max(l.width_px(l.out.leftTitle), l.width_px(l.out.rightTitle));
+    if (isTitled ? key_px >= 0.3 * l.out.size.x : titles_px + key_px + 40 >= l.out.size.x)
+        return 0;
+    const double left_px =
+        (isTitled ? l.out.size.x - kFigureSide_px - key_px : (l.out.size.x - key_px) / 2) + 14;
+    const double top_px = isTitled ? 12 : titlesTop(l.figure) - 28;
+    l.out.over.push_back(
+        {.points = {{left_px - 7, top_px + 5}, {left_px - 7, top_px + 5 + kFootMark_px}},
+         .ink = {.of = InkOf::Uav},
+         .width_px = 1.6});
+    l.text(l.figure.markKey, {left_px, top_px, left_px + key_px, top_px + 18}, TextAlign::Left);
+    return isTitled ? key_px : 0;
+}
+
+/** Of both titles above the plot the longest alternatives that fit. */
+void chooseTitles(Layout& l, double room_px)
+{
+    const std::vector<std::string> none{{}};
+    for (const std::string& left : l.figure.leftTitles.empty() ? none : l.figure.leftTitles)
+        for (const std::string& right :
+             l.figure.rightTitles.empty() ? none : l.figure.rightTitles) {
+            l.out.leftTitle = left;
+            l.out.rightTitle = right;
+            if (l.width_px(left) + l.width_px(right) + kTitlesGap_px <= room_px)
+                return;
+        }
+}
+
 void placeTitles(Layout& l)
 {
     const double room_px = l.out.size.x - 2 * kFigureSide_px;
-    PixelRect row{kFigureSide_px, 12, l.out.size.x - kFigureSide_px, 30};
-    if (!l.figure.title.empty())
-        l.text(l.fonts.elided(l.figure.title, FigureFont::Strong, room_px), row, TextAlign::Left,
-               {}, FigureFont::Strong);
-    const std::vector<std::string> none{{}};
-    const auto& lefts = l.figure.leftTitles.empty() ? none : l.figure.leftTitles;
-    const auto& rights = l.figure.rightTitles.empty() ? none : l.figure.rightTitles;
-    const auto choose = [&] {
-        for (const std::string& left : lefts)
-            for (const std::string& right : rights) {
-                l.out.leftTitle = left;
-                l.out.rightTitle = right;
-                if (l.width_px(left) + l.width_px(right) + kTitlesGap_px <= room_px)
-                    return;
-            }
-    };
-    choose();
+    chooseTitles(l, room_px);
     const double rightRoom_px =
         room_px - (l.out.leftTitle.empty() ? 0 : l.width_px(l.out.leftTitle) + kTitlesGap_px);
     l.out.rightTitle = l.fonts.elided(l.out.rightTitle, FigureFont::Small, rightRoom_px);
+    const double key_px = placeMarkKey(l);
+    PixelRect row{kFigureSide_px, 12, l.out.size.x - kFigureSide_px, 30};
+    if (!l.figure.title.empty())
+        l.text(l.fonts.elided(l.figure.title, FigureFont::Strong, room_px - key_px), row,
+               TextAlign::Left, {}, FigureFont::Strong);
     row.top = titlesTop(l.figure) - 27;
     row.bottom = row.top + kTextHeight_px;
     l.text(l.out.leftTitle, row, TextAlign::Left, l.figure.leftInk);
+    if (l.figure.right)
+        row.right = l.out.plot.right + kTickGap_px + l.rightNumbers_px;
     l.text(l.out.rightTitle, row, TextAlign::Right, l.figure.rightInk);
 }
 
@@ -162,6 +203,14 @@ double widest(const Layout& l, const std::vector<std::string>& texts)
     for (const std::string& text : texts)
         widest_px = std::max(widest_px, l.width_px(text));
     return widest_px;
+}
+
+std::vector<std::string> numbersOf(const PlotAxis& axis, const AxisTicks& ticks)
+{
+    std::vector<std::string> numbers;
+    for (int k = 0; k <= ticks.count; ++k)
+        numbers.push_back(tickText(axis, ticks, k));
+    return numbers;
 }
 
 /** The plot between what stands beside it. */
@@ -175,15 +224,19 @@ void setPlot(Layout& l)
     const double below_px = l.figure.x.title.empty() ? kBareBottom_px : kFigureBottom_px;
     plot.bottom = std::max(plot.top + 20, l.out.size.y - below_px);
     l.yTicks = ticksOf(y, plot.height());
-    std::vector<std::string> numbers;
-    for (int k = 0; k <= l.yTicks.count; ++k)
-        numbers.push_back(tickText(y, l.yTicks, k));
-    plot.left = kFigureSide_px + kTickGap_px + widest(l, numbers);
+    plot.left = kFigureSide_px + kTickGap_px + widest(l, numbersOf(y, l.yTicks));
     if (y.ends == AxisEnds::Rows)
         plot.left = std::min(plot.left, kFigureSide_px + kTickGap_px + kNameShare * l.out.size.x);
-    const double ends_px = y.rowEnds.empty() ? 0 : kTickGap_px + widest(l, y.rowEnds);
-    const double beside_px = std::max(ends_px, labelMargin_px(l.figure, l.out.size, l.fonts));
-    plot.right = std::max(plot.left + 40, l.out.size.x - kFigureSide_px - beside_px);
+    plot.left = std::max(plot.left, l.figure.leastLeft_px);
+    double beside_px = y.rowEnds.empty() ? 0 : kTickGap_px + widest(l, y.rowEnds);
+    if (l.figure.right) {
+        l.rightTicks = rightTicksOf(*l.figure.right, l.yTicks);
+        l.rightNumbers_px = widest(l, numbersOf(*l.figure.right, l.rightTicks));
+        beside_px = kTickGap_px + l.rightNumbers_px;
+    }
+    beside_px = std::max(beside_px, labelMargin_px(l.figure, l.out.size, l.fonts));
+    beside_px = std::max(l.figure.leastRight_px, kFigureSide_px + beside_px);
+    plot.right = std::max(plot.left + 40, l.out.size.x - beside_px);
 }
 
 PlotScale scaleOf(const PlotAxis& axis, const AxisTicks& ticks, double low_px, double high_px)
@@ -195,6 +248,7 @@ PlotScale scaleOf(const PlotAxis& axis, const AxisTicks& ticks, double low_px, d
             .to_px = high_px - sign * (axis.inset_px + axis.reserve_px),
             .low_px = low_px,
             .high_px = high_px,
+            .step = ticks.step,
             .isLogarithmic = axis.ends == AxisEnds::Powers};
 }
 
@@ -208,6 +262,8 @@ void setScales(Layout& l)
     l.out.y = scaleOf(l.figure.y, l.yTicks, plot.bottom, plot.top);
     if (isFromAbove)
         std::swap(l.out.y.from_px, l.out.y.to_px);
+    if (l.figure.right)
+        l.out.right = scaleOf(*l.figure.right, l.rightTicks, plot.bottom, plot.top);
 }
 
 void placeNumber(Layout& l, double at_px, const std::string& text)
@@ -255,19 +311,26 @@ void placeY(Layout& l)
         l.out.yTicks.push_back({at_px, text});
         l.text(text, {0, top_px, plot.left - kTickGap_px, top_px + kTextHeight_px},
                TextAlign::Right);
-        if (static_cast<std::size_t>(k) < axis.rowEnds.size())
-            l.text(axis.rowEnds[static_cast<std::size_t>(k)],
-                   {plot.right + kTickGap_px, top_px, l.out.size.x, top_px + kTextHeight_px},
+        const auto atRight = [&](const std::string& end) {
+            l.text(end, {plot.right + kTickGap_px, top_px, l.out.size.x, top_px + kTextHeight_px},
                    TextAlign::Left);
+        };
+        if (static_cast<std::size_t>(k) < axis.rowEnds.size())
+            atRight(axis.rowEnds[static_cast<std::size_t>(k)]);
+        if (l.figure.right) {
+            l.out.rightTicks.push_back({at_px, tickText(*l.figure.right, l.rightTicks, k)});
+            atRight(l.out.rightTicks.back().text);
+        }
     }
 }
 
-std::vector<Pixel> pixels(const Drawing& drawing, const std::vector<PlotPoint>& points)
+std::vector<Pixel> pixels(const Drawing& drawing, const std::vector<PlotPoint>& points,
+                          bool onRightAxis = false)
 {
     std::vector<Pixel> out;
     out.reserve(points.size());
     for (const PlotPoint& point : points)
-        out.push_back(drawing.at(point));
+        out.push_back(drawing.at(point, onRightAxis));
     return out;
 }
 
@@ -277,11 +340,12 @@ void placeContent(Layout& l)
     for (const PlotArea& area : l.figure.areas)
         out.areas.push_back({.outline = pixels(out, area.outline), .of = area});
     for (const PlotLine& line : l.figure.lines)
-        out.lines.push_back({.points = pixels(out, line.points),
-                             .ink = line.ink,
-                             .width_px = line.width_px,
-                             .dash_px = line.dash_px,
-                             .key = line.key});
+        (line.isOver ? out.over : out.lines)
+            .push_back({.points = pixels(out, line.points, line.onRightAxis),
+                        .ink = line.ink,
+                        .width_px = line.width_px,
+                        .dash_px = line.dash_px,
+                        .key = line.key});
     for (const PlotMark& mark : l.figure.marks)
         out.marks.push_back({.at = out.at(mark.at), .of = mark});
     for (const PlotItem& item : l.figure.items)
@@ -308,12 +372,12 @@ double PlotScale::at(double value) const
     return from_px + (to_px - from_px) * (on - from) / (to - from);
 }
 
-Pixel Drawing::at(const PlotPoint& point) const
+Pixel Drawing::at(const PlotPoint& point, bool onRightAxis) const
 {
-    return {x.at(point.x) + point.dx_px, y.at(point.y) + point.dy_px};
+    return {x.at(point.x) + point.dx_px, (onRightAxis ? right : y).at(point.y) + point.dy_px};
 }
 
-Drawing layOut(const Figure& figure, const Pixel& size, const FigureFonts& fonts)
+Drawing layOutPlot(const Figure& figure, const Pixel& size, const FigureFonts& fonts)
 {
     Layout l{.figure = figure, .fonts = fonts};
     l.out.size = size;
@@ -323,14 +387,21 @@ Drawing layOut(const Figure& figure, const Pixel& size, const FigureFonts& fonts
                FigureFont::Body);
         return std::move(l.out);
     }
-    placeTitles(l);
     setPlot(l);
     setScales(l);
+    placeTitles(l);
     placeY(l);
     placeX(l);
     placeContent(l);
-    placeLabels(figure, fonts, l.out);
     return std::move(l.out);
+}
+
+Drawing layOut(const Figure& figure, const Pixel& size, const FigureFonts& fonts)
+{
+    Drawing drawing = layOutPlot(figure, size, fonts);
+    if (figure.emptyText.empty())
+        placeLabels(figure, fonts, drawing);
+    return drawing;
 }
 
 } // namespace berg

@@ -107,6 +107,7 @@ struct PlotScale
     double to_px = 1;
     double low_px = 0; ///< edges of the plot
     double high_px = 1;
+    double step = 1; ///< between ticks
     bool isLogarithmic = false;
     [[nodiscard]] double at(double value) const;
 };
@@ -118,27 +119,37 @@ struct Drawing
     PixelRect plot;
     PlotScale x;
     PlotScale y;
+    PlotScale right;
     std::vector<DrawnLine> grid;
     std::vector<DrawnArea> areas;
     std::vector<DrawnLine> lines;
     std::vector<DrawnMark> marks;
-    std::vector<DrawnLine> leaders;
+    std::vector<DrawnLine> over; ///< leaders of names, too
     std::vector<DrawnText> texts;
     std::vector<DrawnTick> xTicks; ///< among the texts
     std::vector<DrawnTick> yTicks;
+    std::vector<DrawnTick> rightTicks;
     std::vector<DrawnLabel> labels; ///< among the texts, in the order of the figure
     std::vector<DrawnItem> items;
     std::string leftTitle; ///< among the texts
     std::string rightTitle;
 
-    [[nodiscard]] Pixel at(const PlotPoint& point) const;
+    [[nodiscard]] Pixel at(const PlotPoint& point, bool onRightAxis = false) const;
 };
 
 inline constexpr double kFigureTop_px = 62;    ///< title and axis titles
 inline constexpr double kFigureBottom_px = 46; ///< numbers and their title
 inline constexpr double kFigureSide_px = 18;
+inline constexpr double kFootMark_px = 7; ///< height of a small tick at the foot of the plot
 
-/** Places everything for a picture of this size. */
+/** Places everything but the names for a picture of this size. */
+[[nodiscard]] Drawing layOutPlot(const Figure& figure, const Pixel& size, const FigureFonts& fonts);
+
+/** Places the names for which there is room, clear of `taken`. */
+void placeLabels(const Figure& figure, const FigureFonts& fonts, Drawing& drawing,
+                 const std::vector<PixelRect>& taken = {});
+
+/** Both. */
 [[nodiscard]] Drawing layOut(const Figure& figure, const Pixel& size, const FigureFonts& fonts);
 
 } // namespace berg

@@ -143,8 +143,8 @@ std::string figureSvg(const Figure& figure, double width_px, double height_px)
         svg += lineSvg(line);
     for (const DrawnMark& mark : drawing.marks)
         svg += markSvg(mark);
-    for (const DrawnLine& leader : drawing.leaders)
-        svg += lineSvg(leader);
+    for (const DrawnLine& line : drawing.over)
+        svg += lineSvg(line);
     for (const DrawnText& text : drawing.texts)
         svg += textSvg(text);
     return svg + "</svg>\n";

@@ -1,6 +1,7 @@
+#include "core/base/label_column.h"
 #include "core/base/nice_ticks.h"
+#include "core/io/figure/figure_layout.h"
 #include "tests/support/approx.h"
-#include "widgets/charts/chart_labels.h"
 
 #include <QtTest>
 
@@ -124,18 +125,48 @@ private slots:
         QVERIFY(!middles[29].has_value());
     }
 
+    /** Two lines that rise near each other; the first one has room below it. */
+    static Drawing withNames(double letter_px)
+    {
+        Figure figure;
+        const auto number = [](double value, int decimals) {
+            return QByteArray::number(value, 'f', decimals).toStdString();
+        };
+        figure.x = {.ends = AxisEnds::Exact, .largest = 300, .text = number};
+        figure.y = {.ends = AxisEnds::Around0, .largest = 200, .text = number};
+        figure.lines = {{.points = {{0, 100}, {300, 150}}}, {.points = {{0, 140}, {300, 160}}}};
+        for (const std::size_t line : {0UL, 1UL})
+            figure.labels.push_back({.text = "own name",
+                                     .shortText = "own",
+                                     .place = LabelPlace::Inside,
+                                     .needsMargin = false,
+                                     .line = line});
+        return layOut(figure, {400, 260},
+                      {.width_px =
+                           [letter_px](const std::string& text, FigureFont /*font*/) {
+                               return letter_px * static_cast<double>(text.size());
+                           },
+                       .elided = [](const std::string& text, FigureFont /*font*/,
+                                    double /*room_px*/) { return text; }});
+    }
+
     void labelBesideALineTouchesNone()
     {
-        const QPolygonF own{{0, 100}, {300, 50}};
-        const QPolygonF other{{0, 60}, {300, 40}};
-        const std::vector<QPolygonF> lines = {own, other};
-        const QRectF plot(0, 0, 300, 200);
-        const auto rect = labelBesideLine(own, lines, {}, {60, 14}, plot);
-        QVERIFY(rect.has_value());
-        QVERIFY(plot.contains(*rect));
-        QVERIFY(rect->top() > 50); // the room is below its own line
-        QVERIFY(!labelBesideLine(own, lines, {}, {400, 14}, plot).has_value());
-        QVERIFY(!labelBesideLine({}, lines, {}, {60, 14}, plot).has_value());
+        const Drawing drawing = withNames(8);
+        QCOMPARE(drawing.labels.size(), std::size_t{2});
+        for (const DrawnLabel& label : drawing.labels)
+            QVERIFY(drawing.plot.contains(label.rect));
+        QVERIFY(drawing.labels[0].rect.top > drawing.y.at(150));    // below its own line
+        QVERIFY(drawing.labels[1].rect.bottom < drawing.y.at(140)); // above it
+        QVERIFY(!drawing.labels[0].rect.intersects(drawing.labels[1].rect));
+    }
+
+    void theFirstNameIsRatherShortThanLeftOut()
+    {
+        const Drawing drawing = withNames(60);
+        QCOMPARE(drawing.labels.size(), std::size_t{1});
+        QCOMPARE(drawing.labels[0].text, std::string("own"));
+        QVERIFY(withNames(300).labels.empty()); // wider than the plot
     }
 };
 

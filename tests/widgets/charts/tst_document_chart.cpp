@@ -1,5 +1,6 @@
 #include "tests/support/approx.h"
 #include "tests/support/mission_builder.h"
+#include "widgets/charts/figure_painter.h"
 #include "widgets/charts/mission_charts.h"
 #include "widgets/print/document_chart.h"
 
@@ -36,22 +37,32 @@ TimeChartContent sawTeeth(int lines, int nameLength = 0)
     return content;
 }
 
-DocumentChart charted(const TimeChartContent& content, const QSizeF& size_px = kSize_px,
-                      const QLocale& locale = QLocale::c())
+TimeFigure charted(const TimeChartContent& content, const QSizeF& size_px = kSize_px,
+                   const QLocale& locale = QLocale::c())
 {
     return documentCharts({&content, 1}, Theme::light(), size_px, locale).front();
 }
 
-const ChartStroke& strokeOf(const DocumentChart& chart, const QString& key)
+/** The lines of the content that have points. */
+std::vector<DrawnLine> strokesOf(const TimeFigure& chart)
 {
-    return *std::ranges::find(chart.strokes, key, &ChartStroke::key);
+    std::vector<DrawnLine> strokes;
+    for (const DrawnLine& line : chart.drawing.lines)
+        if (!line.points.empty())
+            strokes.push_back(line);
+    return strokes;
+}
+
+DrawnLine strokeOf(const TimeFigure& chart, const std::string& key)
+{
+    return *std::ranges::find(chart.drawing.lines, key, &DrawnLine::key);
 }
 
 /** What the axis says at that height. */
-double valueAt(const DocumentChart& chart, const NiceTicks& axis, double y_px)
+double valueAt(const TimeFigure& chart, const PlotScale& axis, double y_px)
 {
-    const QRectF& plot = chart.figure.frame.plot;
-    return axis.start() + (axis.end() - axis.start()) * (plot.bottom() - y_px) / plot.height();
+    const PixelRect& plot = chart.drawing.plot;
+    return axis.from + (axis.to - axis.from) * (plot.bottom - y_px) / plot.height();
 }
 
 } // namespace
@@ -67,20 +78,20 @@ private slots:
     {
         const Mission mission = flown(fourIcebergs());
         const FlightRecord record = recordOf(mission);
-        const DocumentChart chart = charted(zetaContent(record, QLocale::c()));
-        QCOMPARE(chart.strokes.size(), std::size_t{2});
-        const QPointF zeta = strokeOf(chart, u"zeta_m2s"_s).points.back();
-        COMPARE_NEAR(zeta.x(), chart.figure.frame.plot.right(), 1e-6);
+        const TimeFigure chart = charted(zetaContent(record, QLocale::c()));
+        QCOMPARE(strokesOf(chart).size(), std::size_t{2});
+        const Pixel zeta = strokeOf(chart, "zeta_m2s").points.back();
+        COMPARE_NEAR(zeta.x, chart.drawing.plot.right, 1e-6);
         const double zeta_m2s = mission.metrics().zeta_m2s;
-        COMPARE_NEAR(valueAt(chart, chart.figure.right, zeta.y()), zeta_m2s, 1e-9 * zeta_m2s);
-        const QPointF sum = strokeOf(chart, u"sigma_sum_m2"_s).points.back();
-        COMPARE_NEAR(valueAt(chart, chart.figure.left, sum.y()),
+        COMPARE_NEAR(valueAt(chart, chart.drawing.right, zeta.y), zeta_m2s, 1e-9 * zeta_m2s);
+        const Pixel sum = strokeOf(chart, "sigma_sum_m2").points.back();
+        COMPARE_NEAR(valueAt(chart, chart.drawing.y, sum.y),
                      record.history.samples.back().sigmaSum_m2, 1e-6);
         const TimeChartContent sigma = sigmaContent(record, QLocale::c());
-        const DocumentChart each = charted(sigma);
-        QCOMPARE(each.strokes.size(), std::size_t{4});
-        for (std::size_t i = 0; i < each.strokes.size(); ++i)
-            COMPARE_NEAR(valueAt(each, each.figure.left, each.strokes[i].points.back().y()),
+        const TimeFigure each = charted(sigma);
+        QCOMPARE(strokesOf(each).size(), std::size_t{4});
+        for (std::size_t i = 0; i < strokesOf(each).size(); ++i)
+            COMPARE_NEAR(valueAt(each, each.drawing.y, strokesOf(each)[i].points.back().y),
                          record.history.rows.back()[i].sigma_m2, 1e-6);
     }
 
@@ -97,20 +108,22 @@ private slots:
         };
         for (TimeLine& line : content.lines)
             line.points = {{0, 1}, {1000, 20}};
-        const std::vector<ChartStroke> strokes = charted(content).strokes;
+        const TimeFigure chart = charted(content);
+        const std::vector<DrawnLine>& strokes = chart.drawing.lines;
+        const auto colourOf = [&theme](const DrawnLine& line) {
+            return inkColour(line.ink, theme);
+        };
         QCOMPARE(strokes.size(), std::size_t{4});
-        QCOMPARE(strokes[0].pen.color(), theme.accumulated);
-        QCOMPARE(strokes[1].pen.color(), theme.momentary);
-        QCOMPARE(strokes[2].pen.style(), Qt::DashLine);
-        QCOMPARE(strokes[3].pen.color(), theme.mutedText);
-        QVERIFY(strokes[0].pen.widthF() > strokes[3].pen.widthF());
-        for (std::size_t i = 0; i < strokes.size(); ++i)
-            QCOMPARE(strokes[i].area.isValid(), i == 1);
+        QCOMPARE(colourOf(strokes[0]), theme.accumulated);
+        QCOMPARE(colourOf(strokes[1]), theme.momentary);
+        QVERIFY(!strokes[2].dash_px.empty());
+        QCOMPARE(colourOf(strokes[3]), theme.mutedText);
+        QVERIFY(strokes[0].width_px > strokes[3].width_px);
+        QCOMPARE(chart.drawing.areas.size(), std::size_t{1}); // below the sum
         const TimeChartContent sigmas = sawTeeth(5);
-        const std::vector<ChartStroke> lines = charted(sigmas).strokes;
+        const std::vector<DrawnLine> lines = strokesOf(charted(sigmas));
         for (std::size_t i = 0; i < lines.size(); ++i)
-            QCOMPARE(lines[i].pen.color(),
-                     theme.sigma.colour(sigmas.lines[i].points.back().y(), 30));
+            QCOMPARE(colourOf(lines[i]), theme.sigma.colour(sigmas.lines[i].points.back().y(), 30));
     }
 
     /** The window's chart of this size has the same numbers and names in the same places. */
@@ -124,13 +137,13 @@ private slots:
             window.resize(kSize_px.toSize());
             window.show();
             window.setContent(content);
-            const DocumentChart chart = charted(content, kSize_px, QLocale());
-            QCOMPARE(chart.figure.frame.plot, window.frame().plot);
-            QCOMPARE(chart.figure.drawn, window.drawnPoints());
-            const std::vector<ChartLabel>& labels = chart.figure.frame.labels;
+            const TimeFigure chart = charted(content, kSize_px, QLocale());
+            QCOMPARE(toQt(chart.drawing.plot), window.plot());
+            QCOMPARE(chart.drawn, window.drawnPoints());
+            const std::vector<DrawnLabel>& labels = chart.drawing.labels;
             QCOMPARE(labels.size(), window.labelRects().size());
             for (std::size_t i = 0; i < labels.size(); ++i)
-                QCOMPARE(labels[i].rect, window.labelRects()[i]);
+                QCOMPARE(toQt(labels[i].rect), window.labelRects()[i]);
         }
     }
 
@@ -151,32 +164,36 @@ private slots:
         QFETCH(int, lines);
         QFETCH(int, nameLength);
         QFETCH(std::size_t, least);
-        const DocumentChart chart = charted(sawTeeth(lines, nameLength));
-        const std::vector<ChartLabel>& labels = chart.figure.frame.labels;
+        const TimeFigure chart = charted(sawTeeth(lines, nameLength));
+        const std::vector<DrawnLabel>& labels = chart.drawing.labels;
         QVERIFY2(labels.size() >= least, QByteArray::number(qsizetype(labels.size())).constData());
         const QRectF page(QPointF(0, 0), kSize_px);
         for (std::size_t i = 0; i < labels.size(); ++i) {
-            QVERIFY(page.contains(labels[i].rect));
-            QVERIFY(labels[i].rect.left() > chart.figure.frame.plot.right());
+            QVERIFY(page.contains(toQt(labels[i].rect)));
+            QVERIFY(labels[i].rect.left > chart.drawing.plot.right);
             for (std::size_t j = 0; j < i; ++j)
-                QVERIFY(!labels[i].rect.adjusted(0, 0.5, 0, -0.5).intersects(labels[j].rect));
+                QVERIFY(!toQt(labels[i].rect)
+                             .adjusted(0, 0.5, 0, -0.5)
+                             .intersects(toQt(labels[j].rect)));
         }
-        QVERIFY(chart.figure.frame.plot.width() > 0.6 * kSize_px.width());
+        QVERIFY(chart.drawing.plot.width() > 0.6 * kSize_px.width());
     }
 
     void ticksCoverTheValues()
     {
-        const DocumentChart chart = charted(sawTeeth(12));
-        const ChartFrame& frame = chart.figure.frame;
-        QCOMPARE(frame.left.front().text, u"0"_s);
-        QVERIFY(frame.left.back().text.toDouble() >= 0.025 * 900);
-        QCOMPARE(frame.left.front().at_px, frame.plot.bottom());
-        QCOMPARE(frame.left.back().at_px, frame.plot.top());
-        QCOMPARE(frame.times.front().text, u"00:00"_s);
-        QCOMPARE(frame.times.back().text, u"16:00"_s);
-        for (const ChartStroke& stroke : chart.strokes)
-            QVERIFY(frame.plot.adjusted(-1e-6, -1e-6, 1e-6, 1e-6)
-                        .contains(stroke.points.boundingRect()));
+        const TimeFigure chart = charted(sawTeeth(12));
+        const Drawing& drawing = chart.drawing;
+        const auto textOf = [](const DrawnTick& tick) { return QString::fromStdString(tick.text); };
+        QCOMPARE(textOf(drawing.yTicks.front()), u"0"_s);
+        QVERIFY(textOf(drawing.yTicks.back()).toDouble() >= 0.025 * 900);
+        QCOMPARE(drawing.yTicks.front().at_px, drawing.plot.bottom);
+        QCOMPARE(drawing.yTicks.back().at_px, drawing.plot.top);
+        QCOMPARE(textOf(drawing.xTicks.front()), u"00:00"_s);
+        QCOMPARE(textOf(drawing.xTicks.back()), u"16:00"_s);
+        const QRectF plot = toQt(drawing.plot).adjusted(-1e-6, -1e-6, 1e-6, 1e-6);
+        for (const DrawnLine& stroke : drawing.lines)
+            for (const Pixel& point : stroke.points)
+                QVERIFY(plot.contains(toQt(point)));
     }
 
     void numbersAreOfTheLocale()
@@ -184,10 +201,10 @@ private slots:
         TimeChartContent content = sawTeeth(1);
         for (QPointF& point : content.lines[0].points)
             point.ry() /= 20;
-        const std::vector<ChartTick> ticks =
-            charted(content, kSize_px, QLocale(QLocale::German)).figure.frame.left;
+        const std::vector<DrawnTick> ticks =
+            charted(content, kSize_px, QLocale(QLocale::German)).drawing.yTicks;
         QVERIFY(std::ranges::any_of(
-            ticks, [](const ChartTick& tick) { return tick.text.contains(u','); }));
+            ticks, [](const DrawnTick& tick) { return tick.text.find(',') != std::string::npos; }));
     }
 
     void chartsHaveOneTimeAxis()
@@ -195,16 +212,16 @@ private slots:
         const Mission mission = flown(fourIcebergs());
         const FlightRecord record = recordOf(mission);
         const std::array contents{zetaContent(record, QLocale()), sigmaContent(record, QLocale())};
-        const std::vector<DocumentChart> charts =
+        const std::vector<TimeFigure> charts =
             documentCharts(contents, Theme::light(), kSize_px, QLocale());
         QCOMPARE(charts.size(), std::size_t{2});
-        QCOMPARE(charts[0].figure.frame.plot, charts[1].figure.frame.plot);
+        QCOMPARE(toQt(charts[0].drawing.plot), toQt(charts[1].drawing.plot));
         // As wide as the one that needs most beside its plot.
         double narrowest_px = kSize_px.width();
         for (const TimeChartContent& content : contents)
-            narrowest_px = std::min(narrowest_px, charted(content).figure.frame.plot.width());
-        QVERIFY(charts[0].figure.frame.plot.width() <= narrowest_px);
-        QVERIFY(charts[0].figure.frame.plot.width() > 0.9 * narrowest_px);
+            narrowest_px = std::min(narrowest_px, charted(content).drawing.plot.width());
+        QVERIFY(charts[0].drawing.plot.width() <= narrowest_px);
+        QVERIFY(charts[0].drawing.plot.width() > 0.9 * narrowest_px);
     }
 
     void longFlightsAreThinned()
@@ -214,10 +231,10 @@ private slots:
         content.lines[0].points.clear();
         for (int t = 0; t <= 100000; ++t)
             content.lines[0].points.emplace_back(t, std::abs(std::sin(t)));
-        const DocumentChart chart = charted(content);
-        QVERIFY(chart.strokes[0].points.size() <= 2 * 1120);
-        QVERIFY(chart.strokes[0].points.size() >= 1120 / 2);
-        QCOMPARE(chart.figure.frame.timeTitle, u"Time, h:mm:ss"_s);
+        const TimeFigure chart = charted(content);
+        QVERIFY(chart.drawing.lines[0].points.size() <= 2 * 1120);
+        QVERIFY(chart.drawing.lines[0].points.size() >= 1120 / 2);
+        QCOMPARE(QString::fromStdString(chart.figure.x.title), u"Time, h:mm:ss"_s);
     }
 
     void manyLinesAreThinAndFaint()
@@ -226,12 +243,12 @@ private slots:
         for (TimeLine& line : content.lines) // many visits
             for (QPointF& point : line.points)
                 point.setY(std::fmod(point.y() * 37, 20.0));
-        const DocumentChart chart = charted(content);
-        for (const ChartStroke& stroke : chart.strokes) {
-            QCOMPARE(stroke.pen.widthF(), 1.0);
-            QVERIFY(stroke.pen.color().alphaF() < 0.5F);
+        const TimeFigure chart = charted(content);
+        for (const DrawnLine& stroke : chart.drawing.lines) {
+            QCOMPARE(stroke.width_px, 1.0);
+            QVERIFY(stroke.ink.strength < 0.5);
         }
-        QVERIFY(charted(sawTeeth(12)).strokes[0].pen.widthF() > 1);
+        QVERIFY(charted(sawTeeth(12)).drawing.lines[0].width_px > 1);
     }
 
     void emptyChartSaysSo()
@@ -239,9 +256,9 @@ private slots:
         TimeChartContent content;
         content.emptyText = u"Nothing was flown"_s;
         content.duration_s = 0;
-        const DocumentChart chart = charted(content);
-        QVERIFY(chart.strokes.empty());
-        QCOMPARE(chart.figure.frame.emptyText, u"Nothing was flown"_s);
+        const TimeFigure chart = charted(content);
+        QVERIFY(strokesOf(chart).empty());
+        QCOMPARE(QString::fromStdString(chart.drawing.texts.back().text), u"Nothing was flown"_s);
     }
 
     void painterIsLeftAsItWas()
@@ -251,7 +268,7 @@ private slots:
         QPainter painter(&image);
         const QTransform before = painter.transform();
         const QPen pen = painter.pen();
-        paintDocumentChart(painter, {0, 0}, charted(sawTeeth(4)), Theme::light());
+        paintDrawing(painter, charted(sawTeeth(4)).drawing, Theme::light());
         QCOMPARE(painter.transform(), before);
         QCOMPARE(painter.pen(), pen);
         QVERIFY(!image.allGray());

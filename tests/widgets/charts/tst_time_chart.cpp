@@ -212,13 +212,15 @@ private slots:
         chart.resize(600, 300);
         chart.show();
         chart.setContent(content);
-        const ChartFrame& frame = chart.frame();
-        QVERIFY(frame.left.front().text.startsWith(QLocale().negativeSign()));
-        QVERIFY(std::any_of(frame.left.begin(), frame.left.end(),
-                            [](const ChartTick& tick) { return tick.text == u"0"_s; }));
-        QVERIFY(frame.references[0].at_px < frame.references[1].at_px);
-        for (const ChartReference& reference : frame.references)
-            QVERIFY(frame.plot.top() <= reference.at_px && reference.at_px <= frame.plot.bottom());
+        const Drawing& drawing = chart.drawing();
+        const std::vector<DrawnTick>& ticks = drawing.yTicks;
+        QVERIFY(QString::fromStdString(ticks.front().text).startsWith(QLocale().negativeSign()));
+        QVERIFY(std::any_of(ticks.begin(), ticks.end(),
+                            [](const DrawnTick& tick) { return tick.text == "0"; }));
+        QVERIFY(drawing.over[0].points[0].y < drawing.over[1].points[0].y); // the limits
+        for (const DrawnLine& limit : drawing.over)
+            QVERIFY(drawing.plot.top <= limit.points[0].y &&
+                    limit.points[0].y <= drawing.plot.bottom);
         QVERIFY(hasColour(chart.grab().toImage(), Theme::light().momentary));
     }
 
@@ -229,7 +231,7 @@ private slots:
         chart.show();
         chart.setContent(zetaAndSum());
         const QSignalSpy changed(&chart, &TimeChart::windowChanged);
-        const QRectF plot = chart.frame().plot;
+        const QRectF plot = chart.plot();
         const QPointF pointer(plot.left() + 0.25 * plot.width(), plot.center().y());
         turnWheel(chart, pointer, 3);
         QCOMPARE(changed.count(), 1);
@@ -265,8 +267,8 @@ private slots:
         chart.setContent(zetaAndSum());
         chart.setWindow({.from_s = 400, .to_s = 600});
         const QSignalSpy picked(&chart, &TimeChart::timePicked);
-        const QPoint from = chart.frame().plot.center().toPoint();
-        const QPoint to = from - QPoint(static_cast<int>(chart.frame().plot.width() / 4), 0);
+        const QPoint from = chart.plot().center().toPoint();
+        const QPoint to = from - QPoint(static_cast<int>(chart.plot().width() / 4), 0);
         const auto which = static_cast<Qt::MouseButton>(button);
         const auto keys = Qt::KeyboardModifiers(modifier);
         QTest::mousePress(chart.viewport(), which, keys, from);
@@ -306,8 +308,7 @@ private slots:
         chart.setContent(zetaAndSum());
         chart.setWindow({.from_s = 400, .to_s = 600});
         const QSignalSpy picked(&chart, &TimeChart::timePicked);
-        QTest::mouseClick(chart.viewport(), Qt::LeftButton, {},
-                          chart.frame().plot.center().toPoint());
+        QTest::mouseClick(chart.viewport(), Qt::LeftButton, {}, chart.plot().center().toPoint());
         QCOMPARE(picked.count(), 1);
         COMPARE_NEAR(picked[0][0].toDouble(), 500, 1);
     }
@@ -335,7 +336,7 @@ private slots:
         content.lines[0].unit = u"m² s"_s;
         chart.setContent(content);
         QVERIFY(chart.readout().flags.empty());
-        const QRectF plot = chart.frame().plot;
+        const QRectF plot = chart.plot();
         const auto at = [&plot](double time_s) {
             return QPointF(plot.left() + plot.width() * time_s / 1000, plot.center().y()).toPoint();
         };
@@ -382,7 +383,7 @@ private slots:
         QVERIFY(!readout.hover_px.has_value());
         QCOMPARE(readout.time, u"06:40"_s);
         QVERIFY(!readout.flags.empty());
-        QVERIFY(readout.flags[0].rect.left() > *chart.frame().cursor_px);
+        QVERIFY(readout.flags[0].rect.left() > chart.drawing().x.at(400));
         chart.setWindow({.from_s = 500, .to_s = 700}); // no longer in view
         QVERIFY(chart.readout().flags.empty());
     }
@@ -397,11 +398,36 @@ private slots:
             line.emphasis = LineEmphasis::Faint;
         content.lines[17].emphasis = LineEmphasis::Strong;
         chart.setContent(content);
-        const std::vector<ChartLabel>& labels = chart.frame().labels;
+        const std::vector<DrawnLabel>& labels = chart.drawing().labels;
         QVERIFY(labels.size() < 30);
-        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const ChartLabel& label) {
-            return label.strong && label.text == u"B18"_s;
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const DrawnLabel& label) {
+            return label.of.isStrong && label.text == "B18";
         }));
+    }
+
+    /** Where there is room for one name only, that is the one of zeta. */
+    void zetaIsNamedFirst_data()
+    {
+        QTest::addColumn<QSize>("size");
+        for (const int width : {200, 300, 420, 700})
+            for (const int height : {110, 130, 160, 220})
+                QTest::addRow("%dx%d", width, height) << QSize(width, height);
+    }
+
+    void zetaIsNamedFirst()
+    {
+        QFETCH(QSize, size);
+        TimeChart chart(Theme::light());
+        chart.setTitleShown(false);
+        chart.resize(size);
+        chart.show();
+        TimeChartContent content = zetaAndSum();
+        content.lines[0].label = u"Zeta 82 000 m² s, accumulated since take-off"_s;
+        content.lines[0].name = u"Zeta"_s;
+        chart.setContent(content);
+        const std::vector<DrawnLabel>& labels = chart.drawing().labels;
+        QVERIFY(!labels.empty());
+        QVERIFY(labels.front().text.starts_with("Zeta"));
     }
 
     void hiddenLinesLeaveNothingBehind()
@@ -413,7 +439,7 @@ private slots:
         content.lines[0].hidden = true;
         chart.setContent(content);
         QVERIFY(chart.drawnPoints()[0].isEmpty());
-        QVERIFY(chart.frame().rightTitle.isEmpty());
+        QVERIFY(chart.drawing().rightTitle.empty());
         QCOMPARE(chart.labelRects().size(), std::size_t{1});
     }
 };

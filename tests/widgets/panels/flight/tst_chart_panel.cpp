@@ -2,6 +2,7 @@
 #include "core/io/text/atomic_file.h"
 #include "tests/support/approx.h"
 #include "tests/support/chart_panel_fixture.h"
+#include "widgets/charts/figure_painter.h"
 #include "widgets/theme/palette.h"
 
 #include <QComboBox>
@@ -109,10 +110,12 @@ private slots:
         QVERIFY(chart.content().summary.contains(u"Gannet "_s));
         for (std::size_t i = 0; i < 3; ++i) {
             QCOMPARE(lines[first + i].key, u"uav-%1_"_s.arg(i + 1) + column);
-            const auto& labels = chart.frame().labels;
-            const auto label = std::ranges::find(labels, lines[first + i].key, &ChartLabel::key);
+            const auto& labels = chart.drawing().labels;
+            const auto label = std::ranges::find(labels, lines[first + i].key.toStdString(),
+                                                 [](const DrawnLabel& one) { return one.of.key; });
             QVERIFY(label != labels.end());
-            QCOMPARE(label->colour, uavColour(Theme::dark(), static_cast<int>(i)));
+            QCOMPARE(inkColour(label->of.ink, Theme::dark()),
+                     uavColour(Theme::dark(), static_cast<int>(i)));
         }
         const QTemporaryDir folder;
         const QString path = folder.filePath(u"chart.csv"_s);
@@ -128,13 +131,19 @@ private slots:
     void turnRateHasItsLimits()
     {
         const Shown shown(ChartKind::TurnRate);
-        const ChartFrame& frame = shown.chart.frame();
-        QCOMPARE(frame.references.size(), std::size_t{2});
-        QVERIFY(frame.references[0].text.contains(u"11.9"_s)); // 0.2079 rad/s in the paper
-        for (const ChartReference& reference : frame.references)
-            QVERIFY(reference.at_px > frame.plot.top() && reference.at_px < frame.plot.bottom());
-        COMPARE_NEAR(frame.references[0].at_px + frame.references[1].at_px,
-                     2 * frame.plot.center().y(), 1); // zero is in the middle
+        const Drawing& drawing = shown.chart.drawing();
+        std::vector<double> limits_px;
+        for (const DrawnLine& line : drawing.over)
+            if (!line.dash_px.empty())
+                limits_px.push_back(line.points.front().y);
+        QCOMPARE(limits_px.size(), std::size_t{2});
+        QVERIFY(std::ranges::any_of(drawing.labels, [](const DrawnLabel& label) {
+            return label.text.find("11.9") != std::string::npos; // 0.2079 rad/s in the paper
+        }));
+        for (const double limit_px : limits_px)
+            QVERIFY(limit_px > drawing.plot.top && limit_px < drawing.plot.bottom);
+        COMPARE_NEAR(limits_px[0] + limits_px[1], drawing.plot.top + drawing.plot.bottom,
+                     1); // zero is in the middle
     }
 
     void nothingFlownIsSaid()
@@ -163,11 +172,11 @@ private slots:
         auto& menu = child<QMenu>(shown.panel, u"chartLinesMenu"_s);
         auto* zeta = menu.findChild<QAction*>(u"zeta_m2s"_s);
         QVERIFY(zeta != nullptr && zeta->isChecked());
-        QVERIFY(!shown.chart.frame().right.empty());
+        QVERIFY(!shown.chart.drawing().rightTicks.empty());
         zeta->trigger();
         QVERIFY(shown.chart.drawnPoints()[0].empty());
         QVERIFY(!shown.chart.drawnPoints()[1].empty());
-        QVERIFY(shown.chart.frame().right.empty()); // its axis goes with it
+        QVERIFY(shown.chart.drawing().rightTicks.empty()); // its axis goes with it
         shown.panel.showRecord(test::syntheticRecord(kFlight, 900));
         QVERIFY(shown.chart.drawnPoints()[0].empty()); // and stays away
         menu.actions().front()->trigger();
@@ -183,9 +192,9 @@ private slots:
         for (const TimeLine& line : lines)
             QCOMPARE(line.emphasis,
                      line.key == u"B3"_s ? LineEmphasis::Strong : LineEmphasis::Faint);
-        const std::vector<ChartLabel>& labels = shown.chart.frame().labels;
+        const std::vector<DrawnLabel>& labels = shown.chart.drawing().labels;
         QCOMPARE(std::count_if(labels.begin(), labels.end(),
-                               [](const ChartLabel& label) { return label.strong; }),
+                               [](const DrawnLabel& label) { return label.of.isStrong; }),
                  1);
         shown.panel.setHighlight("not an iceberg");
         for (const TimeLine& line : lines)
@@ -206,11 +215,11 @@ private slots:
         Shown shown(ChartKind::Sigma, {700, 400});
         const QSignalSpy picked(&shown.panel, &ChartPanel::icebergPicked);
         const QSignalSpy time(&shown.panel, &ChartPanel::timePicked);
-        const ChartLabel label = shown.chart.frame().labels.front();
+        const DrawnLabel label = shown.chart.drawing().labels.front();
         QTest::mouseClick(shown.chart.viewport(), Qt::LeftButton, {},
-                          label.rect.center().toPoint());
+                          toQt(label.rect).center().toPoint());
         QCOMPARE(picked.count(), 1);
-        QCOMPARE(QString::fromStdString(picked[0][0].value<std::string>()), label.key);
+        QCOMPARE(picked[0][0].value<std::string>(), label.of.key);
         QCOMPARE(time.count(), 0);
     }
 
