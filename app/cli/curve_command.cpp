@@ -8,6 +8,7 @@
 #include "core/plan/policy/tau_curve.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
+#include "core/sim/plan_requests.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -78,7 +79,7 @@ int runCurve(const CurveArguments& arguments, const std::stop_token& stop)
     const Scenario scenario = reading([&] { return loadScenario(arguments.file); });
     printWarnings(arguments.file, validate(scenario));
     const Mission mission(scenario, {.record = false});
-    const PlanRequest request = mission.simulation().clusteredRequest();
+    const PlanRequest request = clusteredRequest(mission.simulation());
     const FleetTask task = visitationTask(request, scenario.planner.route);
 
     const Stopwatch watch;

@@ -139,7 +139,7 @@ std::string fleetLines(const Mission& mission)
     for (const UavFigures& uav : uavFigures(mission))
         text += rowLabel(uav.id) + std::to_string(uav.visits) + " visits, " + grouped(uav.flown_m) +
                 " m\n";
-    if (const std::optional<double> closest_m = mission.simulation().state().closest_m)
+    if (const std::optional<double> closest_m = mission.simulation().fleet().closest_m())
         text += "closest   " + grouped(*closest_m) + " m between two UAVs of one altitude layer\n";
     return text;
 }

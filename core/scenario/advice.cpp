@@ -21,6 +21,8 @@ constexpr double kFastDrift_mps = 2;
 constexpr std::size_t kQuickProof = 80;
 constexpr auto kMostProven = static_cast<std::size_t>(kMostProvenByEngine);
 
+using Fences = std::vector<std::shared_ptr<const Geofence>>;
+
 Motion motionOf(const Scenario& scenario, const Uav& uav)
 {
     return {.airspeed_mps = uav.spec.airspeed_mps,
@@ -137,8 +139,8 @@ private:
     void adviseLayers();
     void adviseEndurance(const Flyer& flyer);
     void adviseGeofence();
-    void adviseReturn(const Flyer& flyer, const Geofence& fence);
-    void adviseShutOff(const std::vector<Geofence>& fences);
+    void adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofence>& fence);
+    void adviseShutOff(const Fences& fences);
     void adviseAsset();
     void adviseIceberg(std::size_t i);
     void adviseTrack(const Iceberg& iceberg, const std::string& path);
@@ -228,11 +230,12 @@ void Adviser::adviseGeofence()
 {
     if (!m_s.geofence)
         return;
-    std::vector<Geofence> fences; // by UAV: one that is faster turns wider
+    Fences fences; // by UAV: one that is faster turns wider
     for (const Flyer& flyer : m_flyers) {
         const Uav& uav = flyer.uav;
-        const Geofence& fence = fences.emplace_back(m_s.area_m, motionOf(m_s, uav));
-        if (fence.room_m(startOf(uav)) < 0)
+        const auto& fence =
+            fences.emplace_back(std::make_shared<const Geofence>(m_s.area_m, motionOf(m_s, uav)));
+        if (fence->room_m(startOf(uav)) < 0)
             warn(flyer.path + ".position_m", IssueId::StartNearFence);
         if (uav.spec.endurance_s > 0)
             adviseReturn(flyer, fence);
@@ -243,26 +246,26 @@ void Adviser::adviseGeofence()
 }
 
 /** Paths home inside the fence: from the start, and from home for the next sortie. */
-void Adviser::adviseReturn(const Flyer& flyer, const Geofence& fence)
+void Adviser::adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofence>& fence)
 {
     const Uav& uav = flyer.uav;
-    const Motion motion = motionOf(m_s, uav);
-    const std::optional<SortieSpec> sortie{
-        {.endurance_s = uav.spec.endurance_s, .home_m = uav.home_m.value_or(uav.position_m)}};
+    const SortieSpec sortie{.endurance_s = uav.spec.endurance_s,
+                            .home_m = uav.home_m.value_or(uav.position_m)};
     const CommandClock clock{
         .dt_s = m_s.dt_s,
         .steps = std::max<std::int64_t>(1, std::llround(uav.spec.autopilot_s / m_s.dt_s))};
-    const SafetyGuard guard({.motion = motion, .sortie = sortie, .fence = &fence, .clock = clock});
+    const SafetyGuard guard(
+        {.motion = motionOf(m_s, uav), .sortie = sortie, .fence = fence, .clock = clock});
     const std::optional<ReturnPath> path = guard.returnPath(startOf(uav));
     if (!path)
         warn(flyer.path + ".position_m", IssueId::NoSafeReturn);
     else if (guard.time_s(*path) + kHomeReserve_s > uav.spec.endurance_s)
         warn(flyer.path + ".endurance_s", IssueId::NoWayHome);
-    if (!guard.safeHeading_rad({.position_m = sortie->home_m}, uav.spec.endurance_s))
+    if (!guard.safeHeading_rad({.position_m = sortie.home_m}, uav.spec.endurance_s))
         warn(flyer.path + ".home_m", IssueId::HomeNearFence);
 }
 
-void Adviser::adviseShutOff(const std::vector<Geofence>& fences)
+void Adviser::adviseShutOff(const Fences& fences)
 {
     for (std::size_t i = 0; i < m_s.icebergs.size(); ++i) {
         const Iceberg& iceberg = m_s.icebergs[i];
@@ -271,7 +274,7 @@ void Adviser::adviseShutOff(const std::vector<Geofence>& fences)
         bool isShutOff = true;
         for (std::size_t k = 0; k < m_flyers.size() && isShutOff; ++k)
             isShutOff = !mayVisit(m_flyers[k], iceberg) ||
-                        (m_flyers[k].isWide && fences[k].isShutOff(iceberg.position_m));
+                        (m_flyers[k].isWide && fences[k]->isShutOff(iceberg.position_m));
         if (isShutOff)
             warn(entryPath("icebergs", i) + ".position_m", IssueId::ShutOff);
     }

@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/enclosing_circle.h"
+#include "core/sim/simulation.h"
 
 #include <algorithm>
 #include <array>
@@ -155,6 +156,21 @@ double surelySeen_m(const SensorSpec& sensor)
 double longestTurn_s(const Motion& motion)
 {
     return kTurnMargin * 2 * kPi / motion.limit_radps;
+}
+
+std::optional<int> thisSortie(const Simulation& simulation, int uav, std::span<const int> order,
+                              std::span<const std::vector<int>> clusters)
+{
+    std::optional<int> visits =
+        thisSortie(simulation.fleet().autopilot(uav), order, simulation.observer());
+    while (visits && *visits > 0 && *visits < static_cast<int>(order.size())) {
+        const auto next = static_cast<std::size_t>(*visits);
+        const std::span<const int> members = clusterWith(clusters, order[next - 1]);
+        if (std::ranges::find(members, order[next]) == members.end())
+            break;
+        --*visits;
+    }
+    return visits;
 }
 
 std::vector<std::vector<int>> clustersOf(std::span<const Track> tracks, const ClusterRules& rules)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/plan/policy/policy.h"
 #include "core/tracking/observer.h"
 #include "core/vehicle/geofence.h"
 
@@ -12,9 +11,6 @@
 namespace berg {
 
 class Simulation;
-
-/** What a policy is asked now: `clusteredRequest` if it plans clusters, else `planRequest`. */
-[[nodiscard]] PlanRequest requestFor(const Simulation& simulation, PolicyKind policy);
 
 /** How far from the UAV everything is in view, whatever its heading. */
 [[nodiscard]] double surelySeen_m(const SensorSpec& sensor);

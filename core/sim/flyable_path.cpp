@@ -47,7 +47,7 @@ public:
         sample();
         while (!m_simulation.finished() && goOn()) {
             m_simulation.advanceStep();
-            if (m_simulation.state().step % m_sampleSteps == 0)
+            if (m_simulation.step() % m_sampleSteps == 0)
                 sample();
         }
         if (m_path.track.back().time_s < m_simulation.time_s())
@@ -57,7 +57,7 @@ public:
 
 private:
     /** The only one of the scene. */
-    [[nodiscard]] const UavState& uav() const { return m_simulation.uav(0); }
+    [[nodiscard]] UavState uav() const { return m_simulation.uav(0); }
 
     /** Whether there is something left to fly to; tells the autopilot what. */
     bool goOn()
@@ -162,7 +162,7 @@ private:
     {
         std::vector<Point> places_m;
         for (const int iceberg : icebergs)
-            places_m.push_back(m_simulation.estimate_m(iceberg));
+            places_m.push_back(m_simulation.observer().estimate_m(iceberg));
         const Circle circle = enclosingCircle(places_m);
         m_path.visits.push_back({.iceberg = icebergs.front(),
                                  .time_s = m_simulation.time_s(),

@@ -4,7 +4,7 @@
 #include "core/coverage/coverage_policy.h"
 #include "core/plan/policy/policy.h"
 #include "core/scenario/validate.h"
-#include "core/sim/clusters.h"
+#include "core/sim/plan_requests.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +24,10 @@ const Scenario& checked(const Scenario& scenario)
 }
 
 /** Who is seen with the target; empty: it is no cluster. */
-std::vector<int> seenWithTarget(const UavState& uav)
+std::vector<int> seenWithTarget(const Errand& errand)
 {
-    std::vector<int> others = uav.members;
-    std::erase(others, uav.target);
+    std::vector<int> others = errand.members;
+    std::erase(others, errand.target);
     return others;
 }
 
@@ -50,7 +50,7 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
                                const std::function<void(double)>& onProgress)
 {
     requireSolvingAllowed();
-    const double dt_s = m_simulation.dt_s();
+    const double dt_s = m_simulation.world().dt_s();
     const std::int64_t untilStep = std::llround(until_s / dt_s);
     const std::int64_t second = std::max<std::int64_t>(1, std::llround(1 / dt_s));
     while (!m_simulation.finished()) {
@@ -58,13 +58,13 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
             return AdvanceStatus::Cancelled;
         if (!planWhenDue(stop))
             return AdvanceStatus::Cancelled;
-        if (m_simulation.state().step >= untilStep)
+        if (m_simulation.step() >= untilStep)
             return AdvanceStatus::Reached;
         m_simulation.advanceStep();
         noteStep();
         if (m_options.record)
             m_recorder.record(m_simulation);
-        if (onProgress && m_simulation.state().step % second == 0)
+        if (onProgress && m_simulation.step() % second == 0)
             onProgress(m_simulation.time_s());
     }
     return AdvanceStatus::Finished;
@@ -90,22 +90,23 @@ void Mission::note(MissionEvent event)
 
 void Mission::noteStep()
 {
-    for (const int iceberg : m_simulation.newlyAppeared())
+    for (const int iceberg : m_simulation.observer().newlyAppeared())
         note({.kind = EventKind::Appeared, .iceberg = iceberg});
-    for (const SeenIceberg& sighting : m_simulation.newlySeen())
+    for (const SeenIceberg& sighting : m_simulation.observer().newlySeen())
         note({.kind = EventKind::Sighted, .iceberg = sighting.iceberg, .uav = sighting.uav});
     noteEvents();
     for (int uav = 0; uav < m_simulation.uavCount(); ++uav)
         if (m_simulation.planReason(uav) == PlanReason::TargetReached) {
             ++m_visits;
+            const Errand& errand = *m_simulation.fleet().autopilot(uav).errand();
             note({.kind = EventKind::Reached,
-                  .iceberg = m_simulation.uav(uav).target,
+                  .iceberg = errand.target,
                   .uav = uav,
-                  .together = seenWithTarget(m_simulation.uav(uav))});
+                  .together = seenWithTarget(errand)});
         }
     const auto second =
-        static_cast<std::int64_t>(std::max(1LL, std::llround(1 / m_simulation.dt_s())));
-    if (m_simulation.asset() && m_simulation.state().step % second == 0)
+        static_cast<std::int64_t>(std::max(1LL, std::llround(1 / m_simulation.world().dt_s())));
+    if (m_simulation.world().asset() && m_simulation.step() % second == 0)
         noteAlarms();
 }
 
@@ -119,12 +120,12 @@ void Mission::noteEvents()
 void Mission::noteAlarms()
 {
     m_alarmed.resize(static_cast<std::size_t>(m_simulation.icebergCount()));
-    const double radius_m = alarmRadius_m(*m_simulation.asset());
+    const double radius_m = alarmRadius_m(*m_simulation.world().asset());
     for (int i = 0; i < m_simulation.icebergCount(); ++i) {
         if (!m_simulation.active(i))
             continue;
         const std::optional<double> entry_s =
-            entryTime_s(*m_simulation.relativeToAsset(i), radius_m, kApproachHorizon_s);
+            entryTime_s(*relativeToAsset(m_simulation.observer(), i), radius_m, kApproachHorizon_s);
         const auto k = static_cast<std::size_t>(i);
         if (entry_s && !m_alarmed[k])
             note({.kind = EventKind::Alarm, .iceberg = i, .entry_s = *entry_s});
@@ -139,7 +140,7 @@ void Mission::intervene(Intervention intervention)
     after.planner = settings;
     after.icebergs = m_icebergs;
     after.wind_mps = intervention.wind_mps.value_or(m_simulation.motion(0).wind_mps);
-    after.asset = intervention.asset ? intervention.asset : m_simulation.asset();
+    after.asset = intervention.asset ? intervention.asset : m_simulation.world().asset();
     if (intervention.appears)
         after.icebergs.push_back(*intervention.appears);
     checked(after);
@@ -212,7 +213,7 @@ void Mission::requireUav(const std::string& uav) const
 
 Metrics Mission::metrics() const
 {
-    return {.zeta_m2s = m_simulation.state().zeta_m2s,
+    return {.zeta_m2s = m_simulation.zeta_m2s(),
             .visits = m_visits,
             .replans = static_cast<int>(std::ranges::count_if(m_plans, isReplan)),
             .flown_m = m_simulation.state().flown_m()};

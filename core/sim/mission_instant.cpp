@@ -22,7 +22,7 @@ public:
 
     void flyTo(std::int64_t step)
     {
-        while (m_world.state().step < step) {
+        while (m_world.step() < step) {
             m_world.advanceStep();
             apply();
         }
@@ -32,7 +32,7 @@ public:
     {
         const std::vector<MissionEvent>& events = m_mission.events();
         const auto end = std::find_if(events.begin(), events.end(), [this](const MissionEvent& e) {
-            return stepOf(e.time_s) > m_world.state().step;
+            return stepOf(e.time_s) > m_world.step();
         });
         MissionInstant instant{.simulation = m_world,
                                .planner = m_mission.scenario().planner,
@@ -41,7 +41,7 @@ public:
                                .interventions = m_intervention};
         for (std::size_t i = 0; i < m_intervention; ++i)
             instant.planner = withChanges(instant.planner, m_mission.interventions()[i]);
-        instant.metrics = {.zeta_m2s = m_world.state().zeta_m2s,
+        instant.metrics = {.zeta_m2s = m_world.zeta_m2s(),
                            .visits = static_cast<int>(std::count_if(
                                events.begin(), end,
                                [](const MissionEvent& e) { return e.kind == EventKind::Reached; })),
@@ -59,16 +59,16 @@ private:
     }
     [[nodiscard]] std::int64_t stepOf(double time_s) const
     {
-        return std::llround(time_s / m_world.dt_s());
+        return std::llround(time_s / m_world.world().dt_s());
     }
-    [[nodiscard]] bool isNow(double time_s) const { return stepOf(time_s) == m_world.state().step; }
+    [[nodiscard]] bool isNow(double time_s) const { return stepOf(time_s) == m_world.step(); }
 
     /** Entries of a record in order of time that came before this step. */
     template <class Entry>
     [[nodiscard]] std::size_t countBefore(const std::vector<Entry>& record) const
     {
         const auto now = std::lower_bound(
-            record.begin(), record.end(), m_world.state().step,
+            record.begin(), record.end(), m_world.step(),
             [this](const Entry& e, std::int64_t s) { return stepOf(e.time_s) < s; });
         return static_cast<std::size_t>(now - record.begin());
     }
@@ -106,11 +106,11 @@ MissionInstant instantAt(const Mission& mission, double time_s)
 {
     const Simulation& head = mission.simulation();
     const std::int64_t step =
-        std::clamp<std::int64_t>(std::llround(time_s / head.dt_s()), 0, head.state().step);
+        std::clamp<std::int64_t>(std::llround(time_s / head.world().dt_s()), 0, head.step());
     const std::vector<Simulation>& keyframes = mission.recorder().keyframes();
     const auto after =
         std::upper_bound(keyframes.begin(), keyframes.end(), step,
-                         [](std::int64_t s, const Simulation& k) { return s < k.state().step; });
+                         [](std::int64_t s, const Simulation& k) { return s < k.step(); });
     require(after != keyframes.begin(), "instantAt: the mission was flown without a record");
     Rewind rewind(mission, *std::prev(after));
     rewind.flyTo(step);

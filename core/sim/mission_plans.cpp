@@ -2,6 +2,7 @@
 
 #include "core/sim/clusters.h"
 #include "core/sim/mission.h"
+#include "core/sim/plan_requests.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> cluste
                                             const Simulation& simulation)
 {
     for (std::vector<int>& members : clusters)
-        std::erase_if(members, [&](int i) { return !simulation.clusterable(i); });
+        std::erase_if(members, [&](int i) { return !simulation.fleet().clusterable(i); });
     std::erase_if(clusters, [](const std::vector<int>& members) { return members.size() < 2; });
     return clusters;
 }
@@ -64,12 +65,14 @@ std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> cluste
 /** Puts a pending plan in force and asks for one where it is needed. False: cancelled. */
 bool Mission::planWhenDue(const std::stop_token& stop)
 {
-    if (m_simulation.plannedUavs().empty()) { // what is flown next is planned at take-off
+    if (m_simulation.trigger()
+            .plannedUavs(m_simulation.fleet())
+            .empty()) { // what is flown next is planned at take-off
         m_pending.reset();
         m_missed = PlanReason::None;
         return true;
     }
-    if (m_pending && m_simulation.state().step >= m_pending->step) {
+    if (m_pending && m_simulation.step() >= m_pending->step) {
         const bool isTimely = putPendingInForce();
         if (std::exchange(m_missed, PlanReason::None) != PlanReason::None || !isTimely)
             m_simulation.requestPlan();
@@ -86,8 +89,9 @@ bool Mission::planWhenDue(const std::stop_token& stop)
 bool Mission::putPendingInForce()
 {
     Round plans = std::exchange(m_pending, std::nullopt)->plans;
-    std::erase_if(plans,
-                  [this](const PlanEvent& plan) { return m_simulation.uav(plan.uav).homeward(); });
+    std::erase_if(plans, [this](const PlanEvent& plan) {
+        return m_simulation.fleet().autopilot(plan.uav).isHomeward();
+    });
     bool isTimely = true;
     for (PlanEvent& plan : plans) {
         // What has come into view since is not flown to.
@@ -133,12 +137,12 @@ bool Mission::planNow(const std::stop_token& stop)
         isTakeOff = isTakeOff || plan.reason == PlanReason::TakeOff;
     }
     // The first plan of a sortie is made before take-off.
-    const std::int64_t wait = std::llround(m_scenario.planningTime_s / m_simulation.dt_s());
+    const std::int64_t wait = std::llround(m_scenario.planningTime_s / m_simulation.world().dt_s());
     if (wait == 0 || m_plans.empty() || isTakeOff) {
         putInForce(std::move(plans));
         return true;
     }
-    m_pending = {.plans = std::move(plans), .step = m_simulation.state().step + wait};
+    m_pending = {.plans = std::move(plans), .step = m_simulation.step() + wait};
     flyOn();
     return true;
 }
@@ -146,7 +150,7 @@ bool Mission::planNow(const std::stop_token& stop)
 void Mission::putInForce(Round plans)
 {
     for (PlanEvent& plan : plans) {
-        plan.zeta_m2s = m_simulation.state().zeta_m2s;
+        plan.zeta_m2s = m_simulation.zeta_m2s();
         plan.thisSortie = thisSortie(m_simulation, plan.uav, plan.order, plan.clusters);
     }
     if (m_options.record) // two forecasts: dear where missions are flown by the thousand
@@ -173,7 +177,7 @@ void Mission::tell(PlanEvent plan)
 /** The autopilots' part while a plan is pending. */
 void Mission::flyOn()
 {
-    for (const int uav : m_simulation.plannedUavs())
+    for (const int uav : m_simulation.trigger().plannedUavs(m_simulation.fleet()))
         if (m_simulation.planReason(uav) != PlanReason::None)
             flyOn(uav);
 }
@@ -185,23 +189,23 @@ void Mission::flyOn(int uav)
     PlanEvent plan{.time_s = m_simulation.time_s(),
                    .uav = uav,
                    .reason = reason,
-                   .zeta_m2s = m_simulation.state().zeta_m2s,
+                   .zeta_m2s = m_simulation.zeta_m2s(),
                    .interim = true};
     plan.order = restOfPlan(uav, reason);
     std::erase_if(plan.order, [&](int i) {
         return !m_simulation.available(uav, i) || isTargetOfOther(uav, i);
     });
     if (plan.order.empty())
-        if (const int nearest = m_simulation.nearestAvailable(uav);
+        if (const int nearest = m_simulation.fleet().nearestAvailable(uav);
             nearest >= 0 && !isTargetOfOther(uav, nearest))
             plan.order = {nearest};
     if (const PlanEvent* last = lastPlanOf(m_plans, uav))
         plan.clusters = stillClusters(last->clusters, m_simulation);
     plan.thisSortie = thisSortie(m_simulation, uav, plan.order, plan.clusters);
     plan.target = plan.order.empty() ? -1 : plan.order.front();
-    const UavState& now = m_simulation.uav(uav);
-    if (plan.target >= 0 && plan.target == now.target && now.aim) {
-        AimedLeg leg = *now.aim;
+    const Errand* now = m_simulation.fleet().autopilot(uav).errand();
+    if (plan.target >= 0 && now != nullptr && plan.target == now->target && now->aim) {
+        AimedLeg leg = *now->aim;
         leg.sighting_s = std::max(leg.sighting_s, plan.time_s + m_scenario.planningTime_s);
         plan.legs = {leg};
     }
@@ -211,7 +215,7 @@ void Mission::flyOn(int uav)
 bool Mission::isTargetOfOther(int uav, int iceberg) const
 {
     for (int other = 0; other < m_simulation.uavCount(); ++other)
-        if (other != uav && m_simulation.uav(other).target == iceberg)
+        if (other != uav && m_simulation.fleet().autopilot(other).target() == iceberg)
             return true;
     return false;
 }
@@ -273,7 +277,8 @@ void Mission::compareWithLast(Round& plans) const
         after[k] = ofSortie(next.uav, next.order, next.clusters);
     }
     const double left_s =
-        static_cast<double>(m_simulation.lastStep()) * m_simulation.dt_s() - m_simulation.time_s();
+        static_cast<double>(m_simulation.world().lastStep()) * m_simulation.world().dt_s() -
+        m_simulation.time_s();
     std::vector<std::optional<PlanChange>> changes =
         planChanges(forecastStart(), before, after, left_s, clusters);
     for (PlanEvent& plan : plans)

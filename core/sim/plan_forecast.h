@@ -11,7 +11,7 @@ namespace berg {
 /** The instant from which orders are thought flown. The world is borrowed. */
 struct ForecastStart
 {
-    const WorldState& world;
+    WorldState world;
     std::vector<bool> active; ///< by iceberg: it has appeared
     double time_s = 0;
     std::vector<double> airspeeds_mps; ///< by UAV

@@ -51,12 +51,12 @@ namespace {
 
 double weightedSum_m2(const Simulation& simulation)
 {
-    if (!simulation.asset())
-        return simulation.state().sigmaSum_m2;
+    if (!simulation.world().asset())
+        return simulation.observer().sigmaSum_m2();
     double sum_m2 = 0;
     for (int i = 0; i < simulation.icebergCount(); ++i)
         if (simulation.active(i))
-            sum_m2 += simulation.priority(i) * simulation.track(i).sigma_m2;
+            sum_m2 += priority(simulation.observer(), i) * simulation.track(i).sigma_m2;
     return sum_m2;
 }
 
@@ -64,12 +64,12 @@ double weightedSum_m2(const Simulation& simulation)
 
 void Recorder::record(const Simulation& simulation)
 {
-    const WorldState& state = simulation.state();
     const bool last = simulation.finished();
-    if (last || state.step % m_keyframeSteps == 0)
+    if (last || simulation.step() % m_keyframeSteps == 0)
         m_keyframes.push_back(simulation);
-    if (!last && state.step % m_sampleSteps != 0)
+    if (!last && simulation.step() % m_sampleSteps != 0)
         return;
+    const WorldState state = simulation.state();
     Sample sample{.time_s = simulation.time_s(),
                   .uavs = uavSamples(state),
                   .sigmaSum_m2 = state.sigmaSum_m2,

@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,8 +14,152 @@ namespace {
 constexpr double kRoom_m = 2;
 /** Turn rates tried instead, in parts of the limit. */
 constexpr std::array<double, 9> kRates{-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1};
+/** On the ground, while no heading is safe to take off with. */
+constexpr double kNextTry_s = 60;
 
 } // namespace
+
+void SafetyGuard::setWind(const Point& wind_mps, const std::vector<Point>& fence_m)
+{
+    m_uav.motion.wind_mps = wind_mps;
+    if (m_uav.fence)
+        m_uav.fence = std::make_shared<const Geofence>(fence_m, m_uav.motion);
+}
+
+std::optional<double> SafetyGuard::command_radps(const DubinsState& pose, double wished_radps)
+{
+    const double u_radps = limitedToFence_radps(pose, wished_radps);
+    if (provesReturn())
+        return provenCommand_radps(pose, u_radps);
+    if (!m_uav.sortie || homeInTimeAfter(pose, u_radps, enduranceLeft_s()))
+        return u_radps;
+    return std::nullopt;
+}
+
+/**
+ * The command wished for, where a path home is proven after it. Else the next one of the path that
+ * is proven now, unless time is what lacks.
+ */
+std::optional<double> SafetyGuard::provenCommand_radps(const DubinsState& pose, double wished_radps)
+{
+    std::optional<ReturnPath>& path = m_sortie.returnPath;
+    const double left_s = enduranceLeft_s();
+    Outlook outlook = outlookAfter(pose, wished_radps, left_s);
+    if (outlook.back == Return::InTime) {
+        path = std::move(outlook.path);
+        return wished_radps;
+    }
+    if (path && !path->parts.empty())
+        return outlook.back == Return::Unknown ? std::optional(path->takeNext_radps())
+                                               : std::nullopt;
+    if (homeInTimeAfter(pose, wished_radps, left_s)) {
+        path.reset();
+        return wished_radps;
+    }
+    path = returnPath(pose);
+    return std::nullopt;
+}
+
+double SafetyGuard::homeCommand_radps(const DubinsState& pose, bool maySearch)
+{
+    std::optional<ReturnPath>& path = m_sortie.returnPath;
+    if (provesReturn() && !path && maySearch)
+        path = returnPath(pose);
+    return path ? path->takeNext_radps() : limitedToFence_radps(pose, homeRate_radps(pose));
+}
+
+void SafetyGuard::proveReturn(const DubinsState& pose, double u_radps, std::int64_t step)
+{
+    m_sortie.returnPath.reset();
+    if (provesReturn() && m_sortie.isAloft)
+        m_sortie.returnPath = returnPath(heldFor(pose, u_radps, stepsHeld(step)));
+}
+
+/** Steps for which the command in force is held on. */
+std::int64_t SafetyGuard::stepsHeld(std::int64_t step) const
+{
+    return (m_uav.clock.steps - step % m_uav.clock.steps) % m_uav.clock.steps;
+}
+
+std::optional<double> SafetyGuard::homeMargin_s(const DubinsState& pose, double u_radps,
+                                                std::int64_t step) const
+{
+    if (!m_uav.sortie || !m_sortie.isAloft)
+        return std::nullopt;
+    const std::int64_t held = stepsHeld(step);
+    const std::optional<double> home_s = m_sortie.returnPath
+                                             ? time_s(*m_sortie.returnPath)
+                                             : timeHome_s(heldFor(pose, u_radps, held));
+    return home_s ? enduranceLeft_s() - static_cast<double>(held) * m_uav.clock.dt_s - *home_s
+                  : -m_uav.sortie->endurance_s;
+}
+
+double SafetyGuard::enduranceLeft_s() const
+{
+    return m_uav.sortie->endurance_s - (m_sortie.isAloft ? m_sortie.aloft_s : 0);
+}
+
+std::optional<int> SafetyGuard::visitsInTime(const DubinsState& pose,
+                                             std::span<const MovingPlace> places) const
+{
+    if (!m_uav.sortie)
+        return std::nullopt;
+    const double left_s = enduranceLeft_s() - kHomeReserve_s - kVisitReserve_s;
+    DubinsState at = pose;
+    double flown_s = 0;
+    int visits = 0;
+    for (const MovingPlace& place : places) {
+        const std::optional<Way> way =
+            wayTo(at, {.place_m = place.place_m + place.drift_mps * flown_s,
+                       .drift_mps = place.drift_mps});
+        if (!way)
+            break;
+        flown_s += way->time_s;
+        at = way->end;
+        const std::optional<double> home_s = timeHome_s(at);
+        if (!home_s || flown_s + *home_s > left_s)
+            break;
+        ++visits;
+    }
+    return visits;
+}
+
+bool SafetyGuard::tick()
+{
+    const double dt_s = m_uav.clock.dt_s;
+    if (!m_sortie.isAloft) {
+        m_sortie.ground_s = std::max(0.0, m_sortie.ground_s - dt_s);
+        return false;
+    }
+    m_sortie.aloft_s += dt_s;
+    return m_sortie.aloft_s > m_uav.sortie->endurance_s &&
+           m_sortie.aloft_s - dt_s <= m_uav.sortie->endurance_s;
+}
+
+bool SafetyGuard::isLanding(const Point& from_m, const Point& to_m) const
+{
+    return distanceToSegment(from_m, to_m, m_uav.sortie->home_m) <= kLandingRadius_m;
+}
+
+void SafetyGuard::land()
+{
+    m_sortie.isAloft = false;
+    m_sortie.ground_s = m_uav.sortie->turnaround_s;
+    m_sortie.returnPath.reset();
+}
+
+std::optional<double> SafetyGuard::takeOff(const DubinsState& pose)
+{
+    const std::optional<double> heading_rad =
+        provesReturn() ? safeHeading_rad(pose, m_uav.sortie->endurance_s) : pose.psi_rad;
+    if (heading_rad) {
+        m_sortie.isAloft = true;
+        m_sortie.aloft_s = 0;
+    } else {
+        m_sortie.ground_s = kNextTry_s;
+    }
+    return heading_rad;
+}
 
 DubinsState SafetyGuard::heldFor(const DubinsState& pose, double u_radps, std::int64_t steps) const
 {
@@ -38,7 +183,7 @@ double SafetyGuard::roomAfter_m(const DubinsState& pose, double u_radps) const
 
 double SafetyGuard::limitedToFence_radps(const DubinsState& pose, double u_radps) const
 {
-    if (m_uav.fence == nullptr || roomAfter_m(pose, u_radps) >= kRoom_m)
+    if (!m_uav.fence || roomAfter_m(pose, u_radps) >= kRoom_m)
         return u_radps;
     std::vector<double> rates{m_uav.fence->circlingRate_radps(pose, 1),
                               m_uav.fence->circlingRate_radps(pose, -1)};
@@ -59,8 +204,8 @@ double SafetyGuard::limitedToFence_radps(const DubinsState& pose, double u_radps
 
 std::optional<Way> SafetyGuard::wayTo(const DubinsState& from, const MovingPlace& place) const
 {
-    return m_uav.fence != nullptr ? m_uav.fence->wayTo(from, place, m_uav.clock.command_s())
-                                  : berg::wayTo(from, place, m_uav.motion, m_uav.clock.command_s());
+    return m_uav.fence ? m_uav.fence->wayTo(from, place, m_uav.clock.command_s())
+                       : berg::wayTo(from, place, m_uav.motion, m_uav.clock.command_s());
 }
 
 std::optional<double> SafetyGuard::timeHome_s(const DubinsState& from) const
@@ -69,7 +214,7 @@ std::optional<double> SafetyGuard::timeHome_s(const DubinsState& from) const
     if (!way)
         return std::nullopt;
     // The fence may turn it aside once, and round a circle, where the way leads close by.
-    return way->time_s + (m_uav.fence != nullptr ? m_uav.fence->circle_s() : 0);
+    return way->time_s + (m_uav.fence ? m_uav.fence->circle_s() : 0);
 }
 
 bool SafetyGuard::homeInTimeAfter(const DubinsState& pose, double u_radps, double left_s) const
@@ -78,8 +223,8 @@ bool SafetyGuard::homeInTimeAfter(const DubinsState& pose, double u_radps, doubl
     const double after_s = left_s - m_uav.clock.command_s() - kHomeReserve_s;
     const Point& home_m = m_uav.sortie->home_m;
     const double longest_s =
-        m_uav.fence != nullptr ? m_uav.fence->longestWay_s(after, home_m, m_uav.clock.command_s())
-                               : longestWay_s(after, home_m, m_uav.motion, m_uav.clock.command_s());
+        m_uav.fence ? m_uav.fence->longestWay_s(after, home_m, m_uav.clock.command_s())
+                    : longestWay_s(after, home_m, m_uav.motion, m_uav.clock.command_s());
     if (longest_s <= after_s)
         return true;
     const std::optional<double> home_s = timeHome_s(after);

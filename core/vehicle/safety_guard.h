@@ -2,15 +2,29 @@
 
 #include "core/vehicle/return_path.h"
 
+#include <memory>
+#include <span>
+#include <utility>
+
 namespace berg {
 
-/** What the guard knows of its UAV; all that is referred to outlives the guard. */
+/** What the guard knows of its UAV. */
 struct GuardedUav
 {
-    const Motion& motion;
-    const std::optional<SortieSpec>& sortie; ///< none: unlimited endurance
-    const Geofence* fence = nullptr;         ///< null: none
+    Motion motion;
+    std::optional<SortieSpec> sortie;      ///< none: unlimited endurance
+    std::shared_ptr<const Geofence> fence; ///< null: none
     CommandClock clock;
+};
+
+/** Where a UAV stands between two landings. */
+struct SortieState
+{
+    bool isAloft = true;
+    double aloft_s = 0;  ///< since take-off
+    double ground_s = 0; ///< left to stand when it is not
+    /** With fence and endurance: a proven path home from the next command on. */
+    std::optional<ReturnPath> returnPath;
 };
 
 /** Whether a command may be given to a UAV with a fence and a limited endurance. */
@@ -30,12 +44,50 @@ struct Outlook
 
 /**
  * What a UAV may be commanded: inside its fence, and so that it is home in time. State and wish in,
- * command out; it knows nothing of icebergs and plans. Cheap: made anew for each command.
+ * command out; it knows nothing of icebergs and plans. Keeps the clocks of the sortie and the
+ * proven path home.
  */
 class SafetyGuard
 {
 public:
-    explicit SafetyGuard(const GuardedUav& uav) : m_uav(uav) {}
+    explicit SafetyGuard(GuardedUav uav) : m_uav(std::move(uav)) {}
+
+    [[nodiscard]] const GuardedUav& uav() const { return m_uav; }
+    [[nodiscard]] const SortieState& sortie() const { return m_sortie; }
+    /** A fence round these corners is made anew for the wind. */
+    void setWind(const Point& wind_mps, const std::vector<Point>& fence_m);
+
+    /** The command for this wish, from now on; none: it has to go home, `homeCommand_radps`. */
+    [[nodiscard]] std::optional<double> command_radps(const DubinsState& pose, double wished_radps);
+    /**
+     * Along the proven path; without one, which only a new wind or a bad start leaves, as well as
+     * it goes. `maySearch`: for one, which takes long.
+     */
+    [[nodiscard]] double homeCommand_radps(const DubinsState& pose, bool maySearch);
+
+    /** Looks for a path home from the next command on, whatever there was before; `u_radps` is held
+     * until then, in time step `step`. */
+    void proveReturn(const DubinsState& pose, double u_radps, std::int64_t step);
+    /**
+     * Endurance left when it would be home, flying there from the next command on; none: unlimited,
+     * or on the ground. Below 0: home cannot be reached in time any more.
+     */
+    [[nodiscard]] std::optional<double> homeMargin_s(const DubinsState& pose, double u_radps,
+                                                     std::int64_t step) const;
+    /** Of this sortie; on the ground, of the next. There must be a limit. */
+    [[nodiscard]] double enduranceLeft_s() const;
+    /** How many of the places, as they are now, can be visited in this order before home must be
+     * reached; none: unlimited. */
+    [[nodiscard]] std::optional<int> visitsInTime(const DubinsState& pose,
+                                                  std::span<const MovingPlace> places) const;
+
+    /** One time step of a UAV with a limited endurance; true: it ends in this step. */
+    [[nodiscard]] bool tick();
+    /** Whether a UAV on its way home lands between these places. */
+    [[nodiscard]] bool isLanding(const Point& from_m, const Point& to_m) const;
+    void land();
+    /** The heading to start with; none: it would not come home, and tries again later. */
+    [[nodiscard]] std::optional<double> takeOff(const DubinsState& pose);
 
     /**
      * The turn rate, or the one nearest to it that leaves room inside the fence: as there was room
@@ -55,10 +107,7 @@ public:
     [[nodiscard]] double homeRate_radps(const DubinsState& pose) const;
 
     /** Whether the UAV has a fence and a home, so that a path home is proven at each command. */
-    [[nodiscard]] bool provesReturn() const
-    {
-        return m_uav.fence != nullptr && m_uav.sortie.has_value();
-    }
+    [[nodiscard]] bool provesReturn() const { return m_uav.fence && m_uav.sortie; }
     /** Whether a path home inside the fence is proven after one command at this rate. */
     [[nodiscard]] Outlook outlookAfter(const DubinsState& pose, double u_radps,
                                        double left_s) const;
@@ -74,10 +123,14 @@ public:
                                       std::int64_t steps) const;
 
 private:
+    [[nodiscard]] std::optional<double> provenCommand_radps(const DubinsState& pose,
+                                                            double wished_radps);
     [[nodiscard]] double roomAfter_m(const DubinsState& pose, double u_radps) const;
+    [[nodiscard]] std::int64_t stepsHeld(std::int64_t step) const;
     [[nodiscard]] ReturnSearch search() const;
 
     GuardedUav m_uav;
+    SortieState m_sortie;
 };
 
 } // namespace berg

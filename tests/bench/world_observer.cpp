@@ -46,7 +46,7 @@ Row flown(const Scenario& scenario)
         mission.advance(time_s);
         const Simulation& now = mission.simulation();
         for (int i = 0; i < now.icebergCount(); ++i, ++samples)
-            error_m2 += (now.estimate_m(i) - now.truth_m(i)).squaredNorm();
+            error_m2 += (now.observer().estimate_m(i) - now.truth_m(i)).squaredNorm();
     }
     return {mission.metrics().zeta_m2s, std::sqrt(error_m2 / samples),
             static_cast<double>(countOf(mission, EventKind::Lost)),

@@ -1,6 +1,7 @@
 #include "widgets/model/curve_runner.h"
 
 #include "core/scenario/validate.h"
+#include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
 #include "widgets/model/compared_run.h"
 
@@ -64,7 +65,7 @@ void CurveRunner::setScenario(const Scenario& scenario)
     ask([this]() -> std::optional<FleetTask> {
         if (hasErrors(validate(*m_scenario)))
             return std::nullopt;
-        return visitationTask(Simulation(*m_scenario).clusteredRequest(),
+        return visitationTask(clusteredRequest(Simulation(*m_scenario)),
                               m_scenario->planner.route);
     });
 }

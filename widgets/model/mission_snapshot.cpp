@@ -2,6 +2,7 @@
 
 #include "core/sim/clusters.h"
 #include "core/sim/mission_instant.h"
+#include "core/sim/plan_requests.h"
 
 #include <algorithm>
 #include <iterator>
@@ -38,17 +39,17 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
     MissionSnapshot snapshot{.time_s = simulation.time_s(),
                              .world = simulation.state(),
                              .icebergs = mission.icebergs(),
-                             .asset = simulation.asset()};
+                             .asset = simulation.world().asset()};
     for (int uav = 0; uav < simulation.uavCount(); ++uav) {
         snapshot.motions.push_back(simulation.motion(uav));
-        snapshot.fences.push_back(simulation.fence(uav));
+        snapshot.fences.push_back(simulation.fleet().autopilot(uav).guard().uav().fence);
     }
     // At an earlier instant some have not been added yet.
     snapshot.icebergs.resize(static_cast<std::size_t>(simulation.icebergCount()));
     for (int i = 0; i < simulation.icebergCount(); ++i) {
         snapshot.truth_m.push_back(simulation.truth_m(i));
         snapshot.active.push_back(simulation.active(i));
-        snapshot.assigned.push_back(simulation.assignedTo(i));
+        snapshot.assigned.push_back(simulation.world().body(i).assignedUav);
     }
     return snapshot;
 }

@@ -151,7 +151,7 @@ void MissionWorker::stepBy(double seconds)
         return;
     m_phase = RunPhase::Paused;
     const Simulation& simulation = m_mission->simulation();
-    advanceTo(simulation.time_s() + std::max(seconds, simulation.dt_s()));
+    advanceTo(simulation.time_s() + std::max(seconds, simulation.world().dt_s()));
     publish();
 }
 

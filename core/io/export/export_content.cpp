@@ -85,8 +85,8 @@ ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportWhat
     now.isListed = now.state != IcebergState::Expected && now.state != IcebergState::Left;
     if (now.state == IcebergState::Expected)
         return now;
-    now.position_m =
-        what == ExportWhat::Track ? simulation.truth_m(index) : simulation.estimate_m(index);
+    now.position_m = what == ExportWhat::Track ? simulation.truth_m(index)
+                                               : simulation.observer().estimate_m(index);
     if (what != ExportWhat::Track)
         now.drift_mps = simulation.track(index).velocity_mps;
     now.sigma_m2 = simulation.track(index).sigma_m2;
@@ -260,7 +260,7 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .icebergs = {},
         .area_m = scenario.area_m,
         .geofence = scenario.geofence,
-        .asset = source.mission ? source.mission->simulation().asset() : scenario.asset,
+        .asset = source.mission ? source.mission->simulation().world().asset() : scenario.asset,
         .planner = source.mission ? source.mission->plannerSettings() : scenario.planner,
         .plan = planOf(source),
         .wind_mps =

@@ -22,7 +22,7 @@ Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, int
     if (now.appears_s > 0)
         return now;
     const Track& track = simulation.track(index);
-    now.position_m = simulation.estimate_m(index);
+    now.position_m = simulation.observer().estimate_m(index);
     now.velocity_mps = track.velocity_mps;
     now.sigma0_m2 = track.sigma_m2;
     now.observed_s = 0;
@@ -44,7 +44,7 @@ void moveOn(Scenario& scene, const Mission& mission, int row)
     const Simulation& simulation = mission.simulation();
     scene.planner = mission.plannerSettings();
     scene.wind_mps = simulation.motion(row).wind_mps;
-    scene.asset = simulation.asset();
+    scene.asset = simulation.world().asset();
     scene.icebergs.clear();
     for (const Iceberg& iceberg : mission.icebergs())
         scene.icebergs.push_back(
@@ -53,7 +53,7 @@ void moveOn(Scenario& scene, const Mission& mission, int row)
         if (iceberg.appears_s > 0) // the others have it in their velocity
             iceberg.velocity_mps += scene.current_mps;
     scene.current_mps = Point::Zero();
-    moveOn(scene.uavs.front(), simulation.uav(row), simulation.dt_s());
+    moveOn(scene.uavs.front(), simulation.uav(row), simulation.world().dt_s());
 }
 
 UavOrder orderAtStart(const PlanAnswer& plan, std::size_t row)

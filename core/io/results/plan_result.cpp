@@ -4,6 +4,7 @@
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/solve/names.h"
 #include "core/sim/clusters.h"
+#include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
 
 #include <algorithm>

@@ -44,7 +44,8 @@ std::vector<std::string> idFields(std::span<const Named> all)
 
 SampleTables tablesOf(const Mission& mission)
 {
-    return {mission.scenario(), mission.icebergs(), mission.simulation().asset().has_value()};
+    return {mission.scenario(), mission.icebergs(),
+            mission.simulation().world().asset().has_value()};
 }
 
 } // namespace

@@ -164,7 +164,7 @@ std::string simulateJson(const Mission& mission, std::optional<double> lowerBoun
         for (const UavFigures& uav : uavFigures(mission))
             json["uavs"].push_back(
                 {{"id", uav.id}, {"visits", uav.visits}, {"flown_m", uav.flown_m}});
-        json["closest_m"] = orNull(mission.simulation().state().closest_m);
+        json["closest_m"] = orNull(mission.simulation().fleet().closest_m());
     }
     for (const auto& [name, count] : worldEvents(mission))
         json["events"][name] = count;

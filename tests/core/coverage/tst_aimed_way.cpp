@@ -2,6 +2,7 @@
 #include "core/coverage/described_plan.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
+#include "core/sim/plan_requests.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QTest>
@@ -59,7 +60,7 @@ double largestMiss_m(const Scenario& scenario, const DescribedPlan& plan,
     double miss_m = 0;
     for (std::size_t k = 0; k < ways.size(); ++k) {
         simulation.setTarget(0, plan.legs[k].iceberg, plan.legs[k]);
-        while (simulation.time_s() < ways[k].points.back().time_s - simulation.dt_s() / 2) {
+        while (simulation.time_s() < ways[k].points.back().time_s - simulation.world().dt_s() / 2) {
             simulation.advanceStep();
             miss_m = std::max(
                 miss_m,
@@ -99,8 +100,8 @@ private slots:
             scenario.wind_mps = Point(wind_mps, -wind_mps / 2);
             const Simulation simulation(scenario);
             const DescribedPlan plan =
-                randomPlan(simulation.planRequest(), 8, Random(static_cast<unsigned>(seed)));
-            const FlightPicture picture = *simulation.planRequest().uavs[0].picture;
+                randomPlan(planRequest(simulation), 8, Random(static_cast<unsigned>(seed)));
+            const FlightPicture picture = *planRequest(simulation).uavs[0].picture;
             const std::vector<AimedWay> ways = aimedWays(plan.legs, picture.uav, 0, picture.motion);
             QCOMPARE(ways.size(), plan.legs.size());
             legs += static_cast<int>(plan.legs.size());

@@ -1,5 +1,6 @@
 #include "core/coverage/described_plan.h"
 #include "core/scenario/presets.h"
+#include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scenario_builder.h"
 
@@ -46,7 +47,7 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
     Simulation simulation(scenario);
     FlownPlan result;
     for (int k = 0; k < legs && !simulation.finished(); ++k) {
-        const PlanRequest request = simulation.planRequest();
+        const PlanRequest request = planRequest(simulation);
         const CoverageModel model(*request.uavs[0].picture, {.length_s = 1e6});
         CoverageLeg leg{.offset_m = random.uniform(-1, 1) * model.largestOffset_m()};
         do
@@ -55,7 +56,7 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
         CoverageState state = model.start();
         if (!model.fly(state, leg))
             continue;
-        const double zeta_m2s = simulation.state().zeta_m2s;
+        const double zeta_m2s = simulation.zeta_m2s();
         const double end_s = simulation.time_s() + state.time_s;
         if (end_s > scenario.duration_s)
             break;
@@ -68,7 +69,7 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
         result.largestMiss_m = std::max(result.largestMiss_m, (flown_m - predicted_m).norm());
         result.predicted_m2s += model.costSoFar_m2s(state);
         result.flown_m2s +=
-            simulation.state().zeta_m2s - zeta_m2s - late_s * simulation.state().sigmaSum_m2;
+            simulation.zeta_m2s() - zeta_m2s - late_s * simulation.state().sigmaSum_m2;
         ++result.legs;
     }
     return result;
@@ -76,7 +77,7 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
 
 CoverageModel modelOf(const Scenario& scenario, const CoverageHorizon& horizon)
 {
-    return CoverageModel(*Simulation(scenario).planRequest().uavs[0].picture, horizon);
+    return CoverageModel(*planRequest(Simulation(scenario)).uavs[0].picture, horizon);
 }
 
 } // namespace
@@ -206,7 +207,7 @@ private slots:
         Scenario scenario = emptySea();
         scenario.fovShape = shape;
         addIceberg(scenario, 0, 299);
-        const PlanRequest request = Simulation(scenario).planRequest();
+        const PlanRequest request = planRequest(Simulation(scenario));
         QVERIFY(!request.uavs[0].available[0]);
         const CoverageModel seen(*request.uavs[0].picture, {.length_s = 100});
         QVERIFY(seen.inView(seen.start(), 0));

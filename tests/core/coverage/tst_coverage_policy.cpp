@@ -2,6 +2,7 @@
 #include "core/coverage/coverage_policy.h"
 #include "core/plan/policy/planner.h"
 #include "core/scenario/presets.h"
+#include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scenario_builder.h"
 #include "tests/support/test_solvers.h"
@@ -34,7 +35,7 @@ PlanRequest withRest(PlanRequest request, const std::vector<int>& rest)
 
 PlanRequest requestOf(const Scenario& scenario)
 {
-    return Simulation(scenario).planRequest();
+    return planRequest(Simulation(scenario));
 }
 
 /** Every available id once, the first of them sighted on the first leg, numbers that fit. */
@@ -84,7 +85,7 @@ private slots:
         const std::unique_ptr<Policy> policy = coverage();
         std::vector<int> last;
         for (int k = 0; k < 15; ++k) {
-            const PlanRequest request = simulation.planRequest();
+            const PlanRequest request = planRequest(simulation);
             const PlanAnswer answer = policy->plan(withRest(request, last), {.workLimit = kWork});
             verifyAnswer(answer, request);
             QCOMPARE(answer.outcome.hintUsed, k > 0);
@@ -102,12 +103,12 @@ private slots:
         scenario.noise = false;
         Simulation simulation(scenario);
         const std::unique_ptr<Policy> policy = coverage();
-        const PlanAnswer first = policy->plan(simulation.planRequest(), {});
+        const PlanAnswer first = policy->plan(planRequest(simulation), {});
         simulation.setTarget(0, first.uavs[0].order.front(), first.uavs[0].legs.front());
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
-        const PlanRequest request = simulation.planRequest();
-        const double left_m2s = *first.predictedZeta_m2s - simulation.state().zeta_m2s;
+        const PlanRequest request = planRequest(simulation);
+        const double left_m2s = *first.predictedZeta_m2s - simulation.zeta_m2s();
         const PlanAnswer warm =
             policy->plan(withRest(request, first.uavs[0].order), {.workLimit = 1});
         QVERIFY(*warm.predictedZeta_m2s < 1.005 * left_m2s);

@@ -1,5 +1,6 @@
 #include "core/coverage/coverage_search.h"
 #include "core/scenario/presets.h"
+#include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
 #include "tests/support/scenario_builder.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 CoverageModel modelOf(const Scenario& scenario, double length_s = 1000)
 {
-    return CoverageModel(*Simulation(scenario).planRequest().uavs[0].picture,
+    return CoverageModel(*planRequest(Simulation(scenario)).uavs[0].picture,
                          {.length_s = length_s});
 }
 

@@ -126,7 +126,8 @@ private slots:
         const Sample& last = weighted.recorder().samples().back();
         COMPARE_NEAR(last.sigmaSum_m2, world.track(0).sigma_m2 + world.track(1).sigma_m2, 1e-12);
         COMPARE_NEAR(last.weightedSum_m2,
-                     world.priority(0) * world.track(0).sigma_m2 + 21 * world.track(1).sigma_m2,
+                     priority(world.observer(), 0) * world.track(0).sigma_m2 +
+                         21 * world.track(1).sigma_m2,
                      1e-9);
         QVERIFY(
             zetaCsv(weighted).starts_with("time_s,sigma_sum_m2,zeta_m2s,weighted_sigma_sum_m2\n"));
@@ -202,7 +203,7 @@ private slots:
         asset.alarm_m = -1;
         QVERIFY_EXCEPTION_THROWN(mission.intervene({.asset = asset}), Error);
         QVERIFY(mission.interventions().empty());
-        QVERIFY(!mission.simulation().asset());
+        QVERIFY(!mission.simulation().world().asset());
     }
 };
 

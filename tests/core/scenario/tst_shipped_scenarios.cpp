@@ -145,7 +145,7 @@ private slots:
             QVERIFY(std::ranges::any_of(mission.events(), [uav](const MissionEvent& event) {
                 return event.kind == EventKind::Reached && event.uav == uav;
             }));
-        QVERIFY(!mission.simulation().state().closest_m);
+        QVERIFY(!mission.simulation().fleet().closest_m());
     }
 
     void plansComeLate()

@@ -2,6 +2,7 @@
 
 #include "core/sim/clusters.h"
 #include "core/sim/mission_instant.h"
+#include "core/sim/plan_requests.h"
 #include "tests/support/approx.h"
 #include "tests/support/cluster_scenes.h"
 
@@ -50,7 +51,7 @@ private slots:
     {
         Scenario scenario = pairAhead();
         scenario.reachRadius_m = 190;
-        QVERIFY(Simulation(scenario).clusteredRequest().clusters.empty());
+        QVERIFY(clusteredRequest(Simulation(scenario)).clusters.empty());
         scenario.reachRadius_m = 250;
         Mission mission(scenario);
         mission.advance(200);
@@ -78,7 +79,7 @@ private slots:
             scenario.uavs[0].position_m = {random.uniform(0, 2500), random.uniform(0, 2000)};
             scenario.uavs[0].heading_deg = random.uniform(0, 360);
             scenario.wind_mps = {wind_mps, 0};
-            const Groups clusters = Simulation(scenario).clusteredRequest().clusters;
+            const Groups clusters = clusteredRequest(Simulation(scenario)).clusters;
             for (const std::vector<int>& members : clusters) {
                 Simulation simulation(scenario);
                 simulation.setTarget(0, members.front(), {}, members);
@@ -142,13 +143,13 @@ private slots:
         COMPARE_NEAR(simulation.uav(0).pose.position_m.x(), 2000, kFlownOver_m);
         QVERIFY(simulation.track(0).inView);
         QCOMPARE(simulation.state().apart, std::vector<int>{2});
-        QVERIFY(simulation.available(0, 2) && !simulation.clusterable(2));
+        QVERIFY(simulation.available(0, 2) && !simulation.fleet().clusterable(2));
 
         simulation.setTarget(0, 1);
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QVERIFY(simulation.available(0, 0) && simulation.available(0, 2));
-        QVERIFY(simulation.clusteredRequest().clusters.empty());
+        QVERIFY(clusteredRequest(simulation).clusters.empty());
         simulation.reportSighting(2);
         simulation.setTarget(0, 2);
         while (simulation.planReason() == PlanReason::None)
@@ -171,8 +172,8 @@ private slots:
         addIceberg(scenario, 3500, 2800);
         addIceberg(scenario, 3500, 3200);
         Simulation simulation(scenario);
-        QCOMPARE(simulation.clusteredRequest().clusters, (Groups{{0, 1}}));
-        QVERIFY(simulation.clusteredRequest().uavs[0].distance_m(0, 1) > 7500);
+        QCOMPARE(clusteredRequest(simulation).clusters, (Groups{{0, 1}}));
+        QVERIFY(clusteredRequest(simulation).uavs[0].distance_m(0, 1) > 7500);
         simulation.setTarget(0, 0, {}, std::vector{0, 1});
         while (simulation.planReason() == PlanReason::None) {
             simulation.advanceStep();

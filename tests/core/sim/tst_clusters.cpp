@@ -3,6 +3,7 @@
 #include "core/plan/policy/planner.h"
 #include "core/sim/clusters.h"
 #include "core/sim/mission.h"
+#include "core/sim/plan_requests.h"
 #include "tests/support/approx.h"
 #include "tests/support/cluster_scenes.h"
 #include "tests/support/test_solvers.h"
@@ -189,15 +190,15 @@ private slots:
         Scenario scenario = pairAhead();
         scenario.clusters = false;
         const Simulation simulation(scenario);
-        const PlanRequest request = simulation.clusteredRequest();
+        const PlanRequest request = clusteredRequest(simulation);
         QCOMPARE(request.ids, (std::vector<int>{0, 1, 2}));
         QVERIFY(request.clusters.empty());
-        QVERIFY(request.uavs[0].distance_m == simulation.planRequest().uavs[0].distance_m);
+        QVERIFY(request.uavs[0].distance_m == planRequest(simulation).uavs[0].distance_m);
     }
 
     void oneNodeForTheTwo()
     {
-        const PlanRequest request = Simulation(pairAhead()).clusteredRequest();
+        const PlanRequest request = clusteredRequest(Simulation(pairAhead()));
         QCOMPARE(request.clusters, (Groups{{0, 2}}));
         QCOMPARE(request.ids, (std::vector<int>{0, 1}));
         QCOMPARE(request.sigma_m2, (std::vector<double>{0, 7, 5}));
@@ -212,9 +213,10 @@ private slots:
         Scenario scenario = pairAhead();
         scenario.asset = Asset{.position_m = {2000, 1000}};
         const Simulation simulation(scenario);
-        COMPARE_NEAR(simulation.clusteredRequest().sigma_m2[1],
-                     3 * simulation.priority(0) + 4 * simulation.priority(2), 1e-12);
-        QVERIFY(simulation.priority(0) > 1);
+        COMPARE_NEAR(
+            clusteredRequest(simulation).sigma_m2[1],
+            3 * priority(simulation.observer(), 0) + 4 * priority(simulation.observer(), 2), 1e-12);
+        QVERIFY(priority(simulation.observer(), 0) > 1);
     }
 
     /** A cluster is part of a sortie as a whole, or not at all. */
@@ -230,9 +232,9 @@ private slots:
             scenario.uavs[0].spec.endurance_s = endurance_s;
             const Simulation simulation(scenario);
             whole.insert(thisSortie(simulation, 0, order, clusters).value());
-            one.insert(simulation.thisSortie(0, order).value());
-            const PlanRequest request = simulation.clusteredRequest();
-            QVERIFY(request.clusters.empty() || simulation.thisSortie(0, clusters[0]) == 2);
+            one.insert(thisSortie(simulation, 0, order, {}).value());
+            const PlanRequest request = clusteredRequest(simulation);
+            QVERIFY(request.clusters.empty() || thisSortie(simulation, 0, clusters[0], {}) == 2);
             isLeftToSingles =
                 isLeftToSingles || (request.clusters.empty() && request.uavs[0].available[0]);
         }
@@ -284,7 +286,7 @@ private slots:
 
     void plannerNamesAllMembers()
     {
-        const PlanRequest request = Simulation(pairAhead()).clusteredRequest();
+        const PlanRequest request = clusteredRequest(Simulation(pairAhead()));
         Planner planner({.policy = PolicyKind::Nearest});
         const PlanAnswer answer = planner.plan(request, {});
         QCOMPARE(answer.uavs[0].order, (std::vector<int>{0, 2, 1}));
@@ -294,14 +296,14 @@ private slots:
         SolverScript script;
         Planner warm({.policy = PolicyKind::Visitation}, std::make_unique<ScriptedSolver>(script));
         (void)warm.plan(request, {});
-        (void)warm.plan(Simulation(pairAhead()).planRequest(), {});
+        (void)warm.plan(planRequest(Simulation(pairAhead())), {});
         QCOMPARE(script.options.back().hint, (FleetPlan{{1, 3, 2}}));
     }
 
     /** A planner that throws: the members are still flown to. */
     void fallsBackToTheClusters()
     {
-        const PlanRequest request = Simulation(pairAhead()).clusteredRequest();
+        const PlanRequest request = clusteredRequest(Simulation(pairAhead()));
         SolverScript script;
         script.answer = [&](const TvpProblem&) -> SolveOutcome {
             if (script.problems.size() > 1)

@@ -1,5 +1,6 @@
 #include "core/io/files/run_json.h"
 #include "core/sim/mission_instant.h"
+#include "core/sim/plan_requests.h"
 #include "tests/support/fenced_scenario.h"
 
 #include <QTest>
@@ -107,7 +108,7 @@ private slots:
         s.icebergs.resize(2);
         s.icebergs[0].position_m = {450, 3500}; // 4300 m away, and about 5700 m to fly
         s.icebergs[1].position_m = {1000, 450};
-        const PlanRequest request = Simulation(s).planRequest();
+        const PlanRequest request = planRequest(Simulation(s));
         const double straight_m = (s.uavs[0].position_m - s.icebergs[0].position_m).norm();
         QVERIFY(request.uavs[0].distance_m(0, 1) > 1.2 * straight_m);
         QVERIFY(std::abs(request.uavs[0].distance_m(0, 2) - 2500) < 1e-9);

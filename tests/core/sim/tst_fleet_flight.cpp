@@ -3,6 +3,7 @@
 #include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"
+#include "core/sim/plan_requests.h"
 #include "core/sim/policy_forecast.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
@@ -96,10 +97,10 @@ private slots:
         for (double until_s = 0; until_s <= scenario.duration_s; until_s += 0.5) {
             mission.advance(until_s);
             std::set<int> targets;
-            for (const UavState& uav : mission.simulation().state().uavs)
-                if (uav.target >= 0)
-                    QVERIFY2(targets.insert(uav.target).second,
-                             qPrintable(QString::number(until_s)));
+            for (int uav = 0; uav < uavs; ++uav)
+                if (const int target = mission.simulation().fleet().autopilot(uav).target();
+                    target >= 0)
+                    QVERIFY2(targets.insert(target).second, qPrintable(QString::number(until_s)));
         }
         QVERIFY(mission.metrics().visits > 5);
         // One for each UAV, or for those alone that had no target.
@@ -206,7 +207,7 @@ private slots:
         const int handed = first->order[1];
         const std::string& id = scenario.icebergs[static_cast<std::size_t>(handed)].id;
         mission.intervene({.assigned = Assignment{.iceberg = id, .uav = "uav-2"}});
-        QCOMPARE(mission.simulation().assignedTo(handed), 1);
+        QCOMPARE(mission.simulation().world().body(handed).assignedUav, 1);
         mission.advance(scenario.duration_s);
         bool isPlanned = false;
         for (const PlanEvent& plan : mission.plans()) {
@@ -220,8 +221,8 @@ private slots:
         const RunFile run = runFromJson(runToJson(runOf(mission)), "run");
         QVERIFY(run == runOf(mission));
         QVERIFY(runOf(replay(run)) == run);
-        QCOMPARE(instantAt(mission, 50).simulation.assignedTo(handed), -1);
-        QCOMPARE(instantAt(mission, 70).simulation.assignedTo(handed), 1);
+        QCOMPARE(instantAt(mission, 50).simulation.world().body(handed).assignedUav, -1);
+        QCOMPARE(instantAt(mission, 70).simulation.world().body(handed).assignedUav, 1);
     }
 
     void handingOverToNobodyIsRefused()
@@ -320,13 +321,13 @@ private slots:
         QVERIFY(close[0].distance_m > 190 && close[0].distance_m < 200);
         // 4000 m apart at 44 m/s: 200 m are left after 86.4 s.
         COMPARE_NEAR(close[0].time_s, 3800 / 44.0, 0.2);
-        QVERIFY(mission.simulation().state().closest_m.value() < 50);
+        QVERIFY(mission.simulation().fleet().closest_m().value() < 50);
 
         scenario.separation_m = 0; // not watched
         QVERIFY(eventsOf(flownToEnd(scenario), EventKind::Close).empty());
         const Mission layered = flownToEnd(headOn(kLayerHeight_m));
         QVERIFY(eventsOf(layered, EventKind::Close).empty());
-        QVERIFY(!layered.simulation().state().closest_m);
+        QVERIFY(!layered.simulation().fleet().closest_m());
     }
 
     /** An iceberg that another UAV sees by chance is not flown to any more. */
@@ -375,7 +376,7 @@ private slots:
         double sum_m2 = 0;
         for (const Iceberg& iceberg : scenario.icebergs)
             sum_m2 += initialSigma_m2(iceberg);
-        const PlanRequest request = Simulation(scenario).planRequest();
+        const PlanRequest request = planRequest(Simulation(scenario));
         double distance_m = 0;
         double reward_m2 = 0;
         for (const PlanEvent& plan : mission.plans()) {

@@ -67,7 +67,7 @@ int flyStep(Simulation& world)
     int plans = 0;
     for (int uav = 0; uav < world.uavCount(); ++uav)
         if (world.planReason(uav) != PlanReason::None) {
-            world.setTarget(uav, world.nearestAvailable(uav));
+            world.setTarget(uav, world.fleet().nearestAvailable(uav));
             ++plans;
         }
     world.advanceStep();
@@ -115,9 +115,9 @@ private slots:
                     QCOMPARE(isLost, searching >= 0);
                     handedOn += before >= 0 && searching >= 0 && before != searching ? 1 : 0;
                     before = searching;
+                    const std::vector<Search>& givenUp = world.observer().searches().givenUp();
                     const bool isKept =
-                        std::ranges::find(world.state().givenUp, i, &Search::iceberg) !=
-                        world.state().givenUp.end();
+                        std::ranges::find(givenUp, i, &Search::iceberg) != givenUp.end();
                     QCOMPARE(isKept,
                              world.active(i) && world.track(i).status == TrackStatus::GivenUp);
                 }

@@ -246,7 +246,8 @@ private slots:
         mission.intervene({.seen = id});
         QCOMPARE(mission.simulation().track(target).sigma_m2, 0.0);
         QVERIFY(!mission.simulation().track(target).inView);
-        QVERIFY(mission.simulation().estimate_m(target) == mission.simulation().truth_m(target));
+        QVERIFY(mission.simulation().observer().estimate_m(target) ==
+                mission.simulation().truth_m(target));
         QVERIFY(mission.events().back().kind == EventKind::Sighted);
         QVERIFY(mission.events().back().reported);
         mission.advance(50.1);

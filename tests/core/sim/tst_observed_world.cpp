@@ -98,7 +98,7 @@ private slots:
                 for (int i = 0; i < now.icebergCount(); ++i) {
                     if (now.track(i).status != TrackStatus::Tracked)
                         continue;
-                    error += (now.truth_m(i) - now.estimate_m(i)).squaredNorm() /
+                    error += (now.truth_m(i) - now.observer().estimate_m(i)).squaredNorm() /
                              (2 * now.track(i).sigma_m2);
                     ++samples;
                 }
@@ -136,7 +136,7 @@ private slots:
         QCOMPARE(count(mission, EventKind::GivenUp), 0);
         const Simulation& end = mission.simulation();
         QCOMPARE(end.track(0).status, TrackStatus::Tracked);
-        QVERIFY((end.estimate_m(0) - end.truth_m(0)).norm() < 100);
+        QVERIFY((end.observer().estimate_m(0) - end.truth_m(0)).norm() < 100);
         const auto lost = std::find_if(mission.events().begin(), mission.events().end(),
                                        [](const auto& e) { return e.kind == EventKind::Lost; });
         // Not before the estimate was in the middle of the view, 150 m.

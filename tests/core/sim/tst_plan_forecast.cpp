@@ -16,12 +16,12 @@ namespace {
 constexpr double kAirspeed_mps = 20;
 
 /** Standing icebergs with sigma and q of their own, the UAV at the origin. */
-struct World
+struct Sea
 {
     WorldState state{.uavs = std::vector<UavState>(1)};
     std::vector<bool> active;
 
-    World& add(const Point& at_m, double sigma_m2, double q_m2ps)
+    Sea& add(const Point& at_m, double sigma_m2, double q_m2ps)
     {
         state.tracks.push_back({.anchor_m = at_m, .sigma_m2 = sigma_m2, .q_m2ps = q_m2ps});
         active.push_back(true);
@@ -37,10 +37,10 @@ struct World
     }
 };
 
-World randomWorld(std::uint64_t seed, int icebergs)
+Sea randomWorld(std::uint64_t seed, int icebergs)
 {
     Random random(seed);
-    World world;
+    Sea world;
     for (int i = 0; i < icebergs; ++i)
         world.add({random.uniform(-5000, 5000), random.uniform(-5000, 5000)}, random.uniform(0, 20),
                   random.uniform(0, 0.1));
@@ -48,7 +48,7 @@ World randomWorld(std::uint64_t seed, int icebergs)
 }
 
 /** Sum of sigma dt in small steps, each sigma set to zero when its time has come. */
-double integratedZeta(const World& world, const PlanForecast& forecast, double horizon_s)
+double integratedZeta(const Sea& world, const PlanForecast& forecast, double horizon_s)
 {
     constexpr double kStep_s = 0.01;
     std::vector<double> sigma_m2;
@@ -106,7 +106,7 @@ class TestPlanForecast : public QObject
 private slots:
     void oneVisitByHand()
     {
-        World world;
+        Sea world;
         world.add({300, 400}, 6, 0.05).add({-1000, 0}, 2, 0.01);
         const std::vector<int> order{0};
         const double horizon_s = 200;
@@ -135,7 +135,7 @@ private slots:
     {
         QFETCH(int, seed);
         QFETCH(double, horizon_s);
-        World world = randomWorld(static_cast<std::uint64_t>(seed), 7);
+        Sea world = randomWorld(static_cast<std::uint64_t>(seed), 7);
         world.active[6] = false;
         std::vector<int> order{3, 0, 5, 1, 2, 0}; // one of them twice, 4 not at all
         const PlanForecast forecast = forecastPlan(world.start({3, -8}), {order}, horizon_s);
@@ -146,7 +146,7 @@ private slots:
 
     void windChangesArrivals()
     {
-        World world;
+        Sea world;
         world.add({0, 600}, 1, 0);
         const std::vector<int> order{0};
         const Point wind_mps(0, 10);
@@ -156,7 +156,7 @@ private slots:
 
     void aimsAheadOfDrift()
     {
-        World world;
+        Sea world;
         world.add({0, 0}, 1, 0);
         world.state.tracks[0].velocity_mps = {2, 0}; // 100 s after its anchor: 200 m ahead
         const std::vector<int> order{0};
@@ -167,7 +167,7 @@ private slots:
 
     void anUnknownIcebergIsABug()
     {
-        const World world = randomWorld(1, 2);
+        const Sea world = randomWorld(1, 2);
         const std::vector<int> order{2};
         QVERIFY_EXCEPTION_THROWN(static_cast<void>(forecastPlan(world.start(), {order}, 10)),
                                  std::logic_error);
@@ -202,7 +202,7 @@ private slots:
     {
         QFETCH(QList<int>, before);
         QFETCH(QList<int>, after);
-        const World world = randomWorld(2, 3);
+        const Sea world = randomWorld(2, 3);
         QVERIFY(!planChanges(world.start(), {{before.begin(), before.end()}},
                              {{after.begin(), after.end()}}, 1000)[0]);
     }
@@ -210,7 +210,7 @@ private slots:
     /** Both orders from one instant, those that only the new one visits last in the old one. */
     void changeComparesFlights()
     {
-        const World world = randomWorld(3, 4);
+        const Sea world = randomWorld(3, 4);
         const std::vector<int> after{3, 1, 0, 2};
         const std::vector<int> flownBefore{0, 1, 3, 2};
         const double horizon_s = 2000;

@@ -100,7 +100,7 @@ private slots:
         Mission mission(scenario);
         mission.advance(200);
         const Simulation& world = mission.simulation();
-        QVERIFY((world.estimate_m(0) - Point(50'100, 50)).norm() < 1e-6);
+        QVERIFY((world.observer().estimate_m(0) - Point(50'100, 50)).norm() < 1e-6);
         QVERIFY((world.truth_m(0) - Point(50'000, -600)).norm() < 1e-6); // the current is in it
         QVERIFY(world.track(0).sigma_m2 > 0);
     }
@@ -120,7 +120,7 @@ private slots:
             if (!world.track(0).inView)
                 continue;
             seen = true;
-            QVERIFY(world.estimate_m(0) == world.truth_m(0));
+            QVERIFY(world.observer().estimate_m(0) == world.truth_m(0));
             QCOMPARE(world.track(0).sigma_m2, 0.0);
         }
         QVERIFY(seen);

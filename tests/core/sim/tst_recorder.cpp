@@ -130,7 +130,7 @@ private slots:
         Recorder recorder(1, 60, scenario.dt_s);
         WorldState at60;
         recordAll(simulation, recorder, [&](Simulation& s) {
-            if (s.state().step == 600)
+            if (s.step() == 600)
                 at60 = s.state();
         });
         const std::vector<Simulation>& keyframes = recorder.keyframes();
@@ -163,7 +163,7 @@ private slots:
         late.position_m = {2500, 2500};
         late.sigma0_m2 = 3;
         recordAll(simulation, recorder, [&](Simulation& s) {
-            if (s.state().step == 45)
+            if (s.step() == 45)
                 s.addIceberg(late);
         });
         QCOMPARE(recorder.samples().size(), std::size_t{11});

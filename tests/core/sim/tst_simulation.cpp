@@ -1,10 +1,13 @@
 #include "core/base/angles.h"
 #include "core/scenario/presets.h"
+#include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
 #include "core/vehicle/tangent_turn.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QtTest>
+
+#include <array>
 
 using namespace berg;
 using test::addIceberg;
@@ -129,13 +132,13 @@ private slots:
         QVERIFY(flyTo(simulation, 0, reached));
 
         constexpr int kSteps = 1228; // first multiple of 0.1 s x 22 m/s beyond 2700 m
-        QCOMPARE(simulation.state().step, kSteps);
+        QCOMPARE(simulation.step(), kSteps);
         QCOMPARE(simulation.track(0).sigma_m2, 0.0);
         // Eq. (22)-(24): sigma_k = 4 + q k dt after step k, 0 from the step that sees it.
         double zeta_m2s = 0;
         for (int k = 1; k < kSteps; ++k)
             zeta_m2s += (4 + 0.025 * k * 0.1) * 0.1;
-        QVERIFY(std::abs(simulation.state().zeta_m2s - zeta_m2s) < 1e-9 * zeta_m2s); // rounding
+        QVERIFY(std::abs(simulation.zeta_m2s() - zeta_m2s) < 1e-9 * zeta_m2s); // rounding
         QVERIFY(std::abs(simulation.uav(0).pose.position_m.y()) < 1e-9);
         QVERIFY(std::abs(simulation.state().flown_m() - kSteps * 2.2) < 1e-6);
     }
@@ -147,7 +150,7 @@ private slots:
         addIceberg(scenario, 2000, 0);
         Simulation simulation(scenario);
         QVERIFY(flyTo(simulation, 0, reached));
-        const double zeta_m2s = simulation.state().zeta_m2s;
+        const double zeta_m2s = simulation.zeta_m2s();
         const double radius_m = turnRadius_m(scenario.uavs[0].spec);
 
         simulation.setTarget(0, -1);
@@ -162,7 +165,7 @@ private slots:
                 farthest_m = std::max(farthest_m, r_m);
             }
         }
-        QCOMPARE(simulation.state().zeta_m2s, zeta_m2s);
+        QCOMPARE(simulation.zeta_m2s(), zeta_m2s);
         QVERIFY2(nearest_m >= radius_m, qPrintable(QString::number(nearest_m)));
         QVERIFY2(farthest_m < 200, qPrintable(QString::number(farthest_m)));
         QVERIFY(farthest_m - nearest_m < 2); // a circle, not an oval
@@ -195,7 +198,7 @@ private slots:
         Simulation simulation(scenario);
         bool sawSecond = false;
         QVERIFY(flyTo(simulation, 0, [&](const Simulation& s) {
-            for (const SeenIceberg& seen : s.newlySeen())
+            for (const SeenIceberg& seen : s.observer().newlySeen())
                 sawSecond = sawSecond || seen.iceberg == 1;
             return reached(s);
         }));
@@ -266,14 +269,14 @@ private slots:
         later.q_m2ps = 0.05;
         Simulation simulation(scenario);
         QVERIFY(!simulation.active(1));
-        QCOMPARE(simulation.planRequest().ids, std::vector<int>{0});
+        QCOMPARE(planRequest(simulation).ids, std::vector<int>{0});
         QVERIFY(flyTo(simulation, 0,
                       [](const Simulation& s) { return s.planReason() == PlanReason::Appeared; }));
         QCOMPARE(simulation.time_s(), 100.0);
         QVERIFY(simulation.active(1));
         // Unseen since t = 0: sigma0 + q t.
         QVERIFY(std::abs(simulation.track(1).sigma_m2 - (3 + 0.05 * 100)) < 1e-9);
-        QCOMPARE(simulation.planRequest().ids, (std::vector<int>{0, 1}));
+        QCOMPARE(planRequest(simulation).ids, (std::vector<int>{0, 1}));
     }
 
     void addedInFlightStartsHereAndNow()
@@ -293,7 +296,7 @@ private slots:
         for (int k = 0; k < 100; ++k)
             simulation.advanceStep();
         QVERIFY((simulation.truth_m(1) - Point(4010, 4000)).norm() < 1e-6);
-        QVERIFY((simulation.estimate_m(1) - simulation.truth_m(1)).norm() < 1e-6);
+        QVERIFY((simulation.observer().estimate_m(1) - simulation.truth_m(1)).norm() < 1e-6);
     }
 
     /** In wind the flown time of a long leg is that of the wind triangle. */
@@ -319,7 +322,7 @@ private slots:
                  qPrintable(QString("%1 against %2").arg(simulation.time_s()).arg(expected_s)));
         QVERIFY(std::abs(simulation.uav(0).pose.position_m.y()) < 5);
         // The same wind is what planning counts with: air distance U t.
-        const double air_m = Simulation(scenario).planRequest().uavs[0].distance_m(0, 1);
+        const double air_m = planRequest(Simulation(scenario)).uavs[0].distance_m(0, 1);
         QVERIFY(std::abs(air_m - 22 * flightTime_s({20000, 0}, 22, wind_mps)) < 1e-6);
     }
 
@@ -331,7 +334,7 @@ private slots:
         Simulation simulation(scenario);
         flyTo(simulation, 0, [](const Simulation&) { return false; });
         QVERIFY((simulation.truth_m(0) - Point(9060, -25)).norm() < 1e-6);
-        QVERIFY((simulation.estimate_m(0) - simulation.truth_m(0)).norm() < 1e-6);
+        QVERIFY((simulation.observer().estimate_m(0) - simulation.truth_m(0)).norm() < 1e-6);
     }
 
     /** The truth depends on seed and iceberg alone, not on the time step or where the UAV flies. */
@@ -417,6 +420,41 @@ private slots:
             return s.time_s() >= 200;
         });
         QVERIFY(same);
+    }
+
+    /** What is seen depends on the poses alone: those of a flight on record, given from outside,
+     * give its sightings and its zeta, whatever the autopilot wants. */
+    void posesFromOutsideReplaceTheModel()
+    {
+        for (const bool isWilful : {false, true}) {
+            Scenario scenario = randomScenario(5);
+            scenario.noise = !isWilful; // with noise icebergs are lost, and searched for or not
+            scenario.duration_s = 600;
+            Simulation flown(scenario);
+            Simulation fed(scenario);
+            std::size_t sightings = 0;
+            while (!flown.finished()) {
+                const int target = flown.fleet().nearestAvailable(0);
+                if (flown.planReason() != PlanReason::None)
+                    flown.setTarget(0, target);
+                if (fed.planReason() != PlanReason::None)
+                    fed.setTarget(0, isWilful ? -1 : target);
+                flown.advanceStep();
+                const std::array pose{flown.uav(0).pose};
+                fed.advanceStep(pose);
+                QVERIFY(fed.uav(0).pose == pose[0]);
+                QVERIFY(fed.observer().tracks() == flown.observer().tracks());
+                QCOMPARE(fed.observer().newlySeen().size(), flown.observer().newlySeen().size());
+                QCOMPARE(fed.zeta_m2s(), flown.zeta_m2s());
+                sightings += fed.observer().newlySeen().size();
+            }
+            QVERIFY(sightings >= 3);
+            QVERIFY(isWilful || fed.state() == flown.state());
+            fed = Simulation(scenario);
+            fed.setTarget(0, 0);
+            const std::array<DubinsState, 2> tooMany;
+            QVERIFY_EXCEPTION_THROWN(fed.advanceStep(tooMany), std::logic_error);
+        }
     }
 
     void noiseDrawnAtOnceChangesNothing()

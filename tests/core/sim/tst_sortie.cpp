@@ -3,6 +3,7 @@
 #include "core/scenario/advice.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"
+#include "core/sim/plan_requests.h"
 #include "tests/support/fenced_scenario.h"
 #include "tests/support/random_scenario.h"
 
@@ -23,6 +24,11 @@ Scenario enduring(std::int64_t seed, double wind_mps = 0)
     s.wind_mps = {0.8 * wind_mps, -0.6 * wind_mps};
     s.uavs[0].spec.endurance_s = kEndurance_s;
     return s;
+}
+
+std::optional<double> homeMargin_s(const Simulation& simulation)
+{
+    return simulation.fleet().autopilot(0).homeMargin_s(simulation.observer());
 }
 
 Mission flownWithin(const Scenario& scenario)
@@ -181,7 +187,7 @@ private slots:
         QCOMPARE(state.mode, FlightMode::Ground);
         QVERIFY((state.pose.position_m - *s.uavs[0].home_m).norm() <= kLandingRadius_m + 3);
         QVERIFY(std::abs(state.ground_s - 150) < 0.2);
-        QVERIFY(!ground.simulation.homeMargin_s(0));
+        QVERIFY(!homeMargin_s(ground.simulation));
         // It does not move, and is sent off with a plan made for that.
         const MissionInstant later = instantAt(mission, tookOff_s[0] - 1);
         QVERIFY(later.simulation.uav(0).pose == state.pose);
@@ -260,7 +266,7 @@ private slots:
             QVERIFY(plan.target != 0);
         // With the near one in view there is nothing left to fly to: it waits on the ground.
         QVERIFY(!timesOf(mission, EventKind::HomeBound).empty());
-        const PlanRequest request = Simulation(s).planRequest();
+        const PlanRequest request = planRequest(Simulation(s));
         QVERIFY(!request.uavs[0].available[0]);
         QVERIFY(request.uavs[0].available[1]);
     }
@@ -282,10 +288,10 @@ private slots:
         Scenario s = enduring(4);
         Mission late(s);
         late.advance(1000);
-        QVERIFY(*late.simulation().homeMargin_s(0) > 0);
+        QVERIFY(*homeMargin_s(late.simulation()) > 0);
         late.intervene({.wind_mps = Point(20, 0)}); // home is in the west
         QCOMPARE(late.simulation().uav(0).mode, FlightMode::Home);
-        QVERIFY(*late.simulation().homeMargin_s(0) < 0);
+        QVERIFY(*homeMargin_s(late.simulation()) < 0);
         late.advance(1001);
         QCOMPARE(timesOf(late, EventKind::LateHome).size(), std::size_t{1});
         QVERIFY(std::abs(timesOf(late, EventKind::HomeBound).at(0) - 1000) < 0.2);

@@ -3,6 +3,7 @@
 #include "core/io/files/run_json.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"
+#include "core/sim/plan_requests.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/scenario_builder.h"
@@ -80,7 +81,7 @@ private slots:
         QVERIFY2(std::abs(mission.simulation().time_s() / planned_s - 1) < 0.03,
                  qPrintable(QString::number(mission.simulation().time_s() / planned_s)));
         // The planner is charged the same: air distance U t.
-        const PlanRequest request = Simulation(scenario).planRequest();
+        const PlanRequest request = planRequest(Simulation(scenario));
         COMPARE_NEAR(request.uavs[0].distance_m(0, 1),
                      22 * flightTime_s({8000, 0}, 22, scenario.wind_mps), 1e-9);
     }

@@ -9,18 +9,18 @@ namespace {
 
 const std::vector<Point> kSquare_m{{0, 0}, {3000, 0}, {3000, 3000}, {0, 3000}};
 
-/** A UAV with all that its guard refers to. */
+/** A UAV with all that its guard knows. */
 struct Guarded
 {
     Motion motion;
     std::optional<SortieSpec> sortie;
-    Geofence fence{kSquare_m, motion};
+    std::shared_ptr<const Geofence> fence = std::make_shared<Geofence>(kSquare_m, motion);
 
     [[nodiscard]] SafetyGuard guard(bool isFenced = true) const
     {
         return SafetyGuard({.motion = motion,
                             .sortie = sortie,
-                            .fence = isFenced ? &fence : nullptr,
+                            .fence = isFenced ? fence : nullptr,
                             .clock = {.dt_s = 0.1}});
     }
 };
@@ -47,7 +47,7 @@ private slots:
         DubinsState at{.position_m = {1500, 1500}, .psi_rad = 0.1};
         for (int step = 0; step < 3000; ++step) {
             at = guard.heldFor(at, guard.limitedToFence_radps(at, 0), 1);
-            QVERIFY(uav.fence.contains(at.position_m));
+            QVERIFY(uav.fence->contains(at.position_m));
         }
     }
 

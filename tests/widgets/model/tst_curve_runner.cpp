@@ -1,5 +1,6 @@
 #include "core/base/solving_guard.h"
 #include "core/scenario/presets.h"
+#include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
 #include "tests/support/fleet_flight.h"
 #include "tests/support/panel_test.h"
@@ -17,7 +18,7 @@ constexpr int kPatience_ms = 30000; // against a slow machine; nothing is measur
 TauCurve expectedCurve(const Scenario& scenario)
 {
     const FleetTask task =
-        visitationTask(Simulation(scenario).planRequest(), scenario.planner.route);
+        visitationTask(planRequest(Simulation(scenario)), scenario.planner.route);
     return tauCurve(task.problem, task.betweenStarts_m, {});
 }
 
@@ -170,7 +171,7 @@ private slots:
     void takesAnyProblem()
     {
         CurveRunner runner;
-        PlanRequest request = Simulation(randomScenario(10)).planRequest();
+        PlanRequest request = planRequest(Simulation(randomScenario(10)));
         request.sigma_m2[2] = 99;
         runner.setRequest(std::make_shared<const PlanRequest>(request), Route::Open);
         QVERIFY(completes(runner));
@@ -186,7 +187,7 @@ private slots:
         QVERIFY(completes(runner));
         QVERIFY(runner.curve() == expectedCurve(two));
         QCOMPARE(runner.curve().intervals.front().plan.size(), std::size_t{2});
-        PlanRequest request = Simulation(two).planRequest();
+        PlanRequest request = planRequest(Simulation(two));
         request.sigma_m2[2] = 99;
         runner.setRequest(std::make_shared<const PlanRequest>(request), Route::Open);
         QVERIFY(!runner.curve().complete);

@@ -152,7 +152,7 @@ private slots:
         QVERIFY(uav.home_m == mission.scenario().uavs[0].position_m);
         for (std::size_t i = 0; i < content.icebergs.size(); ++i)
             QVERIFY(content.icebergs[i].position_m ==
-                    mission.simulation().estimate_m(static_cast<int>(i)));
+                    mission.simulation().observer().estimate_m(static_cast<int>(i)));
         const ExportUav path = only(runContent(mission, {.what = ExportWhat::Path}));
         QCOMPARE(path.track.front().time_s, 100.0);
         QVERIFY(path.track.front().state.position_m == uav.uav.position_m);

@@ -73,7 +73,7 @@ private slots:
     void manyOfSeveralUavs()
     {
         const Scenario scenario = withUavs(randomScenario(4, {.icebergs = 24}), 3);
-        const FleetTask task = visitationTask(Simulation(scenario).planRequest(), Route::Open);
+        const FleetTask task = visitationTask(planRequest(Simulation(scenario)), Route::Open);
         const TauCurveOptions options{.tauMax = 2, .workLimit = 400'000'000};
         const TauCurve curve = tauCurve(task.problem, task.betweenStarts_m, options);
         checkFleetShape(curve, task.problem, 2);
@@ -92,7 +92,7 @@ private slots:
         for (std::int64_t seed = 1; seed <= 4; ++seed) {
             Scenario scenario = withUavs(randomScenario(seed, {.icebergs = 8}), 2);
             scenario.planner.tau = 0.3 * static_cast<double>(seed);
-            const PlanRequest request = Simulation(scenario).planRequest();
+            const PlanRequest request = planRequest(Simulation(scenario));
             const FleetTask task = visitationTask(request, Route::Open);
             const PlanAnswer plan = planFromStart(scenario);
             const TauCurve curve = tauCurve(task.problem, task.betweenStarts_m, {});

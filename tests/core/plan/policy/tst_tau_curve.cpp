@@ -4,6 +4,7 @@
 #include "core/plan/solve/tuning.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
+#include "core/sim/plan_requests.h"
 #include "tests/support/approx.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/expect_error.h"
@@ -391,7 +392,7 @@ private slots:
             scenario.icebergs[3].position_m = scenario.uavs[0].position_m; // in view: not planned
             if (windy)
                 scenario.wind_mps = {6, -3};
-            const FleetTask task = visitationTask(Simulation(scenario).planRequest(), route);
+            const FleetTask task = visitationTask(planRequest(Simulation(scenario)), route);
             const PlanAnswer plan = planFromStart(scenario);
             QCOMPARE(task.ids, plan.solvedIds);
             QVERIFY(task.problem.distance_m == plan.problem.distance_m);

@@ -67,7 +67,7 @@ private slots:
         for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
             const int index = static_cast<int>(i);
             const MapIceberg& shown = picture.icebergs[i];
-            QVERIFY(shown.position_m == mission.simulation().estimate_m(index));
+            QVERIFY(shown.position_m == mission.simulation().observer().estimate_m(index));
             COMPARE_NEAR(shown.sigma_m2, mission.simulation().track(index).sigma_m2, 0);
             QVERIFY(shown.sigma_m2 <= picture.sigmaFull_m2);
             // The arrow shows the way over ground: own velocity and current.

@@ -1,0 +1,409 @@
+#include "core/sim/autopilot.h"
+
+#include "core/base/angles.h"
+#include "core/sim/clusters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Circle flown while every iceberg is in view: this much wider than the tightest turn. */
+constexpr double kCircleMargin = 1.2;
+/** Between two searches for a path home, while none is known. */
+constexpr std::int64_t kNextSearch_s = 10;
+
+SafetyGuard guardOf(const Uav& uav, const Scenario& scenario)
+{
+    GuardedUav guarded{.motion = {.airspeed_mps = uav.spec.airspeed_mps,
+                                  .limit_radps = maxTurnRate_radps(uav.spec),
+                                  .wind_mps = scenario.wind_mps},
+                       .clock = {.dt_s = scenario.dt_s,
+                                 .steps = std::max<std::int64_t>(
+                                     1, std::llround(uav.spec.autopilot_s / scenario.dt_s))}};
+    if (uav.spec.endurance_s > 0)
+        guarded.sortie = {.endurance_s = uav.spec.endurance_s,
+                          .turnaround_s = uav.turnaround_s,
+                          .home_m = uav.home_m.value_or(uav.position_m)};
+    if (scenario.geofence)
+        guarded.fence = std::make_shared<const Geofence>(scenario.area_m, guarded.motion);
+    return SafetyGuard(std::move(guarded));
+}
+
+/** Whether no UAV that comes straight from there can fly over the place and stay inside. */
+bool isFencedOff(const Geofence* fence, const Point& from_m, const Point& place_m)
+{
+    const Point leg_m = place_m - from_m;
+    return fence != nullptr &&
+           fence->room_m({.position_m = place_m, .psi_rad = std::atan2(leg_m.y(), leg_m.x())}) < 0;
+}
+
+} // namespace
+
+Autopilot::Autopilot(const Uav& uav, const Scenario& scenario)
+    : m_sensor{.fov_m = uav.fov_m, .shape = scenario.fovShape}
+    , m_altitude_m(uav.spec.altitude_m)
+    , m_turnRadius_m(turnRadius_m(uav.spec))
+    , m_needsRunOut(scenario.reachRadius_m.value_or(surelySeen_m(m_sensor)) < m_turnRadius_m)
+    , m_guard(guardOf(uav, scenario))
+    , m_pose{.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)}
+{
+    m_guidance.startLeg(uav.position_m);
+    // A turn rate is held for so long: more than the whole error at a time makes it swing.
+    m_guidance.gains.turn_1ps =
+        std::min(m_guidance.gains.turn_1ps, 1 / m_guard.uav().clock.command_s());
+    m_guard.proveReturn(m_pose, m_u_radps, 0);
+}
+
+bool Autopilot::isHomeward() const
+{
+    return mode() == FlightMode::Home || mode() == FlightMode::Ground;
+}
+
+const Errand* Autopilot::errand() const
+{
+    if (const Leg* leg = std::get_if<Leg>(&m_mode))
+        return &leg->errand;
+    if (const RunOut* runOut = std::get_if<RunOut>(&m_mode))
+        return &runOut->errand;
+    const Searching* searching = std::get_if<Searching>(&m_mode);
+    return searching != nullptr ? &searching->errand : nullptr;
+}
+
+Point targetPlace_m(const Errand& errand, const Observer& observer)
+{
+    return errand.members.empty() ? observer.estimate_m(errand.target)
+                                  : middle_m(observer, errand.members);
+}
+
+UavState Autopilot::state() const
+{
+    const SortieState& sortie = m_guard.sortie();
+    const Errand errand = this->errand() != nullptr ? *this->errand() : Errand();
+    return {.pose = m_pose,
+            .u_radps = m_u_radps,
+            .crossTrack_m = m_crossTrack_m,
+            .flown_m = m_flown_m,
+            .mode = mode(),
+            .target = errand.target,
+            .lastReached = m_lastReached,
+            .guidance = m_guidance,
+            .runOut_m = m_runOut_m,
+            .misses = m_misses,
+            .aim = errand.aim,
+            .members = errand.members,
+            .membersBy_s = errand.membersBy_s,
+            .aloft_s = sortie.aloft_s,
+            .ground_s = sortie.ground_s,
+            .via_m = m_via_m,
+            .returnPath = sortie.returnPath};
+}
+
+double circleRadius_m(const Motion& motion)
+{
+    return kCircleMargin * (motion.airspeed_mps + motion.wind_mps.norm()) / motion.limit_radps;
+}
+
+Eigen::MatrixXd legLengths_m(const GuardedUav& uav, std::span<const Point> places_m)
+{
+    if (uav.fence)
+        return uav.fence->distances_m(places_m);
+    const auto n = static_cast<Eigen::Index>(places_m.size());
+    Eigen::MatrixXd lengths_m(n, n);
+    const double airspeed_mps = uav.motion.airspeed_mps;
+    const Point& wind_mps = uav.motion.wind_mps;
+    const bool calm = wind_mps.isZero(0);
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Point leg_m =
+                places_m[static_cast<std::size_t>(j)] - places_m[static_cast<std::size_t>(i)];
+            // Air distance U t_ij: what a leg costs when the wind helps or hinders.
+            lengths_m(i, j) =
+                calm ? leg_m.norm() : airspeed_mps * flightTime_s(leg_m, airspeed_mps, wind_mps);
+        }
+    return lengths_m;
+}
+
+bool Autopilot::isShutOff(const Point& place_m) const
+{
+    const Geofence* fence = m_guard.uav().fence.get();
+    return fence != nullptr && m_needsRunOut && fence->isShutOff(place_m);
+}
+
+std::optional<double> Autopilot::homeMargin_s(const Observer& observer) const
+{
+    return m_guard.homeMargin_s(m_pose, m_u_radps, observer.world().step());
+}
+
+std::optional<int> thisSortie(const Autopilot& uav, std::span<const int> order,
+                              const Observer& observer)
+{
+    if (!uav.guard().uav().sortie)
+        return std::nullopt;
+    std::vector<MovingPlace> places;
+    for (const int iceberg : order)
+        places.push_back({.place_m = observer.estimate_m(iceberg),
+                          .drift_mps = observer.track(iceberg).velocity_mps});
+    return uav.guard().visitsInTime(uav.pose(), places);
+}
+
+double searchGain_m2ps(const Autopilot& uav, const Search& search, const Observer& observer)
+{
+    const double variance_m2 =
+        std::max(observer.track(search.iceberg).sigma_m2, search.way.variance_m2());
+    return priority(observer, search.iceberg) * variance_m2 *
+           search.way.chancePerSecond(uav.pose().position_m - observer.estimate_m(search.iceberg),
+                                      uav.motion().airspeed_mps, surelySeen_m(uav.sensor()),
+                                      observer.world().observer().detection);
+}
+
+bool isWorthSearching(const Autopilot& uav, const Search& search, const Observer& observer)
+{
+    const int target = uav.target();
+    if (!search.way.hasCorner() || target < 0)
+        return search.way.hasCorner();
+    const Point leg_m = observer.estimate_m(target) - uav.pose().position_m;
+    const double leg_s =
+        std::max(uav.guard().uav().clock.command_s(),
+                 (leg_m.norm() - surelySeen_m(uav.sensor())) / uav.motion().airspeed_mps);
+    return searchGain_m2ps(uav, search, observer) >
+           priority(observer, target) * observer.track(target).sigma_m2 / leg_s;
+}
+
+void Autopilot::setTarget(Errand errand, const Observer& observer)
+{
+    m_misses = 0;
+    if (errand.target < 0) {
+        if (m_lastReached < 0)
+            m_lastReached =
+                nearest(observer, m_pose.position_m, [&](int i) { return observer.active(i); });
+        m_mode = m_lastReached < 0 ? Mode(Idle{}) : Mode(Circle{});
+        return;
+    }
+    if (!errand.members.empty()) {
+        const std::array leg_m{m_pose.position_m, middle_m(observer, errand.members)};
+        errand.membersBy_s = observer.world().time_s() + longestTurn_s(motion()) +
+                             legLengths_m(m_guard.uav(), leg_m)(0, 1) / motion().airspeed_mps;
+    }
+    m_guidance.startLeg(errand.aim ? errand.aim->from_m : m_pose.position_m);
+    m_mode = Leg{std::move(errand)};
+}
+
+void Autopilot::search()
+{
+    m_mode = Searching{errand() != nullptr ? *errand() : Errand()};
+}
+
+void Autopilot::goHome()
+{
+    m_mode = Home{};
+    m_via_m.reset();
+}
+
+bool Autopilot::takeOff(const Observer& observer)
+{
+    const std::optional<double> heading_rad = m_guard.takeOff(m_pose);
+    if (!heading_rad)
+        return false;
+    m_pose.psi_rad = *heading_rad;
+    m_mode = Idle{};
+    m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
+    return true;
+}
+
+void Autopilot::setWind(const Point& wind_mps, const std::vector<Point>& area_m,
+                        const Observer& observer)
+{
+    m_guard.setWind(wind_mps, area_m);
+    m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
+}
+
+bool Autopilot::command(int uav, Observer& observer, StepReport& report)
+{
+    const std::int64_t before = observer.world().step() - 1;
+    if (isOnGround() || before % m_guard.uav().clock.steps != 0)
+        return true;
+    const bool wasHomeward = isHomeward();
+    if (!wasHomeward) {
+        const double wished_radps = steer(uav, observer, report);
+        if (const auto u_radps = m_guard.command_radps(m_pose, wished_radps)) {
+            m_u_radps = *u_radps;
+            return true;
+        }
+        goHome();
+    }
+    m_crossTrack_m = 0;
+    m_u_radps = m_guard.homeCommand_radps(
+        m_pose, before % (kNextSearch_s * observer.world().stepsPerSecond()) == 0);
+    return wasHomeward;
+}
+
+void Autopilot::move(int uav, const DubinsState* measured, StepReport& report)
+{
+    const Point from_m = m_pose.position_m;
+    const double dt_s = m_guard.uav().clock.dt_s;
+    if (!isOnGround()) {
+        m_pose = measured != nullptr
+                     ? *measured
+                     : step(m_pose, motion().airspeed_mps, m_u_radps, dt_s, motion().wind_mps);
+        m_flown_m += motion().airspeed_mps * dt_s;
+    }
+    if (!m_guard.uav().sortie)
+        return;
+    if (m_guard.tick())
+        report.add({.kind = EventKind::LateHome, .uav = uav});
+    if (mode() != FlightMode::Home || !m_guard.isLanding(from_m, m_pose.position_m))
+        return;
+    m_guard.land();
+    m_mode = Ground{};
+    m_u_radps = 0;
+    m_crossTrack_m = 0;
+    report.add({.kind = EventKind::Landed, .uav = uav});
+}
+
+double Autopilot::steer(int uav, Observer& observer, StepReport& report)
+{
+    switch (mode()) {
+    case FlightMode::Leg:
+        return steerLeg(observer);
+    case FlightMode::RunOut:
+        return steerRunOut();
+    case FlightMode::Circle:
+        return steerCircle(observer);
+    case FlightMode::Search:
+        return steerSearch(uav, observer, report);
+    case FlightMode::Idle: // nothing to fly to: hold where it is
+        m_crossTrack_m = 0;
+        return motion().limit_radps / kCircleMargin;
+    case FlightMode::Home:
+    case FlightMode::Ground:
+        break;
+    }
+    throw std::logic_error("Autopilot: homeward UAVs are not steered by their errand");
+}
+
+/** Along the leg, the cross-track error put on record. */
+LosGuidance::Command Autopilot::steerAlong(const Point& end_m)
+{
+    const LosGuidance::Command command =
+        m_guidance.steer(m_pose, end_m, motion(), m_guard.uav().clock.command_s());
+    m_crossTrack_m = command.crossTrack_m;
+    return command;
+}
+
+/** Straight at the place. */
+double Autopilot::steerAt(const Point& place_m) const
+{
+    const Point way_m = place_m - m_pose.position_m;
+    return turnRateForCourse(m_pose.psi_rad, std::atan2(way_m.y(), way_m.x()), motion(),
+                             m_guidance.gains.turn_1ps);
+}
+
+double Autopilot::steerLeg(const Observer& observer)
+{
+    Errand& errand = std::get<Leg>(m_mode).errand;
+    if (errand.aim)
+        return steerAim(*errand.aim);
+    const Point end_m = targetPlace_m(errand, observer);
+    if (const std::optional<double> u_radps = steerRoundFence(end_m))
+        return *u_radps;
+    if (!errand.members.empty()) { // not along the leg: the view has little to spare beside it
+        const Point leg_m = end_m - m_guidance.start_m;
+        const Point flown_m = m_pose.position_m - m_guidance.start_m;
+        m_crossTrack_m = leg_m.isZero(0) ? 0 : cross(leg_m.normalized(), flown_m);
+        return steerAt(end_m);
+    }
+    const LosGuidance::Command command = steerAlong(end_m);
+    if (!command.passedEnd)
+        return command.u_radps;
+    ++m_misses;
+    if (m_needsRunOut) {
+        // Each further miss gets more room, so that in the end the leg is straight.
+        m_runOut_m = 2 * m_turnRadius_m * m_misses;
+        m_mode = RunOut{std::move(errand)};
+        return steerRunOut();
+    }
+    m_guidance.startLeg(m_pose.position_m);
+    return steerAlong(end_m).u_radps;
+}
+
+double Autopilot::steerAim(AimedLeg& aim)
+{
+    if (aim.turn_rad == 0)
+        return steerAlong(aim.abeam_m).u_radps;
+    // The side of the turn is part of the plan; the last step ends it exactly.
+    const double command_s = m_guard.uav().clock.command_s();
+    const double limit_radps = motion().limit_radps;
+    const double u_radps = std::clamp(aim.turn_rad / command_s, -limit_radps, limit_radps);
+    const bool last = std::abs(u_radps) < limit_radps;
+    aim.turn_rad = last ? 0 : aim.turn_rad - u_radps * command_s;
+    m_crossTrack_m = 0;
+    return u_radps;
+}
+
+double Autopilot::steerRunOut()
+{
+    m_crossTrack_m = 0;
+    m_runOut_m -= motion().airspeed_mps * m_guard.uav().clock.command_s();
+    if (m_runOut_m <= 0) {
+        m_mode = Leg{std::move(std::get<RunOut>(m_mode).errand)};
+        m_guidance.startLeg(m_pose.position_m);
+    }
+    return 0;
+}
+
+double Autopilot::steerCircle(const Observer& observer)
+{
+    m_crossTrack_m = 0;
+    const Point from_m = m_pose.position_m - observer.estimate_m(m_lastReached);
+    const double radius_m = circleRadius_m(motion());
+    // Counter-clockwise tangent, turned inwards outside the circle and outwards inside it.
+    const double bearing_rad = std::atan2(from_m.y(), from_m.x());
+    const double course_rad =
+        bearing_rad + kPi / 2 + std::atan((from_m.norm() - radius_m) / (radius_m / 2));
+    return turnRateForCourse(m_pose.psi_rad, course_rad, motion(), m_guidance.gains.turn_1ps);
+}
+
+double Autopilot::steerSearch(int uav, Observer& observer, StepReport& report)
+{
+    const std::optional<Search>& search = observer.searches().of(uav);
+    if (!search)
+        return 0; // ended; a plan follows
+    const Point corner_m = observer.estimate_m(search->iceberg) + search->way.corner_m();
+    const bool fencedOff = isFencedOff(m_guard.uav().fence.get(), m_guidance.start_m, corner_m);
+    if (!fencedOff)
+        if (const std::optional<double> u_radps = steerRoundFence(corner_m))
+            return *u_radps;
+    const LosGuidance::Command command = steerAlong(corner_m);
+    if (!command.passedEnd && !fencedOff)
+        return command.u_radps;
+    observer.searches().nextCorner(uav);
+    m_guidance.startLeg(m_pose.position_m);
+    if (!isWorthSearching(*this, *search, observer))
+        observer.giveUp(observer.searches().take(uav), uav, report);
+    return command.u_radps;
+}
+
+std::optional<double> Autopilot::steerRoundFence(const Point& end_m)
+{
+    const Geofence* fence = m_guard.uav().fence.get();
+    if (fence == nullptr)
+        return std::nullopt;
+    const std::vector<Point> corners_m = fence->cornersBetween(m_pose.position_m, end_m);
+    const std::optional<Point> via_m =
+        corners_m.empty() ? std::nullopt : std::optional(corners_m.front());
+    if (via_m != m_via_m) {
+        m_via_m = via_m;
+        m_guidance.startLeg(m_pose.position_m);
+    }
+    if (!via_m)
+        return std::nullopt;
+    const LosGuidance::Command command = steerAlong(*via_m);
+    return command.passedEnd ? steerAt(*via_m) : command.u_radps;
+}
+
+} // namespace berg

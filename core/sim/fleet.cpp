@@ -1,0 +1,267 @@
+#include "core/sim/fleet.h"
+
+#include "core/scenario/advice.h"
+#include "core/sim/clusters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Whether it was on the ground, or nowhere, before this step. */
+bool isJustAloft(const Autopilot& uav, const World& world)
+{
+    return world.step() == 1 ||
+           (uav.guard().uav().sortie && uav.guard().sortie().aloft_s < 1.5 * world.dt_s());
+}
+
+} // namespace
+
+Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
+    : m_clusters(scenario.clusters && scenario.uavs.size() == 1)
+    , m_separation_m(scenario.separation_m)
+    , m_area_m(scenario.area_m)
+    , m_observer(scenario, noise)
+{
+    require(!scenario.uavs.empty(), "Simulation: no UAV");
+    for (const Uav& uav : scenario.uavs)
+        m_autopilots.emplace_back(uav, scenario);
+}
+
+bool Fleet::visitable(int uav, int iceberg) const
+{
+    const Track& track = m_observer.track(iceberg);
+    const World& world = m_observer.world();
+    const int assigned = world.body(iceberg).assignedUav;
+    return m_observer.active(iceberg) && track.status == TrackStatus::Tracked && !track.inView &&
+           (assigned < 0 || assigned == uav) &&
+           !m_observer.cameras().isWithinReachOfAny(world.truth_m(iceberg)) &&
+           !autopilot(uav).isShutOff(m_observer.estimate_m(iceberg));
+}
+
+bool Fleet::affordable(int uav, int iceberg) const
+{
+    return thisSortie(autopilot(uav), std::span(&iceberg, 1), m_observer).value_or(1) == 1;
+}
+
+bool Fleet::available(int uav, int iceberg) const
+{
+    return visitable(uav, iceberg) && affordable(uav, iceberg);
+}
+
+int Fleet::nearestAvailable(int uav) const
+{
+    return nearest(m_observer, autopilot(uav).pose().position_m,
+                   [this, uav](int iceberg) { return available(uav, iceberg); });
+}
+
+bool Fleet::clusterable(int iceberg) const
+{
+    return available(0, iceberg) && std::ranges::find(m_apart, iceberg) == m_apart.end();
+}
+
+void Fleet::advance(std::span<const DubinsState> poses)
+{
+    m_observer.world().tick(); // the estimates steered at are those at the end of the step
+    m_report.trigger = PlanReason::None;
+    std::vector<Point> before_m;
+    if (count() > 1)
+        for (const Autopilot& autopilot : m_autopilots)
+            before_m.push_back(autopilot.pose().position_m);
+    for (int uav = 0; uav < count(); ++uav) {
+        Autopilot& me = m_autopilots[toIndex(uav)];
+        if (!me.command(uav, m_observer, m_report))
+            noteHomeward(uav);
+        me.move(uav, poses.empty() ? nullptr : &poses[toIndex(uav)], m_report);
+        m_observer.cameras().point(uav, me.pose(), me.mode());
+    }
+    if (count() > 1)
+        watchSeparation(before_m);
+    m_observer.observe(m_observer.world().dt_s(), m_report);
+    std::erase_if(m_apart, [this](int iceberg) { return m_observer.track(iceberg).inView; });
+}
+
+void Fleet::setTarget(int uav, Errand errand, bool mayGoOn)
+{
+    Autopilot& me = m_autopilots[toIndex(uav)];
+    const Errand* now = me.errand();
+    if (mayGoOn && errand.target >= 0 && !errand.aim && now != nullptr &&
+        now->target == errand.target && !now->aim) {
+        if (me.mode() != FlightMode::Search) // another UAV may have left it its search
+            beginOrEndSearch(uav);
+        return;
+    }
+    me.setTarget(std::move(errand), m_observer);
+    beginOrEndSearch(uav);
+    // Home, when there is something to be visited, but not in this sortie.
+    if (me.target() < 0 && me.mode() != FlightMode::Search && me.guard().uav().sortie &&
+        nearest(m_observer, me.pose().position_m,
+                [this, uav](int i) { return visitable(uav, i); }) >= 0 &&
+        nearestAvailable(uav) < 0)
+        sendHome(uav);
+}
+
+void Fleet::sendHome(int uav)
+{
+    m_autopilots[toIndex(uav)].goHome();
+    noteHomeward(uav);
+}
+
+void Fleet::noteHomeward(int uav)
+{
+    m_observer.cameras().point(uav, autopilot(uav).pose(), autopilot(uav).mode());
+    if (m_observer.searches().of(uav))
+        handSearchOn(uav);
+    // What it was to visit is left to the others.
+    m_report.add({.kind = EventKind::HomeBound, .uav = uav},
+                 count() > 1 ? PlanReason::Fleet : PlanReason::None);
+}
+
+/** Of a UAV that goes home: the nearest one that may search goes on with it, else nobody for now.
+ */
+void Fleet::handSearchOn(int uav)
+{
+    Search search = m_observer.searches().take(uav);
+    const Point datum_m = m_observer.estimate_m(search.iceberg);
+    const auto away_m = [&](int of) { return (autopilot(of).pose().position_m - datum_m).norm(); };
+    int next = -1;
+    for (int other = 0; other < count(); ++other)
+        if (other != uav && !autopilot(other).isHomeward() && !m_observer.searches().of(other) &&
+            maySearch(other, search.iceberg) && (next < 0 || away_m(other) < away_m(next)))
+            next = other;
+    if (next >= 0)
+        m_observer.beginSearch(next, std::move(search));
+    else
+        m_observer.giveUp(std::move(search), uav, m_report);
+}
+
+/** Whether it may be sent there at all. */
+bool Fleet::maySearch(int uav, int iceberg) const
+{
+    const int assigned = m_observer.world().body(iceberg).assignedUav;
+    return m_observer.active(iceberg) && (assigned < 0 || assigned == uav) &&
+           affordable(uav, iceberg);
+}
+
+bool Fleet::hasSomethingToSearch(int uav) const
+{
+    return m_observer.world().observer().search != SearchPattern::None &&
+           std::ranges::any_of(m_observer.searches().givenUp(), [this, uav](const Search& search) {
+               return maySearch(uav, search.iceberg);
+           });
+}
+
+/** With a new target: searched for first, or no longer. */
+void Fleet::beginOrEndSearch(int uav)
+{
+    Autopilot& me = m_autopilots[toIndex(uav)];
+    if (!m_observer.searches().of(uav))
+        searchAgain(uav);
+    const std::optional<Search>& search = m_observer.searches().of(uav);
+    if (!search)
+        return;
+    if (isWorthSearching(me, *search, m_observer))
+        me.search();
+    else
+        m_observer.giveUp(m_observer.searches().take(uav), uav, m_report);
+}
+
+/**
+ * With a new target: what has been given up is searched for again where that gains more, because
+ * the rest is fresh by now. A new pattern, begun at the datum; what has been seen to be empty stays
+ * so.
+ */
+void Fleet::searchAgain(int uav)
+{
+    const Autopilot& me = autopilot(uav);
+    std::optional<Search> best;
+    double best_m2ps = 0;
+    for (const Search& old : m_observer.searches().givenUp()) {
+        if (!maySearch(uav, old.iceberg))
+            continue;
+        const LostSearch pattern(m_observer.world().observer(), me.sensor(), old.way.spread_m(),
+                                 me.pose().psi_rad);
+        Search search{.iceberg = old.iceberg,
+                      .way = LostSearch::restored(pattern.corners_m(), 0, old.way.spread_m(),
+                                                  old.way.chances())};
+        const double gain_m2ps = searchGain_m2ps(me, search, m_observer);
+        if (gain_m2ps > best_m2ps && isWorthSearching(me, search, m_observer)) {
+            best_m2ps = gain_m2ps;
+            best = std::move(search);
+        }
+    }
+    if (best)
+        m_observer.beginSearch(uav, std::move(*best));
+}
+
+bool Fleet::takeOffWhenDue(int uav)
+{
+    Autopilot& me = m_autopilots[toIndex(uav)];
+    const World& world = m_observer.world();
+    if (!me.isOnGround() || me.guard().sortie().ground_s >= world.dt_s() / 2 ||
+        !world.isWholeSecond() || (nearestAvailable(uav) < 0 && !hasSomethingToSearch(uav)) ||
+        !me.takeOff(m_observer))
+        return false;
+    m_observer.cameras().point(uav, me.pose(), me.mode());
+    m_report.add({.kind = EventKind::TookOff, .uav = uav});
+    return true;
+}
+
+bool Fleet::endOverdueCluster(int uav)
+{
+    const Autopilot& me = autopilot(uav);
+    if (me.mode() != FlightMode::Leg || me.errand()->members.empty())
+        return false;
+    const Errand& errand = *me.errand();
+    const DubinsState& pose = me.pose();
+    const Point way_m = targetPlace_m(errand, m_observer) - pose.position_m;
+    const Point ahead(std::cos(pose.psi_rad), std::sin(pose.psi_rad));
+    const bool flownOver = way_m.norm() <= kFlownOver_m && ahead.dot(way_m) <= 0;
+    if (!flownOver && m_observer.world().time_s() < errand.membersBy_s)
+        return false;
+    std::ranges::copy_if(errand.members, std::back_inserter(m_apart),
+                         [&](int member) { return !isReached(m_observer, uav, member); });
+    return true;
+}
+
+void Fleet::setWind(const Point& wind_mps)
+{
+    m_observer.setWind(wind_mps);
+    for (int uav = 0; uav < count(); ++uav) {
+        Autopilot& me = m_autopilots[toIndex(uav)];
+        me.setWind(wind_mps, m_area_m, m_observer);
+        if (me.homeMargin_s(m_observer).value_or(0) >= 0)
+            continue;
+        m_report.add({.kind = EventKind::LateHome, .uav = uav});
+        if (!me.isHomeward())
+            sendHome(uav);
+    }
+}
+
+/** Of the pairs aloft in one altitude layer; `before_m`: the places before the step. */
+void Fleet::watchSeparation(std::span<const Point> before_m)
+{
+    const World& world = m_observer.world();
+    for (int a = 0; a < count(); ++a)
+        for (int b = a + 1; b < count(); ++b) {
+            const Autopilot& first = autopilot(a);
+            const Autopilot& second = autopilot(b);
+            if (std::abs(first.altitude_m() - second.altitude_m()) >= kLayerHeight_m ||
+                first.isOnGround() || second.isOnGround())
+                continue;
+            const double distance_m = (first.pose().position_m - second.pose().position_m).norm();
+            m_closest_m = std::min(m_closest_m.value_or(distance_m), distance_m);
+            const bool wasApart =
+                isJustAloft(first, world) || isJustAloft(second, world) ||
+                (before_m[toIndex(a)] - before_m[toIndex(b)]).norm() >= m_separation_m;
+            if (wasApart && distance_m < m_separation_m)
+                m_report.add(
+                    {.kind = EventKind::Close, .uav = a, .otherUav = b, .distance_m = distance_m});
+        }
+}
+
+} // namespace berg

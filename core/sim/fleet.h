@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/sim/autopilot.h"
+
+namespace berg {
+
+/**
+ * The UAVs and what they know: flies them a step, sends them to icebergs, to searches and home, and
+ * knows who may visit what. Says nothing about when that is to be planned.
+ */
+class Fleet
+{
+public:
+    Fleet(const Scenario& scenario, std::span<const DriftNoise> noise);
+
+    [[nodiscard]] const Observer& observer() const { return m_observer; }
+    [[nodiscard]] Observer& observer() { return m_observer; }
+    [[nodiscard]] StepReport& report() { return m_report; }
+    [[nodiscard]] int count() const { return static_cast<int>(m_autopilots.size()); }
+    [[nodiscard]] const Autopilot& autopilot(int uav) const { return m_autopilots[toIndex(uav)]; }
+    [[nodiscard]] const std::vector<Autopilot>& autopilots() const { return m_autopilots; }
+    [[nodiscard]] const std::optional<double>& closest_m() const { return m_closest_m; }
+    [[nodiscard]] const std::vector<int>& apart() const { return m_apart; }
+
+    /** As `available`, whether or not the endurance allows it. */
+    [[nodiscard]] bool visitable(int uav, int iceberg) const;
+    /** Whether it may be planned for the UAV: active, not lost, in no field of view, not within
+     * reach, not kept for another one, and within its endurance. */
+    [[nodiscard]] bool available(int uav, int iceberg) const;
+    /** By its estimate; the first one among equals, -1: none is available. */
+    [[nodiscard]] int nearestAvailable(int uav) const;
+    /** Whether the scenario asks for clusters, which are for one UAV only. */
+    [[nodiscard]] bool plansClusters() const { return m_clusters; }
+    /** Whether it may be planned as one of a cluster. */
+    [[nodiscard]] bool clusterable(int iceberg) const;
+
+    /** One step: `poses` as for `Simulation::advanceStep`. */
+    void advance(std::span<const DubinsState> poses);
+    /** `mayGoOn`: a UAV that is on a leg to it already flies on. */
+    void setTarget(int uav, Errand errand, bool mayGoOn);
+    void setReached(int uav) { m_autopilots[toIndex(uav)].setReached(autopilot(uav).target()); }
+    /** After the turn-around, as soon as there is something to fly to. */
+    [[nodiscard]] bool takeOffWhenDue(int uav);
+    /** Whether its cluster has been flown over, or should have been by now, with members that did
+     * not come into view: those are not where they should be, and flown to one by one. */
+    [[nodiscard]] bool endOverdueCluster(int uav);
+    void setWind(const Point& wind_mps);
+
+private:
+    [[nodiscard]] bool affordable(int uav, int iceberg) const;
+    [[nodiscard]] bool maySearch(int uav, int iceberg) const;
+    [[nodiscard]] bool hasSomethingToSearch(int uav) const;
+    void beginOrEndSearch(int uav);
+    void searchAgain(int uav);
+    void handSearchOn(int uav);
+    void sendHome(int uav);
+    void noteHomeward(int uav);
+    void watchSeparation(std::span<const Point> before_m);
+
+    bool m_clusters;
+    double m_separation_m;
+    std::vector<Point> m_area_m;
+    Observer m_observer;
+    std::vector<Autopilot> m_autopilots;
+    StepReport m_report;
+    std::vector<int> m_apart; ///< in no cluster until seen: one was passed without them
+    std::optional<double> m_closest_m;
+};
+
+} // namespace berg

@@ -1,0 +1,387 @@
+#include "core/sim/observer.h"
+
+#include "core/base/angles.h"
+#include "core/base/enclosing_circle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace berg {
+
+namespace {
+
+/** Before the first look in vain: all but what may be wrong with the filter. */
+constexpr double kBelieved = 0.99;
+/** Less likely in view than this after looks in vain: lost. */
+constexpr double kLostBelow = 0.1;
+/** A filter that starts again doubts the velocity it was given at least so much. */
+constexpr double kFoundVelocitySd_mps = 0.1;
+
+} // namespace
+
+Observer::Observer(const Scenario& scenario, std::span<const DriftNoise> noise)
+    : m_world(scenario)
+    , m_cameras(scenario.reachRadius_m, scenario.wind_mps)
+    , m_searches(scenario.uavs.size())
+    , m_area_m(scenario.area_m)
+    , m_lookSteps(
+          std::max<std::int64_t>(1, std::llround(scenario.observer.interval_s / scenario.dt_s)))
+{
+    require(noise.empty() || noise.size() == scenario.icebergs.size(),
+            "Simulation: noise of another scenario");
+    for (const Uav& uav : scenario.uavs)
+        m_cameras.add(
+            {.sensor = {.fov_m = uav.fov_m, .shape = scenario.fovShape},
+             .airspeed_mps = uav.spec.airspeed_mps,
+             .pose = {.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)}});
+    for (std::size_t i = 0; i < scenario.icebergs.size(); ++i) {
+        const Iceberg& iceberg = scenario.icebergs[i];
+        require(noise.empty() || noise[i].isOf(m_world.seed(), iceberg.id),
+                "Simulation: noise of another scenario");
+        insert(iceberg, noise.empty() ? DriftNoise(m_world.seed(), iceberg.id) : noise[i], 0,
+               std::llround(iceberg.appears_s / scenario.dt_s));
+    }
+    StepReport start;
+    observe(0, start);
+    m_newlyAppeared.clear();
+}
+
+void Observer::insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
+                      std::int64_t appearsStep)
+{
+    m_world.add(iceberg, std::move(noise), start_s, appearsStep);
+    m_lookStep.push_back(appearsStep);
+    m_nextLookStep = std::min(m_nextLookStep, appearsStep);
+    Track track{.anchor_m = iceberg.position_m,
+                .anchor_s = start_s,
+                .velocity_mps = m_world.body(m_world.icebergCount() - 1).velocity_mps,
+                .sigma_m2 = initialSigma_m2(iceberg),
+                .q_m2ps = iceberg.q_m2ps};
+    if (m_world.observer().model == ObserverModel::Kalman)
+        track.velocity_m2ps2 = iceberg.velocitySd_mps * iceberg.velocitySd_mps;
+    // An iceberg that appears later has drifted unseen until then.
+    track.grow(std::max(0.0, static_cast<double>(appearsStep) * m_world.dt_s() - start_s));
+    m_tracks.push_back(std::move(track));
+}
+
+void Observer::addIceberg(const Iceberg& iceberg)
+{
+    insert(iceberg, DriftNoise(m_world.seed(), iceberg.id), m_world.time_s(), m_world.step());
+    const Point truth_m = m_world.truth_m(m_world.icebergCount() - 1);
+    if (m_world.observer().model == ObserverModel::Simple && m_cameras.viewer(truth_m) >= 0)
+        m_tracks.back().seen(truth_m, m_world.time_s());
+}
+
+void Observer::reportSighting(int iceberg, StepReport& report)
+{
+    require(active(iceberg), "reportSighting: the iceberg has not appeared");
+    Track& track = m_tracks[toIndex(iceberg)];
+    const bool inView = track.inView;
+    if (m_world.observer().model == ObserverModel::Simple)
+        track.seen(m_world.truth_m(iceberg), m_world.time_s());
+    else
+        measure(iceberg, m_world.truth_m(iceberg), -1, report);
+    track.inView = inView;
+}
+
+void Observer::setWind(const Point& wind_mps)
+{
+    m_cameras.setWind(wind_mps);
+    // UAVs may come to icebergs sooner now.
+    m_nextLookStep = m_world.step() + 1;
+    for (std::size_t i = 0; i < m_lookStep.size(); ++i)
+        m_lookStep[i] = std::max(m_world.step() - m_world.age(static_cast<int>(i)), m_nextLookStep);
+}
+
+void Observer::observe(double dt_s, StepReport& report)
+{
+    m_newlySeen.clear();
+    m_newlyAppeared.clear();
+    const bool isSecond = m_world.isWholeSecond();
+    // Icebergs out of reach are left alone for long; so `truth_m` has at most a second to make up.
+    if (isSecond)
+        m_world.advanceDrift();
+    const bool isFiltered = m_world.observer().model == ObserverModel::Kalman;
+    if (isFiltered)
+        lookForMeasurements(dt_s, report);
+    else
+        lookAround(report);
+    if (!isFiltered && isSecond)
+        watchEstimates(report);
+    if (!m_area_m.empty() && isSecond)
+        watchArea(report);
+    m_sigmaSum_m2 = 0;
+    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+        const std::int64_t age = m_world.age(static_cast<int>(i));
+        if (age < 0)
+            continue;
+        Track& track = m_tracks[i];
+        if (!isFiltered && !track.inView)
+            track.unseen(age == 0 ? 0 : dt_s);
+        if (!track.left)
+            m_sigmaSum_m2 += track.sigma_m2;
+    }
+}
+
+void Observer::lookAround(StepReport& report)
+{
+    if (m_nextLookStep > m_world.step())
+        return;
+    m_nextLookStep = m_world.lastStep() + 1;
+    for (std::size_t i = 0; i < m_lookStep.size(); ++i) {
+        if (m_lookStep[i] <= m_world.step())
+            look(static_cast<int>(i), report);
+        m_nextLookStep = std::min(m_nextLookStep, m_lookStep[i]);
+    }
+}
+
+/** Whether the iceberg is in view now. */
+void Observer::look(int iceberg, StepReport& report)
+{
+    if (m_world.age(iceberg) == 0)
+        m_newlyAppeared.push_back(iceberg);
+    Track& track = m_tracks[toIndex(iceberg)];
+    const Point truth_m = m_world.position_m(iceberg);
+    const std::int64_t steps =
+        m_cameras.stepsOutOfReach(truth_m, m_world.speedLimit_mps(iceberg), m_world.dt_s());
+    m_lookStep[toIndex(iceberg)] = m_world.step() + std::max<std::int64_t>(1, steps);
+    const int uav = steps > 0 ? -1 : m_cameras.viewer(truth_m);
+    if (uav < 0) {
+        track.inView = false;
+        return;
+    }
+    if (!track.inView)
+        m_newlySeen.push_back({.iceberg = iceberg, .uav = uav});
+    track.seen(truth_m, m_world.time_s());
+    if (track.status != TrackStatus::Tracked)
+        found(iceberg, uav, report);
+}
+
+void Observer::found(int iceberg, int seenBy, StepReport& report)
+{
+    m_tracks[toIndex(iceberg)].status = TrackStatus::Tracked;
+    m_searches.end(iceberg);
+    report.add({.kind = EventKind::Found, .iceberg = iceberg, .uav = seenBy}, PlanReason::Found);
+}
+
+/** Without measurements, once a second: what is not in view although its estimate is in the middle
+ * of one is lost, and looked for as with measurements. */
+void Observer::watchEstimates(StepReport& report)
+{
+    const std::vector<FieldOfView> views = m_cameras.views();
+    const std::vector<FieldOfView> middles = m_cameras.middles();
+    for (int i = 0; i < m_world.icebergCount(); ++i) {
+        if (!active(i) || track(i).inView)
+            continue;
+        const Point estimate_m = this->estimate_m(i);
+        if (track(i).status != TrackStatus::Tracked) {
+            m_searches.grow(i, track(i).q_m2ps);
+            m_searches.miss(i, views, estimate_m, 1);
+        } else if (firstWith(views, estimate_m) >= 0) {
+            if (const int uav = firstWith(middles, estimate_m); uav >= 0)
+                lose(i, uav, views, report);
+        }
+    }
+}
+
+void Observer::lookForMeasurements(double dt_s, StepReport& report)
+{
+    for (int i = 0; i < m_world.icebergCount(); ++i) {
+        const std::int64_t age = m_world.age(i);
+        if (age == 0)
+            m_newlyAppeared.push_back(i);
+        if (age <= 0)
+            continue;
+        Track& track = m_tracks[toIndex(i)];
+        const double before_m2 = track.sigma_m2;
+        track.grow(dt_s);
+        m_searches.grow(i, track.sigma_m2 - before_m2);
+    }
+    if (m_world.step() % m_lookSteps != 0)
+        return;
+    const std::vector<FieldOfView> views = m_cameras.views();
+    const std::vector<FieldOfView> middles = m_cameras.middles();
+    for (int i = 0; i < m_world.icebergCount(); ++i) {
+        if (m_world.age(i) < 0)
+            continue;
+        const Point truth_m = m_world.position_m(i);
+        const int seenBy = firstWith(views, truth_m);
+        if (seenBy < 0) {
+            miss(i, views, middles, report);
+            continue;
+        }
+        // One look of several UAVs at once has the luck of one.
+        const LookDraw draw = m_world.lookDraw(i, m_world.step() / m_lookSteps);
+        if (draw.chance < m_world.observer().detection)
+            measure(i, truth_m + m_world.observer().positionSd_m * draw.noise, seenBy, report);
+        else
+            miss(i, views, middles, report);
+    }
+}
+
+void Observer::measure(int iceberg, const Point& measured_m, int seenBy, StepReport& report)
+{
+    Track& track = m_tracks[toIndex(iceberg)];
+    const double variance_m2 = m_world.observer().positionSd_m * m_world.observer().positionSd_m;
+    if (!track.inView)
+        m_newlySeen.push_back({.iceberg = iceberg, .uav = seenBy});
+    track.inView = true;
+    track.presence = 1;
+    if (track.status == TrackStatus::Tracked) {
+        track.measured(measured_m, variance_m2, m_world.time_s());
+        return;
+    }
+    // What the filter believed was wrong: it starts again.
+    const IcebergBody& body = m_world.body(iceberg);
+    const double sd_mps = std::max(body.velocitySd_mps, kFoundVelocitySd_mps);
+    track.anchor_m = measured_m;
+    track.anchor_s = m_world.time_s();
+    track.velocity_mps = body.velocity_mps;
+    track.sigma_m2 = variance_m2;
+    track.mixed_m2ps = 0;
+    track.velocity_m2ps2 = sd_mps * sd_mps;
+    found(iceberg, seenBy, report);
+}
+
+/** What the UAVs saw of the iceberg with one look was nothing. */
+void Observer::miss(int iceberg, std::span<const FieldOfView> views,
+                    std::span<const FieldOfView> middles, StepReport& report)
+{
+    Track& track = m_tracks[toIndex(iceberg)];
+    const Point estimate_m = this->estimate_m(iceberg);
+    if (track.status != TrackStatus::Tracked) {
+        m_searches.miss(iceberg, views, estimate_m, m_world.observer().detection);
+    } else if (firstWith(views, estimate_m) < 0) {
+        track.inView = false;
+        track.presence = 1;
+    } else if (const int uav = firstWith(middles, estimate_m); uav >= 0) {
+        track.presence =
+            afterMiss(std::min(track.presence, kBelieved), m_world.observer().detection);
+        if (track.presence < kLostBelow)
+            lose(iceberg, uav, views, report);
+    }
+}
+
+/** The UAV that looked for it in vain searches, unless it does so for another one already. */
+void Observer::lose(int iceberg, int uav, std::span<const FieldOfView> views, StepReport& report)
+{
+    const Camera& camera = m_cameras.of(uav);
+    Track& track = m_tracks[toIndex(iceberg)];
+    track.inView = false;
+    track.status = TrackStatus::Lost;
+    report.add({.kind = EventKind::Lost, .iceberg = iceberg, .uav = uav}, PlanReason::Lost);
+    LostSearch way(m_world.observer(), camera.sensor, std::sqrt(track.sigma_m2),
+                   camera.pose.psi_rad);
+    for (const FieldOfView& view : views)
+        way.miss(view, estimate_m(iceberg), m_world.observer().detection);
+    if (m_world.observer().model == ObserverModel::Kalman) // else sigma is that of Eq. (22)
+        track.sigma_m2 = std::max(track.sigma_m2, way.variance_m2());
+    Search search{.iceberg = iceberg, .way = std::move(way)};
+    // One at a time: by the end of the search for another this one is far behind.
+    if (!m_searches.of(uav) && !camera.isHomeward && search.way.hasCorner())
+        m_searches.begin(uav, std::move(search));
+    else
+        giveUp(std::move(search), uav, report);
+}
+
+void Observer::giveUp(Search search, int uav, StepReport& report)
+{
+    m_tracks[toIndex(search.iceberg)].status = TrackStatus::GivenUp;
+    report.add({.kind = EventKind::GivenUp, .iceberg = search.iceberg, .uav = uav},
+               PlanReason::GivenUp);
+    m_searches.giveUp(std::move(search));
+}
+
+void Observer::beginSearch(int uav, Search search)
+{
+    m_searches.end(search.iceberg);
+    m_tracks[toIndex(search.iceberg)].status = TrackStatus::Lost;
+    m_searches.begin(uav, std::move(search));
+}
+
+/** Icebergs farther outside the area than their own radius are no longer monitored, until their
+ * estimate is inside again. */
+void Observer::watchArea(StepReport& report)
+{
+    for (int i = 0; i < m_world.icebergCount(); ++i) {
+        if (m_world.age(i) < 0)
+            continue;
+        Track& track = m_tracks[toIndex(i)];
+        const bool isInside = insidePolygon(m_area_m, estimate_m(i));
+        if (track.left && isInside) {
+            track.left = false;
+            m_newlyAppeared.push_back(i);
+        } else if (!track.left && !isInside &&
+                   distanceToEdges(m_area_m, estimate_m(i)) > m_world.body(i).radius_m) {
+            track.left = true;
+            report.add({.kind = EventKind::Left, .iceberg = i}, PlanReason::Left);
+            m_searches.end(i);
+        }
+    }
+}
+
+Point middle_m(const Observer& observer, std::span<const int> icebergs)
+{
+    std::vector<Point> places_m;
+    places_m.reserve(icebergs.size());
+    for (const int iceberg : icebergs)
+        places_m.push_back(observer.estimate_m(iceberg));
+    return enclosingCircle(places_m).centre_m;
+}
+
+int nearest(const Observer& observer, const Point& from_m, const std::function<bool(int)>& counts)
+{
+    int nearest = -1;
+    double nearest_m = 0;
+    for (int i = 0; i < observer.world().icebergCount(); ++i) {
+        const double distance_m = (observer.estimate_m(i) - from_m).norm();
+        if ((nearest < 0 || distance_m < nearest_m) && counts(i)) {
+            nearest = i;
+            nearest_m = distance_m;
+        }
+    }
+    return nearest;
+}
+
+std::optional<RelativeMotion> relativeToAsset(const Observer& observer, int iceberg)
+{
+    const std::optional<Asset>& asset = observer.world().asset();
+    if (!asset)
+        return std::nullopt;
+    return relativeToAsset(*asset, observer.world().time_s(), observer.estimate_m(iceberg),
+                           observer.track(iceberg).velocity_mps);
+}
+
+double priority(const Observer& observer, int iceberg)
+{
+    const std::optional<RelativeMotion> motion = relativeToAsset(observer, iceberg);
+    return motion ? priority(*observer.world().asset(), *motion) : 1;
+}
+
+bool isInOwnView(const Observer& observer, int uav, int iceberg)
+{
+    return observer.track(iceberg).inView &&
+           (observer.cameras().count() == 1 ||
+            observer.cameras().of(uav).view().contains(observer.world().truth_m(iceberg)));
+}
+
+bool isReached(const Observer& observer, int uav, int iceberg)
+{
+    return observer.cameras().reachRadius_m()
+               ? observer.cameras().isWithinReach(uav, observer.world().truth_m(iceberg))
+               : isInOwnView(observer, uav, iceberg);
+}
+
+bool isReachedByOther(const Observer& observer, int uav, int iceberg)
+{
+    if (observer.cameras().count() == 1 ||
+        (!observer.cameras().reachRadius_m() && !observer.track(iceberg).inView))
+        return false;
+    for (int other = 0; other < observer.cameras().count(); ++other)
+        if (other != uav && isReached(observer, other, iceberg))
+            return true;
+    return false;
+}
+
+} // namespace berg

@@ -1,0 +1,194 @@
+#include "core/sim/plan_trigger.h"
+
+#include "core/base/angles.h"
+
+#include <algorithm>
+
+namespace berg {
+
+namespace {
+
+/** A sighting later than predicted by this is overdue. */
+constexpr double kOverdue_s = 2;
+
+bool targetReached(int uav, const Fleet& fleet)
+{
+    const Errand& errand = *fleet.autopilot(uav).errand();
+    if (errand.members.empty())
+        return isReached(fleet.observer(), uav, errand.target);
+    return std::ranges::all_of(
+        errand.members, [&](int member) { return isReached(fleet.observer(), uav, member); });
+}
+
+/** Whether it is the target of one of the UAVs. */
+bool isTarget(int iceberg, const Fleet& fleet)
+{
+    return std::ranges::find(fleet.autopilots(), iceberg, &Autopilot::target) !=
+           fleet.autopilots().end();
+}
+
+bool hasTargets(const Fleet& fleet)
+{
+    return std::ranges::any_of(fleet.autopilots(),
+                               [](const Autopilot& uav) { return uav.target() >= 0; });
+}
+
+} // namespace
+
+PlanTrigger::PlanTrigger(std::size_t uavs, PolicyKind policy)
+    : m_reasons(uavs, PlanReason::Start), m_isAlone(uavs)
+{
+    setPolicy(policy);
+}
+
+void PlanTrigger::setPolicy(PolicyKind policy)
+{
+    m_plansIdleAlone = !traitsOf(policy).keepsRoute();
+}
+
+void PlanTrigger::needAll(PlanReason reason, const Fleet& fleet)
+{
+    m_isAlone.assign(m_isAlone.size(), false);
+    for (int uav = 0; uav < fleet.count(); ++uav)
+        m_reasons[toIndex(uav)] = fleet.autopilot(uav).isHomeward() ? PlanReason::None : reason;
+}
+
+PlanReason PlanTrigger::reason() const
+{
+    PlanReason reason = PlanReason::None;
+    for (const PlanReason own : m_reasons) {
+        if (own != PlanReason::None && own != PlanReason::Fleet)
+            return own;
+        if (own == PlanReason::Fleet)
+            reason = own;
+    }
+    return reason;
+}
+
+std::vector<int> PlanTrigger::plannedUavs(const Fleet& fleet) const
+{
+    std::vector<int> uavs;
+    std::vector<int> needing;
+    for (int uav = 0; uav < fleet.count(); ++uav) {
+        if (fleet.autopilot(uav).isHomeward())
+            continue;
+        uavs.push_back(uav);
+        if (reason(uav) != PlanReason::None)
+            needing.push_back(uav);
+    }
+    return needing.empty() ? uavs : needing;
+}
+
+bool PlanTrigger::isTargetOfUnplanned(int iceberg, const Fleet& fleet) const
+{
+    if (reason() == PlanReason::None)
+        return false; // asked about in between, all of them are planned
+    for (int uav = 0; uav < fleet.count(); ++uav)
+        if (fleet.autopilot(uav).target() == iceberg && reason(uav) == PlanReason::None)
+            return true;
+    return false;
+}
+
+/**
+ * All UAVs are planned together: where one needs a plan the others get one too. But for one without
+ * a target: whenever it finds something, a new plan for all would turn the others round too.
+ */
+void PlanTrigger::update(Fleet& fleet)
+{
+    bool needed = false;
+    const bool mayBeAlone = m_plansIdleAlone && hasTargets(fleet);
+    for (int uav = 0; uav < fleet.count(); ++uav) {
+        const PlanReason reason = reasonOf(uav, fleet);
+        m_reasons[toIndex(uav)] = reason;
+        const bool ofOneAlone = reason == PlanReason::OutOfView ||
+                                (isAlone(uav) && (reason == PlanReason::TargetReached ||
+                                                  reason == PlanReason::SeenByOther));
+        if (mayBeAlone && ofOneAlone)
+            m_isAlone[toIndex(uav)] = true;
+        else
+            needed = needed || reason != PlanReason::None;
+    }
+    for (int uav = 0; needed && uav < fleet.count(); ++uav) {
+        m_isAlone[toIndex(uav)] = false;
+        if (reason(uav) == PlanReason::None && !fleet.autopilot(uav).isHomeward())
+            m_reasons[toIndex(uav)] = PlanReason::Fleet;
+    }
+    for (int uav = 0; uav < fleet.count(); ++uav)
+        if (reason(uav) == PlanReason::None && fleet.endOverdueCluster(uav))
+            m_reasons[toIndex(uav)] = PlanReason::Overdue;
+}
+
+PlanReason PlanTrigger::reasonOf(int uav, Fleet& fleet) const
+{
+    const Autopilot& me = fleet.autopilot(uav);
+    if (me.isHomeward())
+        return fleet.takeOffWhenDue(uav) ? PlanReason::TakeOff : PlanReason::None;
+    if (const PlanReason trigger = fleet.report().trigger; trigger != PlanReason::None)
+        return trigger;
+    if (me.target() < 0) {
+        if (!fleet.observer().newlyAppeared().empty())
+            return PlanReason::Appeared;
+        return somethingForIdle(uav, fleet) ? PlanReason::OutOfView : PlanReason::None;
+    }
+    if (me.errand()->aim && me.mode() != FlightMode::Search)
+        return reasonOfAim(uav, fleet);
+    if (targetReached(uav, fleet)) {
+        fleet.setReached(uav);
+        return PlanReason::TargetReached;
+    }
+    if (!fleet.observer().newlyAppeared().empty())
+        return PlanReason::Appeared;
+    return isReachedByOther(fleet.observer(), uav, me.target()) ? PlanReason::SeenByOther
+                                                                : PlanReason::None;
+}
+
+PlanReason PlanTrigger::reasonOfAim(int uav, Fleet& fleet) const
+{
+    const Errand& errand = *fleet.autopilot(uav).errand();
+    const Observer& observer = fleet.observer();
+    const bool sees = std::ranges::find(observer.newlySeen(), uav, &SeenIceberg::uav) !=
+                      observer.newlySeen().end();
+    const bool targetSeen = isInOwnView(observer, uav, errand.target);
+    if ((sees || fleet.count() > 1) && targetSeen) {
+        fleet.setReached(uav);
+        return PlanReason::TargetReached;
+    }
+    if (sees)
+        return PlanReason::Sighted;
+    if (observer.track(errand.target).inView && !targetSeen)
+        return PlanReason::SeenByOther;
+    if (!observer.newlyAppeared().empty())
+        return PlanReason::Appeared;
+    return observer.world().time_s() > errand.aim->sighting_s + kOverdue_s ? PlanReason::Overdue
+                                                                           : PlanReason::None;
+}
+
+/**
+ * Whether a UAV without a target should be planned again. While others of the fleet fly to targets
+ * it has what none of them flies to and it has not seen on the last round of its circle; where
+ * routes are repeated, only what is kept for it.
+ */
+bool PlanTrigger::somethingForIdle(int uav, const Fleet& fleet) const
+{
+    const World& world = fleet.observer().world();
+    const bool isOneOfFleet = hasTargets(fleet);
+    if (isOneOfFleet && !world.isWholeSecond())
+        return false; // a planner that leaves it out is not asked at each step
+    // What is beside its circle comes into view again.
+    const Autopilot& me = fleet.autopilot(uav);
+    const double round_s = 2 * kPi * circleRadius_m(me.motion()) / me.motion().airspeed_mps;
+    const auto isForIt = [&](int i) {
+        if (!isOneOfFleet)
+            return fleet.visitable(uav, i);
+        const bool isForAny =
+            m_plansIdleAlone && world.time_s() - fleet.observer().track(i).anchor_s > round_s;
+        return (isForAny || world.body(i).assignedUav == uav) && !isTarget(i, fleet) &&
+               fleet.available(uav, i);
+    };
+    for (int i = 0; i < world.icebergCount(); ++i)
+        if (isForIt(i))
+            return true;
+    return false;
+}
+
+} // namespace berg

@@ -1,0 +1,39 @@
+#include "core/sim/searches.h"
+
+#include <utility>
+
+namespace berg {
+
+Search Searches::take(int uav)
+{
+    return std::move(*std::exchange(m_byUav[toIndex(uav)], std::nullopt));
+}
+
+void Searches::end(int iceberg)
+{
+    for (std::optional<Search>& search : m_byUav)
+        if (search && search->iceberg == iceberg)
+            search.reset();
+    std::erase_if(m_givenUp, [iceberg](const Search& search) { return search.iceberg == iceberg; });
+}
+
+void Searches::grow(int iceberg, double added_m2)
+{
+    for (std::optional<Search>& search : m_byUav)
+        if (search && search->iceberg == iceberg)
+            search->way.grow(added_m2);
+    for (Search& search : m_givenUp)
+        if (search.iceberg == iceberg)
+            search.way.grow(added_m2);
+}
+
+void Searches::miss(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
+                    double detection)
+{
+    for (std::optional<Search>& search : m_byUav)
+        if (search && search->iceberg == iceberg)
+            for (const FieldOfView& view : views)
+                search->way.miss(view, estimate_m, detection);
+}
+
+} // namespace berg

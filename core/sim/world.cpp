@@ -1,0 +1,84 @@
+#include "core/sim/world.h"
+
+#include "core/scenario/true_start.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+/** Memory for noise drawn at once. */
+constexpr std::size_t kMostNoise_bytes = 32'000'000;
+
+} // namespace
+
+std::vector<DriftNoise> drawNoise(const Scenario& scenario)
+{
+    const std::size_t share =
+        kMostNoise_bytes / sizeof(Point) / std::max<std::size_t>(1, scenario.icebergs.size());
+    const auto seconds = static_cast<std::size_t>(std::ceil(scenario.duration_s)) + 1;
+    std::vector<DriftNoise> noise;
+    for (const Iceberg& iceberg : scenario.icebergs)
+        noise.emplace_back(static_cast<std::uint64_t>(scenario.seed), iceberg.id,
+                           scenario.noise && iceberg.track.empty() ? std::min(seconds, share) : 0);
+    return noise;
+}
+
+World::World(const Scenario& scenario)
+    : m_dt_s(scenario.dt_s)
+    , m_lastStep(std::max<std::int64_t>(1, std::llround(scenario.duration_s / scenario.dt_s)))
+    , m_stepsPerSecond(std::max<std::int64_t>(1, std::llround(1 / scenario.dt_s)))
+    , m_seed(static_cast<std::uint64_t>(scenario.seed))
+    , m_noise(scenario.noise)
+    , m_observer(scenario.observer)
+    , m_asset(scenario.asset)
+    , m_current_mps(scenario.current_mps)
+{
+    for (const Uav& uav : scenario.uavs)
+        m_uavs.push_back(uav.id);
+}
+
+void World::add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep)
+{
+    const TrueStart truth = trueStart(iceberg, m_observer, m_seed, m_noise);
+    m_drift.emplace_back(
+        DriftSpec{.position_m = truth.position_m,
+                  .start_s = start_s,
+                  .velocity_mps = truth.velocity_mps + m_current_mps,
+                  .q_m2ps = iceberg.q_m2ps,
+                  .track = iceberg.track.empty()
+                               ? nullptr
+                               : std::make_shared<const RecordedTrack>(iceberg.track)},
+        std::move(noise), m_noise);
+    m_appearsStep.push_back(appearsStep);
+    const auto assigned = std::ranges::find(m_uavs, iceberg.uav);
+    m_bodies.push_back({.stream = stableHash(iceberg.id + "/look"),
+                        .radius_m = iceberg.radius_m,
+                        .velocity_mps = iceberg.velocity_mps + m_current_mps,
+                        .velocitySd_mps = iceberg.velocitySd_mps,
+                        .assignedUav = iceberg.uav.empty() || assigned == m_uavs.end()
+                                           ? -1
+                                           : static_cast<int>(assigned - m_uavs.begin())});
+}
+
+Point World::truth_m(int iceberg) const
+{
+    const DriftModel& drift = m_drift[toIndex(iceberg)];
+    return drift.at(age(iceberg) >= 0 ? time_s() : drift.start_s());
+}
+
+void World::advanceDrift()
+{
+    for (std::size_t i = 0; i < m_drift.size(); ++i)
+        if (m_appearsStep[i] <= m_step)
+            m_drift[i].advanceTo(time_s());
+}
+
+LookDraw World::lookDraw(int iceberg, std::int64_t look) const
+{
+    return m_noise ? berg::lookDraw(m_seed, body(iceberg).stream, look) : LookDraw{};
+}
+
+} // namespace berg
