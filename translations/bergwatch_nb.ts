@@ -5950,8 +5950,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Gå til tid</translation>
     </message>
     <message>
-        <source>Back to &amp;latest</source>
-        <translation>Tilbake til &amp;siste</translation>
+        <source>Bac&amp;k to latest</source>
+        <translation>Tilbake til n&amp;yeste</translation>
     </message>
     <message>
         <source>&amp;Help</source>

@@ -300,7 +300,7 @@ void Menus::buildLookBackActions(QMenu& menu)
         {"goToTimeAction", tr("&Go to time"), QKeySequence(Qt::CTRL | Qt::Key_T), std::nullopt},
         [this] { panels().playback->editTime(); });
     add(menu,
-        {"newestAction", tr("Back to &latest"), QKeySequence(Qt::CTRL | Qt::Key_End), std::nullopt},
+        {"newestAction", tr("Bac&k to latest"), QKeySequence(Qt::CTRL | Qt::Key_End), std::nullopt},
         [this] { workspace().lookAtNewest(); });
 }
 

@@ -104,7 +104,9 @@ check "a table into a substitute" exits 0 bash -c '"$1" curve "$2" --output >(ca
 check "a table into a substitute: the same" cmp -s late.csv table.csv
 check "a table for nobody" exits 0 "$cli" curve "$scenario" --output /dev/null
 check "a device twice" exits 0 "$cli" "${sweep[@]}" --output /dev/null --report /dev/null
-refused "two things on standard output" 2 "--output: /dev/stdout and --json both need standard output" "$cli" curve "$scenario" --output - --json
+check "two things on standard output" exits 2 "$cli" curve "$scenario" --output - --json
+check "two things on standard output: told" says "--output: /dev/stdout and --json both need standard output"
+check "two things on standard output: in JSON" json 'd["error"]["kind"] == "wrong-usage"'
 refused "standard output twice" 2 "--report: /dev/stdout is the file of --output already" "$cli" "${sweep[@]}" --output - --report -
 check "a scenario on standard output" exits 0 "$cli" import iip.csv --output -
 cp stdout.txt piped.berg

@@ -13,7 +13,7 @@ namespace {
 class WindlessSolver : public TvpSolver
 {
 public:
-    [[nodiscard]] std::string name() const override { return "windless"; }
+    [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
     [[nodiscard]] std::string whyNot(const TvpProblem&) const override { return {}; }
 
 protected:

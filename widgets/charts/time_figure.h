@@ -6,6 +6,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QLocale>
+#include <QSizeF>
 
 namespace berg {
 

@@ -65,8 +65,7 @@ void CurveRunner::setScenario(const Scenario& scenario)
     ask([this]() -> std::optional<FleetTask> {
         if (hasErrors(validate(*m_scenario)))
             return std::nullopt;
-        return visitationTask(clusteredRequest(Simulation(*m_scenario)),
-                              m_scenario->planner.route);
+        return visitationTask(clusteredRequest(Simulation(*m_scenario)), m_scenario->planner.route);
     });
 }
 

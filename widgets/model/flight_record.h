@@ -3,6 +3,8 @@
 #include "core/bound/zeta_bound.h"
 #include "widgets/model/mission_snapshot.h"
 
+#include <QString>
+
 #include <memory>
 
 namespace berg {

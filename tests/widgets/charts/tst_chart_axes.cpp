@@ -163,7 +163,7 @@ private slots:
 
     void theFirstNameIsRatherShortThanLeftOut()
     {
-        const Drawing drawing = withNames(60);
+        const Drawing drawing = withNames(50);
         QCOMPARE(drawing.labels.size(), std::size_t{1});
         QCOMPARE(drawing.labels[0].text, std::string("own"));
         QVERIFY(withNames(300).labels.empty()); // wider than the plot

@@ -409,7 +409,7 @@ private slots:
     void zetaIsNamedFirst_data()
     {
         QTest::addColumn<QSize>("size");
-        for (const int width : {200, 300, 420, 700})
+        for (const int width : {240, 300, 420, 700})
             for (const int height : {110, 130, 160, 220})
                 QTest::addRow("%dx%d", width, height) << QSize(width, height);
     }

@@ -2,6 +2,7 @@
 #include "core/plan/policy/tau_curve.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
+#include "core/sim/plan_requests.h"
 #include "tests/support/approx.h"
 #include "tests/support/fleet_flight.h"
 #include "tests/support/fleet_problems.h"

@@ -285,7 +285,7 @@ private slots:
         for (const MapPicture& picture : {before, flight}) {
             COMPARE_NEAR(picture.icebergs[0].ringEntry_s.value_or(-1), 500, 1e-6);
             QVERIFY(!picture.icebergs[2].ringEntry_s);
-            QVERIFY(legendOf(picture).contains(u"Comes into the inner ring"_s));
+            QVERIFY(legendOf(picture).contains(u"Will enter inner ring"_s));
         }
     }
 

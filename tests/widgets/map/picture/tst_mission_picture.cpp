@@ -117,7 +117,7 @@ private slots:
         std::size_t count = 0;
         for (std::size_t uav = 0; uav < 3; ++uav) {
             const MapRoute& route = picture.routes[uav];
-            const DubinsState& pose = mission.simulation().state().uavs[uav].pose;
+            const DubinsState pose = mission.simulation().state().uavs[uav].pose;
             QVERIFY(picture.uavs[uav].position_m == pose.position_m);
             QCOMPARE(route.plan, planOf(record.now, static_cast<int>(uav))->order);
             QVERIFY(route.track.front().position_m == mission.scenario().uavs[uav].position_m);
