@@ -417,7 +417,7 @@
         <translation>%1 meldt sett</translation>
     </message>
     <message>
-        <source>iceberg sighted on the way</source>
+        <source>iceberg sighted en route</source>
         <translation>isfjell sett underveis</translation>
     </message>
     <message>
@@ -607,7 +607,7 @@
         <translation>Tabell med zeta gjennom flygingen.</translation>
     </message>
     <message>
-        <source>Way</source>
+        <source>Path</source>
         <translation>Vei</translation>
     </message>
     <message>
@@ -1098,7 +1098,7 @@
         <translation>Hjem kan ikke lenger nås i tide</translation>
     </message>
     <message>
-        <source>The wind has changed on the way.</source>
+        <source>The wind changed in flight.</source>
         <translation>Vinden har endret seg underveis.</translation>
     </message>
     <message>
@@ -2216,7 +2216,7 @@
         <translation>Endre synsfelt</translation>
     </message>
     <message>
-        <source>View along</source>
+        <source>View along-track</source>
         <translation>Synsfelt langs</translation>
     </message>
     <message>
@@ -2224,7 +2224,7 @@
         <translation>Synsfeltets utstrekning langs kursen.</translation>
     </message>
     <message>
-        <source>View across</source>
+        <source>View cross-track</source>
         <translation>Synsfelt tvers</translation>
     </message>
     <message>
@@ -2232,7 +2232,7 @@
         <translation>Synsfeltets utstrekning på tvers av kursen.</translation>
     </message>
     <message>
-        <source>Largest bank</source>
+        <source>Maximum bank angle</source>
         <translation>Største krengning</translation>
     </message>
     <message>
@@ -2240,7 +2240,7 @@
         <translation>Krengning i sving; jo større, desto krappere svinger.</translation>
     </message>
     <message>
-        <source>Change largest bank</source>
+        <source>Change maximum bank angle</source>
         <translation>Endre største krengning</translation>
     </message>
     <message>
@@ -2586,11 +2586,11 @@
         <translation>Sensorintervall</translation>
     </message>
     <message>
-        <source>Time between two looks of the camera, each of which measures what is in view.</source>
+        <source>Time between two samples of the sensor, each of which measures what is in view.</source>
         <translation>Tid mellom to bilder fra kameraet; hvert av dem måler det som er i synsfeltet.</translation>
     </message>
     <message>
-        <source>Change time between looks</source>
+        <source>Change sensor interval</source>
         <translation>Endre tid mellom bilder</translation>
     </message>
     <message>
@@ -2598,7 +2598,7 @@
         <translation>Deteksjonssannsynlighet</translation>
     </message>
     <message>
-        <source>Chance that one look shows an iceberg in view.</source>
+        <source>Chance that one sample shows an iceberg in view.</source>
         <translation>Sannsynlighet for at ett bilde viser et isfjell i synsfeltet.</translation>
     </message>
     <message>
@@ -2809,7 +2809,7 @@
         <translation>Filen inneholder felter som denne versjonen ikke kjenner. De beholdes, men brukes ikke.</translation>
     </message>
     <message>
-        <source>The endurance is too short for the way to the nearest iceberg and back.</source>
+        <source>The endurance is too short for the path to the nearest iceberg and back.</source>
         <translation>Utholdenheten er for kort til veien til nærmeste isfjell og tilbake.</translation>
     </message>
     <message>
@@ -2922,7 +2922,7 @@
         <translation>Fartens avvik teller bare med Kalman-filteret.</translation>
     </message>
     <message>
-        <source>The endurance is too short for the way home from the start.</source>
+        <source>The endurance is too short for the path home from the start.</source>
         <translation>Utholdenheten er for kort til hjemveien fra startstedet.</translation>
     </message>
     <message>
@@ -3283,7 +3283,7 @@
         <translation>Zeta ζ</translation>
     </message>
     <message>
-        <source>Visits, dots on the way</source>
+        <source>Visits, dots on the path</source>
         <translation>Besøk, prikker på veien</translation>
     </message>
     <message>
@@ -3875,9 +3875,9 @@
         <translation>eksakt</translation>
     </message>
     <message>
-        <source>local search</source>
+        <source>search and bound</source>
         <comment>solver</comment>
-        <translation>lokalsøk</translation>
+        <translation>søk og skranke</translation>
     </message>
     <message>
         <source>COIN-OR CBC</source>
@@ -3945,11 +3945,11 @@
         <translation>Denne løseren kan ikke planlegge så mange isfjell. Velg Automatisk.</translation>
     </message>
     <message>
-        <source>Limit reached, flying to the nearest iceberg</source>
+        <source>Solver limit reached; flying to the nearest iceberg</source>
         <translation>Grensen er nådd, flyr til nærmeste isfjell</translation>
     </message>
     <message>
-        <source>Limit reached, flying the previous plan</source>
+        <source>Solver limit reached; previous plan kept</source>
         <translation>Grensen er nådd, flyr den forrige planen</translation>
     </message>
     <message>
@@ -4454,7 +4454,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 <context>
     <name>berg::ComparisonPanel</name>
     <message>
-        <source>Figures of the two runs</source>
+        <source>Figures of the comparison</source>
         <translation>Tall for de to flygingene</translation>
     </message>
     <message>
@@ -6720,7 +6720,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>ζ, m² s</translation>
     </message>
     <message>
-        <source>to A</source>
+        <source>vs A</source>
         <translation>mot A</translation>
     </message>
     <message>
@@ -7138,7 +7138,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Akkumulert usikkerhet for denne flygingen: mindre er bedre.</translation>
     </message>
     <message>
-        <source>To reference</source>
+        <source>vs reference</source>
         <translation>Mot referanse</translation>
     </message>
     <message>
@@ -7370,7 +7370,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Åpne …</translation>
     </message>
     <message>
-        <source>Opens a study: to look at it, or to carry it on.</source>
+        <source>Opens a study to view or continue it.</source>
         <translation>Åpner en studie: for å se på den, eller fortsette den.</translation>
     </message>
     <message>
@@ -7565,7 +7565,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>En firedel av tilfellene har mindre enn den første, en firedel mer enn den andre.</translation>
     </message>
     <message>
-        <source>To reference</source>
+        <source>vs reference</source>
         <translation>Mot referanse</translation>
     </message>
     <message>
@@ -7640,7 +7640,7 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <translation>Flyginger av hvert</translation>
     </message>
     <message>
-        <source>Flights of each scenario with other noise: the true drift is drawn anew, the same for every setting.</source>
+        <source>Flights of each scenario with other noise: the true drift is drawn again, the same for every setting.</source>
         <translation>Flyginger av hvert scenario med annen støy: den sanne driften trekkes på nytt, den samme for hver innstilling.</translation>
     </message>
     <message>

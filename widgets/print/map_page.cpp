@@ -75,7 +75,7 @@ std::vector<MapReadout> flownFigures(const ExportContent& content, const QLocale
         figures.push_back({.caption = MapPageText::tr("Zeta ζ"),
                            .value = significantText(*content.zeta_m2s, 4, locale),
                            .unit = u"m² s"_s});
-    figures.push_back({.caption = MapPageText::tr("Visits, dots on the way"),
+    figures.push_back({.caption = MapPageText::tr("Visits, dots on the path"),
                        .value = fixedText(visitCount(content), 0, locale),
                        .unit = {}});
     return figures;

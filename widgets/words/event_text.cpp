@@ -128,7 +128,7 @@ QString planReasonText(PlanReason reason)
     case PlanReason::Intervention:
         return EventText::tr("changed in flight");
     case PlanReason::Sighted:
-        return EventText::tr("iceberg sighted on the way");
+        return EventText::tr("iceberg sighted en route");
     case PlanReason::Overdue:
         return EventText::tr("sighting overdue");
     case PlanReason::Left:

@@ -87,7 +87,7 @@ ExportFormatText tableText(std::string_view id)
         return {.name = ExportText::tr("Zeta"),
                 .tool = ExportText::tr("Spreadsheets"),
                 .about = ExportText::tr("Table with zeta over the time of the flight.")};
-    return {.name = ExportText::tr("Way"),
+    return {.name = ExportText::tr("Path"),
             .tool = ExportText::tr("Spreadsheets"),
             .about = ExportText::tr("Table of the order with legs, coordinates and arrivals; of a "
                                     "path or what was flown one row for each point.")};

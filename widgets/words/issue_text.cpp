@@ -92,10 +92,11 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
      QT_TRANSLATE_NOOP("IssueText", "Starts near another UAV in the same altitude layer: let their "
                                     "altitudes differ by 30 m.")},
     {IssueId::NoWayHome,
-     QT_TRANSLATE_NOOP("IssueText", "The endurance is too short for the way home from the start.")},
+     QT_TRANSLATE_NOOP("IssueText",
+                       "The endurance is too short for the path home from the start.")},
     {IssueId::NoRoundTrip,
      QT_TRANSLATE_NOOP("IssueText",
-                       "The endurance is too short for the way to the nearest iceberg and back.")},
+                       "The endurance is too short for the path to the nearest iceberg and back.")},
     {IssueId::HomeUnused,
      QT_TRANSLATE_NOOP("IssueText", "Home counts with a limited endurance only.")},
     {IssueId::HomeNearFence,

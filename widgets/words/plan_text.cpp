@@ -32,7 +32,7 @@ QString solverText(AnswerSource source)
     case AnswerSource::Exact:
         return PlanText::tr("exact", "solver");
     case AnswerSource::Heuristic:
-        return PlanText::tr("local search", "solver");
+        return PlanText::tr("search and bound", "solver");
     case AnswerSource::Assignment:
         return PlanText::tr("by assignment", "solver");
     case AnswerSource::Cbc:
@@ -118,8 +118,8 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
     if (plan.fellBack)
         return {PlanVerdict::Warning,
                 plan.reason == PlanReason::Start
-                    ? PlanText::tr("Limit reached, flying to the nearest iceberg")
-                    : PlanText::tr("Limit reached, flying the previous plan"),
+                    ? PlanText::tr("Solver limit reached; flying to the nearest iceberg")
+                    : PlanText::tr("Solver limit reached; previous plan kept"),
                 {}};
     if (plan.source == AnswerSource::OneByOne)
         return {PlanVerdict::None, PlanText::tr("Chosen one iceberg at a time"), {}};

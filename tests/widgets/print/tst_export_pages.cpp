@@ -400,14 +400,14 @@ private slots:
         const Source source(fourIcebergs(), 400, {});
         QVERIFY(!source.content().uavs[0].visits.empty());
         const QByteArray file = bytes(pictureFile(mapPage(source.content(), QLocale()), u"svg"_s));
-        QVERIFY(file.contains("dots on the way"));
+        QVERIFY(file.contains("dots on the path"));
         qsizetype timed = 0; // not where there is no room
         for (const Visit& visit : source.content().uavs[0].visits)
             timed += file.count(u">%1<"_s.arg(clockText(visit.time_s)).toUtf8()) > 0 ? 1 : 0;
         QVERIFY(timed >= 3);
         const Source plan(fourIcebergs(), 400, {.what = ExportWhat::Order});
         QVERIFY(!bytes(pictureFile(mapPage(plan.content(), QLocale()), u"svg"_s))
-                     .contains("dots on the way"));
+                     .contains("dots on the path"));
     }
 };
 

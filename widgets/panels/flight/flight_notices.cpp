@@ -67,7 +67,7 @@ void addLate(std::vector<FlightNotice>& notices, const FlightRecord& record)
                 {.icon = IconName::Warning,
                  .text = ofUav(record, uav,
                                FlightNotices::tr("Home cannot be reached in time any more")),
-                 .toolTip = FlightNotices::tr("The wind has changed on the way.")});
+                 .toolTip = FlightNotices::tr("The wind changed in flight.")});
 }
 
 /** UAVs aloft in one altitude layer that are nearer to each other than they are to come. */

@@ -30,9 +30,9 @@ NumberRow intervalRow()
         {.key = u"observerInterval"_s,
          .label = InspectorRows::tr("Sensor interval"),
          .toolTip =
-             InspectorRows::tr("Time between two looks of the camera, each of which measures "
+             InspectorRows::tr("Time between two samples of the sensor, each of which measures "
                                "what is in view."),
-         .undoText = InspectorRows::tr("Change time between looks"),
+         .undoText = InspectorRows::tr("Change sensor interval"),
          .isShown = isFiltered},
         u" s"_s, [](auto& scenario) -> auto& { return scenario.observer.interval_s; },
         [](const Scenario& scenario) {
@@ -47,7 +47,7 @@ NumberRow detectionRow()
     return {
         .words = {.key = u"observerDetection"_s,
                   .label = InspectorRows::tr("Detection probability"),
-                  .toolTip = InspectorRows::tr("Chance that one look shows an iceberg in view."),
+                  .toolTip = InspectorRows::tr("Chance that one sample shows an iceberg in view."),
                   .undoText = InspectorRows::tr("Change detection probability"),
                   .isShown = isFiltered},
         .unit = u" %"_s,

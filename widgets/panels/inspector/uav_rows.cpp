@@ -84,11 +84,11 @@ std::vector<InspectorRow> fieldOfViewRows()
                          .range = always(limits::kExtent_m)};
     };
     return {row(
-                u"uavFovAlong"_s, InspectorRows::tr("View along"),
+                u"uavFovAlong"_s, InspectorRows::tr("View along-track"),
                 InspectorRows::tr("Extent of the field of view along the heading."),
                 [](auto& uav) -> auto& { return uav.fov_m.x(); }),
             row(
-                u"uavFovAcross"_s, InspectorRows::tr("View across"),
+                u"uavFovAcross"_s, InspectorRows::tr("View cross-track"),
                 InspectorRows::tr("Extent of the field of view across the heading."),
                 [](auto& uav) -> auto& { return uav.fov_m.y(); })};
 }
@@ -102,10 +102,10 @@ std::vector<InspectorRow> uavRows()
     rows.emplace_back(headingRow());
     rows.emplace_back(airspeedRow());
     rows.emplace_back(uavRow({.key = u"uavBank"_s,
-                              .label = InspectorRows::tr("Largest bank"),
+                              .label = InspectorRows::tr("Maximum bank angle"),
                               .toolTip = InspectorRows::tr("Bank in a turn; the larger, the "
                                                            "tighter the turns."),
-                              .undoText = InspectorRows::tr("Change largest bank")},
+                              .undoText = InspectorRows::tr("Change maximum bank angle")},
                              u"°"_s, &UavSpec::maxBank_deg, limits::kBank_deg));
     append(rows, fieldOfViewRows());
     NumberRow altitude =

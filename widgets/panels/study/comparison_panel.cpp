@@ -59,7 +59,7 @@ void ComparisonPanel::addTables()
 {
     m_runs = new RunTable(m_list);
     connect(m_runs, &QTableWidget::currentCellChanged, this, &ComparisonPanel::updateEnabled);
-    m_figures = new ComparisonTable(u"comparedFigures"_s, tr("Figures of the two runs"));
+    m_figures = new ComparisonTable(u"comparedFigures"_s, tr("Figures of the comparison"));
     m_unseen = new ComparisonTable(u"comparedIcebergs"_s, tr("Longest time unseen"));
     m_tabs = new QTabWidget;
     m_tabs->setObjectName(u"comparisonTabs"_s);

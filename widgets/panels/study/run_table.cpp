@@ -38,7 +38,7 @@ RunTable::RunTable(RunList& list, QWidget* parent)
     setUpComparisonTable(*this, u"comparedRuns"_s, tr("Runs"));
     m_marks = new RunMarkDelegate(this);
     setItemDelegate(m_marks);
-    setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("ζ, m² s"), tr("to A")});
+    setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("ζ, m² s"), tr("vs A")});
     horizontalHeaderItem(RunReference)
         ->setToolTip(tr("The reference: click a circle, or press A."));
     horizontalHeaderItem(RunOther)->setToolTip(tr("Compared with it: click a circle, or press B."));

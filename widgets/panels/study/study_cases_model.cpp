@@ -123,7 +123,7 @@ QVariant StudyCasesModel::headerData(int section, Qt::Orientation orientation, i
         {tr("Case"), tr("Name of the scenario, or the seed it was drawn from.")},
         {tr("Noise seed"), tr("What the true drift was drawn from: the same for every setting.")},
         {tr("ζ, m² s"), tr("Accumulated uncertainty of this flight: less is better.")},
-        {tr("To reference"), tr("Compared with the flight of this case with the reference.")},
+        {tr("vs reference"), tr("Compared with the flight of this case with the reference.")},
         {tr("Best τ"), tr("The τ with the lowest ζ in this case, in hindsight.")},
         {tr("Best of all"), tr("The setting with the lowest ζ in this case.")},
         {tr("Stuck"), tr("Flies to two icebergs at most in the second half.")},

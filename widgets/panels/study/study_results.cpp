@@ -82,8 +82,8 @@ void StudyResults::addHeader(QBoxLayout& column)
     row->addWidget(caption);
     row->addWidget(m_reference);
     row->addStretch();
-    m_openStudy = addButton(*row, "openStudy", tr("Open…"),
-                            tr("Opens a study: to look at it, or to carry it on."));
+    m_openStudy =
+        addButton(*row, "openStudy", tr("Open…"), tr("Opens a study to view or continue it."));
     connect(m_openStudy, &QToolButton::clicked, this, &StudyResults::openRequested);
     m_exports = {
         addButton(*row, "saveStudy", tr("Save…"),

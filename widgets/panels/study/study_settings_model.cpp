@@ -194,7 +194,7 @@ QVariant StudySettingsModel::headerData(int section, Qt::Orientation orientation
         {tr("Median ζ"), tr("Half of the cases have less.")},
         {tr("Quartiles"), tr("A quarter of the cases has less than the first, a quarter more than "
                              "the second.")},
-        {tr("To reference"), tr("Mean of the differences, case by case, in per cent of the "
+        {tr("vs reference"), tr("Mean of the differences, case by case, in per cent of the "
                                 "reference.")},
         {tr("95 % interval"), tr("Of the mean difference: confidence interval by Student's t.")},
         {tr("Best in"), tr("Cases in which no other setting has less ζ.")},

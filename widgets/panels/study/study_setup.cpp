@@ -117,7 +117,7 @@ void StudySetup::addScenarios()
     runs->setSpacing(kGap_px);
     m_runs = addNumber(*runs, {"studyRuns", tr("Runs each"), 1, kMostRuns, 1, 0,
                                tr("Flights of each scenario with other noise: the true drift is "
-                                  "drawn anew, the same for every setting.")});
+                                  "drawn again, the same for every setting.")});
     runs->addStretch(2);
     column.addLayout(runs);
 }

@@ -306,13 +306,13 @@ private slots:
                           plan.reason = PlanReason::TargetReached;
                           plan.fellBack = true;
                       })},
-            PlanVerdict::Warning, u"Limit reached, flying the previous plan"_s);
+            PlanVerdict::Warning, u"Solver limit reached; previous plan kept"_s);
         row("limit at the start", {.plan = planWith([](PlanEvent& plan) {
                                        plan.status = SolveStatus::None;
                                        plan.reason = PlanReason::Start;
                                        plan.fellBack = true;
                                    })},
-            PlanVerdict::Warning, u"Limit reached, flying to the nearest iceberg"_s);
+            PlanVerdict::Warning, u"Solver limit reached; flying to the nearest iceberg"_s);
         row("too large", {.plan = planWith([](PlanEvent& plan) {
                               plan.status = SolveStatus::None;
                               plan.stop = StopReason::Unable;
