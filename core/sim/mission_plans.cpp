@@ -12,6 +12,15 @@ namespace berg {
 
 namespace {
 
+/** Asked at every step: without a list. */
+bool allAreHomeward(const Fleet& fleet)
+{
+    for (int uav = 0; uav < fleet.count(); ++uav)
+        if (!fleet.autopilot(uav).isHomeward())
+            return false;
+    return true;
+}
+
 /** What the log keeps of an answer, of all its UAVs; time, order and reason are the caller's. */
 PlanEvent planEvent(const PlanAnswer& answer)
 {
@@ -65,9 +74,7 @@ std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> cluste
 /** Puts a pending plan in force and asks for one where it is needed. False: cancelled. */
 bool Mission::planWhenDue(const std::stop_token& stop)
 {
-    if (m_simulation.trigger()
-            .plannedUavs(m_simulation.fleet())
-            .empty()) { // what is flown next is planned at take-off
+    if (allAreHomeward(m_simulation.fleet())) { // what is flown next is planned at take-off
         m_pending.reset();
         m_missed = PlanReason::None;
         return true;
