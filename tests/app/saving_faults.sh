@@ -95,33 +95,34 @@ if ! command -v strace >/dev/null; then
 fi
 
 # kill -9 at random instants, the later half in the milliseconds of writing.
-python3 - "$kills" "${simulate[@]}" kept <<'P' >seen
+# A folder each: who puts the files in their places outlives the program.
+python3 - "$kills" "${simulate[@]}" <<'P' >seen
 import filecmp, os, random, shutil, signal, subprocess, sys, time
 kills, command = int(sys.argv[1]), sys.argv[2:]
 random.seed(os.getpid())
-def start():
-    shutil.rmtree("kept", ignore_errors=True)
-    shutil.copytree("old", "kept")
-    return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-def state():
+def start(kept):
+    shutil.copytree("old", kept)
+    return subprocess.Popen(command + [kept], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+def state(kept):
     names = sorted(os.listdir("old"))
     for kind in ("old", "new"):
-        if sorted(os.listdir("kept")) == names and filecmp.cmpfiles("kept", kind, names, shallow=False)[0] == names:
+        if sorted(os.listdir(kept)) == names and filecmp.cmpfiles(kept, kind, names, shallow=False)[0] == names:
             return kind
-    return "neither: " + " ".join(sorted(os.listdir("kept")))
+    return "neither: " + " ".join(sorted(os.listdir(kept)))
 begin = time.monotonic()
-start().wait()
+start("whole").wait()
 whole_s = time.monotonic() - begin
 for i in range(kills):
-    job = start()
+    kept = f"kept-{i}"
+    job = start(kept)
     time.sleep(whole_s * (random.random() if i % 2 else random.uniform(0.8, 1.05)))
     job.send_signal(signal.SIGKILL)
     job.wait()
-    found = state()
-    until = time.monotonic() + 2 # who puts the files in their places outlives the program
+    found = state(kept)
+    until = time.monotonic() + 2
     while found.startswith("neither") and time.monotonic() < until:
         time.sleep(0.01)
-        found = state()
+        found = state(kept)
     print(found)
 P
 grep -h neither seen
