@@ -52,7 +52,7 @@ public:
         for (int round = 0; round < kRounds; ++round)
             arrival_s = m_time_s + flightTime_s(circleAt(arrival_s).centre_m - m_position_m,
                                                 m_airspeed_mps, m_wind_mps);
-        const Circle met = circleAt(arrival_s);
+        Circle met = circleAt(arrival_s);
         m_time_s = arrival_s;
         m_position_m = met.centre_m;
         return met;
