@@ -43,7 +43,8 @@ struct ResultWindow : WindowFixture
     {
         trigger(u"studyAction"_s);
         auto& chart = test::child<StudyChart>(window(), u"studyChart"_s);
-        for (const DrawnItem& item : chart.drawing().items)
+        const std::vector<DrawnItem> items = chart.drawing().items; // a click lays out others
+        for (const DrawnItem& item : items)
             if (item.of.id == setting)
                 QTest::mouseClick(&chart, Qt::LeftButton, {}, toQt(item.at).toPoint());
         test::child<QTableView>(window(), u"studyCases"_s).selectRow(row);
