@@ -50,6 +50,33 @@ inline SightingTable readFixture(const std::string& file)
     return readSightings(importFixture(file), file);
 }
 
+/** The sighting of a line; the fixtures have one for each line asked for. */
+inline Sighting at(const SightingTable& table, std::size_t line)
+{
+    for (const Sighting& sighting : table.sightings)
+        if (sighting.line == line)
+            return sighting;
+    return {};
+}
+
+inline std::string timeOf(const Sighting& sighting)
+{
+    return sighting.time ? utcText(*sighting.time, 0) : "none";
+}
+
+inline std::string faultAt(const SightingTable& table, std::size_t line)
+{
+    for (const RejectedRow& row : table.rejected.first)
+        if (row.line == line)
+            return rowFaultText(row);
+    return "not rejected";
+}
+
+inline SightingTable readText(const std::string& text, const ReadOptions& options = {})
+{
+    return readSightings(text, "file", options);
+}
+
 /** A scenario that sightings can be imported into: one aircraft, no icebergs. */
 inline Scenario openSea()
 {

@@ -13,14 +13,6 @@ using namespace berg::test;
 
 namespace {
 
-std::string faultAt(const SightingTable& table, std::size_t line)
-{
-    for (const RejectedRow& row : table.rejected.first)
-        if (row.line == line)
-            return rowFaultText(row);
-    return "not rejected";
-}
-
 bool isAt(const LatLon& place, double latitude_deg, double longitude_deg)
 {
     return place.latitude_deg == latitude_deg && place.longitude_deg == longitude_deg;

@@ -9,37 +9,6 @@
 using namespace berg;
 using namespace berg::test;
 
-namespace {
-
-/** The sighting of a line; the fixtures have one for each line asked for. */
-Sighting at(const SightingTable& table, std::size_t line)
-{
-    for (const Sighting& sighting : table.sightings)
-        if (sighting.line == line)
-            return sighting;
-    return {};
-}
-
-std::string timeOf(const Sighting& sighting)
-{
-    return sighting.time ? utcText(*sighting.time, 0) : "none";
-}
-
-std::string faultAt(const SightingTable& table, std::size_t line)
-{
-    for (const RejectedRow& row : table.rejected.first)
-        if (row.line == line)
-            return rowFaultText(row);
-    return "not rejected";
-}
-
-SightingTable readText(const std::string& text, const ReadOptions& options = {})
-{
-    return readSightings(text, "file", options);
-}
-
-} // namespace
-
 /** Tables with a header: which column is what, and how their cells are read. */
 class TestImportTables : public QObject
 {
