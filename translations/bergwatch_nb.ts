@@ -758,6 +758,10 @@
         <source>Trade-off τ</source>
         <translation>Avveining τ</translation>
     </message>
+    <message>
+        <source>Corner of the no-fly area</source>
+        <translation>Hjørne i flyforbudsområdet</translation>
+    </message>
 </context>
 <context>
     <name>FileNames</name>
@@ -2701,6 +2705,66 @@
         <source>Height above the sea: UAVs that are 30 m apart in it pass each other.</source>
         <translation>Høyde over havet: UAV-er som skiller seg med 30 m i den, går klar av hverandre.</translation>
     </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Fixed reserve</source>
+        <translation>Fast reserve</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>Stigning</translation>
+    </message>
+    <message>
+        <source>Landing</source>
+        <translation>Landing</translation>
+    </message>
+    <message>
+        <source>Wind limit</source>
+        <translation>Vindgrense</translation>
+    </message>
+    <message>
+        <source>Gust limit</source>
+        <translation>Grense for vindkast</translation>
+    </message>
+    <message>
+        <source>Stand-off ring</source>
+        <translation>Sikkerhetsring</translation>
+    </message>
+    <message>
+        <source>Stand-off ceiling</source>
+        <translation>Tak for sikkerhetsringen</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Gulv</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>Tak</translation>
+    </message>
+    <message>
+        <source>Antenna height</source>
+        <translation>Antennehøyde</translation>
+    </message>
+    <message>
+        <source>Link range</source>
+        <translation>Rekkevidde for samband</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Vindkast</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Dew point</source>
+        <translation>Duggpunkt</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -2972,6 +3036,18 @@
     <message>
         <source>Icebergs are planned as one point for one UAV only; with several each is planned by itself.</source>
         <translation>Isfjell planlegges som ett punkt bare for én UAV; med flere planlegges hvert for seg.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %2 no-fly areas, not %3.</source>
+        <translation>Et scenario rommer høyst %2 flyforbudsområder, ikke %3.</translation>
+    </message>
+    <message>
+        <source>The ceiling must be above the floor.</source>
+        <translation>Taket må ligge over gulvet.</translation>
+    </message>
+    <message>
+        <source>The endurance must be longer than reserve, climb and landing together.</source>
+        <translation>Flytiden må være lengre enn reserve, stigning og landing til sammen.</translation>
     </message>
 </context>
 <context>

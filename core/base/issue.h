@@ -28,6 +28,7 @@ enum class IssueId
     NotUtcTime,
     AreaCorners, ///< most, count
     AreaNotSimple,
+    NoFlyCount, ///< most, count
     IdEmpty,
     IdTaken,      ///< the id, path of its owner
     UavCount,     ///< most, count
@@ -48,6 +49,8 @@ enum class IssueId
     StrongWind,  ///< the same
     DriftTooFast,
     SensorIntervalTooShort,
+    CeilingTooLow, ///< floor, ceiling
+    NothingToFly,  ///< endurance, what of it is not for flying at altitude
 
     // Advice.
     NoIcebergs,

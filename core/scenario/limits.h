@@ -17,6 +17,7 @@ struct Limits
 inline constexpr std::size_t kMostIcebergs = 1000;
 inline constexpr std::size_t kMostUavs = 100;
 inline constexpr std::size_t kMostAreaCorners = 2000;
+inline constexpr std::size_t kMostNoFlyAreas = 100;
 inline constexpr std::size_t kMostTrackPoints = 10'000; ///< of one iceberg
 
 inline constexpr double kLargestCoordinate_m = 1e6;
@@ -42,6 +43,7 @@ inline constexpr Limits kCoordinate_m{.low = -kLargestCoordinate_m, .high = kLar
 inline constexpr Limits kVelocity_mps{.low = -kLargestVelocity_mps, .high = kLargestVelocity_mps};
 inline constexpr Limits kSpeed_mps{.low = 0, .high = kLargestVelocity_mps};
 inline constexpr Limits kLength_m{.low = 0, .high = kLargestLength_m};
+inline constexpr Limits kCeiling_m{.low = 0, .high = kLargestLength_m, .above = true};
 inline constexpr Limits kTime_s{.low = 0, .high = kLargestTime_s};
 inline constexpr Limits kTrackTime_s{.low = -kLargestTime_s, .high = kLargestTime_s};
 inline constexpr Limits kGrowth_m2ps{.low = 0, .high = kLargestGrowth_m2ps};
@@ -50,6 +52,10 @@ inline constexpr Limits kSigma_m2{.low = 0, .high = kLargestSigma_m2};
 inline constexpr Limits kAirspeed_mps{.low = 1, .high = 1000};
 inline constexpr Limits kExtent_m{.low = 1, .high = kLargestLength_m};  ///< field of view, altitude
 inline constexpr Limits kEndurance_s{.low = 1, .high = kLargestTime_s}; ///< or none
+inline constexpr Limits kReservePercent{.low = 0, .high = 90};
+inline constexpr Limits kWindSpeed_mps{.low = 0,
+                                       .high = 150}; ///< stronger gusts were never measured
+inline constexpr Limits kTemperature_degC{.low = -90, .high = 60};
 inline constexpr Limits kBank_deg{.low = 1, .high = 80};
 inline constexpr Limits kAutopilot_s{.low = 0, .high = 60};
 inline constexpr Limits kAssetVelocity_mps{.low = -50, .high = 50};

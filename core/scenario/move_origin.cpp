@@ -60,6 +60,11 @@ void keepPlaces(Scenario& scenario, const PlaneChange& change)
     scenario.wind_mps = turned(scenario.wind_mps, turn_rad);
     for (Point& corner_m : scenario.area_m)
         corner_m = change(corner_m);
+    for (NoFlyArea& area : scenario.noFly)
+        for (Point& corner_m : area.corners_m)
+            corner_m = change(corner_m);
+    if (scenario.groundStation)
+        scenario.groundStation->position_m = change(scenario.groundStation->position_m);
     for (Uav& uav : scenario.uavs) {
         const double heading_deg = uav.heading_deg - degFromRad(change.turn_rad(uav.position_m));
         uav.heading_deg = heading_deg - 360 * std::floor(heading_deg / 360);

@@ -19,6 +19,15 @@ namespace berg {
 // `extraJson` keeps members of the file that this version does not know: the text of a JSON
 // object, empty when there are none; they are written back unchanged.
 
+/** Weather that a UAV is not flown in. */
+struct WeatherLimits
+{
+    std::optional<double> wind_mps;
+    std::optional<double> gust_mps;
+    bool icing = false; ///< it may be flown in icing conditions
+    bool operator==(const WeatherLimits&) const = default;
+};
+
 struct Uav
 {
     std::string id;
@@ -29,6 +38,7 @@ struct Uav
     Point fov_m = Point(600, 600); ///< field of view along and across the heading
     std::optional<Point> home_m;   ///< where it lands; none: where it starts
     double turnaround_s = 600;     ///< on the ground between two sorties
+    WeatherLimits weather;
     std::string extraJson;
     bool operator==(const Uav&) const = default;
 };
@@ -61,9 +71,42 @@ struct Asset
     Point velocity_mps = Point::Zero();
     double range_m = 10000;
     double gain = 5;
-    double alarm_m = 0; ///< radius of the inner ring; 0: half the range
+    double alarm_m = 0;                      ///< radius of the inner ring; 0: half the range
+    double standoff_m = 0;                   ///< no UAV comes nearer; 0: any may
+    std::optional<double> standoffCeiling_m; ///< above which it may; none: at no height
     std::string extraJson;
     bool operator==(const Asset&) const = default;
+};
+
+/** A simple polygon that no UAV flies into whose altitude lies within the heights. */
+struct NoFlyArea
+{
+    std::string name;
+    std::vector<Point> corners_m;
+    double floor_m = 0;              ///< above the sea, as the altitude of a UAV
+    std::optional<double> ceiling_m; ///< none: without end
+    std::string extraJson;
+    bool operator==(const NoFlyArea&) const = default;
+};
+
+/** Where the link to the UAVs is kept from. */
+struct GroundStation
+{
+    Point position_m = Point::Zero();
+    double antenna_m = 2;          ///< above the sea
+    std::optional<double> range_m; ///< of the link; none: to the radio horizon
+    std::string extraJson;
+    bool operator==(const GroundStation&) const = default;
+};
+
+/** What is known of the weather besides the wind; temperatures are those at the sea. */
+struct Weather
+{
+    std::optional<double> gust_mps;
+    std::optional<double> temperature_degC;
+    std::optional<double> dewPoint_degC;
+    std::string extraJson;
+    bool operator==(const Weather&) const = default;
 };
 
 struct Scenario
@@ -80,8 +123,11 @@ struct Scenario
     Point current_mps = Point::Zero(); ///< carries every iceberg in addition to its own velocity
     std::vector<Point> area_m;         ///< icebergs outside are not monitored; empty: unbounded
     bool geofence = false;             ///< the UAVs stay inside the area
+    std::vector<NoFlyArea> noFly;
     /** UAVs of one altitude layer closer than this, horizontally, are warned of; 0: never. */
     double separation_m = 200;
+    Weather weather;
+    std::optional<GroundStation> groundStation;
     ObserverSpec observer;
     std::vector<Uav> uavs;
     std::vector<Iceberg> icebergs;

@@ -75,6 +75,11 @@ public:
         return !fault;
     }
 
+    bool inRange(const std::optional<double>& value, const Limits& limits, const std::string& field)
+    {
+        return !value || inRange(*value, limits, field);
+    }
+
     bool inRange(const Point& value, const Limits& limits, const std::string& field)
     {
         const bool first = inRange(value.x(), limits, entryPath(field, 0));
@@ -124,21 +129,63 @@ void checkRun(const Scenario& s, Findings& findings)
         findings.error("seed", IssueId::OutOfRange, {std::int64_t{0}, kLargestSeed, s.seed});
 }
 
-void checkArea(const Scenario& s, Findings& findings)
+void checkPolygon(const std::vector<Point>& corners_m, const std::string& path, Findings& findings)
 {
-    if (s.area_m.empty())
-        return;
-    if (s.area_m.size() < 3 || s.area_m.size() > kMostAreaCorners) {
-        findings.error("area_m", IssueId::AreaCorners,
-                       {count(kMostAreaCorners), count(s.area_m.size())});
+    if (corners_m.size() < 3 || corners_m.size() > kMostAreaCorners) {
+        findings.error(path, IssueId::AreaCorners,
+                       {count(kMostAreaCorners), count(corners_m.size())});
         return;
     }
     bool finite = true;
-    for (std::size_t i = 0; i < s.area_m.size(); ++i)
+    for (std::size_t i = 0; i < corners_m.size(); ++i)
         finite =
-            findings.inRange(s.area_m[i], limits::kCoordinate_m, entryPath("area_m", i)) && finite;
-    if (finite && !isSimplePolygon(s.area_m))
-        findings.conflict("area_m", IssueId::AreaNotSimple);
+            findings.inRange(corners_m[i], limits::kCoordinate_m, entryPath(path, i)) && finite;
+    if (finite && !isSimplePolygon(corners_m))
+        findings.conflict(path, IssueId::AreaNotSimple);
+}
+
+void checkHeights(double floor_m, const std::optional<double>& ceiling_m, const std::string& field,
+                  Findings& findings)
+{
+    if (findings.inRange(ceiling_m, limits::kCeiling_m, field) && ceiling_m &&
+        *ceiling_m <= floor_m)
+        findings.conflict(field, IssueId::CeilingTooLow, {floor_m, *ceiling_m});
+}
+
+void checkAreas(const Scenario& s, Findings& findings)
+{
+    if (!s.area_m.empty())
+        checkPolygon(s.area_m, "area_m", findings);
+    if (s.noFly.size() > kMostNoFlyAreas) {
+        findings.error("no_fly", IssueId::NoFlyCount,
+                       {count(kMostNoFlyAreas), count(s.noFly.size())});
+        return;
+    }
+    for (std::size_t i = 0; i < s.noFly.size(); ++i) {
+        const NoFlyArea& area = s.noFly[i];
+        const std::string path = entryPath("no_fly", i);
+        findings.utf8(area.name, path + ".name");
+        checkPolygon(area.corners_m, path + ".area_m", findings);
+        if (findings.inRange(area.floor_m, limits::kLength_m, path + ".floor_m"))
+            checkHeights(area.floor_m, area.ceiling_m, path + ".ceiling_m", findings);
+    }
+}
+
+void checkWeather(const Weather& weather, Findings& findings)
+{
+    findings.inRange(weather.gust_mps, limits::kWindSpeed_mps, "weather.gust_mps");
+    findings.inRange(weather.temperature_degC, limits::kTemperature_degC,
+                     "weather.temperature_degc");
+    findings.inRange(weather.dewPoint_degC, limits::kTemperature_degC, "weather.dew_point_degc");
+}
+
+void checkGroundStation(const std::optional<GroundStation>& station, Findings& findings)
+{
+    if (!station)
+        return;
+    findings.inRange(station->position_m, limits::kCoordinate_m, "ground_station.position_m");
+    findings.inRange(station->antenna_m, limits::kLength_m, "ground_station.antenna_m");
+    findings.inRange(station->range_m, limits::kExtent_m, "ground_station.range_m");
 }
 
 /** An id must be there, readable and unique over UAVs and icebergs together. */
@@ -153,6 +200,19 @@ void checkId(const std::string& id, const std::string& owner,
     const auto [it, isNew] = ownerOfId.try_emplace(id, owner);
     if (!isNew)
         findings.error(owner + ".id", IssueId::IdTaken, {printable(id), it->second});
+}
+
+/** What is left to fly with after reserve, climb and landing. */
+void checkReserve(const UavSpec& spec, const std::string& path, Findings& findings)
+{
+    bool inRange =
+        findings.inRange(spec.reservePercent, limits::kReservePercent, path + ".reserve_percent");
+    inRange = findings.inRange(spec.reserve_s, limits::kTime_s, path + ".reserve_s") && inRange;
+    inRange = findings.inRange(spec.climb_s, limits::kTime_s, path + ".climb_s") && inRange;
+    inRange = findings.inRange(spec.landing_s, limits::kTime_s, path + ".landing_s") && inRange;
+    if (inRange && spec.endurance_s > 0 && usableEndurance_s(spec) <= 0)
+        findings.conflict(path + ".endurance_s", IssueId::NothingToFly,
+                          {spec.endurance_s, spec.endurance_s - usableEndurance_s(spec)});
 }
 
 void checkUav(const Uav& uav, const std::string& path, Findings& findings)
@@ -172,6 +232,9 @@ void checkUav(const Uav& uav, const std::string& path, Findings& findings)
     if (uav.home_m)
         findings.inRange(*uav.home_m, limits::kCoordinate_m, path + ".home_m");
     findings.inRange(uav.turnaround_s, limits::kTime_s, path + ".turnaround_s");
+    checkReserve(uav.spec, path, findings);
+    findings.inRange(uav.weather.wind_mps, limits::kWindSpeed_mps, path + ".max_wind_mps");
+    findings.inRange(uav.weather.gust_mps, limits::kWindSpeed_mps, path + ".max_gust_mps");
     if (findings.inRange(uav.spec.autopilot_s, limits::kAutopilot_s, path + ".autopilot_s") &&
         uav.spec.endurance_s > 0 && uav.spec.autopilot_s > kSlowestHoming_s)
         findings.conflict(path + ".autopilot_s", IssueId::AutopilotTooSlow,
@@ -342,6 +405,8 @@ void checkAsset(const Scenario& s, Findings& findings)
     findings.inRange(s.asset->range_m, limits::kExtent_m, "asset.range_m");
     findings.inRange(s.asset->gain, limits::kGain, "asset.gain");
     findings.inRange(s.asset->alarm_m, limits::kLength_m, "asset.alarm_m");
+    findings.inRange(s.asset->standoff_m, limits::kLength_m, "asset.standoff_m");
+    checkHeights(0, s.asset->standoffCeiling_m, "asset.standoff_ceiling_m", findings);
 }
 
 void checkObserver(const Scenario& s, Findings& findings)
@@ -358,8 +423,7 @@ void checkPlanner(const Scenario& s, Findings& findings)
 {
     findings.inRange(s.planner.tau, limits::kTau, "planner.tau");
     findings.inRange(s.planningTime_s, limits::kPlanningDelay_s, "planner.planning_delay_s");
-    if (s.reachRadius_m)
-        findings.inRange(*s.reachRadius_m, limits::kExtent_m, "planner.reach_radius_m");
+    findings.inRange(s.reachRadius_m, limits::kExtent_m, "planner.reach_radius_m");
 }
 
 std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
@@ -367,13 +431,15 @@ std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
     Findings findings(kind);
     std::map<std::string, std::string> ownerOfId;
     checkRun(scenario, findings);
-    checkArea(scenario, findings);
+    checkAreas(scenario, findings);
     checkUavs(scenario, ownerOfId, findings);
     checkGeofence(scenario, findings);
     checkIcebergs(scenario, ownerOfId, findings);
     checkFleet(scenario, findings);
     checkDrift(scenario, findings);
     checkAsset(scenario, findings);
+    checkWeather(scenario.weather, findings);
+    checkGroundStation(scenario.groundStation, findings);
     checkObserver(scenario, findings);
     checkPlanner(scenario, findings);
     return findings.take();

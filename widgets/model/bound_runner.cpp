@@ -22,7 +22,10 @@ Scenario boundedPart(const Scenario& scenario)
         text->clear();
     part.origin = standard.origin;
     part.geofence = standard.geofence;
+    part.noFly = standard.noFly;
     part.separation_m = standard.separation_m;
+    part.weather = standard.weather;
+    part.groundStation = standard.groundStation;
     part.asset = standard.asset;
     part.planner = standard.planner;
     part.planningTime_s = standard.planningTime_s;

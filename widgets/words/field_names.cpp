@@ -67,6 +67,12 @@ constexpr FieldName kFields[] = {
     {"uavs.home_m[0]", QT_TRANSLATE_NOOP("InspectorRows", "Home east"), Quantity::Distance},
     {"uavs.home_m[1]", QT_TRANSLATE_NOOP("InspectorRows", "Home north"), Quantity::Distance},
     {"uavs.turnaround_s", QT_TRANSLATE_NOOP("InspectorRows", "Turn-around"), Quantity::Seconds},
+    {"uavs.reserve_percent", QT_TRANSLATE_NOOP("InspectorRows", "Reserve"), Quantity::Number},
+    {"uavs.reserve_s", QT_TRANSLATE_NOOP("InspectorRows", "Fixed reserve"), Quantity::Seconds},
+    {"uavs.climb_s", QT_TRANSLATE_NOOP("InspectorRows", "Climb"), Quantity::Seconds},
+    {"uavs.landing_s", QT_TRANSLATE_NOOP("InspectorRows", "Landing"), Quantity::Seconds},
+    {"uavs.max_wind_mps", QT_TRANSLATE_NOOP("InspectorRows", "Wind limit"), Quantity::Speed},
+    {"uavs.max_gust_mps", QT_TRANSLATE_NOOP("InspectorRows", "Gust limit"), Quantity::Speed},
     {"uavs.autopilot_s", QT_TRANSLATE_NOOP("InspectorRows", "Autopilot rate"), Quantity::Seconds},
     {"icebergs.name", QT_TRANSLATE_NOOP("InspectorRows", "Name")},
     {"icebergs.id", QT_TRANSLATE_NOOP("InspectorPanel", "Id"), Quantity::Text, "InspectorPanel"},
@@ -96,6 +102,26 @@ constexpr FieldName kFields[] = {
     {"asset.range_m", QT_TRANSLATE_NOOP("InspectorRows", "Range"), Quantity::Distance},
     {"asset.gain", QT_TRANSLATE_NOOP("InspectorRows", "Gain"), Quantity::Number},
     {"asset.alarm_m", QT_TRANSLATE_NOOP("InspectorRows", "Inner ring"), Quantity::Distance},
+    {"asset.standoff_m", QT_TRANSLATE_NOOP("InspectorRows", "Stand-off ring"), Quantity::Distance},
+    {"asset.standoff_ceiling_m", QT_TRANSLATE_NOOP("InspectorRows", "Stand-off ceiling"),
+     Quantity::Metres},
+    {"no_fly.name", QT_TRANSLATE_NOOP("InspectorRows", "Name")},
+    {"no_fly.area_m", QT_TRANSLATE_NOOP("FieldNames", "Corner of the no-fly area"),
+     Quantity::Distance, "FieldNames"},
+    {"no_fly.floor_m", QT_TRANSLATE_NOOP("InspectorRows", "Floor"), Quantity::Metres},
+    {"no_fly.ceiling_m", QT_TRANSLATE_NOOP("InspectorRows", "Ceiling"), Quantity::Metres},
+    {"ground_station.position_m[0]", QT_TRANSLATE_NOOP("InspectorRows", "East"),
+     Quantity::Distance},
+    {"ground_station.position_m[1]", QT_TRANSLATE_NOOP("InspectorRows", "North"),
+     Quantity::Distance},
+    {"ground_station.antenna_m", QT_TRANSLATE_NOOP("InspectorRows", "Antenna height"),
+     Quantity::Metres},
+    {"ground_station.range_m", QT_TRANSLATE_NOOP("InspectorRows", "Link range"),
+     Quantity::Distance},
+    {"weather.gust_mps", QT_TRANSLATE_NOOP("InspectorRows", "Gusts"), Quantity::Speed},
+    {"weather.temperature_degc", QT_TRANSLATE_NOOP("InspectorRows", "Temperature"),
+     Quantity::Number},
+    {"weather.dew_point_degc", QT_TRANSLATE_NOOP("InspectorRows", "Dew point"), Quantity::Number},
     {"observer.position_sd_m", QT_TRANSLATE_NOOP("InspectorRows", "Position error"),
      Quantity::Metres},
     {"observer.interval_s", QT_TRANSLATE_NOOP("InspectorRows", "Sensor interval"),
@@ -114,7 +140,8 @@ std::string withoutEntry(const std::string& field)
 {
     const std::size_t open = field.find('[');
     const std::size_t close = field.find(']');
-    if (!field.starts_with("icebergs[") && !field.starts_with("uavs["))
+    if (!field.starts_with("icebergs[") && !field.starts_with("uavs[") &&
+        !field.starts_with("no_fly["))
         return field;
     return close == std::string::npos ? field : field.substr(0, open) + field.substr(close + 1);
 }

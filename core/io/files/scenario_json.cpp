@@ -70,28 +70,6 @@ void readObserver(const Json& value, Scenario& scenario, ObjectReader& parent)
     scenario.observerExtraJson = object.unknown();
 }
 
-std::vector<Point> readArea(ObjectReader& object)
-{
-    std::vector<Point> area_m;
-    const Json* value = object.array("area_m");
-    if (value == nullptr)
-        return area_m;
-    if (value->size() < 3 || value->size() > kMostAreaCorners) {
-        object.faults().add(object.path("area_m"),
-                            "must have from 3 to " + std::to_string(kMostAreaCorners) +
-                                " corners, not " + std::to_string(value->size()));
-        return area_m;
-    }
-    for (std::size_t i = 0; i < value->size(); ++i) {
-        const std::string path = entryPath(object.path("area_m"), i);
-        const std::optional<Point> corner = pointOf((*value)[i], path, object.faults());
-        if (!corner)
-            return {}; // a shape with a corner missing is not worth checking
-        area_m.push_back(*corner);
-    }
-    return area_m;
-}
-
 /** Reads a list of at most `most` entries with `readEntry(value, path, faults)`. */
 template <class Entry>
 std::vector<Entry> readList(ObjectReader& object, const char* member, std::size_t most,
@@ -177,8 +155,7 @@ std::string plannerText(const Scenario& scenario)
     if (planner.formulation != standard.formulation)
         object.add("formulation", nameOf(kFormulationNames, planner.formulation));
     object.addUnless("planning_delay_s", scenario.planningTime_s, 0.0);
-    if (scenario.reachRadius_m)
-        object.add("reach_radius_m", *scenario.reachRadius_m);
+    object.addOptional("reach_radius_m", scenario.reachRadius_m);
     if (scenario.fovShape != FovShape::Body)
         object.add("fov_shape", nameOf(kFovShapeNames, scenario.fovShape));
     object.addUnless("clusters", scenario.clusters, false);
@@ -231,13 +208,20 @@ Scenario readScenario(ObjectReader& object, ScenarioUse use)
     scenario.noise = object.boolean("noise", scenario.noise);
     scenario.wind_mps = object.point("wind_mps", scenario.wind_mps);
     scenario.current_mps = object.point("current_mps", scenario.current_mps);
-    scenario.area_m = readArea(object);
+    scenario.area_m = readCorners(object, "area_m");
     scenario.geofence = object.boolean("geofence", scenario.geofence);
+    if (object.find("no_fly") != nullptr)
+        scenario.noFly = readList(object, "no_fly", kMostNoFlyAreas, &readNoFlyArea);
     scenario.separation_m = object.number("separation_m", scenario.separation_m);
     scenario.uavs = readList(object, "uavs", kMostUavs, &readUav);
     scenario.icebergs = readList(object, "icebergs", kMostIcebergs, &readIceberg);
     if (const Json* value = object.find("asset"))
         scenario.asset = readAsset(*value, object.path("asset"), object.faults());
+    if (const Json* value = object.find("weather"))
+        scenario.weather = readWeather(*value, object.path("weather"), object.faults());
+    if (const Json* value = object.find("ground_station"))
+        scenario.groundStation =
+            readGroundStation(*value, object.path("ground_station"), object.faults());
     if (const Json* value = object.find("observer"))
         readObserver(*value, scenario, object);
     if (const Json* value = object.find("planner"))
@@ -267,11 +251,17 @@ std::string scenarioText(const Scenario& scenario, int indent)
     if (!scenario.area_m.empty())
         object.addText("area_m", jsonArrayOf(scenario.area_m));
     object.addUnless("geofence", scenario.geofence, false);
+    if (!scenario.noFly.empty())
+        object.addText("no_fly", jsonLines(textsOf(scenario.noFly, &noFlyAreaText), indent + 1));
     object.addUnless("separation_m", scenario.separation_m, Scenario().separation_m);
     object.addText("uavs", jsonLines(textsOf(scenario.uavs, &uavText), indent + 1));
     object.addText("icebergs", jsonLines(textsOf(scenario.icebergs, &icebergText), indent + 1));
     if (scenario.asset)
         object.addText("asset", assetText(*scenario.asset));
+    if (scenario.weather != Weather{})
+        object.addText("weather", weatherText(scenario.weather));
+    if (scenario.groundStation)
+        object.addText("ground_station", groundStationText(*scenario.groundStation));
     if (scenario.observer != ObserverSpec{} || !scenario.observerExtraJson.empty())
         object.addText("observer", observerText(scenario));
     object.addText("planner", plannerText(scenario));

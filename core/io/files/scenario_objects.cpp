@@ -1,4 +1,4 @@
-// UAVs, icebergs and the asset of a scenario file.
+// UAVs, icebergs, the asset and the surroundings of a scenario file.
 
 #include "core/io/files/scenario_parts.h"
 
@@ -52,6 +52,28 @@ std::string trackText(const Iceberg& iceberg)
 
 } // namespace
 
+std::vector<Point> readCorners(ObjectReader& object, const char* member)
+{
+    std::vector<Point> corners_m;
+    const Json* value = object.array(member);
+    if (value == nullptr)
+        return corners_m;
+    if (value->size() < 3 || value->size() > kMostAreaCorners) {
+        object.faults().add(object.path(member),
+                            "must have from 3 to " + std::to_string(kMostAreaCorners) +
+                                " corners, not " + std::to_string(value->size()));
+        return corners_m;
+    }
+    for (std::size_t i = 0; i < value->size(); ++i) {
+        const std::string path = entryPath(object.path(member), i);
+        const std::optional<Point> corner = pointOf((*value)[i], path, object.faults());
+        if (!corner)
+            return {}; // a shape with a corner missing is not worth checking
+        corners_m.push_back(*corner);
+    }
+    return corners_m;
+}
+
 Uav readUav(const Json& value, const std::string& path, Faults& faults)
 {
     ObjectReader object(value, path, faults);
@@ -70,6 +92,13 @@ Uav readUav(const Json& value, const std::string& path, Faults& faults)
     if (object.find("home_m") != nullptr)
         uav.home_m = object.point("home_m", uav.position_m);
     uav.turnaround_s = object.number("turnaround_s", uav.turnaround_s);
+    uav.spec.reservePercent = object.number("reserve_percent", uav.spec.reservePercent);
+    uav.spec.reserve_s = object.optionalNumber("reserve_s");
+    uav.spec.climb_s = object.number("climb_s", uav.spec.climb_s);
+    uav.spec.landing_s = object.number("landing_s", uav.spec.landing_s);
+    uav.weather.wind_mps = object.optionalNumber("max_wind_mps");
+    uav.weather.gust_mps = object.optionalNumber("max_gust_mps");
+    uav.weather.icing = object.boolean("icing", uav.weather.icing);
     uav.spec.autopilot_s = object.number("autopilot_s", uav.spec.autopilot_s);
     uav.extraJson = object.unknown();
     return uav;
@@ -88,9 +117,15 @@ std::string uavText(const Uav& uav)
     object.addUnless("fov_m", uav.fov_m, standard.fov_m);
     object.addUnless("altitude_m", uav.spec.altitude_m, standard.spec.altitude_m);
     object.addUnless("endurance_s", uav.spec.endurance_s, 0.0);
-    if (uav.home_m)
-        object.add("home_m", *uav.home_m);
+    object.addOptional("home_m", uav.home_m);
     object.addUnless("turnaround_s", uav.turnaround_s, standard.turnaround_s);
+    object.addUnless("reserve_percent", uav.spec.reservePercent, standard.spec.reservePercent);
+    object.addOptional("reserve_s", uav.spec.reserve_s);
+    object.addUnless("climb_s", uav.spec.climb_s, 0.0);
+    object.addUnless("landing_s", uav.spec.landing_s, 0.0);
+    object.addOptional("max_wind_mps", uav.weather.wind_mps);
+    object.addOptional("max_gust_mps", uav.weather.gust_mps);
+    object.addUnless("icing", uav.weather.icing, false);
     object.addUnless("autopilot_s", uav.spec.autopilot_s, 0.0);
     object.addExtra(uav.extraJson);
     return object.inLine();
@@ -148,6 +183,8 @@ Asset readAsset(const Json& value, const std::string& path, Faults& faults)
     asset.range_m = object.number("range_m", asset.range_m);
     asset.gain = object.number("gain", asset.gain);
     asset.alarm_m = object.number("alarm_m", asset.alarm_m);
+    asset.standoff_m = object.number("standoff_m", asset.standoff_m);
+    asset.standoffCeiling_m = object.optionalNumber("standoff_ceiling_m");
     asset.extraJson = object.unknown();
     return asset;
 }
@@ -161,7 +198,75 @@ std::string assetText(const Asset& asset)
     object.add("range_m", asset.range_m);
     object.add("gain", asset.gain);
     object.addUnless("alarm_m", asset.alarm_m, 0.0);
+    object.addUnless("standoff_m", asset.standoff_m, 0.0);
+    object.addOptional("standoff_ceiling_m", asset.standoffCeiling_m);
     object.addExtra(asset.extraJson);
+    return object.inLine();
+}
+
+NoFlyArea readNoFlyArea(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    NoFlyArea area;
+    area.name = object.text("name");
+    if (object.need("area_m") != nullptr)
+        area.corners_m = readCorners(object, "area_m");
+    area.floor_m = object.number("floor_m", area.floor_m);
+    area.ceiling_m = object.optionalNumber("ceiling_m");
+    area.extraJson = object.unknown();
+    return area;
+}
+
+std::string noFlyAreaText(const NoFlyArea& area)
+{
+    JsonObject object;
+    object.addUnless("name", area.name, {});
+    object.addText("area_m", jsonArrayOf(area.corners_m));
+    object.addUnless("floor_m", area.floor_m, 0.0);
+    object.addOptional("ceiling_m", area.ceiling_m);
+    object.addExtra(area.extraJson);
+    return object.inLine();
+}
+
+GroundStation readGroundStation(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    GroundStation station;
+    station.position_m = readPosition(object);
+    station.antenna_m = object.number("antenna_m", station.antenna_m);
+    station.range_m = object.optionalNumber("range_m");
+    station.extraJson = object.unknown();
+    return station;
+}
+
+std::string groundStationText(const GroundStation& station)
+{
+    JsonObject object;
+    object.add("position_m", station.position_m);
+    object.add("antenna_m", station.antenna_m);
+    object.addOptional("range_m", station.range_m);
+    object.addExtra(station.extraJson);
+    return object.inLine();
+}
+
+Weather readWeather(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    Weather weather;
+    weather.gust_mps = object.optionalNumber("gust_mps");
+    weather.temperature_degC = object.optionalNumber("temperature_degc");
+    weather.dewPoint_degC = object.optionalNumber("dew_point_degc");
+    weather.extraJson = object.unknown();
+    return weather;
+}
+
+std::string weatherText(const Weather& weather)
+{
+    JsonObject object;
+    object.addOptional("gust_mps", weather.gust_mps);
+    object.addOptional("temperature_degc", weather.temperature_degC);
+    object.addOptional("dew_point_degc", weather.dewPoint_degC);
+    object.addExtra(weather.extraJson);
     return object.inLine();
 }
 

@@ -24,10 +24,26 @@ namespace berg {
 /** The member `asset`. */
 [[nodiscard]] Asset readAsset(const Json& value, const std::string& path, Faults& faults);
 
+/** One entry of `no_fly`. */
+[[nodiscard]] NoFlyArea readNoFlyArea(const Json& value, const std::string& path, Faults& faults);
+
+/** The member `ground_station`. */
+[[nodiscard]] GroundStation readGroundStation(const Json& value, const std::string& path,
+                                              Faults& faults);
+
+/** The member `weather`. */
+[[nodiscard]] Weather readWeather(const Json& value, const std::string& path, Faults& faults);
+
+/** Corners of a polygon in the member of this name; empty when it is missing or unreadable. */
+[[nodiscard]] std::vector<Point> readCorners(ObjectReader& object, const char* member);
+
 /** The scenario as an object whose braces stand at `indent`. */
 [[nodiscard]] std::string scenarioText(const Scenario& scenario, int indent);
 [[nodiscard]] std::string uavText(const Uav& uav);
 [[nodiscard]] std::string icebergText(const Iceberg& iceberg);
 [[nodiscard]] std::string assetText(const Asset& asset);
+[[nodiscard]] std::string noFlyAreaText(const NoFlyArea& area);
+[[nodiscard]] std::string groundStationText(const GroundStation& station);
+[[nodiscard]] std::string weatherText(const Weather& weather);
 
 } // namespace berg

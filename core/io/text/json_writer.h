@@ -56,6 +56,13 @@ public:
         if (!(value == fallback))
             add(name, value);
     }
+    /** Nothing when there is no value. */
+    template <class T>
+    void addOptional(std::string_view name, const std::optional<T>& value)
+    {
+        if (value)
+            add(name, *value);
+    }
     /** A value that is JSON text already. */
     void addText(std::string_view name, const std::string& json);
     /** The members of an `extraJson` text; empty adds nothing. */

@@ -139,7 +139,15 @@ private slots:
         uav.name = "First";
         uav.position_m = {-500, 500};
         uav.heading_deg = -30;
-        uav.spec = {.airspeed_mps = 25, .maxBank_deg = 30, .altitude_m = 150, .endurance_s = 5400};
+        uav.spec = {.airspeed_mps = 25,
+                    .maxBank_deg = 30,
+                    .altitude_m = 150,
+                    .endurance_s = 5400,
+                    .reservePercent = 25,
+                    .reserve_s = 1200,
+                    .climb_s = 90,
+                    .landing_s = 60};
+        uav.weather = {.wind_mps = 14, .gust_mps = 20.5, .icing = true};
         uav.fov_m = {400, 700};
         uav.home_m = Point(-400, 450);
         uav.turnaround_s = 900;
@@ -171,8 +179,29 @@ private slots:
         asset.velocity_mps = {0, 0.5};
         asset.range_m = 8000;
         asset.gain = 2;
+        asset.standoff_m = 500;
+        asset.standoffCeiling_m = 450;
         asset.extraJson = R"({"flag":"CA"})";
         QVERIFY(s.asset == asset);
+    }
+
+    void everyFieldOfTheSurroundingsIsRead()
+    {
+        const Scenario s = loadScenario(kData + "every-field.berg");
+        QVERIFY(s.noFly ==
+                (std::vector<NoFlyArea>{{.name = "Rig helideck",
+                                         .corners_m = {{4000, -500}, {5000, -500}, {4500, 300}},
+                                         .floor_m = 50,
+                                         .ceiling_m = 600,
+                                         .extraJson = R"({"class":"R"})"}}));
+        QVERIFY(s.weather == (Weather{.gust_mps = 12.5,
+                                      .temperature_degC = -3,
+                                      .dewPoint_degC = -3.5,
+                                      .extraJson = R"({"visibility_m":8000})"}));
+        QVERIFY(s.groundStation == (GroundStation{.position_m = {-450, 400},
+                                                  .antenna_m = 12,
+                                                  .range_m = 25000,
+                                                  .extraJson = R"({"operator":"coast"})"}));
     }
 
     void missingIdsAreNamedByRow()
