@@ -5,6 +5,7 @@
 #include "core/base/geometry.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
