@@ -1044,6 +1044,18 @@
         <source>With the loiter turns the endurance is too short: %1</source>
         <translation>Med rundene er utholdenheten for kort: %1</translation>
     </message>
+    <message>
+        <source>Reserve</source>
+        <translation type="unfinished">Reserve</translation>
+    </message>
+    <message>
+        <source>Beyond it at home</source>
+        <translation>Utover den hjemme</translation>
+    </message>
+    <message>
+        <source>No contact</source>
+        <translation>Uten samband</translation>
+    </message>
 </context>
 <context>
     <name>FlightDrag</name>
@@ -1112,6 +1124,10 @@
     <message>
         <source>They fly at about the same altitude and are to stay %1 apart.</source>
         <translation>De flyr i omtrent samme høyde og skal holde %1 avstand.</translation>
+    </message>
+    <message>
+        <source>Wind above its limit: %1, limit %2</source>
+        <translation>Vind over grensen: %1, grense %2</translation>
     </message>
 </context>
 <context>
@@ -1250,7 +1266,7 @@
     </message>
     <message>
         <source>Time from now until the UAV is there, by the plan in force</source>
-        <translation>Tiden fra nå til dronen er der, etter planen som gjelder</translation>
+        <translation>Tiden fra nå til UAV-en er der, etter planen som gjelder</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -2479,7 +2495,7 @@
     </message>
     <message>
         <source>How long a plan takes in flight; until it is there the UAV flies the last one on.</source>
-        <translation>Hvor lang tid en plan tar i luften; til den foreligger, flyr dronen den forrige videre.</translation>
+        <translation>Hvor lang tid en plan tar i luften; til den foreligger, flyr UAV-en den forrige videre.</translation>
     </message>
     <message>
         <source>Change planning time</source>
@@ -2765,6 +2781,146 @@
         <source>Dew point</source>
         <translation>Duggpunkt</translation>
     </message>
+    <message>
+        <source>Icing conditions</source>
+        <translation>Isingsforhold</translation>
+    </message>
+    <message>
+        <source>Whether it may be flown below 0 °C in air that is nearly saturated.</source>
+        <translation>Om den kan flys under 0 °C i nesten mettet luft.</translation>
+    </message>
+    <message>
+        <source>Change icing limit</source>
+        <translation>Endre grensen for ising</translation>
+    </message>
+    <message>
+        <source>Move ground station</source>
+        <translation>Flytt bakkestasjonen</translation>
+    </message>
+    <message>
+        <source>Ground station</source>
+        <translation>Bakkestasjon</translation>
+    </message>
+    <message>
+        <source>Where the radio link to the UAVs is kept from. Its range is a ring on the map.</source>
+        <translation>Der radiosambandet til UAV-ene holdes fra. Rekkevidden er en ring på kartet.</translation>
+    </message>
+    <message>
+        <source>Change ground station</source>
+        <translation>Endre bakkestasjonen</translation>
+    </message>
+    <message>
+        <source>Height above the sea.</source>
+        <translation>Høyde over havet.</translation>
+    </message>
+    <message>
+        <source>Change antenna height</source>
+        <translation>Endre antennehøyden</translation>
+    </message>
+    <message>
+        <source>How far the link reaches; at the lowest value to the radio horizon of the antenna and the UAV&apos;s altitude.</source>
+        <translation>Hvor langt sambandet rekker; ved laveste verdi til radiohorisonten for antennen og UAV-ens høyde.</translation>
+    </message>
+    <message>
+        <source>Change link range</source>
+        <translation>Endre rekkevidden</translation>
+    </message>
+    <message>
+        <source>radio horizon</source>
+        <translation>radiohorisont</translation>
+    </message>
+    <message>
+        <source>Station east</source>
+        <translation>Stasjon øst</translation>
+    </message>
+    <message>
+        <source>East of the scenario&apos;s origin.</source>
+        <translation>Øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Station north</source>
+        <translation>Stasjon nord</translation>
+    </message>
+    <message>
+        <source>North of the scenario&apos;s origin.</source>
+        <translation>Nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Part of the endurance that no flight is planned to use.</source>
+        <translation>Del av flytiden som ingen flyging planlegges å bruke.</translation>
+    </message>
+    <message>
+        <source>Change reserve</source>
+        <translation>Endre reserven</translation>
+    </message>
+    <message>
+        <source>A time in place of the percentage.</source>
+        <translation>En tid i stedet for prosentandelen.</translation>
+    </message>
+    <message>
+        <source>by percentage</source>
+        <translation>etter prosent</translation>
+    </message>
+    <message>
+        <source>Time from take-off to the altitude.</source>
+        <translation>Tid fra avgang til flyhøyden.</translation>
+    </message>
+    <message>
+        <source>Change climb time</source>
+        <translation>Endre stigetiden</translation>
+    </message>
+    <message>
+        <source>Time from the altitude, over home, to the ground.</source>
+        <translation>Tid fra flyhøyden, over hjemstedet, ned til bakken.</translation>
+    </message>
+    <message>
+        <source>Change landing time</source>
+        <translation>Endre landingstiden</translation>
+    </message>
+    <message>
+        <source>Strongest wind in which it is flown.</source>
+        <translation>Sterkeste vind den flys i.</translation>
+    </message>
+    <message>
+        <source>Change wind limit</source>
+        <translation>Endre vindgrensen</translation>
+    </message>
+    <message>
+        <source>Strongest gusts in which it is flown.</source>
+        <translation>Sterkeste vindkast den flys i.</translation>
+    </message>
+    <message>
+        <source>Change gust limit</source>
+        <translation>Endre grensen for vindkast</translation>
+    </message>
+    <message>
+        <source>Change weather</source>
+        <translation>Endre været</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>ikke kjent</translation>
+    </message>
+    <message>
+        <source>Speed of the gusts, compared with the limits of the UAVs.</source>
+        <translation>Vindkastenes fart, sammenlignet med UAV-enes grenser.</translation>
+    </message>
+    <message>
+        <source>Of the air at the sea.</source>
+        <translation>Luftens, ved havoverflaten.</translation>
+    </message>
+    <message>
+        <source>With the temperature it tells whether ice may form.</source>
+        <translation>Sammen med temperaturen viser det om is kan dannes.</translation>
+    </message>
+    <message>
+        <source>do not fly</source>
+        <translation>fly ikke</translation>
+    </message>
+    <message>
+        <source>flying allowed</source>
+        <translation>flyging tillatt</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -2995,15 +3151,15 @@
     </message>
     <message>
         <source>Home is so near the geofence that the UAV cannot take off there again and be sure to come home.</source>
-        <translation>Hjemstedet ligger så nær geogjerdet at dronen ikke kan ta av der igjen og være sikker på å komme hjem.</translation>
+        <translation>Hjemstedet ligger så nær geogjerdet at UAV-en ikke kan ta av der igjen og være sikker på å komme hjem.</translation>
     </message>
     <message>
         <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
-        <translation>Tiden mellom to kommandoer fra autopiloten er for lang til at dronen kan følge en etappe.</translation>
+        <translation>Tiden mellom to kommandoer fra autopiloten er for lang til at UAV-en kan følge en etappe.</translation>
     </message>
     <message>
         <source>For its heading, the UAV has no path home inside the geofence from where it starts: no start is safe.</source>
-        <translation>Med denne kursen har dronen ingen vei hjem innenfor geogjerdet fra startstedet: ingen start er trygg.</translation>
+        <translation>Med denne kursen har UAV-en ingen vei hjem innenfor geogjerdet fra startstedet: ingen start er trygg.</translation>
     </message>
     <message>
         <source>The UAV starts so near the geofence, for its heading, that it cannot turn inside it.</source>
@@ -3027,7 +3183,7 @@
     </message>
     <message>
         <source>So near the geofence that the UAV cannot come as near as it has to.</source>
-        <translation>Så nær geogjerdet at dronen ikke kan komme så nær som den må.</translation>
+        <translation>Så nær geogjerdet at UAV-en ikke kan komme så nær som den må.</translation>
     </message>
     <message>
         <source>Starts near another UAV in the same altitude layer: let their altitudes differ by 30 m.</source>
@@ -3048,6 +3204,26 @@
     <message>
         <source>The endurance must be longer than reserve, climb and landing together.</source>
         <translation>Flytiden må være lengre enn reserve, stigning og landing til sammen.</translation>
+    </message>
+    <message>
+        <source>The wind is above the limit of this UAV: %2, limit %3.</source>
+        <translation>Vinden er over grensen for denne UAV-en: %2, grense %3.</translation>
+    </message>
+    <message>
+        <source>The gusts are above the limit of this UAV: %2, limit %3.</source>
+        <translation>Vindkastene er over grensen for denne UAV-en: %2, grense %3.</translation>
+    </message>
+    <message>
+        <source>Icing conditions at its altitude: not for this UAV.</source>
+        <translation>Isingsforhold i flyhøyden: ikke for denne UAV-en.</translation>
+    </message>
+    <message>
+        <source>With wind and airspeed off their values, one flight in twenty uses %2 or more of the reserve to come home.</source>
+        <translation>Når vind og flyfart avviker, bruker én av tjue flyginger %2 eller mer av reserven for å komme hjem.</translation>
+    </message>
+    <message>
+        <source>The plan leads out of the range of the ground station for %2.</source>
+        <translation>Planen går utenfor bakkestasjonens rekkevidde i %2.</translation>
     </message>
 </context>
 <context>
@@ -3339,6 +3515,22 @@
         <source>Assigned to one</source>
         <translation>Tildelt én</translation>
     </message>
+    <message>
+        <source>Point of no return: reserve needed beyond</source>
+        <translation>Siste vendepunkt: reserven trengs lenger ut</translation>
+    </message>
+    <message>
+        <source>Point of no return</source>
+        <translation>Siste vendepunkt</translation>
+    </message>
+    <message>
+        <source>Radio range of the ground station</source>
+        <translation>Bakkestasjonens rekkevidde</translation>
+    </message>
+    <message>
+        <source>Radio range</source>
+        <translation>Rekkevidde</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -3414,6 +3606,13 @@
     <message>
         <source>Move area</source>
         <translation>Flytt området</translation>
+    </message>
+</context>
+<context>
+    <name>MapWorld</name>
+    <message>
+        <source>PNR</source>
+        <translation>PNR</translation>
     </message>
 </context>
 <context>
@@ -3654,6 +3853,10 @@
     <message>
         <source>Closest so far</source>
         <translation>Nærmest hittil</translation>
+    </message>
+    <message>
+        <source>Home margin</source>
+        <translation>Margin hjem</translation>
     </message>
 </context>
 <context>
@@ -4673,6 +4876,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Paste here</source>
         <translation>Lim inn her</translation>
+    </message>
+    <message>
+        <source>Ground station here</source>
+        <translation>Bakkestasjon her</translation>
+    </message>
+    <message>
+        <source>Place ground station</source>
+        <translation>Plasser bakkestasjonen</translation>
     </message>
 </context>
 <context>
@@ -6418,6 +6629,14 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <source>The UAV is on its way home or on the ground: the next sortie is planned at take-off.</source>
         <translation>UAV-en er på vei hjem eller på bakken: neste tokt planlegges ved avgang.</translation>
     </message>
+    <message>
+        <source>Out of radio range for %1</source>
+        <translation>Utenfor rekkevidde i %1</translation>
+    </message>
+    <message>
+        <source>Home %1 before the reserve (5 %: %2)</source>
+        <translation>Hjemme %1 før reserven (5 %: %2)</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanReadoutView</name>
@@ -6837,6 +7056,13 @@ virkelige flygingen avviker med støyen i driften.</translation>
     <message>
         <source>one UAV</source>
         <translation>én UAV</translation>
+    </message>
+</context>
+<context>
+    <name>berg::RunTimeLine</name>
+    <message>
+        <source>%1: point of no return of the plan; later the reserve is needed to come home</source>
+        <translation>%1: planens siste vendepunkt; senere trengs reserven for å komme hjem</translation>
     </message>
 </context>
 <context>

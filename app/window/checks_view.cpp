@@ -26,12 +26,13 @@ ChecksView::ChecksView(WindowContext& context, const Docks& docks, StatusLine& s
         showMessage(tr("Not changed: %1").arg(issueText(why)), kLongMessage_ms);
     });
     connect(&document, &ScenarioDocument::scenarioChanged, this, &ChecksView::showChecks);
+    connect(panels().checks, &CheckPanel::changed, this, &ChecksView::showChecks);
 }
 
 /** Hints are for who opens the list; errors and warnings call for it. */
 void ChecksView::showChecks()
 {
-    m_status.showFindings(countIssues(workspace().document().issues()));
+    m_status.showFindings(countIssues(panels().checks->issues()));
 }
 
 void ChecksView::openChecks()

@@ -109,6 +109,16 @@ void ContextMenus::addWaterActions(QMenu& menu, const Point& position_m)
     menu.addAction(tr("New UAV here"), this,
                    [this, position_m] { panels().map->addUavAt(position_m); })
         ->setEnabled(!locked);
+    menu.addAction(
+            tr("Ground station here"), this,
+            [this, position_m] {
+                workspace().document().edit(tr("Place ground station"), [&](Scenario& scenario) {
+                    GroundStation station = scenario.groundStation.value_or(GroundStation());
+                    station.position_m = position_m;
+                    scenario.groundStation = station;
+                });
+            })
+        ->setEnabled(!locked);
     menu.addAction(m_actions.wind);
     menu.addAction(m_actions.generate);
     menu.addAction(tr("Paste here"), this,

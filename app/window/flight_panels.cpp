@@ -8,6 +8,7 @@
 #include "widgets/panels/flight/event_panel.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
+#include "widgets/panels/inspector/check_panel.h"
 #include "widgets/panels/plan/plan_panel.h"
 #include "widgets/words/event_text.h"
 
@@ -57,6 +58,30 @@ void FlightPanels::showPlan()
     panels().plan->setFaulty(!planFault(workspace()).isEmpty());
     panels().plan->showPlan(planSections(record.shown(), record.scenario));
     panels().plan->showOutlook(planOutlook(record));
+    showSorties(plannedSorties(record.shown(), record.scenario));
+}
+
+/** Margins at home and contact, wherever they are told. */
+void FlightPanels::showSorties(std::vector<std::optional<PlannedSortie>> sorties)
+{
+    std::optional<double> noReturn_s;
+    std::vector<Issue> issues;
+    for (std::size_t uav = 0; uav < sorties.size(); ++uav) {
+        if (!sorties[uav])
+            continue;
+        const SortieOutlook& outlook = sorties[uav]->outlook;
+        if (outlook.noReturn)
+            noReturn_s =
+                std::min(noReturn_s.value_or(outlook.noReturn->time_s), outlook.noReturn->time_s);
+        for (Issue& issue : sortieIssues(uav, outlook, sorties[uav]->lowMargin_s))
+            issues.push_back(std::move(issue));
+    }
+    if (noReturn_s)
+        *noReturn_s += workspace().record().shown().time_s;
+    panels().playback->setNoReturn(noReturn_s);
+    if (workspace().record().shown().time_s == 0) // in flight they would change all the time
+        panels().checks->setPlanIssues(std::move(issues));
+    panels().plan->showSorties(std::move(sorties));
 }
 
 void FlightPanels::showCharts()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/window_part.h"
+#include "widgets/model/planned_sorties.h"
 #include "widgets/panels/flight/run_time_line.h"
 
 #include <QTimer>
@@ -32,6 +33,7 @@ private:
     void showTables();
     void showEvents();
     void showSelection();
+    void showSorties(std::vector<std::optional<PlannedSortie>> sorties);
 
     std::vector<TimeMark> m_marks;  ///< on the time line
     std::size_t m_markedEvents = 0; ///< of the history, turned into marks

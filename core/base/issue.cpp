@@ -75,6 +75,11 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::ShutOff, "is so near the geofence that the UAV, to be within the acceptance radius, "
                        "cannot be sent there"},
     {IssueId::SlowAutopilot, "is so long between two commands that the UAV cannot follow a leg"},
+    {IssueId::WindLimit, "must not be exceeded: wind of %1 m/s, limit %2 m/s"},
+    {IssueId::GustLimit, "must not be exceeded: gusts of %1 m/s, limit %2 m/s"},
+    {IssueId::Icing, "the UAV must not be flown in icing conditions, which this weather brings"},
+    {IssueId::ThinReserve, "in one flight of twenty %1 s of the reserve are used to come home"},
+    {IssueId::NoContact, "the plan leads out of the range of the ground station for %1 s"},
     {IssueId::FenceUnplanned, "this policy plans without the geofence; it is kept in flight"},
     {IssueId::UavOutside, "the UAV starts outside the area"},
     {IssueId::WideTurn,

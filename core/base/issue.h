@@ -67,6 +67,11 @@ enum class IssueId
     StartNearFence,
     ShutOff,
     SlowAutopilot,
+    WindLimit, ///< wind, limit
+    GustLimit, ///< gusts, limit
+    Icing,
+    ThinReserve, ///< seconds of the reserve that are used
+    NoContact,   ///< seconds
     FenceUnplanned,
     UavOutside,
     WideTurn,

@@ -3,6 +3,8 @@
 #include "core/base/angles.h"
 #include "core/plan/solve/engine.h"
 #include "core/scenario/checks.h"
+#include "core/scenario/sortie.h"
+#include "core/scenario/weather.h"
 #include "core/vehicle/safety_guard.h"
 
 #include <algorithm>
@@ -74,6 +76,8 @@ public:
         adviseLayers();
         for (const Flyer& flyer : m_flyers)
             adviseEndurance(flyer);
+        for (Issue& issue : weatherIssues(m_s))
+            m_issues.push_back(std::move(issue));
         adviseGeofence();
         adviseAsset();
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
@@ -139,7 +143,8 @@ private:
     void adviseLayers();
     void adviseEndurance(const Flyer& flyer);
     void adviseGeofence();
-    void adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofence>& fence);
+    void adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofence>& fence,
+                      const SortieSpec& sortie);
     void adviseShutOff(const Fences& fences);
     void adviseAsset();
     void adviseIceberg(std::size_t i);
@@ -158,6 +163,8 @@ void Adviser::adviseUnused()
     const auto hasExtra = [](const auto& part) { return !part.extraJson.empty(); };
     if (hasExtra(m_s) || !m_s.plannerExtraJson.empty() || !m_s.originExtraJson.empty() ||
         !m_s.observerExtraJson.empty() || (m_s.asset && hasExtra(*m_s.asset)) ||
+        hasExtra(m_s.weather) || (m_s.groundStation && hasExtra(*m_s.groundStation)) ||
+        std::any_of(m_s.noFly.begin(), m_s.noFly.end(), hasExtra) ||
         std::any_of(m_s.uavs.begin(), m_s.uavs.end(), hasExtra) ||
         std::any_of(m_s.icebergs.begin(), m_s.icebergs.end(), [](const Iceberg& iceberg) {
             return !iceberg.extraJson.empty() || !iceberg.trackExtraJson.empty();
@@ -202,15 +209,14 @@ void Adviser::adviseLayers()
 void Adviser::adviseEndurance(const Flyer& flyer)
 {
     const Uav& uav = flyer.uav;
-    const double endurance_s = uav.spec.endurance_s;
-    if (endurance_s == 0 && uav.home_m)
+    const std::optional<SortieSpec> sortie = sortieOf(uav);
+    if (!sortie && uav.home_m)
         hint(flyer.path + ".home_m", IssueId::HomeUnused);
-    if (endurance_s == 0)
+    if (!sortie)
         return;
-    const Point home_m = uav.home_m.value_or(uav.position_m);
     const std::optional<Way> home =
-        wayTo(startOf(uav), {.place_m = home_m}, motionOf(m_s, uav), m_s.dt_s);
-    if (!m_s.geofence && (!home || home->time_s + kHomeReserve_s > endurance_s))
+        wayTo(startOf(uav), {.place_m = sortie->home_m}, motionOf(m_s, uav), m_s.dt_s);
+    if (!m_s.geofence && (!home || home->time_s + kHomeReserve_s > sortie->endurance_s))
         warn(flyer.path + ".endurance_s", IssueId::NoWayHome);
     bool visits = false;
     bool returns = false;
@@ -219,8 +225,8 @@ void Adviser::adviseEndurance(const Flyer& flyer)
             continue;
         visits = true;
         returns = returns || timeOf_s(flyer, uav.position_m, iceberg.position_m) +
-                                     timeOf_s(flyer, iceberg.position_m, home_m) <=
-                                 endurance_s;
+                                     timeOf_s(flyer, iceberg.position_m, sortie->home_m) <=
+                                 sortie->endurance_s;
     }
     if (visits && !returns)
         warn(flyer.path + ".endurance_s", IssueId::NoRoundTrip);
@@ -237,8 +243,8 @@ void Adviser::adviseGeofence()
             fences.emplace_back(std::make_shared<const Geofence>(m_s.area_m, motionOf(m_s, uav)));
         if (fence->room_m(startOf(uav)) < 0)
             warn(flyer.path + ".position_m", IssueId::StartNearFence);
-        if (uav.spec.endurance_s > 0)
-            adviseReturn(flyer, fence);
+        if (const std::optional<SortieSpec> sortie = sortieOf(uav))
+            adviseReturn(flyer, fence, *sortie);
     }
     if (traitsOf(m_s.planner.policy).method == PolicyMethod::PredictedZeta)
         hint("geofence", IssueId::FenceUnplanned);
@@ -246,11 +252,10 @@ void Adviser::adviseGeofence()
 }
 
 /** Paths home inside the fence: from the start, and from home for the next sortie. */
-void Adviser::adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofence>& fence)
+void Adviser::adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofence>& fence,
+                           const SortieSpec& sortie)
 {
     const Uav& uav = flyer.uav;
-    const SortieSpec sortie{.endurance_s = uav.spec.endurance_s,
-                            .home_m = uav.home_m.value_or(uav.position_m)};
     const CommandClock clock{
         .dt_s = m_s.dt_s,
         .steps = std::max<std::int64_t>(1, std::llround(uav.spec.autopilot_s / m_s.dt_s))};
@@ -259,9 +264,9 @@ void Adviser::adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofe
     const std::optional<ReturnPath> path = guard.returnPath(startOf(uav));
     if (!path)
         warn(flyer.path + ".position_m", IssueId::NoSafeReturn);
-    else if (guard.time_s(*path) + kHomeReserve_s > uav.spec.endurance_s)
+    else if (guard.time_s(*path) + kHomeReserve_s > sortie.endurance_s)
         warn(flyer.path + ".endurance_s", IssueId::NoWayHome);
-    if (!guard.safeHeading_rad({.position_m = sortie.home_m}, uav.spec.endurance_s))
+    if (!guard.safeHeading_rad({.position_m = sortie.home_m}, sortie.endurance_s))
         warn(flyer.path + ".home_m", IssueId::HomeNearFence);
 }
 

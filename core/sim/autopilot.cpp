@@ -1,6 +1,7 @@
 #include "core/sim/autopilot.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/sortie.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>
@@ -25,10 +26,7 @@ SafetyGuard guardOf(const Uav& uav, const Scenario& scenario)
                        .clock = {.dt_s = scenario.dt_s,
                                  .steps = std::max<std::int64_t>(
                                      1, std::llround(uav.spec.autopilot_s / scenario.dt_s))}};
-    if (uav.spec.endurance_s > 0)
-        guarded.sortie = {.endurance_s = uav.spec.endurance_s,
-                          .turnaround_s = uav.turnaround_s,
-                          .home_m = uav.home_m.value_or(uav.position_m)};
+    guarded.sortie = sortieOf(uav);
     if (scenario.geofence)
         guarded.fence = std::make_shared<const Geofence>(scenario.area_m, guarded.motion);
     return SafetyGuard(std::move(guarded));

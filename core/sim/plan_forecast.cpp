@@ -89,6 +89,7 @@ FlownRoute flyRoute(const ForecastStart& start, std::size_t uav, std::span<const
         flown.route.distance_m += leg_m;
         for (const int iceberg : together)
             flown.route.visits.push_back({.iceberg = iceberg,
+                                          .place_m = flown.flight.position_m(),
                                           .leg_m = iceberg == together.front() ? leg_m : 0,
                                           .arrival_s = flown.flight.time_s()});
     }

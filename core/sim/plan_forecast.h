@@ -24,10 +24,11 @@ using OrdersByUav = std::vector<std::vector<int>>;
 /** One iceberg of the order. */
 struct ForecastVisit
 {
-    int iceberg = -1;           ///< index
-    double leg_m = 0;           ///< over ground, from the one before or the UAV
-    double arrival_s = 0;       ///< from the start
-    double arrivalSigma_m2 = 0; ///< just before it is seen
+    int iceberg = -1;              ///< index
+    Point place_m = Point::Zero(); ///< where the UAV meets it
+    double leg_m = 0;              ///< over ground, from the one before or the UAV
+    double arrival_s = 0;          ///< from the start
+    double arrivalSigma_m2 = 0;    ///< just before it is seen
 };
 
 /** What one UAV does. */

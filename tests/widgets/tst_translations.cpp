@@ -32,6 +32,7 @@ const QString kTranslations = QStringLiteral(BERG_SOURCE_DIR "/translations");
 
 /** Texts that are the same in both languages: symbols of units, names of quantities. */
 const std::set<QString> kSame = {u"%1 m"_s,
+                                 u"PNR"_s,
                                  u"Landing"_s,
                                  u"Reserve"_s,
                                  u"%1 km"_s,

@@ -42,7 +42,9 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
                              .asset = simulation.world().asset()};
     for (int uav = 0; uav < simulation.uavCount(); ++uav) {
         snapshot.motions.push_back(simulation.motion(uav));
-        snapshot.fences.push_back(simulation.fleet().autopilot(uav).guard().uav().fence);
+        const Autopilot& autopilot = simulation.fleet().autopilot(uav);
+        snapshot.fences.push_back(autopilot.guard().uav().fence);
+        snapshot.homeMargins_s.push_back(autopilot.homeMargin_s(simulation.observer()));
     }
     // At an earlier instant some have not been added yet.
     snapshot.icebergs.resize(static_cast<std::size_t>(simulation.icebergCount()));

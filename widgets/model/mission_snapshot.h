@@ -56,6 +56,8 @@ struct MissionSnapshot
     std::optional<Asset> asset;                 ///< in force; its position is that at time 0
     /** By UAV, what it stays inside; null: nothing. */
     std::vector<std::shared_ptr<const Geofence>> fences;
+    /** By UAV, `Autopilot::homeMargin_s`. */
+    std::vector<std::optional<double>> homeMargins_s;
     std::vector<int> assigned; ///< by iceberg: the UAV that alone is to visit it, -1: any
     /** Until then, of the world: wind, asset and icebergs, without what else came with them. */
     std::vector<Intervention> worldChanges;

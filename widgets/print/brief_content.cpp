@@ -139,6 +139,44 @@ void addOwnTotals(std::vector<UavColumn>& columns, const QLocale& locale)
                        [](const ExportUav& uav) { return clockText(wayTotals(uav).time_s); }});
 }
 
+QString timeOrNone(const std::optional<double>& time_s)
+{
+    if (!time_s)
+        return u"–"_s;
+    return *time_s < 0 ? u"−"_s + clockText(-*time_s) : clockText(*time_s);
+}
+
+/** Endurance, what of it is kept, and what is left at home; time without contact. */
+void addSortieColumns(std::vector<UavColumn>& columns, const ExportContent& content)
+{
+    const auto add = [&columns](const QString& caption, auto text) {
+        columns.insert(columns.end() - 1, {caption, text}); // before home
+    };
+    const bool isPlanned = content.what != ExportWhat::Track;
+    const auto outlook = [&content](const ExportUav& uav) {
+        return sortieOutlook(*content.scenario, uav.uav, plannedPath(content, uav));
+    };
+    if (std::ranges::any_of(content.uavs,
+                            [](const ExportUav& uav) { return uav.uav.spec.endurance_s > 0; })) {
+        const auto ifLimited = [](const UavSpec& spec, double time_s) {
+            return timeOrNone(spec.endurance_s > 0 ? std::optional(time_s) : std::nullopt);
+        };
+        add(content.now_s > 0 ? FlightBrief::tr("Endurance left") : FlightBrief::tr("Endurance"),
+            [ifLimited](const ExportUav& uav) {
+                return ifLimited(uav.uav.spec, uav.uav.spec.endurance_s);
+            });
+        add(FlightBrief::tr("Reserve"), [ifLimited](const ExportUav& uav) {
+            return ifLimited(uav.uav.spec, reserve_s(uav.uav.spec));
+        });
+        if (isPlanned)
+            add(FlightBrief::tr("Beyond it at home"),
+                [outlook](const ExportUav& uav) { return timeOrNone(outlook(uav).margin_s); });
+    }
+    if (content.scenario->groundStation && isPlanned)
+        add(FlightBrief::tr("No contact"),
+            [outlook](const ExportUav& uav) { return clockText(outlook(uav).noContact_s); });
+}
+
 std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& locale)
 {
     std::vector<UavColumn> columns = commonColumns(content, locale);
@@ -147,14 +185,7 @@ std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& lo
         columns.insert(beforeHome(), {FlightBrief::tr("Loiter turns"), [&content](const auto&) {
                                           return QString::number(content.options.loiterTurns);
                                       }});
-    if (std::ranges::any_of(content.uavs,
-                            [](const ExportUav& uav) { return uav.uav.spec.endurance_s > 0; }))
-        columns.insert(beforeHome(), {content.now_s > 0 ? FlightBrief::tr("Endurance left")
-                                                        : FlightBrief::tr("Endurance"),
-                                      [](const ExportUav& uav) {
-                                          const double endurance_s = uav.uav.spec.endurance_s;
-                                          return endurance_s > 0 ? clockText(endurance_s) : u"–"_s;
-                                      }});
+    addSortieColumns(columns, content);
     if (content.uavs.size() > 1)
         addOwnTotals(columns, locale);
 

@@ -13,6 +13,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -204,8 +205,8 @@ QStringList loiterLines(const ExportContent& content, const QLocale& locale)
         const double own_s = turns_s * static_cast<double>(visits);
         each_s = std::max(each_s, turns_s);
         all_s = std::max(all_s, own_s);
-        const double endurance_s = uav.uav.spec.endurance_s;
-        if (endurance_s > 0 && wayTotals(uav).time_s + own_s > endurance_s)
+        if (uav.uav.spec.endurance_s > 0 &&
+            wayTotals(uav).time_s + own_s > usableEndurance_s(uav.uav.spec))
             tooLong << printable(titleOf(uav.uav));
     }
     QStringList lines{
@@ -229,6 +230,17 @@ std::vector<bool> visitedIcebergs(const ExportContent& content)
                 for (const int index : icebergsOf(visit))
                     visited.at(static_cast<std::size_t>(index)) = true;
     return visited;
+}
+
+PlannedPath plannedPath(const ExportContent& content, const ExportUav& uav)
+{
+    PlannedPath path{.places = {{.place_m = uav.uav.position_m}}, .wind_mps = content.wind_mps};
+    for (const Visit& visit : uav.visits)
+        if (visit.iceberg >= 0)
+            path.places.push_back(
+                {.time_s = visit.time_s - uav.start_s, .place_m = visit.position_m});
+    path.thisSortie = path.places.size();
+    return path;
 }
 
 QString planWords(const ExportContent& content, const QLocale& locale)
@@ -255,7 +267,14 @@ QString planWords(const ExportContent& content, const QLocale& locale)
 QStringList briefWarnings(const ExportContent& content, const QLocale& locale)
 {
     const Scenario scenario = exportedScenario(content);
-    const std::vector<Issue> issues = validate(scenario);
+    std::vector<Issue> issues = validate(scenario);
+    if (content.what != ExportWhat::Track)
+        for (const ExportUav& uav : content.uavs) {
+            const PlannedPath path = plannedPath(content, uav);
+            std::ranges::move(sortieIssues(uav.row, sortieOutlook(scenario, uav.uav, path),
+                                           lowMargin_s(uav.uav, path)),
+                              std::back_inserter(issues));
+        }
     QStringList lines;
     for (const QString& line : issueLines(scenario, issues, Severity::Error))
         lines << FlightBrief::tr("Error: %1").arg(line);

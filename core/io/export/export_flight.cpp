@@ -34,8 +34,12 @@ void moveOn(Uav& uav, const UavState& now, double least_s)
     uav.home_m = uav.home_m.value_or(uav.position_m);
     uav.position_m = now.pose.position_m;
     uav.heading_deg = headingFromPsi(now.pose.psi_rad);
-    if (uav.spec.endurance_s > 0)
-        uav.spec.endurance_s = std::max(least_s, uav.spec.endurance_s - now.aloft_s);
+    if (uav.spec.endurance_s == 0)
+        return;
+    const double left_s = std::max(least_s, usableEndurance_s(uav.spec) - now.aloft_s);
+    uav.spec.reserve_s = reserve_s(uav.spec); // of the whole endurance, not of what is left
+    uav.spec.climb_s = 0;                     // done
+    uav.spec.endurance_s = left_s + *uav.spec.reserve_s + uav.spec.landing_s;
 }
 
 /** The scene, which has UAV `row` alone, as the mission stands. */

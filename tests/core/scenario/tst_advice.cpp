@@ -307,6 +307,7 @@ private slots:
         s.icebergs[1].position_m = {5000, 0};
         const auto refused = [&](double endurance_s) {
             s.uavs[0].spec.endurance_s = endurance_s;
+            s.uavs[0].spec.reservePercent = 0;
             for (const Issue& issue : validate(s))
                 if (issue.reason.id == IssueId::NoRoundTrip)
                     return issue.severity == Severity::Warning;
@@ -322,6 +323,7 @@ private slots:
         s.uavs[0].home_m = Point(-4400, 0); // 200 s, turn and reserve besides
         const auto warned = [&](double endurance_s) {
             s.uavs[0].spec.endurance_s = endurance_s;
+            s.uavs[0].spec.reservePercent = 0;
             const std::vector<Issue> issues = validate(s);
             return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
                 return issue.reason.id == IssueId::NoWayHome &&

@@ -230,6 +230,7 @@ private slots:
         for (double endurance_s = 200; endurance_s < 900; endurance_s += 2) {
             Scenario scenario = pairAhead();
             scenario.uavs[0].spec.endurance_s = endurance_s;
+            scenario.uavs[0].spec.reservePercent = 0;
             const Simulation simulation(scenario);
             whole.insert(thisSortie(simulation, 0, order, clusters).value());
             one.insert(thisSortie(simulation, 0, order, {}).value());

@@ -27,7 +27,7 @@ Scenario lostOnTheWay()
     s.observer.model = ObserverModel::Kalman;
     Uav uav{.id = "u1", .position_m = {0, 0}};
     uav.heading_deg = 90;
-    uav.spec.endurance_s = 620;
+    uav.spec.endurance_s = 775; // 620 without the reserve
     uav.turnaround_s = 300;
     s.uavs = {uav};
     Iceberg iceberg{.id = "a", .position_m = {4500, 0}, .velocity_mps = {0, 0}};
@@ -50,7 +50,7 @@ Scenario doubtfulField(std::int64_t seed)
     s.uavs.back().id = "u2";
     s.uavs.back().position_m = {5000, 4000};
     for (Uav& uav : s.uavs) {
-        uav.spec.endurance_s = 500;
+        uav.spec.endurance_s = 625; // 500 without the reserve
         uav.turnaround_s = 100;
     }
     return s;

@@ -50,6 +50,7 @@ Scenario homeBehindACorner()
     Uav uav{.id = "u", .position_m = {3327.007932828814, 3394.3925703259833}};
     uav.heading_deg = 39.62392800488104;
     uav.spec.airspeed_mps = 24.1;
+    uav.spec.reservePercent = 0;
     uav.spec.endurance_s = 102.5641330934424;
     uav.home_m = Point(2832, 2989);
     uav.turnaround_s = 1e6;
@@ -107,6 +108,7 @@ private slots:
         s.uavs.front().position_m = {3000, 75};
         s.uavs.front().heading_deg = 90;
         s.uavs.front().home_m = Point(500, 75);
+        s.uavs.front().spec.reservePercent = 0;
         s.uavs.front().spec.endurance_s = 600;
         QVERIFY(isCalledUnsafe(s));
         s.uavs.front().heading_deg = 270;

@@ -47,7 +47,7 @@ std::vector<double> timesOf(const Mission& mission, EventKind kind)
     return times_s;
 }
 
-/** Endurance left at each landing. */
+/** Endurance left at each landing, before the reserve. */
 std::vector<double> margins_s(const Mission& mission)
 {
     std::vector<double> margins_s;
@@ -55,7 +55,7 @@ std::vector<double> margins_s(const Mission& mission)
     starts_s.insert(starts_s.begin(), 0);
     const std::vector<double> landings_s = timesOf(mission, EventKind::Landed);
     for (std::size_t i = 0; i < landings_s.size(); ++i)
-        margins_s.push_back(mission.scenario().uavs[0].spec.endurance_s -
+        margins_s.push_back(usableEndurance_s(mission.scenario().uavs[0].spec) -
                             (landings_s[i] - starts_s.at(i)));
     return margins_s;
 }
@@ -110,6 +110,24 @@ private slots:
             QVERIFY(timesOf(mission, EventKind::LateHome).empty());
             QVERIFY(mission.metrics().visits >= 10);
         }
+    }
+
+    void reserveClimbAndLandingAreKept()
+    {
+        Scenario s = enduring(3);
+        UavSpec& spec = s.uavs[0].spec;
+        spec.reserve_s = 300;
+        spec.climb_s = 60;
+        spec.landing_s = 40;
+        s.uavs[0].turnaround_s = 200;
+        const Mission mission = flownWithin(s);
+        const std::vector<double> landings_s = timesOf(mission, EventKind::Landed);
+        QVERIFY(landings_s.size() >= 2);
+        QVERIFY(landings_s[0] <= kEndurance_s - 300 - 60 - 40);
+        QVERIFY(landings_s[0] > kEndurance_s - 300 - 60 - 40 - 250); // and no earlier than needed
+        const std::vector<double> starts_s = timesOf(mission, EventKind::TookOff);
+        QVERIFY(starts_s[0] - landings_s[0] >= 40 + 200 + 60);
+        QVERIFY(starts_s[0] - landings_s[0] < 40 + 200 + 60 + 2);
     }
 
     void inTimeInsideAFenceToo()

@@ -3,6 +3,7 @@
 #include "tests/support/brief_fixtures.h"
 #include "widgets/print/brief_content.h"
 #include "widgets/print/printable_text.h"
+#include "widgets/theme/quantity_text.h"
 #include "widgets/theme/unit_settings.h"
 
 #include <QtTest>
@@ -270,6 +271,25 @@ private slots:
         // U^2 / (g tan 25 degrees)
         QVERIFY2(row.contains(u"137 m"_s), qPrintable(row.join(u'|')));
         QVERIFY(row.last().startsWith(u"47° 00.00′ N"_s));
+    }
+
+    /** 4 icebergs, flown at 22 m/s: what is left beyond the reserve of 20 %, and out of contact. */
+    void uavRowHasReserveAndContact()
+    {
+        const Scenario scenario = changed([](Scenario& s) {
+            s.uavs[0].spec.endurance_s = 5000;
+            s.groundStation = GroundStation{.position_m = {1e5, 1e5}, .range_m = 10};
+        });
+        const ExportContent content = planContent(scenario);
+        const BriefContent brief = briefContent(content, kEnglish);
+        const auto cellOf = [&](const QString& caption) {
+            return brief.uavs[1].value(brief.uavs[0].indexOf(caption));
+        };
+        const double flown_s = content.uavs[0].visits.back().time_s; // back home
+        QCOMPARE(cellOf(u"Reserve"_s), u"16:40"_s);
+        QCOMPARE(cellOf(u"Beyond it at home"_s), clockText(4000 - flown_s));
+        QCOMPARE(cellOf(u"No contact"_s), clockText(flown_s));
+        QVERIFY(brief.warnings.join(u' ').contains(u"out of the range of the ground station"));
     }
 
     void nauticalUnits()

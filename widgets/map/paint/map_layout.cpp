@@ -183,6 +183,8 @@ double viewScore(const MapLayout& layout, const MapPicture& picture)
         halve(uav.position_m, 20);
     if (picture.asset)
         halve(picture.asset->position_m, 20);
+    if (picture.station)
+        halve(picture.station->position_m, 20);
     for (const Point& corner_m : picture.area_m)
         if (covered(layout.view.toPixel(corner_m), 4))
             score *= 0.9;
@@ -273,9 +275,12 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
     for (const QRectF& label : layout.uavLabels)
         if (!label.isNull())
             around.solids.push_back(label);
-    if (picture.asset)
-        around.disks.push_back({.centre_px = layout.view.toPixel(picture.asset->position_m),
-                                .radius_px = kUavClearance_px});
+    for (const auto& place_m :
+         {picture.asset ? std::optional(picture.asset->position_m) : std::nullopt,
+          picture.station ? std::optional(picture.station->position_m) : std::nullopt})
+        if (place_m)
+            around.disks.push_back(
+                {.centre_px = layout.view.toPixel(*place_m), .radius_px = kUavClearance_px});
     return around;
 }
 

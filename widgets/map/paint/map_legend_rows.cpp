@@ -238,6 +238,13 @@ void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme)
                          [](const MapUav& uav) { return uav.home_m.has_value(); }),
              MapLegend::tr("Home"), MapLegend::tr("Home"),
              [&](QPainter& p, const QRectF& r) { drawHome(p, r.center(), theme.ink, theme); });
+    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.toNoReturn_m.empty(); }),
+             MapLegend::tr("Point of no return: reserve needed beyond"),
+             MapLegend::tr("Point of no return"),
+             [&](QPainter& p, const QRectF& r) { drawNoReturn(p, r.center(), theme.uav, theme); });
+    rows.add(picture.station.has_value(), MapLegend::tr("Radio range of the ground station"),
+             MapLegend::tr("Radio range"),
+             [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, linkRingPen(theme)); });
     rows.add(picture.isFenced && !picture.area_m.empty(),
              MapLegend::tr("Geofence: flown inside only"), MapLegend::tr("Geofence"),
              [&](QPainter& p, const QRectF& r) { drawFenceSwatch(p, r, theme); });

@@ -240,6 +240,8 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     paintPins(p);
     paintHomes(p);
     paintAsset(p);
+    paintStation(p);
+    paintNoReturns(p);
     paintTooClose(p);
     for (const MapUav& uav : p.picture.uavs)
         drawUav(painter, p.layout.view.toPixel(uav.position_m), uav.psi_rad,

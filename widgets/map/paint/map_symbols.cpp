@@ -230,6 +230,33 @@ void drawHome(QPainter& painter, const QPointF& centre, const QColor& colour, co
     painter.drawRect(QRectF(-2, 2, 4, 6));
 }
 
+void drawStation(QPainter& painter, const QPointF& centre, const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.translate(centre);
+    painter.setPen(QPen(theme.ink, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::MiterJoin));
+    painter.setBrush(theme.panel);
+    painter.drawPolygon(QPolygonF{{0, -3}, {6, 9}, {-6, 9}});
+    painter.setBrush(Qt::NoBrush);
+    constexpr int kSixteenths = 16; // of a degree, as Qt has it
+    for (const double radius_px : {5.0, 9.0})
+        for (const int from_deg : {-35, 145})
+            painter.drawArc(QRectF(-radius_px, -5 - radius_px, 2 * radius_px, 2 * radius_px),
+                            from_deg * kSixteenths, 70 * kSixteenths);
+    painter.setBrush(theme.ink);
+    painter.drawEllipse(QPointF(0, -5), 2, 2);
+}
+
+void drawNoReturn(QPainter& painter, const QPointF& centre, const QColor& colour,
+                  const Theme& theme)
+{
+    const PainterState saved(painter);
+    painter.setPen(QPen(colour, 2));
+    painter.setBrush(theme.panel);
+    painter.drawEllipse(centre, 5, 5);
+    painter.drawLine(centre - QPointF(8, 0), centre + QPointF(8, 0));
+}
+
 void drawTruth(QPainter& painter, const QPointF& centre, const Theme& theme)
 {
     constexpr double kHalf_px = 4.5;
@@ -307,6 +334,11 @@ QPen circlePen(const Theme& theme)
 QPen rangeRingPen(const Theme& theme)
 {
     return {theme.mutedText, 1, Qt::DashLine};
+}
+
+QPen linkRingPen(const Theme& theme)
+{
+    return {theme.mutedText, 1.4, Qt::DotLine};
 }
 
 QPen alarmRingPen(const Theme& theme, double width_px)

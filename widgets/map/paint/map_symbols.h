@@ -44,6 +44,13 @@ void drawAsset(QPainter& painter, const QPointF& centre, const Theme& theme);
 /** Where a UAV lands: a house of this colour. */
 void drawHome(QPainter& painter, const QPointF& centre, const QColor& colour, const Theme& theme);
 
+/** Where the radio link is kept from: a mast. */
+void drawStation(QPainter& painter, const QPointF& centre, const Theme& theme);
+
+/** A point of no return on a plan of this colour. */
+void drawNoReturn(QPainter& painter, const QPointF& centre, const QColor& colour,
+                  const Theme& theme);
+
 /** Where an iceberg is in truth: a small diamond. */
 void drawTruth(QPainter& painter, const QPointF& centre, const Theme& theme);
 
@@ -65,6 +72,9 @@ void drawPin(QPainter& painter, const QPointF& tip, const QColor& colour, const 
 /** Of the rings of what is to be protected. */
 [[nodiscard]] QPen rangeRingPen(const Theme& theme);
 [[nodiscard]] QPen alarmRingPen(const Theme& theme, double width_px = 1.4);
+
+/** Of the range of the radio link. */
+[[nodiscard]] QPen linkRingPen(const Theme& theme);
 
 /** Line with a filled head at its end. */
 void drawArrow(QPainter& painter, const QLineF& line, const QPen& pen, double head_px);

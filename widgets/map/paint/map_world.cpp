@@ -9,11 +9,17 @@
 #include "widgets/map/picture/route_colours.h"
 #include "widgets/theme/palette.h"
 
+#include <QCoreApplication>
 #include <QPainterPath>
 #include <QPainterPathStroker>
 
 namespace berg {
 namespace {
+
+struct MapWorld
+{
+    Q_DECLARE_TR_FUNCTIONS(MapWorld)
+};
 
 constexpr double kClusterGap_px = 6; // between a symbol and the outline round it
 
@@ -125,6 +131,39 @@ void paintAsset(const MapPaint& p)
     p.painter.setFont(labelFont(p.theme));
     drawHaloText(p.painter, QRectF(at.x() - 100, at.y() + 11, 200, 18), Qt::AlignHCenter,
                  p.picture.asset->name, p.theme.text, p.theme.sea);
+}
+
+void paintStation(const MapPaint& p)
+{
+    if (!p.picture.station)
+        return;
+    const QPointF at = p.layout.view.toPixel(p.picture.station->position_m);
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(linkRingPen(p.theme));
+    for (const double range_m : p.picture.station->ranges_m) {
+        const double radius_px = range_m * p.layout.view.scale_pxpm();
+        p.painter.drawEllipse(at, radius_px, radius_px);
+    }
+    drawStation(p.painter, at, p.theme);
+}
+
+void paintNoReturns(const MapPaint& p)
+{
+    p.painter.setFont(labelFont(p.theme));
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav) {
+        QPolygonF path;
+        for (const Point& place_m : p.picture.routes[uav].toNoReturn_m)
+            path << p.layout.view.toPixel(place_m);
+        if (path.isEmpty())
+            continue;
+        const QColor colour = uavColour(p.theme, p.picture.uavs[uav].place);
+        p.painter.setPen(QPen(colour, 1.2, Qt::DotLine));
+        p.painter.drawPolyline(path);
+        const QPointF at = path.back();
+        drawNoReturn(p.painter, at, colour, p.theme);
+        drawHaloText(p.painter, QRectF(at.x() - 30, at.y() - 22, 60, 16), Qt::AlignHCenter,
+                     MapWorld::tr("PNR"), p.theme.text, p.theme.sea);
+    }
 }
 
 void paintClusters(const MapPaint& p)

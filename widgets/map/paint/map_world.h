@@ -16,6 +16,10 @@ void paintArea(const MapPaint& p);
 void paintHomes(const MapPaint& p);
 /** What is to be protected, with its rings. */
 void paintAsset(const MapPaint& p);
+/** Where the radio link is kept from, and how far it reaches. */
+void paintStation(const MapPaint& p);
+/** Points of no return on the plans. */
+void paintNoReturns(const MapPaint& p);
 /** Outlines round icebergs that are planned as one point. */
 void paintClusters(const MapPaint& p);
 /** The circles that hold 95 %. */

@@ -38,6 +38,8 @@ std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, 
     std::for_each(picture.comparisonTracks.begin(), picture.comparisonTracks.end(), addTrack);
     if (picture.asset)
         points_m.push_back(picture.asset->position_m);
+    if (picture.station)
+        points_m.push_back(picture.station->position_m);
     for (const MapRoute& route : picture.routes) {
         addTrack(route.track);
         for (const MapWay& way : route.planWays) {

@@ -77,6 +77,13 @@ struct MapAsset
     double alarm_m = 0; ///< inner ring
 };
 
+/** Where the radio link is kept from. */
+struct MapStation
+{
+    Point position_m = Point::Zero();
+    std::vector<double> ranges_m; ///< of the link, each once: it depends on a UAV's altitude
+};
+
 /** A number shown large in the title overlay, e.g. {"Zeta", "84 420", "m² s"}. */
 struct MapReadout
 {
@@ -103,8 +110,11 @@ struct MapRoute
                                                  ///< leg, the way home last; empty: none do
     std::vector<MapWay> planWays;   ///< how `plan` is flown; empty: straight from symbol to symbol
     std::vector<MapWay> formerWays; ///< how `formerPlan` would have been
-    std::vector<Point> search_m;    ///< corners flown to find a lost iceberg; empty: no search
-    std::vector<MapPose> swept;     ///< by time; round and between them the UAV has seen the water
+    /** The point of no return and, before it, how the plan gets there from the last visit of this
+     * sortie; empty: there is none. */
+    std::vector<Point> toNoReturn_m;
+    std::vector<Point> search_m; ///< corners flown to find a lost iceberg; empty: no search
+    std::vector<MapPose> swept;  ///< by time; round and between them the UAV has seen the water
     std::vector<MapTrackPoint> track;
 };
 
@@ -126,6 +136,7 @@ struct MapPicture
     bool isFenced = false;     ///< the UAVs stay inside the area
     double separation_m = 0;   ///< UAVs of one altitude layer keep so far apart; 0: not watched
     std::optional<MapAsset> asset;
+    std::optional<MapStation> station;
     MapAir air;
     bool hidesTruth = false;  ///< nothing is shown that the observer does not know
     double sigmaFull_m2 = 10; ///< end of the colour scale, > 0

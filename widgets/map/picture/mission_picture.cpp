@@ -4,6 +4,7 @@
 #include "widgets/map/picture/plan_stops.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/model/asset_approach.h"
+#include "widgets/model/planned_sorties.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/policy_words.h"
 
@@ -27,7 +28,7 @@ double enduranceLeft_s(const FlightRecord& record, std::size_t uav)
 {
     const UavState& state = record.shown().world.uavs[uav];
     const bool isOnGround = state.mode == FlightMode::Ground; // made ready for the next sortie
-    return record.scenario.uavs[uav].spec.endurance_s - (isOnGround ? 0 : state.aloft_s);
+    return usableEndurance_s(record.scenario.uavs[uav].spec) - (isOnGround ? 0 : state.aloft_s);
 }
 
 /** Of the UAV that has the least, with its name if there are others; none: it is unlimited. */
@@ -44,6 +45,19 @@ std::optional<MapReadout> enduranceReadout(const FlightRecord& record,
     return MapReadout{.caption = MissionPicture::tr("Endurance left"),
                       .value = clockText(enduranceLeft_s(record, *least)),
                       .unit = uavs[*least].label};
+}
+
+/** Of the UAV that has the least; none: unlimited, or on the ground. */
+std::optional<MapReadout> homeMarginReadout(const FlightRecord& record)
+{
+    std::optional<double> least_s;
+    for (const std::optional<double>& margin_s : record.shown().homeMargins_s)
+        if (margin_s)
+            least_s = std::min(least_s.value_or(*margin_s), *margin_s);
+    if (!least_s)
+        return std::nullopt;
+    return MapReadout{
+        .caption = MissionPicture::tr("Home margin"), .value = clockText(*least_s), .unit = {}};
 }
 
 /** None: UAVs in one altitude layer have kept well apart. */
@@ -73,7 +87,8 @@ std::vector<MapReadout> readoutsOf(const FlightRecord& record, const std::vector
                                       .value = fixedText(metrics.visits, 0, locale),
                                       .unit = {}}};
     for (const std::optional<MapReadout>& more :
-         {enduranceReadout(record, uavs), closestReadout(record, locale)})
+         {enduranceReadout(record, uavs), homeMarginReadout(record),
+          closestReadout(record, locale)})
         if (more)
             readouts.push_back(*more);
     return readouts;
@@ -238,6 +253,33 @@ MapUav uavOf(const FlightRecord& record, std::size_t uav)
     return drawn;
 }
 
+/** From the last visit of this sortie to the point of no return. */
+std::vector<Point> toNoReturn_m(const PlannedPath& path, const PlannedPlace& noReturn)
+{
+    std::vector<Point> places_m;
+    for (std::size_t i = path.thisSortie - 1; i < path.places.size(); ++i)
+        if (path.places[i].time_s < noReturn.time_s)
+            places_m.push_back(path.places[i].place_m);
+    places_m.push_back(noReturn.place_m);
+    return places_m;
+}
+
+/** On the plans of UAVs with a limited endurance. */
+void markNoReturn(MapPicture& picture, const FlightRecord& record)
+{
+    const std::vector<Uav>& uavs = record.scenario.uavs;
+    if (std::ranges::all_of(uavs, [](const Uav& uav) { return uav.spec.endurance_s == 0; }))
+        return;
+    const auto paths = plannedPaths(record.shown(), record.scenario);
+    for (std::size_t uav = 0; uav < picture.routes.size(); ++uav) {
+        if (!paths[uav])
+            continue;
+        const SortieOutlook outlook = sortieOutlook(record.scenario, uavs[uav], *paths[uav]);
+        if (outlook.noReturn)
+            picture.routes[uav].toNoReturn_m = toNoReturn_m(*paths[uav], *outlook.noReturn);
+    }
+}
+
 /** Without the corners of the fence, which depend on the other parts. */
 MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<int>& shown)
 {
@@ -316,6 +358,8 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
     picture.isFenced = scenario.geofence;
     picture.separation_m = scenario.separation_m;
     picture.asset = assetOf(record.shown().asset, record.shown().time_s);
+    picture.station = stationOf(scenario);
+    markNoReturn(picture, record);
     picture.air = airOf(scenario);
     if (!record.shown().motions.empty())
         picture.air.wind_mps = record.shown().motions.front().wind_mps;

@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/scenario/priority.h"
+#include "core/sim/sortie_outlook.h"
 #include "widgets/model/asset_approach.h"
 #include "widgets/model/wind.h"
 
@@ -79,7 +80,7 @@ bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
 {
     if (!picture.anyRoute([](const MapRoute& route) {
             return !route.planWays.empty() || !route.formerWays.empty() ||
-                   !route.planCorners.empty();
+                   !route.planCorners.empty() || !route.toNoReturn_m.empty();
         }))
         return true;
     if (picture.uavs.empty() || picture.uavs.size() > scenario.uavs.size() ||
@@ -114,6 +115,7 @@ void forgetPlaces(MapRoute& route)
     route.planWays.clear();
     route.formerWays.clear();
     route.planCorners.clear();
+    route.toNoReturn_m.clear();
 }
 
 } // namespace
@@ -132,6 +134,19 @@ std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s
                     .velocity_mps = asset->velocity_mps,
                     .range_m = asset->range_m,
                     .alarm_m = alarmRadius_m(*asset)};
+}
+
+std::optional<MapStation> stationOf(const Scenario& scenario)
+{
+    if (!scenario.groundStation)
+        return std::nullopt;
+    MapStation station{.position_m = scenario.groundStation->position_m, .ranges_m = {}};
+    for (const Uav& uav : scenario.uavs)
+        station.ranges_m.push_back(linkRange_m(*scenario.groundStation, uav.spec.altitude_m));
+    std::ranges::sort(station.ranges_m);
+    const auto repeated = std::ranges::unique(station.ranges_m);
+    station.ranges_m.erase(repeated.begin(), repeated.end());
+    return station;
 }
 
 MapAir airOf(const Scenario& scenario)
@@ -198,6 +213,7 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
     picture.isFenced = scenario.geofence;
     picture.separation_m = scenario.separation_m;
     picture.asset = assetOf(scenario.asset, 0);
+    picture.station = stationOf(scenario);
     picture.air = airOf(scenario);
     for (const MapIceberg& iceberg : picture.icebergs)
         picture.sigmaFull_m2 = std::max(picture.sigmaFull_m2, roundSigmaScale(iceberg.sigma_m2));

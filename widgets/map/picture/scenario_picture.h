@@ -12,6 +12,7 @@ namespace berg {
 [[nodiscard]] MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario);
 
 /** Where the asset is `time_s` after the start, with its rings. */
+[[nodiscard]] std::optional<MapStation> stationOf(const Scenario& scenario);
 [[nodiscard]] std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s);
 
 /** Wind and current of the scenario. */

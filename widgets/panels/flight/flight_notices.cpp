@@ -96,6 +96,25 @@ void addClose(std::vector<FlightNotice>& notices, const FlightRecord& record, co
         }
 }
 
+/** UAVs aloft in more wind than they are to be flown in, which it was not at the start. */
+void addWindLimit(std::vector<FlightNotice>& notices, const FlightRecord& record,
+                  const QLocale& locale)
+{
+    const std::vector<Uav>& uavs = record.scenario.uavs;
+    const MissionSnapshot& shown = record.shown();
+    for (std::size_t k = 0; k < std::min(uavs.size(), shown.motions.size()); ++k) {
+        const std::optional<double>& limit_mps = uavs[k].weather.wind_mps;
+        const double wind_mps = shown.motions[k].wind_mps.norm();
+        if (limit_mps && wind_mps > *limit_mps && shown.world.uavs[k].mode != FlightMode::Ground)
+            notices.push_back({.icon = IconName::Warning,
+                               .text = ofUav(record, static_cast<int>(k),
+                                             FlightNotices::tr("Wind above its limit: %1, limit %2")
+                                                 .arg(speedText(wind_mps, locale, 3),
+                                                      speedText(*limit_mps, locale, 3))),
+                               .toolTip = {}});
+    }
+}
+
 /** An iceberg on its way into the inner ring. */
 struct Entry
 {
@@ -191,6 +210,7 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
     if (!record.inFlight())
         return notices;
     addClose(notices, record, locale);
+    addWindLimit(notices, record, locale);
     addLate(notices, record);
     if (std::optional<FlightNotice> alarm = alarmNotice(record, locale))
         notices.push_back(*std::move(alarm));

@@ -28,6 +28,8 @@ public:
     void showState(RunPhase phase, double time_s, double duration_s,
                    std::optional<double> newest_s = {});
     void setMarks(std::vector<TimeMark> marks);
+    /** `RunTimeLine::setNoReturn`. */
+    void setNoReturn(std::optional<double> time_s);
 
     /** Simulated seconds a second; 0: as fast as possible. */
     [[nodiscard]] double rate() const;

@@ -87,6 +87,12 @@ void RunTimeLine::setMarks(std::vector<TimeMark> marks)
     update();
 }
 
+void RunTimeLine::setNoReturn(std::optional<double> time_s)
+{
+    m_noReturn_s = time_s;
+    update();
+}
+
 QSize RunTimeLine::sizeHint() const
 {
     return {kWidth_px, kHeight_px};
@@ -150,6 +156,14 @@ bool RunTimeLine::event(QEvent* event)
     if (event->type() != QEvent::ToolTip)
         return QAbstractSlider::event(event);
     const auto& help = *static_cast<QHelpEvent*>(event);
+    if (m_noReturn_s && std::abs(toPixel(*m_noReturn_s) - help.pos().x()) <= kNear_px) {
+        QToolTip::showText(
+            help.globalPos(),
+            tr("%1: point of no return of the plan; later the reserve is needed to come home")
+                .arg(clockText(*m_noReturn_s)),
+            this);
+        return true;
+    }
     const TimeMark* mark = markAt(help.pos().x());
     const double time_s = mark != nullptr ? mark->time_s : toTime(help.pos().x());
     QToolTip::showText(help.globalPos(), mark != nullptr ? mark->text : clockText(time_s), this);
@@ -179,6 +193,16 @@ void RunTimeLine::paintMarks(QPainter& painter) const
     }
 }
 
+/** A post across the bar. */
+void RunTimeLine::paintNoReturn(QPainter& painter) const
+{
+    if (!m_noReturn_s || *m_noReturn_s > m_duration_s)
+        return;
+    const double x_px = toPixel(*m_noReturn_s);
+    painter.setPen(QPen(m_theme.uav, 2));
+    painter.drawLine(QPointF(x_px, kMark_px), QPointF(x_px, height() - kMark_px));
+}
+
 void RunTimeLine::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
@@ -196,6 +220,7 @@ void RunTimeLine::paintEvent(QPaintEvent* /*event*/)
     if (value() > 0)
         bar(value() / kMilli, m_theme.plan);
     paintMarks(painter);
+    paintNoReturn(painter);
     const QPointF handle(toPixel(value() / kMilli), height() / 2.0);
     painter.setPen(QPen(hasFocus() ? m_theme.text : m_theme.chart, 1.5));
     painter.setBrush(m_theme.plan);

@@ -5,6 +5,7 @@
 
 #include <QAbstractSlider>
 
+#include <optional>
 #include <vector>
 
 namespace berg {
@@ -34,6 +35,8 @@ public:
     void showTime(double time_s, double newest_s, double duration_s);
     /** In order of time. */
     void setMarks(std::vector<TimeMark> marks);
+    /** From when on the plan cannot be left for home with the reserve whole; none: always. */
+    void setNoReturn(std::optional<double> time_s);
     [[nodiscard]] const std::vector<TimeMark>& marks() const { return m_marks; }
 
     [[nodiscard]] QSize sizeHint() const override;
@@ -56,10 +59,12 @@ private:
     [[nodiscard]] const TimeMark* markAt(double x_px) const;
     void goTo(double x_px);
     void paintMarks(QPainter& painter) const;
+    void paintNoReturn(QPainter& painter) const;
 
     Theme m_theme = Theme::light();
     double m_duration_s = 1;
     std::vector<TimeMark> m_marks;
+    std::optional<double> m_noReturn_s;
 };
 
 } // namespace berg

@@ -87,6 +87,7 @@ void CheckPanel::setTheme(const Theme& theme)
 void CheckPanel::refresh()
 {
     std::vector<Issue> issues = m_document.issues();
+    issues.insert(issues.end(), m_planIssues.begin(), m_planIssues.end());
     std::stable_sort(issues.begin(), issues.end(),
                      [](const Issue& a, const Issue& b) { return a.severity < b.severity; });
     QStringList lines;
@@ -98,6 +99,14 @@ void CheckPanel::refresh()
     if (!same)
         fill();
     m_pages->setCurrentWidget(m_issues.empty() ? static_cast<QWidget*>(m_empty) : m_list);
+    if (!same)
+        emit changed();
+}
+
+void CheckPanel::setPlanIssues(std::vector<Issue> issues)
+{
+    m_planIssues = std::move(issues);
+    refresh();
 }
 
 void CheckPanel::fill()

@@ -25,8 +25,14 @@ public:
     explicit CheckPanel(const ScenarioDocument& document, QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
+    /** What is to be said of the plan, after the findings about the scenario. */
+    void setPlanIssues(std::vector<Issue> issues);
+    /** All that is listed. */
+    [[nodiscard]] const std::vector<Issue>& issues() const { return m_issues; }
 
 signals:
+    /** What is listed is new. */
+    void changed();
     void chosen(const berg::Issue& issue);
 
 private:
@@ -36,6 +42,7 @@ private:
 
     const ScenarioDocument& m_document;
     Theme m_theme = Theme::light();
+    std::vector<Issue> m_planIssues;
     std::vector<Issue> m_issues; ///< as listed
     QStringList m_lines;
     QStackedLayout* m_pages;

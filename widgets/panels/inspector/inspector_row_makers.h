@@ -115,6 +115,13 @@ inline bool isFleet(const Scenario& scenario, const std::string& /*id*/)
 /** Where a UAV lands and how long it stands there; part of `uavRows`. */
 [[nodiscard]] std::vector<InspectorRow> homeRows();
 
+/** What is kept of a limited endurance; part of `uavRows`. */
+[[nodiscard]] std::vector<InspectorRow> reserveRows();
+/** Weather that a UAV is not flown in; part of `uavRows`. */
+[[nodiscard]] std::vector<InspectorRow> weatherLimitRows();
+/** Weather and ground station; part of `scenarioRows`. */
+[[nodiscard]] std::vector<InspectorRow> surroundingsRows();
+
 template <class Object>
 [[nodiscard]] TextRow nameRow(const QString& key);
 

@@ -202,6 +202,7 @@ std::vector<InspectorRow> scenarioRows()
     rows.emplace_back(separationRow());
     append(rows, windRows());
     append(rows, currentRows());
+    append(rows, surroundingsRows());
     append(rows, observerRows());
     append(rows, plannerRows());
     append(rows, placeRows());

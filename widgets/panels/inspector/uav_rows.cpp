@@ -127,6 +127,7 @@ std::vector<InspectorRow> uavRows()
     endurance.step = 60;
     endurance.lowestText = InspectorRows::tr("unlimited");
     rows.emplace_back(endurance);
+    append(rows, reserveRows());
     append(rows, homeRows());
     NumberRow autopilot =
         uavRow({.key = u"uavAutopilot"_s,
@@ -138,6 +139,7 @@ std::vector<InspectorRow> uavRows()
     autopilot.decimals = {.least = 0, .most = 2};
     autopilot.lowestText = InspectorRows::tr("each time step");
     rows.emplace_back(autopilot);
+    append(rows, weatherLimitRows());
     return rows;
 }
 

@@ -43,6 +43,12 @@ double lastArrival_s(const std::vector<PlanSection>& sections)
     return last_s;
 }
 
+/** A time with its sign where it is negative. */
+QString marginText(double margin_s)
+{
+    return margin_s < 0 ? u"\u2212"_s + clockText(-margin_s) : clockText(margin_s);
+}
+
 bool returns(const std::vector<PlanSection>& sections)
 {
     return std::ranges::any_of(sections,
@@ -199,6 +205,7 @@ QStringList PlanPanel::summaryLines() const
                                       : tr("%1, flown %2"))
                      .arg(distanceText(planLength_m(m_sections), locale()),
                           PlanModel::arrivalText(lastArrival_s(m_sections)));
+    lines << sortieLines();
     if (!m_outlook)
         return lines;
     const QString zeta = significantText(m_outlook->zeta_m2s, 4, locale());
@@ -213,6 +220,28 @@ QStringList PlanPanel::summaryLines() const
                                      distanceText(std::abs(change->distance_m), locale(), 2)),
                           signedText(change->zeta_m2s,
                                      significantText(std::abs(change->zeta_m2s), 2, locale())));
+    return lines;
+}
+
+/** The least margin of all UAVs, and the longest time without contact. */
+QStringList PlanPanel::sortieLines() const
+{
+    const PlannedSortie* least = nullptr;
+    double noContact_s = 0;
+    for (const std::optional<PlannedSortie>& sortie : m_sorties) {
+        if (!sortie)
+            continue;
+        noContact_s = std::max(noContact_s, sortie->outlook.noContact_s);
+        if (sortie->outlook.margin_s &&
+            (least == nullptr || *sortie->outlook.margin_s < *least->outlook.margin_s))
+            least = &*sortie;
+    }
+    QStringList lines;
+    if (least != nullptr)
+        lines << tr("Home %1 before the reserve (5 %: %2)")
+                     .arg(marginText(*least->outlook.margin_s), marginText(*least->lowMargin_s));
+    if (noContact_s >= 1)
+        lines << tr("Out of radio range for %1").arg(clockText(noContact_s));
     return lines;
 }
 
@@ -248,6 +277,12 @@ QString PlanPanel::summaryToolTip() const
 void PlanPanel::showOutlook(std::optional<PlanOutlook> outlook)
 {
     m_outlook = std::move(outlook);
+    updateSummary();
+}
+
+void PlanPanel::showSorties(std::vector<std::optional<PlannedSortie>> sorties)
+{
+    m_sorties = std::move(sorties);
     updateSummary();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/model/planned_sorties.h"
 #include "widgets/panels/plan/plan_rows.h"
 #include "widgets/theme/theme.h"
 
@@ -34,6 +35,8 @@ public:
     void setFaulty(bool isFaulty);
     /** Of the plan shown; none: only its length is told. */
     void showOutlook(std::optional<PlanOutlook> outlook);
+    /** Of the plan shown, by UAV: margins at home, time without contact. */
+    void showSorties(std::vector<std::optional<PlannedSortie>> sorties);
     /** Marks the row of this iceberg, e.g. while the pointer is on it on the map; empty: none. */
     void setHighlight(const std::string& id);
 
@@ -58,6 +61,7 @@ private:
     void updateSummary();
     [[nodiscard]] QStringList summaryLines() const;
     [[nodiscard]] QString summaryToolTip() const;
+    [[nodiscard]] QStringList sortieLines() const;
     [[nodiscard]] QString boundText(const PlanOutlook& outlook) const;
     void setHovered(const std::string& id);
     void choose(const QModelIndex& index);
@@ -75,6 +79,7 @@ private:
     std::vector<PlanSection> m_sections;
     bool m_isFaulty = false;
     std::optional<PlanOutlook> m_outlook;
+    std::vector<std::optional<PlannedSortie>> m_sorties;
     std::vector<int> m_spannedRows; ///< lines of UAVs
     std::string m_hovered;
     std::string m_chosen; ///< kept while it is not in the plan

@@ -147,14 +147,18 @@ private slots:
         FlightRecord record = recordOf(fleetFlown(0));
         QCOMPARE(missionPicture(record, kLocale).readouts.size(), std::size_t{3});
         record.scenario.uavs[0].spec.endurance_s = 900;
-        record.scenario.uavs[1].spec.endurance_s = 1800; // the third flies on for ever
+        record.scenario.uavs[1].spec.endurance_s = 2250; // the third flies on for ever
         record.now.world.uavs[0].aloft_s = 300;
         record.now.world.uavs[1].aloft_s = 1500;
         record.now.world.uavs[2].aloft_s = 5000;
         const MapReadout left = missionPicture(record, kLocale).readouts.back();
         QCOMPARE(left.caption, u"Endurance left"_s);
-        QCOMPARE(left.value, u"05:00"_s);
+        QCOMPARE(left.value, u"05:00"_s); // 20 % of the 2250 s are the reserve
         QCOMPARE(left.unit, u"two"_s);
+        record.now.homeMargins_s = {std::nullopt, 95, 200};
+        const MapReadout margin = missionPicture(record, kLocale).readouts.back();
+        QCOMPARE(margin.caption, u"Home margin"_s);
+        QCOMPARE(margin.value, u"01:35"_s);
     }
 
     void nearMissesAreShown()

@@ -79,6 +79,20 @@ class TestFlightNotices : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    void windAboveTheLimitIsTold()
+    {
+        FlightRecord record = twoUavs(50'000);
+        record.scenario.uavs[1].weather.wind_mps = 10;
+        for (Motion& motion : record.now.motions)
+            motion.wind_mps = {8, 6};
+        QCOMPARE(textsOf(record), QStringList());
+        record.scenario.uavs[1].weather.wind_mps = 9.5;
+        QCOMPARE(textsOf(record),
+                 QStringList(u"East: Wind above its limit: 10.0 m/s, limit 9.50 m/s"_s));
+        record.now.world.uavs[1].mode = FlightMode::Ground;
+        QVERIFY(!textsOf(record).join(u' ').contains(u"limit"));
+    }
+
     /** From the failure on until the next plan that succeeds, at whatever instant is shown. */
     void failureOfThePlannerIsToldUntilAPlanSucceeds()
     {

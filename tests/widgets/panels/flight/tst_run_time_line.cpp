@@ -42,6 +42,19 @@ private slots:
         QCOMPARE(f.line.maximum(), 700'000);
     }
 
+    void pointOfNoReturnIsAPost()
+    {
+        Fixture f;
+        const auto colourAt = [&](int time_s) {
+            return f.line.grab().toImage().pixelColor(f.at(time_s).x(), 8);
+        };
+        const QColor empty = colourAt(850);
+        f.line.setNoReturn(850);
+        QCOMPARE(colourAt(850), Theme::light().uav);
+        f.line.setNoReturn(1200); // after the end
+        QCOMPARE(colourAt(850), empty);
+    }
+
     void pressAndDrag()
     {
         Fixture f;

@@ -87,6 +87,55 @@ private slots:
         QVERIFY(!f.isShown(kFilterRows.front()));
     }
 
+    void weatherAndGroundStationAreEdited()
+    {
+        Fixture f;
+        f.type(u"scenarioGusts"_s, u"12"_s);
+        f.type(u"scenarioTemperature"_s, u"-3.5"_s);
+        f.type(u"scenarioDewPoint"_s, u"-4"_s);
+        QVERIFY(f.scenario().weather ==
+                (Weather{.gust_mps = 12, .temperature_degC = -3.5, .dewPoint_degC = -4}));
+        f.type(u"scenarioTemperature"_s, u"-90"_s); // not known
+        QVERIFY(!f.scenario().weather.temperature_degC);
+
+        QVERIFY(!f.isShown(u"stationAntenna"_s));
+        test::child<QCheckBox>(f.panel, u"scenarioStation"_s).click();
+        QVERIFY(f.isShown(u"stationAntenna"_s));
+        QVERIFY(f.scenario().groundStation->position_m == f.scenario().uavs[0].position_m);
+        f.type(u"stationEast"_s, u"250"_s);
+        f.type(u"stationAntenna"_s, u"12"_s);
+        f.type(u"stationRange"_s, u"9000"_s);
+        QCOMPARE(f.scenario().groundStation->position_m.x(), 250.0);
+        QCOMPARE(f.scenario().groundStation->antenna_m, 12.0);
+        QCOMPARE(f.scenario().groundStation->range_m, std::optional(9000.0));
+        f.type(u"stationRange"_s, u"1"_s); // the radio horizon
+        QVERIFY(!f.scenario().groundStation->range_m);
+        f.undoAll();
+        QCOMPARE(f.scenario(), test::fourIcebergs());
+    }
+
+    void reserveAndLimitsOfAUavAreEdited()
+    {
+        Fixture f;
+        f.selection.set({f.scenario().uavs[0].id});
+        QVERIFY(!f.isShown(u"uavReserve"_s)); // of an endurance only
+        f.type(u"uavEndurance"_s, u"3600"_s);
+        QVERIFY(f.isShown(u"uavReserve"_s));
+        f.type(u"uavReserve"_s, u"30"_s);
+        f.type(u"uavClimb"_s, u"120"_s);
+        f.type(u"uavLanding"_s, u"90"_s);
+        QCOMPARE(usableEndurance_s(f.scenario().uavs[0].spec), 0.7 * 3600 - 210);
+        f.type(u"uavFixedReserve"_s, u"600"_s);
+        QCOMPARE(usableEndurance_s(f.scenario().uavs[0].spec), 3600.0 - 600 - 210);
+        f.type(u"uavMaxWind"_s, u"15"_s);
+        f.type(u"uavMaxGust"_s, u"20"_s);
+        f.choose(u"uavIcing"_s, 1);
+        QVERIFY(f.scenario().uavs[0].weather ==
+                (WeatherLimits{.wind_mps = 15, .gust_mps = 20, .icing = true}));
+        f.undoAll();
+        QCOMPARE(f.scenario(), test::fourIcebergs());
+    }
+
     /** A look is never shorter than a time step, whichever of them is edited. */
     void looksAreNoShorterThanSteps()
     {

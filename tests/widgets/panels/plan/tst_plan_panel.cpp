@@ -119,6 +119,19 @@ private slots:
         QVERIFY(summary.text().isEmpty());
     }
 
+    /** Of several UAVs the least margin and the longest time without contact. */
+    void summaryTellsMarginsAndContact()
+    {
+        Fixture f;
+        f.panel.resize(600, 300);
+        const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
+        f.panel.showSorties(
+            {PlannedSortie{.outlook = {.margin_s = 300, .noContact_s = 61}, .lowMargin_s = 200},
+             std::nullopt, PlannedSortie{.outlook = {.margin_s = 90}, .lowMargin_s = -30}});
+        QCOMPARE(summary.text(), u"Home 01:30 before the reserve (5 %: −00:30)\n"
+                                 "Out of radio range for 01:01"_s);
+    }
+
     void summaryTellsWhatAChangeCosts()
     {
         Fixture f;

@@ -1,0 +1,42 @@
+#include "core/scenario/weather.h"
+
+#include "core/scenario/checks.h"
+
+namespace berg {
+
+bool isIcing(const Weather& weather, double height_m)
+{
+    constexpr double kTemperatureFall_degCpm = 6.5e-3; // standard atmosphere
+    constexpr double kDewPointFall_degCpm = 1.8e-3;
+    constexpr double kNearlySaturated_degC = 2;
+    if (!weather.temperature_degC || !weather.dewPoint_degC)
+        return false;
+    const double temperature_degC = *weather.temperature_degC - kTemperatureFall_degCpm * height_m;
+    const double dewPoint_degC = *weather.dewPoint_degC - kDewPointFall_degCpm * height_m;
+    return temperature_degC < 0 && temperature_degC - dewPoint_degC <= kNearlySaturated_degC;
+}
+
+std::vector<Issue> weatherIssues(const Scenario& scenario)
+{
+    std::vector<Issue> issues;
+    const auto warn = [&](std::string field, IssueId id, std::vector<IssueArgument> arguments) {
+        issues.push_back(issueOf(Severity::Warning, std::move(field),
+                                 {.id = id, .arguments = std::move(arguments)}));
+    };
+    const double wind_mps = scenario.wind_mps.norm();
+    const double gust_mps = scenario.weather.gust_mps.value_or(0);
+    for (std::size_t i = 0; i < scenario.uavs.size(); ++i) {
+        const Uav& uav = scenario.uavs[i];
+        const WeatherLimits& limits = uav.weather;
+        const std::string path = entryPath("uavs", i);
+        if (limits.wind_mps && wind_mps > *limits.wind_mps)
+            warn(path + ".max_wind_mps", IssueId::WindLimit, {wind_mps, *limits.wind_mps});
+        if (limits.gust_mps && gust_mps > *limits.gust_mps)
+            warn(path + ".max_gust_mps", IssueId::GustLimit, {gust_mps, *limits.gust_mps});
+        if (!limits.icing && isIcing(scenario.weather, uav.spec.altitude_m))
+            warn(path + ".icing", IssueId::Icing, {});
+    }
+    return issues;
+}
+
+} // namespace berg

@@ -1,0 +1,81 @@
+#include "tests/support/approx.h"
+#include "tests/support/panel_test.h"
+#include "tests/support/scenario_builder.h"
+#include "widgets/map/picture/mission_picture.h"
+#include "widgets/model/planned_sorties.h"
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/** In calm air at 20 m/s: two icebergs in a row, of which the farther is left for the next sortie.
+ */
+Scenario twoInARow()
+{
+    Scenario scenario = test::emptySea(4000);
+    scenario.planner.policy = PolicyKind::Nearest;
+    scenario.uavs.front().position_m = Point::Zero();
+    scenario.uavs.front().spec = {.airspeed_mps = 20, .endurance_s = 1000};
+    test::addIceberg(scenario, 3000, 0);
+    test::addIceberg(scenario, 12'000, 0);
+    return scenario;
+}
+
+/** As planned for the start. */
+FlightRecord recordFrom(const Scenario& scenario)
+{
+    Mission mission(scenario);
+    mission.advance(0);
+    return recordOf(mission);
+}
+
+} // namespace
+
+class TestPlannedSorties : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void thePlanIsFlownAhead()
+    {
+        const FlightRecord record = recordFrom(twoInARow());
+        const auto paths = plannedPaths(record.now, record.scenario);
+        QCOMPARE(paths.size(), std::size_t{1});
+        const PlannedPath& path = paths.front().value();
+        QVERIFY(path.places.size() >= 2);
+        QVERIFY(path.places[0].place_m == Point(0, 0));
+        COMPARE_NEAR(path.places[1].time_s, 150.0, 1e-9);
+        QCOMPARE(path.thisSortie, std::size_t{2});
+        const PlannedSortie sortie = plannedSorties(record.now, record.scenario).front().value();
+        COMPARE_NEAR(sortie.outlook.margin_s.value(), 800.0 - 300, 1e-6);
+        QVERIFY(sortie.lowMargin_s.value() < *sortie.outlook.margin_s);
+    }
+
+    void nothingIsSaidOnTheWayHome()
+    {
+        FlightRecord record = recordFrom(twoInARow());
+        record.now.world.uavs[0].mode = FlightMode::Home;
+        QVERIFY(!plannedPaths(record.now, record.scenario).front());
+        QVERIFY(!plannedSorties(record.now, record.scenario).front());
+    }
+
+    void thePointOfNoReturnIsOnTheMap()
+    {
+        Scenario scenario = twoInARow();
+        scenario.planner.policy = PolicyKind::Visitation; // its order has both
+        const FlightRecord record = recordFrom(scenario);
+        const MapPicture picture = missionPicture(record, QLocale::c());
+        // 400 s out at 20 m/s, the last visit of this sortie on the way.
+        QCOMPARE(picture.routes[0].toNoReturn_m.size(), std::size_t{2});
+        QVERIFY((picture.routes[0].toNoReturn_m[0] - Point(3000, 0)).norm() < 1);
+        QVERIFY((picture.routes[0].toNoReturn_m[1] - Point(8000, 0)).norm() < 1);
+        scenario.uavs[0].spec.endurance_s = 0;
+        QVERIFY(missionPicture(recordFrom(scenario), QLocale::c()).routes[0].toNoReturn_m.empty());
+    }
+};
+
+QTEST_MAIN(TestPlannedSorties)
+#include "tst_planned_sorties.moc"

@@ -1,0 +1,54 @@
+#include "widgets/model/planned_sorties.h"
+
+namespace berg {
+namespace {
+
+PlannedPath pathOf(const MissionSnapshot& now, std::size_t uav, const RouteForecast& route)
+{
+    PlannedPath path{.places = {{.place_m = now.world.uavs[uav].pose.position_m}},
+                     .thisSortie = 1,
+                     .aloft_s = now.world.uavs[uav].aloft_s,
+                     .wind_mps = now.motions[uav].wind_mps};
+    for (const ForecastVisit& visit : route.visits)
+        path.places.push_back({.time_s = visit.arrival_s, .place_m = visit.place_m});
+    const PlanEvent& plan = *planOf(now, static_cast<int>(uav));
+    path.thisSortie +=
+        static_cast<std::size_t>(plan.thisSortie.value_or(static_cast<int>(route.visits.size())));
+    return path;
+}
+
+} // namespace
+
+std::vector<std::optional<PlannedPath>> plannedPaths(const MissionSnapshot& now,
+                                                     const Scenario& scenario)
+{
+    std::vector<std::optional<PlannedPath>> paths(scenario.uavs.size());
+    // Until it is planned a scenario just edited may have others than the mission.
+    const std::size_t uavs = std::min(scenario.uavs.size(), now.world.uavs.size());
+    if (uavs == 0 || !now.plan || now.plan->outlook)
+        return paths;
+    const PlanForecast forecast =
+        forecastPlan(forecastStart(now), ordersOf(now), 0, now.plan->clusters);
+    for (std::size_t uav = 0; uav < uavs; ++uav) {
+        const PlanEvent* plan = planOf(now, static_cast<int>(uav));
+        if (plan != nullptr && plan->legs.empty() && !now.world.uavs[uav].homeward())
+            paths[uav] = pathOf(now, uav, forecast.uavs[uav]);
+    }
+    return paths;
+}
+
+std::vector<std::optional<PlannedSortie>> plannedSorties(const MissionSnapshot& now,
+                                                         const Scenario& scenario)
+{
+    std::vector<std::optional<PlannedSortie>> sorties;
+    const std::vector<std::optional<PlannedPath>> paths = plannedPaths(now, scenario);
+    for (std::size_t uav = 0; uav < paths.size(); ++uav) {
+        std::optional<PlannedSortie>& sortie = sorties.emplace_back();
+        if (paths[uav])
+            sortie = {.outlook = sortieOutlook(scenario, scenario.uavs[uav], *paths[uav]),
+                      .lowMargin_s = lowMargin_s(scenario.uavs[uav], *paths[uav])};
+    }
+    return sorties;
+}
+
+} // namespace berg

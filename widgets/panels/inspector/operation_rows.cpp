@@ -1,0 +1,258 @@
+// What keeps a flight safe: reserve, limits of the weather, the weather itself, the radio link.
+
+#include "core/sim/sortie_outlook.h"
+#include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/theme/quantity_text.h"
+
+using namespace Qt::StringLiterals;
+
+namespace berg {
+namespace {
+
+bool hasEndurance(const Scenario& scenario, const std::string& id)
+{
+    const Uav* uav = objectOf(scenario.uavs, id);
+    return uav != nullptr && uav->spec.endurance_s > 0;
+}
+
+bool hasStation(const Scenario& scenario, const std::string& /*id*/)
+{
+    return scenario.groundStation.has_value();
+}
+
+/** A number that may be left out, which the lowest value of the field stands for. */
+template <class Read>
+NumberRow optionalRow(const RowWords& words, const QString& unit, Read number, const Limits& limits,
+                      const QString& noneText)
+{
+    return {.words = words,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 1},
+            .read = [number, limits](const Scenario& scenario, const std::string& id) -> double {
+                const auto* value = number(scenario, id);
+                return value == nullptr ? limits.low : value->value_or(limits.low);
+            },
+            .write =
+                [number, limits](Scenario& scenario, const std::string& id, double typed) {
+                    if (auto* value = number(scenario, id))
+                        *value = typed > limits.low ? std::optional(typed) : std::nullopt;
+                },
+            .range = always(limits),
+            .lowestText = noneText};
+}
+
+/** Of the UAV with the id. */
+template <class Member>
+auto ofUav(Member member)
+{
+    return [member](auto& scenario, const std::string& id) {
+        auto* uav = objectOf(scenario.uavs, id);
+        return uav == nullptr ? nullptr : &member(*uav);
+    };
+}
+
+template <class Member>
+NumberRow sortieRow(const RowWords& words, Member number, const Limits& limits, const QString& unit)
+{
+    RowWords shown = words;
+    shown.isShown = hasEndurance;
+    return {.words = shown,
+            .unit = unit,
+            .decimals = {.least = 0, .most = 1},
+            .step = 5,
+            .read = reading<Uav>(number),
+            .write = writing<Uav>(number),
+            .range = always(limits)};
+}
+
+PickRow icingRow()
+{
+    return {.words = {.key = u"uavIcing"_s,
+                      .label = InspectorRows::tr("Icing conditions"),
+                      .toolTip = InspectorRows::tr("Whether it may be flown below 0 °C in air that "
+                                                   "is nearly saturated."),
+                      .undoText = InspectorRows::tr("Change icing limit")},
+            .options =
+                [](const Scenario&) {
+                    return std::vector<PickRow::Option>{
+                        {"no", InspectorRows::tr("do not fly")},
+                        {"yes", InspectorRows::tr("flying allowed")}};
+                },
+            .read = [](const Scenario& scenario, const std::string& id) -> std::string {
+                const Uav* uav = objectOf(scenario.uavs, id);
+                return uav != nullptr && uav->weather.icing ? "yes" : "no";
+            },
+            .write =
+                [](Scenario& scenario, const std::string& id, const std::string& value) {
+                    if (Uav* uav = objectOf(scenario.uavs, id))
+                        uav->weather.icing = value == "yes";
+                }};
+}
+
+NumberRow stationPlaceRow(const QString& key, const QString& label, const QString& toolTip,
+                          int axis)
+{
+    return asDistance({.words = {.key = key,
+                                 .label = label,
+                                 .toolTip = toolTip,
+                                 .undoText = InspectorRows::tr("Move ground station"),
+                                 .isShown = hasStation},
+                       .unit = {},
+                       .decimals = {.least = 0, .most = 1},
+                       .step = 10,
+                       .read =
+                           [axis](const Scenario& scenario, const std::string&) {
+                               return scenario.groundStation
+                                          ? scenario.groundStation->position_m[axis]
+                                          : 0;
+                           },
+                       .write =
+                           [axis](Scenario& scenario, const std::string&, double value) {
+                               if (scenario.groundStation)
+                                   scenario.groundStation->position_m[axis] = value;
+                           },
+                       .range = always(limits::kCoordinate_m)});
+}
+
+std::vector<InspectorRow> stationRows()
+{
+    const FlagRow station{
+        .words = {.key = u"scenarioStation"_s,
+                  .label = InspectorRows::tr("Ground station"),
+                  .toolTip = InspectorRows::tr("Where the radio link to the UAVs is kept from. Its "
+                                               "range is a ring on the map."),
+                  .undoText = InspectorRows::tr("Change ground station")},
+        .read = [](const Scenario& scenario) { return scenario.groundStation.has_value(); },
+        .write =
+            [](Scenario& scenario, bool on) {
+                scenario.groundStation.reset();
+                if (on)
+                    scenario.groundStation = GroundStation{
+                        .position_m = scenario.uavs.empty() ? Point(Point::Zero())
+                                                            : scenario.uavs.front().position_m};
+            }};
+    NumberRow antenna{.words = {.key = u"stationAntenna"_s,
+                                .label = InspectorRows::tr("Antenna height"),
+                                .toolTip = InspectorRows::tr("Height above the sea."),
+                                .undoText = InspectorRows::tr("Change antenna height"),
+                                .isShown = hasStation},
+                      .unit = u" m"_s,
+                      .decimals = {.least = 0, .most = 1},
+                      .read =
+                          [](const Scenario& scenario, const std::string&) {
+                              return scenario.groundStation ? scenario.groundStation->antenna_m : 0;
+                          },
+                      .write =
+                          [](Scenario& scenario, const std::string&, double value) {
+                              if (scenario.groundStation)
+                                  scenario.groundStation->antenna_m = value;
+                          },
+                      .range = always(limits::kLength_m)};
+    NumberRow range = optionalRow(
+        {.key = u"stationRange"_s,
+         .label = InspectorRows::tr("Link range"),
+         .toolTip = InspectorRows::tr("How far the link reaches; at the lowest value to the radio "
+                                      "horizon of the antenna and the UAV's altitude."),
+         .undoText = InspectorRows::tr("Change link range"),
+         .isShown = hasStation},
+        {},
+        [](auto& scenario, const std::string&) {
+            return scenario.groundStation ? &scenario.groundStation->range_m : nullptr;
+        },
+        limits::kExtent_m, InspectorRows::tr("radio horizon"));
+    range.step = 1000;
+    return {station,
+            stationPlaceRow(u"stationEast"_s, InspectorRows::tr("Station east"),
+                            InspectorRows::tr("East of the scenario's origin."), 0),
+            stationPlaceRow(u"stationNorth"_s, InspectorRows::tr("Station north"),
+                            InspectorRows::tr("North of the scenario's origin."), 1),
+            antenna, asDistance(range)};
+}
+
+} // namespace
+
+std::vector<InspectorRow> reserveRows()
+{
+    return {sortieRow(
+                {.key = u"uavReserve"_s,
+                 .label = InspectorRows::tr("Reserve"),
+                 .toolTip = InspectorRows::tr("Part of the endurance that no flight is "
+                                              "planned to use."),
+                 .undoText = InspectorRows::tr("Change reserve")},
+                [](auto& uav) -> auto& { return uav.spec.reservePercent; }, limits::kReservePercent,
+                u" %"_s),
+            optionalRow({.key = u"uavFixedReserve"_s,
+                         .label = InspectorRows::tr("Fixed reserve"),
+                         .toolTip = InspectorRows::tr("A time in place of the percentage."),
+                         .undoText = InspectorRows::tr("Change reserve"),
+                         .isShown = hasEndurance},
+                        u" s"_s, ofUav([](auto& uav) -> auto& { return uav.spec.reserve_s; }),
+                        limits::kTime_s, InspectorRows::tr("by percentage")),
+            sortieRow(
+                {.key = u"uavClimb"_s,
+                 .label = InspectorRows::tr("Climb"),
+                 .toolTip = InspectorRows::tr("Time from take-off to the altitude."),
+                 .undoText = InspectorRows::tr("Change climb time")},
+                [](auto& uav) -> auto& { return uav.spec.climb_s; }, limits::kTime_s, u" s"_s),
+            sortieRow(
+                {.key = u"uavLanding"_s,
+                 .label = InspectorRows::tr("Landing"),
+                 .toolTip = InspectorRows::tr("Time from the altitude, over home, to the "
+                                              "ground."),
+                 .undoText = InspectorRows::tr("Change landing time")},
+                [](auto& uav) -> auto& { return uav.spec.landing_s; }, limits::kTime_s, u" s"_s)};
+}
+
+std::vector<InspectorRow> weatherLimitRows()
+{
+    return {
+        asSpeed(optionalRow({.key = u"uavMaxWind"_s,
+                             .label = InspectorRows::tr("Wind limit"),
+                             .toolTip = InspectorRows::tr("Strongest wind in which it is flown."),
+                             .undoText = InspectorRows::tr("Change wind limit")},
+                            {}, ofUav([](auto& uav) -> auto& { return uav.weather.wind_mps; }),
+                            limits::kWindSpeed_mps, InspectorRows::tr("none"))),
+        asSpeed(optionalRow({.key = u"uavMaxGust"_s,
+                             .label = InspectorRows::tr("Gust limit"),
+                             .toolTip = InspectorRows::tr("Strongest gusts in which it is flown."),
+                             .undoText = InspectorRows::tr("Change gust limit")},
+                            {}, ofUav([](auto& uav) -> auto& { return uav.weather.gust_mps; }),
+                            limits::kWindSpeed_mps, InspectorRows::tr("none"))),
+        icingRow()};
+}
+
+std::vector<InspectorRow> surroundingsRows()
+{
+    const auto degrees = [](const QString& key, const QString& label, const QString& toolTip,
+                            auto member) {
+        return optionalRow(
+            {.key = key,
+             .label = label,
+             .toolTip = toolTip,
+             .undoText = InspectorRows::tr("Change weather")},
+            u" °C"_s,
+            [member](auto& scenario, const std::string&) { return &member(scenario.weather); },
+            limits::kTemperature_degC, InspectorRows::tr("not known"));
+    };
+    std::vector<InspectorRow> rows{
+        asSpeed(optionalRow(
+            {.key = u"scenarioGusts"_s,
+             .label = InspectorRows::tr("Gusts"),
+             .toolTip = InspectorRows::tr("Speed of the gusts, compared with the "
+                                          "limits of the UAVs."),
+             .undoText = InspectorRows::tr("Change weather")},
+            {}, [](auto& scenario, const std::string&) { return &scenario.weather.gust_mps; },
+            limits::kWindSpeed_mps, InspectorRows::tr("not known"))),
+        degrees(
+            u"scenarioTemperature"_s, InspectorRows::tr("Temperature"),
+            InspectorRows::tr("Of the air at the sea."),
+            [](auto& weather) -> auto& { return weather.temperature_degC; }),
+        degrees(
+            u"scenarioDewPoint"_s, InspectorRows::tr("Dew point"),
+            InspectorRows::tr("With the temperature it tells whether ice may form."),
+            [](auto& weather) -> auto& { return weather.dewPoint_degC; })};
+    append(rows, stationRows());
+    return rows;
+}
+
+} // namespace berg
