@@ -86,6 +86,8 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
      "the turn radius is larger than half the field of view, so that an iceberg may be missed"},
     {IssueId::ReachInsideTurn,
      "is smaller than the turn radius, so that the UAV flies on and comes back"},
+    {IssueId::ReachBeyondView,
+     "is larger than half the field of view, so that icebergs count as reached that are not seen"},
     {IssueId::OutsideArea, "lies outside the area"},
     {IssueId::LeavesArea, "drifts out of the area before the end of the run"},
     {IssueId::SamePlace, "lies where another iceberg lies: the same one?"},

@@ -76,6 +76,7 @@ enum class IssueId
     UavOutside,
     WideTurn,
     ReachInsideTurn,
+    ReachBeyondView,
     OutsideArea,
     LeavesArea,
     SamePlace,

@@ -43,6 +43,7 @@ struct Flyer
     const Uav& uav;
     std::string path;    ///< in the file
     double reach_m = 0;  ///< farthest from it that counts as reached
+    double seen_m = 0;   ///< so near it is seen, whatever its heading
     bool isWide = false; ///< its turns are wider than what it sees of its side
 };
 
@@ -56,6 +57,7 @@ Flyer flyerOf(const Scenario& scenario, std::size_t i)
     return {.uav = uav,
             .path = entryPath("uavs", i),
             .reach_m = scenario.reachRadius_m.value_or(farthest_m),
+            .seen_m = nearest_m,
             .isWide = turnRadius_m(uav.spec) > scenario.reachRadius_m.value_or(nearest_m)};
 }
 
@@ -191,6 +193,9 @@ void Adviser::adviseUavs()
     if (m_s.reachRadius_m && std::any_of(m_flyers.begin(), m_flyers.end(),
                                          [](const Flyer& flyer) { return flyer.isWide; }))
         hint("planner.reach_radius_m", IssueId::ReachInsideTurn);
+    if (std::any_of(m_flyers.begin(), m_flyers.end(),
+                    [&](const Flyer& flyer) { return m_s.reachRadius_m > flyer.seen_m; }))
+        warn("planner.reach_radius_m", IssueId::ReachBeyondView);
 }
 
 /** Told of each that is near one before it. */

@@ -145,6 +145,9 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
     {IssueId::ReachInsideTurn,
      QT_TRANSLATE_NOOP("IssueText", "The radius that counts as reached is smaller than the turn "
                                     "radius, so that the UAV flies on and comes back.")},
+    {IssueId::ReachBeyondView,
+     QT_TRANSLATE_NOOP("IssueText", "The acceptance radius is larger than half the field of view, "
+                                    "so that icebergs count as reached that are not seen.")},
     {IssueId::OutsideArea, QT_TRANSLATE_NOOP("IssueText", "Lies outside the area.")},
     {IssueId::LeavesArea,
      QT_TRANSLATE_NOOP("IssueText", "Drifts out of the area before the end of the run.")},

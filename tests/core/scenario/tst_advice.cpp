@@ -186,6 +186,16 @@ const std::vector<Case>& cases()
          [](S& s) {
              s.icebergs[0].velocity_mps = {1.4, 1.4};
          }},
+        {"reached unseen",
+         [](S& s) {
+             s.uavs[0].fov_m = {800, 600};
+             s.reachRadius_m = 301;
+         },
+         kWarning, "planner.reach_radius_m", IssueId::ReachBeyondView,
+         [](S& s) {
+             s.uavs[0].fov_m = {800, 600};
+             s.reachRadius_m = 300;
+         }},
         {"track short", [](S& s) { tracked(s, 0, 999); }, kHint, "icebergs[0].track",
          IssueId::TrackShort, [](S& s) { tracked(s, 0, 1000); }},
         {"track far", [](S& s) { tracked(s, 430, 1000); }, kWarning, "icebergs[0].track",
