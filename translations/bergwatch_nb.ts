@@ -524,6 +524,14 @@
         <source>another UAV needed a plan</source>
         <translation>en annen UAV trengte en plan</translation>
     </message>
+    <message>
+        <source>Outside the geofence</source>
+        <translation>Utenfor geogjerdet</translation>
+    </message>
+    <message>
+        <source>Back inside the geofence</source>
+        <translation>Innenfor geogjerdet igjen</translation>
+    </message>
 </context>
 <context>
     <name>ExportPicture</name>

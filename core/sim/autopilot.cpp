@@ -250,6 +250,7 @@ void Autopilot::move(int uav, const DubinsState* measured, StepReport& report)
                      : step(m_pose, motion().airspeed_mps, m_u_radps, dt_s, motion().wind_mps);
         m_flown_m += motion().airspeed_mps * dt_s;
     }
+    watchFence(uav, from_m, report);
     if (!m_guard.uav().sortie)
         return;
     if (m_guard.tick())
@@ -261,6 +262,17 @@ void Autopilot::move(int uav, const DubinsState* measured, StepReport& report)
     m_u_radps = 0;
     m_crossTrack_m = 0;
     report.add({.kind = EventKind::Landed, .uav = uav});
+}
+
+/** Nothing that flies itself leaves it but from a start too near; wind and telemetry may. */
+void Autopilot::watchFence(int uav, const Point& from_m, StepReport& report) const
+{
+    const Geofence* fence = m_guard.uav().fence.get();
+    if (fence == nullptr)
+        return;
+    const bool isInside = fence->contains(m_pose.position_m);
+    if (isInside != fence->contains(from_m))
+        report.add({.kind = isInside ? EventKind::BackInside : EventKind::LeftFence, .uav = uav});
 }
 
 double Autopilot::steer(int uav, Observer& observer, StepReport& report)

@@ -90,6 +90,7 @@ private:
     /** In the order of `FlightMode`. */
     using Mode = std::variant<Idle, Leg, RunOut, Circle, Searching, Home, Ground>;
 
+    void watchFence(int uav, const Point& from_m, StepReport& report) const;
     [[nodiscard]] double steer(int uav, Observer& observer, StepReport& report);
     [[nodiscard]] double steerLeg(const Observer& observer);
     [[nodiscard]] double steerAim(AimedLeg& aim);

@@ -24,8 +24,10 @@ enum class EventKind
     HomeBound,
     Landed,
     TookOff,
-    LateHome, ///< the wind has changed: home cannot be reached in time any more
-    Close     ///< two UAVs of one altitude layer have come near each other
+    LateHome,  ///< the wind has changed: home cannot be reached in time any more
+    Close,     ///< two UAVs of one altitude layer have come near each other
+    LeftFence, ///< a UAV has left the geofence
+    BackInside ///< it is inside again
 };
 
 /** What an intervention that the log names has changed. */

@@ -68,6 +68,10 @@ QString sentence(const MissionEvent& event, const QString& iceberg, const QLocal
     case EventKind::Close:
         return EventText::tr("Close to another UAV: %1")
             .arg(distanceText(event.distance_m, locale));
+    case EventKind::LeftFence:
+        return EventText::tr("Outside the geofence");
+    case EventKind::BackInside:
+        return EventText::tr("Back inside the geofence");
     }
     return {};
 }

@@ -85,6 +85,10 @@ std::string_view eventName(EventKind kind)
         return "late home";
     case EventKind::Close:
         return "close";
+    case EventKind::LeftFence:
+        return "left geofence";
+    case EventKind::BackInside:
+        return "back inside";
     }
     throw std::logic_error("eventName: unknown kind");
 }
@@ -123,6 +127,8 @@ std::string eventDetail(const MissionEvent& event, const Mission& mission)
     case EventKind::Landed:
     case EventKind::TookOff:
     case EventKind::LateHome:
+    case EventKind::LeftFence:
+    case EventKind::BackInside:
         break;
     }
     return text;

@@ -139,7 +139,8 @@ std::vector<std::pair<std::string, int>> worldEvents(const Mission& mission)
     std::vector<std::pair<std::string, int>> counts;
     for (const EventKind kind :
          {EventKind::Lost, EventKind::Found, EventKind::GivenUp, EventKind::Left, EventKind::Alarm,
-          EventKind::Landed, EventKind::TookOff, EventKind::LateHome, EventKind::PlannerFailed}) {
+          EventKind::Landed, EventKind::TookOff, EventKind::LateHome, EventKind::LeftFence,
+          EventKind::PlannerFailed}) {
         const auto count =
             std::count_if(mission.events().begin(), mission.events().end(),
                           [kind](const MissionEvent& event) { return event.kind == kind; });

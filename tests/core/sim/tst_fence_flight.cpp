@@ -1,4 +1,5 @@
 #include "core/io/files/run_json.h"
+#include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"
 #include "core/sim/plan_requests.h"
 #include "tests/support/fenced_scenario.h"
@@ -6,6 +7,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <iterator>
 
 using namespace berg;
 using namespace berg::test;
@@ -62,6 +64,41 @@ private slots:
             visits += mission.metrics().visits;
         }
         QVERIFY(visits > 12 * scenarios); // and all the same it visits
+    }
+
+    /** Too near to turn: said before the start, and told of in flight, out and in again. */
+    void leavingTheFenceIsAnEvent()
+    {
+        for (int k = 0; k < 60; ++k) {
+            Scenario s = fencedScenario(k + 1);
+            s.area_m = {{-3000, -3000}, {3000, -3000}, {3000, 3000}, {-3000, 3000}};
+            s.uavs[0].position_m = {2900, 50.0 * k - 1500};
+            s.uavs[0].heading_deg = 86 + k / 8.0; // about east, the fence 100 m ahead
+            for (Iceberg& iceberg : s.icebergs)
+                iceberg.position_m = {0, 0};
+            s.duration_s = 120;
+            const std::vector<Issue> issues = validate(s);
+            QVERIFY(std::ranges::any_of(issues, [](const Issue& issue) {
+                return issue.reason.id == IssueId::StartNearFence;
+            }));
+            const Mission mission = flownFinely(s);
+            QVERIFY(samplesOutside(mission) > 0);
+            std::vector<MissionEvent> events;
+            std::ranges::copy_if(mission.events(), std::back_inserter(events),
+                                 [](const MissionEvent& event) {
+                                     return event.kind == EventKind::LeftFence ||
+                                            event.kind == EventKind::BackInside;
+                                 });
+            QCOMPARE(events.size(), std::size_t{2});
+            QCOMPARE(events[0].kind, EventKind::LeftFence);
+            QCOMPARE(events[0].uav, 0);
+            const auto isInside = [&](double time_s) {
+                return insidePolygon(s.area_m,
+                                     instantAt(mission, time_s).simulation.uav(0).pose.position_m);
+            };
+            QVERIFY(isInside(events[0].time_s - s.dt_s) && !isInside(events[0].time_s));
+            QVERIFY(!isInside(events[1].time_s - s.dt_s) && isInside(events[1].time_s));
+        }
     }
 
     void withoutTheFenceItFliesOutside()

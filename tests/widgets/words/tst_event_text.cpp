@@ -94,6 +94,9 @@ private slots:
         row("reported", {.kind = EventKind::Sighted, .iceberg = 0, .reported = true},
             u"berg-1 reported seen"_s);
         row("of none", {.kind = EventKind::Appeared, .iceberg = 0}, u"berg-1 appeared"_s);
+        row("outside", {.kind = EventKind::LeftFence, .uav = 1}, u"uav-2: Outside the geofence"_s);
+        row("inside", {.kind = EventKind::BackInside, .uav = 0},
+            u"West: Back inside the geofence"_s);
         row("unknown UAV", {.kind = EventKind::Reached, .iceberg = 0, .uav = 7},
             u"berg-1 reached"_s);
     }

@@ -46,6 +46,8 @@ bool isMarked(EventKind kind)
     case EventKind::TookOff:
     case EventKind::LateHome:
     case EventKind::Close:
+    case EventKind::LeftFence:
+    case EventKind::BackInside:
         return true;
     }
     return false;

@@ -254,6 +254,7 @@ private slots:
         row({.kind = EventKind::Intervention, .changed = ChangedPart::Wind}, "wind");
         row({.kind = EventKind::Intervention, .changed = ChangedPart::Asset}, "asset");
         row({.kind = EventKind::Intervention, .changed = ChangedPart::Assignment}, "assigned");
+        row({.kind = EventKind::LeftFence, .uav = 0}, "");
         row({.kind = EventKind::Close, .uav = 0, .otherUav = 1, .distance_m = 142.6},
             "uav-2, 143 m");
     }
