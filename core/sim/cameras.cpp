@@ -16,17 +16,22 @@ constexpr double kMiddleOfView = 0.5;
 
 FieldOfView Camera::view() const
 {
-    SensorSpec seen = sensor;
-    if (!isOn) // nothing is within these extents
-        seen.fov_m.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return {seen, pose.position_m, pose.psi_rad};
+    return part(1);
 }
 
 FieldOfView Camera::middle() const
 {
-    return {{.fov_m = kMiddleOfView * sensor.fov_m, .shape = sensor.shape},
-            pose.position_m,
-            pose.psi_rad};
+    return part(kMiddleOfView);
+}
+
+FieldOfView Camera::part(double share) const
+{
+    SensorSpec seen = sensor;
+    if (isOn)
+        seen.fov_m *= share;
+    else // nothing is within these extents
+        seen.fov_m.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return {seen, pose.position_m, pose.psi_rad};
 }
 
 int firstWith(std::span<const FieldOfView> views, const Point& place_m)

@@ -19,6 +19,9 @@ struct Camera
     [[nodiscard]] FieldOfView view() const;
     /** An iceberg whose estimate is in this part of it should be seen. */
     [[nodiscard]] FieldOfView middle() const;
+
+private:
+    [[nodiscard]] FieldOfView part(double share) const;
 };
 
 /** Index of the first view with the place in it; -1: none. */
