@@ -3146,10 +3146,6 @@
         <translation>Isfjell utenfor området overvåkes ikke; UAV-en kan fly utenfor det.</translation>
     </message>
     <message>
-        <source>The velocity&apos;s deviation counts with the Kalman filter only.</source>
-        <translation>Fartens avvik teller bare med Kalman-filteret.</translation>
-    </message>
-    <message>
         <source>The endurance is too short for the path home from the start.</source>
         <translation>Utholdenheten er for kort til hjemveien fra startstedet.</translation>
     </message>

@@ -52,7 +52,7 @@ struct Iceberg
     double velocitySd_mps = 0;          ///< of what it is known to, along each axis
     double q_m2ps = 0.025;
     double sigma0_m2 = 5;
-    double observed_s = 0; ///< age of the last observation at t = 0: adds q x age to sigma0
+    double observed_s = 0; ///< age of the last observation at t = 0, since when sigma0 has grown
     double appears_s = 0;
     double radius_m = 50;
     std::string uav;     ///< id of the UAV that alone is to visit it; empty: any
@@ -144,7 +144,12 @@ struct Scenario
     bool operator==(const Scenario&) const = default;
 };
 
-/** sigma at t = 0: sigma0 plus growth since the last observation. */
+/** sigma at t = 0: sigma0 plus q x age and (velocity_sd x age)^2 since the last observation. */
 [[nodiscard]] double initialSigma_m2(const Iceberg& iceberg);
+/**
+ * The iceberg at t = 0, without the current. With measurements its velocity is as uncertain as
+ * given, and since the last observation so is its position along with it.
+ */
+[[nodiscard]] Track initialTrack(const Iceberg& iceberg, ObserverModel model);
 
 } // namespace berg

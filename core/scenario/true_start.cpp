@@ -13,11 +13,15 @@ TrueStart trueStart(const Iceberg& iceberg, const ObserverSpec& observer, std::u
     if (observer.model == ObserverModel::Simple || !noise || !iceberg.track.empty())
         return start;
     Random random(seed, stableHash(iceberg.id + "/start"));
-    const double sd_m = std::sqrt(initialSigma_m2(iceberg));
+    // Since it was last seen the velocity that nobody knows has carried it away.
+    const double sd_m = std::sqrt(iceberg.sigma0_m2 + iceberg.q_m2ps * iceberg.observed_s);
     for (Eigen::Index axis = 0; axis < 2; ++axis)
         start.position_m[axis] += sd_m * random.normal();
-    for (Eigen::Index axis = 0; axis < 2; ++axis)
-        start.velocity_mps[axis] += iceberg.velocitySd_mps * random.normal();
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        const double off_mps = iceberg.velocitySd_mps * random.normal();
+        start.velocity_mps[axis] += off_mps;
+        start.position_m[axis] += off_mps * iceberg.observed_s;
+    }
     return start;
 }
 

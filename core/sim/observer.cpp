@@ -53,13 +53,9 @@ void Observer::insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
     m_world.add(iceberg, std::move(noise), start_s, appearsStep);
     m_lookStep.push_back(appearsStep);
     m_nextLookStep = std::min(m_nextLookStep, appearsStep);
-    Track track{.anchor_m = iceberg.position_m,
-                .anchor_s = start_s,
-                .velocity_mps = m_world.body(m_world.icebergCount() - 1).velocity_mps,
-                .sigma_m2 = initialSigma_m2(iceberg),
-                .q_m2ps = iceberg.q_m2ps};
-    if (m_world.observer().model == ObserverModel::Kalman)
-        track.velocity_m2ps2 = iceberg.velocitySd_mps * iceberg.velocitySd_mps;
+    Track track = initialTrack(iceberg, m_world.observer().model);
+    track.anchor_s = start_s;
+    track.velocity_mps = m_world.body(m_world.icebergCount() - 1).velocity_mps;
     // An iceberg that appears later has drifted unseen until then.
     track.grow(std::max(0.0, static_cast<double>(appearsStep) * m_world.dt_s() - start_s));
     m_tracks.push_back(std::move(track));

@@ -94,7 +94,7 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
                        "Icebergs outside the area are not monitored; the UAV may fly beyond it.")},
     {IssueId::VelocitySdUnused,
      QT_TRANSLATE_NOOP("IssueText",
-                       "The velocity's deviation counts with the Kalman filter only.")},
+                       "In flight, the velocity's deviation counts with the Kalman filter only.")},
     {IssueId::SameLayer,
      QT_TRANSLATE_NOOP("IssueText", "Starts near another UAV in the same altitude layer: let their "
                                     "altitudes differ by 30 m.")},

@@ -4,6 +4,7 @@
 #include "core/sim/policy_forecast.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace berg {
 
@@ -25,6 +26,7 @@ Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, int
     now.position_m = simulation.observer().estimate_m(index);
     now.velocity_mps = track.velocity_mps;
     now.sigma0_m2 = track.sigma_m2;
+    now.velocitySd_mps = std::sqrt(track.velocity_m2ps2);
     now.observed_s = 0;
     return now;
 }

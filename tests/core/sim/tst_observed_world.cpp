@@ -1,6 +1,7 @@
 #include "core/bound/zeta_bound.h"
 #include "core/io/files/run_json.h"
 #include "core/scenario/presets.h"
+#include "core/scenario/true_start.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/approx.h"
 #include "tests/support/scenario_builder.h"
@@ -108,6 +109,40 @@ private slots:
         // dependent: 40 x 12 independent ones give sd 1 / sqrt(480) = 0.046; three of them.
         QVERIFY2(std::abs(error / samples - 1) < 0.14,
                  qPrintable(QString::number(error / samples)));
+    }
+
+    /** Six hours after its last sighting at 0.1 m/s it is known to 2.2 km, not to 23 m. */
+    void theAgeOfASightingCountsItsVelocity()
+    {
+        Scenario scenario = emptySea(100);
+        scenario.observer.model = ObserverModel::Kalman;
+        scenario.noise = true;
+        constexpr double kAge_s = 21'600;
+        constexpr double kSd_mps = 0.1;
+        for (int i = 0; i < 500; ++i) {
+            Iceberg& iceberg = addIceberg(scenario, 1e5, 0);
+            iceberg.observed_s = kAge_s;
+            iceberg.velocitySd_mps = kSd_mps;
+        }
+        scenario.icebergs.back().appears_s = 50;
+        const Simulation start(scenario);
+        const Track& track = start.track(0);
+        COMPARE_NEAR(track.sigma_m2, 5 + 540 + 2160.0 * 2160, 1e-6);
+        COMPARE_NEAR(initialSigma_m2(scenario.icebergs[0]), track.sigma_m2, 1e-6);
+        COMPARE_NEAR(track.mixed_m2ps, 216, 1e-9);
+        COMPARE_NEAR(track.velocity_m2ps2, 0.01, 1e-15);
+        COMPARE_NEAR(start.track(499).sigma_m2, 545 + 0.025 * 50 + 2165.0 * 2165, 1e-6);
+        double places = 0;
+        double both = 0;
+        for (const Iceberg& iceberg : scenario.icebergs) {
+            const TrueStart truth = trueStart(iceberg, scenario.observer, 7, true);
+            const Point off_m = truth.position_m - iceberg.position_m;
+            places += off_m.squaredNorm() / (2 * track.sigma_m2);
+            both += off_m.dot(truth.velocity_mps - iceberg.velocity_mps) / (2 * track.mixed_m2ps);
+        }
+        // 1000 numbers squared: standard deviation sqrt(2 / 1000) = 0.045, three of them.
+        COMPARE_NEAR(places / 500, 1, 0.14);
+        COMPARE_NEAR(both / 500, 1, 0.14);
     }
 
     void measurementsComeAtTheirInterval()
