@@ -12,18 +12,28 @@ namespace {
 /** Growth of one sigma between two sightings. */
 struct Growth
 {
+    Track track; ///< its variances those at `since_s`
     double since_s = 0;
-    double sigma_m2 = 0; ///< at `since_s`
-    double q_m2ps = 0;
 
     [[nodiscard]] double sigmaAt_m2(double time_s) const
     {
-        return sigma_m2 + q_m2ps * (time_s - since_s);
+        return track.sigmaAfter_m2(time_s - since_s);
     }
     /** Integral of sigma until `time_s`. */
     [[nodiscard]] double areaUntil_m2s(double time_s) const
     {
-        return (time_s - since_s) * (sigma_m2 + sigmaAt_m2(time_s)) / 2;
+        const double t_s = time_s - since_s;
+        return t_s * (track.sigma_m2 + (track.sigma_m2 + track.q_m2ps * t_s)) / 2 +
+               t_s * t_s * (track.mixed_m2ps + t_s * track.velocity_m2ps2 / 3);
+    }
+    /** Seen for an instant, as exactly as can be: that tells of its velocity, too. */
+    void seeAt(double time_s)
+    {
+        track.grow(time_s - since_s);
+        since_s = time_s;
+        track.measured(track.anchor_m, 0, track.anchor_s);
+        track.mixed_m2ps = 0;
+        track.sigma_m2 = 0;
     }
 };
 
@@ -140,7 +150,7 @@ PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders,
     require(start.active.size() == tracks.size(), "forecastPlan: one flag for each iceberg");
     std::vector<Growth> growths;
     for (const Track& track : tracks)
-        growths.push_back({.sigma_m2 = track.sigma_m2, .q_m2ps = track.q_m2ps});
+        growths.push_back({.track = track});
 
     PlanForecast forecast;
     for (std::size_t uav = 0; uav < orders.size(); ++uav)
@@ -151,7 +161,7 @@ PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders,
         if (visit->arrival_s > horizon_s)
             continue;
         forecast.zeta_m2s += growth.areaUntil_m2s(visit->arrival_s);
-        growth = {.since_s = visit->arrival_s, .sigma_m2 = 0, .q_m2ps = growth.q_m2ps};
+        growth.seeAt(visit->arrival_s);
     }
     for (std::size_t i = 0; i < growths.size(); ++i)
         if (start.active[i])

@@ -72,7 +72,7 @@ double sigmaAt_m2(const ExportContent& content, const Visit& visit)
     for (const int index : icebergsOf(visit)) {
         const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(index));
         const double ahead_s = content.what == ExportWhat::Track ? 0 : visit.time_s - content.now_s;
-        most_m2 = std::max(most_m2, now.sigma_m2 + now.iceberg.q_m2ps * ahead_s);
+        most_m2 = std::max(most_m2, now.sigmaAfter_m2(ahead_s));
     }
     return most_m2;
 }

@@ -68,10 +68,13 @@ IcebergState stateOf(const Simulation& simulation, int index)
 
 ExportIceberg enteredIceberg(const Scenario& scenario, const Iceberg& iceberg)
 {
+    const Track track = initialTrack(iceberg, scenario.observer.model);
     return {.iceberg = iceberg,
             .position_m = iceberg.position_m,
             .drift_mps = iceberg.velocity_mps + scenario.current_mps,
-            .sigma_m2 = initialSigma_m2(iceberg),
+            .sigma_m2 = track.sigma_m2,
+            .mixed_m2ps = track.mixed_m2ps,
+            .velocity_m2ps2 = track.velocity_m2ps2,
             .state = iceberg.appears_s > 0 ? IcebergState::Expected : IcebergState::Tracked};
 }
 
@@ -90,6 +93,8 @@ ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportWhat
     if (what != ExportWhat::Track)
         now.drift_mps = simulation.track(index).velocity_mps;
     now.sigma_m2 = simulation.track(index).sigma_m2;
+    now.mixed_m2ps = simulation.track(index).mixed_m2ps;
+    now.velocity_m2ps2 = simulation.track(index).velocity_m2ps2;
     return now;
 }
 

@@ -15,8 +15,7 @@ void addVisit(std::string& text, const ExportContent& content, const ExportUav& 
     double leg_m = (visit.position_m - from_m).norm();
     for (const int index : icebergsOf(visit)) {
         const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(index));
-        const double arrival_m2 =
-            now.sigma_m2 + now.iceberg.q_m2ps * (visit.time_s - content.now_s);
+        const double arrival_m2 = now.sigmaAfter_m2(visit.time_s - content.now_s);
         text += std::to_string(sequence) + ',' + csvField(now.iceberg.id) + ',' +
                 csvField(now.iceberg.name);
         for (const double value :

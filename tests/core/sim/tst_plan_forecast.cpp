@@ -104,6 +104,35 @@ class TestPlanForecast : public QObject
     Q_OBJECT
 
 private slots:
+    /** What the filter predicts: an uncertain velocity adds to sigma, before a visit and after. */
+    void sigmaGrowsAsTheFilterPredicts()
+    {
+        Sea world;
+        world.add({2000, 0}, 30, 0.05).add({0, 5000}, 4, 0.01);
+        world.state.tracks[0].mixed_m2ps = 3;
+        world.state.tracks[0].velocity_m2ps2 = 0.5;
+        world.state.tracks[1].velocity_m2ps2 = 0.02;
+        constexpr double kHorizon_s = 400;
+        const PlanForecast forecast = forecastPlan(world.start(), {{0}}, kHorizon_s);
+        const ForecastVisit& visit = forecast.uavs[0].visits.front();
+        COMPARE_NEAR(visit.arrival_s, 100, 1e-9);
+        COMPARE_NEAR(visit.arrivalSigma_m2, world.state.tracks[0].sigmaAfter_m2(100), 1e-9);
+
+        std::vector<Track> tracks = world.state.tracks;
+        constexpr double kStep_s = 0.01;
+        double zeta_m2s = 0;
+        for (int step = 0; step < static_cast<int>(kHorizon_s / kStep_s); ++step) {
+            if (step == 10'000) // seen exactly
+                tracks[0].measured({2000, 0}, 0, 200);
+            for (Track& track : tracks) {
+                zeta_m2s += track.sigma_m2 * kStep_s / 2;
+                track.grow(kStep_s);
+                zeta_m2s += track.sigma_m2 * kStep_s / 2;
+            }
+        }
+        COMPARE_NEAR(forecast.zeta_m2s / zeta_m2s, 1, 1e-6); // trapezia of small steps
+    }
+
     void oneVisitByHand()
     {
         Sea world;
