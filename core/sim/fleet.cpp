@@ -38,8 +38,7 @@ bool Fleet::visitable(int uav, int iceberg) const
     const World& world = m_observer.world();
     const int assigned = world.body(iceberg).assignedUav;
     return m_observer.active(iceberg) && track.status == TrackStatus::Tracked && !track.inView &&
-           (assigned < 0 || assigned == uav) &&
-           !m_observer.cameras().isWithinReachOfAny(world.truth_m(iceberg)) &&
+           (assigned < 0 || assigned == uav) && !isReachedUnseen(m_observer, iceberg) &&
            !autopilot(uav).isShutOff(m_observer.estimate_m(iceberg));
 }
 

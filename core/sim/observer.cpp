@@ -364,9 +364,18 @@ bool isInOwnView(const Observer& observer, int uav, int iceberg)
 
 bool isReached(const Observer& observer, int uav, int iceberg)
 {
-    return observer.cameras().reachRadius_m()
-               ? observer.cameras().isWithinReach(uav, observer.world().truth_m(iceberg))
-               : isInOwnView(observer, uav, iceberg);
+    if (!observer.cameras().reachRadius_m())
+        return isInOwnView(observer, uav, iceberg);
+    if (observer.world().observer().model == ObserverModel::Simple)
+        return observer.cameras().isWithinReach(uav, observer.world().truth_m(iceberg));
+    return observer.track(iceberg).inView &&
+           observer.cameras().isWithinReach(uav, observer.estimate_m(iceberg));
+}
+
+bool isReachedUnseen(const Observer& observer, int iceberg)
+{
+    return observer.world().observer().model == ObserverModel::Simple &&
+           observer.cameras().isWithinReachOfAny(observer.world().truth_m(iceberg));
 }
 
 bool isReachedByOther(const Observer& observer, int uav, int iceberg)

@@ -100,7 +100,11 @@ private:
 
 /** In view of this UAV: of several, others may have it in view. */
 [[nodiscard]] bool isInOwnView(const Observer& observer, int uav, int iceberg);
+/** In its own view; with a reach radius, within that: by the truth in the simple model, else by the
+ * estimate of what the last look has shown. */
 [[nodiscard]] bool isReached(const Observer& observer, int uav, int iceberg);
+/** The same of any UAV, for one that is in no view. */
+[[nodiscard]] bool isReachedUnseen(const Observer& observer, int iceberg);
 [[nodiscard]] bool isReachedByOther(const Observer& observer, int uav, int iceberg);
 
 } // namespace berg

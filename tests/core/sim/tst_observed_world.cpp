@@ -145,6 +145,48 @@ private slots:
         COMPARE_NEAR(both / 500, 1, 0.14);
     }
 
+    /** With measurements an iceberg is reached where it is believed to be, once it has been seen;
+     * where it truly is nobody knows. */
+    void reachedByTheEstimate()
+    {
+        Scenario scenario = emptySea(400);
+        scenario.observer.model = ObserverModel::Kalman;
+        scenario.reachRadius_m = 120;
+        addIceberg(scenario, 3000, 0).track = {.time_s = {0, 10000},
+                                               .position_m = {{2800, 0}, {2800, 0}}};
+        addIceberg(scenario, 9000, 0);
+        Mission mission(scenario);
+        const auto isBelievedWithin = [](const Simulation& now) {
+            return (now.observer().estimate_m(0) - now.uav(0).pose.position_m).norm() <= 120;
+        };
+        for (double time_s = 0; mission.metrics().visits == 0 && time_s < 400; time_s += 0.1)
+            mission.advance(time_s);
+        const Simulation& now = mission.simulation();
+        QCOMPARE(mission.metrics().visits, 1);
+        QVERIFY(isBelievedWithin(now) && now.track(0).inView);
+        QVERIFY(!isBelievedWithin(instantAt(mission, now.time_s() - 0.2).simulation));
+    }
+
+    /** A radius larger than the view: what has not been seen is not reached, so it may be planned.
+     */
+    void reachedOnceItIsSeen()
+    {
+        Scenario scenario = emptySea(400);
+        scenario.observer.model = ObserverModel::Kalman;
+        scenario.reachRadius_m = 900;
+        addIceberg(scenario, 800, 0);
+        addIceberg(scenario, 5000, 0);
+        Mission mission(scenario);
+        mission.advance(0.1);
+        QVERIFY(mission.simulation().available(0, 0));
+        mission.advance(400);
+        const auto first =
+            std::ranges::find(mission.events(), EventKind::Reached, &MissionEvent::kind);
+        QVERIFY(first != mission.events().end());
+        QCOMPARE(first->iceberg, 0);
+        QVERIFY(std::abs(first->time_s - 500 / 22.0) < 1.2); // in view, and the next look
+    }
+
     void measurementsComeAtTheirInterval()
     {
         Scenario scenario = emptySea(60);
