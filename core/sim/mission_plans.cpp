@@ -137,15 +137,13 @@ bool Mission::planNow(const std::stop_token& stop)
     if (!answer.failure.empty())
         note({.kind = EventKind::PlannerFailed, .failure = answer.failure});
     Round plans = planEvents(answer, *request);
-    bool isTakeOff = false;
     for (PlanEvent& plan : plans) {
         plan.time_s = m_simulation.time_s();
         plan.reason = m_simulation.planReason(plan.uav);
-        isTakeOff = isTakeOff || plan.reason == PlanReason::TakeOff;
     }
-    // The first plan of a sortie is made before take-off.
+    // The first plan of a mission is made before its start.
     const std::int64_t wait = std::llround(m_scenario.planningTime_s / m_simulation.world().dt_s());
-    if (wait == 0 || m_plans.empty() || isTakeOff) {
+    if (wait == 0 || m_plans.empty()) {
         putInForce(std::move(plans));
         return true;
     }

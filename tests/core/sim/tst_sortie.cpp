@@ -366,6 +366,26 @@ private slots:
         }
     }
 
+    /** The plan of a take-off comes as late as any other; until then the last one is flown. */
+    void takeOffsWaitForTheirPlan()
+    {
+        Scenario s = enduring(6);
+        s.planningTime_s = 9;
+        const Mission mission = flownWithin(s);
+        const std::vector<double> tookOff_s = timesOf(mission, EventKind::TookOff);
+        QVERIFY(!tookOff_s.empty());
+        for (const double time_s : tookOff_s) {
+            const auto plan = std::ranges::find_if(mission.plans(), [&](const PlanEvent& made) {
+                return made.time_s > time_s - s.dt_s / 2;
+            });
+            QVERIFY(plan != mission.plans().end() && plan->interim);
+            const auto next = std::ranges::find_if(plan, mission.plans().end(), isReplan);
+            QVERIFY(next != mission.plans().end());
+            QCOMPARE(next->reason, PlanReason::TakeOff);
+            QVERIFY(std::abs(next->time_s - time_s - 9) < s.dt_s / 2);
+        }
+    }
+
     void slicesDoNotMatter()
     {
         const Scenario s = enduring(7, 4);
