@@ -296,11 +296,14 @@ double Autopilot::steer(int uav, Observer& observer, StepReport& report)
     throw std::logic_error("Autopilot: homeward UAVs are not steered by their errand");
 }
 
-/** Along the leg, the cross-track error put on record. */
-LosGuidance::Command Autopilot::steerAlong(const Point& end_m)
+/** Along the leg to what drifts, the cross-track error put on record. */
+LosGuidance::Command Autopilot::steerAlong(const Point& end_m, const Point& drift_mps)
 {
+    Motion relative = motion();
+    if (!relative.wind_mps.isZero(0)) // without wind the paper's law, which has no crab angle
+        relative.wind_mps -= drift_mps;
     const LosGuidance::Command command =
-        m_guidance.steer(m_pose, end_m, motion(), m_guard.uav().clock.command_s());
+        m_guidance.steer(m_pose, end_m, relative, m_guard.uav().clock.command_s());
     m_crossTrack_m = command.crossTrack_m;
     return command;
 }
@@ -327,7 +330,8 @@ double Autopilot::steerLeg(const Observer& observer)
         m_crossTrack_m = leg_m.isZero(0) ? 0 : cross(leg_m.normalized(), flown_m);
         return steerAt(end_m);
     }
-    const LosGuidance::Command command = steerAlong(end_m);
+    const Point& drift_mps = observer.track(errand.target).velocity_mps;
+    const LosGuidance::Command command = steerAlong(end_m, drift_mps);
     if (!command.passedEnd)
         return command.u_radps;
     ++m_misses;
@@ -338,7 +342,7 @@ double Autopilot::steerLeg(const Observer& observer)
         return steerRunOut();
     }
     m_guidance.startLeg(m_pose.position_m);
-    return steerAlong(end_m).u_radps;
+    return steerAlong(end_m, drift_mps).u_radps;
 }
 
 double Autopilot::steerAim(AimedLeg& aim)
@@ -388,7 +392,8 @@ double Autopilot::steerSearch(int uav, Observer& observer, StepReport& report)
     if (!fencedOff)
         if (const std::optional<double> u_radps = steerRoundFence(corner_m))
             return *u_radps;
-    const LosGuidance::Command command = steerAlong(corner_m);
+    const LosGuidance::Command command =
+        steerAlong(corner_m, observer.track(search->iceberg).velocity_mps);
     if (!command.passedEnd && !fencedOff)
         return command.u_radps;
     observer.searches().nextCorner(uav);

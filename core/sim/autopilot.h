@@ -99,7 +99,8 @@ private:
     [[nodiscard]] double steerSearch(int uav, Observer& observer, StepReport& report);
     /** Towards the corner that the geofence leads round on the way there; none: it does not. */
     [[nodiscard]] std::optional<double> steerRoundFence(const Point& end_m);
-    [[nodiscard]] LosGuidance::Command steerAlong(const Point& end_m);
+    [[nodiscard]] LosGuidance::Command steerAlong(const Point& end_m,
+                                                  const Point& drift_mps = Point::Zero());
     [[nodiscard]] double steerAt(const Point& place_m) const;
 
     SensorSpec m_sensor;

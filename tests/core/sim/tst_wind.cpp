@@ -59,6 +59,23 @@ private slots:
         }
     }
 
+    /** An iceberg that drifts across is met on the leg: the crab is that of wind minus drift. */
+    void crabsForTheDriftOfTheTarget()
+    {
+        for (const double drift_mps : {-1.5, 1.5}) {
+            Scenario scenario = emptySea(3000);
+            scenario.wind_mps = {0, 8};
+            scenario.uavs[0].fov_m = {40, 800};
+            addIceberg(scenario, 4000, 0).velocity_mps = {0, drift_mps};
+            Mission mission(scenario);
+            while (mission.metrics().visits == 0 && !mission.simulation().finished())
+                mission.advance(mission.simulation().time_s() + 0.1);
+            QCOMPARE(mission.metrics().visits, 1);
+            const double off_m = mission.recorder().samples().back().uavs[0].crossTrack_m;
+            QVERIFY2(std::abs(off_m) < 3, qPrintable(QString::number(off_m)));
+        }
+    }
+
     /** A long leg in wind from all sides, until the iceberg comes into view. */
     void longLegsTakeTheTimePlanned_data()
     {
