@@ -1054,7 +1054,7 @@
     </message>
     <message>
         <source>Reserve</source>
-        <translation type="unfinished">Reserve</translation>
+        <translation>Reserve</translation>
     </message>
     <message>
         <source>Beyond it at home</source>
@@ -3154,20 +3154,8 @@
         <translation>Hjemstedet har bare betydning når utholdenheten er begrenset.</translation>
     </message>
     <message>
-        <source>Home is so near the geofence that the UAV cannot take off there again and be sure to come home.</source>
-        <translation>Hjemstedet ligger så nær geogjerdet at UAV-en ikke kan ta av der igjen og være sikker på å komme hjem.</translation>
-    </message>
-    <message>
         <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
         <translation>Tiden mellom to kommandoer fra autopiloten er for lang til at UAV-en kan følge en etappe.</translation>
-    </message>
-    <message>
-        <source>For its heading, the UAV has no path home inside the geofence from where it starts: no start is safe.</source>
-        <translation>Med denne kursen har UAV-en ingen vei hjem innenfor geogjerdet fra startstedet: ingen start er trygg.</translation>
-    </message>
-    <message>
-        <source>The UAV starts so near the geofence, for its heading, that it cannot turn inside it.</source>
-        <translation>Dronen starter så nær geogjerdet, med denne kursen, at den ikke kan svinge innenfor det.</translation>
     </message>
     <message>
         <source>A geofence needs an area.</source>
@@ -3178,16 +3166,8 @@
         <translation>Må ligge innenfor området, som er et geogjerde.</translation>
     </message>
     <message>
-        <source>This policy plans without the geofence; it is kept in flight.</source>
-        <translation>Denne strategien planlegger uten geogjerdet; det overholdes under flygingen.</translation>
-    </message>
-    <message>
         <source>This policy plans icebergs one by one: several in one field of view are not planned as one point.</source>
         <translation>Denne strategien planlegger isfjell ett for ett: flere i ett synsfelt planlegges ikke som ett punkt.</translation>
-    </message>
-    <message>
-        <source>So near the geofence that the UAV cannot come as near as it has to.</source>
-        <translation>Så nær geogjerdet at UAV-en ikke kan komme så nær som den må.</translation>
     </message>
     <message>
         <source>Starts near another UAV in the same altitude layer: let their altitudes differ by 30 m.</source>
@@ -3228,6 +3208,46 @@
     <message>
         <source>The plan leads out of the range of the ground station for %2.</source>
         <translation>Planen går utenfor bakkestasjonens rekkevidde i %2.</translation>
+    </message>
+    <message>
+        <source>With the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %2 corners, not %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Must be outside the no-fly area &quot;%2&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Must be outside the stand-off ring round the asset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In flight, the velocity&apos;s deviation counts with the Kalman filter only.</source>
+        <translation>Under flyging teller fartens standardavvik bare med Kalman-filteret.</translation>
+    </message>
+    <message>
+        <source>Home is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This policy plans without geofence and no-fly areas; they are kept in flight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
+        <translation>Godkjenningsradien er større enn halve synsfeltet, så isfjell regnes som nådd uten å være sett.</translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,11 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::FenceNoArea, "needs an area, area_m, to stay inside"},
     {IssueId::FenceCorners, "must have at most %1 corners to be a geofence, not %2"},
     {IssueId::OutsideFence, "must be inside the area, which is a geofence"},
+    {IssueId::NoFlyCorners,
+     "must have, with the geofence and the stand-off ring, at most %1 corners "
+     "at the altitude of a UAV, not %2"},
+    {IssueId::InsideNoFly, "must be outside the no-fly area \"%1\""},
+    {IssueId::InsideStandoff, "must be outside the stand-off ring round the asset"},
     {IssueId::UnknownUav, "\"%1\" is the id of no UAV of this scenario"},
     {IssueId::WindTooFast,
      "must be slower than the UAV flies: wind of %1 m/s, airspeed of %2 %3 m/s"},
@@ -67,20 +72,23 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::NoRoundTrip, "is too short for the way to the nearest iceberg and back"},
     {IssueId::HomeUnused, "is used with a limited endurance only"},
     {IssueId::HomeNearFence,
-     "is so near the geofence that the UAV cannot take off there again and be sure to come home"},
+     "is so near the geofence or a no-fly area that the UAV cannot take off there again and be "
+     "sure to come home"},
     {IssueId::NoSafeReturn,
-     "has, for this heading, no path home inside the geofence, so that no start is safe"},
-    {IssueId::StartNearFence,
-     "is so near the geofence, for this heading, that the UAV cannot turn inside it"},
-    {IssueId::ShutOff, "is so near the geofence that the UAV, to be within the acceptance radius, "
-                       "cannot be sent there"},
+     "has, for this heading, no path home inside the geofence and outside no-fly areas, so that no "
+     "start is safe"},
+    {IssueId::StartNearFence, "is so near the geofence or a no-fly area, for this heading, that "
+                              "the UAV cannot turn in time"},
+    {IssueId::ShutOff, "is so near the geofence or in a no-fly area that the UAV, to be within "
+                       "the acceptance radius, cannot be sent there"},
     {IssueId::SlowAutopilot, "is so long between two commands that the UAV cannot follow a leg"},
     {IssueId::WindLimit, "must not be exceeded: wind of %1 m/s, limit %2 m/s"},
     {IssueId::GustLimit, "must not be exceeded: gusts of %1 m/s, limit %2 m/s"},
     {IssueId::Icing, "the UAV must not be flown in icing conditions, which this weather brings"},
     {IssueId::ThinReserve, "in one flight of twenty %1 s of the reserve are used to come home"},
     {IssueId::NoContact, "the plan leads out of the range of the ground station for %1 s"},
-    {IssueId::FenceUnplanned, "this policy plans without the geofence; it is kept in flight"},
+    {IssueId::FenceUnplanned,
+     "this policy plans without geofence and no-fly areas; they are kept in flight"},
     {IssueId::UavOutside, "the UAV starts outside the area"},
     {IssueId::WideTurn,
      "the turn radius is larger than half the field of view, so that an iceberg may be missed"},

@@ -44,6 +44,9 @@ enum class IssueId
     FenceNoArea,
     FenceCorners, ///< most, count
     OutsideFence,
+    NoFlyCorners, ///< most, count
+    InsideNoFly,  ///< its name or path
+    InsideStandoff,
     UnknownUav,  ///< the id
     WindTooFast, ///< wind, id of the UAV, its airspeed
     StrongWind,  ///< the same

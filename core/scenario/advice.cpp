@@ -3,6 +3,7 @@
 #include "core/base/angles.h"
 #include "core/plan/solve/engine.h"
 #include "core/scenario/checks.h"
+#include "core/scenario/fence.h"
 #include "core/scenario/sortie.h"
 #include "core/scenario/weather.h"
 #include "core/vehicle/safety_guard.h"
@@ -23,8 +24,6 @@ constexpr double kFastDrift_mps = 2;
 constexpr std::size_t kQuickProof = 80;
 constexpr auto kMostProven = static_cast<std::size_t>(kMostProvenByEngine);
 
-using Fences = std::vector<std::shared_ptr<const Geofence>>;
-
 Motion motionOf(const Scenario& scenario, const Uav& uav)
 {
     return {.airspeed_mps = uav.spec.airspeed_mps,
@@ -41,10 +40,12 @@ DubinsState startOf(const Uav& uav)
 struct Flyer
 {
     const Uav& uav;
-    std::string path;    ///< in the file
-    double reach_m = 0;  ///< farthest from it that counts as reached
-    double seen_m = 0;   ///< so near it is seen, whatever its heading
-    bool isWide = false; ///< its turns are wider than what it sees of its side
+    std::string path;                      ///< in the file
+    double reach_m = 0;                    ///< farthest from it that counts as reached
+    double seen_m = 0;                     ///< so near it is seen, whatever its heading
+    double surely_m = 0;                   ///< nearer than this it is reached whatever the heading
+    bool isWide = false;                   ///< its turns are wider than what it sees of its side
+    std::shared_ptr<const Geofence> fence; ///< null: it may fly anywhere
 };
 
 Flyer flyerOf(const Scenario& scenario, std::size_t i)
@@ -54,11 +55,14 @@ Flyer flyerOf(const Scenario& scenario, std::size_t i)
     const bool isDisk = scenario.fovShape == FovShape::Disk;
     const double farthest_m = isDisk ? uav.fov_m.x() / 2 : uav.fov_m.norm() / 2;
     const double nearest_m = isDisk ? uav.fov_m.x() / 2 : uav.fov_m.minCoeff() / 2;
+    const double surely_m = scenario.reachRadius_m.value_or(nearest_m);
     return {.uav = uav,
             .path = entryPath("uavs", i),
             .reach_m = scenario.reachRadius_m.value_or(farthest_m),
             .seen_m = nearest_m,
-            .isWide = turnRadius_m(uav.spec) > scenario.reachRadius_m.value_or(nearest_m)};
+            .surely_m = surely_m,
+            .isWide = turnRadius_m(uav.spec) > surely_m,
+            .fence = fenceOf(scenario, uav.spec.altitude_m, motionOf(scenario, uav))};
 }
 
 /** The findings about one scenario without errors. */
@@ -80,7 +84,7 @@ public:
             adviseEndurance(flyer);
         for (Issue& issue : weatherIssues(m_s))
             m_issues.push_back(std::move(issue));
-        adviseGeofence();
+        adviseFences();
         adviseAsset();
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
             adviseIceberg(i);
@@ -144,10 +148,9 @@ private:
     void adviseUavs();
     void adviseLayers();
     void adviseEndurance(const Flyer& flyer);
-    void adviseGeofence();
-    void adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofence>& fence,
-                      const SortieSpec& sortie);
-    void adviseShutOff(const Fences& fences);
+    void adviseFences();
+    void adviseReturn(const Flyer& flyer, const SortieSpec& sortie);
+    void adviseShutOff();
     void adviseAsset();
     void adviseIceberg(std::size_t i);
     void adviseTrack(const Iceberg& iceberg, const std::string& path);
@@ -221,7 +224,7 @@ void Adviser::adviseEndurance(const Flyer& flyer)
         return;
     const std::optional<Way> home =
         wayTo(startOf(uav), {.place_m = sortie->home_m}, motionOf(m_s, uav), m_s.dt_s);
-    if (!m_s.geofence && (!home || home->time_s + kHomeReserve_s > sortie->endurance_s))
+    if (!flyer.fence && (!home || home->time_s + kHomeReserve_s > sortie->endurance_s))
         warn(flyer.path + ".endurance_s", IssueId::NoWayHome);
     bool visits = false;
     bool returns = false;
@@ -237,35 +240,35 @@ void Adviser::adviseEndurance(const Flyer& flyer)
         warn(flyer.path + ".endurance_s", IssueId::NoRoundTrip);
 }
 
-void Adviser::adviseGeofence()
+void Adviser::adviseFences()
 {
-    if (!m_s.geofence)
-        return;
-    Fences fences; // by UAV: one that is faster turns wider
+    bool isFenced = false;
     for (const Flyer& flyer : m_flyers) {
-        const Uav& uav = flyer.uav;
-        const auto& fence =
-            fences.emplace_back(std::make_shared<const Geofence>(m_s.area_m, motionOf(m_s, uav)));
-        if (fence->room_m(startOf(uav)) < 0)
+        if (!flyer.fence)
+            continue;
+        isFenced = true;
+        if (flyer.fence->room_m(startOf(flyer.uav)) < 0)
             warn(flyer.path + ".position_m", IssueId::StartNearFence);
-        if (const std::optional<SortieSpec> sortie = sortieOf(uav))
-            adviseReturn(flyer, fence, *sortie);
+        if (const std::optional<SortieSpec> sortie = sortieOf(flyer.uav))
+            adviseReturn(flyer, *sortie);
     }
-    if (traitsOf(m_s.planner.policy).method == PolicyMethod::PredictedZeta)
-        hint("geofence", IssueId::FenceUnplanned);
-    adviseShutOff(fences);
+    if (isFenced && traitsOf(m_s.planner.policy).method == PolicyMethod::PredictedZeta)
+        hint(m_s.geofence        ? "geofence"
+             : m_s.noFly.empty() ? "asset.standoff_m"
+                                 : "no_fly",
+             IssueId::FenceUnplanned);
+    adviseShutOff();
 }
 
 /** Paths home inside the fence: from the start, and from home for the next sortie. */
-void Adviser::adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofence>& fence,
-                           const SortieSpec& sortie)
+void Adviser::adviseReturn(const Flyer& flyer, const SortieSpec& sortie)
 {
     const Uav& uav = flyer.uav;
     const CommandClock clock{
         .dt_s = m_s.dt_s,
         .steps = std::max<std::int64_t>(1, std::llround(uav.spec.autopilot_s / m_s.dt_s))};
     const SafetyGuard guard(
-        {.motion = motionOf(m_s, uav), .sortie = sortie, .fence = fence, .clock = clock});
+        {.motion = motionOf(m_s, uav), .sortie = sortie, .fence = flyer.fence, .clock = clock});
     const std::optional<ReturnPath> path = guard.returnPath(startOf(uav));
     if (!path)
         warn(flyer.path + ".position_m", IssueId::NoSafeReturn);
@@ -275,17 +278,19 @@ void Adviser::adviseReturn(const Flyer& flyer, const std::shared_ptr<const Geofe
         warn(flyer.path + ".home_m", IssueId::HomeNearFence);
 }
 
-void Adviser::adviseShutOff(const Fences& fences)
+void Adviser::adviseShutOff()
 {
+    const auto isShutOffFrom = [](const Flyer& flyer, const Point& place_m) {
+        return flyer.fence && (flyer.fence->isOutOfReach(place_m, flyer.surely_m) ||
+                               (flyer.isWide && flyer.fence->isShutOff(place_m)));
+    };
     for (std::size_t i = 0; i < m_s.icebergs.size(); ++i) {
         const Iceberg& iceberg = m_s.icebergs[i];
         if (isOutside(iceberg.position_m))
             continue;
-        bool isShutOff = true;
-        for (std::size_t k = 0; k < m_flyers.size() && isShutOff; ++k)
-            isShutOff = !mayVisit(m_flyers[k], iceberg) ||
-                        (m_flyers[k].isWide && fences[k]->isShutOff(iceberg.position_m));
-        if (isShutOff)
+        if (allVisitors(iceberg, [&](const Flyer& flyer) {
+                return isShutOffFrom(flyer, iceberg.position_m);
+            }))
             warn(entryPath("icebergs", i) + ".position_m", IssueId::ShutOff);
     }
 }

@@ -3,7 +3,7 @@
 #include "core/plan/solve/names.h"
 #include "core/scenario/advice.h"
 #include "core/scenario/checks.h"
-#include "core/vehicle/geofence.h"
+#include "core/scenario/fence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -277,6 +277,41 @@ void checkGeofence(const Scenario& s, Findings& findings)
     }
 }
 
+/** The UAVs start and land outside what they cannot fly into, which can be flown round. */
+void checkClosedAreas(const Scenario& s, Findings& findings)
+{
+    if (s.noFly.size() > kMostNoFlyAreas)
+        return;
+    const std::vector<NoFlyArea> areas = closedAreas(s);
+    std::size_t corners = 0;
+    for (std::size_t i = 0; i < s.uavs.size(); ++i) {
+        const Uav& uav = s.uavs[i];
+        const FenceShape shape = fenceShape(s, uav.spec.altitude_m);
+        if (!shape.holes_m.empty() && shape.corners_m.size() <= kMostFenceCorners)
+            corners = std::max(corners, shape.cornerCount());
+        const auto outside = [&](const Point& place_m, const std::string& field) {
+            for (std::size_t k = 0; k < areas.size(); ++k) {
+                if (!isClosedAt(areas[k], uav.spec.altitude_m) ||
+                    !insidePolygon(areas[k].corners_m, place_m))
+                    continue;
+                if (k == s.noFly.size())
+                    findings.conflict(field, IssueId::InsideStandoff);
+                else
+                    findings.conflict(field, IssueId::InsideNoFly,
+                                      {areas[k].name.empty() ? entryPath("no_fly", k)
+                                                             : printable(areas[k].name)});
+                return;
+            }
+        };
+        outside(uav.position_m, entryPath("uavs", i) + ".position_m");
+        if (uav.home_m)
+            outside(*uav.home_m, entryPath("uavs", i) + ".home_m");
+    }
+    if (corners > kMostFenceCorners)
+        findings.conflict(s.noFly.empty() ? "asset.standoff_m" : "no_fly", IssueId::NoFlyCorners,
+                          {count(kMostFenceCorners), count(corners)});
+}
+
 /** Times that rise, each with a place; an empty track is none. */
 void checkTrack(const RecordedTrack& track, const std::string& path, Findings& findings)
 {
@@ -434,6 +469,7 @@ std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
     checkAreas(scenario, findings);
     checkUavs(scenario, ownerOfId, findings);
     checkGeofence(scenario, findings);
+    checkClosedAreas(scenario, findings);
     checkIcebergs(scenario, ownerOfId, findings);
     checkFleet(scenario, findings);
     checkDrift(scenario, findings);

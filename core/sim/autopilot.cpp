@@ -1,6 +1,7 @@
 #include "core/sim/autopilot.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/fence.h"
 #include "core/scenario/sortie.h"
 #include "core/sim/clusters.h"
 
@@ -27,8 +28,7 @@ SafetyGuard guardOf(const Uav& uav, const Scenario& scenario)
                                  .steps = std::max<std::int64_t>(
                                      1, std::llround(uav.spec.autopilot_s / scenario.dt_s))}};
     guarded.sortie = sortieOf(uav);
-    if (scenario.geofence)
-        guarded.fence = std::make_shared<const Geofence>(scenario.area_m, guarded.motion);
+    guarded.fence = fenceOf(scenario, uav.spec.altitude_m, guarded.motion);
     return SafetyGuard(std::move(guarded));
 }
 
@@ -46,7 +46,8 @@ Autopilot::Autopilot(const Uav& uav, const Scenario& scenario)
     : m_sensor{.fov_m = uav.fov_m, .shape = scenario.fovShape}
     , m_altitude_m(uav.spec.altitude_m)
     , m_turnRadius_m(turnRadius_m(uav.spec))
-    , m_needsRunOut(scenario.reachRadius_m.value_or(surelySeen_m(m_sensor)) < m_turnRadius_m)
+    , m_reach_m(scenario.reachRadius_m.value_or(surelySeen_m(m_sensor)))
+    , m_needsRunOut(m_reach_m < m_turnRadius_m)
     , m_guard(guardOf(uav, scenario))
     , m_pose{.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)}
 {
@@ -129,7 +130,8 @@ Eigen::MatrixXd legLengths_m(const GuardedUav& uav, std::span<const Point> place
 bool Autopilot::isShutOff(const Point& place_m) const
 {
     const Geofence* fence = m_guard.uav().fence.get();
-    return fence != nullptr && m_needsRunOut && fence->isShutOff(place_m);
+    return fence != nullptr && (fence->isOutOfReach(place_m, m_reach_m) ||
+                                (m_needsRunOut && fence->isShutOff(place_m)));
 }
 
 std::optional<double> Autopilot::homeMargin_s(const Observer& observer) const
@@ -213,10 +215,15 @@ bool Autopilot::takeOff(const Observer& observer)
     return true;
 }
 
-void Autopilot::setWind(const Point& wind_mps, const std::vector<Point>& area_m,
-                        const Observer& observer)
+void Autopilot::setWind(const Point& wind_mps, const Observer& observer)
 {
-    m_guard.setWind(wind_mps, area_m);
+    m_guard.setWind(wind_mps);
+    m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
+}
+
+void Autopilot::setFence(std::shared_ptr<const Geofence> fence, const Observer& observer)
+{
+    m_guard.setFence(std::move(fence));
     m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
 }
 
@@ -316,12 +323,18 @@ double Autopilot::steerAt(const Point& place_m) const
                              m_guidance.gains.turn_1ps);
 }
 
+Point Autopilot::legEnd_m(const Errand& errand, const Observer& observer) const
+{
+    const Point place_m = targetPlace_m(errand, observer);
+    return m_guard.uav().fence ? m_guard.uav().fence->beside_m(place_m) : place_m;
+}
+
 double Autopilot::steerLeg(const Observer& observer)
 {
     Errand& errand = std::get<Leg>(m_mode).errand;
     if (errand.aim)
         return steerAim(*errand.aim);
-    const Point end_m = targetPlace_m(errand, observer);
+    const Point end_m = legEnd_m(errand, observer);
     if (const std::optional<double> u_radps = steerRoundFence(end_m))
         return *u_radps;
     if (!errand.members.empty()) { // not along the leg: the view has little to spare beside it

@@ -54,7 +54,9 @@ public:
     void setReached(int iceberg) { m_lastReached = iceberg; }
     /** In mode Ground; false: it would not come home, and tries again later. */
     [[nodiscard]] bool takeOff(const Observer& observer);
-    void setWind(const Point& wind_mps, const std::vector<Point>& area_m, const Observer& observer);
+    void setWind(const Point& wind_mps, const Observer& observer);
+    /** Made for the wind that blows; null: none from now on. */
+    void setFence(std::shared_ptr<const Geofence> fence, const Observer& observer);
 
     /** The turn rate of the step that ends now, held between two commands. False: it has to go home
      * and is on its way. */
@@ -99,6 +101,8 @@ private:
     [[nodiscard]] double steerSearch(int uav, Observer& observer, StepReport& report);
     /** Towards the corner that the geofence leads round on the way there; none: it does not. */
     [[nodiscard]] std::optional<double> steerRoundFence(const Point& end_m);
+    /** Where the leg to the target ends: beside a no-fly area that it is in. */
+    [[nodiscard]] Point legEnd_m(const Errand& errand, const Observer& observer) const;
     [[nodiscard]] LosGuidance::Command steerAlong(const Point& end_m,
                                                   const Point& drift_mps = Point::Zero());
     [[nodiscard]] double steerAt(const Point& place_m) const;
@@ -106,6 +110,7 @@ private:
     SensorSpec m_sensor;
     double m_altitude_m;
     double m_turnRadius_m;
+    double m_reach_m;   ///< so near an iceberg it has reached it, or surely sees it
     bool m_needsRunOut; ///< reach smaller than the turn radius: see `FlightMode::RunOut`
     SafetyGuard m_guard;
 

@@ -1,6 +1,7 @@
 #include "core/sim/fleet.h"
 
 #include "core/scenario/advice.h"
+#include "core/scenario/fence.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>
@@ -24,7 +25,11 @@ bool isJustAloft(const Autopilot& uav, const World& world)
 Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
     : m_clusters(scenario.clusters && scenario.uavs.size() == 1)
     , m_separation_m(scenario.separation_m)
-    , m_area_m(scenario.area_m)
+    , m_bounds{.duration_s = scenario.duration_s,
+               .area_m = scenario.area_m,
+               .geofence = scenario.geofence,
+               .noFly = scenario.noFly,
+               .asset = scenario.asset}
     , m_observer(scenario, noise)
 {
     require(!scenario.uavs.empty(), "Simulation: no UAV");
@@ -231,14 +236,33 @@ void Fleet::setWind(const Point& wind_mps)
 {
     m_observer.setWind(wind_mps);
     for (int uav = 0; uav < count(); ++uav) {
-        Autopilot& me = m_autopilots[toIndex(uav)];
-        me.setWind(wind_mps, m_area_m, m_observer);
-        if (me.homeMargin_s(m_observer).value_or(0) >= 0)
-            continue;
-        m_report.add({.kind = EventKind::LateHome, .uav = uav});
-        if (!me.isHomeward())
-            sendHome(uav);
+        m_autopilots[toIndex(uav)].setWind(wind_mps, m_observer);
+        sendHomeWhenLate(uav);
     }
+}
+
+void Fleet::setAsset(const Asset& asset)
+{
+    m_observer.world().setAsset(asset);
+    const bool hadRing = m_bounds.asset && m_bounds.asset->standoff_m > 0;
+    m_bounds.asset = asset;
+    if (!hadRing && asset.standoff_m == 0)
+        return;
+    for (int uav = 0; uav < count(); ++uav) {
+        Autopilot& me = m_autopilots[toIndex(uav)];
+        me.setFence(fenceOf(m_bounds, me.altitude_m(), me.motion()), m_observer);
+        sendHomeWhenLate(uav);
+    }
+}
+
+void Fleet::sendHomeWhenLate(int uav)
+{
+    const Autopilot& me = autopilot(uav);
+    if (me.homeMargin_s(m_observer).value_or(0) >= 0)
+        return;
+    m_report.add({.kind = EventKind::LateHome, .uav = uav});
+    if (!me.isHomeward())
+        sendHome(uav);
 }
 
 /** Of the pairs aloft in one altitude layer; `before_m`: the places before the step. */

@@ -45,6 +45,7 @@ public:
      * not come into view: those are not where they should be, and flown to one by one. */
     [[nodiscard]] bool endOverdueCluster(int uav);
     void setWind(const Point& wind_mps);
+    void setAsset(const Asset& asset);
 
 private:
     [[nodiscard]] bool affordable(int uav, int iceberg) const;
@@ -55,11 +56,12 @@ private:
     void handSearchOn(int uav);
     void sendHome(int uav);
     void noteHomeward(int uav);
+    void sendHomeWhenLate(int uav);
     void watchSeparation(std::span<const Point> before_m);
 
     bool m_clusters;
     double m_separation_m;
-    std::vector<Point> m_area_m;
+    Scenario m_bounds; ///< of the scenario what `fenceOf` asks for
     Observer m_observer;
     std::vector<Autopilot> m_autopilots;
     StepReport m_report;

@@ -58,7 +58,7 @@ void Simulation::setWind(const Point& wind_mps)
 
 void Simulation::setAsset(const Asset& asset)
 {
-    m_fleet.observer().world().setAsset(asset);
+    m_fleet.setAsset(asset);
     requestPlan();
 }
 

@@ -20,25 +20,77 @@ constexpr double kSpace = 0.95;
 /** The straight lines of a way pass a corner nearer than the place where they meet: at a bend of
  * 120 degrees by half. */
 constexpr double kNearer = 0.5;
+/** So far beside a hole who looks into it flies to. */
+constexpr double kBeside_m = 5;
 
 } // namespace
 
-Geofence::Geofence(std::vector<Point> corners_m, const Motion& motion)
-    : m_fence_m(std::move(corners_m)), m_motion(motion)
+Geofence::Geofence(std::vector<Point> corners_m, const Motion& motion,
+                   std::vector<std::vector<Point>> holes_m)
+    : m_rings_m(std::move(holes_m)), m_isBounded(!corners_m.empty()), m_motion(motion)
 {
-    require(m_fence_m.size() >= 3 && m_fence_m.size() <= kMostFenceCorners,
-            "Geofence: number of corners");
-    if (signedArea(m_fence_m) < 0)
-        std::reverse(m_fence_m.begin(), m_fence_m.end());
+    if (m_isBounded)
+        m_rings_m.insert(m_rings_m.begin(), std::move(corners_m));
+    std::size_t corners = 0;
+    for (const std::vector<Point>& ring_m : m_rings_m) {
+        require(ring_m.size() >= 3, "Geofence: number of corners");
+        corners += ring_m.size();
+    }
+    require(corners >= 3 && corners <= kMostFenceCorners, "Geofence: number of corners");
+    for (std::size_t k = 0; k < m_rings_m.size(); ++k)
+        if ((signedArea(m_rings_m[k]) < 0) == (m_isBounded && k == 0))
+            std::reverse(m_rings_m[k].begin(), m_rings_m[k].end());
     const double faster = 1 + motion.wind_mps.norm() / motion.airspeed_mps;
     m_radius_m = kSpare * faster * faster * motion.airspeed_mps / motion.limit_radps;
     placeCorners();
     connectCorners();
 }
 
+Geofence Geofence::inWind(const Point& wind_mps) const
+{
+    Motion motion = m_motion;
+    motion.wind_mps = wind_mps;
+    std::vector<std::vector<Point>> holes_m = m_rings_m;
+    std::vector<Point> corners_m;
+    if (m_isBounded) {
+        corners_m = std::move(holes_m.front());
+        holes_m.erase(holes_m.begin());
+    }
+    return {std::move(corners_m), motion, std::move(holes_m)};
+}
+
+bool Geofence::isInHole(const Point& place_m) const
+{
+    return std::any_of(
+        m_rings_m.begin() + (m_isBounded ? 1 : 0), m_rings_m.end(),
+        [&](const std::vector<Point>& hole_m) { return insidePolygon(hole_m, place_m); });
+}
+
 bool Geofence::contains(const Point& place_m) const
 {
-    return insidePolygon(m_fence_m, place_m);
+    return (!m_isBounded || insidePolygon(m_rings_m.front(), place_m)) && !isInHole(place_m);
+}
+
+Point Geofence::beside_m(const Point& place_m) const
+{
+    if (!isInHole(place_m))
+        return place_m;
+    double least_m = kFar;
+    Point best_m = place_m;
+    for (const std::vector<Point>& ring_m : m_rings_m)
+        for (std::size_t i = 0, j = ring_m.size() - 1; i < ring_m.size(); j = i++) {
+            const Point edge_m = ring_m[i] - ring_m[j];
+            const double share =
+                std::clamp((place_m - ring_m[j]).dot(edge_m) / edge_m.squaredNorm(), 0.0, 1.0);
+            const Point inwards = Point(-edge_m.y(), edge_m.x()).normalized();
+            const Point beside_m = ring_m[j] + share * edge_m + kBeside_m * inwards;
+            const double away_m = (beside_m - place_m).norm();
+            if (away_m < least_m && contains(beside_m)) {
+                least_m = away_m;
+                best_m = beside_m;
+            }
+        }
+    return best_m;
 }
 
 /** The integral of 1/speed over ground round all courses: against the wind it takes longer than
@@ -53,12 +105,18 @@ double Geofence::circle_s() const
 
 double Geofence::clearance_m(const Point& place_m) const
 {
-    return distanceToEdges(m_fence_m, place_m);
+    double least_m = kFar;
+    for (const std::vector<Point>& ring_m : m_rings_m)
+        least_m = std::min(least_m, distanceToEdges(ring_m, place_m));
+    return least_m;
 }
 
 double Geofence::clearance_m(const Point& from_m, const Point& to_m) const
 {
-    return distanceToEdges(m_fence_m, from_m, to_m);
+    double least_m = kFar;
+    for (const std::vector<Point>& ring_m : m_rings_m)
+        least_m = std::min(least_m, distanceToEdges(ring_m, from_m, to_m));
+    return least_m;
 }
 
 double Geofence::edgeRoom_m(const Point& place_m) const
@@ -87,6 +145,13 @@ bool Geofence::isShutOff(const Point& place_m) const
     return open < kCourses / 2;
 }
 
+/** Who comes straight at a hole turns aside before its edge: by less than half a circle's radius.
+ */
+bool Geofence::isOutOfReach(const Point& place_m, double reach_m) const
+{
+    return isInHole(place_m) && (beside_m(place_m) - place_m).norm() + m_radius_m / 2 > reach_m;
+}
+
 double Geofence::circlingRate_radps(const DubinsState& state, double side) const
 {
     const Point ahead(std::cos(state.psi_rad), std::sin(state.psi_rad));
@@ -98,36 +163,50 @@ double Geofence::circlingRate_radps(const DubinsState& state, double side) const
     return std::clamp(side * course_radps / gain, -m_motion.limit_radps, m_motion.limit_radps);
 }
 
-/** Beside each reflex corner, on the bisector inwards: a radius off it, or half the space. */
 void Geofence::placeCorners()
 {
-    const std::size_t n = m_fence_m.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Point& corner_m = m_fence_m[i];
-        const Point in = (corner_m - m_fence_m[(i + n - 1) % n]).normalized();
-        const Point out = (m_fence_m[(i + 1) % n] - corner_m).normalized();
-        if (cross(in, out) >= 0)
-            continue;
-        const Point inwards = (in - out).normalized();
-        double space_m = m_radius_m;
-        Point place_m = corner_m + space_m * inwards;
-        for (int round = 0; round < 12; ++round) {
-            if (edgeRoom_m(place_m) >= kSpace * space_m)
-                break;
-            space_m /= 2;
-            place_m = corner_m + space_m * inwards;
+    for (const std::vector<Point>& ring_m : m_rings_m)
+        for (std::size_t i = 0; i < ring_m.size(); ++i) {
+            const Point& corner_m = ring_m[i];
+            const Point in =
+                (corner_m - ring_m[(i + ring_m.size() - 1) % ring_m.size()]).normalized();
+            const Point out = (ring_m[(i + 1) % ring_m.size()] - corner_m).normalized();
+            if (cross(in, out) < 0)
+                placeCorner(corner_m, (in - out).normalized());
         }
-        m_reflex_m.push_back(corner_m);
-        m_space_m.push_back(space_m);
-        m_corners_m.push_back(place_m);
+}
+
+/** Beside it on the bisector inwards: a radius off it, or half the space. */
+void Geofence::placeCorner(const Point& corner_m, const Point& inwards)
+{
+    double space_m = m_radius_m;
+    Point place_m = corner_m + space_m * inwards;
+    for (int round = 0; round < 12; ++round) {
+        if (edgeRoom_m(place_m) >= kSpace * space_m)
+            break;
+        space_m /= 2;
+        place_m = corner_m + space_m * inwards;
     }
+    if (hasHoles() && !contains(place_m))
+        return; // covered by another polygon
+    m_reflex_m.push_back(corner_m);
+    m_space_m.push_back(space_m);
+    m_corners_m.push_back(place_m);
+}
+
+bool Geofence::meetsEdge(const Point& a, const Point& b) const
+{
+    for (const std::vector<Point>& ring_m : m_rings_m)
+        for (std::size_t i = 0, j = ring_m.size() - 1; i < ring_m.size(); j = i++)
+            if (segmentsMeet(a, b, ring_m[j], ring_m[i]))
+                return true;
+    return false;
 }
 
 bool Geofence::isClear(const Point& a, const Point& b) const
 {
-    for (std::size_t i = 0, j = m_fence_m.size() - 1; i < m_fence_m.size(); j = i++)
-        if (segmentsMeet(a, b, m_fence_m[j], m_fence_m[i]))
-            return false;
+    if (meetsEdge(a, b))
+        return false;
     for (std::size_t k = 0; k < m_reflex_m.size(); ++k) {
         const Point& corner_m = m_reflex_m[k];
         const double least_m =
@@ -177,8 +256,10 @@ std::vector<Geofence::Sight> Geofence::sights(const Point& place_m) const
     return seen;
 }
 
-std::vector<Point> Geofence::cornersBetween(const Point& from_m, const Point& to_m) const
+std::vector<Point> Geofence::cornersBetween(const Point& start_m, const Point& end_m) const
 {
+    const Point from_m = beside_m(start_m);
+    const Point to_m = beside_m(end_m);
     if (isClear(from_m, to_m))
         return {};
     double best_m = kFar;
@@ -248,7 +329,7 @@ std::optional<Way> Geofence::wayTo(const DubinsState& start, const MovingPlace& 
         const bool last = k == corners_m.size();
         MovingPlace next{.place_m = last ? place.place_m : corners_m[k]};
         if (last) {
-            next.place_m += place.drift_mps * way.time_s;
+            next.place_m = beside_m(next.place_m + place.drift_mps * way.time_s);
             next.drift_mps = place.drift_mps;
         }
         const std::optional<Way> leg = legTo(way.end, next, command_s);
@@ -274,12 +355,15 @@ double Geofence::longestWay_s(const DubinsState& start, const Point& place_m,
     return time_s + berg::longestWay_s(from, place_m, m_motion, command_s);
 }
 
-Eigen::MatrixXd Geofence::distances_m(std::span<const Point> places_m) const
+Eigen::MatrixXd Geofence::distances_m(std::span<const Point> wanted_m) const
 {
-    const auto n = static_cast<Eigen::Index>(places_m.size());
+    const auto n = static_cast<Eigen::Index>(wanted_m.size());
+    std::vector<Point> places_m;
     std::vector<std::vector<Sight>> seen;
-    for (const Point& place_m : places_m)
-        seen.push_back(sights(place_m));
+    for (const Point& place_m : wanted_m) {
+        places_m.push_back(beside_m(place_m));
+        seen.push_back(sights(places_m.back()));
+    }
     Eigen::MatrixXd result_m(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < n; ++j) {

@@ -13,8 +13,9 @@ namespace {
 
 /** Home is passed at this distance or less: landed from farther away. */
 constexpr double kPass_m = 15;
-/** Legs and turns of one path at most. */
+/** Legs and turns of one path at most; half round a stand-off ring there are more. */
 constexpr int kDeepest = 8;
+constexpr int kDeepestRoundHoles = 16;
 constexpr int kQuickTries = 24;
 constexpr int kAnyTries = 400;
 /** Straight lines that make room for a turn, in circles' radii. */
@@ -58,7 +59,10 @@ double ReturnPath::takeNext_radps()
 }
 
 ReturnSearch::ReturnSearch(const Geofence& fence, const CommandClock& clock, const Point& home_m)
-    : m_fence(fence), m_clock(clock), m_home_m(home_m)
+    : m_fence(fence)
+    , m_clock(clock)
+    , m_home_m(home_m)
+    , m_deepest(fence.hasHoles() ? kDeepestRoundHoles : kDeepest)
 {
 }
 
@@ -175,7 +179,7 @@ bool ReturnSearch::flyStraight(Trial& trial, const Point& place_m, bool isHome) 
 
 void ReturnSearch::extend(const Trial& trial, int depth, Found& found) const
 {
-    if (depth < kDeepest)
+    if (depth < m_deepest)
         follow(trial, m_fence.cornersBetween(trial.at.position_m, m_home_m), depth, found);
 }
 
@@ -198,10 +202,10 @@ void ReturnSearch::follow(const Trial& trial, std::span<const Point> corners_m, 
         Trial turned = next;
         if (!flyStraight(next, place_m, isHome)) {
             // From the end of the turn the path may lead round another corner.
-            if (depth + 1 < kDeepest && turned.commands > trial.commands)
+            if (depth + 1 < m_deepest && turned.commands > trial.commands)
                 extend(turned, depth + 1, found);
         } else if (!isHome) {
-            if (depth + 1 < kDeepest)
+            if (depth + 1 < m_deepest)
                 follow(next, corners_m.subspan(1), depth + 1, found);
         } else if (!found.path || next.commands < found.commands) {
             found.commands = next.commands;
@@ -233,7 +237,7 @@ std::optional<ReturnPath> ReturnSearch::anyPath(const DubinsState& from) const
             Trial trial = start;
             if (!add(trial, 0, commandsFor(radii * m_fence.radius_m() / motion.airspeed_mps)))
                 return;
-            extend(trial, kDeepest / 2, found);
+            extend(trial, m_deepest / 2, found);
         }
     };
     runOuts({.at = from});
@@ -241,7 +245,7 @@ std::optional<ReturnPath> ReturnSearch::anyPath(const DubinsState& from) const
         Trial trial{.at = from};
         const std::int64_t turn = commandsFor(kFirstTurn_rad / motion.limit_radps);
         for (int k = 0; k < kFirstTurns && add(trial, side * motion.limit_radps, turn); ++k) {
-            extend(trial, kDeepest / 2, found);
+            extend(trial, m_deepest / 2, found);
             runOuts(trial);
         }
     }

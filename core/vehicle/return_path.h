@@ -88,6 +88,7 @@ private:
     const Geofence& m_fence;
     CommandClock m_clock;
     Point m_home_m;
+    int m_deepest;
 };
 
 /** So far from the fence a path home stays. */

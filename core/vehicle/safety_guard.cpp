@@ -19,11 +19,11 @@ constexpr double kNextTry_s = 60;
 
 } // namespace
 
-void SafetyGuard::setWind(const Point& wind_mps, const std::vector<Point>& fence_m)
+void SafetyGuard::setWind(const Point& wind_mps)
 {
     m_uav.motion.wind_mps = wind_mps;
     if (m_uav.fence)
-        m_uav.fence = std::make_shared<const Geofence>(fence_m, m_uav.motion);
+        m_uav.fence = std::make_shared<const Geofence>(m_uav.fence->inWind(wind_mps));
 }
 
 std::optional<double> SafetyGuard::command_radps(const DubinsState& pose, double wished_radps)

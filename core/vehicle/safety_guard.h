@@ -54,8 +54,10 @@ public:
 
     [[nodiscard]] const GuardedUav& uav() const { return m_uav; }
     [[nodiscard]] const SortieState& sortie() const { return m_sortie; }
-    /** A fence round these corners is made anew for the wind. */
-    void setWind(const Point& wind_mps, const std::vector<Point>& fence_m);
+    /** The fence is made anew for the wind. */
+    void setWind(const Point& wind_mps);
+    /** Made for the wind that blows; null: none from now on. */
+    void setFence(std::shared_ptr<const Geofence> fence) { m_uav.fence = std::move(fence); }
 
     /** The command for this wish, from now on; none: it has to go home, `homeCommand_radps`. */
     [[nodiscard]] std::optional<double> command_radps(const DubinsState& pose, double wished_radps);

@@ -2,7 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/random.h"
-#include "core/scenario/scenario.h"
+#include "core/scenario/fence.h"
 #include "core/vehicle/return_path.h"
 
 #include <algorithm>
@@ -14,20 +14,29 @@ namespace berg::test {
  * A flight that has to come home inside a fence: convex or with corners that point inwards, wind up
  * to 0.7 of the airspeed, icebergs anywhere. Its endurance is what a path home from the start
  * takes, with the reserve and up to five minutes more; `isSafe` is whether there is such a path.
+ * `WithAreas`: with no-fly areas of any shape and a stand-off ring, some of them above each other
+ * or across the fence, some at other heights, and now and then with no fence at all.
  */
 class ReturnCase
 {
 public:
-    explicit ReturnCase(std::uint64_t seed) : m_random(seed, 22)
+    enum Kind
+    {
+        FenceOnly,
+        WithAreas
+    };
+
+    explicit ReturnCase(std::uint64_t seed, Kind kind = FenceOnly) : m_random(seed, 22)
     {
         m_scenario.seed = static_cast<std::int64_t>(seed);
         m_scenario.noise = false;
         m_scenario.geofence = true;
         drawUav();
         drawFence();
-        const auto reach_m = [&](const Point& place_m) {
-            return distanceToEdges(m_scenario.area_m, place_m);
-        };
+        if (kind == WithAreas)
+            drawAreas(seed);
+        const std::shared_ptr<const Geofence> fence = this->fence();
+        const auto reach_m = [&](const Point& place_m) { return fence->clearance_m(place_m); };
         Uav& uav = m_scenario.uavs.front();
         uav.position_m = inside_m();
         for (int i = 0; i < 50 && reach_m(uav.position_m) < 60; ++i)
@@ -43,6 +52,14 @@ public:
 
     [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
     [[nodiscard]] bool isSafe() const { return m_isSafe; }
+    [[nodiscard]] std::shared_ptr<const Geofence> fence() const
+    {
+        const UavSpec& spec = m_scenario.uavs.front().spec;
+        return fenceOf(m_scenario, spec.altitude_m,
+                       {.airspeed_mps = spec.airspeed_mps,
+                        .limit_radps = maxTurnRate_radps(spec),
+                        .wind_mps = m_scenario.wind_mps});
+    }
 
 private:
     void drawUav()
@@ -75,12 +92,44 @@ private:
         }
     }
 
+    void drawAreas(std::uint64_t seed)
+    {
+        Random random(seed, 23);
+        m_scenario.geofence = random.below(5) != 0;
+        const auto areas = static_cast<int>(1 + random.below(5));
+        for (int k = 0; k < areas; ++k) {
+            NoFlyArea& area = m_scenario.noFly.emplace_back();
+            const double x_m = random.uniform(-500, 4500);
+            const Point middle_m(x_m, random.uniform(-500, 4500));
+            const auto corners = static_cast<int>(3 + random.below(6));
+            for (int i = 0; i < corners; ++i) {
+                const double angle_rad = 2 * kPi * (i + random.uniform(-0.3, 0.3)) / corners;
+                area.corners_m.push_back(middle_m +
+                                         random.uniform(50, 800) *
+                                             Point(std::cos(angle_rad), std::sin(angle_rad)));
+            }
+            if (k > 0 && random.below(6) == 0)
+                area.floor_m = 500;
+        }
+        if (random.below(3) != 0)
+            return;
+        const double x_m = random.uniform(0, 4000);
+        m_scenario.asset = Asset{.position_m = {x_m, random.uniform(0, 4000)},
+                                 .velocity_mps = {random.uniform(-1, 1), 0},
+                                 .standoff_m = random.uniform(100, 900)};
+    }
+
     Point inside_m()
     {
+        const std::vector<NoFlyArea> areas = closedAreas(m_scenario);
+
         for (;;) {
             const double x_m = m_random.uniform(-2500, 6500);
             const Point place_m(x_m, m_random.uniform(-2500, 6500));
-            if (insidePolygon(m_scenario.area_m, place_m))
+            if (insidePolygon(m_scenario.area_m, place_m) &&
+                std::none_of(areas.begin(), areas.end(), [&](const NoFlyArea& area) {
+                    return insidePolygon(area.corners_m, place_m);
+                }))
                 return place_m;
         }
     }
@@ -88,11 +137,8 @@ private:
     void setEndurance()
     {
         Uav& uav = m_scenario.uavs.front();
-        const Motion motion{.airspeed_mps = uav.spec.airspeed_mps,
-                            .limit_radps = maxTurnRate_radps(uav.spec),
-                            .wind_mps = m_scenario.wind_mps};
-        const Geofence fence(m_scenario.area_m, motion);
-        const ReturnSearch search(fence, {.dt_s = m_scenario.dt_s}, *uav.home_m);
+        const std::shared_ptr<const Geofence> fence = this->fence();
+        const ReturnSearch search(*fence, {.dt_s = m_scenario.dt_s}, *uav.home_m);
         const std::optional<ReturnPath> path = search.anyPath(
             {.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)});
         m_isSafe = path.has_value();

@@ -66,6 +66,13 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
      QT_TRANSLATE_NOOP("IssueText", "A geofence has at most %2 corners, not %3.")},
     {IssueId::OutsideFence,
      QT_TRANSLATE_NOOP("IssueText", "Must be inside the area, which is a geofence.")},
+    {IssueId::NoFlyCorners,
+     QT_TRANSLATE_NOOP("IssueText", "With the geofence and the stand-off ring, the no-fly areas at "
+                                    "the altitude of a UAV have at most %2 corners, not %3.")},
+    {IssueId::InsideNoFly,
+     QT_TRANSLATE_NOOP("IssueText", "Must be outside the no-fly area \"%2\".")},
+    {IssueId::InsideStandoff,
+     QT_TRANSLATE_NOOP("IssueText", "Must be outside the stand-off ring round the asset.")},
     {IssueId::UnknownUav,
      QT_TRANSLATE_NOOP("IssueText", "There is no UAV \"%2\" in this scenario.")},
     {IssueId::WindTooFast,
@@ -107,18 +114,19 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
     {IssueId::HomeUnused,
      QT_TRANSLATE_NOOP("IssueText", "Home counts with a limited endurance only.")},
     {IssueId::HomeNearFence,
-     QT_TRANSLATE_NOOP("IssueText", "Home is so near the geofence that the UAV cannot take off "
-                                    "there again and be sure to come home.")},
+     QT_TRANSLATE_NOOP("IssueText", "Home is so near the geofence or a no-fly area that the UAV "
+                                    "cannot take off there again and be sure to come home.")},
     {IssueId::NoSafeReturn,
      QT_TRANSLATE_NOOP("IssueText", "For its heading, the UAV has no path home inside the geofence "
-                                    "from where it starts: no start is safe.")},
+                                    "and outside no-fly areas from where it starts: no start is "
+                                    "safe.")},
     {IssueId::StartNearFence,
-     QT_TRANSLATE_NOOP(
-         "IssueText",
-         "The UAV starts so near the geofence, for its heading, that it cannot turn inside it.")},
+     QT_TRANSLATE_NOOP("IssueText", "The UAV starts so near the geofence or a no-fly area, for its "
+                                    "heading, that it cannot turn in time.")},
     {IssueId::ShutOff,
-     QT_TRANSLATE_NOOP("IssueText",
-                       "So near the geofence that the UAV cannot come as near as it has to.")},
+     QT_TRANSLATE_NOOP(
+         "IssueText", "So near the geofence, or in a no-fly area, that the UAV cannot come as near "
+                      "as it has to.")},
     {IssueId::SlowAutopilot,
      QT_TRANSLATE_NOOP("IssueText", "The time between two commands of the autopilot is too long "
                                     "for the UAV to follow a leg.")},
@@ -137,7 +145,8 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
                        "The plan leads out of the range of the ground station for %2.")},
     {IssueId::FenceUnplanned,
      QT_TRANSLATE_NOOP("IssueText",
-                       "This policy plans without the geofence; it is kept in flight.")},
+                       "This policy plans without geofence and no-fly areas; they are kept in "
+                       "flight.")},
     {IssueId::UavOutside, QT_TRANSLATE_NOOP("IssueText", "Starts outside the area.")},
     {IssueId::WideTurn,
      QT_TRANSLATE_NOOP("IssueText", "The turn radius is larger than half the field of view, so "

@@ -344,6 +344,35 @@ private slots:
         QVERIFY(!warned(240));
     }
 
+    void roomBesideNoFlyAreas()
+    {
+        Scenario s = calmSea();
+        s.noFly = {{.corners_m = {{-1000, 50}, {1000, 50}, {1000, 1100}, {-1000, 1100}}}};
+        s.uavs[0].heading_deg = 90; // along it
+        s.icebergs[1].position_m = {2000, -500};
+        QVERIFY(validate(s).empty());
+        s.uavs[0].heading_deg = 0;
+        QVERIFY(isOne(validate(s), issueOf(Severity::Warning, "uavs[0].position_m",
+                                           {.id = IssueId::StartNearFence})));
+        s.noFly[0].ceiling_m = s.uavs[0].spec.altitude_m - 1;
+        QVERIFY(validate(s).empty());
+        s.noFly[0].ceiling_m.reset();
+        s.uavs[0].heading_deg = 90;
+        s.icebergs[0].position_m = {500, 200}; // seen from outside
+        QVERIFY(validate(s).empty());
+        s.icebergs[0].position_m = {500, 500};
+        QVERIFY(isOne(validate(s), issueOf(Severity::Warning, "icebergs[0].position_m",
+                                           {.id = IssueId::ShutOff})));
+        s.icebergs[0].position_m = {500, 0};
+        s.planner.policy = PolicyKind::Coverage;
+        QVERIFY(
+            isOne(validate(s), issueOf(Severity::Hint, "no_fly", {.id = IssueId::FenceUnplanned})));
+        s.noFly.clear();
+        s.asset = Asset{.position_m = {0, 2000}, .standoff_m = 500};
+        QVERIFY(isOne(validate(s), issueOf(Severity::Hint, "asset.standoff_m",
+                                           {.id = IssueId::FenceUnplanned})));
+    }
+
     void roomInsideTheGeofence()
     {
         Scenario s = calmSea();

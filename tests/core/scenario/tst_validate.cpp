@@ -140,6 +140,29 @@ const std::vector<Case>& cases()
              s.geofence = true;
          },
          kError, "area_m"},
+        {"UAV in a no-fly area",
+         [](S& s) {
+             const Point at_m = s.uavs[0].position_m;
+             s.noFly = {
+                 {.name = "rig",
+                  .corners_m = {at_m + Point(-9, -9), at_m + Point(9, -9), at_m + Point(0, 9)}}};
+         },
+         kError, "uavs[0].position_m"},
+        {"home in a stand-off ring",
+         [](S& s) {
+             s.asset = Asset{.position_m = {5000, 5000}, .standoff_m = 300};
+             s.uavs[0].home_m = Point(5200, 5100);
+         },
+         kError, "uavs[0].home_m"},
+        {"no-fly areas of too many corners",
+         [](S& s) {
+             for (int k = 0; k < 51; ++k)
+                 s.noFly.push_back({.corners_m = {{1e5 + 100 * k, 0},
+                                                  {1e5 + 100 * k, 50},
+                                                  {1e5 + 100 * k + 50, 50},
+                                                  {1e5 + 100 * k + 50, 0}}});
+         },
+         kError, "no_fly"},
         {"no iceberg", [](S& s) { s.icebergs.clear(); }, kHint, "icebergs"},
         {"too many icebergs", [](S& s) { s.icebergs.resize(1001); }, kError, "icebergs"},
         {"iceberg without id", [](S& s) { s.icebergs[2].id.clear(); }, kError, "icebergs[2].id"},

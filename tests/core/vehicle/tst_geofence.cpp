@@ -163,9 +163,89 @@ private slots:
         QVERIFY(way->time_s > air_m / 22);
     }
 
+    /** 200 m by 1000 m, between the places west and east of it. */
+    void holesAreKeptOutOfAndFlownRound()
+    {
+        const std::vector<Point> wall_m{{0, -500}, {200, -500}, {200, 500}, {0, 500}};
+        const Geofence fence({}, {}, {wall_m});
+        QVERIFY(fence.hasHoles() && !fenceIn(Point::Zero()).hasHoles());
+        QVERIFY(fence.contains({-9e5, 0}) && !fence.contains({100, 0}));
+        QCOMPARE(fence.clearance_m({-300, 0}), 300.0);
+        QCOMPARE(fence.clearance_m({-300, 0}, {300, 0}), 0.0);
+        const double radius_m = fence.radius_m();
+        // Straight at the wall, both circles are beside it; along it, one of them.
+        const DubinsState east{.position_m = {-radius_m / 2, 0}, .psi_rad = 0};
+        QVERIFY(std::abs(fence.room_m(east) + radius_m / 2) < 1e-9);
+        const DubinsState north{.position_m = {-10, 0}, .psi_rad = kPi / 2};
+        QVERIFY(std::abs(fence.room_m(north) - 10) < 1e-9);
+        const std::vector<Point> corners_m = fence.cornersBetween({-800, 200}, {1000, 200});
+        QCOMPARE(corners_m.size(), std::size_t{2});
+        for (const Point& corner_m : corners_m)
+            QVERIFY(corner_m.y() > 500);
+        QVERIFY(fence.cornersBetween({-800, 800}, {1000, 800}).empty());
+    }
+
+    /** Whatever is inside the circle is in its way, however small. */
+    void smallHolesTakeTheRoomOfTheCircle()
+    {
+        const Point at_m(0, 100);
+        const std::vector<Point> mast_m{at_m, at_m + Point(1, 0), at_m + Point(0, 1)};
+        const Geofence fence({}, {}, {mast_m, {{0, -100}, {1, -100}, {0, -101}}});
+        QVERIFY(fence.room_m({}) < 0);
+    }
+
+    /** Two squares that lie over each other, across the edge of the polygon: only corners that a
+     * UAV can pass are passed. */
+    void holesMayOverlap()
+    {
+        const auto square_m = [](const Point& low_m) {
+            return std::vector<Point>{low_m, low_m + Point(1000, 0), low_m + Point(1000, 1000),
+                                      low_m + Point(0, 1000)};
+        };
+        const std::vector<Point> outer_m{{0, 0}, {6000, 0}, {6000, 3000}, {0, 3000}};
+        const Geofence fence(outer_m, {}, {square_m({2000, -300}), square_m({2500, 400})});
+        const std::vector<Point> corners_m = fence.cornersBetween({500, 500}, {5500, 300});
+        QVERIFY(corners_m.size() >= 2);
+        for (const Point& corner_m : corners_m)
+            QVERIFY(fence.contains(corner_m));
+        QVERIFY(!fence.contains({2700, 500}) && !fence.contains({2100, -100}));
+        QVERIFY(fence.distances_m(std::vector<Point>{{500, 500}, {5500, 300}})(0, 1) > 5300);
+    }
+
+    void whatIsInAHoleIsLookedAtFromBeside()
+    {
+        const std::vector<Point> wall_m{{0, -500}, {200, -500}, {200, 500}, {0, 500}};
+        const Geofence fence({}, {}, {wall_m});
+        QCOMPARE(fence.beside_m({-50, 3}), Point(-50, 3));
+        const Point beside_m = fence.beside_m({60, 3});
+        QVERIFY(fence.contains(beside_m));
+        QVERIFY((beside_m - Point(-5, 3)).norm() < 1e-9);
+        QVERIFY(!fence.isOutOfReach({60, 3}, 150));
+        QVERIFY(fence.isOutOfReach({60, 3}, 100));
+        QVERIFY(!fence.isOutOfReach({-60, 3}, 1));
+        const std::vector<Point> places_m{{-1000, 3}, {60, 3}};
+        QVERIFY(std::abs(fence.distances_m(places_m)(0, 1) - 995) < 1e-6);
+    }
+
+    void anotherWindMakesTheSameFenceAnew()
+    {
+        const std::vector<Point> hole_m{{200, 200}, {400, 200}, {400, 300}};
+        const Motion calm{};
+        const Motion windy{.wind_mps = {3, 4}};
+        const std::vector<Point> places_m{{500, 2500}, {2500, 500}, {100, 100}, {500, 500}};
+        for (const bool isBounded : {true, false}) {
+            const std::vector<Point> outer_m = isBounded ? kAngle_m : std::vector<Point>();
+            const Geofence turned = Geofence(outer_m, calm, {hole_m}).inWind(windy.wind_mps);
+            const Geofence made(outer_m, windy, {hole_m});
+            QCOMPARE(turned.radius_m(), made.radius_m());
+            QVERIFY(same(turned.distances_m(places_m), made.distances_m(places_m), 0));
+        }
+    }
+
     void countOfCornersIsLimited()
     {
         QVERIFY_EXCEPTION_THROWN(Geofence({{0, 0}, {1, 0}}, {}), std::logic_error);
+        QVERIFY_EXCEPTION_THROWN(Geofence({}, {}), std::logic_error);
         std::vector<Point> many_m;
         for (std::size_t i = 0; i <= kMostFenceCorners; ++i) {
             const double angle_rad = 2 * kPi * static_cast<double>(i) / (kMostFenceCorners + 1);
