@@ -26,8 +26,13 @@ inline Scenario hostile()
         s.icebergs[1].name = "\xF0\x9F\xA7\x8A \xD7\xA7\xD7\xA8\xD7\x97\xD7\x95\xD7\x9F";
         s.icebergs[2].name = "\xFF\xFE broken, \xC2\x85 and \x7F";
         s.icebergs[3].id = "<&>\"'\n";
-        s.asset = Asset{.name = "]]><!--", .position_m = Point(100, 100), .extraJson = {}};
+        s.asset = Asset{
+            .name = "]]><!--", .position_m = Point(9000, 100), .standoff_m = 300, .extraJson = {}};
         s.geofence = true;
+        s.noFly = {{.name = "]]></name>\xFF, \"b\"",
+                    .corners_m = {{8000, 0}, {8500, 0}, {8500, 500}},
+                    .floor_m = 50,
+                    .ceiling_m = 500}};
     });
 }
 
@@ -37,6 +42,7 @@ inline Scenario at180()
     return changed([](Scenario& s) {
         s.origin = {.latitude_deg = 70, .longitude_deg = 179.95};
         s.geofence = true;
+        s.noFly = {{.corners_m = {{1000, 8000}, {4000, 8000}, {4000, 8500}, {1000, 8500}}}};
     });
 }
 

@@ -175,6 +175,7 @@ ExportEffect effectOf(ExportNoteKind kind)
     case ExportNoteKind::NothingToFly:
         return ExportEffect::Told;
     case ExportNoteKind::FenceAcross180:
+    case ExportNoteKind::NoHeights:
     case ExportNoteKind::PathAsWaypoints:
     case ExportNoteKind::AcceptanceCut:
     case ExportNoteKind::LoiterInSteps:
@@ -182,6 +183,7 @@ ExportEffect effectOf(ExportNoteKind kind)
         return ExportEffect::Changed;
     case ExportNoteKind::NoTimes:
     case ExportNoteKind::NoFence:
+    case ExportNoteKind::NoNoFly:
     case ExportNoteKind::VisitsOnly:
     case ExportNoteKind::LaterSorties:
         return ExportEffect::LeftOut;
@@ -213,6 +215,11 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
         return ExportText::tr("The scenario has no start time, so the file has no dates.");
     case ExportNoteKind::NoFence:
         return ExportText::tr("The format has no place for the geofence.");
+    case ExportNoteKind::NoNoFly:
+        return ExportText::tr("The format has no place for no-fly areas and the stand-off ring.");
+    case ExportNoteKind::NoHeights:
+        return ExportText::tr("No-fly areas have no heights in it: those at the altitude of the "
+                              "UAV are written.");
     case ExportNoteKind::FenceAcross180:
         return ExportText::tr("%1 may draw the fence the long way round: it crosses the "
                               "antimeridian.")

@@ -58,7 +58,8 @@ QString counted(std::size_t count, const char* one, const char* many)
 bool isTaken(SceneNote note)
 {
     return note == SceneNote::UavsTaken || note == SceneNote::AreaTaken ||
-           note == SceneNote::FenceTaken || note == SceneNote::AssetTaken;
+           note == SceneNote::FenceTaken || note == SceneNote::AssetTaken ||
+           note == SceneNote::NoFlyTaken;
 }
 
 /** Part of a scene, with the reason where it is left out. */
@@ -74,6 +75,9 @@ QString sceneWords(const SceneFinding& finding)
         return ImportWords::tr("the area as geofence");
     case SceneNote::AssetTaken:
         return ImportWords::tr("the asset");
+    case SceneNote::NoFlyTaken:
+        return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 no-fly area"),
+                       QT_TRANSLATE_NOOP("ImportWords", "%1 no-fly areas"));
     case SceneNote::InUse:
         return ImportWords::tr("UAVs, area and asset (the scenario has its own)");
     case SceneNote::UavsTooMany:
@@ -103,14 +107,18 @@ QString sceneWords(const SceneFinding& finding)
     case SceneNote::FenceCircles:
         return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 circle of the geofence"),
                        QT_TRANSLATE_NOOP("ImportWords", "%1 circles of the geofence"));
-    case SceneNote::FenceExclusions:
-        return counted(finding.count,
-                       QT_TRANSLATE_NOOP("ImportWords", "1 forbidden area of the geofence"),
-                       QT_TRANSLATE_NOOP("ImportWords", "%1 forbidden areas of the geofence"));
     case SceneNote::FenceCorners:
         return ImportWords::tr("the geofence (too many corners)");
     case SceneNote::FenceOutside:
         return ImportWords::tr("the geofence (a UAV starts or lands outside)");
+    case SceneNote::NoFlyUnfit:
+        return counted(finding.count,
+                       QT_TRANSLATE_NOOP("ImportWords",
+                                         "1 no-fly area (a UAV starts or lands in it, or its "
+                                         "heights are wrong)"),
+                       QT_TRANSLATE_NOOP("ImportWords",
+                                         "%1 no-fly areas (a UAV starts or lands in them, or their "
+                                         "heights are wrong)"));
     case SceneNote::RallyPoints:
         return counted(finding.count, QT_TRANSLATE_NOOP("ImportWords", "1 rally point"),
                        QT_TRANSLATE_NOOP("ImportWords", "%1 rally points"));

@@ -16,21 +16,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json colour(const Rgb& rgb)
+Json colour(const Rgb& rgb, int alpha = 255)
 {
     Json json;
-    json["rgba"] = {rgb.red, rgb.green, rgb.blue, 255};
+    json["rgba"] = {rgb.red, rgb.green, rgb.blue, alpha};
     return json;
 }
 
 constexpr Rgb kIceColour{120, 200, 240};
 constexpr Rgb kAssetColour{220, 60, 60};
 constexpr Rgb kAreaColour{128, 128, 128};
+constexpr Rgb kClosedColour{200, 40, 40};
+/** Of an area without a ceiling, so that it can be drawn. */
+constexpr double kDrawnCeiling_m = 1000;
 
-Json solid(const Rgb& rgb)
+Json solid(const Rgb& rgb, int alpha = 255)
 {
     Json material;
-    material["solidColor"]["color"] = colour(rgb);
+    material["solidColor"]["color"] = colour(rgb, alpha);
     return material;
 }
 
@@ -46,6 +49,10 @@ public:
             if (now.isListed)
                 addIceberg(now);
         addArea();
+        for (std::size_t i = 0; i < m_content.noFly.size(); ++i)
+            addClosed("no-fly/" + std::to_string(i), m_content.noFly[i]);
+        if (m_content.standoff)
+            addClosed("stand-off", *m_content.standoff);
         if (m_content.asset) {
             Json packet =
                 mark("asset", m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
@@ -168,6 +175,26 @@ private:
         packet["polyline"]["positions"]["cartographicDegrees"] = std::move(outline);
         packet["polyline"]["width"] = 2;
         packet["polyline"]["material"] = solid(kAreaColour);
+        add(packet);
+    }
+
+    void addClosed(const std::string& id, const NoFlyArea& area)
+    {
+        Json corners = Json::array();
+        for (const Point& corner_m : area.corners_m)
+            append(corners, corner_m, 0);
+        Json packet;
+        packet["id"] = id;
+        packet["name"] = area.name.empty() ? "No-fly area" : area.name;
+        addProperties(packet, dataOf(area));
+        Json& polygon = packet["polygon"];
+        polygon["positions"]["cartographicDegrees"] = std::move(corners);
+        polygon["height"] = area.floor_m;
+        polygon["extrudedHeight"] =
+            area.ceiling_m.value_or(std::max(kDrawnCeiling_m, 2 * area.floor_m));
+        polygon["material"] = solid(kClosedColour, 64);
+        polygon["outline"] = true;
+        polygon["outlineColor"] = colour(kClosedColour);
         add(packet);
     }
 

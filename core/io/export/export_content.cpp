@@ -3,6 +3,7 @@
 #include "core/base/angles.h"
 #include "core/io/export/export_flight.h"
 #include "core/scenario/checks.h"
+#include "core/scenario/fence.h"
 #include "core/scenario/validate.h"
 #include "core/sim/clusters.h"
 
@@ -265,6 +266,7 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .icebergs = {},
         .area_m = scenario.area_m,
         .geofence = scenario.geofence,
+        .noFly = scenario.noFly,
         .asset = source.mission ? source.mission->simulation().world().asset() : scenario.asset,
         .planner = source.mission ? source.mission->plannerSettings() : scenario.planner,
         .plan = planOf(source),
@@ -272,6 +274,8 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
             source.mission ? source.mission->simulation().motion(0).wind_mps : scenario.wind_mps,
         .zeta_m2s = {},
         .mission = source.mission};
+    if (content.asset)
+        content.standoff = standoffArea(*content.asset, scenario.duration_s);
     if (source.mission)
         content.zeta_m2s = source.mission->metrics().zeta_m2s;
     if (source.mission)
@@ -285,6 +289,14 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
             content.uavs.push_back(exportUav(source, content, row));
     checkContent(content);
     return content;
+}
+
+std::vector<NoFlyArea> closedAreas(const ExportContent& content)
+{
+    std::vector<NoFlyArea> areas = content.noFly;
+    if (content.standoff)
+        areas.push_back(*content.standoff);
+    return areas;
 }
 
 std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit)

@@ -132,7 +132,9 @@ struct ExportContent
     std::vector<ExportIceberg> icebergs; ///< by the indices that visits name
     std::vector<Point> area_m;
     bool geofence = false;
+    std::vector<NoFlyArea> noFly; ///< as entered
     std::optional<Asset> asset;
+    std::optional<NoFlyArea> standoff; ///< round the asset
     PlannerSettings planner;
     ExportPlan plan;                  ///< in force, or the last one
     Point wind_mps = Point::Zero();   ///< at `now_s`, in the plane
@@ -148,6 +150,9 @@ struct ExportContent
  */
 [[nodiscard]] ExportContent exportContent(const ExportSource& source,
                                           const ExportOptions& options = {});
+
+/** No-fly areas and the stand-off ring, `closedAreas` of the content. */
+[[nodiscard]] std::vector<NoFlyArea> closedAreas(const ExportContent& content);
 
 /** Ids of the icebergs in view at a visit. */
 [[nodiscard]] std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit);

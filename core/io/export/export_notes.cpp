@@ -17,10 +17,12 @@ constexpr std::string_view kArduPlane = "ArduPlane";
 constexpr std::string_view kMissionPlanner = "Mission Planner";
 constexpr std::string_view kGroundStations = "QGroundControl, Mission Planner";
 
-constexpr std::array<Named<ExportNoteKind>, 12> kNoteIds{{
+constexpr std::array<Named<ExportNoteKind>, 14> kNoteIds{{
     {ExportNoteKind::OneFileEach, "one-file-each"},
     {ExportNoteKind::NoTimes, "no-times"},
     {ExportNoteKind::NoFence, "no-fence"},
+    {ExportNoteKind::NoNoFly, "no-no-fly-areas"},
+    {ExportNoteKind::NoHeights, "no-heights"},
     {ExportNoteKind::FenceAcross180, "fence-across-180"},
     {ExportNoteKind::VisitsOnly, "visits-only"},
     {ExportNoteKind::PathAsWaypoints, "path-as-waypoints"},
@@ -54,9 +56,11 @@ private:
 
 bool fenceCrosses180(const ExportContent& content)
 {
-    if (!content.geofence || content.area_m.empty())
-        return false;
-    return geographicPolygon(content.frame, content.area_m).size() > 1;
+    const auto crosses = [&](const std::vector<Point>& corners_m) {
+        return geographicPolygon(content.frame, corners_m).size() > 1;
+    };
+    return (content.geofence && !content.area_m.empty() && crosses(content.area_m)) ||
+           std::ranges::any_of(closedAreas(content), crosses, &NoFlyArea::corners_m);
 }
 
 /** What the autopilots' own storage makes of the numbers. */
@@ -125,6 +129,13 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
         notes.add(ExportNoteKind::NoTimes);
     if (content.geofence && !holds.fence)
         notes.add(ExportNoteKind::NoFence);
+    const std::vector<NoFlyArea> closed = closedAreas(content);
+    if (!closed.empty() && !holds.fence)
+        notes.add(ExportNoteKind::NoNoFly);
+    else if (holds.mission && std::ranges::any_of(closed, [](const NoFlyArea& area) {
+                 return area.floor_m > 0 || area.ceiling_m;
+             }))
+        notes.add(ExportNoteKind::NoHeights);
     if (holds.mission && holds.fence && fenceCrosses180(content))
         notes.add(ExportNoteKind::FenceAcross180, kGroundStations);
     if (holds.mission)
@@ -144,6 +155,10 @@ std::string noteText(const ExportNote& note)
         return "the scenario has no start time, so the file has no dates";
     case ExportNoteKind::NoFence:
         return "the geofence is left out: the format has no place for it";
+    case ExportNoteKind::NoNoFly:
+        return "no-fly areas and the stand-off ring are left out: the format has no place for them";
+    case ExportNoteKind::NoHeights:
+        return "no-fly areas have no heights: those at the altitude of the UAV are written";
     case ExportNoteKind::FenceAcross180:
         return tool + " may draw the fence the long way round: it crosses the antimeridian";
     case ExportNoteKind::VisitsOnly:

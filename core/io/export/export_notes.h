@@ -14,6 +14,8 @@ enum class ExportNoteKind
     OneFileEach,    ///< value: UAVs, each in a file of its own
     NoTimes,        ///< the scenario has no start time, so there are no dates
     NoFence,        ///< the format has no place for the geofence
+    NoNoFly,        ///< nor for no-fly areas and the stand-off ring
+    NoHeights,      ///< of no-fly areas: those at the altitude of the UAV, at every height
     FenceAcross180, ///< ground stations may draw a fence across the antimeridian the long way round
     VisitsOnly,     ///< of a track: waypoints where icebergs were reached
     PathAsWaypoints, ///< value: waypoints that stand for the path

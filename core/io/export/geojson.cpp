@@ -53,6 +53,10 @@ public:
             addLine(uav);
         }
         addArea();
+        for (const NoFlyArea& area : m_content.noFly)
+            addClosed(area, "no-fly");
+        if (m_content.standoff)
+            addClosed(*m_content.standoff, "stand-off");
         addAsset();
         return "{\"type\":\"FeatureCollection\",\"features\":[\n" + m_features + "\n]}\n";
     }
@@ -200,17 +204,32 @@ private:
     {
         if (m_content.area_m.empty())
             return;
+        Json properties;
+        properties["kind"] = "area";
+        properties["geofence"] = m_content.geofence;
+        addPolygon(m_content.area_m, std::move(properties));
+    }
+
+    void addClosed(const NoFlyArea& area, const char* kind)
+    {
+        Json properties;
+        properties["kind"] = kind;
+        properties["name"] = area.name;
+        properties["floor_m"] = area.floor_m;
+        if (area.ceiling_m)
+            properties["ceiling_m"] = *area.ceiling_m;
+        addPolygon(area.corners_m, std::move(properties));
+    }
+
+    void addPolygon(const std::vector<Point>& corners_m, Json properties)
+    {
         Json polygons = Json::array();
-        for (const std::vector<LatLon>& ring :
-             geographicPolygon(m_content.frame, m_content.area_m)) {
+        for (const std::vector<LatLon>& ring : geographicPolygon(m_content.frame, corners_m)) {
             Json exterior = Json::array();
             for (const LatLon& place : ring)
                 exterior.push_back(coordinates(place));
             polygons.push_back(Json::array({std::move(exterior)}));
         }
-        Json properties;
-        properties["kind"] = "area";
-        properties["geofence"] = m_content.geofence;
         if (polygons.size() == 1)
             add(shape("Polygon", std::move(polygons[0])), std::move(properties));
         else
@@ -229,6 +248,10 @@ private:
         const Point place_m = assetPlace_m(m_content);
         properties["velocity_mps"] = pair(eastNorth_mps(m_content, asset.velocity_mps, place_m));
         properties["range_m"] = asset.range_m;
+        if (asset.standoff_m > 0)
+            properties["standoff_m"] = asset.standoff_m;
+        if (asset.standoff_m > 0 && asset.standoffCeiling_m)
+            properties["standoff_ceiling_m"] = *asset.standoffCeiling_m;
         add(point(place_m), std::move(properties));
     }
 

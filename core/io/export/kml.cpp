@@ -50,6 +50,13 @@ std::string extendedData(const std::vector<XmlData>& data)
     return text.empty() ? text : "<ExtendedData>" + text + "</ExtendedData>";
 }
 
+std::string closedStyle(const std::string& id)
+{
+    return "<Style id=\"" + id +
+           "\"><LineStyle><color>ff2828c8</color><width>2</width></LineStyle>"
+           "<PolyStyle><color>402828c8</color></PolyStyle></Style>\n";
+}
+
 class KmlWriter
 {
 public:
@@ -60,6 +67,10 @@ public:
         m_text += xmlElement("name", m_content.name.empty() ? "Bergwatch" : m_content.name) + "\n";
         addStyles();
         addArea();
+        for (const NoFlyArea& area : m_content.noFly)
+            addClosed(area, "no-fly", area.name.empty() ? "No-fly area" : area.name);
+        if (m_content.standoff)
+            addClosed(*m_content.standoff, "stand-off", "Stand-off " + m_content.standoff->name);
         m_text += "<Folder><name>Icebergs</name>\n";
         for (const ExportIceberg& now : m_content.icebergs)
             if (now.isListed)
@@ -114,6 +125,10 @@ private:
         m_text +=
             "<Style id=\"area\"><LineStyle><color>ff808080</color><width>2</width></LineStyle>"
             "<PolyStyle><fill>0</fill></PolyStyle></Style>\n";
+        if (!m_content.noFly.empty())
+            m_text += closedStyle("no-fly");
+        if (m_content.standoff)
+            m_text += closedStyle("stand-off");
         for (const ExportUav& uav : m_content.uavs) {
             const std::string colour = colourText(uavColour(uav.row));
             m_text += "<Style id=\"" + styleId(uav) + "\"><IconStyle><color>" + colour +
@@ -139,15 +154,31 @@ private:
         m_text += "<Placemark><name>Area</name><styleUrl>#area</styleUrl>" +
                   extendedData({{"geofence", m_content.geofence ? "true" : "false"}}) +
                   "<MultiGeometry>";
-        for (const std::vector<LatLon>& ring :
-             geographicPolygon(m_content.frame, m_content.area_m)) {
-            m_text += "<Polygon><tessellate>1</tessellate><outerBoundaryIs><LinearRing>"
-                      "<coordinates>";
+        addPolygons(m_content.area_m, "<tessellate>1</tessellate>", 0);
+        m_text += "</MultiGeometry></Placemark>\n";
+    }
+
+    /** Stands on the sea up to its ceiling; one that begins above the sea is drawn at its floor. */
+    void addClosed(const NoFlyArea& area, const std::string& style, const std::string& title)
+    {
+        const double height_m = area.floor_m > 0 ? area.floor_m : area.ceiling_m.value_or(0);
+        std::string mode = "<tessellate>1</tessellate>";
+        if (height_m > 0)
+            mode = (area.floor_m > 0 ? "" : "<extrude>1</extrude>") + altitudeMode(height_m);
+        m_text += "<Placemark>" + xmlElement("name", title) + "<styleUrl>#" + style +
+                  "</styleUrl>" + extendedData(dataOf(area)) + "<MultiGeometry>";
+        addPolygons(area.corners_m, mode, height_m);
+        m_text += "</MultiGeometry></Placemark>\n";
+    }
+
+    void addPolygons(const std::vector<Point>& corners_m, const std::string& mode, double height_m)
+    {
+        for (const std::vector<LatLon>& ring : geographicPolygon(m_content.frame, corners_m)) {
+            m_text += "<Polygon>" + mode + "<outerBoundaryIs><LinearRing><coordinates>";
             for (const LatLon& corner : ring)
-                m_text += coordinates(corner, 0, ',') + "\n";
+                m_text += coordinates(corner, height_m, ',') + "\n";
             m_text += "</coordinates></LinearRing></outerBoundaryIs></Polygon>";
         }
-        m_text += "</MultiGeometry></Placemark>\n";
     }
 
     void addUav(const ExportUav& uav)

@@ -2,6 +2,7 @@
 
 #include "core/io/export/mission_items.h"
 #include "core/io/text/export_numbers.h"
+#include "core/scenario/fence.h"
 
 #include <nlohmann/json.hpp>
 
@@ -80,21 +81,30 @@ Json jsonMission(const MavMission& mission)
     return json;
 }
 
+Json jsonPolygon(const ExportContent& content, const std::vector<Point>& corners_m,
+                 bool isInclusion)
+{
+    Json corners = Json::array();
+    for (const Point& corner_m : corners_m) {
+        const LatLon place = roundedPlace(content.frame.toGeographic(corner_m));
+        corners.push_back({number(place.latitude_deg), number(place.longitude_deg)});
+    }
+    Json polygon;
+    polygon["version"] = 1;
+    polygon["inclusion"] = isInclusion;
+    polygon["polygon"] = std::move(corners);
+    return polygon;
+}
+
+/** Polygons have no heights: those that are closed at the altitude of the UAV. */
 Json jsonFence(const ExportContent& content)
 {
     Json polygons = Json::array();
-    if (content.geofence && !content.area_m.empty()) {
-        Json corners = Json::array();
-        for (const Point& corner_m : content.area_m) {
-            const LatLon place = roundedPlace(content.frame.toGeographic(corner_m));
-            corners.push_back({number(place.latitude_deg), number(place.longitude_deg)});
-        }
-        Json polygon;
-        polygon["version"] = 1;
-        polygon["inclusion"] = true;
-        polygon["polygon"] = std::move(corners);
-        polygons.push_back(std::move(polygon));
-    }
+    if (content.geofence && !content.area_m.empty())
+        polygons.push_back(jsonPolygon(content, content.area_m, true));
+    for (const NoFlyArea& area : closedAreas(content))
+        if (isClosedAt(area, content.uavs.front().uav.spec.altitude_m))
+            polygons.push_back(jsonPolygon(content, area.corners_m, false));
     Json json;
     json["version"] = 2;
     json["polygons"] = std::move(polygons);

@@ -65,10 +65,23 @@ std::vector<XmlData> assetData(const ExportContent& content)
 {
     const Asset& asset = *content.asset;
     const Point velocity_mps = eastNorth_mps(content, asset.velocity_mps, assetPlace_m(content));
-    return {{"name", asset.name},
-            {"velocity_east_mps", decimalText(velocity_mps.x())},
-            {"velocity_north_mps", decimalText(velocity_mps.y())},
-            {"range_m", decimalText(asset.range_m)}};
+    std::vector<XmlData> data{{"name", asset.name},
+                              {"velocity_east_mps", decimalText(velocity_mps.x())},
+                              {"velocity_north_mps", decimalText(velocity_mps.y())},
+                              {"range_m", decimalText(asset.range_m)}};
+    if (asset.standoff_m > 0)
+        data.push_back({"standoff_m", decimalText(asset.standoff_m)});
+    if (asset.standoff_m > 0 && asset.standoffCeiling_m)
+        data.push_back({"standoff_ceiling_m", decimalText(*asset.standoffCeiling_m)});
+    return data;
+}
+
+std::vector<XmlData> dataOf(const NoFlyArea& area)
+{
+    std::vector<XmlData> data{{"name", area.name}, {"floor_m", decimalText(area.floor_m)}};
+    if (area.ceiling_m)
+        data.push_back({"ceiling_m", decimalText(*area.ceiling_m)});
+    return data;
 }
 
 } // namespace berg

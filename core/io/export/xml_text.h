@@ -44,5 +44,7 @@ struct XmlData
 [[nodiscard]] std::vector<XmlData> dataOf(const ExportContent& content, const ExportUav& uav);
 /** Of the asset; there must be one. */
 [[nodiscard]] std::vector<XmlData> assetData(const ExportContent& content);
+/** Heights of a no-fly area. */
+[[nodiscard]] std::vector<XmlData> dataOf(const NoFlyArea& area);
 
 } // namespace berg

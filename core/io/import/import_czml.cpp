@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kHome = "home/";
 constexpr std::string_view kUav = "uav/";
+constexpr std::string_view kNoFly = "no-fly/";
 
 /** A property as a text; some writers wrap it into an object that says its type. */
 std::string propertyText(const Json& value)
@@ -78,9 +79,10 @@ private:
         m_texts.set({.field = SightingField::Id, .rank = 1001}, id);
         const Json* position = memberOf(&packet, "position");
         const Json* degrees = degreesOf(position);
-        if (m_isOwn && (id == "area" || id == "asset" || id.starts_with(kHome)))
+        if (m_isOwn &&
+            (id == "area" || id == "asset" || id.starts_with(kHome) || id.starts_with(kNoFly)))
             readOwn(packet, id, degrees);
-        else if (m_isOwn && id.starts_with(kUav))
+        else if (m_isOwn && (id.starts_with(kUav) || id == "stand-off"))
             return;
         else if (degrees == nullptr)
             reject(position == nullptr ? RowFault::NotAPoint : RowFault::PositionMissing);
@@ -155,7 +157,11 @@ private:
     void readOwn(const Json& packet, const std::string& id, const Json* degrees)
     {
         if (id == "area") {
-            readArea(degreesOf(memberOf(memberOf(&packet, "polyline"), "positions")));
+            readArea(degreesOf(memberOf(memberOf(&packet, "polyline"), "positions")), false);
+            return;
+        }
+        if (id.starts_with(kNoFly)) {
+            readArea(degreesOf(memberOf(memberOf(&packet, "polygon"), "positions")), true);
             return;
         }
         if (degrees != nullptr && degrees->size() >= 2)
@@ -171,11 +177,11 @@ private:
             addOwnUav(m_table.scene, mark);
     }
 
-    void readArea(const Json* degrees)
+    void readArea(const Json* degrees, bool isNoFly)
     {
         constexpr std::size_t kStep = 3;
-        const auto fence = m_data.find("geofence");
-        SceneArea area{.rings = {{}}, .geofence = fence != m_data.end() && fence->second == "true"};
+        SceneArea area = ownArea(m_data, isNoFly);
+        area.rings.emplace_back();
         for (std::size_t i = 0; degrees != nullptr && i + kStep <= degrees->size(); i += kStep)
             if ((*degrees)[i].is_number() && (*degrees)[i + 1].is_number())
                 if (const auto corner =

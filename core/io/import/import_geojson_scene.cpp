@@ -71,7 +71,12 @@ void addArea(FileScene& scene, const Json& feature, const Json* properties)
     const Json* coordinates = arrayOf(geometry, "coordinates");
     const std::string type = textOf(memberOf(geometry, "type"));
     const Json* geofence = memberOf(properties, "geofence");
-    SceneArea area{.rings = {}, .geofence = geofence != nullptr && *geofence == true};
+    SceneArea area{.rings = {},
+                   .geofence = geofence != nullptr && *geofence == true,
+                   .isNoFly = kindOf(properties) == "no-fly",
+                   .name = nameAt(properties, "name", kLongestName),
+                   .floor_m = numberAt(properties, "floor_m"),
+                   .ceiling_m = numberAt(properties, "ceiling_m")};
     bool isRead = coordinates != nullptr && !coordinates->empty();
     if (isRead && type == "Polygon")
         isRead = addPolygon(scene, area, *coordinates);
@@ -96,7 +101,9 @@ void addAsset(FileScene& scene, const Json& feature, const Json* properties)
     SceneAsset asset{.name = nameAt(properties, "name", kLongestName),
                      .place = *place,
                      .time = parseUtc(textOf(memberOf(properties, "time"))),
-                     .range_m = numberAt(properties, "range_m")};
+                     .range_m = numberAt(properties, "range_m"),
+                     .standoff_m = numberAt(properties, "standoff_m"),
+                     .standoffCeiling_m = numberAt(properties, "standoff_ceiling_m")};
     const Json* velocity = arrayOf(properties, "velocity_mps");
     if (velocity != nullptr && velocity->size() == 2 && (*velocity)[0].is_number() &&
         (*velocity)[1].is_number())
@@ -124,7 +131,7 @@ void addSceneFeature(FileScene& scene, const Json& feature)
         addUav(scene, feature, properties);
     else if (kind == "home")
         addHome(scene, feature, properties);
-    else if (kind == "area")
+    else if (kind == "area" || kind == "no-fly")
         addArea(scene, feature, properties);
     else if (kind == "asset")
         addAsset(scene, feature, properties);

@@ -158,7 +158,8 @@ private:
     {
         m_inside = false;
         setName(m_texts, m_name);
-        if (m_isOwn && (m_style == "#area" || m_style == "#asset" || isOfAircraft())) {
+        if (m_isOwn && (m_style == "#area" || m_style == "#no-fly" || m_style == "#stand-off" ||
+                        m_style == "#asset" || isOfAircraft())) {
             readOwn();
         } else if (!m_coordinates.empty()) {
             finishTrack();
@@ -185,7 +186,7 @@ private:
                            .place = placeOf(m_texts),
                            .time = parseUtc(m_texts.text(SightingField::Time)),
                            .data = m_data};
-        if (m_style == "#area")
+        if (m_style == "#area" || m_style == "#no-fly")
             readArea();
         else if (m_style == "#asset")
             addOwnAsset(m_table.scene, mark);
@@ -195,9 +196,7 @@ private:
 
     void readArea()
     {
-        const auto fence = m_data.find("geofence");
-        SceneArea area{.rings = {},
-                       .geofence = fence != m_data.end() && trimmed(fence->second) == "true"};
+        SceneArea area = ownArea(m_data, m_style == "#no-fly");
         for (const std::string& text : m_rings) {
             std::optional<std::vector<LatLon>> ring = ringOf(text);
             if (ring)

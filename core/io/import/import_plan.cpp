@@ -28,17 +28,18 @@ bool isInclusion(const Json& shape)
     return inclusion == nullptr || *inclusion != false;
 }
 
-/** What of the fence a scenario can hold, one polygon to stay inside of, and what it cannot. */
+/** What of the fence a scenario can hold, one polygon to stay inside of and those to stay out of,
+ * and what it cannot. */
 void readFence(const Json* fence, FileScene& scene)
 {
     if (const Json* polygons = arrayOf(fence, "polygons"))
         for (const Json& polygon : *polygons) {
             std::optional<std::vector<LatLon>> corners =
                 placesOf(memberOf(&polygon, "polygon"), AxisOrder::LatitudeFirst);
-            if (!isInclusion(polygon))
-                addFinding(scene.findings, SceneNote::FenceExclusions);
-            else if (corners)
-                scene.addArea({.rings = {std::move(*corners)}, .geofence = true});
+            const bool isInside = isInclusion(polygon);
+            if (corners)
+                scene.addArea(
+                    {.rings = {std::move(*corners)}, .geofence = isInside, .isNoFly = !isInside});
             else
                 addFinding(scene.findings, SceneNote::AreaUnreadable);
         }

@@ -18,7 +18,8 @@ namespace {
 
 bool holdsPlaces(const Scenario& scenario)
 {
-    return !scenario.icebergs.empty() || scenario.asset || !scenario.area_m.empty();
+    return !scenario.icebergs.empty() || scenario.asset || !scenario.area_m.empty() ||
+           !scenario.noFly.empty();
 }
 
 void checkOptions(const Scenario& base, const ImportOptions& options)

@@ -31,6 +31,8 @@ std::string sceneFindingText(const SceneFinding& finding)
         return "area taken over as geofence";
     case SceneNote::AssetTaken:
         return "asset taken over";
+    case SceneNote::NoFlyTaken:
+        return counted(finding.count, "no-fly area") + " taken over";
     case SceneNote::InUse:
         return "UAVs, area and asset of the file not taken over: the scenario is in use";
     case SceneNote::UavsTooMany:
@@ -55,13 +57,14 @@ std::string sceneFindingText(const SceneFinding& finding)
         return counted(finding.count, "hole") + " of the area left out";
     case SceneNote::FenceCircles:
         return counted(finding.count, "circle") + " of the geofence left out";
-    case SceneNote::FenceExclusions:
-        return counted(finding.count, "exclusion polygon") + " of the geofence left out";
     case SceneNote::FenceCorners:
         return "area is no geofence: it has more than " + std::to_string(kMostFenceCorners) +
                " corners";
     case SceneNote::FenceOutside:
         return "area is no geofence: a UAV starts or lands outside";
+    case SceneNote::NoFlyUnfit:
+        return counted(finding.count, "no-fly area") +
+               " left out: a UAV starts or lands inside, or the heights are wrong";
     case SceneNote::RallyPoints:
         return counted(finding.count, "rally point") + " left out";
     case SceneNote::AssetsMore:
@@ -97,10 +100,12 @@ void FileScene::addArea(SceneArea added)
     std::size_t vertices = 0;
     for (const std::vector<LatLon>& ring : added.rings)
         vertices += ring.size();
-    if (area)
+    if (added.isNoFly ? noFly.size() >= kMostNoFlyAreas : area.has_value())
         addFinding(findings, SceneNote::AreasMore);
     else if (vertices > kMostVertices)
         addFinding(findings, SceneNote::AreaCorners);
+    else if (added.isNoFly)
+        noFly.push_back(std::move(added));
     else
         area = std::move(added);
 }

@@ -29,6 +29,10 @@ struct SceneArea
     /** Exterior rings, closed or not; several of one polygon that is cut at the antimeridian. */
     std::vector<std::vector<LatLon>> rings; ///< longitudes in [-180, 180]
     bool geofence = false;
+    bool isNoFly = false; ///< with the members below
+    std::string name = {};
+    std::optional<double> floor_m = {};
+    std::optional<double> ceiling_m = {};
 };
 
 struct SceneAsset
@@ -38,6 +42,8 @@ struct SceneAsset
     std::optional<UtcTime> time;       ///< when it is there; none: at the start
     std::optional<Point> velocity_mps; ///< true east and north
     std::optional<double> range_m;
+    std::optional<double> standoff_m = {};
+    std::optional<double> standoffCeiling_m = {};
 };
 
 /** What is worth knowing of it. */
@@ -47,6 +53,7 @@ enum class SceneNote
     AreaTaken,
     FenceTaken, ///< the area, as a geofence
     AssetTaken,
+    NoFlyTaken,
     InUse, ///< nothing taken: the scenario holds icebergs, an asset or an area already
     UavsTooMany,
     UavsTooFar, ///< more than 1000 km east, west, north or south of the origin
@@ -58,9 +65,9 @@ enum class SceneNote
     AreasMore, ///< further ones left out
     AreaHoles,
     FenceCircles,
-    FenceExclusions,
     FenceCorners, ///< too many, so that the area is no geofence
     FenceOutside, ///< a UAV starts or lands outside, so that the area is no geofence
+    NoFlyUnfit,   ///< a UAV starts or lands inside, or its heights are wrong
     RallyPoints,  ///< several, so that home is where the mission starts
     AssetsMore,
     AssetTooFar,
@@ -85,12 +92,13 @@ struct FileScene
 {
     std::vector<SceneUav> uavs;
     std::optional<SceneArea> area;
+    std::vector<SceneArea> noFly;
     std::optional<SceneAsset> asset;
     std::vector<SceneFinding> findings; ///< what of the file is none of these
 
     [[nodiscard]] bool isEmpty() const
     {
-        return uavs.empty() && !area && !asset && findings.empty();
+        return uavs.empty() && !area && noFly.empty() && !asset && findings.empty();
     }
     /** The new UAV; null, and a finding, when there are as many as a scenario holds. */
     SceneUav* addUav();

@@ -76,6 +76,8 @@ public:
             takeUav(uav);
         if (m_scene.area)
             takeArea(*m_scene.area);
+        for (const SceneArea& area : m_scene.noFly)
+            takeNoFly(area);
         if (m_scene.asset)
             takeAsset(*m_scene.asset);
         m_findings.insert(m_findings.end(), m_scene.findings.begin(), m_scene.findings.end());
@@ -184,16 +186,39 @@ private:
                 return id;
     }
 
-    void takeArea(const SceneArea& area)
+    /** None: a finding. */
+    std::optional<std::vector<Point>> cornersOf(const SceneArea& area)
     {
         std::vector<Point> corners_m = areaOutline(area.rings, m_frame);
         for (Point& corner_m : corners_m)
             corner_m = toCentimetre(corner_m);
         if (const std::optional<SceneNote> fault = areaFault(corners_m)) {
             addFinding(m_findings, *fault);
-            return;
+            return std::nullopt;
         }
-        m_scenario.area_m = std::move(corners_m);
+        return corners_m;
+    }
+
+    void takeNoFly(const SceneArea& area)
+    {
+        std::optional<std::vector<Point>> corners_m = cornersOf(area);
+        if (!corners_m)
+            return;
+        const bool isTaken = attempt([&](Scenario& scenario) {
+            scenario.noFly.push_back({.name = area.name,
+                                      .corners_m = std::move(*corners_m),
+                                      .floor_m = area.floor_m.value_or(0),
+                                      .ceiling_m = area.ceiling_m});
+        });
+        addFinding(m_findings, isTaken ? SceneNote::NoFlyTaken : SceneNote::NoFlyUnfit);
+    }
+
+    void takeArea(const SceneArea& area)
+    {
+        std::optional<std::vector<Point>> corners_m = cornersOf(area);
+        if (!corners_m)
+            return;
+        m_scenario.area_m = std::move(*corners_m);
         const std::optional<SceneNote> fault =
             area.geofence ? fenceFault(m_scenario) : std::nullopt;
         m_scenario.geofence = area.geofence && !fault;
@@ -214,6 +239,11 @@ private:
         addFinding(m_findings, SceneNote::AssetTaken);
         attemptNumber("range_m", taken.range_m,
                       [](Scenario& scenario, double value) { scenario.asset->range_m = value; });
+        attemptNumber(
+            "standoff_ceiling_m", taken.standoffCeiling_m,
+            [](Scenario& scenario, double value) { scenario.asset->standoffCeiling_m = value; });
+        attemptNumber("standoff_m", taken.standoff_m,
+                      [](Scenario& scenario, double value) { scenario.asset->standoff_m = value; });
         if (!taken.velocity_mps)
             return;
         const Point exact_mps = turned(*taken.velocity_mps, m_frame.trueNorth_rad(taken.place));

@@ -76,12 +76,24 @@ void addOwnAsset(FileScene& scene, const OwnMark& asset)
     SceneAsset added{.name = cleanText(name, kLongestName),
                      .place = *asset.place,
                      .time = asset.time,
-                     .range_m = numberOf(asset.data, "range_m")};
+                     .range_m = numberOf(asset.data, "range_m"),
+                     .standoff_m = numberOf(asset.data, "standoff_m"),
+                     .standoffCeiling_m = numberOf(asset.data, "standoff_ceiling_m")};
     const std::optional<double> east_mps = numberOf(asset.data, "velocity_east_mps");
     const std::optional<double> north_mps = numberOf(asset.data, "velocity_north_mps");
     if (east_mps && north_mps)
         added.velocity_mps = Point(*east_mps, *north_mps);
     scene.addAsset(std::move(added));
+}
+
+SceneArea ownArea(const OwnData& data, bool isNoFly)
+{
+    return {.rings = {},
+            .geofence = trimmed(textOf(data, "geofence")) == "true",
+            .isNoFly = isNoFly,
+            .name = isNoFly ? cleanText(textOf(data, "name"), kLongestName) : std::string(),
+            .floor_m = numberOf(data, "floor_m"),
+            .ceiling_m = numberOf(data, "ceiling_m")};
 }
 
 bool rootIs(std::string_view text, std::string_view name)

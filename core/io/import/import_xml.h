@@ -54,6 +54,8 @@ struct OwnMark
 void addOwnUav(FileScene& scene, const OwnMark& home);
 /** A finding when it has no place. */
 void addOwnAsset(FileScene& scene, const OwnMark& asset);
+/** Without its outline. */
+[[nodiscard]] SceneArea ownArea(const OwnData& data, bool isNoFly);
 
 /** Whether `name` is the first element of the text. */
 [[nodiscard]] bool rootIs(std::string_view text, std::string_view name);

@@ -194,6 +194,24 @@ private slots:
         }
     }
 
+    void notesOfNoFlyAreas()
+    {
+        const ExportContent content = planContent(changed([](Scenario& s) {
+            s.noFly = {{.corners_m = {{9000, 0}, {9500, 0}, {9500, 500}}}};
+            s.uavs[0].spec.airspeed_mps = 22;
+        }));
+        const auto ids = [&](const char* name) { return noteIds(format(name), content); };
+        QVERIFY(ids("gpx").contains(QStringLiteral("no-no-fly-areas")));
+        QVERIFY(ids("wpl").contains(QStringLiteral("no-no-fly-areas")));
+        for (const char* name : {"plan", "kml", "geojson", "czml"})
+            QVERIFY(!ids(name).contains(QStringLiteral("no-no-fly-areas")));
+        QVERIFY(!ids("plan").contains(QStringLiteral("no-heights")));
+        const ExportContent high = planContent(changed([](Scenario& s) {
+            s.asset = Asset{.position_m = {8000, 8000}, .standoff_m = 300, .standoffCeiling_m = 90};
+        }));
+        QVERIFY(noteIds(format("plan"), high).contains(QStringLiteral("no-heights")));
+    }
+
     void notes()
     {
         const Scenario scenario = changed([](Scenario& s) {

@@ -1,4 +1,5 @@
 #include "core/io/export/plan_qgc.h"
+#include "core/scenario/fence.h"
 #include "core/sim/visits.h"
 #include "tests/support/golden.h"
 #include "tests/support/mission_builder.h"
@@ -41,6 +42,17 @@ Scenario fenced()
     return changed([](Scenario& s) { s.geofence = true; });
 }
 
+/** Two no-fly areas, one of them above the UAV, and a stand-off ring. */
+Scenario withAreas()
+{
+    return changed([](Scenario& s) {
+        s.geofence = true;
+        s.noFly = {{.corners_m = {{9000, 0}, {9500, 0}, {9500, 500}}},
+                   {.corners_m = {{9000, 900}, {9500, 900}, {9500, 1500}}, .floor_m = 1000}};
+        s.asset = Asset{.position_m = {8000, 8000}, .standoff_m = 300};
+    });
+}
+
 Scenario withoutIcebergs()
 {
     Scenario scenario = fourIcebergs();
@@ -65,6 +77,7 @@ std::vector<std::pair<const char*, QByteArray>> documents()
     ExportOptions loiter{.altitude_m = 80.5, .loiterTurns = 3, .returnHome = true};
     return {{"plan", planFileText(fourIcebergs())},
             {"geofence", planFileText(fenced())},
+            {"no-fly areas", planFileText(withAreas())},
             {"path", bytes(qgcPlan(planContent(fourIcebergs(), fourIcebergPlan(), path)))},
             {"loiter", bytes(qgcPlan(planContent(fourIcebergs(), fourIcebergPlan(), loiter)))},
             {"no icebergs", planFileText(withoutIcebergs(), planOf({}))},
@@ -116,6 +129,19 @@ private slots:
                 QVERIFY2(rule.fault(plan).isEmpty(),
                          qPrintable(QLatin1StringView(reader.name) + u", "_s +
                                     QLatin1StringView(rule.name) + u": "_s + rule.fault(plan)));
+    }
+
+    void noFlyAreasAreExclusions()
+    {
+        const QJsonArray polygons = berg::test::planText(planFileText(withAreas()))
+                                        .root["geoFence"_L1]["polygons"_L1]
+                                        .toArray();
+        QCOMPARE(polygons.size(), 3);
+        QVERIFY(polygons[0]["inclusion"_L1].toBool());
+        QVERIFY(!polygons[1]["inclusion"_L1].toBool(true));
+        QCOMPARE(polygons[1]["polygon"_L1].toArray().size(), 3);
+        QVERIFY(!polygons[2]["inclusion"_L1].toBool(true));
+        QCOMPARE(polygons[2]["polygon"_L1].toArray().size(), kRingCorners);
     }
 
     void rejectionIsCaught_data()

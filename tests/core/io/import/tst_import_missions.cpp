@@ -193,12 +193,12 @@ private slots:
         QVERIFY((result.scene ==
                  std::vector<SceneFinding>{{.note = SceneNote::UavsTaken},
                                            {.note = SceneNote::FenceTaken},
-                                           {.note = SceneNote::FenceExclusions, .count = 2},
-                                           {.note = SceneNote::AreaUnreadable},
+                                           {.note = SceneNote::NoFlyTaken},
+                                           {.note = SceneNote::AreaUnreadable, .count = 2},
                                            {.note = SceneNote::AreasMore},
                                            {.note = SceneNote::FenceCircles, .count = 2}}));
-        QCOMPARE(sceneFindingText(result.scene[2]),
-                 std::string("2 exclusion polygons of the geofence left out"));
+        QCOMPARE(sceneFindingText(result.scene[2]), std::string("1 no-fly area taken over"));
+        QCOMPARE(result.scenario.noFly.size(), std::size_t{1});
     }
 
     /** Whatever a fence is, it takes nothing of the mission away. */

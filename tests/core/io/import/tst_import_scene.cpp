@@ -1,3 +1,4 @@
+#include "core/io/export/czml.h"
 #include "core/io/export/geojson.h"
 #include "core/io/export/gpx.h"
 #include "core/io/export/kml.h"
@@ -183,6 +184,53 @@ private slots:
             notes.push_back(SceneNote::AssetTaken);
         QVERIFY(notesOf(result) == notes);
         QCOMPARE(result.scene.front().count, content.uavs.size());
+    }
+
+    void noFlyAreasComeBack_data()
+    {
+        QTest::addColumn<int>("format");
+        for (int i = 0; i < int(kFormats.size()); ++i)
+            if (kFormats[std::size_t(i)].area)
+                QTest::newRow(kFormats[std::size_t(i)].name) << i;
+        QTest::newRow("czml") << -1;
+    }
+
+    void noFlyAreasComeBack()
+    {
+        QFETCH(int, format);
+        Scenario scenario = twoUavsAndAsset();
+        scenario.asset->standoff_m = 450;
+        scenario.asset->standoffCeiling_m = 90;
+        scenario.asset->position_m += Point(0, 20000); // away from the UAVs
+        scenario.noFly = {{.name = "Mine field",
+                           .corners_m = {{9000, 0}, {9900, 0}, {9900, 800}, {9000, 800}},
+                           .floor_m = 20,
+                           .ceiling_m = 5000},
+                          {.corners_m = {{9000, 2000}, {9900, 2000}, {9900, 2800}}}};
+        const bool isMission = format >= 0 && kFormats[std::size_t(format)].mission;
+        const ExportContent content =
+            planContent(scenario, planFromStart(scenario),
+                        {.uav = isMission ? scenario.uavs.front().id : std::string()});
+        const ImportResult result = importedAsNew(
+            format < 0 ? czmlText(content) : kFormats[std::size_t(format)].write(content));
+        const Scenario& found = result.scenario;
+        QCOMPARE(found.noFly.size(), std::size_t{2}); // the ring is below the UAVs
+        for (std::size_t k = 0; k < 2; ++k) {
+            const NoFlyArea& sent = scenario.noFly[k];
+            QCOMPARE(found.noFly[k].corners_m.size(), sent.corners_m.size());
+            for (const Point& corner_m : sent.corners_m)
+                QVERIFY(std::any_of(found.noFly[k].corners_m.begin(),
+                                    found.noFly[k].corners_m.end(), [&](const Point& found_m) {
+                                        return apart_m(content, corner_m, found, found_m) <=
+                                               kPlace_m;
+                                    }));
+            QCOMPARE(found.noFly[k].name, isMission ? std::string() : sent.name);
+            QCOMPARE(found.noFly[k].floor_m, isMission ? 0 : sent.floor_m);
+            QVERIFY(found.noFly[k].ceiling_m == (isMission ? std::nullopt : sent.ceiling_m));
+        }
+        if (isMission)
+            return;
+        QVERIFY(found.asset->standoff_m == 450.0 && found.asset->standoffCeiling_m == 90.0);
     }
 
     /** Later: from where the UAV is, with the asset where it has got to. */
