@@ -76,35 +76,22 @@ void Recorder::record(const Simulation& simulation)
                   .weightedSum_m2 = weightedSum_m2(simulation),
                   .zeta_m2s = state.zeta_m2s,
                   .flown_m = state.flown_m()};
-    std::vector<IcebergSample> row;
-    row.reserve(static_cast<std::size_t>(simulation.icebergCount()));
-    for (int i = 0; i < simulation.icebergCount(); ++i) {
-        const Track& track = simulation.track(i);
-        row.push_back({.sigma_m2 = track.sigma_m2,
-                       .inView = track.inView,
-                       .active = simulation.active(i),
-                       .truth_m = simulation.truth_m(i)});
-    }
     if (m_sink) {
-        m_sink(sample, row);
+        m_sink(sample, icebergsOf(simulation));
         return;
     }
     m_samples.push_back(std::move(sample));
-    m_rows.push_back(std::move(row));
+    m_rows.add(simulation, m_keyframes);
 }
 
 void Recorder::handOn(SampleSink sink)
 {
     m_sink = std::move(sink);
+    IcebergReader rows = reader();
     for (std::size_t row = 0; row < m_samples.size(); ++row)
-        m_sink(m_samples[row], m_rows[row]);
+        m_sink(m_samples[row], rows.at(row));
     m_samples.clear();
-    m_rows.clear();
-}
-
-std::span<const IcebergSample> Recorder::icebergs(std::size_t row) const
-{
-    return m_rows.at(row);
+    m_rows = {};
 }
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/sim/iceberg_rows.h"
 #include "core/sim/plan_forecast.h"
 
 #include <functional>
@@ -79,15 +80,6 @@ struct Sample
     double flown_m = 0; ///< through the air, all UAVs
 };
 
-/** One iceberg at the instant of a sample. */
-struct IcebergSample
-{
-    double sigma_m2 = 0;
-    bool inView = false;
-    bool active = true; ///< false until it appears
-    Point truth_m = Point::Zero();
-};
-
 /** Takes a sample and the icebergs at its instant, by index. */
 using SampleSink = std::function<void(const Sample&, std::span<const IcebergSample>)>;
 
@@ -109,8 +101,13 @@ public:
     void handOn(SampleSink sink);
 
     [[nodiscard]] const std::vector<Sample>& samples() const { return m_samples; }
-    /** Icebergs at sample `row`, by index. */
-    [[nodiscard]] std::span<const IcebergSample> icebergs(std::size_t row) const;
+    /** Icebergs at sample `row`, by index; for many rows `reader` is faster. */
+    [[nodiscard]] std::vector<IcebergSample> icebergs(std::size_t row) const
+    {
+        return reader().at(row);
+    }
+    /** Until the next sample is recorded. */
+    [[nodiscard]] IcebergReader reader() const { return {m_rows, m_keyframes}; }
     /** From each of them the mission can be flown on, bit for bit; a plan may be due at once. */
     [[nodiscard]] const std::vector<Simulation>& keyframes() const { return m_keyframes; }
 
@@ -118,7 +115,7 @@ private:
     std::int64_t m_sampleSteps;
     std::int64_t m_keyframeSteps;
     std::vector<Sample> m_samples;
-    std::vector<std::vector<IcebergSample>> m_rows; ///< no large block to copy when it grows
+    IcebergRows m_rows;
     std::vector<Simulation> m_keyframes;
     SampleSink m_sink; ///< none: they are kept
 };

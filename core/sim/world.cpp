@@ -76,6 +76,12 @@ void World::advanceDrift()
             m_drift[i].advanceTo(time_s());
 }
 
+void World::goTo(std::int64_t step)
+{
+    m_step = step;
+    advanceDrift();
+}
+
 LookDraw World::lookDraw(int iceberg, std::int64_t look) const
 {
     return m_noise ? berg::lookDraw(m_seed, body(iceberg).stream, look) : LookDraw{};

@@ -39,6 +39,8 @@ public:
     [[nodiscard]] bool isWholeSecond() const { return m_step % m_stepsPerSecond == 0; }
     [[nodiscard]] std::uint64_t seed() const { return m_seed; }
     void tick() { ++m_step; }
+    /** The truth at a later step, as far as nothing is added until then. */
+    void goTo(std::int64_t step);
     /** Of the looks at it. */
     [[nodiscard]] const ObserverSpec& observer() const { return m_observer; }
     [[nodiscard]] const std::optional<Asset>& asset() const { return m_asset; }

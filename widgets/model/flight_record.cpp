@@ -202,10 +202,9 @@ FlightRecord recordOf(const Mission& mission)
     FlightRecord record{.scenario = mission.scenario(), .now = snapshotOf(mission)};
     MissionHistory& history = record.history;
     history.samples = mission.recorder().samples();
-    for (std::size_t row = 0; row < history.samples.size(); ++row) {
-        const auto icebergs = mission.recorder().icebergs(row);
-        history.rows.emplace_back(icebergs.begin(), icebergs.end());
-    }
+    IcebergReader rows = mission.recorder().reader();
+    for (std::size_t row = 0; row < history.samples.size(); ++row)
+        history.rows.push_back(rows.at(row));
     history.plans = mission.plans();
     history.events = mission.events();
     return record;

@@ -314,10 +314,9 @@ HistoryNews MissionWorker::takeNews()
         part.assign(all.begin() + static_cast<std::ptrdiff_t>(published), all.end());
     };
     take(recorder.samples(), news.firstSample, news.part.samples);
-    for (std::size_t row = news.firstSample; row < recorder.samples().size(); ++row) {
-        const auto icebergs = recorder.icebergs(row);
-        news.part.rows.emplace_back(icebergs.begin(), icebergs.end());
-    }
+    IcebergReader rows = recorder.reader();
+    for (std::size_t row = news.firstSample; row < recorder.samples().size(); ++row)
+        news.part.rows.push_back(rows.at(row));
     take(m_mission->plans(), news.firstPlan, news.part.plans);
     take(m_mission->events(), news.firstEvent, news.part.events);
     m_published.firstSample = recorder.samples().size();

@@ -262,8 +262,9 @@ std::string sigmaCsv(const Mission& mission)
     const SampleTables tables = tablesOf(mission);
     const Recorder& recorder = mission.recorder();
     std::string text = tables.sigmaHeader();
+    IcebergReader rows = recorder.reader();
     for (std::size_t row = 0; row < recorder.samples().size(); ++row)
-        tables.addSigma(text, recorder.samples()[row], recorder.icebergs(row));
+        tables.addSigma(text, recorder.samples()[row], rows.at(row));
     return text;
 }
 

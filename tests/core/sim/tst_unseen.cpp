@@ -14,10 +14,9 @@ using Rows = std::vector<std::vector<IcebergSample>>;
 Rows rowsOf(const Recorder& recorder)
 {
     Rows rows;
-    for (std::size_t k = 0; k < recorder.samples().size(); ++k) {
-        const std::span<const IcebergSample> row = recorder.icebergs(k);
-        rows.emplace_back(row.begin(), row.end());
-    }
+    IcebergReader reader = recorder.reader();
+    for (std::size_t k = 0; k < recorder.samples().size(); ++k)
+        rows.push_back(reader.at(k));
     return rows;
 }
 

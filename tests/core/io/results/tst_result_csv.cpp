@@ -179,7 +179,7 @@ private slots:
             for (std::size_t i = 0; i < 4; ++i) {
                 if (i == 2 && time_s < 50)
                     continue;
-                const IcebergSample& iceberg = recorder.icebergs(row)[i];
+                const IcebergSample iceberg = recorder.icebergs(row)[i];
                 const Record& record = records[next++];
                 QCOMPARE(record.size(), 6);
                 QCOMPARE(record[0].toDouble(), time_s);
