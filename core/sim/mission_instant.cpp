@@ -85,8 +85,13 @@ private:
                             m_mission.scenario().uavs);
                 ++m_intervention;
             } else if (m_plan < plans.size() && isNow(plans[m_plan].time_s)) {
-                m_world.setTarget(plans[m_plan].uav, plans[m_plan].target, firstAim(plans[m_plan]),
-                                  clusterWith(plans[m_plan].clusters, plans[m_plan].target));
+                const PlanEvent& plan = plans[m_plan];
+                // Asked for because a plan came into force that things had overtaken.
+                if (plan.interim && plan.reason == PlanReason::Intervention &&
+                    m_world.planReason(plan.uav) != PlanReason::Intervention)
+                    m_world.requestPlan();
+                m_world.setTarget(plan.uav, plan.target, firstAim(plan),
+                                  clusterWith(plan.clusters, plan.target));
                 ++m_plan;
             } else {
                 return;

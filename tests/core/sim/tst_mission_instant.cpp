@@ -1,5 +1,6 @@
 #include "core/scenario/presets.h"
 #include "core/sim/mission_instant.h"
+#include "tests/support/random_fleet.h"
 #include "tests/support/scenario_builder.h"
 
 #include <QtTest>
@@ -66,6 +67,23 @@ class TestMissionInstant : public QObject
     Q_OBJECT
 
 private slots:
+    /** With a planning delay: a plan that things had overtaken asked for another one for all, which
+     * looking back left out. */
+    void overtakenPlansAreTheSame()
+    {
+        const test::RandomFleet fleet(88);
+        Mission mission(fleet.scenario(), {.workLimit = 5'000});
+        std::vector<WorldState> flown;
+        for (double time_s = 20; time_s < fleet.scenario().duration_s; time_s += 20) {
+            mission.advance(time_s);
+            flown.push_back(mission.simulation().state());
+        }
+        for (std::size_t k = 0; k < flown.size(); ++k)
+            QVERIFY2(instantAt(mission, 20.0 * static_cast<double>(k + 1)).simulation.state() ==
+                         flown[k],
+                     qPrintable(QString::number(20 * (k + 1))));
+    }
+
     /** Looking back left a UAV to be planned alone that the new tau planned with all others. */
     void changesAreTheSameForAUavThatIsPlannedAlone()
     {

@@ -1,0 +1,165 @@
+#pragma once
+
+#include "core/base/angles.h"
+#include "core/base/random.h"
+#include "core/scenario/scenario.h"
+#include "core/sim/mission.h"
+#include "core/vehicle/geofence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace berg::test {
+
+/**
+ * A flight with anything that may meet: one to four UAVs, with and without endurance, wind, fence,
+ * either observer with what makes it lose icebergs, icebergs that appear, are assigned or have
+ * drifted unlike what is known of them, every policy, and something that changes in flight.
+ */
+class RandomFleet
+{
+public:
+    explicit RandomFleet(std::uint64_t seed) : m_random(seed, 221)
+    {
+        m_scenario.seed = static_cast<std::int64_t>(seed);
+        m_scenario.duration_s = m_random.uniform(1500, 3500);
+        if (oneIn(2))
+            m_scenario.wind_mps = point_m(9);
+        if (oneIn(3))
+            drawFence();
+        drawObserver();
+        drawPlanner();
+        const auto uavs = static_cast<int>(1 + m_random.below(4));
+        for (int i = 0; i < uavs; ++i)
+            drawUav(i);
+        const auto icebergs = static_cast<int>(3 + m_random.below(12));
+        for (int i = 0; i < icebergs; ++i)
+            m_scenario.icebergs.push_back(iceberg("berg-" + std::to_string(i + 1)));
+        drawChange();
+    }
+
+    [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
+    /** Comes at its `time_s`. */
+    [[nodiscard]] const Intervention& change() const { return m_change; }
+
+private:
+    bool oneIn(std::uint64_t count) { return m_random.below(count) == 0; }
+    Point point_m(double largest_m)
+    {
+        const double x_m = m_random.uniform(-largest_m, largest_m);
+        return {x_m, m_random.uniform(-largest_m, largest_m)};
+    }
+    /** In the fence, so far from it; anywhere without one. */
+    Point place_m(double clear_m)
+    {
+        for (;;) {
+            const Point place_m = point_m(3500);
+            if (!m_scenario.geofence || (insidePolygon(m_scenario.area_m, place_m) &&
+                                         distanceToEdges(m_scenario.area_m, place_m) >= clear_m))
+                return place_m;
+        }
+    }
+    void drawFence()
+    {
+        m_scenario.geofence = true;
+        const bool isConvex = oneIn(2);
+        const auto corners = static_cast<int>(5 + m_random.below(8));
+        for (int i = 0; i < corners; ++i) {
+            const double angle_rad = 2 * kPi * (i + m_random.uniform(-0.3, 0.3)) / corners;
+            const double away_m = isConvex ? 4500 : m_random.uniform(2200, 4500);
+            m_scenario.area_m.push_back(away_m * Point(std::cos(angle_rad), std::sin(angle_rad)));
+        }
+    }
+    void drawObserver()
+    {
+        if (oneIn(2))
+            m_scenario.observer = {.model = ObserverModel::Kalman,
+                                   .interval_s = oneIn(2) ? 1.0 : 5.0,
+                                   .detection = oneIn(2) ? 1.0 : 0.8};
+        if (oneIn(3))
+            m_scenario.observer.search = SearchPattern::Sector;
+    }
+    void drawPlanner()
+    {
+        m_scenario.planner.policy = static_cast<PolicyKind>(m_random.below(kPolicyTable.size()));
+        m_scenario.clusters = oneIn(4);
+        if (oneIn(3))
+            m_scenario.planningTime_s = m_random.uniform(1, 10);
+        if (oneIn(5))
+            m_scenario.reachRadius_m = m_random.uniform(150, 300);
+        if (oneIn(3))
+            m_scenario.fovShape = oneIn(2) ? FovShape::Disk : FovShape::North;
+        if (oneIn(5))
+            m_scenario.asset = Asset{.name = "rig", .position_m = point_m(3000), .extraJson = {}};
+    }
+    void drawUav(int i)
+    {
+        Uav uav{.id = "uav-" + std::to_string(i + 1)};
+        uav.spec.airspeed_mps = m_random.uniform(18, 28);
+        uav.spec.altitude_m = 100 + 15.0 * static_cast<double>(m_random.below(6));
+        if (oneIn(3))
+            uav.spec.autopilot_s = 1;
+        uav.heading_deg = m_random.uniform(0, 360);
+        const Motion motion{.airspeed_mps = uav.spec.airspeed_mps,
+                            .limit_radps = maxTurnRate_radps(uav.spec),
+                            .wind_mps = m_scenario.wind_mps};
+        const double room_m =
+            m_scenario.geofence ? 2.1 * Geofence(m_scenario.area_m, motion).radius_m() : 0;
+        uav.position_m = place_m(room_m);
+        if (oneIn(2)) {
+            uav.spec.endurance_s = m_random.uniform(700, 2400);
+            uav.turnaround_s = m_random.uniform(30, 600);
+        }
+        m_scenario.uavs.push_back(uav);
+    }
+    Iceberg iceberg(const std::string& id)
+    {
+        Iceberg iceberg{.id = id};
+        iceberg.position_m = place_m(0);
+        iceberg.velocity_mps = point_m(m_scenario.geofence ? 0.1 : 0.4);
+        iceberg.sigma0_m2 = m_random.uniform(1, 100);
+        if (oneIn(3))
+            iceberg.velocitySd_mps = m_random.uniform(0, 0.4);
+        if (oneIn(6))
+            iceberg.observed_s = m_random.uniform(0, 2000);
+        if (oneIn(6))
+            iceberg.q_m2ps = m_random.uniform(0.1, 10);
+        if (oneIn(6))
+            iceberg.appears_s = m_random.uniform(0, 0.6) * m_scenario.duration_s;
+        if (oneIn(6))
+            iceberg.uav = m_scenario.uavs[m_random.below(m_scenario.uavs.size())].id;
+        if (oneIn(4)) { // it moves unlike what is known of it
+            const Point velocity_mps = iceberg.velocity_mps + point_m(0.4);
+            iceberg.track.time_s = {0, 1e4};
+            iceberg.track.position_m = {iceberg.position_m,
+                                        iceberg.position_m + 1e4 * velocity_mps};
+        }
+        return iceberg;
+    }
+    void drawChange()
+    {
+        m_change.time_s = std::round(m_random.uniform(0.1, 0.7) * m_scenario.duration_s);
+        switch (m_random.below(4)) {
+        case 0:
+            m_change.wind_mps = point_m(6);
+            break;
+        case 1:
+            m_change.appears = iceberg("new");
+            m_change.appears->appears_s = 0;
+            break;
+        case 2:
+            m_change.tau = m_random.uniform(0, 3);
+            break;
+        default:
+            m_change.assigned = Assignment{.iceberg = "berg-1", .uav = m_scenario.uavs.back().id};
+            m_scenario.icebergs.front().appears_s = 0;
+        }
+    }
+
+    Random m_random;
+    Scenario m_scenario;
+    Intervention m_change;
+};
+
+} // namespace berg::test
