@@ -201,9 +201,11 @@ void Mission::flyOn(int uav)
         return !m_simulation.available(uav, i) || isTargetOfOther(uav, i);
     });
     if (plan.order.empty())
-        if (const int nearest = m_simulation.fleet().nearestAvailable(uav);
-            nearest >= 0 && !isTargetOfOther(uav, nearest))
-            plan.order = {nearest};
+        if (const int next = nearest(
+                m_simulation.observer(), m_simulation.fleet().autopilot(uav).pose().position_m,
+                [&](int i) { return !isTargetOfOther(uav, i) && m_simulation.available(uav, i); });
+            next >= 0)
+            plan.order = {next};
     if (const PlanEvent* last = lastPlanOf(m_plans, uav))
         plan.clusters = stillClusters(last->clusters, m_simulation);
     plan.thisSortie = thisSortie(m_simulation, uav, plan.order, plan.clusters);

@@ -1,0 +1,31 @@
+#include "tests/support/fleet_watch.h"
+
+#include <QTest>
+
+using namespace berg::test;
+
+/** Many things at once: what nobody would have thought of to put together. */
+class TestRandomFleets : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** By hand, 2000 of them: `bench_loop`. */
+    void haveNoFaults()
+    {
+        int losses = 0;
+        int sorties = 0;
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            const FleetFaults faults = faultsOf(seed);
+            QVERIFY2(!faults.any(), qPrintable(QString::number(seed) + ": " +
+                                               QString::fromStdString(faults.first)));
+            losses += faults.losses;
+            sorties += faults.sorties;
+        }
+        QVERIFY(losses > 10);
+        QVERIFY(sorties > 20);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRandomFleets)
+#include "tst_random_fleets.moc"

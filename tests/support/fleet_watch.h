@@ -1,0 +1,240 @@
+#pragma once
+
+#include "core/io/export/export_flight.h"
+#include "core/io/export/formats.h"
+#include "core/io/files/run_json.h"
+#include "core/scenario/validate.h"
+#include "core/sim/mission_instant.h"
+#include "tests/support/random_fleet.h"
+
+#include <array>
+
+namespace berg::test {
+
+/** What must not be found about a flight. */
+enum class Fault
+{
+    Unsearched, ///< an iceberg is lost, all others are fresh, and nobody searches
+    Idle,       ///< a UAV circles beside an unseen iceberg that nobody flies to, and that no
+                ///< route which is kept leaves for later
+    Outside,    ///< it left a fence that it could have kept
+    Late,       ///< home after its time, although there was a way
+    LookBack,   ///< an instant of the record is not that of the flight
+    Replay,     ///< the run file does not repeat
+    Export,     ///< a format cannot be written, or holds what is no number
+    Thrown
+};
+inline constexpr std::array kFaultNames{"unsearched", "idle",   "outside", "late",
+                                        "look-back",  "replay", "export",  "thrown"};
+
+struct FleetFaults
+{
+    std::array<int, kFaultNames.size()> seconds{}; ///< or times, by `Fault`
+    std::string first;                             ///< where the first one was
+    int losses = 0;
+    int sorties = 0;
+
+    void add(Fault fault, const std::string& where)
+    {
+        ++seconds[static_cast<std::size_t>(fault)];
+        if (first.empty())
+            first = std::string(kFaultNames[static_cast<std::size_t>(fault)]) + ": " + where;
+    }
+    [[nodiscard]] bool any() const
+    {
+        return std::ranges::any_of(seconds, [](int count) { return count > 0; });
+    }
+};
+
+/** Flies a `RandomFleet` and looks at it once a second. */
+class FleetWatch
+{
+public:
+    explicit FleetWatch(const RandomFleet& fleet)
+        : m_fleet(fleet)
+        , m_mission(fleet.scenario(), {.workLimit = 5'000})
+        , m_idle_s(fleet.scenario().uavs.size())
+    {
+        for (const Issue& issue : validate(fleet.scenario()))
+            m_isSafe = m_isSafe && issue.reason.id != IssueId::StartNearFence &&
+                       issue.reason.id != IssueId::NoSafeReturn &&
+                       issue.reason.id != IssueId::NoWayHome &&
+                       issue.reason.id != IssueId::HomeNearFence;
+    }
+
+    [[nodiscard]] FleetFaults fly()
+    {
+        const double end_s = m_fleet.scenario().duration_s;
+        const double kept_s = std::round(0.6 * end_s * 10) / 10 + 0.3;
+        std::optional<WorldState> kept;
+        for (double time_s = 1; time_s < end_s; time_s += 1) {
+            if (!kept && time_s > kept_s) {
+                m_mission.advance(kept_s);
+                kept = m_mission.simulation().state();
+            }
+            m_mission.advance(time_s);
+            if (time_s == m_fleet.change().time_s)
+                change();
+            watchLost(time_s);
+            watchIdle(time_s);
+        }
+        m_mission.advance(end_s);
+        countEvents();
+        if (instantAt(m_mission, kept_s).simulation.state() != *kept)
+            m_faults.add(Fault::LookBack, std::to_string(kept_s) + " s");
+        if (m_fleet.scenario().seed % kFilesOfEach == 0)
+            checkFiles();
+        return m_faults;
+    }
+
+private:
+    /** Of so many flights one is flown again from its run file, and exported. */
+    static constexpr std::int64_t kFilesOfEach = 4;
+
+    /** The planner's time, and the rounding of whole seconds. */
+    [[nodiscard]] double delay_s() const { return m_fleet.scenario().planningTime_s + 2; }
+    [[nodiscard]] double round_s(int uav) const
+    {
+        const Motion& motion = m_mission.simulation().motion(uav);
+        return 2 * kPi * circleRadius_m(motion) / motion.airspeed_mps;
+    }
+    [[nodiscard]] bool isTargeted(int iceberg) const
+    {
+        return std::ranges::find(m_mission.simulation().fleet().autopilots(), iceberg,
+                                 &Autopilot::target) !=
+               m_mission.simulation().fleet().autopilots().end();
+    }
+
+    void change()
+    {
+        try {
+            m_mission.intervene(m_fleet.change());
+        } catch (const Error&) {
+            return; // such as an iceberg that has left
+        }
+        m_isSafe = m_isSafe && !m_fleet.change().wind_mps;
+    }
+
+    /** Some UAV may search for it, comes home from there, and has no other search. */
+    [[nodiscard]] bool hasSearcher(int iceberg) const
+    {
+        const Simulation& now = m_mission.simulation();
+        const int assigned = now.world().body(iceberg).assignedUav;
+        for (int uav = 0; uav < now.uavCount(); ++uav)
+            if (const Autopilot& me = now.fleet().autopilot(uav);
+                !me.isHomeward() && !now.observer().searches().of(uav) &&
+                (assigned < 0 || assigned == uav) &&
+                thisSortie(me, std::span(&iceberg, 1), now.observer()).value_or(1) == 1)
+                return true;
+        return false;
+    }
+    [[nodiscard]] bool isSearched(int iceberg) const
+    {
+        const Simulation& now = m_mission.simulation();
+        for (int uav = 0; uav < now.uavCount(); ++uav)
+            if (const std::optional<Search>& search = now.observer().searches().of(uav))
+                if (search->iceberg == iceberg)
+                    return true;
+        return false;
+    }
+
+    /** A round: every other iceberg has been seen since it was given up, and a UAV has had time to
+     * fly a circle. */
+    void watchLost(double time_s)
+    {
+        const Simulation& now = m_mission.simulation();
+        m_since_s.resize(static_cast<std::size_t>(now.icebergCount()), -1);
+        for (int i = 0; i < now.icebergCount(); ++i) {
+            double& since_s = m_since_s[static_cast<std::size_t>(i)];
+            const bool isAlone = now.active(i) && now.track(i).status != TrackStatus::Tracked &&
+                                 !isSearched(i) && hasSearcher(i);
+            if (!isAlone) {
+                since_s = -1;
+                continue;
+            }
+            if (since_s < 0)
+                since_s = time_s;
+            bool isRound = time_s - since_s > round_s(0) + delay_s();
+            for (int other = 0; other < now.icebergCount() && isRound; ++other)
+                isRound = !now.active(other) || now.track(other).status != TrackStatus::Tracked ||
+                          now.track(other).inView || now.track(other).anchor_s > since_s;
+            if (isRound)
+                m_faults.add(Fault::Unsearched,
+                             std::to_string(i) + " at " + std::to_string(time_s));
+        }
+    }
+
+    void watchIdle(double time_s)
+    {
+        if (traitsOf(m_mission.plannerSettings().policy).keepsRoute())
+            return;
+        const Simulation& now = m_mission.simulation();
+        for (int uav = 0; uav < now.uavCount(); ++uav) {
+            const Autopilot& me = now.fleet().autopilot(uav);
+            int beside = -1;
+            for (int i = 0; i < now.icebergCount() && beside < 0; ++i)
+                if (now.available(uav, i) && !isTargeted(i) &&
+                    time_s - now.track(i).anchor_s > round_s(uav))
+                    beside = i;
+            double& idle_s = m_idle_s[static_cast<std::size_t>(uav)];
+            const bool isIdle = me.target() < 0 && !me.isHomeward() &&
+                                me.mode() != FlightMode::Search && beside >= 0;
+            idle_s = isIdle ? idle_s + 1 : 0;
+            if (idle_s > 2 * delay_s())
+                m_faults.add(Fault::Idle, std::to_string(uav) + " beside " +
+                                              std::to_string(beside) + " at " +
+                                              std::to_string(time_s));
+        }
+    }
+
+    void countEvents()
+    {
+        for (const MissionEvent& event : m_mission.events()) {
+            m_faults.losses += event.kind == EventKind::Lost ? 1 : 0;
+            m_faults.sorties += event.kind == EventKind::TookOff ? 1 : 0;
+            if (m_isSafe && event.kind == EventKind::LeftFence)
+                m_faults.add(Fault::Outside, std::to_string(event.time_s));
+            if (m_isSafe && event.kind == EventKind::LateHome)
+                m_faults.add(Fault::Late, std::to_string(event.time_s));
+        }
+    }
+
+    void checkFiles()
+    {
+        const RunFile run = runFromJson(runToJson(runOf(m_mission)), "run");
+        for (const Issue& issue : compareRun(run, runOf(replay(run))))
+            m_faults.add(Fault::Replay, issue.field + ' ' + issue.message);
+        const PlanAnswer plan = startPlan(m_mission);
+        for (const ExportFormat& format : exportFormats()) {
+            if (format.holds.painted)
+                continue;
+            for (const Uav& uav : m_fleet.scenario().uavs) {
+                const std::string text =
+                    format.write({m_fleet.scenario(), plan, &m_mission}, {.uav = uav.id});
+                if (text.empty())
+                    m_faults.add(Fault::Export, std::string(format.id));
+            }
+        }
+    }
+
+    const RandomFleet& m_fleet;
+    Mission m_mission;
+    bool m_isSafe = true; ///< it can keep its fence and come home in time
+    FleetFaults m_faults;
+    std::vector<double> m_since_s; ///< by iceberg: lost and unsearched; below 0: it is not
+    std::vector<double> m_idle_s;  ///< by UAV
+};
+
+[[nodiscard]] inline FleetFaults faultsOf(std::uint64_t seed)
+{
+    try {
+        const RandomFleet fleet(seed);
+        return FleetWatch(fleet).fly();
+    } catch (const std::exception& failure) {
+        FleetFaults faults;
+        faults.add(Fault::Thrown, failure.what());
+        return faults;
+    }
+}
+
+} // namespace berg::test
