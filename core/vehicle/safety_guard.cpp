@@ -38,7 +38,7 @@ std::optional<double> SafetyGuard::command_radps(const DubinsState& pose, double
 
 /**
  * The command wished for, where a path home is proven after it. Else the next one of the path that
- * is proven now, unless time is what lacks.
+ * is proven now, unless time is what lacks, or the path ends: then it is home.
  */
 std::optional<double> SafetyGuard::provenCommand_radps(const DubinsState& pose, double wished_radps)
 {
@@ -50,8 +50,9 @@ std::optional<double> SafetyGuard::provenCommand_radps(const DubinsState& pose, 
         return wished_radps;
     }
     if (path && !path->parts.empty())
-        return outlook.back == Return::Unknown ? std::optional(path->takeNext_radps())
-                                               : std::nullopt;
+        return outlook.back == Return::Unknown && path->commands() > 1
+                   ? std::optional(path->takeNext_radps())
+                   : std::nullopt;
     if (homeInTimeAfter(pose, wished_radps, left_s)) {
         path.reset();
         return wished_radps;

@@ -112,6 +112,18 @@ private slots:
         QVERIFY2(safe > 0.85 * all, qPrintable(QString::number(safe)));
     }
 
+    /** Commands of the path that was proven are all that it knows, with something to visit: at the
+     * end of them it is home, and stays there. */
+    void pathFlownToItsEndEndsAtHome()
+    {
+        const test::ReturnCase returning(3469, test::ReturnCase::WithAreas);
+        const Scenario& s = returning.scenario();
+        QVERIFY(!isCalledUnsafe(s));
+        const Sortie sortie = flown(s, *returning.fence());
+        QVERIFY(sortie.isInside);
+        QVERIFY(sortie.landed_s && *sortie.landed_s <= s.uavs.front().spec.endurance_s);
+    }
+
     /** The other way round: where no start is safe, that is said. */
     void noSafeStartIsAFinding()
     {
