@@ -61,8 +61,7 @@ Flyer flyerOf(const Scenario& scenario, std::size_t i)
             .reach_m = scenario.reachRadius_m.value_or(farthest_m),
             .seen_m = nearest_m,
             .surely_m = surely_m,
-            .isWide = turnRadius_m(uav.spec) > surely_m,
-            .fence = fenceOf(scenario, uav.spec.altitude_m, motionOf(scenario, uav))};
+            .isWide = turnRadius_m(uav.spec) > surely_m};
 }
 
 /** The findings about one scenario without errors. */
@@ -71,8 +70,20 @@ class Adviser
 public:
     explicit Adviser(const Scenario& scenario) : m_s(scenario)
     {
-        for (std::size_t i = 0; i < m_s.uavs.size(); ++i)
-            m_flyers.push_back(flyerOf(m_s, i));
+        for (std::size_t i = 0; i < m_s.uavs.size(); ++i) {
+            Flyer flyer = flyerOf(m_s, i);
+            const UavSpec& spec = flyer.uav.spec;
+            // Of many corners a fence takes long to make, and UAVs are often alike.
+            const auto alike = std::find_if(m_flyers.begin(), m_flyers.end(), [&](const Flyer& f) {
+                return f.uav.spec.airspeed_mps == spec.airspeed_mps &&
+                       f.uav.spec.maxBank_deg == spec.maxBank_deg &&
+                       f.uav.spec.altitude_m == spec.altitude_m;
+            });
+            flyer.fence = alike == m_flyers.end()
+                              ? fenceOf(m_s, spec.altitude_m, motionOf(m_s, flyer.uav))
+                              : alike->fence;
+            m_flyers.push_back(std::move(flyer));
+        }
     }
 
     [[nodiscard]] std::vector<Issue> findings()

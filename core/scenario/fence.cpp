@@ -3,7 +3,6 @@
 #include "core/base/angles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace berg {
@@ -68,33 +67,36 @@ bool isClosedAt(const NoFlyArea& area, double altitude_m)
     return area.floor_m <= altitude_m && altitude_m <= area.ceiling_m.value_or(altitude_m);
 }
 
-std::size_t FenceShape::cornerCount() const
+std::size_t closedAt(std::span<const NoFlyArea> areas, double altitude_m, const Point& place_m)
 {
-    std::size_t count = corners_m.size();
-    for (const std::vector<Point>& hole_m : holes_m)
-        count += hole_m.size();
-    return count;
+    return static_cast<std::size_t>(std::ranges::find_if(areas,
+                                                         [&](const NoFlyArea& area) {
+                                                             return isClosedAt(area, altitude_m) &&
+                                                                    insidePolygon(area.corners_m,
+                                                                                  place_m);
+                                                         }) -
+                                    areas.begin());
 }
 
-FenceShape fenceShape(const Scenario& scenario, double altitude_m)
+std::size_t cornersAt(std::span<const NoFlyArea> areas, double altitude_m)
 {
-    FenceShape shape;
-    if (scenario.geofence)
-        shape.corners_m = scenario.area_m;
-    for (NoFlyArea& area : closedAreas(scenario))
-        if (isClosedAt(area, altitude_m))
-            shape.holes_m.push_back(std::move(area.corners_m));
-    return shape;
+    std::size_t corners = 0;
+    for (const NoFlyArea& area : areas)
+        corners += isClosedAt(area, altitude_m) ? area.corners_m.size() : 0;
+    return corners;
 }
 
 std::shared_ptr<const Geofence> fenceOf(const Scenario& scenario, double altitude_m,
                                         const Motion& motion)
 {
-    FenceShape shape = fenceShape(scenario, altitude_m);
-    if (shape.cornerCount() == 0)
+    std::vector<std::vector<Point>> holes_m;
+    for (NoFlyArea& area : closedAreas(scenario))
+        if (isClosedAt(area, altitude_m))
+            holes_m.push_back(std::move(area.corners_m));
+    if (!scenario.geofence && holes_m.empty())
         return nullptr;
-    return std::make_shared<const Geofence>(std::move(shape.corners_m), motion,
-                                            std::move(shape.holes_m));
+    return std::make_shared<const Geofence>(
+        scenario.geofence ? scenario.area_m : std::vector<Point>(), motion, std::move(holes_m));
 }
 
 } // namespace berg

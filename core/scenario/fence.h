@@ -4,6 +4,7 @@
 #include "core/vehicle/geofence.h"
 
 #include <memory>
+#include <span>
 
 namespace berg {
 
@@ -18,19 +19,14 @@ inline constexpr int kRingCorners = 16;
 [[nodiscard]] std::vector<NoFlyArea> closedAreas(const Scenario& scenario);
 
 [[nodiscard]] bool isClosedAt(const NoFlyArea& area, double altitude_m);
+/** Place of the first of the areas that is closed there; their count: none is. */
+[[nodiscard]] std::size_t closedAt(std::span<const NoFlyArea> areas, double altitude_m,
+                                   const Point& place_m);
+/** Corners of those that are closed at that altitude. */
+[[nodiscard]] std::size_t cornersAt(std::span<const NoFlyArea> areas, double altitude_m);
 
-/** What a UAV stays inside and outside at one altitude. */
-struct FenceShape
-{
-    std::vector<Point> corners_m; ///< of the area, when it is a geofence
-    std::vector<std::vector<Point>> holes_m;
-
-    [[nodiscard]] std::size_t cornerCount() const;
-};
-
-[[nodiscard]] FenceShape fenceShape(const Scenario& scenario, double altitude_m);
-
-/** That of one UAV, for its motion; null: it may fly anywhere. */
+/** What a UAV stays inside of and outside of at one altitude: the area when it is a geofence, and
+ * what is closed there; null: it may fly anywhere. */
 [[nodiscard]] std::shared_ptr<const Geofence> fenceOf(const Scenario& scenario, double altitude_m,
                                                       const Motion& motion);
 

@@ -286,27 +286,22 @@ void checkClosedAreas(const Scenario& s, Findings& findings)
     std::size_t corners = 0;
     for (std::size_t i = 0; i < s.uavs.size(); ++i) {
         const Uav& uav = s.uavs[i];
-        const FenceShape shape = fenceShape(s, uav.spec.altitude_m);
-        if (!shape.holes_m.empty() && shape.corners_m.size() <= kMostFenceCorners)
-            corners = std::max(corners, shape.cornerCount());
+        corners = std::max(corners, cornersAt(areas, uav.spec.altitude_m));
         const auto outside = [&](const Point& place_m, const std::string& field) {
-            for (std::size_t k = 0; k < areas.size(); ++k) {
-                if (!isClosedAt(areas[k], uav.spec.altitude_m) ||
-                    !insidePolygon(areas[k].corners_m, place_m))
-                    continue;
-                if (k == s.noFly.size())
-                    findings.conflict(field, IssueId::InsideStandoff);
-                else
-                    findings.conflict(field, IssueId::InsideNoFly,
-                                      {areas[k].name.empty() ? entryPath("no_fly", k)
-                                                             : printable(areas[k].name)});
-                return;
-            }
+            const std::size_t k = closedAt(areas, uav.spec.altitude_m, place_m);
+            if (k < s.noFly.size())
+                findings.conflict(
+                    field, IssueId::InsideNoFly,
+                    {areas[k].name.empty() ? entryPath("no_fly", k) : printable(areas[k].name)});
+            else if (k < areas.size())
+                findings.conflict(field, IssueId::InsideStandoff);
         };
         outside(uav.position_m, entryPath("uavs", i) + ".position_m");
         if (uav.home_m)
             outside(*uav.home_m, entryPath("uavs", i) + ".home_m");
     }
+    if (corners > 0 && s.geofence && s.area_m.size() <= kMostFenceCorners)
+        corners += s.area_m.size();
     if (corners > kMostFenceCorners)
         findings.conflict(s.noFly.empty() ? "asset.standoff_m" : "no_fly", IssueId::NoFlyCorners,
                           {count(kMostFenceCorners), count(corners)});

@@ -2,6 +2,7 @@
 
 #include "core/base/enclosing_circle.h"
 #include "core/coverage/aimed_way.h"
+#include "core/scenario/fence.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>
@@ -24,8 +25,12 @@ double longestFlight_s(const Scenario& scene, const UavOrder& order)
     return std::min(604800.0, kLeastPatience_s + kPatience * straight_s);
 }
 
+/** The stand-off ring stays what it is: of an asset that moves it depends on the duration. */
 Scenario withTime(Scenario scene, double duration_s)
 {
+    scene.noFly = closedAreas(scene);
+    if (scene.asset)
+        scene.asset->standoff_m = 0;
     scene.duration_s = duration_s;
     return scene;
 }

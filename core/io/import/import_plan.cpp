@@ -37,7 +37,7 @@ void readFence(const Json* fence, FileScene& scene)
             std::optional<std::vector<LatLon>> corners =
                 placesOf(memberOf(&polygon, "polygon"), AxisOrder::LatitudeFirst);
             const bool isInside = isInclusion(polygon);
-            if (corners)
+            if (corners && !corners->empty())
                 scene.addArea(
                     {.rings = {std::move(*corners)}, .geofence = isInside, .isNoFly = !isInside});
             else

@@ -51,7 +51,9 @@ private slots:
         s.geofence = true;
         QVERIFY(!fenceOf(s, 120, {})->contains({1500, 500}));
         s.noFly = {{.corners_m = {{0, 0}, {200, 0}, {0, 200}}}};
-        QCOMPARE(fenceShape(s, 120).cornerCount(), std::size_t{7});
+        QCOMPARE(cornersAt(closedAreas(s), 120), std::size_t{3});
+        QCOMPARE(closedAt(closedAreas(s), 120, {50, 50}), std::size_t{0});
+        QCOMPARE(closedAt(closedAreas(s), 120, {500, 500}), std::size_t{1});
         QVERIFY(!fenceOf(s, 120, {})->contains({50, 50}));
     }
 
