@@ -227,10 +227,23 @@ void Autopilot::setFence(std::shared_ptr<const Geofence> fence, const Observer& 
     m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
 }
 
+bool Autopilot::isCommanded(const World& world) const
+{
+    return !isOnGround() && (world.step() - 1) % m_guard.uav().clock.steps == 0;
+}
+
+void Autopilot::deviateTo(double u_radps)
+{
+    if (u_radps == m_u_radps)
+        return;
+    m_u_radps = u_radps;
+    m_guard.proveReturn(m_guard.heldFor(m_pose, u_radps, m_guard.uav().clock.steps), u_radps, 0);
+}
+
 bool Autopilot::command(int uav, Observer& observer, StepReport& report)
 {
     const std::int64_t before = observer.world().step() - 1;
-    if (isOnGround() || before % m_guard.uav().clock.steps != 0)
+    if (!isCommanded(observer.world()))
         return true;
     const bool wasHomeward = isHomeward();
     if (!wasHomeward) {

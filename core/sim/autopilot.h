@@ -61,6 +61,11 @@ public:
     /** The turn rate of the step that ends now, held between two commands. False: it has to go home
      * and is on its way. */
     [[nodiscard]] bool command(int uav, Observer& observer, StepReport& report);
+    /** Whether it is given a command in the step that ends now. */
+    [[nodiscard]] bool isCommanded(const World& world) const;
+    [[nodiscard]] double turnRate_radps() const { return m_u_radps; }
+    /** In place of its command, until the next one. */
+    void deviateTo(double u_radps);
     /** Flies that step, or takes the pose at its end from outside. */
     void move(int uav, const DubinsState* measured, StepReport& report);
 

@@ -20,6 +20,14 @@ bool isJustAloft(const Autopilot& uav, const World& world)
            (uav.guard().uav().sortie && uav.guard().sortie().aloft_s < 1.5 * world.dt_s());
 }
 
+std::vector<double> altitudes_m(const Scenario& scenario)
+{
+    std::vector<double> result_m;
+    for (const Uav& uav : scenario.uavs)
+        result_m.push_back(uav.spec.altitude_m);
+    return result_m;
+}
+
 } // namespace
 
 Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
@@ -31,10 +39,15 @@ Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
                .noFly = scenario.noFly,
                .asset = scenario.asset}
     , m_observer(scenario, noise)
+    , m_separation(scenario.separation_m, altitudes_m(scenario))
 {
     require(!scenario.uavs.empty(), "Simulation: no UAV");
     for (const Uav& uav : scenario.uavs)
         m_autopilots.emplace_back(uav, scenario);
+    for (int uav = 0; uav < count(); ++uav) {
+        m_separation.setMotion(uav, autopilot(uav).guard());
+        enterLayer(uav);
+    }
 }
 
 bool Fleet::visitable(int uav, int iceberg) const
@@ -80,13 +93,38 @@ void Fleet::advance(std::span<const DubinsState> poses)
         Autopilot& me = m_autopilots[toIndex(uav)];
         if (!me.command(uav, m_observer, m_report))
             noteHomeward(uav);
+        if (poses.empty())
+            keepApart(uav);
         me.move(uav, poses.empty() ? nullptr : &poses[toIndex(uav)], m_report);
+        if (me.isOnGround())
+            m_separation.leave(uav);
+        else if (!poses.empty())
+            enterLayer(uav);
         m_observer.cameras().point(uav, me.pose(), me.mode());
     }
     if (count() > 1)
         watchSeparation(before_m);
     m_observer.observe(m_observer.world().dt_s(), m_report);
     std::erase_if(m_apart, [this](int iceberg) { return m_observer.track(iceberg).inView; });
+}
+
+void Fleet::enterLayer(int uav)
+{
+    const Autopilot& me = autopilot(uav);
+    m_separation.enter(uav, me.guard(), me.pose());
+}
+
+/** What it was commanded gives way to what keeps it apart from the others of its layer. */
+void Fleet::keepApart(int uav)
+{
+    Autopilot& me = m_autopilots[toIndex(uav)];
+    if (!m_separation.concerns(uav) || !me.isCommanded(m_observer.world()))
+        return;
+    Separation::Wish wish{.rate_radps = me.turnRate_radps(),
+                          .hasGoal = me.isHomeward() || me.target() >= 0};
+    if (me.isHomeward() && me.guard().uav().sortie)
+        wish.left_s = me.guard().enduranceLeft_s();
+    me.deviateTo(m_separation.command_radps(uav, me.guard(), me.pose(), wish));
 }
 
 void Fleet::setTarget(int uav, Errand errand, bool mayGoOn)
@@ -202,14 +240,21 @@ void Fleet::searchAgain(int uav)
         m_observer.beginSearch(uav, std::move(*best));
 }
 
+void Fleet::setReached(int uav)
+{
+    m_autopilots[toIndex(uav)].setReached(autopilot(uav).target());
+    m_separation.arrive(uav);
+}
+
 bool Fleet::takeOffWhenDue(int uav)
 {
     Autopilot& me = m_autopilots[toIndex(uav)];
     const World& world = m_observer.world();
     if (!me.isOnGround() || me.guard().sortie().ground_s >= world.dt_s() / 2 ||
         !world.isWholeSecond() || (nearestAvailable(uav) < 0 && !hasSomethingToSearch(uav)) ||
-        !me.takeOff(m_observer))
+        !m_separation.hasRoom(uav, me.pose().position_m) || !me.takeOff(m_observer))
         return false;
+    enterLayer(uav);
     m_observer.cameras().point(uav, me.pose(), me.mode());
     m_report.add({.kind = EventKind::TookOff, .uav = uav});
     return true;
@@ -236,7 +281,11 @@ void Fleet::setWind(const Point& wind_mps)
 {
     m_observer.setWind(wind_mps);
     for (int uav = 0; uav < count(); ++uav) {
-        m_autopilots[toIndex(uav)].setWind(wind_mps, m_observer);
+        Autopilot& me = m_autopilots[toIndex(uav)];
+        me.setWind(wind_mps, m_observer);
+        m_separation.setMotion(uav, me.guard());
+        if (!me.isOnGround())
+            enterLayer(uav);
         sendHomeWhenLate(uav);
     }
 }
@@ -273,8 +322,7 @@ void Fleet::watchSeparation(std::span<const Point> before_m)
         for (int b = a + 1; b < count(); ++b) {
             const Autopilot& first = autopilot(a);
             const Autopilot& second = autopilot(b);
-            if (std::abs(first.altitude_m() - second.altitude_m()) >= kLayerHeight_m ||
-                first.isOnGround() || second.isOnGround())
+            if (!m_separation.shareLayer(a, b) || first.isOnGround() || second.isOnGround())
                 continue;
             const double distance_m = (first.pose().position_m - second.pose().position_m).norm();
             m_closest_m = std::min(m_closest_m.value_or(distance_m), distance_m);

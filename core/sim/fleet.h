@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/sim/autopilot.h"
+#include "core/sim/separation.h"
 
 namespace berg {
 
@@ -38,7 +39,7 @@ public:
     void advance(std::span<const DubinsState> poses);
     /** `mayGoOn`: a UAV that is on a leg to it already flies on. */
     void setTarget(int uav, Errand errand, bool mayGoOn);
-    void setReached(int uav) { m_autopilots[toIndex(uav)].setReached(autopilot(uav).target()); }
+    void setReached(int uav);
     /** After the turn-around, as soon as there is something to fly to. */
     [[nodiscard]] bool takeOffWhenDue(int uav);
     /** Whether its cluster has been flown over, or should have been by now, with members that did
@@ -57,6 +58,8 @@ private:
     void sendHome(int uav);
     void noteHomeward(int uav);
     void sendHomeWhenLate(int uav);
+    void enterLayer(int uav);
+    void keepApart(int uav);
     void watchSeparation(std::span<const Point> before_m);
 
     bool m_clusters;
@@ -64,6 +67,7 @@ private:
     Scenario m_bounds; ///< of the scenario what `fenceOf` asks for
     Observer m_observer;
     std::vector<Autopilot> m_autopilots;
+    Separation m_separation;
     StepReport m_report;
     std::vector<int> m_apart; ///< in no cluster until seen: one was passed without them
     std::optional<double> m_closest_m;

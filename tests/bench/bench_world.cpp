@@ -30,7 +30,8 @@ constexpr std::array kParts{Part{"clusters", bench::clusters},
                             Part{"endurance", bench::endurance},
                             Part{"geofence", bench::geofence},
                             Part{"fleet", bench::fleet},
-                            Part{"fleet-coverage", bench::fleetCoverage}};
+                            Part{"fleet-coverage", bench::fleetCoverage},
+                            Part{"separation", bench::separation}};
 
 } // namespace
 

@@ -23,6 +23,7 @@ void endurance(int scenarios);
 void geofence(int scenarios);
 void fleet(int scenarios);
 void fleetCoverage(int scenarios);
+void separation(int scenarios);
 
 inline int countOf(const Mission& mission, EventKind kind)
 {

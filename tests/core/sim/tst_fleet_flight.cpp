@@ -43,23 +43,6 @@ Mission flownToEnd(const Scenario& scenario, const MissionOptions& options = {})
     return mission;
 }
 
-/** Two UAVs on opposite courses along one line, with an iceberg behind each other's start. */
-Scenario headOn(double layer_m)
-{
-    Scenario scenario = emptySea(300);
-    addIceberg(scenario, 6000, 0);
-    addIceberg(scenario, -2000, 0);
-    Uav other = scenario.uavs.front();
-    other.id = "uav-b";
-    other.position_m = {4000, 0};
-    other.heading_deg = 270;
-    other.spec.altitude_m += layer_m;
-    scenario.uavs.push_back(other);
-    scenario.icebergs[0].uav = scenario.uavs[0].id;
-    scenario.icebergs[1].uav = "uav-b";
-    return scenario;
-}
-
 std::vector<MissionEvent> eventsOf(const Mission& mission, EventKind kind)
 {
     std::vector<MissionEvent> events;
@@ -308,26 +291,6 @@ private slots:
             }
             QVERIFY(landings >= 6);
         }
-    }
-
-    void uavsOfOneLayerThatMeetAreNamed()
-    {
-        Scenario scenario = headOn(0);
-        const Mission mission = flownToEnd(scenario);
-        const std::vector<MissionEvent> close = eventsOf(mission, EventKind::Close);
-        QCOMPARE(close.size(), std::size_t{1});
-        QCOMPARE(close[0].uav, 0);
-        QCOMPARE(close[0].otherUav, 1);
-        QVERIFY(close[0].distance_m > 190 && close[0].distance_m < 200);
-        // 4000 m apart at 44 m/s: 200 m are left after 86.4 s.
-        COMPARE_NEAR(close[0].time_s, 3800 / 44.0, 0.2);
-        QVERIFY(mission.simulation().fleet().closest_m().value() < 50);
-
-        scenario.separation_m = 0; // not watched
-        QVERIFY(eventsOf(flownToEnd(scenario), EventKind::Close).empty());
-        const Mission layered = flownToEnd(headOn(kLayerHeight_m));
-        QVERIFY(eventsOf(layered, EventKind::Close).empty());
-        QVERIFY(!layered.simulation().fleet().closest_m());
     }
 
     /** An iceberg that another UAV sees by chance is not flown to any more. */

@@ -1,0 +1,90 @@
+// UAVs of one altitude layer kept apart.
+
+#include "core/scenario/validate.h"
+#include "tests/bench/world_parts.h"
+#include "tests/support/fleet_case.h"
+
+namespace berg::bench {
+
+namespace {
+
+/** UAVs along the western edge, evenly, heading as the first, all of one layer. */
+Scenario inOneLayer(std::int64_t seed, int uavs)
+{
+    Scenario scenario = randomScenario(seed);
+    const Uav first = scenario.uavs.front();
+    for (int i = 1; i < uavs; ++i) {
+        scenario.uavs.push_back(first);
+        scenario.uavs.back().id = "uav-" + std::to_string(i + 1);
+        scenario.uavs.back().position_m.y() += 1000.0 * i;
+    }
+    return scenario;
+}
+
+Row rowOf(const test::FleetFlight& flight, double separation_m)
+{
+    return {flight.zeta_m2s,
+            static_cast<double>(flight.visits),
+            flight.longest_s,
+            static_cast<double>(flight.landings),
+            static_cast<double>(flight.late),
+            flight.isInside ? 0.0 : 1.0,
+            flight.least_m < separation_m ? 1.0 : 0.0};
+}
+
+/** The same flights with and without. */
+class Pairs
+{
+public:
+    void fly(Scenario scenario)
+    {
+        const double separation_m = scenario.separation_m;
+        m_apart.push_back(rowOf(test::flownFleet(scenario), separation_m));
+        scenario.separation_m = 0;
+        m_free.push_back(rowOf(test::flownFleet(scenario), separation_m));
+    }
+    void print(const char* name) const
+    {
+        std::printf("%s: %d\n", name, static_cast<int>(m_free.size()));
+        printMeans("  kept apart", m_apart);
+        printMeans("  not kept apart", m_free);
+        printDifference("  zeta", m_free, m_apart);
+        for (const auto* rows : {&m_apart, &m_free}) {
+            std::vector<double> waits_s;
+            for (const Row& row : *rows)
+                waits_s.push_back(row[2]);
+            std::ranges::sort(waits_s);
+            std::printf("  longest wait, s: median %.0f, 99 %% %.0f, all %.0f\n",
+                        waits_s[waits_s.size() / 2], waits_s[waits_s.size() * 99 / 100],
+                        waits_s.back());
+        }
+        std::fflush(stdout);
+    }
+
+private:
+    std::vector<Row> m_apart;
+    std::vector<Row> m_free;
+};
+
+} // namespace
+
+void separation(int scenarios)
+{
+    std::printf("%-24s %11s %11s %11s %11s %11s %11s %11s\n", "", "zeta", "visits", "longest wait",
+                "landings", "late", "outside", "too near");
+    for (const int uavs : {2, 3, 5}) {
+        Pairs pairs;
+        for (int seed = 1; seed <= std::min(scenarios, 50); ++seed)
+            pairs.fly(inOneLayer(seed, uavs));
+        pairs.print((std::to_string(uavs) + " UAVs, 12 icebergs").c_str());
+    }
+    Pairs pairs;
+    for (int seed = 1; seed <= scenarios; ++seed) {
+        const Scenario scenario = test::FleetCase(seed).scenario();
+        if (scenario.uavs.size() > 1 && !hasErrors(validate(scenario)))
+            pairs.fly(scenario);
+    }
+    pairs.print("random fleets");
+}
+
+} // namespace berg::bench

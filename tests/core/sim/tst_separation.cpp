@@ -1,0 +1,184 @@
+#include "core/scenario/advice.h"
+#include "core/scenario/validate.h"
+#include "core/sim/mission_instant.h"
+#include "tests/support/fleet_case.h"
+#include "tests/support/scenario_builder.h"
+
+#include <QTest>
+
+using namespace berg;
+using namespace berg::test;
+
+namespace {
+
+/** Two UAVs of one layer, each with an iceberg of its own. */
+Scenario pairOf(const Point& second_m, double heading_deg)
+{
+    Scenario s = emptySea(600);
+    Uav other = s.uavs.front();
+    other.id = "uav-b";
+    other.position_m = second_m;
+    other.heading_deg = heading_deg;
+    s.uavs.push_back(other);
+    addIceberg(s, 6000, 0).uav = s.uavs.front().id;
+    addIceberg(s, -2000, 0).uav = "uav-b";
+    return s;
+}
+
+/** After so many seconds. */
+double leastFrom_s(const Scenario& s, double from_s)
+{
+    double least_m = 1e9;
+    Mission mission(s, {.record = false});
+    while (!mission.simulation().finished()) {
+        mission.advance(mission.simulation().time_s() + s.dt_s);
+        const Fleet& fleet = mission.simulation().fleet();
+        if (mission.simulation().time_s() >= from_s && !fleet.autopilot(0).isOnGround() &&
+            !fleet.autopilot(1).isOnGround())
+            least_m = std::min(least_m, (fleet.autopilot(0).pose().position_m -
+                                         fleet.autopilot(1).pose().position_m)
+                                            .norm());
+    }
+    return least_m;
+}
+
+} // namespace
+
+/** UAVs of one altitude layer. */
+class TestSeparation : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /** BERGWATCH_FLEET_CASES of them; the nearest two passed at less than 1 m. */
+    void randomFleetsKeepTheirDistance()
+    {
+        const int cases = qEnvironmentVariableIntValue("BERGWATCH_FLEET_CASES");
+        int flown = 0;
+        for (int seed = 1; seed <= (cases > 0 ? cases : 60); ++seed) {
+            const Scenario s = FleetCase(seed).scenario();
+            if (s.uavs.size() < 2 || hasErrors(validate(s)))
+                continue;
+            ++flown;
+            const FleetFlight flight = flownFleet(s);
+            QVERIFY2(flight.least_m >= s.separation_m,
+                     qPrintable(QString("case %1: %2 m").arg(seed).arg(flight.least_m)));
+            QVERIFY2(flight.isInside, qPrintable(QString("case %1: outside").arg(seed)));
+            QVERIFY2(flight.longest_s < 1000,
+                     qPrintable(QString("case %1: %2 s").arg(seed).arg(flight.longest_s)));
+        }
+        QVERIFY(flown > 0.7 * (cases > 0 ? cases : 60));
+    }
+
+    void twoOnOppositeCoursesPass()
+    {
+        const Scenario s = pairOf({4000, 0}, 270);
+        QVERIFY(leastFrom_s(s, 0) >= s.separation_m);
+        Mission mission(s);
+        mission.advance(s.duration_s);
+        QVERIFY(std::ranges::none_of(mission.events(), [](const MissionEvent& event) {
+            return event.kind == EventKind::Close;
+        }));
+        for (const int uav : {0, 1})
+            QVERIFY(std::ranges::any_of(mission.events(), [uav](const MissionEvent& event) {
+                return event.kind == EventKind::Reached && event.uav == uav && event.time_s < 300;
+            }));
+        // Looked back at, it is the same flight.
+        Mission until(s);
+        until.advance(95);
+        QVERIFY(instantAt(mission, 95).simulation.state() == until.simulation().state());
+    }
+
+    void thoseThatStartTooNearGetApart_data()
+    {
+        QTest::addColumn<double>("east_m");
+        QTest::addColumn<double>("north_m");
+        QTest::addColumn<double>("heading_deg");
+        QTest::newRow("at one place") << 0.0 << 0.0 << 90.0;
+        QTest::newRow("side by side") << 0.0 << 50.0 << 90.0;
+        QTest::newRow("behind") << -60.0 << 0.0 << 90.0;
+        QTest::newRow("towards each other") << 150.0 << 0.0 << 270.0;
+    }
+
+    /** An event says so; within a minute they are, and stay so. */
+    void thoseThatStartTooNearGetApart()
+    {
+        QFETCH(double, east_m);
+        QFETCH(double, north_m);
+        QFETCH(double, heading_deg);
+        const Scenario s = pairOf({east_m, north_m}, heading_deg);
+        const double least_m = leastFrom_s(s, 60);
+        QVERIFY2(least_m >= s.separation_m, qPrintable(QString::number(least_m)));
+        Mission mission(s);
+        mission.advance(10);
+        QVERIFY(std::ranges::any_of(mission.events(), [](const MissionEvent& event) {
+            return event.kind == EventKind::Close && event.time_s <= 0.2;
+        }));
+    }
+
+    /** Of one pad: the second one takes off when the first has gone. */
+    void onePadIsUsedInTurn()
+    {
+        Scenario s = pairOf({0, 1500}, 90);
+        s.duration_s = 3000;
+        for (Uav& uav : s.uavs) {
+            uav.spec.endurance_s = 800;
+            uav.turnaround_s = 60;
+            uav.home_m = Point(0, 0);
+        }
+        s.icebergs[0].position_m = {3000, 0};
+        QVERIFY(leastFrom_s(s, 0) >= s.separation_m);
+        Mission mission(s);
+        mission.advance(s.duration_s);
+        int takeOffs = 0;
+        for (const MissionEvent& event : mission.events())
+            takeOffs += event.kind == EventKind::TookOff ? 1 : 0;
+        QVERIFY(takeOffs >= 4);
+    }
+
+    /** Those that have the layer, or the sea, for themselves fly as if nobody watched. */
+    void nobodyElseIsTouched()
+    {
+        for (const int seed : {1, 2}) {
+            Scenario s = randomScenario(seed);
+            s.duration_s = 300;
+            s.uavs.push_back(s.uavs.front());
+            s.uavs.back().id = "other";
+            s.uavs.back().spec.altitude_m += kLayerHeight_m;
+            Mission watched(s);
+            watched.advance(s.duration_s);
+            s.separation_m = 0;
+            Mission unwatched(s);
+            unwatched.advance(s.duration_s);
+            QVERIFY(watched.simulation().state() == unwatched.simulation().state());
+        }
+    }
+
+    /** What flies by itself is not commanded: there the event is all. */
+    void posesFromOutsideAreOnlyWatched()
+    {
+        Scenario s = emptySea(60);
+        s.uavs.push_back(s.uavs.front());
+        s.uavs.back().id = "uav-b";
+        s.uavs.back().position_m = {1000, 0};
+        Simulation simulation(s);
+        std::vector<MissionEvent> close;
+        for (int step = 0; step < 400; ++step) {
+            for (const int uav : {0, 1})
+                simulation.setTarget(uav, -1);
+            const double x_m = 2.2 * step;
+            simulation.advanceStep(std::array{DubinsState{.position_m = {x_m, 0}},
+                                              DubinsState{.position_m = {1000, 0}}});
+            QVERIFY(simulation.uav(0).pose.position_m == Point(x_m, 0));
+            std::ranges::copy_if(
+                simulation.takeEvents(), std::back_inserter(close),
+                [](const MissionEvent& event) { return event.kind == EventKind::Close; });
+        }
+        QCOMPARE(close.size(), std::size_t{1});
+        QVERIFY(close.front().distance_m < 200 && close.front().distance_m > 195);
+        QVERIFY(simulation.fleet().closest_m().value() < 195);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSeparation)
+#include "tst_separation.moc"
