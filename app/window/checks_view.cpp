@@ -61,6 +61,11 @@ void ChecksView::showCulprit(const Issue& issue)
     } else if (issue.field.starts_with("asset") && scenario.asset) {
         workspace().selection().set({kAssetKey});
         centreOn(scenario.asset->position_m);
+    } else if (const int area = issueIndex(issue, "no_fly");
+               area >= 0 && area < static_cast<int>(scenario.noFly.size())) {
+        const std::string key = noFlyKey(static_cast<std::size_t>(area));
+        workspace().selection().set({key});
+        centreOn(scenario.noFly[static_cast<std::size_t>(area)].corners_m.front());
     } else if (issue.field.starts_with("area_m")) {
         workspace().selection().set({kAreaKey});
         panels().map->fit();

@@ -76,7 +76,7 @@ void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
 {
     const bool locked = workspace().inFlight();
     const bool isUav = findUav(workspace().document().scenario(), id) != nullptr;
-    const bool isIceberg = !isUav && id != kAssetKey && id != kAreaKey;
+    const bool isIceberg = !isUav && id != kAssetKey && !isOutlineKey(id);
     menu.addAction(locked ? tr("Show in the inspector") : tr("Edit in the inspector"), this,
                    [this] { m_docks.openInspector(); });
     if (isIceberg) {
@@ -91,7 +91,9 @@ void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
             menu.addAction(m_actions.remove);
         return;
     }
-    const QString text = id == kAssetKey ? tr("Remove asset") : tr("Remove area");
+    const QString text = id == kAssetKey  ? tr("Remove asset")
+                         : id == kAreaKey ? tr("Remove area")
+                                          : tr("Remove no-fly area");
     menu.addAction(text, this,
                    [this, id, text] {
                        workspace().document().edit(text, [&](Scenario& scenario) {

@@ -341,6 +341,8 @@ void Menus::buildToolBar()
     addTool(*tools, MapToolKind::Uav, {"uavTool", tr("UAV"), Qt::Key_U, IconName::Uav});
     addTool(*tools, MapToolKind::Asset, {"assetTool", tr("Asset"), Qt::Key_A, IconName::Asset});
     addTool(*tools, MapToolKind::Area, {"areaTool", tr("Area"), Qt::Key_R, IconName::Area});
+    addTool(*tools, MapToolKind::NoFly,
+            {"noFlyTool", tr("No-fly area"), Qt::Key_X, IconName::NoFly});
     addTool(*tools, MapToolKind::Measure,
             {"measureTool", tr("Measure"), Qt::Key_M, IconName::Measure});
     addTool(*tools, MapToolKind::Pan, {"panTool", tr("Pan"), Qt::Key_H, IconName::Pan});

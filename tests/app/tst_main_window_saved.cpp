@@ -58,7 +58,8 @@ private:
     void drag()
     {
         static constexpr std::array kTools{MapToolKind::Select, MapToolKind::Iceberg,
-                                           MapToolKind::Uav, MapToolKind::Asset, MapToolKind::Area};
+                                           MapToolKind::Uav,    MapToolKind::Asset,
+                                           MapToolKind::Area,   MapToolKind::NoFly};
         m_w.map().setTool(kTools[m_random.below(kTools.size())]);
         const Scenario& scenario = m_w.scenario();
         const QPoint from =

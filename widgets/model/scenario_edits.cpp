@@ -116,6 +116,15 @@ void removeUavs(Scenario& scenario, std::span<const std::string> ids)
     }
 }
 
+template <class S>
+auto outlineOf(S& scenario, const std::string& key) -> decltype(&scenario.area_m)
+{
+    if (key == kAreaKey && !scenario.area_m.empty())
+        return &scenario.area_m;
+    const std::optional<std::size_t> place = noFlyPlace(key);
+    return place && *place < scenario.noFly.size() ? &scenario.noFly[*place].corners_m : nullptr;
+}
+
 /** Positions of the objects with these ids. */
 std::vector<Point*> positionsOf(Scenario& scenario, std::span<const std::string> ids)
 {
@@ -130,14 +139,24 @@ std::vector<Point*> positionsOf(Scenario& scenario, std::span<const std::string>
             positions.push_back(found->second);
         else if (id == kAssetKey && scenario.asset)
             positions.push_back(&scenario.asset->position_m);
-        else if (id == kAreaKey)
-            for (Point& corner_m : scenario.area_m)
+        else if (std::vector<Point>* outline_m = outlineOf(scenario, id))
+            for (Point& corner_m : *outline_m)
                 positions.push_back(&corner_m);
     }
     return positions;
 }
 
 } // namespace
+
+std::vector<Point>* outlineIn(Scenario& scenario, const std::string& key)
+{
+    return outlineOf(scenario, key);
+}
+
+const std::vector<Point>* outlineIn(const Scenario& scenario, const std::string& key)
+{
+    return outlineOf(scenario, key);
+}
 
 Point clampedPosition(const Point& position_m)
 {
@@ -254,6 +273,10 @@ void removeObjects(Scenario& scenario, std::span<const std::string> ids)
         scenario.area_m.clear();
         scenario.geofence = false;
     }
+    std::size_t place = 0;
+    std::erase_if(scenario.noFly, [&](const NoFlyArea&) {
+        return std::find(ids.begin(), ids.end(), noFlyKey(place++)) != ids.end();
+    });
 }
 
 std::vector<Iceberg> icebergsOf(const Scenario& scenario, std::span<const std::string> ids)

@@ -47,12 +47,16 @@ void renameObject(Scenario& scenario, const std::string& before, const std::stri
  */
 void moveObjects(Scenario& scenario, std::span<const std::string> ids, const Point& offset_m);
 
+/** Corners of the area or no-fly area of this key; null: there is none. */
+[[nodiscard]] std::vector<Point>* outlineIn(Scenario& scenario, const std::string& key);
+[[nodiscard]] const std::vector<Point>* outlineIn(const Scenario& scenario, const std::string& key);
+
 /** Removes icebergs; ids of other things are ignored. */
 void removeIcebergs(Scenario& scenario, std::span<const std::string> ids);
 /** How many UAVs `removeObjects` removes of these. */
 [[nodiscard]] std::size_t removableUavs(const Scenario& scenario, std::span<const std::string> ids);
 /**
- * Removes icebergs, UAVs, asset and area. One UAV always stays, the first of those that would have
+ * Removes icebergs, UAVs, asset and areas. One UAV always stays, the first of those that would have
  * gone; icebergs that were kept for one that is gone are anybody's.
  */
 void removeObjects(Scenario& scenario, std::span<const std::string> ids);

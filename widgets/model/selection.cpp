@@ -8,6 +8,30 @@
 
 namespace berg {
 
+namespace {
+
+constexpr std::string_view kNoFlyKey = "\xFF"
+                                       "no-fly ";
+
+} // namespace
+
+std::string noFlyKey(std::size_t place)
+{
+    return std::string(kNoFlyKey) + std::to_string(place);
+}
+
+std::optional<std::size_t> noFlyPlace(const std::string& key)
+{
+    if (!key.starts_with(kNoFlyKey))
+        return std::nullopt;
+    return std::stoul(key.substr(kNoFlyKey.size()));
+}
+
+bool isOutlineKey(const std::string& key)
+{
+    return key == kAreaKey || noFlyPlace(key);
+}
+
 bool Selection::contains(const std::string& id) const
 {
     return std::find(m_ids.begin(), m_ids.end(), id) != m_ids.end();
@@ -49,6 +73,8 @@ void Selection::keepExisting(const Scenario& scenario)
             return scenario.asset.has_value();
         if (id == kAreaKey)
             return !scenario.area_m.empty();
+        if (const std::optional<std::size_t> place = noFlyPlace(id))
+            return *place < scenario.noFly.size();
         return known.contains(id);
     };
     std::vector<std::string> kept;

@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,15 @@ inline constexpr char kAssetKey[] = "\xFF"
 inline constexpr char kAreaKey[] = "\xFF"
                                    "area";
 
+// No-fly areas have no ids: they are selected by their place in the list.
+[[nodiscard]] std::string noFlyKey(std::size_t place);
+/** None for every other key. */
+[[nodiscard]] std::optional<std::size_t> noFlyPlace(const std::string& key);
+/** Whether it is that of the area or of a no-fly area. */
+[[nodiscard]] bool isOutlineKey(const std::string& key);
+
 /**
- * What map, tables and inspector act on: icebergs and UAVs by id, asset and area by key, in the
+ * What map, tables and inspector act on: icebergs and UAVs by id, asset and areas by key, in the
  * order in which they were selected. GUI thread.
  */
 class Selection : public QObject

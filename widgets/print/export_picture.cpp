@@ -168,6 +168,9 @@ MapPicture exportPicture(const ExportContent& content)
         addUav(picture, content, uav, places);
     picture.area_m = content.area_m;
     picture.isFenced = content.geofence;
+    picture.closed = closedOf(content.noFly, content.standoff);
+    for (MapClosedArea& area : picture.closed)
+        area.name = printable(area.name);
     picture.asset = assetOf(content.asset, content.now_s);
     if (picture.asset)
         picture.asset->name = printable(picture.asset->name);

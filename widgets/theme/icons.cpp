@@ -45,6 +45,9 @@ QString linesOf(IconName name)
     case IconName::Area:
         return u"M 5 7.5 L 15.5 4.5 L 20 12.5 L 14 19.5 L 5.5 16.5 Z "
                "O 5 7.5 1.6 O 15.5 4.5 1.6 O 20 12.5 1.6 O 14 19.5 1.6 O 5.5 16.5 1.6"_s;
+    case IconName::NoFly:
+        return u"M 4 6 L 18 4 L 20.5 15 L 12 20 L 4.5 16.5 Z "
+               "M 4.2 11.5 L 11 5 M 5 16.5 L 17.5 4.2 M 9.5 18.5 L 19 9 M 14 18.8 L 20 13"_s;
     case IconName::Measure:
         return u"M 2.5 16.5 L 16.5 2.5 L 21.5 7.5 L 7.5 21.5 Z M 6 13 L 8.3 15.3 "
                "M 9.5 9.5 L 12.7 12.7 M 13 6 L 15.3 8.3"_s;

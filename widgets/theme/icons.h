@@ -17,6 +17,7 @@ enum class IconName
     Uav,
     Asset,   ///< a platform on its legs
     Area,    ///< an outline with corners
+    NoFly,   ///< a hatched outline
     Measure, ///< a ruler
     Pan,
     Undo,

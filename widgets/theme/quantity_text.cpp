@@ -128,6 +128,17 @@ QString distanceText(double distance_m, const QLocale& locale, int digits, Dista
     return QuantityText::tr("%1 km").arg(number(distance_m / kKilometre_m));
 }
 
+QString heightsText(double floor_m, const std::optional<double>& ceiling_m, const QLocale& locale)
+{
+    const auto metres = [&](double height_m) {
+        return distanceText(height_m, locale, 3, DistanceUnit::Metric);
+    };
+    if (ceiling_m)
+        return QuantityText::tr("%1 to %2").arg(metres(floor_m), metres(*ceiling_m));
+    return floor_m > 0 ? QuantityText::tr("from %1").arg(metres(floor_m))
+                       : QuantityText::tr("at all heights");
+}
+
 QString offsetText(double offset_m, const QLocale& locale)
 {
     const bool isNautical = shownUnits().distance == DistanceUnit::Nautical;

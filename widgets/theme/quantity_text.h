@@ -49,6 +49,10 @@ struct ShownUnit
 [[nodiscard]] QString distanceText(double distance_m, const QLocale& locale, int digits = 3,
                                    DistanceUnit unit = shownUnits().distance);
 
+/** "0 m to 150 m", "from 100 m", "at all heights": metres, as altitudes are. */
+[[nodiscard]] QString heightsText(double floor_m, const std::optional<double>& ceiling_m,
+                                  const QLocale& locale);
+
 /** "-1 234 m" or "-0.666 nmi": a coordinate of the plane, to the metre. */
 [[nodiscard]] QString offsetText(double offset_m, const QLocale& locale);
 

@@ -248,6 +248,17 @@ void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme)
     rows.add(picture.isFenced && !picture.area_m.empty(),
              MapLegend::tr("Geofence: flown inside only"), MapLegend::tr("Geofence"),
              [&](QPainter& p, const QRectF& r) { drawFenceSwatch(p, r, theme); });
+    const auto hasClosed = [&](bool isRing) {
+        return std::any_of(picture.closed.begin(), picture.closed.end(),
+                           [&](const MapClosedArea& area) { return area.isRing == isRing; });
+    };
+    const auto closedSwatch = [&](QPainter& p, const QRectF& r) {
+        drawClosed(p, QPolygonF(QRectF(r.center().x() - 13, r.center().y() - 7, 26, 14)), r, theme);
+    };
+    rows.add(hasClosed(false), MapLegend::tr("No-fly area"), MapLegend::tr("No-fly area"),
+             closedSwatch);
+    rows.add(hasClosed(true), MapLegend::tr("Stand-off round the asset"),
+             MapLegend::tr("Stand-off"), closedSwatch);
     rows.add(picture.asset.has_value(), MapLegend::tr("Asset's range: more urgent inside"),
              MapLegend::tr("Asset's range"),
              [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, rangeRingPen(theme)); });

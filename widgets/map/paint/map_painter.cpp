@@ -225,6 +225,7 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
 {
     const MapPaint p(painter, frame);
     paintArea(p);
+    paintClosedAreas(p);
     paintSwept(p);
     paintComparison(p);
     paintTracks(p);

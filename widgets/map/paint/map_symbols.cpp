@@ -341,6 +341,31 @@ QPen linkRingPen(const Theme& theme)
     return {theme.mutedText, 1.4, Qt::DotLine};
 }
 
+void drawClosed(QPainter& painter, const QPolygonF& outline, const QRectF& shown,
+                const Theme& theme)
+{
+    constexpr double kSpacing_px = 9;
+    const PainterState saved(painter);
+    const QRectF box = outline.boundingRect() & shown;
+    QPainterPath inside;
+    inside.addPolygon(outline);
+    inside.closeSubpath();
+    painter.save();
+    painter.setClipPath(inside, Qt::IntersectClip);
+    QColor hatch = theme.uav;
+    hatch.setAlphaF(0.55F);
+    painter.setPen(QPen(hatch, 1));
+    // Lines of one family wherever the box is, so that they stay when the map moves under it.
+    const double first = std::ceil((box.left() + box.top()) / kSpacing_px) * kSpacing_px;
+    for (double sum = first; sum < box.right() + box.bottom(); sum += kSpacing_px)
+        painter.drawLine(QPointF(sum - box.top(), box.top()),
+                         QPointF(sum - box.bottom(), box.bottom()));
+    painter.restore();
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.uav, 1.6));
+    painter.drawPath(inside);
+}
+
 QPen alarmRingPen(const Theme& theme, double width_px)
 {
     return {theme.uav, width_px};

@@ -60,6 +60,10 @@ void drawAlarm(QPainter& painter, const QPointF& centre, const Theme& theme);
 /** Straight piece of a fence; its posts are on the right-hand side of who walks along it. */
 void drawFence(QPainter& painter, const QLineF& line, const Theme& theme);
 
+/** Inside of an outline that no UAV flies into. */
+void drawClosed(QPainter& painter, const QPolygonF& outline, const QRectF& shown,
+                const Theme& theme);
+
 /** A UAV alone is to visit this iceberg: a pin of its colour. */
 void drawPin(QPainter& painter, const QPointF& tip, const QColor& colour, const Theme& theme);
 

@@ -113,6 +113,28 @@ void paintArea(const MapPaint& p)
     p.painter.drawPolygon(outline);
 }
 
+void paintClosedAreas(const MapPaint& p)
+{
+    p.painter.setFont(labelFont(p.theme));
+    for (const MapClosedArea& area : p.picture.closed) {
+        QPolygonF outline;
+        for (const Point& corner_m : area.corners_m)
+            outline << p.layout.view.toPixel(corner_m);
+        const QRectF shown = outline.boundingRect() & p.layout.rect;
+        if (shown.isEmpty())
+            continue;
+        drawClosed(p.painter, outline, p.layout.rect, p.theme);
+        if (area.isRing)
+            continue; // the asset has its name
+        const QPointF at = shown.center();
+        drawHaloText(p.painter, QRectF(at.x() - 100, at.y() - 18, 200, 18), Qt::AlignCenter,
+                     area.name, p.theme.text, p.theme.sea);
+        drawHaloText(p.painter, QRectF(at.x() - 100, at.y(), 200, 18), Qt::AlignCenter,
+                     heightsText(area.floor_m, area.ceiling_m, p.style.locale), p.theme.text,
+                     p.theme.sea);
+    }
+}
+
 void paintHomes(const MapPaint& p)
 {
     for (const MapUav& uav : p.picture.uavs)

@@ -12,6 +12,8 @@ struct MapPaint;
 
 /** The area that is monitored, with a fence the one that the UAVs stay inside. */
 void paintArea(const MapPaint& p);
+/** No-fly areas and the stand-off ring: hatched, with their names and heights. */
+void paintClosedAreas(const MapPaint& p);
 /** Where the UAVs land. */
 void paintHomes(const MapPaint& p);
 /** What is to be protected, with its rings. */

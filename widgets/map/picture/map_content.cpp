@@ -27,6 +27,8 @@ void addField(std::vector<Point>& points_m, const MapUav& uav, double slack_m)
 std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, double scale_pxpm)
 {
     std::vector<Point> points_m = picture.area_m;
+    for (const MapClosedArea& area : picture.closed)
+        points_m.insert(points_m.end(), area.corners_m.begin(), area.corners_m.end());
     for (const MapIceberg& iceberg : picture.icebergs) {
         points_m.push_back(iceberg.position_m);
         points_m.emplace_back(iceberg.position_m + iceberg.velocity_mps * driftTime_s);

@@ -118,6 +118,17 @@ struct MapRoute
     std::vector<MapTrackPoint> track;
 };
 
+/** Where no UAV flies at some heights. */
+struct MapClosedArea
+{
+    QString name;
+    std::vector<Point> corners_m;
+    double floor_m = 0;
+    std::optional<double> ceiling_m; ///< none: without end
+    bool isRing = false;             ///< the stand-off round the asset
+    bool operator==(const MapClosedArea&) const = default;
+};
+
 /** Everything one picture of the map shows, as plain values. */
 struct MapPicture
 {
@@ -131,10 +142,11 @@ struct MapPicture
     std::vector<std::vector<int>> clusters; ///< indices of `icebergs` planned as one point each
     /** Of another run in the same world, by UAV. */
     std::vector<std::vector<MapTrackPoint>> comparisonTracks;
-    QString comparisonName;    ///< what that run is, for the legend
-    std::vector<Point> area_m; ///< corners; empty: unbounded
-    bool isFenced = false;     ///< the UAVs stay inside the area
-    double separation_m = 0;   ///< UAVs of one altitude layer keep so far apart; 0: not watched
+    QString comparisonName;            ///< what that run is, for the legend
+    std::vector<Point> area_m;         ///< corners; empty: unbounded
+    bool isFenced = false;             ///< the UAVs stay inside the area
+    std::vector<MapClosedArea> closed; ///< no-fly areas as in the scenario, then the ring
+    double separation_m = 0; ///< UAVs of one altitude layer keep so far apart; 0: not watched
     std::optional<MapAsset> asset;
     std::optional<MapStation> station;
     MapAir air;

@@ -356,6 +356,7 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
     picture.readouts = readoutsOf(record, picture.uavs, locale);
     picture.area_m = scenario.area_m;
     picture.isFenced = scenario.geofence;
+    picture.closed = closedOf(scenario, record.shown().asset);
     picture.separation_m = scenario.separation_m;
     picture.asset = assetOf(record.shown().asset, record.shown().time_s);
     picture.station = stationOf(scenario);

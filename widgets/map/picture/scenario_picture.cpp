@@ -1,6 +1,7 @@
 #include "widgets/map/picture/scenario_picture.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/fence.h"
 #include "core/scenario/priority.h"
 #include "core/sim/sortie_outlook.h"
 #include "widgets/model/asset_approach.h"
@@ -85,6 +86,7 @@ bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
         return true;
     if (picture.uavs.empty() || picture.uavs.size() > scenario.uavs.size() ||
         picture.air.wind_mps != scenario.wind_mps || picture.area_m != scenario.area_m ||
+        picture.closed != closedOf(scenario, scenario.asset) ||
         !std::equal(picture.uavs.begin(), picture.uavs.end(), scenario.uavs.begin(), isAt))
         return false;
     std::unordered_map<std::string, Point> places_m;
@@ -149,6 +151,30 @@ std::optional<MapStation> stationOf(const Scenario& scenario)
     return station;
 }
 
+std::vector<MapClosedArea> closedOf(const std::vector<NoFlyArea>& noFly,
+                                    const std::optional<NoFlyArea>& ring)
+{
+    std::vector<MapClosedArea> closed;
+    const auto add = [&](const NoFlyArea& area, bool isRing) {
+        closed.push_back({.name = QString::fromStdString(area.name),
+                          .corners_m = area.corners_m,
+                          .floor_m = area.floor_m,
+                          .ceiling_m = area.ceiling_m,
+                          .isRing = isRing});
+    };
+    for (const NoFlyArea& area : noFly)
+        add(area, false);
+    if (ring)
+        add(*ring, true);
+    return closed;
+}
+
+std::vector<MapClosedArea> closedOf(const Scenario& scenario, const std::optional<Asset>& asset)
+{
+    return closedOf(scenario.noFly,
+                    asset ? standoffArea(*asset, scenario.duration_s) : std::nullopt);
+}
+
 MapAir airOf(const Scenario& scenario)
 {
     return {.wind_mps = scenario.wind_mps,
@@ -211,6 +237,7 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
     picture.origin = scenario.origin;
     picture.area_m = scenario.area_m;
     picture.isFenced = scenario.geofence;
+    picture.closed = closedOf(scenario, scenario.asset);
     picture.separation_m = scenario.separation_m;
     picture.asset = assetOf(scenario.asset, 0);
     picture.station = stationOf(scenario);

@@ -15,6 +15,12 @@ namespace berg {
 [[nodiscard]] std::optional<MapStation> stationOf(const Scenario& scenario);
 [[nodiscard]] std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s);
 
+/** No-fly areas and stand-off ring. */
+[[nodiscard]] std::vector<MapClosedArea> closedOf(const std::vector<NoFlyArea>& noFly,
+                                                  const std::optional<NoFlyArea>& ring);
+/** With the ring round `asset`, which may not be that of the scenario any more. */
+[[nodiscard]] std::vector<MapClosedArea> closedOf(const Scenario& scenario,
+                                                  const std::optional<Asset>& asset);
 /** Wind and current of the scenario. */
 [[nodiscard]] MapAir airOf(const Scenario& scenario);
 

@@ -4,6 +4,7 @@
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/view/drift_arrow.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/model/selection.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -33,14 +34,14 @@ void AreaTool::press(const MapPointer& pointer)
     m_press = m_now = pointer;
     m_fault = Fault::None;
     m_corner.reset();
-    m_handle = isDrawing() ? std::nullopt : handleAt(areaHandles(context().scene), pointer.at_px);
+    m_handle = isDrawing() ? std::nullopt : handleAt(handles(), pointer.at_px);
 }
 
 void AreaTool::move(const MapPointer& pointer)
 {
     m_now = pointer;
     if (m_handle && !m_drag && isDragDistance(m_press.at_px, pointer.at_px)) {
-        context().selection.set({kAreaKey});
+        context().selection.set({m_handle->id});
         m_drag = makeHandleDrag(context(), *m_handle);
     }
     if (m_drag)
@@ -56,8 +57,8 @@ void AreaTool::release(const MapPointer& pointer)
         m_drag->end(pointer.isInside);
     } else if (m_handle) {
         if (m_handle->kind == HandleKind::Corner)
-            m_corner = m_handle->index;
-        context().selection.set({kAreaKey});
+            m_corner = m_handle;
+        context().selection.set({m_handle->id});
     } else if (pointer.isInside && !context().scene.isOverlay(pointer.at_px)) {
         click(pointer);
     }
@@ -66,12 +67,29 @@ void AreaTool::release(const MapPointer& pointer)
 
 void AreaTool::click(const MapPointer& pointer)
 {
-    if (!isDrawing() && context().scene.objectAt(pointer.at_px) == kAreaKey)
-        context().selection.set({kAreaKey});
+    const std::string object = context().scene.objectAt(pointer.at_px);
+    if (!isDrawing() && isOwn(object))
+        context().selection.set({object});
     else if (closesAt(pointer.at_px))
         finishDrawing();
     else
         addCorner(pointer);
+}
+
+bool AreaTool::isOwn(const std::string& key) const
+{
+    return m_isNoFly ? noFlyPlace(key).has_value() : key == kAreaKey;
+}
+
+std::vector<MapHandle> AreaTool::handles() const
+{
+    if (!m_isNoFly)
+        return areaHandles(context().scene, kAreaKey);
+    std::vector<MapHandle> all;
+    for (std::size_t i = 0; i < context().document.scenario().noFly.size(); ++i)
+        for (MapHandle& handle : areaHandles(context().scene, noFlyKey(i)))
+            all.push_back(std::move(handle));
+    return all;
 }
 
 void AreaTool::addCorner(const MapPointer& pointer)
@@ -86,7 +104,9 @@ void AreaTool::addCorner(const MapPointer& pointer)
             return;
         }
     }
-    if (m_corners_m.size() >= kMostAreaCorners)
+    if (m_corners_m.size() >= kMostAreaCorners ||
+        (m_isNoFly && !isDrawing() &&
+         context().document.scenario().noFly.size() >= kMostNoFlyAreas))
         m_fault = Fault::TooMany;
     else
         m_corners_m.push_back(corner_m);
@@ -100,7 +120,7 @@ bool AreaTool::hover(const MapPointer& pointer)
     m_isHovering = true;
     m_fault = Fault::None;
     if (!isDrawing()) {
-        m_handle = handleAt(areaHandles(context().scene), pointer.at_px);
+        m_handle = handleAt(handles(), pointer.at_px);
         const bool isSame = before && m_handle ? before->isSame(*m_handle) : !before && !m_handle;
         return wasFaulty || !isSame;
     }
@@ -133,6 +153,12 @@ void AreaTool::finishDrawing()
     const std::vector<Point> area_m = std::move(m_corners_m);
     m_corners_m.clear();
     ScenarioDocument& document = context().document;
+    if (m_isNoFly) {
+        document.edit(AreaToolText::tr("Add no-fly area"),
+                      [&](Scenario& scenario) { scenario.noFly.push_back({.corners_m = area_m}); });
+        context().selection.set({noFlyKey(document.scenario().noFly.size() - 1)});
+        return;
+    }
     document.edit(document.scenario().area_m.empty() ? AreaToolText::tr("Add area")
                                                      : AreaToolText::tr("Replace area"),
                   [&](Scenario& scenario) { scenario.area_m = area_m; });
@@ -177,7 +203,7 @@ void AreaTool::cancel()
 
 void AreaTool::checkPart()
 {
-    if (m_corner && *m_corner >= context().document.scenario().area_m.size())
+    if (m_corner && !hasCorner(context(), *m_corner))
         m_corner.reset();
 }
 
@@ -236,8 +262,7 @@ void AreaTool::paint(QPainter& painter) const
     if (m_drag)
         paintBubble(painter, m_now.at_px, m_drag->text(), scene.rect(), scene.theme());
     if (!isDrawing()) {
-        paintHandles(painter, areaHandles(scene), {.hovered = m_handle, .corner = m_corner},
-                     scene.theme());
+        paintHandles(painter, handles(), {.hovered = m_handle, .corner = m_corner}, scene.theme());
         return;
     }
     paintDrawing(painter);
@@ -255,7 +280,7 @@ QCursor AreaTool::cursor(const std::string& over) const
         return Qt::SizeAllCursor;
     if (isDrawing() && closesAt(m_now.at_px))
         return Qt::PointingHandCursor;
-    return !isDrawing() && over == kAreaKey ? Qt::PointingHandCursor : Qt::CrossCursor;
+    return !isDrawing() && isOwn(over) ? Qt::PointingHandCursor : Qt::CrossCursor;
 }
 
 QString AreaTool::faultText() const
@@ -268,6 +293,9 @@ QString AreaTool::faultText() const
     case Fault::TooFew:
         return AreaToolText::tr("An area needs three corners. Esc drops what is drawn.");
     case Fault::TooMany:
+        if (m_isNoFly && !isDrawing())
+            return AreaToolText::tr("A scenario has at most %n no-fly areas.", nullptr,
+                                    static_cast<int>(kMostNoFlyAreas));
         return AreaToolText::tr("An area has at most %n corners.", nullptr,
                                 static_cast<int>(kMostAreaCorners));
     }
@@ -288,6 +316,9 @@ QString AreaTool::status() const
             "Click sets the next corner. Backspace takes one back, Esc drops the area.");
     if (m_handle)
         return handleText(context(), *m_handle);
+    if (m_isNoFly)
+        return AreaToolText::tr("Click sets the first corner of a no-fly area. Corners and edges' "
+                                "middles of those there are can be dragged. Esc leaves the tool.");
     if (!context().document.scenario().area_m.empty())
         return AreaToolText::tr(
             "Drag a corner or an edge's middle; a click begins another area. Esc leaves the tool.");

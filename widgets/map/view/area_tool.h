@@ -6,14 +6,18 @@
 namespace berg {
 
 /**
- * Draws the area corner by corner; a click on the first one, Enter, a double click or the right
- * button closes it, and then it takes the place of the area there was. Corners and middles of
- * edges of the present one can be dragged.
+ * Draws an area corner by corner; a click on the first one, Enter, a double click or the right
+ * button closes it. The area then takes the place of the one there was, a no-fly area is one more.
+ * Corners and middles of edges of the present ones can be dragged.
  */
 class AreaTool final : public MapTool
 {
 public:
-    using MapTool::MapTool;
+    /** `kind`: Area or NoFly. */
+    AreaTool(const MapToolContext& context, MapToolKind kind)
+        : MapTool(context), m_isNoFly(kind == MapToolKind::NoFly)
+    {
+    }
 
     void press(const MapPointer& pointer) override;
     void move(const MapPointer& pointer) override;
@@ -52,6 +56,12 @@ private:
     void paintDrawing(QPainter& painter) const;
     void paintNextEdge(QPainter& painter, const QPolygonF& outline) const;
 
+    /** Of the area, or of all no-fly areas. */
+    [[nodiscard]] std::vector<MapHandle> handles() const;
+    /** Whether the key is that of one that the tool draws. */
+    [[nodiscard]] bool isOwn(const std::string& key) const;
+
+    bool m_isNoFly;
     std::vector<Point> m_corners_m; ///< half drawn
     MapPointer m_now;
     bool m_isHovering = false; ///< `m_now` is where the next corner would be
@@ -60,7 +70,7 @@ private:
     bool m_isPressed = false;
     MapPointer m_press;
     std::optional<MapHandle> m_handle; ///< pressed on, or under the cursor
-    std::optional<std::size_t> m_corner;
+    std::optional<MapHandle> m_corner;
     std::unique_ptr<HandleDrag> m_drag;
 };
 

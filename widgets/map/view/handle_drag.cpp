@@ -98,15 +98,16 @@ private:
     Uav m_uav;
 };
 
-/** A corner of the area, also one that begins in the middle of an edge. */
+/** A corner of an area, also one that begins in the middle of an edge. */
 class CornerDrag final : public HandleDrag
 {
 public:
     CornerDrag(const MapToolContext& context, const MapHandle& handle)
         : HandleDrag(context, handle)
-        , m_area_m(context.document.scenario().area_m)
+        , m_area_m(*outlineIn(context.document.scenario(), handle.id))
         , m_index(handle.kind == HandleKind::Edge ? handle.index + 1 : handle.index)
         , m_from_m(context.scene.view().toWorld(handle.at_px))
+        , m_id(handle.id)
     {
         if (handle.kind == HandleKind::Edge)
             m_area_m.insert(m_area_m.begin() + static_cast<std::ptrdiff_t>(m_index), m_from_m);
@@ -122,7 +123,7 @@ public:
         if (m_isRefused)
             return; // stays where it was last possible
         m_area_m = area_m;
-        gesture().apply([&](Scenario& scenario) { scenario.area_m = area_m; });
+        gesture().apply([&](Scenario& scenario) { *outlineIn(scenario, m_id) = area_m; });
     }
     [[nodiscard]] QString text() const override
     {
@@ -139,6 +140,7 @@ private:
     std::vector<Point> m_area_m; ///< as far as the drag got
     std::size_t m_index;
     Point m_from_m;
+    std::string m_id;
     bool m_isRefused = false;
 };
 
@@ -201,22 +203,28 @@ QString handleText(const MapToolContext& context, const MapHandle& handle)
     return {};
 }
 
-void removeCorner(const MapToolContext& context, std::size_t index)
+bool hasCorner(const MapToolContext& context, const MapHandle& corner)
 {
-    std::vector<Point> area_m = context.document.scenario().area_m;
+    const std::vector<Point>* outline_m = outlineIn(context.document.scenario(), corner.id);
+    return outline_m != nullptr && corner.index < outline_m->size();
+}
+
+void removeCorner(const MapToolContext& context, const MapHandle& corner)
+{
+    std::vector<Point> area_m = *outlineIn(context.document.scenario(), corner.id);
     if (area_m.size() <= kFewestCorners) {
         emit context.view.refused(
             HandleText::tr("An area has at least three corners. Remove the area as a whole."));
         return;
     }
-    area_m.erase(area_m.begin() + static_cast<std::ptrdiff_t>(index));
+    area_m.erase(area_m.begin() + static_cast<std::ptrdiff_t>(corner.index));
     if (!isSimplePolygon(area_m)) {
         emit context.view.refused(
             HandleText::tr("Without this corner the outline would cross itself."));
         return;
     }
     context.document.edit(HandleText::tr("Remove corner"),
-                          [&](Scenario& scenario) { scenario.area_m = area_m; });
+                          [&](Scenario& scenario) { *outlineIn(scenario, corner.id) = area_m; });
 }
 
 QString crossingText()

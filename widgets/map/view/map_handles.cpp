@@ -87,18 +87,18 @@ void paintHandle(QPainter& painter, const MapHandle& handle, bool isHovered, boo
 
 } // namespace
 
-std::vector<MapHandle> areaHandles(MapScene& scene)
+std::vector<MapHandle> areaHandles(MapScene& scene, const std::string& key)
 {
-    const std::vector<Point>& area_m = scene.picture().area_m;
-    const MapViewTransform& view = scene.view();
+    const QPolygonF outline = scene.outlineOf(key);
     std::vector<MapHandle> handles;
-    for (std::size_t i = 0; i < area_m.size(); ++i) {
-        const QLineF edge(view.toPixel(area_m[i]), view.toPixel(area_m[(i + 1) % area_m.size()]));
+    for (qsizetype i = 0; i < outline.size(); ++i) {
+        const QLineF edge(outline[i], outline[(i + 1) % outline.size()]);
+        const auto index = static_cast<std::size_t>(i);
         handles.push_back(
-            {.kind = HandleKind::Corner, .id = kAreaKey, .index = i, .at_px = edge.p1()});
+            {.kind = HandleKind::Corner, .id = key, .index = index, .at_px = edge.p1()});
         if (edge.length() >= kShortestEdge_px)
             handles.push_back(
-                {.kind = HandleKind::Edge, .id = kAreaKey, .index = i, .at_px = edge.center()});
+                {.kind = HandleKind::Edge, .id = key, .index = index, .at_px = edge.center()});
     }
     dropHidden(handles, scene);
     return handles;
@@ -120,9 +120,10 @@ std::vector<MapHandle> handlesOf(MapScene& scene, const Selection& selection)
     addIcebergHandles(handles, scene, selection);
     addUavHandles(handles, scene, selection);
     dropHidden(handles, scene);
-    if (selection.contains(kAreaKey))
-        for (MapHandle& handle : areaHandles(scene))
-            handles.push_back(std::move(handle));
+    for (const std::string& id : selection.ids())
+        if (isOutlineKey(id))
+            for (MapHandle& handle : areaHandles(scene, id))
+                handles.push_back(std::move(handle));
     return handles;
 }
 
@@ -147,7 +148,7 @@ void paintHandles(QPainter& painter, const std::vector<MapHandle>& handles,
     const PainterState saved(painter);
     for (const MapHandle& handle : handles)
         paintHandle(painter, handle, marks.hovered && marks.hovered->isSame(handle),
-                    handle.kind == HandleKind::Corner && marks.corner == handle.index, theme);
+                    marks.corner && marks.corner->isSame(handle), theme);
 }
 
 } // namespace berg

@@ -13,8 +13,8 @@ enum class HandleKind
 {
     Drift,   ///< velocity of an iceberg, at the tip of its arrow
     Heading, ///< of the UAV
-    Corner,  ///< of the area
-    Edge,    ///< middle of an edge of the area: a new corner
+    Corner,  ///< of an area
+    Edge,    ///< middle of an edge of an area: a new corner
     Wind,    ///< tip of the arrow in its panel
     Asset    ///< in flight: the asset itself
 };
@@ -39,8 +39,8 @@ struct MapHandle
 [[nodiscard]] std::optional<MapHandle> windHandle(MapScene& scene);
 /** Handles of what is selected; those under a panel of the map are left out. */
 [[nodiscard]] std::vector<MapHandle> handlesOf(MapScene& scene, const Selection& selection);
-/** Corners and middles of edges of the area; edges too short for a handle have none. */
-[[nodiscard]] std::vector<MapHandle> areaHandles(MapScene& scene);
+/** Corners and middles of edges of the area of this key; edges too short for a handle have none. */
+[[nodiscard]] std::vector<MapHandle> areaHandles(MapScene& scene, const std::string& key);
 
 /** The nearest one in reach; corners come before edges. */
 [[nodiscard]] std::optional<MapHandle> handleAt(const std::vector<MapHandle>& handles,
@@ -50,7 +50,7 @@ struct MapHandle
 struct HandleMarks
 {
     std::optional<MapHandle> hovered;
-    std::optional<std::size_t> corner; ///< current one: what Del removes
+    std::optional<MapHandle> corner; ///< current one: what Del removes
 };
 void paintHandles(QPainter& painter, const std::vector<MapHandle>& handles,
                   const HandleMarks& marks, const Theme& theme);
@@ -98,7 +98,9 @@ private:
 [[nodiscard]] QString handleText(const MapToolContext& context, const MapHandle& handle);
 
 /** Removes a corner of the area; says why not when the rest would be no area. */
-void removeCorner(const MapToolContext& context, std::size_t index);
+void removeCorner(const MapToolContext& context, const MapHandle& corner);
+/** Whether the corner is there still. */
+[[nodiscard]] bool hasCorner(const MapToolContext& context, const MapHandle& corner);
 
 /** The sentence for an outline that would cross itself. */
 [[nodiscard]] QString crossingText();

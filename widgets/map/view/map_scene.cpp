@@ -27,6 +27,20 @@ constexpr std::size_t kLabelsPerFrame = 60;
 /** Labels times icebergs in sight that one frame has time for now and then. */
 constexpr std::size_t kLabelPairs = 10000;
 
+bool isOnOutline(const QPolygonF& outline, const QPointF& at)
+{
+    for (qsizetype i = 0; i < outline.size(); ++i) {
+        const QPointF from = outline[i];
+        const QPointF edge = outline[(i + 1) % outline.size()] - from;
+        const double length2 = QPointF::dotProduct(edge, edge);
+        const double share =
+            length2 > 0 ? std::clamp(QPointF::dotProduct(at - from, edge) / length2, 0.0, 1.0) : 0;
+        if (QLineF(at, from + edge * share).length() <= kOutlineReach_px)
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 MapScene::MapScene() : m_theme(Theme::light()), m_land(std::make_unique<LandLayer>())
@@ -178,30 +192,26 @@ std::string MapScene::objectAt(const QPointF& at)
         else if (nearest.empty() && map.labels[i].rect.contains(at))
             offer(keyOf(m_picture.icebergs[i]), kUnderName_px);
     }
-    return nearest.empty() && isOnAreaOutline(at) ? kAreaKey : nearest;
+    return nearest.empty() ? outlineAt(at) : nearest;
 }
 
-QPolygonF MapScene::areaOutline() const
+QPolygonF MapScene::outlineOf(const std::string& key) const
 {
+    const std::optional<std::size_t> place = noFlyPlace(key);
     QPolygonF outline;
-    for (const Point& corner_m : m_picture.area_m)
+    if (key != kAreaKey && !(place && *place < m_picture.closed.size()))
+        return outline;
+    for (const Point& corner_m : place ? m_picture.closed[*place].corners_m : m_picture.area_m)
         outline << m_view.toPixel(corner_m);
     return outline;
 }
 
-bool MapScene::isOnAreaOutline(const QPointF& at) const
+std::string MapScene::outlineAt(const QPointF& at) const
 {
-    const QPolygonF outline = areaOutline();
-    for (qsizetype i = 0; i < outline.size(); ++i) {
-        const QPointF from = outline[i];
-        const QPointF edge = outline[(i + 1) % outline.size()] - from;
-        const double length2 = QPointF::dotProduct(edge, edge);
-        const double share =
-            length2 > 0 ? std::clamp(QPointF::dotProduct(at - from, edge) / length2, 0.0, 1.0) : 0;
-        if (QLineF(at, from + edge * share).length() <= kOutlineReach_px)
-            return true;
-    }
-    return false;
+    for (std::size_t i = 0; i < m_picture.closed.size(); ++i)
+        if (!m_picture.closed[i].isRing && isOnOutline(outlineOf(noFlyKey(i)), at))
+            return noFlyKey(i);
+    return isOnOutline(outlineOf(kAreaKey), at) ? kAreaKey : std::string();
 }
 
 std::vector<std::string> MapScene::objectsIn(const QRectF& rect)

@@ -67,8 +67,8 @@ public:
     void paintSelection(QPainter& painter, const std::vector<std::string>& keys);
     /** True where a panel covers the map. */
     [[nodiscard]] bool isOverlay(const QPointF& at);
-    /** The area on the screen; empty: there is none. */
-    [[nodiscard]] QPolygonF areaOutline() const;
+    /** Of the area or no-fly area of this key, pixels; empty: there is none. */
+    [[nodiscard]] QPolygonF outlineOf(const std::string& key) const;
 
     /** Has news when the ground can be painted better than it was. */
     [[nodiscard]] LandLayer& land() { return *m_land; }
@@ -77,7 +77,8 @@ public:
     void paint(QPainter& painter, const std::function<void()>& marks);
 
 private:
-    [[nodiscard]] bool isOnAreaOutline(const QPointF& at) const;
+    /** Key of the area or no-fly area whose outline is there; empty: of none. */
+    [[nodiscard]] std::string outlineAt(const QPointF& at) const;
     [[nodiscard]] std::optional<LabelDisk> singleSymbolOf(const std::string& key);
     [[nodiscard]] std::vector<LabelDisk> symbolsOf(const std::vector<std::string>& keys);
     [[nodiscard]] MapStyle style() const

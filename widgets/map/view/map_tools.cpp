@@ -7,6 +7,7 @@
 #include "widgets/map/view/placing_tools.h"
 #include "widgets/map/view/select_tool.h"
 #include "widgets/model/scenario_edits.h"
+#include "widgets/model/selection.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -66,6 +67,7 @@ bool isEditing(MapToolKind kind)
     case MapToolKind::Uav:
     case MapToolKind::Asset:
     case MapToolKind::Area:
+    case MapToolKind::NoFly:
         return true;
     case MapToolKind::Select:
     case MapToolKind::Measure:
@@ -150,7 +152,8 @@ std::unique_ptr<MapTool> makeMapTool(MapToolKind kind, const MapToolContext& con
     case MapToolKind::Asset:
         return std::make_unique<AssetTool>(context);
     case MapToolKind::Area:
-        return std::make_unique<AreaTool>(context);
+    case MapToolKind::NoFly:
+        return std::make_unique<AreaTool>(context, kind);
     case MapToolKind::Measure:
         return std::make_unique<MeasureTool>(context);
     case MapToolKind::Pan:
@@ -169,6 +172,8 @@ QString moveText(const Scenario& scenario, std::span<const std::string> ids)
         return MapTools::tr("Move asset");
     if (icebergs == 0 && others == 1 && ids.front() == kAreaKey)
         return MapTools::tr("Move area");
+    if (icebergs == 0 && others == 1 && noFlyPlace(ids.front()))
+        return MapTools::tr("Move no-fly area");
     if (icebergs == 0 && others == 1)
         return MapTools::tr("Move UAV");
     if (others > 0)

@@ -26,6 +26,7 @@ enum class MapToolKind
     Uav,     ///< place the UAV, set its heading
     Asset,   ///< place what is to be protected
     Area,    ///< draw the area, move its corners
+    NoFly,   ///< the same of no-fly areas
     Measure, ///< distances, bearings and times of flight; changes nothing
     Pan
 };

@@ -372,16 +372,17 @@ void MapView::paintMarks(QPainter& painter)
     const auto hover = [&](const std::string& id) {
         if (id.empty() || m_selection.contains(id))
             return;
-        if (id == kAreaKey)
-            paintAreaMark(painter, m_scene.areaOutline(), false, theme);
+        if (isOutlineKey(id))
+            paintAreaMark(painter, m_scene.outlineOf(id), false, theme);
         if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
             paintHoverMark(painter, *symbol, theme);
     };
     hover(m_hovered);
     if (m_highlighted != m_hovered)
         hover(m_highlighted);
-    if (m_selection.contains(kAreaKey))
-        paintAreaMark(painter, m_scene.areaOutline(), true, theme);
+    for (const std::string& id : m_selection.ids())
+        if (isOutlineKey(id))
+            paintAreaMark(painter, m_scene.outlineOf(id), true, theme);
     for (const Iceberg& iceberg : m_document.scenario().icebergs) {
         if (iceberg.track.empty() || m_picture.hidesTruth || !m_selection.contains(iceberg.id))
             continue;

@@ -37,7 +37,9 @@ QString MapView::removalText(const std::vector<std::string>& ids) const
     const bool hasAsset = scenario.asset && m_selection.contains(kAssetKey);
     const bool hasArea = !scenario.area_m.empty() && m_selection.contains(kAreaKey);
     const auto uavs = static_cast<int>(removableUavs(scenario, ids));
-    const int count = icebergs + uavs + int(hasAsset) + int(hasArea);
+    const auto noFly = static_cast<int>(std::count_if(
+        ids.begin(), ids.end(), [](const std::string& id) { return noFlyPlace(id); }));
+    const int count = icebergs + uavs + int(hasAsset) + int(hasArea) + noFly;
     if (count == 0)
         return {};
     if (count > icebergs && count > 1)
@@ -48,6 +50,8 @@ QString MapView::removalText(const std::vector<std::string>& ids) const
         return tr("Remove asset");
     if (hasArea)
         return tr("Remove area");
+    if (noFly == 1)
+        return tr("Remove no-fly area");
     return icebergs == 1 ? tr("Delete iceberg") : tr("Delete %n icebergs", nullptr, icebergs);
 }
 

@@ -35,8 +35,8 @@ std::optional<Point> positionOf(const Scenario& scenario, const std::string& id)
         return uav->position_m;
     if (id == kAssetKey && scenario.asset)
         return scenario.asset->position_m;
-    if (id == kAreaKey && !scenario.area_m.empty())
-        return scenario.area_m.front();
+    if (const std::vector<Point>* outline_m = outlineIn(scenario, id))
+        return outline_m->front();
     return std::nullopt;
 }
 
@@ -176,7 +176,7 @@ void SelectTool::clickObject(bool adds)
 void SelectTool::clickHandle(const MapPointer& pointer)
 {
     if (m_handle->kind == HandleKind::Corner) {
-        m_corner = m_handle->index;
+        m_corner = m_handle;
     } else if (!m_object.empty()) {
         pressObject(pointer);
         clickObject(addsToSelection(pointer.modifiers));
@@ -192,7 +192,7 @@ bool SelectTool::hover(const MapPointer& pointer)
 
 bool SelectTool::removePart()
 {
-    if (!context().selection.contains(kAreaKey))
+    if (m_corner && !context().selection.contains(m_corner->id))
         m_corner.reset();
     if (!m_corner)
         return false;
@@ -241,7 +241,7 @@ bool SelectTool::isApplying() const
 
 void SelectTool::checkPart()
 {
-    if (m_corner && *m_corner >= context().document.scenario().area_m.size())
+    if (m_corner && !hasCorner(context(), *m_corner))
         m_corner.reset();
 }
 

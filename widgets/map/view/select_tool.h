@@ -62,8 +62,8 @@ private:
     std::vector<std::string> m_before; ///< selected before the press
     std::vector<std::string> m_moved;  ///< by the drag under way
     std::unique_ptr<EditGesture> m_gesture;
-    std::optional<MapHandle> m_handle;   ///< pressed on, or under the cursor
-    std::optional<std::size_t> m_corner; ///< of the area: what Del removes
+    std::optional<MapHandle> m_handle; ///< pressed on, or under the cursor
+    std::optional<MapHandle> m_corner; ///< of an area: what Del removes
     std::unique_ptr<HandleDrag> m_drag;
 };
 

@@ -230,6 +230,43 @@ private slots:
                  std::size_t{3});
     }
 
+    void closedAreasAreDrawnWithTheirHeights()
+    {
+        Scenario scenario = fourIcebergs();
+        const MapPicture open = withScenario({}, scenario);
+        QVERIFY(open.closed.empty());
+        scenario.noFly = {{.name = "Mines",
+                           .corners_m = {{500, 500}, {1500, 500}, {1500, 1500}, {500, 1500}},
+                           .ceiling_m = 300}};
+        scenario.asset = Asset{.position_m = {3000, 3000}, .standoff_m = 400};
+        MapPicture picture = withScenario({}, scenario);
+        QCOMPARE(picture.closed.size(), std::size_t{2});
+        QVERIFY(!picture.closed[0].isRing && picture.closed[1].isRing);
+        const QStringList legend = legendOf(picture);
+        QVERIFY(legend.contains(u"No-fly area"_s));
+        QVERIFY(legend.contains(u"Stand-off round the asset"_s));
+        const MapLayout layout = layoutOf(picture, kSize_px);
+        for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+            const QImage with = painted(picture, layout, theme);
+            MapPicture none = picture;
+            none.closed.clear();
+            const QImage without = painted(none, layout, theme);
+            const auto changed = [&](const Point& low_m, const Point& high_m) {
+                const QRect box = QRectF(layout.view.toPixel(low_m), layout.view.toPixel(high_m))
+                                      .normalized()
+                                      .toRect();
+                int count = 0;
+                for (int y = box.top(); y <= box.bottom(); ++y)
+                    for (int x = box.left(); x <= box.right(); ++x)
+                        count += with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+                return double(count) / (box.width() * box.height());
+            };
+            QVERIFY(changed({500, 500}, {1500, 1500}) > 0.08); // hatched, not filled
+            QVERIFY(changed({500, 500}, {1500, 1500}) < 0.6);
+            QVERIFY(changed({2700, 2700}, {3300, 3300}) > 0.05);
+        }
+    }
+
     void fenceIsInTheLegend()
     {
         Scenario scenario = fourIcebergs();

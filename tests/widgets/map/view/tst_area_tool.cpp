@@ -18,7 +18,7 @@ struct AreaFixture : test::MapFixture
 {
     QSignalSpy said{&view, &MapView::statusText};
 
-    AreaFixture() { view.setTool(MapToolKind::Area); }
+    explicit AreaFixture(MapToolKind kind = MapToolKind::Area) { view.setTool(kind); }
 
     void clickAll(const std::vector<Point>& corners_m)
     {
@@ -109,6 +109,56 @@ private slots:
         QCOMPARE(map.undoText(), u"Replace area"_s);
         map.document.undoStack()->undo();
         QVERIFY(map.scenario() == first);
+    }
+
+    void noFlyAreasAreOneMoreEach()
+    {
+        AreaFixture map(MapToolKind::NoFly);
+        map.draw();
+        QCOMPARE(map.undoText(), u"Add no-fly area"_s);
+        map.clickAll({{3500, 1700}, {4000, 1700}, {3800, 2300}});
+        map.key(Qt::Key_Enter);
+        QVERIFY(map.area_m().empty());
+        const std::vector<NoFlyArea>& noFly = map.scenario().noFly;
+        QCOMPARE(noFly.size(), std::size_t{2});
+        QVERIFY(isNear(noFly[0].corners_m, kSquare_m));
+        QCOMPARE(map.selection.ids(), (Ids{noFlyKey(1)}));
+        const Scenario before = map.scenario();
+        map.drag(map.pixelOf(kSquare_m[2]), map.pixelOf({3200, 2700}));
+        QCOMPARE(map.undoText(), u"Move corner"_s);
+        QVERIFY((map.scenario().noFly[0].corners_m[2] - Point(3200, 2700)).norm() < kPixel_m);
+        QVERIFY(map.scenario().noFly[1] == before.noFly[1]);
+        map.click(map.pixelOf(kSquare_m[0]));
+        map.key(Qt::Key_Delete);
+        QCOMPARE(map.scenario().noFly[0].corners_m.size(), std::size_t{3});
+        map.document.undoStack()->undo();
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
+    }
+
+    void noFlyAreasAreSelectedMovedAndRemoved()
+    {
+        AreaFixture map(MapToolKind::NoFly);
+        map.draw();
+        map.clickAll({{3500, 1700}, {4000, 1700}, {3800, 2300}});
+        map.key(Qt::Key_Enter);
+        map.view.setTool(MapToolKind::Select);
+        map.selection.clear();
+        const QPoint edge = map.pixelOf({3000, 1750});
+        map.click(edge);
+        QCOMPARE(map.selection.ids(), (Ids{noFlyKey(0)}));
+        const Scenario before = map.scenario();
+        map.drag(edge, edge + QPoint(-40, 20));
+        QCOMPARE(map.undoText(), u"Move no-fly area"_s);
+        QVERIFY((map.scenario().noFly[0].corners_m[0] - before.noFly[0].corners_m[0]).norm() > 100);
+        QVERIFY(map.scenario().noFly[1] == before.noFly[1]);
+        QTest::keyClick(&map.view, Qt::Key_Delete);
+        QCOMPARE(map.undoText(), u"Remove no-fly area"_s);
+        QCOMPARE(map.scenario().noFly.size(), std::size_t{1});
+        QVERIFY(map.scenario().noFly[0] == before.noFly[1]);
+        map.document.undoStack()->undo();
+        map.document.undoStack()->undo();
+        QVERIFY(map.scenario() == before);
     }
 
     void escapeLeavesOneThingAfterTheOther()
