@@ -21,6 +21,27 @@ NumberRow assetRow(const RowWords& words, const QString& unit, Number number, co
             .range = always(limits)};
 }
 
+/** A height that need not be: 0 stands for none. */
+template <class Object, class Height>
+NumberRow ceilingRow(const RowWords& words, Height height)
+{
+    return {.words = words,
+            .unit = u" m"_s,
+            .decimals = {.least = 0, .most = 1},
+            .step = 10,
+            .read = [height](const Scenario& scenario, const std::string& id) -> double {
+                const Object* object = objectIn<Object>(scenario, id);
+                return object == nullptr ? 0 : height(*object).value_or(0);
+            },
+            .write =
+                [height](Scenario& scenario, const std::string& id, double value) {
+                    if (Object* object = objectIn<Object>(scenario, id))
+                        height(*object) = value > 0 ? std::optional(value) : std::nullopt;
+                },
+            .range = always(limits::kLength_m),
+            .lowestText = InspectorRows::tr("none")};
+}
+
 std::vector<InspectorRow> velocityRows()
 {
     const QString undoText = InspectorRows::tr("Change velocity of the asset");
@@ -48,13 +69,13 @@ std::vector<InspectorRow> velocityRows()
                 }}};
 }
 
-QString areaText(const Scenario& scenario, const QLocale& locale)
+QString areaText(const std::vector<Point>& corners_m, const QLocale& locale)
 {
-    if (scenario.area_m.empty())
+    if (corners_m.empty())
         return {};
     const ShownUnit unit = areaUnit();
-    const double size = unit.fromSi(std::abs(signedArea(scenario.area_m)));
-    return InspectorRows::tr("%n corners, %1", nullptr, static_cast<int>(scenario.area_m.size()))
+    const double size = unit.fromSi(std::abs(signedArea(corners_m)));
+    return InspectorRows::tr("%n corners, %1", nullptr, static_cast<int>(corners_m.size()))
         .arg(u"%1 %2"_s.arg(significantText(size, 3, locale), unit.name));
 }
 
@@ -90,6 +111,25 @@ std::vector<InspectorRow> assetRows()
          .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
          .undoText = InspectorRows::tr("Change gain of the asset")},
         QString(), [](auto& asset) -> auto& { return asset.gain; }, limits::kGain));
+    NumberRow standoff = assetRow(
+        {.key = u"assetStandoff"_s,
+         .label = InspectorRows::tr("Stand-off ring"),
+         .toolTip = InspectorRows::tr("No UAV comes nearer to it; of a ship, to all of its track."),
+         .undoText = InspectorRows::tr("Change stand-off ring")},
+        {}, [](auto& asset) -> auto& { return asset.standoff_m; }, limits::kLength_m);
+    standoff.step = 100;
+    standoff.lowestText = InspectorRows::tr("none");
+    rows.emplace_back(asDistance(standoff));
+    rows.emplace_back(ceilingRow<Asset>(
+        {.key = u"assetStandoffCeiling"_s,
+         .label = InspectorRows::tr("Stand-off ceiling"),
+         .toolTip = InspectorRows::tr("Above it UAVs may fly over the ring."),
+         .undoText = InspectorRows::tr("Change stand-off ceiling"),
+         .isShown =
+             [](const Scenario& scenario, const std::string&) {
+                 return scenario.asset && scenario.asset->standoff_m > 0;
+             }},
+        [](auto& asset) -> auto& { return asset.standoffCeiling_m; }));
     rows.emplace_back(
         ActionRow{.words = {.key = u"assetRemove"_s,
                             .toolTip = InspectorRows::tr("Takes the asset off the map."),
@@ -100,22 +140,66 @@ std::vector<InspectorRow> assetRows()
 
 std::vector<InspectorRow> areaRows()
 {
-    return {InfoRow{.key = u"areaSize"_s,
-                    .text = [](const Scenario& scenario, const std::string&,
-                               const QLocale& locale) { return areaText(scenario, locale); }},
-            FlagRow{.words = {.key = u"areaFence"_s,
-                              .label = InspectorRows::tr("Geofence"),
-                              .toolTip = InspectorRows::tr("The UAVs stay inside the area."),
-                              .undoText = InspectorRows::tr("Change geofence")},
-                    .read = [](const Scenario& scenario) { return scenario.geofence; },
-                    .write = [](Scenario& scenario, bool on) { scenario.geofence = on; }},
-            ActionRow{.words = {.key = u"areaRemove"_s,
-                                .toolTip = InspectorRows::tr("Takes the area off the map."),
-                                .undoText = InspectorRows::tr("Remove area")},
-                      .act = [](Scenario& scenario) {
-                          scenario.area_m.clear();
-                          scenario.geofence = false;
-                      }}};
+    return {
+        InfoRow{.key = u"areaSize"_s,
+                .text = [](const Scenario& scenario, const std::string&,
+                           const QLocale& locale) { return areaText(scenario.area_m, locale); }},
+        FlagRow{.words = {.key = u"areaFence"_s,
+                          .label = InspectorRows::tr("Geofence"),
+                          .toolTip = InspectorRows::tr("The UAVs stay inside the area."),
+                          .undoText = InspectorRows::tr("Change geofence")},
+                .read = [](const Scenario& scenario) { return scenario.geofence; },
+                .write = [](Scenario& scenario, bool on) { scenario.geofence = on; }},
+        ActionRow{.words = {.key = u"areaRemove"_s,
+                            .toolTip = InspectorRows::tr("Takes the area off the map."),
+                            .undoText = InspectorRows::tr("Remove area")},
+                  .act = [](Scenario& scenario) {
+                      scenario.area_m.clear();
+                      scenario.geofence = false;
+                  }}};
+}
+
+std::vector<InspectorRow> noFlyRows()
+{
+    TextRow name = nameRow<NoFlyArea>(u"noFlyName"_s);
+    name.words.toolTip = InspectorRows::tr("Shown on the map.");
+    const auto floor_m = [](auto& area) -> auto&
+    {
+        return area.floor_m;
+    };
+    return {name,
+            NumberRow{.words = {.key = u"noFlyFloor"_s,
+                                .label = InspectorRows::tr("Floor"),
+                                .toolTip = InspectorRows::tr("UAVs lower than this fly below it."),
+                                .undoText = InspectorRows::tr("Change floor of the no-fly area")},
+                      .unit = u" m"_s,
+                      .decimals = {.least = 0, .most = 1},
+                      .step = 10,
+                      .read = reading<NoFlyArea>(floor_m),
+                      .write = writing<NoFlyArea>(floor_m),
+                      .range = always(limits::kLength_m)},
+            ceilingRow<NoFlyArea>(
+                {.key = u"noFlyCeiling"_s,
+                 .label = InspectorRows::tr("Ceiling"),
+                 .toolTip = InspectorRows::tr("UAVs higher than this fly above it."),
+                 .undoText = InspectorRows::tr("Change ceiling of the no-fly area")},
+                [](auto& area) -> auto& { return area.ceiling_m; }),
+            PartRow{.words = {.key = u"noFlyRemove"_s,
+                              .label = InspectorRows::tr("Outline"),
+                              .toolTip = InspectorRows::tr("Takes the no-fly area off the map."),
+                              .undoText = InspectorRows::tr("Remove no-fly area")},
+                    .removeText = InspectorRows::tr("Remove"),
+                    .text =
+                        [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
+                            const auto* area = objectIn<NoFlyArea>(scenario, id);
+                            return area == nullptr ? QString() : areaText(area->corners_m, locale);
+                        },
+                    .remove =
+                        [](Scenario& scenario, const std::string& id) {
+                            if (const std::optional<std::size_t> place = noFlyPlace(id))
+                                scenario.noFly.erase(scenario.noFly.begin() +
+                                                     static_cast<std::ptrdiff_t>(*place));
+                        }}};
 }
 
 } // namespace berg

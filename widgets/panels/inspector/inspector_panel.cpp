@@ -134,7 +134,8 @@ void InspectorPanel::addForms(QVBoxLayout& column)
     m_assetForm = new InspectorForm(m_document, assetRows());
     m_areaForm = new InspectorForm(m_document, areaRows());
     m_scenarioForm = new InspectorForm(m_document, scenarioRows());
-    m_forms = {m_icebergForm, m_uavForm, m_assetForm, m_areaForm, m_scenarioForm};
+    m_noFlyForm = new InspectorForm(m_document, noFlyRows());
+    m_forms = {m_icebergForm, m_uavForm, m_assetForm, m_areaForm, m_noFlyForm, m_scenarioForm};
     m_icebergId = addIdField(*m_icebergForm, u"iceberg"_s,
                              tr("Names the iceberg in files and lists; each id is there once."),
                              tr("An iceberg needs an id."), m_icebergs);
@@ -212,6 +213,11 @@ void InspectorPanel::refresh()
     const Scenario& scenario = m_document.scenario();
     m_icebergs = idsAmong(scenario.icebergs, m_selection.ids());
     m_uavs = idsAmong(scenario.uavs, m_selection.ids());
+    const auto noFly = std::ranges::find_if(m_selection.ids(), [&](const std::string& id) {
+        return noFlyPlace(id) && outlineIn(scenario, id) != nullptr;
+    });
+    m_noFly = noFly == m_selection.ids().end() ? std::string() : *noFly;
+    m_noFlyForm->showObjects({m_noFly});
     m_icebergForm->showObjects(m_icebergs);
     m_uavForm->showObjects(m_uavs);
     for (InspectorForm* form : {m_assetForm, m_areaForm, m_scenarioForm})
@@ -241,7 +247,7 @@ InspectorForm* InspectorPanel::formInUse() const
         return m_assetForm;
     if (!scenario.area_m.empty() && m_selection.contains(kAreaKey))
         return m_areaForm;
-    return m_scenarioForm;
+    return m_noFly.empty() ? m_scenarioForm : m_noFlyForm;
 }
 
 void InspectorPanel::showTitle()
@@ -253,6 +259,9 @@ void InspectorPanel::showTitle()
         subtitle.clear();
     } else if (formInUse() == m_areaForm) {
         title = tr("Area");
+        subtitle = tr("Drag its corners on the map to change it.");
+    } else if (formInUse() == m_noFlyForm) {
+        title = tr("No-fly area");
         subtitle = tr("Drag its corners on the map to change it.");
     } else if (!m_icebergs.empty()) {
         const auto count = static_cast<int>(m_icebergs.size());
@@ -312,6 +321,9 @@ bool InspectorPanel::isConcerned(const Issue& issue) const
         return issue.field.starts_with("asset");
     if (shown == m_areaForm)
         return issue.field.starts_with("area_m");
+    if (shown == m_noFlyForm) // of the list as a whole each of them is to be told
+        return issue.field == "no_fly" ||
+               issueIndex(issue, "no_fly") == static_cast<int>(*noFlyPlace(m_noFly));
     return issueIndex(issue, "icebergs") < 0 && issueIndex(issue, "uavs") < 0;
 }
 

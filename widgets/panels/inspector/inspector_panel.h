@@ -74,12 +74,14 @@ private:
     InspectorForm* m_uavForm;
     InspectorForm* m_assetForm;
     InspectorForm* m_areaForm;
+    InspectorForm* m_noFlyForm;
     InspectorForm* m_scenarioForm;
     std::vector<InspectorForm*> m_forms; ///< all of them
     IdField* m_icebergId;
     IdField* m_uavId;
     std::vector<std::string> m_icebergs; ///< selected, in the scenario
     std::vector<std::string> m_uavs;
+    std::string m_noFly; ///< key of the first one selected; empty: none
     bool m_locked = false;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scenario/validate.h"
+#include "widgets/model/selection.h"
 #include "widgets/panels/inspector/inspector_rows.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -41,7 +42,10 @@ template <class Object, class S>
         return objectOf(scenario.icebergs, id);
     else if constexpr (std::is_same_v<Object, Uav>)
         return objectOf(scenario.uavs, id);
-    else
+    else if constexpr (std::is_same_v<Object, NoFlyArea>) {
+        const std::optional<std::size_t> place = noFlyPlace(id);
+        return place && *place < scenario.noFly.size() ? &scenario.noFly[*place] : nullptr;
+    } else
         return scenario.asset ? &*scenario.asset : nullptr;
 }
 

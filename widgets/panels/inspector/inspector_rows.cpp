@@ -90,6 +90,7 @@ std::vector<InspectorRow> positionRows(const QString& kind)
 template TextRow nameRow<Iceberg>(const QString& key);
 template TextRow nameRow<Uav>(const QString& key);
 template TextRow nameRow<Asset>(const QString& key);
+template TextRow nameRow<NoFlyArea>(const QString& key);
 template std::vector<InspectorRow> positionRows<Iceberg>(const QString& kind);
 template std::vector<InspectorRow> positionRows<Uav>(const QString& kind);
 template std::vector<InspectorRow> positionRows<Asset>(const QString& kind);

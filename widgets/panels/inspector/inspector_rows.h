@@ -116,6 +116,8 @@ using InspectorRow =
 [[nodiscard]] std::vector<InspectorRow> uavRows();
 [[nodiscard]] std::vector<InspectorRow> assetRows();
 [[nodiscard]] std::vector<InspectorRow> areaRows();
+/** Of a no-fly area; `id` is its key in the selection. */
+[[nodiscard]] std::vector<InspectorRow> noFlyRows();
 [[nodiscard]] std::vector<InspectorRow> scenarioRows();
 /** How the icebergs are observed; part of `scenarioRows`. */
 [[nodiscard]] std::vector<InspectorRow> observerRows();

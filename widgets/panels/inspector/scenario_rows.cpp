@@ -200,6 +200,18 @@ std::vector<InspectorRow> scenarioRows()
                             const std::string& notes) { scenario.notes = notes; }}};
     append(rows, runRows());
     rows.emplace_back(separationRow());
+    rows.emplace_back(InfoRow{
+        .key = u"scenarioNoFly"_s,
+        .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {
+            QStringList lines;
+            for (const NoFlyArea& area : scenario.noFly) {
+                const QString heights = heightsText(area.floor_m, area.ceiling_m, locale);
+                lines << (area.name.empty() ? InspectorRows::tr("No-fly area: %1").arg(heights)
+                                            : InspectorRows::tr("No-fly area %1: %2")
+                                                  .arg(QString::fromStdString(area.name), heights));
+            }
+            return lines.join(u'\n');
+        }});
     append(rows, windRows());
     append(rows, currentRows());
     append(rows, surroundingsRows());

@@ -205,6 +205,47 @@ private slots:
         QCOMPARE(f.scenario(), test::fourIcebergs());
     }
 
+    void noFlyAreaHasHeights()
+    {
+        Fixture f;
+        f.document.edit(u"Areas"_s, [](Scenario& s) {
+            for (const double x_m : {9000.0, 9900.0})
+                s.noFly.push_back({.corners_m = {{x_m, 0}, {x_m + 500, 0}, {x_m, 500}}});
+        });
+        const Scenario before = f.scenario();
+        f.selection.set({noFlyKey(1)});
+        QCOMPARE(test::child<QLabel>(f.panel, u"inspectorTitle"_s).text(), u"No-fly area"_s);
+        f.type(u"noFlyName"_s, u"Rig"_s);
+        f.type(u"noFlyFloor"_s, u"50"_s);
+        f.type(u"noFlyCeiling"_s, u"300"_s);
+        const NoFlyArea& area = f.scenario().noFly[1];
+        QVERIFY(area.name == "Rig" && area.floor_m == 50 && area.ceiling_m == 300.0);
+        f.type(u"noFlyCeiling"_s, u"0"_s);
+        QVERIFY(!f.scenario().noFly[1].ceiling_m);
+        QVERIFY(f.scenario().noFly[0] == before.noFly[0]);
+        test::child<QPushButton>(f.panel, u"noFlyRemove"_s).click();
+        QVERIFY(f.scenario().noFly == std::vector{before.noFly[0]});
+        f.undoAll();
+        QCOMPARE(f.scenario(), test::fourIcebergs());
+    }
+
+    void standOffBelongsToTheAsset()
+    {
+        Fixture f;
+        f.document.edit(u"Asset"_s, [](Scenario& s) {
+            s.asset = Asset{.name = "Rig", .position_m = {9000, 9000}};
+        });
+        f.selection.set({kAssetKey});
+        QVERIFY(!f.isShown(u"assetStandoffCeiling"_s));
+        f.type(u"assetStandoff"_s, u"500"_s);
+        QVERIFY(f.isShown(u"assetStandoffCeiling"_s));
+        f.type(u"assetStandoffCeiling"_s, u"90"_s);
+        QVERIFY(f.scenario().asset->standoff_m == 500.0 &&
+                f.scenario().asset->standoffCeiling_m == 90.0);
+        f.undoAll();
+        QCOMPARE(f.scenario(), test::fourIcebergs());
+    }
+
     void severalAtOnce()
     {
         Fixture f;
