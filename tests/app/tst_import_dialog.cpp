@@ -297,9 +297,9 @@ private slots:
         QVERIFY(import.settles());
         const auto& scene = import.at<QLabel>(u"importScene"_s);
         QVERIFY(scene.isVisible());
-        QCOMPARE(scene.text(), u"Also from the file: 1 UAV, the area as geofence\n"
-                               "Left out: 2 forbidden areas of the geofence, an area (unreadable), "
-                               "1 further area, 2 circles of the geofence"_s);
+        QCOMPARE(scene.text(),
+                 u"Also from the file: 1 UAV, the area as geofence, 1 no-fly area\n"
+                 "Left out: an area (unreadable), 1 further area, 2 circles of the geofence"_s);
         QVERIFY(import.dialog().choice()->scenario.geofence);
 
         Importing used(fixturePath("fence.plan"), direct("fence.plan", test::openSea()).scenario);

@@ -181,6 +181,16 @@ QStringList ruleLines(const ExportContent& content, const QLocale& locale)
     QStringList lines;
     if (content.geofence)
         lines << FlightBrief::tr("Geofence in force: stay inside the area.");
+    for (const NoFlyArea& area : content.noFly)
+        lines << (area.name.empty() ? FlightBrief::tr("No-fly area: %1.")
+                                          .arg(heightsText(area.floor_m, area.ceiling_m, locale))
+                                    : FlightBrief::tr("No-fly area %1: %2.")
+                                          .arg(printable(area.name),
+                                               heightsText(area.floor_m, area.ceiling_m, locale)));
+    if (content.standoff)
+        lines << FlightBrief::tr("Stand-off from the asset: %1, %2.")
+                     .arg(distanceText(content.asset->standoff_m, locale, 3, DistanceUnit::Metric),
+                          heightsText(0, content.standoff->ceiling_m, locale));
     if (content.scenario->separation_m > 0 && sharesLayer(content))
         lines << FlightBrief::tr("UAVs in one altitude layer: keep them %1 apart, nothing steers "
                                  "them.")
