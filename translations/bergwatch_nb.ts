@@ -38,6 +38,21 @@
         <source>Click sets the first corner of the area. Esc leaves the tool.</source>
         <translation>Klikk setter områdets første hjørne. Esc forlater verktøyet.</translation>
     </message>
+    <message>
+        <source>Add no-fly area</source>
+        <translation>Legg til flyforbudsområde</translation>
+    </message>
+    <message numerus="yes">
+        <source>A scenario has at most %n no-fly areas.</source>
+        <translation>
+            <numerusform>Et scenario har høyst %n flyforbudsområde.</numerusform>
+            <numerusform>Et scenario har høyst %n flyforbudsområder.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click sets the first corner of a no-fly area. Corners and edges&apos; middles of those there are can be dragged. Esc leaves the tool.</source>
+        <translation>Klikk setter det første hjørnet i et flyforbudsområde. Hjørner og kantmidter i de som finnes, kan dras. Esc forlater verktøyet.</translation>
+    </message>
 </context>
 <context>
     <name>AssetText</name>
@@ -747,6 +762,14 @@
         <source>This sortie alone is written. Icebergs of the order left for later ones: %1.</source>
         <translation>Bare dette toktet skrives. Isfjell i rekkefølgen som er igjen til senere tokt: %1.</translation>
     </message>
+    <message>
+        <source>The format has no place for no-fly areas and the stand-off ring.</source>
+        <translation>Formatet har ikke plass til flyforbudsområder og sikkerhetsringen.</translation>
+    </message>
+    <message>
+        <source>No-fly areas have no heights in it: those at the altitude of the UAV are written.</source>
+        <translation>Flyforbudsområder har ingen høyder i formatet: de som gjelder i UAV-ens høyde, skrives.</translation>
+    </message>
 </context>
 <context>
     <name>FieldNames</name>
@@ -1063,6 +1086,18 @@
     <message>
         <source>No contact</source>
         <translation>Uten samband</translation>
+    </message>
+    <message>
+        <source>No-fly area: %1.</source>
+        <translation>Flyforbudsområde: %1.</translation>
+    </message>
+    <message>
+        <source>No-fly area %1: %2.</source>
+        <translation>Flyforbudsområde %1: %2.</translation>
+    </message>
+    <message>
+        <source>Stand-off from the asset: %1, %2.</source>
+        <translation>Sikkerhetsavstand til objektet: %1, %2.</translation>
     </message>
 </context>
 <context>
@@ -1921,14 +1956,6 @@
         <translation>%1 sirkler i geogjerdet</translation>
     </message>
     <message>
-        <source>1 forbidden area of the geofence</source>
-        <translation>1 forbudt område i geogjerdet</translation>
-    </message>
-    <message>
-        <source>%1 forbidden areas of the geofence</source>
-        <translation>%1 forbudte områder i geogjerdet</translation>
-    </message>
-    <message>
         <source>the geofence (too many corners)</source>
         <translation>geogjerdet (for mange hjørner)</translation>
     </message>
@@ -1971,6 +1998,22 @@
     <message>
         <source>Left out: %1</source>
         <translation>Utelatt: %1</translation>
+    </message>
+    <message>
+        <source>1 no-fly area</source>
+        <translation>1 flyforbudsområde</translation>
+    </message>
+    <message>
+        <source>%1 no-fly areas</source>
+        <translation>%1 flyforbudsområder</translation>
+    </message>
+    <message>
+        <source>1 no-fly area (a UAV starts or lands in it, or its heights are wrong)</source>
+        <translation>1 flyforbudsområde (en UAV starter eller lander i det, eller høydene er feil)</translation>
+    </message>
+    <message>
+        <source>%1 no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
+        <translation>%1 flyforbudsområder (en UAV starter eller lander i dem, eller høydene er feil)</translation>
     </message>
 </context>
 <context>
@@ -2929,6 +2972,66 @@
         <source>flying allowed</source>
         <translation>flyging tillatt</translation>
     </message>
+    <message>
+        <source>No UAV comes nearer to it; of a ship, to all of its track.</source>
+        <translation>Ingen UAV kommer nærmere; for et skip gjelder det hele seilasen.</translation>
+    </message>
+    <message>
+        <source>Change stand-off ring</source>
+        <translation>Endre sikkerhetsring</translation>
+    </message>
+    <message>
+        <source>Above it UAVs may fly over the ring.</source>
+        <translation>Over dette kan UAV-er fly over ringen.</translation>
+    </message>
+    <message>
+        <source>Change stand-off ceiling</source>
+        <translation>Endre tak for sikkerhetsringen</translation>
+    </message>
+    <message>
+        <source>Shown on the map.</source>
+        <translation>Vises på kartet.</translation>
+    </message>
+    <message>
+        <source>UAVs lower than this fly below it.</source>
+        <translation>UAV-er som flyr lavere, flyr under det.</translation>
+    </message>
+    <message>
+        <source>Change floor of the no-fly area</source>
+        <translation>Endre gulv for flyforbudsområdet</translation>
+    </message>
+    <message>
+        <source>UAVs higher than this fly above it.</source>
+        <translation>UAV-er som flyr høyere, flyr over det.</translation>
+    </message>
+    <message>
+        <source>Change ceiling of the no-fly area</source>
+        <translation>Endre tak for flyforbudsområdet</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Omriss</translation>
+    </message>
+    <message>
+        <source>Takes the no-fly area off the map.</source>
+        <translation>Tar flyforbudsområdet bort fra kartet.</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Fjern flyforbudsområdet</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>No-fly area: %1</source>
+        <translation>Flyforbudsområde: %1</translation>
+    </message>
+    <message>
+        <source>No-fly area %1: %2</source>
+        <translation>Flyforbudsområde %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -3211,15 +3314,15 @@
     </message>
     <message>
         <source>With the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %2 corners, not %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Med geogjerdet og sikkerhetsringen har flyforbudsområdene i høyden til en UAV høyst %2 hjørner, ikke %3.</translation>
     </message>
     <message>
         <source>Must be outside the no-fly area &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Må ligge utenfor flyforbudsområdet «%2».</translation>
     </message>
     <message>
         <source>Must be outside the stand-off ring round the asset.</source>
-        <translation type="unfinished"></translation>
+        <translation>Må ligge utenfor sikkerhetsringen rundt objektet.</translation>
     </message>
     <message>
         <source>In flight, the velocity&apos;s deviation counts with the Kalman filter only.</source>
@@ -3227,23 +3330,23 @@
     </message>
     <message>
         <source>Home is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hjemstedet ligger så nær geogjerdet eller et flyforbudsområde at UAV-en ikke kan ta av der igjen og være sikker på å komme hjem.</translation>
     </message>
     <message>
         <source>For its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe.</source>
-        <translation type="unfinished"></translation>
+        <translation>Med denne kursen har UAV-en ingen vei hjem innenfor geogjerdet og utenom flyforbudsområdene fra startstedet: ingen start er trygg.</translation>
     </message>
     <message>
         <source>The UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>UAV-en starter så nær geogjerdet eller et flyforbudsområde, med denne kursen, at den ikke rekker å svinge.</translation>
     </message>
     <message>
         <source>So near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Så nær geogjerdet, eller i et flyforbudsområde, at UAV-en ikke kan komme så nær som den må.</translation>
     </message>
     <message>
         <source>This policy plans without geofence and no-fly areas; they are kept in flight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Denne strategien planlegger uten geogjerde og flyforbudsområder; de overholdes under flygingen.</translation>
     </message>
     <message>
         <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
@@ -3555,6 +3658,18 @@
         <source>Radio range</source>
         <translation>Rekkevidde</translation>
     </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Flyforbudsområde</translation>
+    </message>
+    <message>
+        <source>Stand-off round the asset</source>
+        <translation>Sikkerhetsavstand rundt objektet</translation>
+    </message>
+    <message>
+        <source>Stand-off</source>
+        <translation>Sikkerhetsavstand</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -3630,6 +3745,10 @@
     <message>
         <source>Move area</source>
         <translation>Flytt området</translation>
+    </message>
+    <message>
+        <source>Move no-fly area</source>
+        <translation>Flytt flyforbudsområdet</translation>
     </message>
 </context>
 <context>
@@ -4506,6 +4625,18 @@
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>fra %1</translation>
+    </message>
+    <message>
+        <source>at all heights</source>
+        <translation>i alle høyder</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -4908,6 +5039,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Place ground station</source>
         <translation>Plasser bakkestasjonen</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Fjern flyforbudsområdet</translation>
     </message>
 </context>
 <context>
@@ -5864,6 +5999,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>A UAV needs an id.</source>
         <translation>En UAV må ha en id.</translation>
     </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Flyforbudsområde</translation>
+    </message>
 </context>
 <context>
     <name>berg::MainWindow</name>
@@ -6004,6 +6143,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Add UAV</source>
         <translation>Legg til UAV</translation>
+    </message>
+    <message>
+        <source>Remove no-fly area</source>
+        <translation>Fjern flyforbudsområdet</translation>
     </message>
 </context>
 <context>
@@ -6371,6 +6514,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlegger, flyr og måler UAV-oppdrag som holder øye med drivende isfjell.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-lisens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområdene er laget med Natural Earth.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No-fly area</source>
+        <translation>Flyforbudsområde</translation>
     </message>
 </context>
 <context>
