@@ -15,8 +15,8 @@ namespace berg::test {
 enum class Fault
 {
     Unsearched, ///< an iceberg is lost, all others are fresh, and nobody searches
-    Idle,       ///< a UAV circles beside an unseen iceberg that nobody flies to, and that no
-                ///< route which is kept leaves for later
+    Idle,       ///< a UAV circles beside an unseen iceberg that nobody flies to; where routes are
+                ///< kept, one that is kept for it
     Outside,    ///< it left a fence that it could have kept
     Late,       ///< home after its time, although there was a way
     LookBack,   ///< an instant of the record is not that of the flight
@@ -166,15 +166,15 @@ private:
 
     void watchIdle(double time_s)
     {
-        if (traitsOf(m_mission.plannerSettings().policy).keepsRoute())
-            return;
+        const bool keepsRoute = traitsOf(m_mission.plannerSettings().policy).keepsRoute();
         const Simulation& now = m_mission.simulation();
         for (int uav = 0; uav < now.uavCount(); ++uav) {
             const Autopilot& me = now.fleet().autopilot(uav);
             int beside = -1;
             for (int i = 0; i < now.icebergCount() && beside < 0; ++i)
                 if (now.available(uav, i) && !isTargeted(i) &&
-                    time_s - now.track(i).anchor_s > round_s(uav))
+                    time_s - now.track(i).anchor_s > round_s(uav) &&
+                    (!keepsRoute || now.world().body(i).assignedUav == uav))
                     beside = i;
             double& idle_s = m_idle_s[static_cast<std::size_t>(uav)];
             const bool isIdle = me.target() < 0 && !me.isHomeward() &&

@@ -208,7 +208,7 @@ public:
 private:
     /** Those available of what is left of each UAV's order, from its first available one; when
      * nobody else can visit them, those in view now as well. A UAV to which nothing is available
-     * keeps its place. */
+     * keeps its place; one that has flown its part before others has what only it may visit. */
     [[nodiscard]] std::vector<std::vector<int>> takeRests(const PlanRequest& request)
     {
         std::vector<std::vector<int>> orders;
@@ -223,7 +223,29 @@ private:
             std::ranges::copy_if(rest, std::back_inserter(order),
                                  [&](int id) { return isAlone || available(id); });
         }
+        if (!std::ranges::all_of(orders, &std::vector<int>::empty))
+            for (std::size_t k = 0; k < orders.size(); ++k)
+                if (std::vector<int>& rest = m_rests[request.uavs[k].uav]; rest.empty())
+                    rest = orders[k] = keptFor(request, request.uavs[k]);
         return orders;
+    }
+
+    /** Available to this UAV, to no other one, and in nobody's order. */
+    [[nodiscard]] std::vector<int> keptFor(const PlanRequest& request, const UavRequest& uav) const
+    {
+        std::vector<int> kept;
+        std::ranges::copy_if(request.ids, std::back_inserter(kept), [&](int id) {
+            return isAvailable(request, uav, id) &&
+                   std::ranges::none_of(request.uavs,
+                                        [&](const UavRequest& other) {
+                                            return other.uav != uav.uav &&
+                                                   isAvailable(request, other, id);
+                                        }) &&
+                   std::ranges::none_of(m_rests, [id](const auto& rest) {
+                       return std::ranges::find(rest.second, id) != rest.second.end();
+                   });
+        });
+        return kept;
     }
 
     TaskSolver m_solver;

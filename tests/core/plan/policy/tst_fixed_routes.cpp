@@ -1,5 +1,6 @@
 #include "core/plan/policy/policy.h"
 #include "tests/support/approx.h"
+#include "tests/support/fleet_requests.h"
 #include "tests/support/request_builder.h"
 #include "tests/support/test_solvers.h"
 
@@ -52,6 +53,24 @@ private:
     }
 
 private slots:
+    /** What appears to one UAV alone, its part being flown, need not wait for the others' parts. */
+    void aUavWhosePartIsFlownHasWhatIsKeptForIt()
+    {
+        const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
+        const PlanRequest all = fleetRequestOf(
+            {{0, 0}, {9000, 0}},
+            {{1, {500, 0}, 5}, {2, {1000, 0}, 5}, {3, {1500, 0}, 5}, {4, {9500, 0}, 5}});
+        PlanRequest now = withoutIceberg(all, 4); // in view at first
+        static_cast<void>(path->plan(now, {}));
+        now = all;
+        now.uavs[0].available = {true, true, true, false};
+        now.uavs[1].available = {false, false, false, true};
+        const PlanAnswer answer = path->plan(now, {});
+        QVERIFY(!answer.uavs[0].order.empty());
+        QCOMPARE(answer.uavs[1].order, std::vector<int>{4});
+        QCOMPARE(path->plan(now, {}).uavs[1].order, std::vector<int>{4});
+    }
+
     void init()
     {
         m_script = {.answer = triedAll};
