@@ -86,6 +86,9 @@ void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
         return;
     }
     if (isUav) {
+        if (locked)
+            for (QAction* action : m_actions.orders)
+                menu.addAction(action);
         menu.addAction(m_actions.duplicate);
         if (workspace().document().scenario().uavs.size() > 1) // the last one stays
             menu.addAction(m_actions.remove);

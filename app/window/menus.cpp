@@ -255,6 +255,13 @@ void Menus::buildFlightMenu()
     menu.addSeparator();
     m_shared.seen = add(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N, std::nullopt},
                         [this] { workspace().reportSeen(workspace().selection().ids()); });
+    const auto addOrder = [&](const char* name, const QString& text, FlightOrder order) {
+        m_shared.orders.push_back(add(menu, {name, text, {}, std::nullopt},
+                                      [this, order] { workspace().order(orderedUavs(), order); }));
+    };
+    addOrder("returnAction", tr("&Return home now"), FlightOrder::ReturnNow);
+    addOrder("holdAction", tr("&Hold here"), FlightOrder::HoldHere);
+    addOrder("resumeAction", tr("Res&ume"), FlightOrder::None);
     m_shared.wind = add(menu, {"windAction", tr("Win&d..."), Qt::Key_W, std::nullopt},
                         [this] { m_targets.dialogs.askWind(); });
     menu.addSeparator();
@@ -381,8 +388,23 @@ void Menus::updateActions()
     const bool hasIcebergs = !icebergsOf(scenario, ids).empty();
     m_shared.copy->setEnabled(hasIcebergs);
     m_shared.seen->setEnabled(locked && !workspace().flownAmong(ids).empty());
+    for (QAction* action : m_shared.orders)
+        action->setEnabled(locked && !orderedUavs().empty());
     m_shared.cut->setEnabled(!locked && hasIcebergs);
     m_shared.duplicate->setEnabled(!locked && (hasIcebergs || !uavsOf(scenario, ids).empty()));
+}
+
+/** The selected ones; the only one there is needs no selection. */
+std::vector<std::string> Menus::orderedUavs() const
+{
+    const std::vector<Uav>& uavs = workspace().document().scenario().uavs;
+    if (uavs.size() == 1)
+        return {uavs.front().id};
+    std::vector<std::string> ids;
+    for (const Uav& uav : uavs)
+        if (workspace().selection().contains(uav.id))
+            ids.push_back(uav.id);
+    return ids;
 }
 
 void Menus::showShortcuts()

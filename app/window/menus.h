@@ -60,6 +60,7 @@ struct SharedActions
     QAction* exportPlan = nullptr;
     QAction* seen = nullptr;
     QAction* wind = nullptr;
+    std::vector<QAction*> orders; ///< to the selected UAVs
 };
 
 /** Menu bar and tool bar, and which of their actions are possible now. */
@@ -90,6 +91,7 @@ private:
     void buildToolBar();
     void buildHelpMenu();
     void addTool(QActionGroup& tools, MapToolKind kind, const ActionSpec& spec);
+    [[nodiscard]] std::vector<std::string> orderedUavs() const;
     void showShortcuts();
     void showAbout();
 

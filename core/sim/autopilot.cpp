@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace berg {
@@ -44,6 +45,9 @@ bool isFencedOff(const Geofence* fence, const Point& from_m, const Point& place_
 
 Autopilot::Autopilot(const Uav& uav, const Scenario& scenario)
     : m_sensor{.fov_m = uav.fov_m, .shape = scenario.fovShape}
+    , m_withoutLimit{.endurance_s = std::numeric_limits<double>::infinity(),
+                     .turnaround_s = uav.turnaround_s,
+                     .home_m = uav.home_m.value_or(uav.position_m)}
     , m_altitude_m(uav.spec.altitude_m)
     , m_turnRadius_m(turnRadius_m(uav.spec))
     , m_reach_m(scenario.reachRadius_m.value_or(surelySeen_m(m_sensor)))
@@ -99,7 +103,9 @@ UavState Autopilot::state() const
             .aloft_s = sortie.aloft_s,
             .ground_s = sortie.ground_s,
             .via_m = m_via_m,
-            .returnPath = sortie.returnPath};
+            .returnPath = sortie.returnPath,
+            .order = m_order,
+            .hold_m = mode() == FlightMode::Hold ? std::get<Hold>(m_mode).place_m : Point::Zero()};
 }
 
 double circleRadius_m(const Motion& motion)
@@ -204,6 +210,23 @@ void Autopilot::goHome()
     m_via_m.reset();
 }
 
+void Autopilot::obey(FlightOrder order, const Observer& observer)
+{
+    const FlightOrder before = std::exchange(m_order, order);
+    if (isOnGround())
+        return;
+    if (order == FlightOrder::ReturnNow) {
+        m_guard.needHome(m_withoutLimit);
+        m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
+        goHome();
+    } else if (order == FlightOrder::HoldHere) {
+        m_mode = Hold{m_pose.position_m};
+        m_via_m.reset();
+    } else if (before == FlightOrder::ReturnNow || mode() == FlightMode::Hold) {
+        m_mode = Idle{};
+    }
+}
+
 bool Autopilot::takeOff(const Observer& observer)
 {
     const std::optional<double> heading_rad = m_guard.takeOff(m_pose);
@@ -303,9 +326,11 @@ double Autopilot::steer(int uav, Observer& observer, StepReport& report)
     case FlightMode::RunOut:
         return steerRunOut();
     case FlightMode::Circle:
-        return steerCircle(observer);
+        return steerRound(observer.estimate_m(m_lastReached));
     case FlightMode::Search:
         return steerSearch(uav, observer, report);
+    case FlightMode::Hold:
+        return steerRound(std::get<Hold>(m_mode).place_m);
     case FlightMode::Idle: // nothing to fly to: hold where it is
         m_crossTrack_m = 0;
         return motion().limit_radps / kCircleMargin;
@@ -396,10 +421,10 @@ double Autopilot::steerRunOut()
     return 0;
 }
 
-double Autopilot::steerCircle(const Observer& observer)
+double Autopilot::steerRound(const Point& place_m)
 {
     m_crossTrack_m = 0;
-    const Point from_m = m_pose.position_m - observer.estimate_m(m_lastReached);
+    const Point from_m = m_pose.position_m - place_m;
     const double radius_m = circleRadius_m(motion());
     // Counter-clockwise tangent, turned inwards outside the circle and outwards inside it.
     const double bearing_rad = std::atan2(from_m.y(), from_m.x());

@@ -27,8 +27,11 @@ public:
 
     [[nodiscard]] const DubinsState& pose() const { return m_pose; }
     [[nodiscard]] FlightMode mode() const { return static_cast<FlightMode>(m_mode.index()); }
-    /** On its way home or on the ground: no plan is asked for or taken. */
+    /** On its way home or on the ground. */
     [[nodiscard]] bool isHomeward() const;
+    /** On its way home, on the ground or holding it is not. */
+    [[nodiscard]] bool isPlanned() const { return !isHomeward() && mode() != FlightMode::Hold; }
+    [[nodiscard]] FlightOrder order() const { return m_order; }
     [[nodiscard]] bool isOnGround() const { return mode() == FlightMode::Ground; }
     /** Null: it is sent to nothing. */
     [[nodiscard]] const Errand* errand() const;
@@ -51,6 +54,8 @@ public:
     /** Searches for what the observer knows it to search for, before the target. */
     void search();
     void goHome();
+    /** None: an order that was given before has come to its end. */
+    void obey(FlightOrder order, const Observer& observer);
     void setReached(int iceberg) { m_lastReached = iceberg; }
     /** In mode Ground; false: it would not come home, and tries again later. */
     [[nodiscard]] bool takeOff(const Observer& observer);
@@ -94,15 +99,19 @@ private:
     struct Ground
     {
     };
+    struct Hold
+    {
+        Point place_m;
+    };
     /** In the order of `FlightMode`. */
-    using Mode = std::variant<Idle, Leg, RunOut, Circle, Searching, Home, Ground>;
+    using Mode = std::variant<Idle, Leg, RunOut, Circle, Searching, Home, Ground, Hold>;
 
     void watchFence(int uav, const Point& from_m, StepReport& report) const;
     [[nodiscard]] double steer(int uav, Observer& observer, StepReport& report);
     [[nodiscard]] double steerLeg(const Observer& observer);
     [[nodiscard]] double steerAim(AimedLeg& aim);
     [[nodiscard]] double steerRunOut();
-    [[nodiscard]] double steerCircle(const Observer& observer);
+    [[nodiscard]] double steerRound(const Point& place_m);
     [[nodiscard]] double steerSearch(int uav, Observer& observer, StepReport& report);
     /** Towards the corner that the geofence leads round on the way there; none: it does not. */
     [[nodiscard]] std::optional<double> steerRoundFence(const Point& end_m);
@@ -113,6 +122,7 @@ private:
     [[nodiscard]] double steerAt(const Point& place_m) const;
 
     SensorSpec m_sensor;
+    SortieSpec m_withoutLimit; ///< for a return that is ordered where the endurance is unlimited
     double m_altitude_m;
     double m_turnRadius_m;
     double m_reach_m;   ///< so near an iceberg it has reached it, or surely sees it
@@ -124,6 +134,7 @@ private:
     double m_crossTrack_m = 0;
     double m_flown_m = 0; ///< through the air
     Mode m_mode;
+    FlightOrder m_order = FlightOrder::None;
     int m_lastReached = -1;
     LosGuidance m_guidance;
     double m_runOut_m = 0;        ///< left to fly straight in mode RunOut

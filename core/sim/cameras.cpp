@@ -52,7 +52,7 @@ void Cameras::point(int uav, const DubinsState& pose, FlightMode mode)
     Camera& camera = m_cameras[toIndex(uav)];
     camera.pose = pose;
     camera.isOn = mode != FlightMode::Ground;
-    camera.isHomeward = !camera.isOn || mode == FlightMode::Home;
+    camera.maySearch = camera.isOn && mode != FlightMode::Home && mode != FlightMode::Hold;
     m_views[toIndex(uav)].reset();
 }
 

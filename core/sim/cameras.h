@@ -12,8 +12,8 @@ struct Camera
     SensorSpec sensor;
     double airspeed_mps = 0;
     DubinsState pose;
-    bool isOn = true;        ///< off on the ground
-    bool isHomeward = false; ///< and so not to be sent to search
+    bool isOn = true;      ///< off on the ground
+    bool maySearch = true; ///< not on the way home, nor holding
     double reach_m = FieldOfView::reach_m(sensor);
 
     [[nodiscard]] FieldOfView view() const;

@@ -121,6 +121,7 @@ void Fleet::keepApart(int uav)
     if (!m_separation.concerns(uav) || !me.isCommanded(m_observer.world()))
         return;
     Separation::Wish wish{.rate_radps = me.turnRate_radps(),
+                          .isHomeward = me.isHomeward(),
                           .hasGoal = me.isHomeward() || me.target() >= 0};
     if (me.isHomeward() && me.guard().uav().sortie)
         wish.left_s = me.guard().enduranceLeft_s();
@@ -156,23 +157,24 @@ void Fleet::sendHome(int uav)
 void Fleet::noteHomeward(int uav)
 {
     m_observer.cameras().point(uav, autopilot(uav).pose(), autopilot(uav).mode());
-    if (m_observer.searches().of(uav))
-        handSearchOn(uav);
+    leaveSearch(uav);
     // What it was to visit is left to the others.
     m_report.add({.kind = EventKind::HomeBound, .uav = uav},
                  count() > 1 ? PlanReason::Fleet : PlanReason::None);
 }
 
-/** Of a UAV that goes home: the nearest one that may search goes on with it, else nobody for now.
- */
-void Fleet::handSearchOn(int uav)
+/** Of a UAV that is not planned any more: the nearest one that may search goes on with it, else
+ * nobody for now. */
+void Fleet::leaveSearch(int uav)
 {
+    if (!m_observer.searches().of(uav))
+        return;
     Search search = m_observer.searches().take(uav);
     const Point datum_m = m_observer.estimate_m(search.iceberg);
     const auto away_m = [&](int of) { return (autopilot(of).pose().position_m - datum_m).norm(); };
     int next = -1;
     for (int other = 0; other < count(); ++other)
-        if (other != uav && !autopilot(other).isHomeward() && !m_observer.searches().of(other) &&
+        if (other != uav && autopilot(other).isPlanned() && !m_observer.searches().of(other) &&
             maySearch(other, search.iceberg) && (next < 0 || away_m(other) < away_m(next)))
             next = other;
     if (next >= 0)
@@ -250,8 +252,9 @@ bool Fleet::takeOffWhenDue(int uav)
 {
     Autopilot& me = m_autopilots[toIndex(uav)];
     const World& world = m_observer.world();
-    if (!me.isOnGround() || me.guard().sortie().ground_s >= world.dt_s() / 2 ||
-        !world.isWholeSecond() || (nearestAvailable(uav) < 0 && !hasSomethingToSearch(uav)) ||
+    if (!me.isOnGround() || me.order() != FlightOrder::None ||
+        me.guard().sortie().ground_s >= world.dt_s() / 2 || !world.isWholeSecond() ||
+        (nearestAvailable(uav) < 0 && !hasSomethingToSearch(uav)) ||
         !m_separation.hasRoom(uav, me.pose().position_m) || !me.takeOff(m_observer))
         return false;
     enterLayer(uav);
@@ -312,6 +315,17 @@ void Fleet::sendHomeWhenLate(int uav)
     m_report.add({.kind = EventKind::LateHome, .uav = uav});
     if (!me.isHomeward())
         sendHome(uav);
+}
+
+void Fleet::order(int uav, FlightOrder order)
+{
+    const bool wasHomeward = autopilot(uav).isHomeward();
+    m_autopilots[toIndex(uav)].obey(order, m_observer);
+    if (autopilot(uav).isHomeward() && !wasHomeward)
+        noteHomeward(uav);
+    m_observer.cameras().point(uav, autopilot(uav).pose(), autopilot(uav).mode());
+    if (!autopilot(uav).isPlanned())
+        leaveSearch(uav);
 }
 
 /** Of the pairs aloft in one altitude layer; `before_m`: the places before the step. */

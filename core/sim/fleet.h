@@ -47,6 +47,7 @@ public:
     [[nodiscard]] bool endOverdueCluster(int uav);
     void setWind(const Point& wind_mps);
     void setAsset(const Asset& asset);
+    void order(int uav, FlightOrder order);
 
 private:
     [[nodiscard]] bool affordable(int uav, int iceberg) const;
@@ -54,7 +55,7 @@ private:
     [[nodiscard]] bool hasSomethingToSearch(int uav) const;
     void beginOrEndSearch(int uav);
     void searchAgain(int uav);
-    void handSearchOn(int uav);
+    void leaveSearch(int uav);
     void sendHome(int uav);
     void noteHomeward(int uav);
     void sendHomeWhenLate(int uav);

@@ -72,7 +72,7 @@ private:
         const PlanReason reason = m_simulation.planReason(0);
         const bool hasLegs = m_leg < m_ways.size();
         const bool isLegOver = hasLegs && m_simulation.time_s() >= wayEnd_s();
-        if ((reason == PlanReason::None && !isLegOver) || uav().homeward())
+        if ((reason == PlanReason::None && !isLegOver) || !uav().isPlanned())
             return true;
         if (hasLegs)
             passOverAllVisible();
@@ -86,7 +86,7 @@ private:
             return true;
         }
         m_simulation.setTarget(0, -1);
-        return uav().homeward();
+        return !uav().isPlanned();
     }
 
     [[nodiscard]] double wayEnd_s() const { return m_ways[m_leg].points.back().time_s; }

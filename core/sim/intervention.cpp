@@ -27,6 +27,8 @@ void apply(const Intervention& intervention, Simulation& world,
     if (intervention.assigned)
         world.assign(indexOfId(icebergs, intervention.assigned->iceberg),
                      indexOfId(uavs, intervention.assigned->uav));
+    if (intervention.commanded)
+        world.order(indexOfId(uavs, intervention.commanded->uav), intervention.commanded->order);
 }
 
 } // namespace berg

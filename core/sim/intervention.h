@@ -14,6 +14,14 @@ struct Assignment
     bool operator==(const Assignment&) const = default;
 };
 
+/** What one UAV is told to do. */
+struct UavCommand
+{
+    std::string uav; ///< id
+    FlightOrder order = FlightOrder::None;
+    bool operator==(const UavCommand&) const = default;
+};
+
 /** A change made in flight, replayed from the run file. Empty members change nothing. */
 struct Intervention
 {
@@ -25,6 +33,7 @@ struct Intervention
     std::optional<Iceberg> appears;  ///< a new iceberg, here and now
     std::optional<std::string> seen; ///< id of one that somebody else sees now
     std::optional<Assignment> assigned;
+    std::optional<UavCommand> commanded;
     bool operator==(const Intervention&) const = default;
 };
 

@@ -148,8 +148,10 @@ void Mission::intervene(Intervention intervention)
         requireAppeared(*intervention.seen, "seen");
     if (intervention.assigned) {
         requireAppeared(intervention.assigned->iceberg, "assigned.iceberg");
-        requireUav(intervention.assigned->uav);
+        requireUav(intervention.assigned->uav, "assigned.uav");
     }
+    if (intervention.commanded)
+        requireUav(intervention.commanded->uav, "commanded.uav");
     // A plan still due is made before the change, as a replay does: it comes to this instant by
     // `advance`, which leaves no plan due.
     if (!m_simulation.finished())
@@ -191,6 +193,11 @@ void Mission::noteChanges(const Intervention& intervention)
               .uav = indexOfId(m_scenario.uavs, assigned->uav),
               .changed = ChangedPart::Assignment});
     }
+    if (intervention.commanded)
+        note({.kind = EventKind::Intervention,
+              .uav = indexOfId(m_scenario.uavs, intervention.commanded->uav),
+              .changed = ChangedPart::Order,
+              .order = intervention.commanded->order});
 }
 
 /** Throws `Error{InvalidInput}` when there is no iceberg of that id now. */
@@ -203,12 +210,13 @@ void Mission::requireAppeared(const std::string& iceberg, const char* field) con
             {{Severity::Error, field, "no iceberg \"" + iceberg + "\" is there at this time"}});
 }
 
-/** The same of a UAV; the empty id is that of any. */
-void Mission::requireUav(const std::string& uav) const
+/** The same of a UAV; the empty id is that of any, which only an assignment can be to. */
+void Mission::requireUav(const std::string& uav, const char* field) const
 {
-    if (!uav.empty() && indexOfId(m_scenario.uavs, uav) < 0)
+    const bool isAny = uav.empty() && field == std::string_view("assigned.uav");
+    if (!isAny && indexOfId(m_scenario.uavs, uav) < 0)
         throw Error(ErrorCode::InvalidInput, m_scenario.name,
-                    {{Severity::Error, "assigned.uav", "no UAV is named \"" + uav + "\""}});
+                    {{Severity::Error, field, "no UAV is named \"" + uav + "\""}});
 }
 
 Metrics Mission::metrics() const

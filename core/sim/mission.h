@@ -125,7 +125,7 @@ private:
     void noteEvents();
     void noteAlarms();
     void requireAppeared(const std::string& iceberg, const char* field) const;
-    void requireUav(const std::string& uav) const;
+    void requireUav(const std::string& uav, const char* field) const;
     void noteChanges(const Intervention& intervention);
 
     Scenario m_scenario;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/plan/policy/policy.h"
+#include "core/sim/world_state.h"
 
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ enum class ChangedPart
     Planner, ///< tau or policy
     Wind,
     Asset,
-    Assignment ///< of an iceberg to a UAV
+    Assignment, ///< of an iceberg to a UAV
+    Order       ///< to a UAV
 };
 
 /** One line of the event log: what happened, without words. Sentences are made where it is shown.
@@ -57,6 +59,7 @@ struct MissionEvent
     std::string failure;                      ///< PlannerFailed: the reason, in English
     ChangedPart changed{};                    ///< Intervention
     PolicyKind policy{};                      ///< Intervention in the planner: in force since then
+    FlightOrder order{};                      ///< Intervention by an order: that one
 };
 
 } // namespace berg

@@ -13,10 +13,10 @@ namespace berg {
 namespace {
 
 /** Asked at every step: without a list. */
-bool allAreHomeward(const Fleet& fleet)
+bool nobodyIsPlanned(const Fleet& fleet)
 {
     for (int uav = 0; uav < fleet.count(); ++uav)
-        if (!fleet.autopilot(uav).isHomeward())
+        if (fleet.autopilot(uav).isPlanned())
             return false;
     return true;
 }
@@ -74,7 +74,7 @@ std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> cluste
 /** Puts a pending plan in force and asks for one where it is needed. False: cancelled. */
 bool Mission::planWhenDue(const std::stop_token& stop)
 {
-    if (allAreHomeward(m_simulation.fleet())) { // what is flown next is planned at take-off
+    if (nobodyIsPlanned(m_simulation.fleet())) { // what is flown next is planned at take-off
         m_pending.reset();
         m_missed = PlanReason::None;
         return true;
@@ -97,7 +97,7 @@ bool Mission::putPendingInForce()
 {
     Round plans = std::exchange(m_pending, std::nullopt)->plans;
     std::erase_if(plans, [this](const PlanEvent& plan) {
-        return m_simulation.fleet().autopilot(plan.uav).isHomeward();
+        return !m_simulation.fleet().autopilot(plan.uav).isPlanned();
     });
     bool isTimely = true;
     for (PlanEvent& plan : plans) {

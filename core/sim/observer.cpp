@@ -275,7 +275,7 @@ void Observer::lose(int iceberg, int uav, std::span<const FieldOfView> views, St
         track.sigma_m2 = std::max(track.sigma_m2, way.variance_m2());
     Search search{.iceberg = iceberg, .way = std::move(way)};
     // One at a time: by the end of the search for another this one is far behind.
-    if (!m_searches.of(uav) && !camera.isHomeward && search.way.hasCorner())
+    if (!m_searches.of(uav) && camera.maySearch && search.way.hasCorner())
         m_searches.begin(uav, std::move(search));
     else
         giveUp(std::move(search), uav, report);

@@ -50,7 +50,7 @@ void PlanTrigger::needAll(PlanReason reason, const Fleet& fleet)
 {
     m_isAlone.assign(m_isAlone.size(), false);
     for (int uav = 0; uav < fleet.count(); ++uav)
-        m_reasons[toIndex(uav)] = fleet.autopilot(uav).isHomeward() ? PlanReason::None : reason;
+        m_reasons[toIndex(uav)] = fleet.autopilot(uav).isPlanned() ? reason : PlanReason::None;
 }
 
 PlanReason PlanTrigger::reason() const
@@ -70,7 +70,7 @@ std::vector<int> PlanTrigger::plannedUavs(const Fleet& fleet) const
     std::vector<int> uavs;
     std::vector<int> needing;
     for (int uav = 0; uav < fleet.count(); ++uav) {
-        if (fleet.autopilot(uav).isHomeward())
+        if (!fleet.autopilot(uav).isPlanned())
             continue;
         uavs.push_back(uav);
         if (reason(uav) != PlanReason::None)
@@ -110,7 +110,7 @@ void PlanTrigger::update(Fleet& fleet)
     }
     for (int uav = 0; needed && uav < fleet.count(); ++uav) {
         m_isAlone[toIndex(uav)] = false;
-        if (reason(uav) == PlanReason::None && !fleet.autopilot(uav).isHomeward())
+        if (reason(uav) == PlanReason::None && fleet.autopilot(uav).isPlanned())
             m_reasons[toIndex(uav)] = PlanReason::Fleet;
     }
     for (int uav = 0; uav < fleet.count(); ++uav)
@@ -121,7 +121,7 @@ void PlanTrigger::update(Fleet& fleet)
 PlanReason PlanTrigger::reasonOf(int uav, Fleet& fleet) const
 {
     const Autopilot& me = fleet.autopilot(uav);
-    if (me.isHomeward())
+    if (!me.isPlanned())
         return fleet.takeOffWhenDue(uav) ? PlanReason::TakeOff : PlanReason::None;
     if (const PlanReason trigger = fleet.report().trigger; trigger != PlanReason::None)
         return trigger;

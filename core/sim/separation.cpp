@@ -345,7 +345,7 @@ double Separation::command_radps(int uav, const SafetyGuard& guard, const Dubins
     Trial best = tried(wished_radps);
     if (!best.disc && isOnPathHome)
         return wished_radps;
-    if (!best.disc && wish.left_s < kFar && other < 0)
+    if (!best.disc && wish.isHomeward && other < 0)
         if (const Trial home = pathHome(uav, guard, pose, wished_radps); home.disc)
             best = home;
     note(uav, best, wish, guard.uav().clock.command_s());

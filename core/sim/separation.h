@@ -24,6 +24,7 @@ public:
     struct Wish
     {
         double rate_radps = 0;
+        bool isHomeward = false;
         /** Of the endurance, when it flies home; infinity: it does not, or has no limit. */
         double left_s = std::numeric_limits<double>::infinity();
         bool hasGoal = true; ///< it is sent somewhere

@@ -70,6 +70,13 @@ void Simulation::assign(int iceberg, int uav)
     requestPlan();
 }
 
+void Simulation::order(int uav, FlightOrder order)
+{
+    require(uav >= 0 && uav < uavCount(), "order: no such UAV");
+    m_fleet.order(uav, order);
+    requestPlan();
+}
+
 void Simulation::reportSighting(int iceberg)
 {
     m_fleet.observer().reportSighting(iceberg, m_fleet.report());

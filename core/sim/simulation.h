@@ -83,6 +83,8 @@ public:
     void setPolicy(PolicyKind policy) { m_trigger.setPolicy(policy); }
     /** The iceberg is to be visited by this UAV alone, -1: by any; a new plan is needed. */
     void assign(int iceberg, int uav);
+    /** The UAV does so, and the others get a new plan; `FlightOrder::None`: as planned again. */
+    void order(int uav, FlightOrder order);
     /**
      * An iceberg that has appeared is reported by somebody else: its position is known now as if it
      * were in view, and a new plan is needed.

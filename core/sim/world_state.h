@@ -5,6 +5,7 @@
 #include "core/tracking/lost_search.h"
 #include "core/vehicle/return_path.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -27,8 +28,22 @@ enum class FlightMode
     Circle, ///< every iceberg in view: round the last one reached
     Search, ///< for a lost iceberg
     Home,   ///< on the way home
-    Ground  ///< at home between two sorties
+    Ground, ///< at home between two sorties
+    Hold    ///< as ordered: round a place
 };
+
+/** What an operator has told a UAV to do, until it is told to resume. */
+enum class FlightOrder
+{
+    None,
+    ReturnNow, ///< home, to stay there
+    HoldHere   ///< round the place where it was told
+};
+
+inline constexpr std::array<Named<FlightOrder>, 3> kFlightOrderNames{
+    {{FlightOrder::None, "resume"},
+     {FlightOrder::ReturnNow, "return"},
+     {FlightOrder::HoldHere, "hold"}}};
 
 /** The search for a lost iceberg. */
 struct Search
@@ -61,11 +76,13 @@ struct UavState
     std::optional<Point> via_m; ///< corner flown to, round which the geofence leads
     /** With fence and endurance: a proven path home from the next command on. */
     std::optional<ReturnPath> returnPath;
+    FlightOrder order = FlightOrder::None;
+    Point hold_m = Point::Zero(); ///< in mode Hold: what it circles
 
-    /** On its way home or on the ground: no plan is asked for or taken. */
-    [[nodiscard]] bool homeward() const
+    /** Not on its way home, on the ground or holding: there no plan is asked for or taken. */
+    [[nodiscard]] bool isPlanned() const
     {
-        return mode == FlightMode::Home || mode == FlightMode::Ground;
+        return mode != FlightMode::Home && mode != FlightMode::Ground && mode != FlightMode::Hold;
     }
     bool operator==(const UavState&) const = default;
 };

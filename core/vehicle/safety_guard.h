@@ -59,6 +59,13 @@ public:
     /** Made for the wind that blows; null: none from now on. */
     void setFence(std::shared_ptr<const Geofence> fence) { m_uav.fence = std::move(fence); }
 
+    /** From now on it can come home, although its endurance is unlimited. */
+    void needHome(const SortieSpec& home)
+    {
+        if (!m_uav.sortie)
+            m_uav.sortie = home;
+    }
+
     /** The command for this wish, from now on; none: it has to go home, `homeCommand_radps`. */
     [[nodiscard]] std::optional<double> command_radps(const DubinsState& pose, double wished_radps);
     /**

@@ -79,10 +79,12 @@ void separation(int scenarios)
         pairs.print((std::to_string(uavs) + " UAVs, 12 icebergs").c_str());
     }
     Pairs pairs;
-    for (int seed = 1; seed <= scenarios; ++seed) {
+    for (int seed = 1, left = scenarios; left > 0; ++seed) {
         const Scenario scenario = test::FleetCase(seed).scenario();
-        if (scenario.uavs.size() > 1 && !hasErrors(validate(scenario)))
-            pairs.fly(scenario);
+        if (scenario.uavs.size() < 2 || hasErrors(validate(scenario)))
+            continue;
+        --left;
+        pairs.fly(scenario);
     }
     pairs.print("random fleets");
 }

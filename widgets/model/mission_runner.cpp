@@ -9,10 +9,10 @@ namespace berg {
 
 namespace {
 
-/** Of one iceberg: the next one may be of another. */
-bool isOfIceberg(const Intervention& change)
+/** Of one iceberg or UAV: the next one may be of another. */
+bool isOfOne(const Intervention& change)
 {
-    return change.appears || change.seen || change.assigned;
+    return change.appears || change.seen || change.assigned || change.commanded;
 }
 
 /** A drag in flight: only the newest of the values that wait is flown. */
@@ -20,7 +20,7 @@ void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
 {
     for (Intervention& change : next) {
         Intervention& last = waiting.back();
-        if (isOfIceberg(last) || isOfIceberg(change)) {
+        if (isOfOne(last) || isOfOne(change)) {
             waiting.push_back(std::move(change));
             continue;
         }

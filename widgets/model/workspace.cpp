@@ -223,6 +223,15 @@ void Workspace::assign(const std::vector<std::string>& icebergs, const std::stri
         m_runner.intervene({.assigned = Assignment{.iceberg = id, .uav = uav}});
 }
 
+void Workspace::order(const std::vector<std::string>& ids, FlightOrder order)
+{
+    if (!inFlight() || refuseWhileLookingBack())
+        return;
+    for (const std::string& id : ids)
+        if (std::ranges::find(m_record.scenario.uavs, id, &Uav::id) != m_record.scenario.uavs.end())
+            m_runner.intervene({.commanded = UavCommand{.uav = id, .order = order}});
+}
+
 void Workspace::setWind(const Point& wind_mps)
 {
     if (!inFlight())

@@ -75,6 +75,8 @@ public:
     void reportSeen(const std::vector<std::string>& ids);
     /** They are to be visited by this UAV alone; empty: by any. */
     void assign(const std::vector<std::string>& icebergs, const std::string& uav);
+    /** In flight: what those of them that are UAVs are to do. */
+    void order(const std::vector<std::string>& ids, FlightOrder order);
     void setWind(const Point& wind_mps);
     /** In flight: what is to be protected is here now. */
     void moveAsset(const Point& position_m);

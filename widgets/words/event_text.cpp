@@ -15,9 +15,22 @@ struct EventText
     Q_DECLARE_TR_FUNCTIONS(EventText)
 };
 
-QString changeSentence(ChangedPart part, const QString& iceberg)
+QString orderSentence(FlightOrder order)
 {
-    switch (part) {
+    switch (order) {
+    case FlightOrder::None:
+        return EventText::tr("Told to resume");
+    case FlightOrder::ReturnNow:
+        return EventText::tr("Told to return now");
+    case FlightOrder::HoldHere:
+        return EventText::tr("Told to hold here");
+    }
+    return {};
+}
+
+QString changeSentence(const MissionEvent& event, const QString& iceberg)
+{
+    switch (event.changed) {
     case ChangedPart::Planner:
         return EventText::tr("Trade-off or policy changed");
     case ChangedPart::Wind:
@@ -26,6 +39,8 @@ QString changeSentence(ChangedPart part, const QString& iceberg)
         return EventText::tr("The protected asset has changed");
     case ChangedPart::Assignment:
         return EventText::tr("Any UAV may visit %1").arg(iceberg);
+    case ChangedPart::Order:
+        return orderSentence(event.order);
     }
     return {};
 }
@@ -48,7 +63,7 @@ QString sentence(const MissionEvent& event, const QString& iceberg, const QLocal
     case EventKind::Alarm:
         return EventText::tr("%1 will enter the inner ring").arg(iceberg);
     case EventKind::Intervention:
-        return changeSentence(event.changed, iceberg);
+        return changeSentence(event, iceberg);
     case EventKind::Left:
         return EventText::tr("%1 has left the area").arg(iceberg);
     case EventKind::Lost:
@@ -64,7 +79,7 @@ QString sentence(const MissionEvent& event, const QString& iceberg, const QLocal
     case EventKind::TookOff:
         return EventText::tr("Took off");
     case EventKind::LateHome:
-        return EventText::tr("The wind has changed: home cannot be reached in time");
+        return EventText::tr("Home cannot be reached in time");
     case EventKind::Close:
         return EventText::tr("Close to another UAV: %1")
             .arg(distanceText(event.distance_m, locale));

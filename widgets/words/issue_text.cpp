@@ -103,8 +103,8 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
      QT_TRANSLATE_NOOP("IssueText",
                        "In flight, the velocity's deviation counts with the Kalman filter only.")},
     {IssueId::SameLayer,
-     QT_TRANSLATE_NOOP("IssueText", "Starts near another UAV in the same altitude layer: let their "
-                                    "altitudes differ by 30 m.")},
+     QT_TRANSLATE_NOOP("IssueText", "Starts too near another UAV of the same altitude layer: they "
+                                    "fly apart first. Let their altitudes differ by 30 m.")},
     {IssueId::NoWayHome,
      QT_TRANSLATE_NOOP("IssueText",
                        "The endurance is too short for the path home from the start.")},

@@ -94,7 +94,7 @@ UavOrder presentOrder(const ExportSource& source, std::size_t row)
     if (plan == nullptr)
         return orderAtStart(source.plan, row);
     const Simulation& simulation = source.mission->simulation();
-    if (simulation.uav(uav).homeward())
+    if (!simulation.uav(uav).isPlanned())
         return {};
     UavOrder order{.icebergs = plan->order, .clusters = plan->clusters, .legs = plan->legs};
     if (!order.legs.empty() && simulation.uav(uav).aim)

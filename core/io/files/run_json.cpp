@@ -53,6 +53,12 @@ std::string interventionText(const Intervention& intervention)
         assigned.add("uav", intervention.assigned->uav);
         object.addText("assigned", assigned.inLine());
     }
+    if (intervention.commanded) {
+        JsonObject commanded;
+        commanded.add("uav", intervention.commanded->uav);
+        commanded.add("order", nameOf(kFlightOrderNames, intervention.commanded->order));
+        object.addText("commanded", commanded.inLine());
+    }
     return object.inLine();
 }
 
@@ -134,6 +140,16 @@ Assignment readAssignment(const Json& value, const std::string& path, Faults& fa
     return assignment;
 }
 
+UavCommand readCommand(const Json& value, const std::string& path, Faults& faults)
+{
+    ObjectReader object(value, path, faults);
+    UavCommand command;
+    if (object.need("uav") != nullptr)
+        command.uav = object.text("uav");
+    command.order = object.choice("order", FlightOrder::None, kFlightOrderNames);
+    return command;
+}
+
 std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil_s)
 {
     std::vector<Intervention> interventions;
@@ -157,6 +173,9 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
         if (const Json* assigned = object.find("assigned"))
             intervention.assigned =
                 readAssignment(*assigned, object.path("assigned"), run.faults());
+        if (const Json* commanded = object.find("commanded"))
+            intervention.commanded =
+                readCommand(*commanded, object.path("commanded"), run.faults());
         interventions.push_back(std::move(intervention));
     }
     return interventions;
@@ -183,14 +202,19 @@ void checkNamed(const RunFile& file, Faults& faults)
         constexpr const char* kUnknown = "no iceberg of this id is there at this time";
         if (change.seen && !isThere(*change.seen))
             faults.add(path + ".seen", kUnknown);
+        const auto isUav = [&](const std::string& id) {
+            return std::ranges::find(file.scenario.uavs, id, &Uav::id) != file.scenario.uavs.end();
+        };
+        constexpr const char* kNoUav = "no UAV of this id is in the scenario";
+        if (change.commanded && !isUav(change.commanded->uav))
+            faults.add(path + ".commanded.uav", kNoUav);
         if (!change.assigned)
             continue;
         if (!isThere(change.assigned->iceberg))
             faults.add(path + ".assigned.iceberg", kUnknown);
         const std::string& uav = change.assigned->uav;
-        if (!uav.empty() &&
-            std::ranges::find(file.scenario.uavs, uav, &Uav::id) == file.scenario.uavs.end())
-            faults.add(path + ".assigned.uav", "no UAV of this id is in the scenario");
+        if (!uav.empty() && !isUav(uav))
+            faults.add(path + ".assigned.uav", kNoUav);
     }
 }
 

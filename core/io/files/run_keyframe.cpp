@@ -9,7 +9,7 @@ namespace berg {
 
 namespace {
 
-constexpr std::array<Named<FlightMode>, 7> kModeNames{{
+constexpr std::array<Named<FlightMode>, 8> kModeNames{{
     {FlightMode::Idle, "idle"},
     {FlightMode::Leg, "leg"},
     {FlightMode::RunOut, "run-out"},
@@ -17,6 +17,7 @@ constexpr std::array<Named<FlightMode>, 7> kModeNames{{
     {FlightMode::Search, "search"},
     {FlightMode::Home, "home"},
     {FlightMode::Ground, "ground"},
+    {FlightMode::Hold, "hold"},
 }};
 
 /** What the filter's part of a track is in the simple model; left out then. */
@@ -281,6 +282,9 @@ void addUav(JsonObject& object, const UavState& uav)
         object.add("via_m", *uav.via_m);
     if (uav.returnPath)
         object.addText("return_path", returnPathText(*uav.returnPath));
+    if (uav.order != FlightOrder::None)
+        object.add("order", nameOf(kFlightOrderNames, uav.order));
+    object.addUnless("hold_m", uav.hold_m, Point(Point::Zero()));
 }
 
 UavState readUav(ObjectReader& object, const RunContext& context)
@@ -310,6 +314,8 @@ UavState readUav(ObjectReader& object, const RunContext& context)
         uav.via_m = object.point("via_m", Point::Zero());
     if (const Json* path = object.find("return_path"))
         uav.returnPath = readReturnPath(*path, object.path("return_path"), object.faults());
+    uav.order = object.choice("order", FlightOrder::None, kFlightOrderNames);
+    uav.hold_m = object.point("hold_m", Point::Zero());
     return uav;
 }
 

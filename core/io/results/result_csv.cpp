@@ -113,6 +113,8 @@ std::string eventDetail(const MissionEvent& event, const Mission& mission)
     case EventKind::Alarm:
         return "in " + std::to_string(std::llround(event.entry_s)) + " s";
     case EventKind::Intervention:
+        if (event.changed == ChangedPart::Order)
+            return nameOf(kFlightOrderNames, event.order);
         return event.changed == ChangedPart::Planner ? nameOf(kPolicyNames, event.policy)
                                                      : nameOf(kChangedPartNames, event.changed);
     case EventKind::Close:

@@ -108,7 +108,7 @@ private slots:
                     int searching = -1;
                     for (int uav = 0; uav < world.uavCount(); ++uav)
                         if (world.uav(uav).search && world.uav(uav).search->iceberg == i &&
-                            !world.uav(uav).homeward())
+                            world.uav(uav).isPlanned())
                             searching = uav;
                     const bool isLost =
                         world.active(i) && world.track(i).status == TrackStatus::Lost;

@@ -185,7 +185,11 @@ QString modeText(const MissionSnapshot& shown, const UavState& uav, const QLocal
             .arg(shownName(shown.icebergs[static_cast<std::size_t>(uav.search->iceberg)]));
     case FlightMode::Home:
         return FlightNotices::tr("Returning home");
+    case FlightMode::Hold:
+        return FlightNotices::tr("Holding as ordered");
     case FlightMode::Ground:
+        if (uav.order != FlightOrder::None)
+            return FlightNotices::tr("On the ground until it is told to resume");
         return FlightNotices::tr("On the ground, takes off in %1")
             .arg(roughDurationText(uav.ground_s, locale));
     case FlightMode::Idle:

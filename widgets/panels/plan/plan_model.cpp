@@ -27,7 +27,7 @@ std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
                                      .name = section.name,
                                      .leg_m = section.length_m(),
                                      .arrival_s = section.lastArrival_s(),
-                                     .isSeen = !section.isHomeward},
+                                     .isSeen = section.isPlanned},
                              .uav = uav,
                              .visits = static_cast<int>(section.rows.size())});
         for (std::size_t k = 0; k < section.rows.size(); ++k)
@@ -213,8 +213,8 @@ QString PlanModel::uavToolTip(const PlanLine& line) const
     const QString name = tr("%1 (id %2)").arg(line.row.name, QString::fromStdString(line.row.id));
     if (!line.row.isSeen)
         return name + u'\n' +
-               tr("It is on its way home or on the ground: its next sortie is planned at "
-                  "take-off.");
+               tr("It is on its way home, on the ground or holding: it is planned again at "
+                  "take-off or when it resumes.");
     if (line.visits == 0)
         return name + u'\n' + tr("There is nothing for it to visit.");
     return name + u'\n' +

@@ -320,12 +320,13 @@ void PlanPanel::updateSpans()
 
 void PlanPanel::updateEmpty()
 {
-    const bool isHomeward = !m_sections.empty() && m_sections.front().isHomeward;
-    m_empty->setText(m_isFaulty   ? tr("There is no plan: see Checks.")
-                     : isHomeward ? tr("The UAV is on its way home or on the ground: the next "
-                                       "sortie is planned at take-off.")
-                                  : tr("Nothing to visit: there are no icebergs yet, or all of "
-                                       "them are in view."));
+    const bool isPlanned = m_sections.empty() || m_sections.front().isPlanned;
+    m_empty->setText(m_isFaulty ? tr("There is no plan: see Checks.")
+                     : !isPlanned
+                         ? tr("The UAV is on its way home, on the ground or holding: it is "
+                              "planned again at take-off or when it resumes.")
+                         : tr("Nothing to visit: there are no icebergs yet, or all of "
+                              "them are in view."));
     m_empty->setVisible(m_model->rowCount() == 0);
 }
 

@@ -17,7 +17,7 @@ PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
 {
     OrdersByUav orders = ordersOf(now);
     for (std::size_t uav = 0; uav < orders.size(); ++uav)
-        if (now.world.uavs[uav].homeward())
+        if (!now.world.uavs[uav].isPlanned())
             orders[uav].clear();
     return forecastPlan(forecastStart(now), orders, std::max(0.0, scenario.duration_s - now.time_s),
                         now.plan->clusters);
@@ -202,9 +202,9 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
         section.uav = scenario.uavs[u].id;
         section.name = shownName(scenario.uavs[u]);
         section.place = place;
-        section.isHomeward = now.world.uavs[u].homeward();
+        section.isPlanned = now.world.uavs[u].isPlanned();
         const PlanEvent* plan = planOf(now, place);
-        if (plan == nullptr || section.isHomeward || u >= forecast.uavs.size())
+        if (plan == nullptr || !section.isPlanned || u >= forecast.uavs.size())
             continue;
         section.rows = plan->outlook ? aimedRows(now, *plan) : straightRows(now, forecast.uavs[u]);
         leaveForNextSortie(section.rows, *plan);

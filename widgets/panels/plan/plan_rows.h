@@ -33,10 +33,10 @@ struct ReturnLeg
 /** What one UAV is to visit. */
 struct PlanSection
 {
-    std::string uav;         ///< id
-    QString name;            ///< never empty, likewise
-    int place = 0;           ///< in the scenario: it gives the colour
-    bool isHomeward = false; ///< on its way home or on the ground, where nothing is planned
+    std::string uav;       ///< id
+    QString name;          ///< never empty, likewise
+    int place = 0;         ///< in the scenario: it gives the colour
+    bool isPlanned = true; ///< not on its way home, on the ground or holding
     std::vector<PlanRow> rows;
     std::optional<ReturnLeg> returns; ///< after the rows that are seen
 

@@ -112,8 +112,8 @@ private slots:
         f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423});
         QCOMPARE(summary.text().section(u'\n', 1),
                  u"ζ at the end by this plan alone: 84\u202f420 m² s"_s);
-        f.panel.showPlan(planOf(std::vector<PlanRow>(), true));
-        QVERIFY(test::child<QLabel>(f.panel, u"planEmpty"_s).text().contains(u"next sortie"_s));
+        f.panel.showPlan(planOf(std::vector<PlanRow>(), false));
+        QVERIFY(test::child<QLabel>(f.panel, u"planEmpty"_s).text().contains(u"planned again"_s));
         f.panel.showPlan({});
         f.panel.showOutlook(std::nullopt);
         QVERIFY(summary.text().isEmpty());

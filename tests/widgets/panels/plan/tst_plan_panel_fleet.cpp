@@ -46,7 +46,7 @@ private slots:
         COMPARE_NEAR(sections[1].length_m(), 1000.0, 1e-9); // due south, at 10 m/s
         COMPARE_NEAR(sections[1].lastArrival_s(), 100.0, 1e-9);
         now.world.uavs[1].mode = FlightMode::Home;
-        QVERIFY(planSections(now, scenario)[1].isHomeward);
+        QVERIFY(!planSections(now, scenario)[1].isPlanned);
         QVERIFY(planSections(now, scenario)[1].rows.empty());
     }
 
@@ -79,7 +79,7 @@ private slots:
         Fixture f;
         std::vector<PlanSection> sections = twoUavSections();
         sections[0].rows.clear();
-        sections[0].isHomeward = true;
+        sections[0].isPlanned = false;
         f.panel.showPlan(sections);
         QCOMPARE(f.cell(0, PlanModel::Arrival), u"later"_s);
         const QString toolTip = f.model.index(0, PlanModel::Name).data(Qt::ToolTipRole).toString();
