@@ -484,10 +484,6 @@
         <translation>Tok av</translation>
     </message>
     <message>
-        <source>The wind has changed: home cannot be reached in time</source>
-        <translation>Vinden har endret seg: hjem kan ikke nås i tide</translation>
-    </message>
-    <message>
         <source>iceberg left the area</source>
         <translation>isfjell forlot området</translation>
     </message>
@@ -546,6 +542,22 @@
     <message>
         <source>Back inside the geofence</source>
         <translation>Innenfor geogjerdet igjen</translation>
+    </message>
+    <message>
+        <source>Told to resume</source>
+        <translation>Fikk beskjed om å fortsette</translation>
+    </message>
+    <message>
+        <source>Told to return now</source>
+        <translation>Fikk beskjed om å fly hjem nå</translation>
+    </message>
+    <message>
+        <source>Told to hold here</source>
+        <translation>Fikk beskjed om å holde her</translation>
+    </message>
+    <message>
+        <source>Home cannot be reached in time</source>
+        <translation>Kan ikke komme hjem i tide</translation>
     </message>
 </context>
 <context>
@@ -1171,6 +1183,14 @@
     <message>
         <source>Wind above its limit: %1, limit %2</source>
         <translation>Vind over grensen: %1, grense %2</translation>
+    </message>
+    <message>
+        <source>Holding as ordered</source>
+        <translation>Holder som beordret</translation>
+    </message>
+    <message>
+        <source>On the ground until it is told to resume</source>
+        <translation>På bakken til den får beskjed om å fortsette</translation>
     </message>
 </context>
 <context>
@@ -3273,10 +3293,6 @@
         <translation>Denne strategien planlegger isfjell ett for ett: flere i ett synsfelt planlegges ikke som ett punkt.</translation>
     </message>
     <message>
-        <source>Starts near another UAV in the same altitude layer: let their altitudes differ by 30 m.</source>
-        <translation>Starter nær en annen UAV i samme høydelag: la høydene deres skille seg med 30 m.</translation>
-    </message>
-    <message>
         <source>Icebergs are planned as one point for one UAV only; with several each is planned by itself.</source>
         <translation>Isfjell planlegges som ett punkt bare for én UAV; med flere planlegges hvert for seg.</translation>
     </message>
@@ -3351,6 +3367,10 @@
     <message>
         <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
         <translation>Godkjenningsradien er større enn halve synsfeltet, så isfjell regnes som nådd uten å være sett.</translation>
+    </message>
+    <message>
+        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by 30 m.</source>
+        <translation>Starter for nær en annen UAV i samme høydelag: de flyr først fra hverandre. La høydene skille 30 m.</translation>
     </message>
 </context>
 <context>
@@ -6519,6 +6539,18 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>No-fly area</source>
         <translation>Flyforbudsområde</translation>
     </message>
+    <message>
+        <source>&amp;Return home now</source>
+        <translation>Fly h&amp;jem nå</translation>
+    </message>
+    <message>
+        <source>&amp;Hold here</source>
+        <translation>&amp;Hold her</translation>
+    </message>
+    <message>
+        <source>Res&amp;ume</source>
+        <translation>Fo&amp;rtsett</translation>
+    </message>
 </context>
 <context>
     <name>berg::MissionRunner</name>
@@ -6715,10 +6747,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         </translation>
     </message>
     <message>
-        <source>It is on its way home or on the ground: its next sortie is planned at take-off.</source>
-        <translation>Den er på vei hjem eller på bakken: neste tur planlegges når den tar av.</translation>
-    </message>
-    <message>
         <source>There is nothing for it to visit.</source>
         <translation>Den har ingenting å besøke.</translation>
     </message>
@@ -6730,6 +6758,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Assigned to %1</source>
         <translation>Tildelt %1</translation>
+    </message>
+    <message>
+        <source>It is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <translation>Den er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
     </message>
 </context>
 <context>
@@ -6797,16 +6829,16 @@ whatever the policy and however tightly the UAV turns.</source>
 uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
-        <source>The UAV is on its way home or on the ground: the next sortie is planned at take-off.</source>
-        <translation>UAV-en er på vei hjem eller på bakken: neste tokt planlegges ved avgang.</translation>
-    </message>
-    <message>
         <source>Out of radio range for %1</source>
         <translation>Utenfor rekkevidde i %1</translation>
     </message>
     <message>
         <source>Home %1 before the reserve (5 %: %2)</source>
         <translation>Hjemme %1 før reserven (5 %: %2)</translation>
+    </message>
+    <message>
+        <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <translation>UAV-en er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
     </message>
 </context>
 <context>
