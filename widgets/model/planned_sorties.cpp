@@ -31,7 +31,7 @@ std::vector<std::optional<PlannedPath>> plannedPaths(const MissionSnapshot& now,
         forecastPlan(forecastStart(now), ordersOf(now), 0, now.plan->clusters);
     for (std::size_t uav = 0; uav < uavs; ++uav) {
         const PlanEvent* plan = planOf(now, static_cast<int>(uav));
-        if (plan != nullptr && plan->legs.empty() && !now.world.uavs[uav].homeward())
+        if (plan != nullptr && plan->legs.empty() && now.world.uavs[uav].isPlanned())
             paths[uav] = pathOf(now, uav, forecast.uavs[uav]);
     }
     return paths;
