@@ -215,7 +215,7 @@ private slots:
         const Scenario before = f.scenario();
         f.selection.set({noFlyKey(1)});
         QCOMPARE(test::child<QLabel>(f.panel, u"inspectorTitle"_s).text(), u"No-fly area"_s);
-        f.type(u"noFlyName"_s, u"Rig"_s);
+        test::enter(test::child<QLineEdit>(f.panel, u"noFlyName"_s), u"Rig"_s);
         f.type(u"noFlyFloor"_s, u"50"_s);
         f.type(u"noFlyCeiling"_s, u"300"_s);
         const NoFlyArea& area = f.scenario().noFly[1];
