@@ -230,7 +230,7 @@ private:
         return orders;
     }
 
-    /** Available to this UAV, to no other one, and in nobody's order. */
+    /** Available to this UAV, to no other one, and not in the order of one that is not asked. */
     [[nodiscard]] std::vector<int> keptFor(const PlanRequest& request, const UavRequest& uav) const
     {
         std::vector<int> kept;
@@ -241,8 +241,10 @@ private:
                                             return other.uav != uav.uav &&
                                                    isAvailable(request, other, id);
                                         }) &&
-                   std::ranges::none_of(m_rests, [id](const auto& rest) {
-                       return std::ranges::find(rest.second, id) != rest.second.end();
+                   std::ranges::none_of(m_rests, [&](const auto& rest) {
+                       return std::ranges::find(request.uavs, rest.first, &UavRequest::uav) ==
+                                  request.uavs.end() &&
+                              std::ranges::find(rest.second, id) != rest.second.end();
                    });
         });
         return kept;

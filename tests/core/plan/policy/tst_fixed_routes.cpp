@@ -69,6 +69,10 @@ private slots:
         QVERIFY(!answer.uavs[0].order.empty());
         QCOMPARE(answer.uavs[1].order, std::vector<int>{4});
         QCOMPARE(path->plan(now, {}).uavs[1].order, std::vector<int>{4});
+        // Assigned in flight, although it is in the other one's part.
+        now.uavs[0].available = {true, true, false, false};
+        now.uavs[1].available = {false, false, true, false};
+        QCOMPARE(path->plan(now, {}).uavs[1].order, std::vector<int>{3});
     }
 
     void init()
