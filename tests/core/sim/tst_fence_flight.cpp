@@ -73,7 +73,7 @@ private slots:
             Scenario s = fencedScenario(k + 1);
             s.area_m = {{-3000, -3000}, {3000, -3000}, {3000, 3000}, {-3000, 3000}};
             s.uavs[0].position_m = {2900, 50.0 * k - 1500};
-            s.uavs[0].heading_deg = 86 + k / 8.0; // about east, the fence 100 m ahead
+            s.uavs[0].heading_deg = 88 + k / 15.0; // about east, the fence 100 m ahead
             for (Iceberg& iceberg : s.icebergs)
                 iceberg.position_m = {0, 0};
             s.duration_s = 120;
