@@ -29,7 +29,7 @@ inline Scenario hostile()
         s.asset = Asset{
             .name = "]]><!--", .position_m = Point(9000, 100), .standoff_m = 300, .extraJson = {}};
         s.geofence = true;
-        s.noFly = {{.name = "]]></name>\xFF, \"b\"",
+        s.noFly = {{.name = "]]></name>, \"b\"",
                     .corners_m = {{8000, 0}, {8500, 0}, {8500, 500}},
                     .floor_m = 50,
                     .ceiling_m = 500}};
