@@ -28,16 +28,23 @@ std::vector<double> altitudes_m(const Scenario& scenario)
     return result_m;
 }
 
+std::shared_ptr<const Scenario> boundsOf(const Scenario& scenario)
+{
+    auto bounds = std::make_shared<Scenario>();
+    bounds->duration_s = scenario.duration_s;
+    bounds->area_m = scenario.area_m;
+    bounds->geofence = scenario.geofence;
+    bounds->noFly = scenario.noFly;
+    bounds->asset = scenario.asset;
+    return bounds;
+}
+
 } // namespace
 
 Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
     : m_clusters(scenario.clusters && scenario.uavs.size() == 1)
     , m_separation_m(scenario.separation_m)
-    , m_bounds{.duration_s = scenario.duration_s,
-               .area_m = scenario.area_m,
-               .geofence = scenario.geofence,
-               .noFly = scenario.noFly,
-               .asset = scenario.asset}
+    , m_bounds(boundsOf(scenario))
     , m_observer(scenario, noise)
     , m_separation(scenario.separation_m, altitudes_m(scenario))
 {
@@ -296,13 +303,15 @@ void Fleet::setWind(const Point& wind_mps)
 void Fleet::setAsset(const Asset& asset)
 {
     m_observer.world().setAsset(asset);
-    const bool hadRing = m_bounds.asset && m_bounds.asset->standoff_m > 0;
-    m_bounds.asset = asset;
+    const bool hadRing = m_bounds->asset && m_bounds->asset->standoff_m > 0;
+    auto bounds = std::make_shared<Scenario>(*m_bounds);
+    bounds->asset = asset;
+    m_bounds = std::move(bounds);
     if (!hadRing && asset.standoff_m == 0)
         return;
     for (int uav = 0; uav < count(); ++uav) {
         Autopilot& me = m_autopilots[toIndex(uav)];
-        me.setFence(fenceOf(m_bounds, me.altitude_m(), me.motion()), m_observer);
+        me.setFence(fenceOf(*m_bounds, me.altitude_m(), me.motion()), m_observer);
         sendHomeWhenLate(uav);
     }
 }

@@ -65,7 +65,8 @@ private:
 
     bool m_clusters;
     double m_separation_m;
-    Scenario m_bounds; ///< of the scenario what `fenceOf` asks for
+    /** Of the scenario what `fenceOf` asks for; shared by the copies that are put on record. */
+    std::shared_ptr<const Scenario> m_bounds;
     Observer m_observer;
     std::vector<Autopilot> m_autopilots;
     Separation m_separation;
