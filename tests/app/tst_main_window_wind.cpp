@@ -243,6 +243,23 @@ private slots:
         QVERIFY(repeats(*flownRun(w)));
     }
 
+    /** To the only UAV there is, without a selection. */
+    void ordersToAUav()
+    {
+        WindowFixture w(windyScenario());
+        QVERIFY(!w.action(u"holdAction"_s).isEnabled());
+        QVERIFY(flyTo(w, 10));
+        w.trigger(u"holdAction"_s);
+        const auto mode = [&] { return w.record().now.world.uavs.front().mode; };
+        QVERIFY(w.until([&] { return mode() == FlightMode::Hold; }));
+        QVERIFY(flyTo(w, 20));
+        w.trigger(u"returnAction"_s);
+        QVERIFY(w.until([&] { return mode() == FlightMode::Home; }));
+        w.trigger(u"resumeAction"_s);
+        QVERIFY(w.until([&] { return w.record().now.world.uavs.front().isPlanned(); }));
+        QVERIFY(repeats(*flownRun(w)));
+    }
+
     void icebergsOfTheContextMenu()
     {
         WindowFixture w(windyScenario());
