@@ -124,7 +124,7 @@ struct Scenario
     std::vector<Point> area_m;         ///< icebergs outside are not monitored; empty: unbounded
     bool geofence = false;             ///< the UAVs stay inside the area
     std::vector<NoFlyArea> noFly;
-    /** UAVs of one altitude layer closer than this, horizontally, are warned of; 0: never. */
+    /** UAVs of one altitude layer are kept so far apart, horizontally; 0: they are not. */
     double separation_m = 200;
     Weather weather;
     std::optional<GroundStation> groundStation;
