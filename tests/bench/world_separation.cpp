@@ -28,6 +28,7 @@ Row rowOf(const test::FleetFlight& flight, double separation_m)
             flight.longest_s,
             static_cast<double>(flight.landings),
             static_cast<double>(flight.late),
+            static_cast<double>(flight.spent),
             flight.isInside ? 0.0 : 1.0,
             flight.least_m < separation_m ? 1.0 : 0.0};
 }
@@ -70,8 +71,8 @@ private:
 
 void separation(int scenarios)
 {
-    std::printf("%-24s %11s %11s %11s %11s %11s %11s %11s\n", "", "zeta", "visits", "longest wait",
-                "landings", "late", "outside", "too near");
+    std::printf("%-24s %11s %11s %11s %11s %11s %11s %11s %11s\n", "", "zeta", "visits",
+                "longest wait", "landings", "late", "spent", "outside", "too near");
     for (const int uavs : {2, 3, 5}) {
         Pairs pairs;
         for (int seed = 1; seed <= std::min(scenarios, 50); ++seed)

@@ -114,7 +114,8 @@ struct FleetFlight
     double zeta_m2s = 0;
     int visits = 0;
     int landings = 0;
-    int late = 0;
+    int late = 0;  ///< told that part of the reserve is needed
+    int spent = 0; ///< landings after the whole endurance
     double longest_s =
         0; ///< that one of them had a target, or home to go to, and did not get there
 };
@@ -124,6 +125,7 @@ inline FleetFlight flownFleet(const Scenario& s)
     FleetFlight flight;
     Mission mission(s, {.workLimit = 3'000, .record = false});
     std::vector<double> since_s(s.uavs.size());
+    std::vector<double> tookOff_s(s.uavs.size());
     std::size_t told = 0;
     const int count = static_cast<int>(s.uavs.size());
     while (!mission.simulation().finished()) {
@@ -146,6 +148,13 @@ inline FleetFlight flownFleet(const Scenario& s)
             const MissionEvent& event = mission.events()[told];
             flight.landings += event.kind == EventKind::Landed ? 1 : 0;
             flight.late += event.kind == EventKind::LateHome ? 1 : 0;
+            if (event.kind == EventKind::TookOff)
+                tookOff_s[toIndex(event.uav)] = event.time_s;
+            if (event.kind == EventKind::Landed)
+                flight.spent += event.time_s - tookOff_s[toIndex(event.uav)] >
+                                        s.uavs[toIndex(event.uav)].spec.endurance_s
+                                    ? 1
+                                    : 0;
             if (event.kind == EventKind::Reached || event.kind == EventKind::HomeBound)
                 since_s[toIndex(event.uav)] = event.time_s;
         }
