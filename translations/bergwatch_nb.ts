@@ -4501,7 +4501,7 @@
         <translation>Best dekning</translation>
     </message>
     <message>
-        <source>Weighted visiting order (published method)</source>
+        <source>Weighted visiting order (as published)</source>
         <translation>Vektet besøksrekkefølge (som publisert)</translation>
     </message>
     <message>
