@@ -6544,8 +6544,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Fly h&amp;jem nå</translation>
     </message>
     <message>
-        <source>&amp;Hold here</source>
-        <translation>&amp;Hold her</translation>
+        <source>Hold here</source>
+        <translation>Hold her</translation>
     </message>
     <message>
         <source>Res&amp;ume</source>

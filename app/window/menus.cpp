@@ -260,7 +260,7 @@ void Menus::buildFlightMenu()
                                       [this, order] { workspace().order(orderedUavs(), order); }));
     };
     addOrder("returnAction", tr("&Return home now"), FlightOrder::ReturnNow);
-    addOrder("holdAction", tr("&Hold here"), FlightOrder::HoldHere);
+    addOrder("holdAction", tr("Hold here"), FlightOrder::HoldHere);
     addOrder("resumeAction", tr("Res&ume"), FlightOrder::None);
     m_shared.wind = add(menu, {"windAction", tr("Win&d..."), Qt::Key_W, std::nullopt},
                         [this] { m_targets.dialogs.askWind(); });

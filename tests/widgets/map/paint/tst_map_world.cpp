@@ -221,11 +221,11 @@ private slots:
         FlightRecord record =
             recordOfStart(changed([](Scenario& s) { s.uavs.front().spec.endurance_s = 900; }));
         record.now.world.uavs[0].aloft_s = 185;
-        const MapReadout aloft = missionPicture(record, kLocale).readouts.back();
+        const MapReadout aloft = missionPicture(record, kLocale).readouts[3];
         QCOMPARE(aloft.caption, u"Endurance left"_s);
-        QCOMPARE(aloft.value, u"11:55"_s);
+        QCOMPARE(aloft.value, u"08:55"_s);                  // before the reserve of 20 %
         record.now.world.uavs[0].mode = FlightMode::Ground; // made ready again
-        QCOMPARE(missionPicture(record, kLocale).readouts.back().value, u"15:00"_s);
+        QCOMPARE(missionPicture(record, kLocale).readouts[3].value, u"12:00"_s);
         QCOMPARE(missionPicture(recordOfStart(fourIcebergs()), kLocale).readouts.size(),
                  std::size_t{3});
     }

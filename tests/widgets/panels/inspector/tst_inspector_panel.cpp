@@ -343,7 +343,9 @@ private slots:
     {
         QFETCH(QString, key);
         QFETCH(QString, id);
-        Fixture f;
+        Scenario scenario = threeIcebergs();
+        scenario.groundStation = GroundStation{.antenna_m = 5, .range_m = 500};
+        Fixture f(scenario);
         if (!id.isEmpty())
             f.selection.set({id.toStdString()});
         NumberField& field = f.number(key);
