@@ -6549,7 +6549,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Res&amp;ume</source>
-        <translation>Fo&amp;rtsett</translation>
+        <translation>Fortsett</translation>
     </message>
 </context>
 <context>
