@@ -13,8 +13,6 @@ namespace berg {
 
 namespace {
 
-using Places = std::span<const PlannedPlace>;
-
 constexpr int kFlights = 1000;
 constexpr int kLow = kFlights / 20;
 constexpr double kWindError_mps = 1;
@@ -28,16 +26,15 @@ struct Air
     Point wind_mps = Point::Zero();
 };
 
-/** Of the path and home from its end; without end where the wind is too strong. */
-double sortieTime_s(Places places, const Point& home_m, const Air& air)
+/** Through these places; without end where the wind is too strong. */
+double time_s(std::span<const Point> places_m, const Air& air)
 {
     if (air.wind_mps.norm() >= air.airspeed_mps)
         return std::numeric_limits<double>::infinity();
     double time_s = 0;
-    for (std::size_t i = 1; i < places.size(); ++i)
-        time_s +=
-            flightTime_s(places[i].place_m - places[i - 1].place_m, air.airspeed_mps, air.wind_mps);
-    return time_s + flightTime_s(home_m - places.back().place_m, air.airspeed_mps, air.wind_mps);
+    for (std::size_t i = 1; i < places_m.size(); ++i)
+        time_s += flightTime_s(places_m[i] - places_m[i - 1], air.airspeed_mps, air.wind_mps);
+    return time_s;
 }
 
 Air airOf(const Uav& uav, const PlannedPath& path)
@@ -45,39 +42,64 @@ Air airOf(const Uav& uav, const PlannedPath& path)
     return {.airspeed_mps = uav.spec.airspeed_mps, .wind_mps = path.wind_mps};
 }
 
-Places sortieOf(const PlannedPath& path)
+/** Goes on to the place, round the fence. */
+void flyTo(std::vector<Point>& flown_m, const Point& place_m, const Geofence* fence)
 {
-    return Places(path.places)
-        .first(std::clamp<std::size_t>(path.thisSortie, 1, path.places.size()));
+    if (fence != nullptr)
+        for (const Point& corner_m : fence->cornersBetween(flown_m.back(), place_m))
+            flown_m.push_back(corner_m);
+    flown_m.push_back(place_m);
 }
 
-PlannedPlace between(const PlannedPlace& from, const PlannedPlace& to, double part)
+/** This sortie as far as the last iceberg, with home at its end where the endurance is limited. */
+std::vector<Point> sortiePath_m(const Uav& uav, const PlannedPath& path)
 {
-    return {.time_s = std::lerp(from.time_s, to.time_s, part),
-            .place_m = from.place_m + part * (to.place_m - from.place_m)};
+    const std::size_t count = std::clamp<std::size_t>(path.thisSortie, 1, path.places_m.size());
+    std::vector<Point> flown_m{path.places_m.front()};
+    for (std::size_t i = 1; i < count; ++i)
+        flyTo(flown_m, path.places_m[i], path.fence.get());
+    if (const std::optional<SortieSpec> sortie = sortieOf(uav))
+        flyTo(flown_m, sortie->home_m, path.fence.get());
+    return flown_m;
 }
 
 /** Where the margin ends, which never grows along the path. */
-std::optional<PlannedPlace> noReturn(Places places, const Point& home_m, const Air& air,
-                                     double left_s)
+std::optional<NoReturn> noReturn(const PlannedPath& path, const Point& home_m, const Air& air,
+                                 double left_s)
 {
-    constexpr int kHalvings = 40;
-    const auto isLate = [&](const PlannedPlace& at) {
-        return at.time_s + flightTime_s(home_m - at.place_m, air.airspeed_mps, air.wind_mps) >
-               left_s;
+    constexpr int kHalvings = 20;
+    const auto isLate = [&](double flown_s, const Point& place_m) {
+        std::vector<Point> back_m{place_m};
+        flyTo(back_m, home_m, path.fence.get());
+        return flown_s + time_s(back_m, air) > left_s;
     };
-    const auto late = std::ranges::find_if(places, isLate);
-    if (late == places.end())
-        return std::nullopt;
-    if (late == places.begin())
-        return *late;
-    double home = 0;
-    double gone = 1;
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = (home + gone) / 2;
-        (isLate(between(*(late - 1), *late, middle)) ? gone : home) = middle;
+    if (isLate(0, path.places_m.front()))
+        return NoReturn{.path_m = {path.places_m.front()}};
+    double flown_s = 0;
+    for (std::size_t i = 1; i < path.places_m.size(); ++i) {
+        std::vector<Point> leg_m{path.places_m[i - 1]};
+        flyTo(leg_m, path.places_m[i], path.fence.get());
+        for (std::size_t k = 1; k < leg_m.size(); ++k) {
+            const Point piece_m = leg_m[k] - leg_m[k - 1];
+            const double piece_s = flightTime_s(piece_m, air.airspeed_mps, air.wind_mps);
+            if (!isLate(flown_s + piece_s, leg_m[k])) {
+                flown_s += piece_s;
+                continue;
+            }
+            double inTime = 0;
+            double late = 1;
+            for (int round = 0; round < kHalvings; ++round) {
+                const double middle = (inTime + late) / 2;
+                (isLate(flown_s + middle * piece_s, leg_m[k - 1] + middle * piece_m) ? late
+                                                                                     : inTime) =
+                    middle;
+            }
+            leg_m.resize(k);
+            leg_m.push_back(leg_m.back() + inTime * piece_m);
+            return NoReturn{.time_s = flown_s + inTime * piece_s, .path_m = std::move(leg_m)};
+        }
     }
-    return between(*(late - 1), *late, home);
+    return std::nullopt;
 }
 
 /** Part of a straight leg that lies within the circle. */
@@ -97,13 +119,13 @@ double shareInside(const Point& from_m, const Point& to_m, const Point& centre_m
     return out - in;
 }
 
-double noContact_s(Places places, const Point& centre_m, double radius_m)
+double noContact_s(std::span<const Point> places_m, const Air& air, const Point& centre_m,
+                   double radius_m)
 {
     double outside_s = 0;
-    for (std::size_t i = 1; i < places.size(); ++i)
-        outside_s +=
-            (places[i].time_s - places[i - 1].time_s) *
-            (1 - shareInside(places[i - 1].place_m, places[i].place_m, centre_m, radius_m));
+    for (std::size_t i = 1; i < places_m.size(); ++i)
+        outside_s += time_s(places_m.subspan(i - 1, 2), air) *
+                     (1 - shareInside(places_m[i - 1], places_m[i], centre_m, radius_m));
     return outside_s;
 }
 
@@ -119,30 +141,29 @@ double linkRange_m(const GroundStation& station, double height_m)
 SortieOutlook sortieOutlook(const Scenario& scenario, const Uav& uav, const PlannedPath& path)
 {
     SortieOutlook outlook;
-    if (path.places.empty())
+    if (path.places_m.empty())
         return outlook;
     const Air air = airOf(uav, path);
-    std::vector<PlannedPlace> flown(sortieOf(path).begin(), sortieOf(path).end());
+    const std::vector<Point> flown_m = sortiePath_m(uav, path);
     if (const std::optional<SortieSpec> sortie = sortieOf(uav)) {
         const double left_s = sortie->endurance_s - path.aloft_s;
-        const double home_s = sortieTime_s(flown, sortie->home_m, air);
-        outlook.margin_s = left_s - home_s;
-        outlook.noReturn = noReturn(path.places, sortie->home_m, air, left_s);
-        flown.push_back({.time_s = home_s, .place_m = sortie->home_m});
+        outlook.margin_s = left_s - time_s(flown_m, air);
+        outlook.noReturn = noReturn(path, sortie->home_m, air, left_s);
     }
     if (const std::optional<GroundStation>& station = scenario.groundStation)
-        outlook.noContact_s =
-            noContact_s(flown, station->position_m, linkRange_m(*station, uav.spec.altitude_m));
+        outlook.noContact_s = noContact_s(flown_m, air, station->position_m,
+                                          linkRange_m(*station, uav.spec.altitude_m));
     return outlook;
 }
 
 std::optional<double> lowMargin_s(const Uav& uav, const PlannedPath& path)
 {
     const std::optional<SortieSpec> sortie = sortieOf(uav);
-    if (!sortie || path.places.empty())
+    if (!sortie || path.places_m.empty())
         return std::nullopt;
     Random random(0, stableHash("wind and airspeed"));
     const Air air = airOf(uav, path);
+    const std::vector<Point> flown_m = sortiePath_m(uav, path);
     const double windError_mps = kWindError_mps + kWindErrorShare * air.wind_mps.norm();
     std::vector<double> margins_s;
     for (int flight = 0; flight < kFlights; ++flight) {
@@ -151,8 +172,7 @@ std::optional<double> lowMargin_s(const Uav& uav, const PlannedPath& path)
         const Air drawn{.airspeed_mps =
                             air.airspeed_mps * (1 + kAirspeedErrorShare * random.normal()),
                         .wind_mps = air.wind_mps + windError_mps * Point(east, north)};
-        margins_s.push_back(sortie->endurance_s - path.aloft_s -
-                            sortieTime_s(sortieOf(path), sortie->home_m, drawn));
+        margins_s.push_back(sortie->endurance_s - path.aloft_s - time_s(flown_m, drawn));
     }
     const auto low = margins_s.begin() + kLow;
     std::nth_element(margins_s.begin(), low, margins_s.end());

@@ -1,30 +1,32 @@
 #pragma once
 
 #include "core/base/issue.h"
-#include "core/scenario/scenario.h"
+#include "core/scenario/fence.h"
 
+#include <memory>
 #include <vector>
 
 namespace berg {
 
-/** When a UAV is somewhere; the time is that from the start of its path. */
-struct PlannedPlace
-{
-    double time_s = 0;
-    Point place_m = Point::Zero();
-};
-
 /** What is planned for one UAV. */
 struct PlannedPath
 {
-    /** From the UAV past all icebergs of its order, straight in between. */
-    std::vector<PlannedPlace> places;
+    /** The UAV, then where it is to meet each iceberg of its order. */
+    std::vector<Point> places_m;
     std::size_t thisSortie = 0; ///< so many of them, the first included, are before going home
     double aloft_s = 0;         ///< since take-off, at the start
     Point wind_mps = Point::Zero();
+    std::shared_ptr<const Geofence> fence; ///< that the legs lead round; null: none
 };
 
-/** What an operator must know of it besides the order. */
+/** Where a plan cannot be left for home any more with the reserve whole. */
+struct NoReturn
+{
+    double time_s = 0;         ///< from the start of the path
+    std::vector<Point> path_m; ///< to there, from the last place before
+};
+
+/** What an operator must know of a plan besides the order. */
 struct SortieOutlook
 {
     /**
@@ -32,13 +34,12 @@ struct SortieOutlook
      * plan: flying on makes the path home shorter by no more than what was flown. None: unlimited.
      */
     std::optional<double> margin_s;
-    /** On the path past all icebergs: from there on coming home takes part of the reserve. None: it
-     * never does. */
-    std::optional<PlannedPlace> noReturn;
-    double noContact_s = 0; ///< out of the range of the ground station; 0 without one
+    std::optional<NoReturn> noReturn; ///< on the path past all icebergs; none: nowhere
+    double noContact_s = 0;           ///< out of the range of the ground station; 0 without one
 };
 
-/** Legs are straight, flown at the airspeed in the wind (`LegFlight`). */
+/** Legs are straight, or straight from corner to corner of the fence, flown at the airspeed in the
+ * wind (`LegFlight`). */
 [[nodiscard]] SortieOutlook sortieOutlook(const Scenario& scenario, const Uav& uav,
                                           const PlannedPath& path);
 

@@ -5,12 +5,13 @@ namespace {
 
 PlannedPath pathOf(const MissionSnapshot& now, std::size_t uav, const RouteForecast& route)
 {
-    PlannedPath path{.places = {{.place_m = now.world.uavs[uav].pose.position_m}},
+    PlannedPath path{.places_m = {now.world.uavs[uav].pose.position_m},
                      .thisSortie = 1,
                      .aloft_s = now.world.uavs[uav].aloft_s,
-                     .wind_mps = now.motions[uav].wind_mps};
+                     .wind_mps = now.motions[uav].wind_mps,
+                     .fence = now.fences[uav]};
     for (const ForecastVisit& visit : route.visits)
-        path.places.push_back({.time_s = visit.arrival_s, .place_m = visit.place_m});
+        path.places_m.push_back(visit.place_m);
     const PlanEvent& plan = *planOf(now, static_cast<int>(uav));
     path.thisSortie +=
         static_cast<std::size_t>(plan.thisSortie.value_or(static_cast<int>(route.visits.size())));

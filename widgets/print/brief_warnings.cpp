@@ -244,12 +244,16 @@ std::vector<bool> visitedIcebergs(const ExportContent& content)
 
 PlannedPath plannedPath(const ExportContent& content, const ExportUav& uav)
 {
-    PlannedPath path{.places = {{.place_m = uav.uav.position_m}}, .wind_mps = content.wind_mps};
+    const UavSpec& spec = uav.uav.spec;
+    PlannedPath path{.places_m = {uav.uav.position_m}, .wind_mps = content.wind_mps};
     for (const Visit& visit : uav.visits)
         if (visit.iceberg >= 0)
-            path.places.push_back(
-                {.time_s = visit.time_s - uav.start_s, .place_m = visit.position_m});
-    path.thisSortie = path.places.size();
+            path.places_m.push_back(visit.position_m);
+    path.thisSortie = path.places_m.size();
+    path.fence = fenceOf(*content.scenario, spec.altitude_m,
+                         {.airspeed_mps = spec.airspeed_mps,
+                          .limit_radps = maxTurnRate_radps(spec),
+                          .wind_mps = content.wind_mps});
     return path;
 }
 

@@ -305,14 +305,14 @@ private slots:
     {
         Scenario s = enduring(4);
         Mission late(s);
-        late.advance(1000);
+        late.advance(800);
         QVERIFY(*homeMargin_s(late.simulation()) > 0);
         late.intervene({.wind_mps = Point(20, 0)}); // home is in the west
         QCOMPARE(late.simulation().uav(0).mode, FlightMode::Home);
         QVERIFY(*homeMargin_s(late.simulation()) < 0);
-        late.advance(1001);
+        late.advance(801);
         QCOMPARE(timesOf(late, EventKind::LateHome).size(), std::size_t{1});
-        QVERIFY(std::abs(timesOf(late, EventKind::HomeBound).at(0) - 1000) < 0.2);
+        QVERIFY(std::abs(timesOf(late, EventKind::HomeBound).at(0) - 800) < 0.2);
 
         Mission coped(s);
         coped.advance(600);

@@ -20,12 +20,12 @@ Uav uavOf()
 }
 
 /** East from the origin and on: all is of this sortie unless said. */
-PlannedPath pathTo(std::initializer_list<double> east_m, double speed_mps)
+PlannedPath pathTo(std::initializer_list<double> east_m)
 {
-    PlannedPath path{.places = {{}}};
+    PlannedPath path{.places_m = {{0, 0}}};
     for (const double x_m : east_m)
-        path.places.push_back({.time_s = x_m / speed_mps, .place_m = {x_m, 0}});
-    path.thisSortie = path.places.size();
+        path.places_m.emplace_back(x_m, 0);
+    path.thisSortie = path.places_m.size();
     return path;
 }
 
@@ -41,7 +41,7 @@ double percentileBySampling(const PlannedPath& path, double airspeed_mps, double
         const double east_mps = path.wind_mps.x() + windSd_mps * normal(engine);
         const double north_mps = path.wind_mps.y() + windSd_mps * normal(engine);
         const double along_mps = std::sqrt(u_mps * u_mps - north_mps * north_mps);
-        const double length_m = path.places.back().place_m.x();
+        const double length_m = path.places_m.back().x();
         margins_s.push_back(usable_s - length_m / (along_mps + east_mps) -
                             length_m / (along_mps - east_mps));
     }
@@ -59,7 +59,7 @@ private slots:
     void reserveClimbAndLandingAreKept()
     {
         Uav uav = uavOf();
-        const PlannedPath path = pathTo({4000}, 20);
+        const PlannedPath path = pathTo({4000});
         COMPARE_NEAR(sortieOutlook({}, uav, path).margin_s.value(), 800.0 - 400, 1e-9);
         uav.spec.climb_s = 50;
         uav.spec.landing_s = 30;
@@ -76,27 +76,47 @@ private slots:
     void noReturnIsWhereTheReserveBegins()
     {
         const Uav uav = uavOf();
-        PlannedPath path = pathTo({3000, 12000}, 20);
+        PlannedPath path = pathTo({3000, 12000});
         path.thisSortie = 2; // the second one is left for the next
         const SortieOutlook outlook = sortieOutlook({}, uav, path);
-        COMPARE_NEAR(outlook.noReturn.value().time_s, 400.0, 1e-6);
-        COMPARE_NEAR(outlook.noReturn->place_m.x(), 8000.0, 1e-4);
+        COMPARE_NEAR(outlook.noReturn.value().time_s, 400.0, 1e-3);
+        COMPARE_NEAR(outlook.noReturn->path_m.back().x(), 8000.0, 0.02);
         COMPARE_NEAR(outlook.margin_s.value(), 500.0, 1e-9);
-        QVERIFY(!sortieOutlook({}, uav, pathTo({7999}, 20)).noReturn);
+        QVERIFY(!sortieOutlook({}, uav, pathTo({7999})).noReturn);
 
         // Out at 25 m/s, home at 15: t + 25 t / 15 = 800.
-        PlannedPath downWind = pathTo({12000}, 25);
+        PlannedPath downWind = pathTo({12000});
         downWind.wind_mps = {5, 0};
-        COMPARE_NEAR(sortieOutlook({}, uav, downWind).noReturn.value().time_s, 300.0, 1e-6);
+        COMPARE_NEAR(sortieOutlook({}, uav, downWind).noReturn.value().time_s, 300.0, 1e-3);
+    }
+
+    /** A wall across the straight path home: 3-4-5 triangles round its end, and what the fence adds
+     * for turning there. */
+    void theWayHomeLeadsRoundTheFence()
+    {
+        Uav uav = uavOf();
+        PlannedPath path = pathTo({6000});
+        const double straight_s = sortieOutlook({}, uav, path).margin_s.value();
+        COMPARE_NEAR(straight_s, 200.0, 1e-9);
+        const Motion motion{.airspeed_mps = 20, .limit_radps = maxTurnRate_radps(uav.spec)};
+        path.fence = std::make_shared<const Geofence>(
+            std::vector<Point>(), motion,
+            std::vector<std::vector<Point>>{
+                {{2990, -4000}, {3010, -4000}, {3010, 4000}, {2990, 4000}}});
+        const double round_s = sortieOutlook({}, uav, path).margin_s.value();
+        // Both ways 2 x 5000 m in place of 6000 m; a corner is passed some circle's radius outside.
+        QVERIFY2(round_s < 200 - 2 * 200 && round_s > 200 - 2 * 225, QByteArray::number(round_s));
+        QVERIFY(sortieOutlook({}, uav, path).noReturn);
+        QVERIFY(lowMargin_s(uav, path).value() < round_s);
     }
 
     /** Too late already: where it is. */
     void noReturnMayBeBehind()
     {
-        PlannedPath path = pathTo({100}, 20);
+        PlannedPath path = pathTo({100});
         path.aloft_s = 900;
         const SortieOutlook outlook = sortieOutlook({}, uavOf(), path);
-        QVERIFY(outlook.noReturn.value().place_m == Point(0, 0));
+        QVERIFY(outlook.noReturn.value().path_m == std::vector<Point>{Point(0, 0)});
         QVERIFY(outlook.margin_s.value() < 0);
     }
 
@@ -112,7 +132,7 @@ private slots:
     {
         QFETCH(Point, wind_mps);
         const Uav uav = uavOf();
-        PlannedPath path = pathTo({5000}, 20);
+        PlannedPath path = pathTo({5000});
         path.wind_mps = wind_mps;
         const double expected_s = percentileBySampling(path, 20, 800);
         const double margin_s = sortieOutlook({}, uav, path).margin_s.value();
@@ -128,15 +148,15 @@ private slots:
         scenario.groundStation = GroundStation{.range_m = 1000};
         Uav uav = uavOf();
         // 3 of 4 km out and back are outside; half of a chord 600 m off the station is 800 m.
-        COMPARE_NEAR(sortieOutlook(scenario, uav, pathTo({4000}, 20)).noContact_s, 300.0, 1e-9);
+        COMPARE_NEAR(sortieOutlook(scenario, uav, pathTo({4000})).noContact_s, 300.0, 1e-9);
         scenario.groundStation->position_m = {2000, 600};
         uav.spec.endurance_s = 0; // no way home
-        COMPARE_NEAR(sortieOutlook(scenario, uav, pathTo({4000}, 20)).noContact_s,
-                     (4000.0 - 1600) / 20, 1e-9);
+        COMPARE_NEAR(sortieOutlook(scenario, uav, pathTo({4000})).noContact_s, (4000.0 - 1600) / 20,
+                     1e-9);
         scenario.groundStation->position_m = {2000, 2000};
-        COMPARE_NEAR(sortieOutlook(scenario, uav, pathTo({4000}, 20)).noContact_s, 200.0, 1e-9);
+        COMPARE_NEAR(sortieOutlook(scenario, uav, pathTo({4000})).noContact_s, 200.0, 1e-9);
         scenario.groundStation.reset();
-        QCOMPARE(sortieOutlook(scenario, uav, pathTo({4000}, 20)).noContact_s, 0.0);
+        QCOMPARE(sortieOutlook(scenario, uav, pathTo({4000})).noContact_s, 0.0);
     }
 
     void theRangeIsGivenOrTheHorizon()

@@ -110,8 +110,8 @@ struct MapRoute
                                                  ///< leg, the way home last; empty: none do
     std::vector<MapWay> planWays;   ///< how `plan` is flown; empty: straight from symbol to symbol
     std::vector<MapWay> formerWays; ///< how `formerPlan` would have been
-    /** The point of no return and, before it, how the plan gets there from the last visit of this
-     * sortie; empty: there is none. */
+    /** The point of no return and, before it, how the plan gets there from the place before; empty:
+     * there is none. */
     std::vector<Point> toNoReturn_m;
     std::vector<Point> search_m; ///< corners flown to find a lost iceberg; empty: no search
     std::vector<MapPose> swept;  ///< by time; round and between them the UAV has seen the water

@@ -253,17 +253,6 @@ MapUav uavOf(const FlightRecord& record, std::size_t uav)
     return drawn;
 }
 
-/** From the last visit of this sortie to the point of no return. */
-std::vector<Point> toNoReturn_m(const PlannedPath& path, const PlannedPlace& noReturn)
-{
-    std::vector<Point> places_m;
-    for (std::size_t i = path.thisSortie - 1; i < path.places.size(); ++i)
-        if (path.places[i].time_s < noReturn.time_s)
-            places_m.push_back(path.places[i].place_m);
-    places_m.push_back(noReturn.place_m);
-    return places_m;
-}
-
 /** On the plans of UAVs with a limited endurance. */
 void markNoReturn(MapPicture& picture, const FlightRecord& record)
 {
@@ -274,9 +263,9 @@ void markNoReturn(MapPicture& picture, const FlightRecord& record)
     for (std::size_t uav = 0; uav < picture.routes.size(); ++uav) {
         if (!paths[uav])
             continue;
-        const SortieOutlook outlook = sortieOutlook(record.scenario, uavs[uav], *paths[uav]);
+        SortieOutlook outlook = sortieOutlook(record.scenario, uavs[uav], *paths[uav]);
         if (outlook.noReturn)
-            picture.routes[uav].toNoReturn_m = toNoReturn_m(*paths[uav], *outlook.noReturn);
+            picture.routes[uav].toNoReturn_m = std::move(outlook.noReturn->path_m);
     }
 }
 
