@@ -782,6 +782,10 @@
         <source>No-fly areas have no heights in it: those at the altitude of the UAV are written.</source>
         <translation>Flyforbudsområder har ingen høyder i formatet: de som gjelder i UAV-ens høyde, skrives.</translation>
     </message>
+    <message>
+        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. Export the path instead: it leads round.</source>
+        <translation>Rette etapper som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1. Eksporter banen i stedet: den fører utenom.</translation>
+    </message>
 </context>
 <context>
     <name>FieldNames</name>
@@ -1092,14 +1096,6 @@
         <translation>Reserve</translation>
     </message>
     <message>
-        <source>Beyond it at home</source>
-        <translation>Utover den hjemme</translation>
-    </message>
-    <message>
-        <source>No contact</source>
-        <translation>Uten samband</translation>
-    </message>
-    <message>
         <source>No-fly area: %1.</source>
         <translation>Flyforbudsområde: %1.</translation>
     </message>
@@ -1110,6 +1106,26 @@
     <message>
         <source>Stand-off from the asset: %1, %2.</source>
         <translation>Sikkerhetsavstand til objektet: %1, %2.</translation>
+    </message>
+    <message>
+        <source>Climb and landing</source>
+        <translation>Stigning og landing</translation>
+    </message>
+    <message>
+        <source>Home before the reserve</source>
+        <translation>Hjemme før reserven</translation>
+    </message>
+    <message>
+        <source>One flight in twenty</source>
+        <translation>Én av tjue flyginger</translation>
+    </message>
+    <message>
+        <source>Out of radio range</source>
+        <translation>Utenfor rekkevidde</translation>
+    </message>
+    <message>
+        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. They are flown round it.</source>
+        <translation>Rette etapper som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1. De flys utenom.</translation>
     </message>
 </context>
 <context>
@@ -6762,6 +6778,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>It is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
         <translation>Den er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
+    </message>
+    <message>
+        <source>1 visit</source>
+        <translation>1 besøk</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,8 @@
 
 #include "core/scenario/checks.h"
 
+#include <cmath>
+
 namespace berg {
 
 bool isIcing(const Weather& weather, double height_m)
@@ -24,13 +26,14 @@ std::vector<Issue> weatherIssues(const Scenario& scenario)
                                  {.id = id, .arguments = std::move(arguments)}));
     };
     const double wind_mps = scenario.wind_mps.norm();
+    const double shownWind_mps = std::round(wind_mps * 100) / 100;
     const double gust_mps = scenario.weather.gust_mps.value_or(0);
     for (std::size_t i = 0; i < scenario.uavs.size(); ++i) {
         const Uav& uav = scenario.uavs[i];
         const WeatherLimits& limits = uav.weather;
         const std::string path = entryPath("uavs", i);
         if (limits.wind_mps && wind_mps > *limits.wind_mps)
-            warn(path + ".max_wind_mps", IssueId::WindLimit, {wind_mps, *limits.wind_mps});
+            warn(path + ".max_wind_mps", IssueId::WindLimit, {shownWind_mps, *limits.wind_mps});
         if (limits.gust_mps && gust_mps > *limits.gust_mps)
             warn(path + ".max_gust_mps", IssueId::GustLimit, {gust_mps, *limits.gust_mps});
         if (!limits.icing && isIcing(scenario.weather, uav.spec.altitude_m))

@@ -146,49 +146,8 @@ QString timeOrNone(const std::optional<double>& time_s)
     return *time_s < 0 ? u"−"_s + clockText(-*time_s) : clockText(*time_s);
 }
 
-/** Endurance, what of it is kept, and what is left at home; time without contact. */
-void addSortieColumns(std::vector<UavColumn>& columns, const ExportContent& content)
+std::vector<QStringList> rowsOf(const std::vector<UavColumn>& columns, const ExportContent& content)
 {
-    const auto add = [&columns](const QString& caption, auto text) {
-        columns.insert(columns.end() - 1, {caption, text}); // before home
-    };
-    const bool isPlanned = content.what != ExportWhat::Track;
-    const auto outlook = [&content](const ExportUav& uav) {
-        return sortieOutlook(*content.scenario, uav.uav, plannedPath(content, uav));
-    };
-    if (std::ranges::any_of(content.uavs,
-                            [](const ExportUav& uav) { return uav.uav.spec.endurance_s > 0; })) {
-        const auto ifLimited = [](const UavSpec& spec, double time_s) {
-            return timeOrNone(spec.endurance_s > 0 ? std::optional(time_s) : std::nullopt);
-        };
-        add(content.now_s > 0 ? FlightBrief::tr("Endurance left") : FlightBrief::tr("Endurance"),
-            [ifLimited](const ExportUav& uav) {
-                return ifLimited(uav.uav.spec, uav.uav.spec.endurance_s);
-            });
-        add(FlightBrief::tr("Reserve"), [ifLimited](const ExportUav& uav) {
-            return ifLimited(uav.uav.spec, reserve_s(uav.uav.spec));
-        });
-        if (isPlanned)
-            add(FlightBrief::tr("Beyond it at home"),
-                [outlook](const ExportUav& uav) { return timeOrNone(outlook(uav).margin_s); });
-    }
-    if (content.scenario->groundStation && isPlanned)
-        add(FlightBrief::tr("No contact"),
-            [outlook](const ExportUav& uav) { return clockText(outlook(uav).noContact_s); });
-}
-
-std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& locale)
-{
-    std::vector<UavColumn> columns = commonColumns(content, locale);
-    const auto beforeHome = [&columns] { return columns.end() - 1; };
-    if (content.options.loiterTurns > 0)
-        columns.insert(beforeHome(), {FlightBrief::tr("Loiter turns"), [&content](const auto&) {
-                                          return QString::number(content.options.loiterTurns);
-                                      }});
-    addSortieColumns(columns, content);
-    if (content.uavs.size() > 1)
-        addOwnTotals(columns, locale);
-
     std::vector<QStringList> rows(1 + content.uavs.size());
     for (const UavColumn& column : columns) {
         rows.front() << column.caption;
@@ -196,6 +155,64 @@ std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& lo
             rows[uav + 1] << column.text(content.uavs[uav]);
     }
     return rows;
+}
+
+/** Endurance, what of it is kept, and what is left at home; time without contact. Empty: endurances
+ * have no limit, and nobody asks for the contact. */
+std::vector<QStringList> sortieRows(const ExportContent& content)
+{
+    const bool isPlanned = content.what != ExportWhat::Track;
+    const auto addLimited = [](std::vector<UavColumn>& columns, const QString& caption,
+                               const auto& time_s) {
+        columns.push_back({caption, [time_s](const ExportUav& uav) {
+                               return timeOrNone(uav.uav.spec.endurance_s > 0
+                                                     ? std::optional<double>(time_s(uav))
+                                                     : std::nullopt);
+                           }});
+    };
+    const auto outlook = [&content](const ExportUav& uav) {
+        return sortieOutlook(*content.scenario, uav.uav, plannedPath(content, uav));
+    };
+    std::vector<UavColumn> columns{
+        {FlightBrief::tr("UAV"), [](const ExportUav& uav) { return printable(titleOf(uav.uav)); }}};
+    if (std::ranges::any_of(content.uavs,
+                            [](const ExportUav& uav) { return uav.uav.spec.endurance_s > 0; })) {
+        addLimited(columns,
+                   content.now_s > 0 ? FlightBrief::tr("Endurance left")
+                                     : FlightBrief::tr("Endurance"),
+                   [](const ExportUav& uav) { return uav.uav.spec.endurance_s; });
+        addLimited(columns, FlightBrief::tr("Climb and landing"), [](const ExportUav& uav) {
+            return uav.uav.spec.climb_s + uav.uav.spec.landing_s;
+        });
+        addLimited(columns, FlightBrief::tr("Reserve"),
+                   [](const ExportUav& uav) { return reserve_s(uav.uav.spec); });
+        if (isPlanned) {
+            addLimited(columns, FlightBrief::tr("Home before the reserve"),
+                       [outlook](const ExportUav& uav) { return *outlook(uav).margin_s; });
+            addLimited(columns, FlightBrief::tr("One flight in twenty"),
+                       [&content](const ExportUav& uav) {
+                           return *lowMargin_s(uav.uav, plannedPath(content, uav));
+                       });
+        }
+    }
+    if (content.scenario->groundStation && isPlanned)
+        columns.push_back({FlightBrief::tr("Out of radio range"), [outlook](const ExportUav& uav) {
+                               return clockText(outlook(uav).noContact_s);
+                           }});
+    return columns.size() > 1 ? rowsOf(columns, content) : std::vector<QStringList>();
+}
+
+std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& locale)
+{
+    std::vector<UavColumn> columns = commonColumns(content, locale);
+    if (content.options.loiterTurns > 0)
+        columns.insert(columns.end() - 1,
+                       {FlightBrief::tr("Loiter turns"), [&content](const auto&) {
+                            return QString::number(content.options.loiterTurns);
+                        }});
+    if (content.uavs.size() > 1)
+        addOwnTotals(columns, locale);
+    return rowsOf(columns, content);
 }
 
 QString footText(ExportWhat what)
@@ -221,6 +238,7 @@ BriefContent briefContent(const ExportContent& content, const QLocale& locale)
                        .flight = flightFacts(content, locale),
                        .planning = planningFacts(content, locale),
                        .uavs = uavRows(content, locale),
+                       .sorties = sortieRows(content),
                        .captions = briefCaptions(content),
                        .routes = {},
                        .warnings = briefWarnings(content, locale),

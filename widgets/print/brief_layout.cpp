@@ -143,6 +143,8 @@ private:
         rule(m_free.top(), false);
         taken(3);
         m_free.setTop(setUavTable(m_layout, m_content.uavs, m_free));
+        if (!m_content.sorties.empty())
+            m_free.setTop(setUavTable(m_layout, m_content.sorties, m_free));
         taken(6);
     }
 

@@ -1,5 +1,6 @@
 #include "widgets/print/brief_warnings.h"
 
+#include "core/io/export/export_notes.h"
 #include "core/scenario/advice.h"
 #include "core/scenario/validate.h"
 #include "widgets/model/asset_approach.h"
@@ -179,6 +180,10 @@ bool sharesLayer(const ExportContent& content)
 QStringList ruleLines(const ExportContent& content, const QLocale& locale)
 {
     QStringList lines;
+    if (const std::size_t crossing = legsThatCross(content); crossing > 0)
+        lines << FlightBrief::tr("Straight legs that lead out of the geofence or through a no-fly "
+                                 "area: %1. They are flown round it.")
+                     .arg(crossing);
     if (content.geofence)
         lines << FlightBrief::tr("Geofence in force: stay inside the area.");
     for (const NoFlyArea& area : content.noFly)

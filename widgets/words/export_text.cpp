@@ -173,6 +173,7 @@ ExportEffect effectOf(ExportNoteKind kind)
     case ExportNoteKind::OneFileEach:
     case ExportNoteKind::ChoiceNotUsed:
     case ExportNoteKind::NothingToFly:
+    case ExportNoteKind::LegsCross:
         return ExportEffect::Told;
     case ExportNoteKind::FenceAcross180:
     case ExportNoteKind::NoHeights:
@@ -236,6 +237,10 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
         return ExportText::tr("The file is about the whole flight, whatever is chosen.");
     case ExportNoteKind::NothingToFly:
         return ExportText::tr("%n UAVs have no iceberg to visit.", nullptr, count);
+    case ExportNoteKind::LegsCross:
+        return ExportText::tr("Straight legs that lead out of the geofence or through a no-fly "
+                              "area: %1. Export the path instead: it leads round.")
+            .arg(count);
     case ExportNoteKind::LaterSorties:
         return ExportText::tr("This sortie alone is written. Icebergs of the order left for later "
                               "ones: %1.")

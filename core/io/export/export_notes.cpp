@@ -3,6 +3,7 @@
 #include "core/io/export/export_files.h"
 #include "core/io/export/mission_items.h"
 #include "core/io/text/number_text.h"
+#include "core/scenario/fence.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,7 @@ constexpr std::string_view kArduPlane = "ArduPlane";
 constexpr std::string_view kMissionPlanner = "Mission Planner";
 constexpr std::string_view kGroundStations = "QGroundControl, Mission Planner";
 
-constexpr std::array<Named<ExportNoteKind>, 14> kNoteIds{{
+constexpr std::array<Named<ExportNoteKind>, 15> kNoteIds{{
     {ExportNoteKind::OneFileEach, "one-file-each"},
     {ExportNoteKind::NoTimes, "no-times"},
     {ExportNoteKind::NoFence, "no-fence"},
@@ -31,6 +32,7 @@ constexpr std::array<Named<ExportNoteKind>, 14> kNoteIds{{
     {ExportNoteKind::WholeSpeed, "whole-speed"},
     {ExportNoteKind::ChoiceNotUsed, "choice-not-used"},
     {ExportNoteKind::NothingToFly, "nothing-to-fly"},
+    {ExportNoteKind::LegsCross, "legs-cross"},
     {ExportNoteKind::LaterSorties, "later-sorties"},
 }};
 
@@ -105,6 +107,26 @@ void addMissionNotes(NoteList& notes, const ExportContent& content)
 
 } // namespace
 
+std::size_t legsThatCross(const ExportContent& content)
+{
+    if (content.what == ExportWhat::Path || content.what == ExportWhat::Track)
+        return 0;
+    std::size_t crossing = 0;
+    for (const ExportUav& uav : content.uavs) {
+        const UavSpec& spec = uav.uav.spec;
+        const auto fence = fenceOf(*content.scenario, spec.altitude_m,
+                                   {.airspeed_mps = spec.airspeed_mps,
+                                    .limit_radps = maxTurnRate_radps(spec),
+                                    .wind_mps = content.wind_mps});
+        Point from_m = uav.uav.position_m;
+        for (const Visit& visit : uav.visits) {
+            crossing += fence && fence->clearance_m(from_m, visit.position_m) == 0 ? 1U : 0U;
+            from_m = visit.position_m;
+        }
+    }
+    return crossing;
+}
+
 std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportContent& content)
 {
     NoteList notes;
@@ -125,6 +147,8 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
         later += uav.laterSorties;
     if (later > 0)
         notes.add(ExportNoteKind::LaterSorties, {}, static_cast<double>(later));
+    if (const std::size_t crossing = legsThatCross(content); crossing > 0)
+        notes.add(ExportNoteKind::LegsCross, {}, static_cast<double>(crossing));
     if (holds.times && !content.start)
         notes.add(ExportNoteKind::NoTimes);
     if (content.geofence && !holds.fence)
@@ -179,6 +203,9 @@ std::string noteText(const ExportNote& note)
         return "the file is about the whole flight, whatever is chosen to be exported";
     case ExportNoteKind::NothingToFly:
         return "UAVs without an iceberg to visit: " + value;
+    case ExportNoteKind::LegsCross:
+        return "straight legs that lead out of the geofence or through a no-fly area: " + value +
+               "; the path (--what path) leads round";
     case ExportNoteKind::LaterSorties:
         return "this sortie alone is written: icebergs of the order left for later ones: " + value;
     }

@@ -24,6 +24,7 @@ enum class ExportNoteKind
     WholeSpeed,      ///< value m/s, limit m/s shown
     ChoiceNotUsed,   ///< what is to be exported does not matter: it is the whole flight
     NothingToFly,    ///< value: UAVs without anything to visit
+    LegsCross,       ///< value: straight legs that the fence or a no-fly area is in the way of
     LaterSorties     ///< value: icebergs of the orders that the endurance leaves for them
 };
 
@@ -41,6 +42,10 @@ struct ExportNote
  * UAVs. */
 [[nodiscard]] std::vector<ExportNote> exportNotes(const ExportFormat& format,
                                                   const ExportContent& content);
+
+/** Straight legs that lead out of the geofence or through a no-fly area, where a flight goes round:
+ * of the path, which is flown round, none. */
+[[nodiscard]] std::size_t legsThatCross(const ExportContent& content);
 
 /** A sentence, English. */
 [[nodiscard]] std::string noteText(const ExportNote& note);

@@ -266,8 +266,9 @@ private slots:
                 {.altitude_m = 250, .airspeed_mps = 25, .acceptance_m = 80, .loiterTurns = 3}),
             kEnglish);
         const QStringList& row = brief.uavs[1];
-        for (const QString& value : {u"250 m"_s, u"25.0 m/s"_s, u"80.0 m"_s, u"3"_s, u"30:00"_s})
+        for (const QString& value : {u"250 m"_s, u"25.0 m/s"_s, u"80.0 m"_s, u"3"_s})
             QVERIFY2(row.contains(value), qPrintable(row.join(u'|')));
+        QVERIFY(brief.sorties[1].contains(u"30:00"_s));
         // U^2 / (g tan 25 degrees)
         QVERIFY2(row.contains(u"137 m"_s), qPrintable(row.join(u'|')));
         QVERIFY(row.last().startsWith(u"47° 00.00′ N"_s));
@@ -283,12 +284,12 @@ private slots:
         const ExportContent content = planContent(scenario);
         const BriefContent brief = briefContent(content, kEnglish);
         const auto cellOf = [&](const QString& caption) {
-            return brief.uavs[1].value(brief.uavs[0].indexOf(caption));
+            return brief.sorties[1].value(brief.sorties[0].indexOf(caption));
         };
         const double flown_s = content.uavs[0].visits.back().time_s; // back home
         QCOMPARE(cellOf(u"Reserve"_s), u"16:40"_s);
-        QCOMPARE(cellOf(u"Beyond it at home"_s), clockText(4000 - flown_s));
-        QCOMPARE(cellOf(u"No contact"_s), clockText(flown_s));
+        QCOMPARE(cellOf(u"Home before the reserve"_s), clockText(4000 - flown_s));
+        QCOMPARE(cellOf(u"Out of radio range"_s), clockText(flown_s));
         QVERIFY(brief.warnings.join(u' ').contains(u"out of the range of the ground station"));
     }
 

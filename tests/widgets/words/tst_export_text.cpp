@@ -51,6 +51,7 @@ private slots:
         row("speed", ExportNoteKind::WholeSpeed, {u"The tool"_s, u"21,25 m/s becomes 7 m/s"_s});
         row("path", ExportNoteKind::PathAsWaypoints, {u"21"_s});
         row("idle", ExportNoteKind::NothingToFly, {u"21"_s});
+        row("crossing", ExportNoteKind::LegsCross, {u"21"_s});
         row("sortie", ExportNoteKind::LaterSorties, {u"21"_s});
         row("fence", ExportNoteKind::FenceAcross180, {u"The tool"_s});
     }

@@ -212,6 +212,31 @@ private slots:
         QVERIFY(noteIds(format("plan"), high).contains(QStringLiteral("no-heights")));
     }
 
+    /** Where a flight goes round, straight legs do not: that is said of all formats. */
+    void legsThroughAreasAreTold()
+    {
+        const auto walled = [](Scenario& s) {
+            s.uavs[0].position_m = {0, 0};
+            s.icebergs.resize(1);
+            s.icebergs[0].position_m = {4000, 0};
+            s.noFly = {{.corners_m = {{1900, -300}, {2100, -300}, {2100, 300}, {1900, 300}},
+                        .floor_m = 100}};
+        };
+        Scenario scenario = changed(walled);
+        const QString id = QStringLiteral("legs-cross");
+        const auto told = [&](const char* name, ExportWhat what) {
+            const ExportContent content =
+                planContent(scenario, planFromStart(scenario), {.what = what});
+            return noteIds(format(name), content).contains(id);
+        };
+        for (const char* name : {"plan", "kml", "gpx", "csv"})
+            QVERIFY(told(name, ExportWhat::Order));
+        QVERIFY(told("plan", ExportWhat::FirstLeg));
+        QVERIFY(!told("plan", ExportWhat::Path));
+        scenario.uavs[0].spec.altitude_m = 90; // below it
+        QVERIFY(!told("plan", ExportWhat::Order));
+    }
+
     void notes()
     {
         const Scenario scenario = changed([](Scenario& s) {
