@@ -3692,7 +3692,7 @@
     </message>
     <message>
         <source>Radio range</source>
-        <translation>Rekkevidde</translation>
+        <translation>Radiorekkevidde</translation>
     </message>
     <message>
         <source>No-fly area</source>
