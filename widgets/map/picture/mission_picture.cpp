@@ -274,11 +274,13 @@ MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<
 {
     const int place = static_cast<int>(uav);
     MapRoute route;
-    if (const PlanEvent* plan = planOf(record.shown(), place)) {
+    const UavState& state = record.shown().world.uavs[uav];
+    const PlanEvent* plan = planOf(record.shown(), place);
+    if (plan != nullptr && state.isPlanned()) { // else others visit what was its
         route.plan = placesOf(plan->order, shown);
         route.thisSortie = plan->thisSortie;
+        route.planWays = mapWays(waysAhead(record.shown(), place));
     }
-    route.planWays = mapWays(waysAhead(record.shown(), place));
     if (const std::optional<ShownChange> change = record.changeShown(place)) {
         route.formerPlan = placesOf(change->change.before, shown);
         route.formerFrom_m = change->from_m;

@@ -132,6 +132,18 @@ private slots:
         QCOMPARE(picture.uavs[1].label, u"two"_s);
     }
 
+    /** What was planned for it others visit by now. */
+    void whoHoldsOrGoesHomeHasNoPlan()
+    {
+        FlightRecord record = recordOf(fleetFlown(0));
+        QVERIFY(!missionPicture(record, kLocale).routes[1].plan.empty());
+        for (const FlightMode mode : {FlightMode::Hold, FlightMode::Home, FlightMode::Ground}) {
+            record.now.world.uavs[1].mode = mode;
+            QVERIFY(missionPicture(record, kLocale).routes[1].plan.empty());
+            QVERIFY(!missionPicture(record, kLocale).routes[0].plan.empty());
+        }
+    }
+
     void onTheGroundNothingIsTooClose()
     {
         FlightRecord record = recordOf(fleetFlown(0));
