@@ -6,12 +6,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-bool isLimited(const Scenario& scenario, const std::string& id)
-{
-    const Uav* uav = objectOf(scenario.uavs, id);
-    return uav != nullptr && uav->spec.endurance_s > 0;
-}
-
 bool hasHome(const Scenario& scenario, const std::string& id)
 {
     const Uav* uav = objectOf(scenario.uavs, id);

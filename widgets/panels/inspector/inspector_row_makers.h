@@ -110,6 +110,13 @@ inline bool isFiltered(const Scenario& scenario, const std::string& /*id*/)
     return scenario.observer.model == ObserverModel::Kalman;
 }
 
+/** Whether the endurance of the UAV has a limit. */
+inline bool isLimited(const Scenario& scenario, const std::string& id)
+{
+    const Uav* uav = objectOf(scenario.uavs, id);
+    return uav != nullptr && uav->spec.endurance_s > 0;
+}
+
 /** Whether there are several UAVs. */
 inline bool isFleet(const Scenario& scenario, const std::string& /*id*/)
 {

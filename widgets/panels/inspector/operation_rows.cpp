@@ -9,12 +9,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-bool hasEndurance(const Scenario& scenario, const std::string& id)
-{
-    const Uav* uav = objectOf(scenario.uavs, id);
-    return uav != nullptr && uav->spec.endurance_s > 0;
-}
-
 bool hasStation(const Scenario& scenario, const std::string& /*id*/)
 {
     return scenario.groundStation.has_value();
@@ -55,7 +49,7 @@ template <class Member>
 NumberRow sortieRow(const RowWords& words, Member number, const Limits& limits, const QString& unit)
 {
     RowWords shown = words;
-    shown.isShown = hasEndurance;
+    shown.isShown = isLimited;
     return {.words = shown,
             .unit = unit,
             .decimals = {.least = 0, .most = 1},
@@ -185,7 +179,7 @@ std::vector<InspectorRow> reserveRows()
                          .label = InspectorRows::tr("Fixed reserve"),
                          .toolTip = InspectorRows::tr("A time in place of the percentage."),
                          .undoText = InspectorRows::tr("Change reserve"),
-                         .isShown = hasEndurance},
+                         .isShown = isLimited},
                         u" s"_s, ofUav([](auto& uav) -> auto& { return uav.spec.reserve_s; }),
                         limits::kTime_s, InspectorRows::tr("by percentage")),
             sortieRow(
