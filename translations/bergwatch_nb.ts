@@ -3068,6 +3068,14 @@
         <source>No-fly area %1: %2</source>
         <translation>Flyforbudsområde %1: %2</translation>
     </message>
+    <message>
+        <source>Raises UAVs until their altitudes are 30 m apart, so that none has to wait for another.</source>
+        <translation>Hever UAV-er til høydene deres er 30 m fra hverandre, så ingen må vente på en annen.</translation>
+    </message>
+    <message>
+        <source>Separate altitudes</source>
+        <translation>Skill høydene</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>

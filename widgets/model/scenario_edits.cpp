@@ -4,6 +4,7 @@
 #include "widgets/model/selection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
@@ -327,6 +328,25 @@ Point freeOffset(const Scenario& scenario, std::span<const Iceberg> icebergs, co
     for (std::size_t tries = 0; tries < scenario.icebergs.size() && hides(offset_m); ++tries)
         offset_m += step_m;
     return offset_m;
+}
+
+bool sharesLayer(const Scenario& scenario)
+{
+    Scenario apart = scenario;
+    separateLayers(apart);
+    return scenario.separation_m > 0 && apart.uavs != scenario.uavs;
+}
+
+void separateLayers(Scenario& scenario)
+{
+    std::vector<double> taken_m;
+    for (Uav& uav : scenario.uavs) {
+        double& altitude_m = uav.spec.altitude_m;
+        for (const double other_m : taken_m) // from below, so that none is met again
+            if (std::abs(altitude_m - other_m) < kLayerHeight_m)
+                altitude_m = other_m + kLayerHeight_m;
+        taken_m.insert(std::ranges::upper_bound(taken_m, altitude_m), altitude_m);
+    }
 }
 
 } // namespace berg

@@ -80,4 +80,9 @@ std::vector<std::string> addCopies(Scenario& scenario, std::span<const Iceberg> 
 [[nodiscard]] Point freeOffset(const Scenario& scenario, std::span<const Iceberg> icebergs,
                                const Point& step_m);
 
+/** Two UAVs less than `kLayerHeight_m` apart in altitude are kept apart in flight. */
+[[nodiscard]] bool sharesLayer(const Scenario& scenario);
+/** Raises UAVs, none more than it takes, until no two of them share a layer. */
+void separateLayers(Scenario& scenario);
+
 } // namespace berg

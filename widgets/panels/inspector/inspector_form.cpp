@@ -95,18 +95,25 @@ void InspectorForm::addInput(const RowWords& words, QWidget* input)
     input->setAccessibleName(words.label);
     input->setToolTip(words.toolTip);
     m_form->addRow(words.label, input); // which makes the label its buddy
-    if (words.isShown)
-        m_inputs.push_back({.show =
-                                [this, isShown = words.isShown, input] {
-                                    const auto matters = [&](const std::string& id) {
-                                        return isShown(m_document.scenario(), id);
-                                    };
-                                    m_form->setRowVisible(
-                                        input, std::any_of(m_ids.begin(), m_ids.end(), matters));
-                                },
-                            .lock = [](bool) {}});
+    showWhere(words, input);
     if (m_first == nullptr)
         m_first = input;
+}
+
+/** Only while the row matters to one of what is edited. */
+void InspectorForm::showWhere(const RowWords& words, QWidget* input)
+{
+    if (!words.isShown)
+        return;
+    m_inputs.push_back({.show =
+                            [this, isShown = words.isShown, input] {
+                                const auto matters = [&](const std::string& id) {
+                                    return isShown(m_document.scenario(), id);
+                                };
+                                m_form->setRowVisible(
+                                    input, std::any_of(m_ids.begin(), m_ids.end(), matters));
+                            },
+                        .lock = [](bool) {}});
 }
 
 template <class Read>
@@ -289,6 +296,7 @@ void InspectorForm::add(const ActionRow& row)
     button->setObjectName(row.words.key);
     button->setToolTip(row.words.toolTip);
     m_form->addRow(button);
+    showWhere(row.words, button);
     if (m_first == nullptr)
         m_first = button;
     connect(button, &QPushButton::clicked, this, [this, row] {

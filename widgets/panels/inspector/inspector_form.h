@@ -41,6 +41,7 @@ private:
         std::function<void(bool)> lock;
     };
 
+    void showWhere(const RowWords& words, QWidget* input);
     void add(const NumberRow& row);
     void add(const TextRow& row);
     void add(const FlagRow& row);

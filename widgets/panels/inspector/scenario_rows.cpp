@@ -1,3 +1,4 @@
+#include "widgets/model/scenario_edits.h"
 #include "widgets/model/wind.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
 
@@ -133,6 +134,18 @@ NumberRow separationRow()
     return asDistance(row);
 }
 
+/** Layers of their own make it needless to keep UAVs apart within one. */
+ActionRow layersRow()
+{
+    return {.words = {.key = u"scenarioLayers"_s,
+                      .toolTip = InspectorRows::tr("Raises UAVs until their altitudes are 30 m "
+                                                   "apart, so that none has to wait for another."),
+                      .undoText = InspectorRows::tr("Separate altitudes"),
+                      .isShown = [](const Scenario& scenario,
+                                    const std::string&) { return sharesLayer(scenario); }},
+            .act = &separateLayers};
+}
+
 std::vector<InspectorRow> placeRows()
 {
     const auto degrees = [](const QString& key, const QString& label, const QString& toolTip,
@@ -200,6 +213,7 @@ std::vector<InspectorRow> scenarioRows()
                             const std::string& notes) { scenario.notes = notes; }}};
     append(rows, runRows());
     rows.emplace_back(separationRow());
+    rows.emplace_back(layersRow());
     rows.emplace_back(InfoRow{
         .key = u"scenarioNoFly"_s,
         .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {

@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QUndoStack>
 
 using namespace berg;
@@ -63,6 +64,24 @@ class TestInspectorFleet : public QObject
     Q_OBJECT
 
 private slots:
+    /** The button is there while two share a layer, and lifts the later ones. */
+    void altitudesAreSeparated()
+    {
+        Scenario scenario = threeUavs();
+        for (std::size_t k = 0; k < 3; ++k)
+            scenario.uavs[k].spec.altitude_m = 120 + 10 * static_cast<double>(k);
+        Fixture f(scenario);
+        QVERIFY(f.isShown(u"scenarioLayers"_s));
+        test::child<QPushButton>(f.panel, u"scenarioLayers"_s).click();
+        QCOMPARE(f.scenario().uavs[0].spec.altitude_m, 120.0);
+        QCOMPARE(f.scenario().uavs[1].spec.altitude_m, 150.0);
+        QCOMPARE(f.scenario().uavs[2].spec.altitude_m, 180.0);
+        QVERIFY(!f.isShown(u"scenarioLayers"_s));
+        f.document.undoStack()->undo();
+        QCOMPARE(f.scenario(), scenario);
+        QVERIFY(f.isShown(u"scenarioLayers"_s));
+    }
+
     void init() { test::failOnWarnings(); }
 
     void theSelectedOneIsEdited()
