@@ -62,6 +62,10 @@ private slots:
         QObject context;
         QObject::connect(&imports, &ImportRunner::ready, &context,
                          [&](const std::shared_ptr<const ImportPreview>& made) { preview = made; });
+        // The window does nothing else meanwhile: what it asks for itself is not the import's to
+        // take.
+        QVERIFY(w.untilReady());
+        QVERIFY(w.until([&] { return w.record().boundOfFlight().share >= 1; }));
         {
             constexpr rlim_t kMore_bytes = 150U << 20U; // the file, and half of its rows
             const MemoryLimit limit(kMore_bytes);
