@@ -2793,16 +2793,16 @@
         <translation>Avstand mellom UAV-er</translation>
     </message>
     <message>
-        <source>UAVs that come nearer to each other than this are warned of, unless their altitudes are 30 m apart.</source>
-        <translation>Det varsles om UAV-er som kommer nærmere hverandre enn dette, med mindre høydene deres skiller seg med 30 m.</translation>
+        <source>UAVs are kept so far from each other, unless their altitudes are 30 m apart.</source>
+        <translation>UAV-er holdes så langt fra hverandre, med mindre høydene deres skiller seg med 30 m.</translation>
     </message>
     <message>
         <source>Change separation</source>
         <translation>Endre avstand mellom UAV-er</translation>
     </message>
     <message>
-        <source>never warned of</source>
-        <translation>varsles aldri</translation>
+        <source>not kept apart</source>
+        <translation>holdes ikke fra hverandre</translation>
     </message>
     <message>
         <source>Height above the sea: UAVs that are 30 m apart in it pass each other.</source>

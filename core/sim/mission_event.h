@@ -25,7 +25,7 @@ enum class EventKind
     HomeBound,
     Landed,
     TookOff,
-    LateHome,  ///< the wind has changed: home cannot be reached in time any more
+    LateHome,  ///< home cannot be reached in time any more: another wind, or it had to wait
     Close,     ///< two UAVs of one altitude layer have come near each other
     LeftFence, ///< a UAV has left the geofence
     BackInside ///< it is inside again

@@ -123,14 +123,14 @@ NumberRow separationRow()
     NumberRow row = scenarioRow(
         {.key = u"scenarioSeparation"_s,
          .label = InspectorRows::tr("Separation"),
-         .toolTip = InspectorRows::tr("UAVs that come nearer to each other than this are warned "
-                                      "of, unless their altitudes are 30 m apart."),
+         .toolTip = InspectorRows::tr("UAVs are kept so far from each other, unless their "
+                                      "altitudes are 30 m apart."),
          .undoText = InspectorRows::tr("Change separation"),
          .isShown = isFleet},
         {}, [](auto& scenario) -> auto& { return scenario.separation_m; },
         always(limits::kLength_m));
     row.step = 50;
-    row.lowestText = InspectorRows::tr("never warned of");
+    row.lowestText = InspectorRows::tr("not kept apart");
     return asDistance(row);
 }
 

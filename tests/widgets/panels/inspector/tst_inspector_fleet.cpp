@@ -188,7 +188,7 @@ private slots:
         QCOMPARE(f.scenario().separation_m, 350.0);
         test::enter(field, u"0"_s);
         QCOMPARE(f.scenario().separation_m, 0.0);
-        QCOMPARE(field.text(), u"never warned of"_s);
+        QCOMPARE(field.text(), u"not kept apart"_s);
         Fixture one(test::fourIcebergs());
         QVERIFY(!one.isShown(u"scenarioSeparation"_s));
     }
