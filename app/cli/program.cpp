@@ -107,7 +107,7 @@ int wrongUsage(const CLI::App& app, const Line& line, const std::string& fault)
 }
 
 /** What -v adds. */
-void tellEffort()
+void reportEffort()
 {
     rusage used = {};
     if (getrusage(RUSAGE_SELF, &used) != 0)
@@ -150,7 +150,7 @@ int run(const Line& line, const std::stop_token& stop)
     try {
         const int exitCode = action(stop);
         if (isVerbose && !program.isSilent)
-            tellEffort();
+            reportEffort();
         return exitCode;
     } catch (const UsageError& error) {
         return wrongUsage(app, line, error.message);

@@ -54,7 +54,7 @@ int showStudy(const StudyArguments& arguments)
     const Study study = reading([&] {
         Study whole = merged(arguments.files);
         static_cast<void>(referenceOf(whole.spec, output));
-        return file.isKept() ? added(whole, file.open(whole.spec), output.studyFile) : whole;
+        return file.isStored() ? added(whole, file.open(whole.spec), output.studyFile) : whole;
     });
     writeResults(study, output, [&] { file.save(study); });
     return kDone;

@@ -32,7 +32,7 @@ StudyFile::StudyFile(std::string path, bool mayReplace)
 
 Study StudyFile::open(StudySpec spec)
 {
-    if (!isKept())
+    if (!isStored())
         return {.spec = std::move(spec)};
     m_stamp = stampOf(m_path);
     if (!m_stamp)
@@ -51,7 +51,7 @@ Study StudyFile::open(StudySpec spec)
 
 void StudyFile::save(const Study& study)
 {
-    if (!isKept())
+    if (!isStored())
         return;
     checkUnchanged();
     write(study);
@@ -76,7 +76,7 @@ void StudyFile::write(const Study& study)
 
 void StudyFile::saveSometimes(const Study& study)
 {
-    if (!isKept() || m_running.elapsed_s() < m_next_s)
+    if (!isStored() || m_running.elapsed_s() < m_next_s)
         return;
     checkUnchanged();
     try {

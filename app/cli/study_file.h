@@ -37,7 +37,7 @@ public:
     void saveSometimes(const Study& study);
 
     [[nodiscard]] const std::string& path() const { return m_path; }
-    [[nodiscard]] bool isKept() const { return !m_path.empty(); }
+    [[nodiscard]] bool isStored() const { return !m_path.empty(); }
 
 private:
     void checkUnchanged() const;

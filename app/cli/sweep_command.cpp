@@ -157,11 +157,12 @@ private:
     {
         if (complete) {
             writeResults(
-                study, m_arguments.output, [this] { tellWhatWasNotKept(); }, m_watch.elapsed_s());
+                study, m_arguments.output, [this] { reportWhatWasNotStored(); },
+                m_watch.elapsed_s());
             return kDone;
         }
-        tellWhatWasNotKept();
-        if (!m_file.isKept())
+        reportWhatWasNotStored();
+        if (!m_file.isStored())
             throw Interrupted{};
         std::fprintf(
             stderr, "interrupted: %s of %s missions are kept in %s; the same command carries on\n",
@@ -170,7 +171,7 @@ private:
         return kInterrupted;
     }
 
-    void tellWhatWasNotKept() const
+    void reportWhatWasNotStored() const
     {
         if (m_notKept)
             std::rethrow_exception(m_notKept);

@@ -27,7 +27,7 @@ std::optional<double> valueOf(const QDoubleSpinBox& box)
 }
 
 template <class T>
-void keepIf(bool holds, T& option)
+void storeIf(bool holds, T& option)
 {
     if (!holds)
         option = T{};
@@ -143,10 +143,10 @@ void ExportOptionsView::fill(const ExportOptions& options)
 
 void ExportOptionsView::showFormat(const ExportFormat& format)
 {
-    const bool hasWay = !format.holds.flownOnly;
+    const bool hasPath = !format.holds.flownOnly;
     for (QWidget* box :
          std::initializer_list<QWidget*>{m_what, m_uav, m_altitude, m_airspeed, m_return})
-        box->setEnabled(hasWay);
+        box->setEnabled(hasPath);
     m_acceptance->setEnabled(format.holds.radii);
     m_loiter->setEnabled(format.holds.radii);
 }
@@ -164,13 +164,13 @@ ExportOptions ExportOptionsView::options() const
         options.returnHome = home.toBool();
     if (options.airspeed_mps)
         options.airspeed_mps = speedUnit().toSi(*options.airspeed_mps);
-    keepIf(m_what->isEnabled(), options.what);
-    keepIf(m_uav->isEnabled(), options.uav);
-    keepIf(m_altitude->isEnabled(), options.altitude_m);
-    keepIf(m_airspeed->isEnabled(), options.airspeed_mps);
-    keepIf(m_acceptance->isEnabled(), options.acceptance_m);
-    keepIf(m_loiter->isEnabled(), options.loiterTurns);
-    keepIf(m_return->isEnabled(), options.returnHome);
+    storeIf(m_what->isEnabled(), options.what);
+    storeIf(m_uav->isEnabled(), options.uav);
+    storeIf(m_altitude->isEnabled(), options.altitude_m);
+    storeIf(m_airspeed->isEnabled(), options.airspeed_mps);
+    storeIf(m_acceptance->isEnabled(), options.acceptance_m);
+    storeIf(m_loiter->isEnabled(), options.loiterTurns);
+    storeIf(m_return->isEnabled(), options.returnHome);
     return options;
 }
 

@@ -191,17 +191,17 @@ ExportPreviewView::~ExportPreviewView()
 void ExportPreviewView::showPreview(const ExportPreviewPointer& preview)
 {
     const ExportFormat* format = findExportFormat(preview->request.formatId);
-    const bool hasWay = format != nullptr && !format->holds.flownOnly;
+    const bool hasPath = format != nullptr && !format->holds.flownOnly;
     const bool isPage = !preview->picture.isNull();
     const bool wasPage = isTabVisible(indexOf(m_scroll));
     setTabVisible(indexOf(m_scroll), isPage);
-    setTabVisible(indexOf(m_map), hasWay && !isPage);
-    setTabVisible(indexOf(m_waypoints), hasWay);
+    setTabVisible(indexOf(m_map), hasPath && !isPage);
+    setTabVisible(indexOf(m_waypoints), hasPath);
     setTabVisible(indexOf(m_text), !isPage);
     if (isPage != wasPage)
-        setCurrentWidget(isPage   ? static_cast<QWidget*>(m_scroll)
-                         : hasWay ? static_cast<QWidget*>(m_map)
-                                  : m_text);
+        setCurrentWidget(isPage    ? static_cast<QWidget*>(m_scroll)
+                         : hasPath ? static_cast<QWidget*>(m_map)
+                                   : m_text);
     m_page->setPage(preview->picture);
     m_cells.setSheet(waypointSheet(preview, locale()));
     m_waypoints->resizeColumnsToContents();

@@ -76,7 +76,7 @@ void OriginDialog::judge()
     m_choice.reset();
     const auto found = m_field->found();
     const auto* place = std::get_if<FoundPlace>(&found);
-    if (place != nullptr && way_m(place->at) < kHere_m) {
+    if (place != nullptr && path_m(place->at) < kHere_m) {
         m_chart->setPlace(place->at);
         m_note->setText(tr("The origin is here now."));
     } else if (place != nullptr) {
@@ -100,7 +100,7 @@ void OriginDialog::judge()
 
 QString OriginDialog::summary(const LatLon& place) const
 {
-    const QString away = distanceText(way_m(place), locale());
+    const QString away = distanceText(path_m(place), locale());
     const QString where = placeText(place, kPlaceDecimals, locale());
     return m_keepPlaces->isChecked()
                ? tr("The origin comes to %1, %2 away. Places, courses and drift on the Earth stay "
@@ -110,7 +110,7 @@ QString OriginDialog::summary(const LatLon& place) const
                      .arg(where, away);
 }
 
-double OriginDialog::way_m(const LatLon& place) const
+double OriginDialog::path_m(const LatLon& place) const
 {
     return LocalFrame(m_scenario.origin).toPlane(place).norm();
 }

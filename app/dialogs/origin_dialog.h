@@ -28,7 +28,7 @@ public:
 
 private:
     void judge();
-    [[nodiscard]] double way_m(const LatLon& place) const;
+    [[nodiscard]] double path_m(const LatLon& place) const;
     [[nodiscard]] QString summary(const LatLon& place) const;
 
     const Scenario& m_scenario;

@@ -59,7 +59,7 @@ void ContextMenus::addHandOverActions(QMenu& menu, const std::string& id)
     const std::vector<Uav>& uavs = workspace().document().scenario().uavs;
     if (uavs.size() < 2)
         return;
-    const std::string keeper = workspace().keeperOf(id);
+    const std::string keeper = workspace().assignedUavOf(id);
     const auto add = [&](const QString& text, const std::string& uav) {
         QAction* action = menu.addAction(
             text, this, [this, uav] { workspace().assign(workspace().selection().ids(), uav); });

@@ -25,8 +25,8 @@ FlightControls::FlightControls(WindowContext& context) : WindowPart(context)
     connect(panels().playback, &PlaybackBar::stepRequested, &workspace(), &Workspace::step);
     connect(panels().playback, &PlaybackBar::resetRequested, &workspace(), &Workspace::reset);
     connect(panels().playback, &PlaybackBar::rateEdited, &workspace(), &Workspace::setRate);
-    connect(panels().playback, &PlaybackBar::timeEdited, &workspace(), &Workspace::lookAt);
-    connect(panels().events, &EventPanel::timeChosen, &workspace(), &Workspace::lookAt);
+    connect(panels().playback, &PlaybackBar::timeEdited, &workspace(), &Workspace::seek);
+    connect(panels().events, &EventPanel::timeChosen, &workspace(), &Workspace::seek);
 
     connect(panels().banner, &FlightBanner::stopRequested, &workspace(), &Workspace::reset);
     connect(panels().banner, &FlightBanner::flyOnRequested, &workspace(),
@@ -37,8 +37,7 @@ FlightControls::FlightControls(WindowContext& context) : WindowPart(context)
     m_givenUpTimer.setSingleShot(true);
     m_givenUpTimer.setInterval(kGivenUp_ms);
     connect(&m_givenUpTimer, &QTimer::timeout, this, [this] { panels().banner->showGivenUp({}); });
-    connect(panels().banner, &FlightBanner::newestRequested, &workspace(),
-            &Workspace::lookAtNewest);
+    connect(panels().banner, &FlightBanner::newestRequested, &workspace(), &Workspace::seekLatest);
     connect(&workspace(), &Workspace::takeOffAhead, this, [this] {
         panels().map->cancelGesture();
         panels().finishTyping();

@@ -28,7 +28,7 @@ constexpr int kTableInterval_ms = 100;
 FlightPanels::FlightPanels(WindowContext& context, const Docks& docks) : WindowPart(context)
 {
     for (const ChartPanel* chart : panels().charts) {
-        connect(chart, &ChartPanel::timePicked, &workspace(), &Workspace::lookAt);
+        connect(chart, &ChartPanel::timePicked, &workspace(), &Workspace::seek);
         connect(chart, &ChartPanel::kindChanged, this, &FlightPanels::showCharts);
         connect(chart, &ChartPanel::icebergPicked, this,
                 [this](const std::string& id) { workspace().selection().set({id}); });

@@ -308,7 +308,7 @@ void Menus::buildLookBackActions(QMenu& menu)
         [this] { panels().playback->editTime(); });
     add(menu,
         {"newestAction", tr("Bac&k to latest"), QKeySequence(Qt::CTRL | Qt::Key_End), std::nullopt},
-        [this] { workspace().lookAtNewest(); });
+        [this] { workspace().seekLatest(); });
 }
 
 void Menus::buildHelpMenu()

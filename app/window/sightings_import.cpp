@@ -71,10 +71,10 @@ void SightingsImport::importSightings(const QString& path)
          .intoNew = m_start.pageIsShown(), // there the present one is out of sight
          .theme = theme()});
     if (choice && m_files.mayAnswer(false))
-        takeImport(*choice, QFileInfo(path).fileName());
+        acceptImport(*choice, QFileInfo(path).fileName());
 }
 
-void SightingsImport::takeImport(const ImportChoice& choice, const QString& fileName)
+void SightingsImport::acceptImport(const ImportChoice& choice, const QString& fileName)
 {
     if (choice.intoNew) {
         if (!m_files.mayLeaveScene(Interaction::FlightEnd::Other))

@@ -24,7 +24,7 @@ protected:
 private:
     [[nodiscard]] bool mayImport();
     void importSightings(const QString& path);
-    void takeImport(const ImportChoice& choice, const QString& fileName);
+    void acceptImport(const ImportChoice& choice, const QString& fileName);
     void openDropped(const QString& path);
 
     ScenarioFiles& m_files;

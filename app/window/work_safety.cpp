@@ -74,7 +74,7 @@ bool WorkSafety::eventFilter(QObject* watched, QEvent* event)
     followEnd(*event);
     if (watched == &window() && event->type() == QEvent::ActivationChange &&
         window().isActiveWindow())
-        QTimer::singleShot(0, this, &WorkSafety::lookAtFile);
+        QTimer::singleShot(0, this, &WorkSafety::checkFile);
     return WindowPart::eventFilter(watched, event);
 }
 
@@ -170,7 +170,7 @@ void WorkSafety::restore(FoundRecovery found)
 }
 
 /** Somebody else may have changed the file while the user was elsewhere. */
-void WorkSafety::lookAtFile()
+void WorkSafety::checkFile()
 {
     const ScenarioDocument& document = workspace().document();
     if (m_asksReload || !window().isActiveWindow() || !document.isClean() ||

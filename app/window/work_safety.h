@@ -43,7 +43,7 @@ private:
     void followEnd(const QEvent& event);
     void restore(FoundRecovery found);
     void showDamaged(const QString& path);
-    void lookAtFile();
+    void checkFile();
 
     Gates m_gates;
     StatusLine& m_status;

@@ -63,10 +63,10 @@ bool insidePolygon(std::span<const Point> polygon, const Point& p)
 
 double distanceToSegment(const Point& a, const Point& b, const Point& p)
 {
-    const Point way = b - a;
-    const double length2 = way.squaredNorm();
-    const double share = length2 > 0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0.0;
-    return (p - (a + share * way)).norm();
+    const Point path = b - a;
+    const double length2 = path.squaredNorm();
+    const double share = length2 > 0 ? std::clamp((p - a).dot(path) / length2, 0.0, 1.0) : 0.0;
+    return (p - (a + share * path)).norm();
 }
 
 double distanceToEdges(std::span<const Point> polygon, const Point& p)

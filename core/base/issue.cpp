@@ -68,7 +68,7 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::AreaNoFence, "icebergs outside it are not monitored; the UAV may fly beyond it"},
     {IssueId::VelocitySdUnused, "is used in flight with the observer kalman only"},
     {IssueId::SameLayer, "starts within separation_m of another UAV of the same altitude layer"},
-    {IssueId::NoWayHome, "is too short for the way home from the start"},
+    {IssueId::NoPathHome, "is too short for the way home from the start"},
     {IssueId::NoRoundTrip, "is too short for the way to the nearest iceberg and back"},
     {IssueId::HomeUnused, "is used with a limited endurance only"},
     {IssueId::HomeNearFence,

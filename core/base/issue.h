@@ -62,7 +62,7 @@ enum class IssueId
     AreaNoFence,
     VelocitySdUnused,
     SameLayer,
-    NoWayHome,
+    NoPathHome,
     NoRoundTrip,
     HomeUnused,
     HomeNearFence,

@@ -21,9 +21,9 @@ struct WorkMeter
     [[nodiscard]] bool spend(std::int64_t work)
     {
         used += work;
-        return goesOn();
+        return continues();
     }
-    [[nodiscard]] bool goesOn() const { return used <= limit && !stop.stop_requested(); }
+    [[nodiscard]] bool continues() const { return used <= limit && !stop.stop_requested(); }
 };
 
 /** What a second on the way costs. */

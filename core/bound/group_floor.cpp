@@ -20,12 +20,13 @@ constexpr double kStrongWind = 0.95;
  * Prices of a second of the whole way, over what all icebergs grow in it. They sharpen the first
  * minutes only, so coarse cells do.
  */
-constexpr std::array kStartPrices{0.25, 0.5, 1.0, 2.0};
+constexpr std::array kStartMultipliers{0.25, 0.5, 1.0, 2.0};
 constexpr int kMostCellsPriced = 32;
 
-std::span<const double> startPrices(int perRegion)
+std::span<const double> startMultipliers(int perRegion)
 {
-    return std::span(kStartPrices).first(perRegion <= kMostCellsPriced ? kStartPrices.size() : 0);
+    return std::span(kStartMultipliers)
+        .first(perRegion <= kMostCellsPriced ? kStartMultipliers.size() : 0);
 }
 
 /** Work of the legs between all cells, in units of chains. */
@@ -166,7 +167,7 @@ std::int64_t GroupFloor::workOf(const BoundWindow& window, int perRegion) const
     const auto sets = std::int64_t{1} << icebergs;
     const auto fromStarts =
         window.from == 0
-            ? static_cast<std::int64_t>(uavs.size() * (1 + startPrices(perRegion).size()))
+            ? static_cast<std::int64_t>(uavs.size() * (1 + startMultipliers(perRegion).size()))
             : 0;
     const std::int64_t looks =
         (window.end - window.begin - 1) / blocksPerLook(window) + 2; // and one for the mean age
@@ -216,13 +217,13 @@ GroupFloor::chainsOf(const std::vector<int>& icebergs, const BoundWindow& window
             if (!meter.spend(legWork(static_cast<int>(icebergs.size()), perRegion)))
                 return std::nullopt;
             cells.emplace(regions, perRegion, travelIn(m_scenario, uav, velocity_mps), meter.stop);
-            if (!meter.goesOn())
+            if (!meter.continues())
                 return std::nullopt;
             chains.priced.push_back({.cost_m2 = chainCosts(*cells, price, {}, meter)});
         }
         if (window.from == 0)
             reachFromStart(chains, *cells, uav.position_m, price, meter);
-        if (!meter.goesOn())
+        if (!meter.continues())
             return std::nullopt;
         if (window.from == 0)
             seeAtStart(chains, regions, uav.position_m);
@@ -238,7 +239,7 @@ void GroupFloor::reachFromStart(Chains& chains, const ViewCells& cells, const Po
     const ChainPrice time{.perSeen = std::vector<double>(price.perSeen.size(), 0.0), .always = 1};
     chains.soonest_s = chainCosts(cells, time, fromStart_s, meter);
     const double growth = std::accumulate(price.perSeen.begin(), price.perSeen.end(), 0.0);
-    for (const double share : startPrices(cells.perRegion())) {
+    for (const double share : startMultipliers(cells.perRegion())) {
         price.always = share * growth;
         chains.priced.push_back(
             {.perSecond = price.always, .cost_m2 = chainCosts(cells, price, fromStart_s, meter)});
@@ -327,7 +328,7 @@ void GroupFloor::raiseBlocks(const BoundWindow& window, const std::vector<Chains
             // Chains get no dearer with time: those of the last block hold for all before it.
             const int last = std::min(block + perLook, window.end);
             seen_m2 = sharedOut(chains, m_motion.edge_s(last) - from_s, meter);
-            if (!meter.goesOn())
+            if (!meter.continues())
                 return;
         }
         const double first_s = m_motion.edge_s(block) + m_scenario.dt_s - from_s; // its first step

@@ -59,11 +59,11 @@ TrueMotion::TrueMotion(const Scenario& scenario, const std::stop_token& stop)
     for (std::int64_t b = 0; b <= blocks; ++b)
         m_edges.push_back(steps * b / blocks);
     for (const Iceberg& iceberg : scenario.icebergs)
-        m_ways.push_back(wayOf(scenario, iceberg, stop));
+        m_paths.push_back(pathOf(scenario, iceberg, stop));
 }
 
-TrueMotion::Way TrueMotion::wayOf(const Scenario& scenario, const Iceberg& iceberg,
-                                  const std::stop_token& stop) const
+TrueMotion::Path TrueMotion::pathOf(const Scenario& scenario, const Iceberg& iceberg,
+                                    const std::stop_token& stop) const
 {
     const TrueStart start = trueStart(iceberg, scenario.observer,
                                       static_cast<std::uint64_t>(scenario.seed), scenario.noise);
@@ -74,35 +74,35 @@ TrueMotion::Way TrueMotion::wayOf(const Scenario& scenario, const Iceberg& icebe
                                    ? nullptr
                                    : std::make_shared<const RecordedTrack>(iceberg.track)},
                      static_cast<std::uint64_t>(scenario.seed), iceberg.id, scenario.noise);
-    Way way;
+    Path path;
     TimedPoint last{.time_s = 0, .position_m = drift.position_m(0)};
-    way.position_m.push_back(last.position_m);
+    path.position_m.push_back(last.position_m);
     for (int b = 0; b < blocks() && !stop.stop_requested(); ++b) {
         std::vector<TimedPoint> between;
         for (const double corner_s : corners_s(scenario, iceberg, last.time_s, edge_s(b + 1)))
             between.push_back({.time_s = corner_s, .position_m = drift.position_m(corner_s)});
         const TimedPoint next{.time_s = edge_s(b + 1),
                               .position_m = drift.position_m(edge_s(b + 1))};
-        way.position_m.push_back(next.position_m);
-        way.offChord_m.push_back(farthestFromChord_m(between, last, next));
+        path.position_m.push_back(next.position_m);
+        path.offChord_m.push_back(farthestFromChord_m(between, last, next));
         last = next;
     }
-    return way;
+    return path;
 }
 
 Enclosure TrueMotion::enclosure(int iceberg, int fromEdge, int toEdge,
                                 const Point& velocity_mps) const
 {
-    const Way& way = m_ways[at(iceberg)];
+    const Path& path = m_paths[at(iceberg)];
     const auto inFrame = [&](int edge) -> Point {
-        return way.position_m[at(edge)] - velocity_mps * (edge_s(edge) - edge_s(fromEdge));
+        return path.position_m[at(edge)] - velocity_mps * (edge_s(edge) - edge_s(fromEdge));
     };
     Eigen::AlignedBox2d box;
     double offChord_m = 0;
     for (int edge = fromEdge; edge <= toEdge; ++edge) {
         box.extend(inFrame(edge));
         if (edge > fromEdge)
-            offChord_m = std::max(offChord_m, way.offChord_m[at(edge - 1)]);
+            offChord_m = std::max(offChord_m, path.offChord_m[at(edge - 1)]);
     }
     Enclosure result{.centre_m = box.center()};
     for (int edge = fromEdge; edge <= toEdge; ++edge)

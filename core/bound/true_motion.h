@@ -36,7 +36,7 @@ public:
     }
     [[nodiscard]] Point position_m(int iceberg, int edge) const
     {
-        return m_ways[at(iceberg)].position_m[at(edge)];
+        return m_paths[at(iceberg)].position_m[at(edge)];
     }
 
     /**
@@ -48,18 +48,18 @@ public:
 
 private:
     /** One iceberg: at the edges, and how far off the chord between them it gets. */
-    struct Way
+    struct Path
     {
         std::vector<Point> position_m;
         std::vector<double> offChord_m;
     };
     [[nodiscard]] static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] Way wayOf(const Scenario& scenario, const Iceberg& iceberg,
-                            const std::stop_token& stop) const;
+    [[nodiscard]] Path pathOf(const Scenario& scenario, const Iceberg& iceberg,
+                              const std::stop_token& stop) const;
 
     double m_dt_s;
     std::vector<std::int64_t> m_edges;
-    std::vector<Way> m_ways;
+    std::vector<Path> m_paths;
 };
 
 } // namespace berg

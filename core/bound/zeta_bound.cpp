@@ -162,7 +162,7 @@ private:
                 if (m_meter.used + floor.workOf(window, cells) > m_meter.limit)
                     return false; // what is cut would be wasted
                 floor.raise(window, cells, m_meter);
-                if (!m_meter.goesOn())
+                if (!m_meter.continues())
                     return false;
                 report();
             }

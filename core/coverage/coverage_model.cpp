@@ -75,8 +75,8 @@ Point atEdge(const ViewWindow& window, Point p_m, bool inside)
     }
     if (inside)
         return p_m.cwiseMax(-half_m).cwiseMin(half_m);
-    const Point room_m = half_m - p_m.cwiseAbs();
-    const int axis = room_m.x() < room_m.y() ? 0 : 1;
+    const Point clearance_m = half_m - p_m.cwiseAbs();
+    const int axis = clearance_m.x() < clearance_m.y() ? 0 : 1;
     p_m[axis] = std::copysign(half_m[axis], p_m[axis]);
     return p_m;
 }

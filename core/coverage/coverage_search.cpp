@@ -195,15 +195,15 @@ bool CoverageSearch::mayFly(int iceberg, bool isFirst) const
 /** The largest sigma for its way; none when every iceberg is in view. */
 std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state, bool isFirst) const
 {
-    constexpr double kShortestWay_m = 50;
+    constexpr double kShortestPath_m = 50;
     std::optional<CoverageLeg> best;
     double bestScore = -1;
     for (int i = 0; i < m_model.icebergCount(); ++i) {
         if (m_model.inView(state, i) || !mayFly(i, isFirst))
             continue;
-        const double way_m =
-            std::max(kShortestWay_m, m_model.distance_m(state, i) - m_model.largestOffset_m());
-        const double score = m_model.sigma_m2(state, i) / way_m;
+        const double path_m =
+            std::max(kShortestPath_m, m_model.distance_m(state, i) - m_model.largestOffset_m());
+        const double score = m_model.sigma_m2(state, i) / path_m;
         if (score > bestScore) {
             best = CoverageLeg{.iceberg = i, .offset_m = 0};
             bestScore = score;

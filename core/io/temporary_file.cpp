@@ -111,7 +111,7 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& target, Name name) : m
         m_fd = ::open(folderOf(target).c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
     m_isNamed = m_fd < 0;
     if (m_isNamed)
-        takeName([this](const char* path) {
+        acceptName([this](const char* path) {
             m_fd = ::open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             return m_fd >= 0;
         });
@@ -147,7 +147,7 @@ void TemporaryFile::copyAttributes(const struct stat& from) const
 bool TemporaryFile::place()
 {
     if (!m_isNamed)
-        m_isNamed = takeName([this](const char* path) {
+        m_isNamed = acceptName([this](const char* path) {
             return ::linkat(AT_FDCWD, link().c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
         });
     m_placed = m_isNamed && ::rename(m_path.c_str(), m_target.c_str()) == 0;
@@ -177,7 +177,7 @@ std::string TemporaryFile::link() const
 }
 
 template <class Make>
-bool TemporaryFile::takeName(const Make& make)
+bool TemporaryFile::acceptName(const Make& make)
 {
     constexpr int kMostTries = 1000;
     for (int i = 0; i < kMostTries; ++i) {

@@ -71,7 +71,7 @@ private:
     [[nodiscard]] std::string link() const;
     /** The first free name that `make` can use. */
     template <class Make>
-    bool takeName(const Make& make);
+    bool acceptName(const Make& make);
 
     std::filesystem::path m_target;
     std::filesystem::path m_path;

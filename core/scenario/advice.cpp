@@ -135,11 +135,11 @@ private:
     /** Straight until it is reached or comes into view, without the turn at the start. */
     [[nodiscard]] double timeOf_s(const Flyer& flyer, const Point& from_m, const Point& to_m) const
     {
-        const Point way_m = to_m - from_m;
-        const double distance_m = way_m.norm();
+        const Point path_m = to_m - from_m;
+        const double distance_m = path_m.norm();
         if (distance_m <= flyer.reach_m)
             return 0;
-        return flightTime_s(way_m * ((distance_m - flyer.reach_m) / distance_m),
+        return flightTime_s(path_m * ((distance_m - flyer.reach_m) / distance_m),
                             flyer.uav.spec.airspeed_mps, m_s.wind_mps);
     }
     /** Whether this is so of every UAV that may visit the iceberg. */
@@ -233,10 +233,10 @@ void Adviser::adviseEndurance(const Flyer& flyer)
         hint(flyer.path + ".home_m", IssueId::HomeUnused);
     if (!sortie)
         return;
-    const std::optional<Way> home =
-        wayTo(startOf(uav), {.place_m = sortie->home_m}, motionOf(m_s, uav), m_s.dt_s);
+    const std::optional<Path> home =
+        pathTo(startOf(uav), {.place_m = sortie->home_m}, motionOf(m_s, uav), m_s.dt_s);
     if (!flyer.fence && (!home || home->time_s + kHomeReserve_s > sortie->endurance_s))
-        warn(flyer.path + ".endurance_s", IssueId::NoWayHome);
+        warn(flyer.path + ".endurance_s", IssueId::NoPathHome);
     bool visits = false;
     bool returns = false;
     for (const Iceberg& iceberg : m_s.icebergs) {
@@ -258,7 +258,7 @@ void Adviser::adviseFences()
         if (!flyer.fence)
             continue;
         isFenced = true;
-        if (flyer.fence->room_m(startOf(flyer.uav)) < 0)
+        if (flyer.fence->turnClearance_m(startOf(flyer.uav)) < 0)
             warn(flyer.path + ".position_m", IssueId::StartNearFence);
         if (const std::optional<SortieSpec> sortie = sortieOf(flyer.uav))
             adviseReturn(flyer, *sortie);
@@ -284,7 +284,7 @@ void Adviser::adviseReturn(const Flyer& flyer, const SortieSpec& sortie)
     if (!path)
         warn(flyer.path + ".position_m", IssueId::NoSafeReturn);
     else if (guard.time_s(*path) + kHomeReserve_s > sortie.endurance_s)
-        warn(flyer.path + ".endurance_s", IssueId::NoWayHome);
+        warn(flyer.path + ".endurance_s", IssueId::NoPathHome);
     if (!guard.safeHeading_rad({.position_m = sortie.home_m}, sortie.endurance_s))
         warn(flyer.path + ".home_m", IssueId::HomeNearFence);
 }

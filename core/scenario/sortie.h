@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scenario/scenario.h"
-#include "core/vehicle/way_home.h"
+#include "core/vehicle/path_home.h"
 
 namespace berg {
 

@@ -18,7 +18,7 @@ namespace {
 /** Part of the airspeed above which wind makes flight times grow without much warning. */
 constexpr double kStrongWind = 0.7;
 
-/** Slower autopilots cannot be told when home must be gone for: `wayTo`. */
+/** Slower autopilots cannot be told when home must be gone for: `pathTo`. */
 constexpr double kSlowestHoming_s = 1;
 
 std::int64_t count(std::size_t number)
@@ -47,7 +47,7 @@ public:
     }
     void error(std::string field, IssueId id, Arguments arguments = {})
     {
-        if (++m_errors <= kMostKept)
+        if (++m_errors <= kMostStored)
             add(Severity::Error, std::move(field), id, std::move(arguments));
     }
     void warn(std::string field, IssueId id, Arguments arguments = {})
@@ -94,13 +94,13 @@ public:
 
     [[nodiscard]] std::vector<Issue> take()
     {
-        if (m_errors > kMostKept)
-            add(Severity::Error, "", IssueId::MoreFaults, {count(m_errors - kMostKept)});
+        if (m_errors > kMostStored)
+            add(Severity::Error, "", IssueId::MoreFaults, {count(m_errors - kMostStored)});
         return std::move(m_issues);
     }
 
 private:
-    static constexpr std::size_t kMostKept = 1000; ///< nobody reads more
+    static constexpr std::size_t kMostStored = 1000; ///< nobody reads more
 
     void add(Severity severity, std::string field, IssueId id, Arguments arguments)
     {

@@ -38,7 +38,8 @@ bool isFencedOff(const Geofence* fence, const Point& from_m, const Point& place_
 {
     const Point leg_m = place_m - from_m;
     return fence != nullptr &&
-           fence->room_m({.position_m = place_m, .psi_rad = std::atan2(leg_m.y(), leg_m.x())}) < 0;
+           fence->turnClearance_m(
+               {.position_m = place_m, .psi_rad = std::atan2(leg_m.y(), leg_m.x())}) < 0;
 }
 
 } // namespace
@@ -160,18 +161,18 @@ std::optional<int> thisSortie(const Autopilot& uav, std::span<const int> order,
 double searchGain_m2ps(const Autopilot& uav, const Search& search, const Observer& observer)
 {
     const double variance_m2 =
-        std::max(observer.track(search.iceberg).sigma_m2, search.way.variance_m2());
+        std::max(observer.track(search.iceberg).sigma_m2, search.path.variance_m2());
     return priority(observer, search.iceberg) * variance_m2 *
-           search.way.chancePerSecond(uav.pose().position_m - observer.estimate_m(search.iceberg),
-                                      uav.motion().airspeed_mps, surelySeen_m(uav.sensor()),
-                                      observer.world().observer().detection);
+           search.path.chancePerSecond(uav.pose().position_m - observer.estimate_m(search.iceberg),
+                                       uav.motion().airspeed_mps, surelySeen_m(uav.sensor()),
+                                       observer.world().observer().detection);
 }
 
 bool isWorthSearching(const Autopilot& uav, const Search& search, const Observer& observer)
 {
     const int target = uav.target();
-    if (!search.way.hasCorner() || target < 0)
-        return search.way.hasCorner();
+    if (!search.path.hasCorner() || target < 0)
+        return search.path.hasCorner();
     const Point leg_m = observer.estimate_m(target) - uav.pose().position_m;
     const double leg_s =
         std::max(uav.guard().uav().clock.command_s(),
@@ -356,8 +357,8 @@ LosGuidance::Command Autopilot::steerAlong(const Point& end_m, const Point& drif
 /** Straight at the place. */
 double Autopilot::steerAt(const Point& place_m) const
 {
-    const Point way_m = place_m - m_pose.position_m;
-    return turnRateForCourse(m_pose.psi_rad, std::atan2(way_m.y(), way_m.x()), motion(),
+    const Point path_m = place_m - m_pose.position_m;
+    return turnRateForCourse(m_pose.psi_rad, std::atan2(path_m.y(), path_m.x()), motion(),
                              m_guidance.gains.turn_1ps);
 }
 
@@ -438,7 +439,7 @@ double Autopilot::steerSearch(int uav, Observer& observer, StepReport& report)
     const std::optional<Search>& search = observer.searches().of(uav);
     if (!search)
         return 0; // ended; a plan follows
-    const Point corner_m = observer.estimate_m(search->iceberg) + search->way.corner_m();
+    const Point corner_m = observer.estimate_m(search->iceberg) + search->path.corner_m();
     const bool fencedOff = isFencedOff(m_guard.uav().fence.get(), m_guidance.start_m, corner_m);
     if (!fencedOff)
         if (const std::optional<double> u_radps = steerRoundFence(corner_m))

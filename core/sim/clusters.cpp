@@ -40,7 +40,7 @@ bool isFlownOver(const Geofence& fence, const Point& place_m)
 {
     constexpr int kCourses = 16;
     for (int i = 0; i < kCourses; ++i)
-        if (fence.room_m({.position_m = place_m, .psi_rad = 2 * kPi * i / kCourses}) < 0)
+        if (fence.turnClearance_m({.position_m = place_m, .psi_rad = 2 * kPi * i / kCourses}) < 0)
             return false;
     return true;
 }

@@ -85,7 +85,8 @@ int Fleet::nearestAvailable(int uav) const
 
 bool Fleet::clusterable(int iceberg) const
 {
-    return available(0, iceberg) && std::ranges::find(m_apart, iceberg) == m_apart.end();
+    return available(0, iceberg) &&
+           std::ranges::find(m_unclustered, iceberg) == m_unclustered.end();
 }
 
 void Fleet::advance(std::span<const DubinsState> poses)
@@ -112,7 +113,7 @@ void Fleet::advance(std::span<const DubinsState> poses)
     if (count() > 1)
         watchSeparation(before_m);
     m_observer.observe(m_observer.world().dt_s(), m_report);
-    std::erase_if(m_apart, [this](int iceberg) { return m_observer.track(iceberg).inView; });
+    std::erase_if(m_unclustered, [this](int iceberg) { return m_observer.track(iceberg).inView; });
 }
 
 void Fleet::enterLayer(int uav)
@@ -234,11 +235,11 @@ void Fleet::searchAgain(int uav)
     for (const Search& old : m_observer.searches().givenUp()) {
         if (!maySearch(uav, old.iceberg))
             continue;
-        const LostSearch pattern(m_observer.world().observer(), me.sensor(), old.way.spread_m(),
+        const LostSearch pattern(m_observer.world().observer(), me.sensor(), old.path.spread_m(),
                                  me.pose().psi_rad);
         Search search{.iceberg = old.iceberg,
-                      .way = LostSearch::restored(pattern.corners_m(), 0, old.way.spread_m(),
-                                                  old.way.chances())};
+                      .path = LostSearch::restored(pattern.corners_m(), 0, old.path.spread_m(),
+                                                   old.path.chances())};
         const double gain_m2ps = searchGain_m2ps(me, search, m_observer);
         if (gain_m2ps > best_m2ps && isWorthSearching(me, search, m_observer)) {
             best_m2ps = gain_m2ps;
@@ -277,12 +278,12 @@ bool Fleet::endOverdueCluster(int uav)
         return false;
     const Errand& errand = *me.errand();
     const DubinsState& pose = me.pose();
-    const Point way_m = targetPlace_m(errand, m_observer) - pose.position_m;
+    const Point path_m = targetPlace_m(errand, m_observer) - pose.position_m;
     const Point ahead(std::cos(pose.psi_rad), std::sin(pose.psi_rad));
-    const bool flownOver = way_m.norm() <= kFlownOver_m && ahead.dot(way_m) <= 0;
+    const bool flownOver = path_m.norm() <= kFlownOver_m && ahead.dot(path_m) <= 0;
     if (!flownOver && m_observer.world().time_s() < errand.membersBy_s)
         return false;
-    std::ranges::copy_if(errand.members, std::back_inserter(m_apart),
+    std::ranges::copy_if(errand.members, std::back_inserter(m_unclustered),
                          [&](int member) { return !isReached(m_observer, uav, member); });
     return true;
 }

@@ -21,7 +21,7 @@ public:
     [[nodiscard]] const Autopilot& autopilot(int uav) const { return m_autopilots[toIndex(uav)]; }
     [[nodiscard]] const std::vector<Autopilot>& autopilots() const { return m_autopilots; }
     [[nodiscard]] const std::optional<double>& closest_m() const { return m_closest_m; }
-    [[nodiscard]] const std::vector<int>& apart() const { return m_apart; }
+    [[nodiscard]] const std::vector<int>& unclustered() const { return m_unclustered; }
 
     /** As `available`, whether or not the endurance allows it. */
     [[nodiscard]] bool visitable(int uav, int iceberg) const;
@@ -71,7 +71,7 @@ private:
     std::vector<Autopilot> m_autopilots;
     Separation m_separation;
     StepReport m_report;
-    std::vector<int> m_apart; ///< in no cluster until seen: one was passed without them
+    std::vector<int> m_unclustered; ///< in no cluster until seen: one was passed without them
     std::optional<double> m_closest_m;
 };
 

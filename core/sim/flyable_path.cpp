@@ -1,7 +1,7 @@
 #include "core/sim/flyable_path.h"
 
 #include "core/base/enclosing_circle.h"
-#include "core/coverage/aimed_way.h"
+#include "core/coverage/aimed_path.h"
 #include "core/scenario/fence.h"
 #include "core/sim/clusters.h"
 
@@ -43,7 +43,7 @@ public:
         , m_rest(order.icebergs)
         , m_simulation(withTime(scene, longestFlight_s(scene, order)))
         , m_sampleSteps(std::max<std::int64_t>(1, std::llround(kSample_s / scene.dt_s)))
-        , m_ways(aimedWays(order.legs, m_simulation.uav(0).pose, 0, m_simulation.motion(0)))
+        , m_paths(aimedPaths(order.legs, m_simulation.uav(0).pose, 0, m_simulation.motion(0)))
     {
     }
 
@@ -70,8 +70,8 @@ private:
         if (uav().mode == FlightMode::Ground)
             return landed();
         const PlanReason reason = m_simulation.planReason(0);
-        const bool hasLegs = m_leg < m_ways.size();
-        const bool isLegOver = hasLegs && m_simulation.time_s() >= wayEnd_s();
+        const bool hasLegs = m_leg < m_paths.size();
+        const bool isLegOver = hasLegs && m_simulation.time_s() >= pathEnd_s();
         if ((reason == PlanReason::None && !isLegOver) || !uav().isPlanned())
             return true;
         if (hasLegs)
@@ -89,18 +89,18 @@ private:
         return !uav().isPlanned();
     }
 
-    [[nodiscard]] double wayEnd_s() const { return m_ways[m_leg].points.back().time_s; }
+    [[nodiscard]] double pathEnd_s() const { return m_paths[m_leg].points.back().time_s; }
 
     /** Along the leg that there is, or straight to the next one. */
     void flyOn(bool isNewLeg)
     {
-        if (m_leg >= m_ways.size()) {
+        if (m_leg >= m_paths.size()) {
             flyToNext();
             return;
         }
-        const bool goesOn = !isNewLeg && uav().aim;
-        AimedLeg leg = goesOn ? *uav().aim : m_order.legs[m_leg];
-        leg.sighting_s = wayEnd_s(); // whatever is seen before, it is flown to its end
+        const bool continues = !isNewLeg && uav().aim;
+        AimedLeg leg = continues ? *uav().aim : m_order.legs[m_leg];
+        leg.sighting_s = pathEnd_s(); // whatever is seen before, it is flown to its end
         m_simulation.setTarget(0, m_rest.front(), leg);
     }
 
@@ -188,8 +188,8 @@ private:
     std::vector<int> m_rest; ///< icebergs still to be visited
     Simulation m_simulation;
     std::int64_t m_sampleSteps;
-    std::vector<AimedWay> m_ways; ///< of the legs with aims
-    std::size_t m_leg = 0;        ///< of those, the one that is flown
+    std::vector<AimedPath> m_paths; ///< of the legs with aims
+    std::size_t m_leg = 0;          ///< of those, the one that is flown
     FlyablePath m_path;
 };
 
@@ -198,13 +198,13 @@ void flyHome(FlyablePath& path, const Scenario& scene)
     const Uav& uav = scene.uavs.front();
     const TrackPoint& last = path.track.back();
     const Point home_m = uav.home_m.value_or(uav.position_m);
-    const Point way_m = home_m - last.state.position_m;
-    const double time_s = last.time_s + flightTime_s(way_m, uav.spec.airspeed_mps, scene.wind_mps);
+    const Point path_m = home_m - last.state.position_m;
+    const double time_s = last.time_s + flightTime_s(path_m, uav.spec.airspeed_mps, scene.wind_mps);
     path.visits.push_back({.time_s = time_s, .position_m = home_m});
     if (time_s > last.time_s)
         path.track.push_back(
             {.time_s = time_s,
-             .state = {.position_m = home_m, .psi_rad = std::atan2(way_m.y(), way_m.x())}});
+             .state = {.position_m = home_m, .psi_rad = std::atan2(path_m.y(), path_m.x())}});
 }
 
 } // namespace

@@ -25,7 +25,7 @@ struct FlyablePath
  * Flies the order with the first UAV of the scene from its start, by the very simulation that flies
  * missions, without planning anew: to each iceberg that is not in view already, and with limited
  * endurance home when the rest is too far. `home`: at the end straight home. Icebergs that cannot
- * be caught up with end it. Legs with aims are flown to their ends (`aimedWays`), and what they
+ * be caught up with end it. Legs with aims are flown to their ends (`aimedPaths`), and what they
  * leave is flown to straight. The scene is that of `presentScene`, times of legs
  * count from its start.
  */

@@ -95,8 +95,8 @@ void IcebergReader::goTo(std::size_t row)
 {
     const std::vector<IcebergRows::Row>& rows = m_rows.m_rows;
     const std::size_t keyframe = rows[row].keyframe;
-    const bool goesOn = m_next > 0 && m_next <= row && rows[m_next - 1].keyframe == keyframe;
-    if (!goesOn) {
+    const bool continues = m_next > 0 && m_next <= row && rows[m_next - 1].keyframe == keyframe;
+    if (!continues) {
         m_next = static_cast<std::size_t>(
             std::ranges::lower_bound(rows, keyframe, {}, &IcebergRows::Row::keyframe) -
             rows.begin());

@@ -112,7 +112,7 @@ void Mission::noteStep()
 
 void Mission::noteEvents()
 {
-    for (MissionEvent& event : m_simulation.takeEvents())
+    for (MissionEvent& event : m_simulation.acceptEvents())
         note(std::move(event));
 }
 

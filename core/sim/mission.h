@@ -119,7 +119,7 @@ private:
     [[nodiscard]] std::vector<int> restOfPlan(int uav, PlanReason reason) const;
     void compareWithLast(Round& plans) const;
     [[nodiscard]] ForecastStart forecastStart() const;
-    void tellIncumbent(const SolveProgress& progress, const PlanRequest& request);
+    void reportIncumbent(const SolveProgress& progress, const PlanRequest& request);
     void note(MissionEvent event);
     void noteStep();
     void noteEvents();

@@ -127,7 +127,7 @@ bool Mission::planNow(const std::stop_token& stop)
         std::make_shared<const PlanRequest>(requestFor(m_simulation, m_planner.settings().policy));
     if (m_incumbentListener)
         options.onProgress = [&](const SolveProgress& progress) {
-            tellIncumbent(progress, *request);
+            reportIncumbent(progress, *request);
         };
     const PlanAnswer answer = m_planner.plan(*request, options, m_options.warmStart);
     if (answer.outcome.reason == StopReason::Cancelled)
@@ -292,7 +292,7 @@ void Mission::compareWithLast(Round& plans) const
         plan.change = std::move(changes[static_cast<std::size_t>(plan.uav)]);
 }
 
-void Mission::tellIncumbent(const SolveProgress& progress, const PlanRequest& request)
+void Mission::reportIncumbent(const SolveProgress& progress, const PlanRequest& request)
 {
     PlanEvent event{.time_s = m_simulation.time_s(),
                     .clusters = request.clusters,

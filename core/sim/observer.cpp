@@ -229,7 +229,7 @@ void Observer::measure(int iceberg, const Point& measured_m, int seenBy, StepRep
         return;
     }
     // What the filter believed was wrong: it starts again.
-    const IcebergBody& body = m_world.body(iceberg);
+    const IcebergParameters& body = m_world.body(iceberg);
     const double sd_mps = std::max(body.velocitySd_mps, kFoundVelocitySd_mps);
     track.anchor_m = measured_m;
     track.anchor_s = m_world.time_s();
@@ -267,15 +267,15 @@ void Observer::lose(int iceberg, int uav, std::span<const FieldOfView> views, St
     track.inView = false;
     track.status = TrackStatus::Lost;
     report.add({.kind = EventKind::Lost, .iceberg = iceberg, .uav = uav}, PlanReason::Lost);
-    LostSearch way(m_world.observer(), camera.sensor, std::sqrt(track.sigma_m2),
-                   camera.pose.psi_rad);
+    LostSearch path(m_world.observer(), camera.sensor, std::sqrt(track.sigma_m2),
+                    camera.pose.psi_rad);
     for (const FieldOfView& view : views)
-        way.miss(view, estimate_m(iceberg), m_world.observer().detection);
+        path.miss(view, estimate_m(iceberg), m_world.observer().detection);
     if (m_world.observer().model == ObserverModel::Kalman) // else sigma is that of Eq. (22)
-        track.sigma_m2 = std::max(track.sigma_m2, way.variance_m2());
-    Search search{.iceberg = iceberg, .way = std::move(way)};
+        track.sigma_m2 = std::max(track.sigma_m2, path.variance_m2());
+    Search search{.iceberg = iceberg, .path = std::move(path)};
     // One at a time: by the end of the search for another this one is far behind.
-    if (!m_searches.of(uav) && camera.maySearch && search.way.hasCorner())
+    if (!m_searches.of(uav) && camera.maySearch && search.path.hasCorner())
         m_searches.begin(uav, std::move(search));
     else
         giveUp(std::move(search), uav, report);

@@ -21,10 +21,10 @@ void Searches::grow(int iceberg, double added_m2)
 {
     for (std::optional<Search>& search : m_byUav)
         if (search && search->iceberg == iceberg)
-            search->way.grow(added_m2);
+            search->path.grow(added_m2);
     for (Search& search : m_givenUp)
         if (search.iceberg == iceberg)
-            search.way.grow(added_m2);
+            search.path.grow(added_m2);
 }
 
 void Searches::miss(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
@@ -33,7 +33,7 @@ void Searches::miss(int iceberg, std::span<const FieldOfView> views, const Point
     for (std::optional<Search>& search : m_byUav)
         if (search && search->iceberg == iceberg)
             for (const FieldOfView& view : views)
-                search->way.miss(view, estimate_m, detection);
+                search->path.miss(view, estimate_m, detection);
 }
 
 } // namespace berg

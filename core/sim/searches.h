@@ -24,7 +24,7 @@ public:
     void end(int iceberg);
 
     /** The UAV has passed the corner it flew to. */
-    void nextCorner(int uav) { m_byUav[toIndex(uav)]->way.nextCorner(); }
+    void nextCorner(int uav) { m_byUav[toIndex(uav)]->path.nextCorner(); }
     /** The variance of the iceberg's place has grown. */
     void grow(int iceberg, double added_m2);
     /** Looks showed no iceberg: told to whoever searches for it. */

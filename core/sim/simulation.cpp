@@ -13,7 +13,7 @@ WorldState Simulation::state() const
                      .tracks = observer().tracks(),
                      .sigmaSum_m2 = observer().sigmaSum_m2(),
                      .zeta_m2s = m_zeta_m2s,
-                     .apart = m_fleet.apart(),
+                     .unclustered = m_fleet.unclustered(),
                      .givenUp = observer().searches().givenUp(),
                      .closest_m = m_fleet.closest_m()};
     for (int k = 0; k < uavCount(); ++k)

@@ -95,7 +95,7 @@ public:
 
     /** What else happened since this was asked last, without times; asking changes nothing about
      * the flight. */
-    [[nodiscard]] std::vector<MissionEvent> takeEvents()
+    [[nodiscard]] std::vector<MissionEvent> acceptEvents()
     {
         return std::exchange(m_fleet.report().events, {});
     }

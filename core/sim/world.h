@@ -16,7 +16,7 @@ namespace berg {
 [[nodiscard]] std::vector<DriftNoise> drawNoise(const Scenario& scenario);
 
 /** What does not change about an iceberg, but for who is to visit it. */
-struct IcebergBody
+struct IcebergParameters
 {
     std::uint64_t stream = 0; ///< of its random numbers
     double radius_m = 0;
@@ -49,7 +49,10 @@ public:
     /** `start_s`: when the iceberg is at its `position_m`; `appearsStep`: known from then on. */
     void add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep);
     [[nodiscard]] int icebergCount() const { return static_cast<int>(m_bodies.size()); }
-    [[nodiscard]] const IcebergBody& body(int iceberg) const { return m_bodies[toIndex(iceberg)]; }
+    [[nodiscard]] const IcebergParameters& body(int iceberg) const
+    {
+        return m_bodies[toIndex(iceberg)];
+    }
     void assign(int iceberg, int uav) { m_bodies[toIndex(iceberg)].assignedUav = uav; }
     /** Steps since it appeared, below 0 before. */
     [[nodiscard]] std::int64_t age(int iceberg) const
@@ -84,7 +87,7 @@ private:
     Point m_current_mps;
     std::vector<std::string> m_uavs; ///< ids
     std::int64_t m_step = 0;
-    std::vector<IcebergBody> m_bodies;
+    std::vector<IcebergParameters> m_bodies;
     std::vector<DriftModel> m_drift;
     std::vector<std::int64_t> m_appearsStep;
 };

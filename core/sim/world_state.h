@@ -49,7 +49,7 @@ inline constexpr std::array<Named<FlightOrder>, 3> kFlightOrderNames{
 struct Search
 {
     int iceberg = -1;
-    LostSearch way;
+    LostSearch path;
     bool operator==(const Search&) const = default;
 };
 
@@ -95,7 +95,7 @@ struct WorldState
     std::vector<Track> tracks;  ///< one per iceberg of the scenario, the not yet appeared included
     double sigmaSum_m2 = 0;
     double zeta_m2s = 0;
-    std::vector<int> apart; ///< in no cluster until seen: one was passed without them
+    std::vector<int> unclustered; ///< in no cluster until seen: one was passed without them
     /** Of icebergs given up: where they may be, for when the rest is fresh. */
     std::vector<Search> givenUp;
     /** Least horizontal distance so far of two UAVs aloft in one altitude layer. */

@@ -136,11 +136,11 @@ private:
         BenchmarkRow row{
             .icebergs = icebergs, .solver = contestant.is, .note = contestant.whyNot(icebergs)};
         RowRun run(m_spec, row);
-        bool goesOn = row.note.empty();
-        while (goesOn && row.instances < m_spec.repeat) {
+        bool continues = row.note.empty();
+        while (continues && row.instances < m_spec.repeat) {
             const double left_s = share_s - watch.elapsed_s();
-            goesOn = left_s > 0 && run.solveNext(*contestant.solver, left_s, m_stop);
-            if (goesOn && row.instances < m_spec.repeat)
+            continues = left_s > 0 && run.solveNext(*contestant.solver, left_s, m_stop);
+            if (continues && row.instances < m_spec.repeat)
                 tell(row.instances);
         }
         run.summariseRow();

@@ -25,13 +25,13 @@ public:
     }
     void add(std::string field, std::string message)
     {
-        if (m_issues.size() < kMostKept)
+        if (m_issues.size() < kMostStored)
             m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
     }
     [[nodiscard]] std::vector<Issue> take() { return std::move(m_issues); }
 
 private:
-    static constexpr std::size_t kMostKept = 1000; ///< nobody reads more
+    static constexpr std::size_t kMostStored = 1000; ///< nobody reads more
 
     std::vector<Issue> m_issues;
 };

@@ -199,19 +199,19 @@ RecordedTrack thinned(const RecordedTrack& track, double tolerance_m)
     Point high_mps = Point::Constant(infinity);
     keep(0);
     for (std::size_t i = 1; i < count; ++i) {
-        Point way_m = track.position_m[i] - kept.position_m.back();
+        Point path_m = track.position_m[i] - kept.position_m.back();
         double dt_s = track.time_s[i] - kept.time_s.back();
-        const Point velocity_mps = way_m / dt_s;
+        const Point velocity_mps = path_m / dt_s;
         if ((velocity_mps.array() < low_mps.array()).any() ||
             (velocity_mps.array() > high_mps.array()).any()) {
             keep(i - 1);
             low_mps = Point::Constant(-infinity);
             high_mps = Point::Constant(infinity);
-            way_m = track.position_m[i] - kept.position_m.back();
+            path_m = track.position_m[i] - kept.position_m.back();
             dt_s = track.time_s[i] - kept.time_s.back();
         }
-        low_mps = low_mps.cwiseMax((way_m - slack_m) / dt_s);
-        high_mps = high_mps.cwiseMin((way_m + slack_m) / dt_s);
+        low_mps = low_mps.cwiseMax((path_m - slack_m) / dt_s);
+        high_mps = high_mps.cwiseMin((path_m + slack_m) / dt_s);
     }
     keep(count - 1);
     return kept;

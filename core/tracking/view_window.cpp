@@ -40,14 +40,14 @@ std::optional<ViewSpan> ViewWindow::crossingRectangle(const Point& from_m, const
 {
     ViewSpan span;
     for (int axis = 0; axis < 2; ++axis) {
-        const double way_m = to_m[axis] - from_m[axis];
-        if (way_m == 0) {
+        const double path_m = to_m[axis] - from_m[axis];
+        if (path_m == 0) {
             if (std::abs(from_m[axis]) > m_half_m[axis])
                 return std::nullopt;
             continue;
         }
-        const double a = (-m_half_m[axis] - from_m[axis]) / way_m;
-        const double b = (m_half_m[axis] - from_m[axis]) / way_m;
+        const double a = (-m_half_m[axis] - from_m[axis]) / path_m;
+        const double b = (m_half_m[axis] - from_m[axis]) / path_m;
         span.enter = std::max(span.enter, std::min(a, b));
         span.leave = std::min(span.leave, std::max(a, b));
     }
@@ -56,12 +56,12 @@ std::optional<ViewSpan> ViewWindow::crossingRectangle(const Point& from_m, const
 
 std::optional<ViewSpan> ViewWindow::crossingDisk(const Point& from_m, const Point& to_m) const
 {
-    const Point way_m = to_m - from_m;
+    const Point path_m = to_m - from_m;
     const double c = from_m.squaredNorm() - m_half_m.x() * m_half_m.x();
-    const double a = way_m.squaredNorm();
+    const double a = path_m.squaredNorm();
     if (a == 0)
         return c <= 0 ? std::optional(ViewSpan{}) : std::nullopt;
-    const double b = from_m.dot(way_m);
+    const double b = from_m.dot(path_m);
     const double discriminant = b * b - a * c;
     if (discriminant < 0)
         return std::nullopt;

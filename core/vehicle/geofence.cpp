@@ -125,7 +125,7 @@ double Geofence::edgeRoom_m(const Point& place_m) const
     return contains(place_m) ? distance_m : -distance_m;
 }
 
-double Geofence::room_m(const DubinsState& state) const
+double Geofence::turnClearance_m(const DubinsState& state) const
 {
     const Point over_mps =
         m_motion.airspeed_mps * Point(std::cos(state.psi_rad), std::sin(state.psi_rad)) +
@@ -141,7 +141,9 @@ bool Geofence::isShutOff(const Point& place_m) const
     constexpr int kCourses = 24;
     int open = 0;
     for (int i = 0; i < kCourses; ++i)
-        open += room_m({.position_m = place_m, .psi_rad = 2 * kPi * i / kCourses}) >= 0 ? 1 : 0;
+        open += turnClearance_m({.position_m = place_m, .psi_rad = 2 * kPi * i / kCourses}) >= 0
+                    ? 1
+                    : 0;
     return open < kCourses / 2;
 }
 
@@ -228,19 +230,19 @@ void Geofence::connectCorners()
 {
     const auto n = static_cast<Eigen::Index>(m_corners_m.size());
     const auto at = [this](Eigen::Index i) { return m_corners_m[static_cast<std::size_t>(i)]; };
-    m_way_m = Eigen::MatrixXd::Constant(n, n, kFar);
+    m_path_m = Eigen::MatrixXd::Constant(n, n, kFar);
     m_next = Eigen::MatrixXi::Constant(n, n, -1);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < n; ++j)
             if (i == j || isClear(at(i), at(j))) {
-                m_way_m(i, j) = air_m(at(i), at(j));
+                m_path_m(i, j) = air_m(at(i), at(j));
                 m_next(i, j) = static_cast<int>(j);
             }
     for (Eigen::Index k = 0; k < n; ++k)
         for (Eigen::Index i = 0; i < n; ++i)
             for (Eigen::Index j = 0; j < n; ++j)
-                if (m_way_m(i, k) + m_way_m(k, j) < m_way_m(i, j)) {
-                    m_way_m(i, j) = m_way_m(i, k) + m_way_m(k, j);
+                if (m_path_m(i, k) + m_path_m(k, j) < m_path_m(i, j)) {
+                    m_path_m(i, j) = m_path_m(i, k) + m_path_m(k, j);
                     m_next(i, j) = m_next(i, k);
                 }
 }
@@ -268,9 +270,9 @@ std::vector<Point> Geofence::cornersBetween(const Point& start_m, const Point& e
     const std::vector<Sight> arriving = sights(to_m);
     for (const Sight& a : sights(from_m))
         for (const Sight& b : arriving) {
-            const double way_m = a.from_m + m_way_m(a.corner, b.corner) + b.to_m;
-            if (way_m < best_m) {
-                best_m = way_m;
+            const double path_m = a.from_m + m_path_m(a.corner, b.corner) + b.to_m;
+            if (path_m < best_m) {
+                best_m = path_m;
                 first = a.corner;
                 last = b.corner;
             }
@@ -287,24 +289,24 @@ std::vector<Point> Geofence::cornersBetween(const Point& start_m, const Point& e
 
 /** The quicker one of the ways with a turn to the left and to the right that leaves room; when
  * neither does, the one that lacks less, which the guard of the fence can make one of. */
-std::optional<Way> Geofence::legTo(const DubinsState& start, const MovingPlace& place,
-                                   double command_s) const
+std::optional<Path> Geofence::legTo(const DubinsState& start, const MovingPlace& place,
+                                    double command_s) const
 {
     if ((m_motion.wind_mps - place.drift_mps).norm() >= m_motion.airspeed_mps)
         return std::nullopt;
-    std::optional<Way> best;
+    std::optional<Path> best;
     double bestRoom_m = 0;
     for (const double side : {1.0, -1.0}) {
         const SideTurn turn(start, place, m_motion, command_s, side);
-        const std::optional<Way> way = turn.find();
-        if (!way)
+        const std::optional<Path> path = turn.find();
+        if (!path)
             continue;
-        const double room_m = std::min(0.0, roomIn_m(turn, std::abs(way->turn_rad)));
-        const bool better =
-            room_m != bestRoom_m ? room_m > bestRoom_m : best && way->time_s < best->time_s;
+        const double clearance_m = std::min(0.0, roomIn_m(turn, std::abs(path->turn_rad)));
+        const bool better = clearance_m != bestRoom_m ? clearance_m > bestRoom_m
+                                                      : best && path->time_s < best->time_s;
         if (!best || better) {
-            best = way;
-            bestRoom_m = room_m;
+            best = path;
+            bestRoom_m = clearance_m;
         }
     }
     return best;
@@ -314,45 +316,45 @@ std::optional<Way> Geofence::legTo(const DubinsState& start, const MovingPlace& 
 double Geofence::roomIn_m(const SideTurn& turn, double turn_rad) const
 {
     constexpr double kLook_rad = kPi / 12;
-    double least_m = room_m(turn.turned(turn_rad));
+    double least_m = turnClearance_m(turn.turned(turn_rad));
     for (double turned_rad = kLook_rad; turned_rad < turn_rad; turned_rad += kLook_rad)
-        least_m = std::min(least_m, room_m(turn.turned(turned_rad)));
+        least_m = std::min(least_m, turnClearance_m(turn.turned(turned_rad)));
     return least_m;
 }
 
-std::optional<Way> Geofence::wayTo(const DubinsState& start, const MovingPlace& place,
-                                   double command_s) const
+std::optional<Path> Geofence::pathTo(const DubinsState& start, const MovingPlace& place,
+                                     double command_s) const
 {
     const std::vector<Point> corners_m = cornersBetween(start.position_m, place.place_m);
-    Way way{.end = start};
+    Path path{.end = start};
     for (std::size_t k = 0; k <= corners_m.size(); ++k) {
         const bool last = k == corners_m.size();
         MovingPlace next{.place_m = last ? place.place_m : corners_m[k]};
         if (last) {
-            next.place_m = beside_m(next.place_m + place.drift_mps * way.time_s);
+            next.place_m = beside_m(next.place_m + place.drift_mps * path.time_s);
             next.drift_mps = place.drift_mps;
         }
-        const std::optional<Way> leg = legTo(way.end, next, command_s);
+        const std::optional<Path> leg = legTo(path.end, next, command_s);
         if (!leg)
             return std::nullopt;
         if (k == 0)
-            way.turn_rad = leg->turn_rad;
-        way.time_s += leg->time_s + (last ? 0 : kCornerReserve_s);
-        way.end = leg->end;
+            path.turn_rad = leg->turn_rad;
+        path.time_s += leg->time_s + (last ? 0 : kCornerReserve_s);
+        path.end = leg->end;
     }
-    return way;
+    return path;
 }
 
-double Geofence::longestWay_s(const DubinsState& start, const Point& place_m,
-                              double command_s) const
+double Geofence::longestPath_s(const DubinsState& start, const Point& place_m,
+                               double command_s) const
 {
     double time_s = circle_s();
     DubinsState from = start;
     for (const Point& corner_m : cornersBetween(start.position_m, place_m)) {
-        time_s += berg::longestWay_s(from, corner_m, m_motion, command_s) + kCornerReserve_s;
+        time_s += berg::longestPath_s(from, corner_m, m_motion, command_s) + kCornerReserve_s;
         from.position_m = corner_m;
     }
-    return time_s + berg::longestWay_s(from, place_m, m_motion, command_s);
+    return time_s + berg::longestPath_s(from, place_m, m_motion, command_s);
 }
 
 Eigen::MatrixXd Geofence::distances_m(std::span<const Point> wanted_m) const
@@ -373,7 +375,7 @@ Eigen::MatrixXd Geofence::distances_m(std::span<const Point> wanted_m) const
             if (!isClear(places_m[from], places_m[to]))
                 for (const Sight& a : seen[from])
                     for (const Sight& b : seen[to])
-                        best_m = std::min(best_m, a.from_m + m_way_m(a.corner, b.corner) + b.to_m);
+                        best_m = std::min(best_m, a.from_m + m_path_m(a.corner, b.corner) + b.to_m);
             // Where no way is known, straight: the fence is kept in flight.
             result_m(i, j) = best_m < kFar ? best_m : air_m(places_m[from], places_m[to]);
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/vehicle/way_home.h"
+#include "core/vehicle/path_home.h"
 
 #include <vector>
 
@@ -21,8 +21,8 @@ inline constexpr double kCornerReserve_s = 5;
  *
  * Holding: the UAV can stay for ever on a circle over ground of radius (1 + W/U)^2 times its own,
  * and 5 % more, tangent to its course, left or right. While one of the two lies inside, with no
- * hole in it, the fence can be kept: `room_m` >= 0. Whoever flies only commands that leave room
- * stays inside.
+ * hole in it, the fence can be kept: `turnClearance_m` >= 0. Whoever flies only commands that leave
+ * room stays inside.
  *
  * Ways: the shortest in time round the corners that point inwards, those of the polygon that are
  * reflex and those of holes that are not. They are passed at a circle's radius where there is
@@ -54,7 +54,7 @@ public:
     /** So long it takes to fly round it. */
     [[nodiscard]] double circle_s() const;
     /** From the better of the two circles to the fence; negative: neither is inside. */
-    [[nodiscard]] double room_m(const DubinsState& state) const;
+    [[nodiscard]] double turnClearance_m(const DubinsState& state) const;
     /** Whether on most courses over the place there is no room: it can be seen, but hardly met. */
     [[nodiscard]] bool isShutOff(const Point& place_m) const;
     /** Whether the place lies in a hole so far from its edge that nobody comes so near to it. */
@@ -69,11 +69,11 @@ public:
      * As the function of this name, round the corners; where one of the two turns would be cut
      * short by the fence, the other one. With `kCornerReserve_s` for each corner.
      */
-    [[nodiscard]] std::optional<Way> wayTo(const DubinsState& start, const MovingPlace& place,
-                                           double command_s) const;
+    [[nodiscard]] std::optional<Path> pathTo(const DubinsState& start, const MovingPlace& place,
+                                             double command_s) const;
     /** An upper bound of its time to a place that stands still, with `circle_s` to spare. */
-    [[nodiscard]] double longestWay_s(const DubinsState& start, const Point& place_m,
-                                      double command_s) const;
+    [[nodiscard]] double longestPath_s(const DubinsState& start, const Point& place_m,
+                                       double command_s) const;
     /** Air distances (airspeed x time) of the ways between the places, row = from. */
     [[nodiscard]] Eigen::MatrixXd distances_m(std::span<const Point> wanted_m) const;
 
@@ -85,8 +85,8 @@ private:
         double to_m = 0;   ///< and back
     };
 
-    [[nodiscard]] std::optional<Way> legTo(const DubinsState& start, const MovingPlace& place,
-                                           double command_s) const;
+    [[nodiscard]] std::optional<Path> legTo(const DubinsState& start, const MovingPlace& place,
+                                            double command_s) const;
     [[nodiscard]] double roomIn_m(const SideTurn& turn, double turn_rad) const;
     void placeCorners();
     [[nodiscard]] bool isClear(const Point& a, const Point& b) const;
@@ -107,7 +107,7 @@ private:
     std::vector<Point> m_reflex_m;  ///< corners that point inwards
     std::vector<double> m_space_m;  ///< by reflex corner: how far off it is passed
     std::vector<Point> m_corners_m; ///< by reflex corner: where it is passed
-    Eigen::MatrixXd m_way_m;        ///< between those, the shortest
+    Eigen::MatrixXd m_path_m;       ///< between those, the shortest
     Eigen::MatrixXi m_next;         ///< on it, after the row; -1: none
 };
 

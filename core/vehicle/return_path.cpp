@@ -113,12 +113,12 @@ bool ReturnSearch::turnTo(Trial& trial, const Point& place_m, double side) const
 {
     const Motion& motion = m_fence.motion();
     const double command_s = m_clock.command_s();
-    const std::optional<Way> way =
+    const std::optional<Path> path =
         SideTurn(trial.at, {.place_m = place_m}, motion, command_s, side).find();
-    if (!way)
+    if (!path)
         return false;
     const double perCommand_rad = motion.limit_radps * command_s;
-    const double turn_rad = std::abs(way->turn_rad);
+    const double turn_rad = std::abs(path->turn_rad);
     const double whole = std::floor(turn_rad / perCommand_rad);
     const double rest_rad = turn_rad - whole * perCommand_rad;
     return add(trial, side * motion.limit_radps, static_cast<std::int64_t>(whole)) &&

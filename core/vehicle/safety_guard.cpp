@@ -110,13 +110,13 @@ std::optional<int> SafetyGuard::visitsInTime(const DubinsState& pose,
     double flown_s = 0;
     int visits = 0;
     for (const MovingPlace& place : places) {
-        const std::optional<Way> way =
-            wayTo(at, {.place_m = place.place_m + place.drift_mps * flown_s,
-                       .drift_mps = place.drift_mps});
-        if (!way)
+        const std::optional<Path> path =
+            pathTo(at, {.place_m = place.place_m + place.drift_mps * flown_s,
+                        .drift_mps = place.drift_mps});
+        if (!path)
             break;
-        flown_s += way->time_s;
-        at = way->end;
+        flown_s += path->time_s;
+        at = path->end;
         const std::optional<double> home_s = timeHome_s(at);
         if (!home_s || flown_s + *home_s > left_s)
             break;
@@ -179,7 +179,7 @@ double SafetyGuard::roomAfter_m(const DubinsState& pose, double u_radps) const
         if (m_uav.clock.steps > 1 && !m_uav.fence->contains(at.position_m))
             return -m_uav.fence->radius_m();
     }
-    return m_uav.fence->room_m(at);
+    return m_uav.fence->turnClearance_m(at);
 }
 
 double SafetyGuard::limitedToFence_radps(const DubinsState& pose, double u_radps) const
@@ -193,29 +193,29 @@ double SafetyGuard::limitedToFence_radps(const DubinsState& pose, double u_radps
     double best_radps = u_radps;
     double best_m = roomAfter_m(pose, u_radps);
     for (const double rate_radps : rates) {
-        const double room_m = roomAfter_m(pose, rate_radps);
+        const double clearance_m = roomAfter_m(pose, rate_radps);
         const bool nearer = std::abs(rate_radps - u_radps) < std::abs(best_radps - u_radps);
-        if (best_m < kRoom_m ? room_m > best_m : room_m >= kRoom_m && nearer) {
-            best_m = room_m;
+        if (best_m < kRoom_m ? clearance_m > best_m : clearance_m >= kRoom_m && nearer) {
+            best_m = clearance_m;
             best_radps = rate_radps;
         }
     }
     return best_radps;
 }
 
-std::optional<Way> SafetyGuard::wayTo(const DubinsState& from, const MovingPlace& place) const
+std::optional<Path> SafetyGuard::pathTo(const DubinsState& from, const MovingPlace& place) const
 {
-    return m_uav.fence ? m_uav.fence->wayTo(from, place, m_uav.clock.command_s())
-                       : berg::wayTo(from, place, m_uav.motion, m_uav.clock.command_s());
+    return m_uav.fence ? m_uav.fence->pathTo(from, place, m_uav.clock.command_s())
+                       : berg::pathTo(from, place, m_uav.motion, m_uav.clock.command_s());
 }
 
 std::optional<double> SafetyGuard::timeHome_s(const DubinsState& from) const
 {
-    const std::optional<Way> way = wayTo(from, {.place_m = m_uav.sortie->home_m});
-    if (!way)
+    const std::optional<Path> path = pathTo(from, {.place_m = m_uav.sortie->home_m});
+    if (!path)
         return std::nullopt;
     // The fence may turn it aside once, and round a circle, where the way leads close by.
-    return way->time_s + (m_uav.fence ? m_uav.fence->circle_s() : 0);
+    return path->time_s + (m_uav.fence ? m_uav.fence->circle_s() : 0);
 }
 
 bool SafetyGuard::homeInTimeAfter(const DubinsState& pose, double u_radps, double left_s) const
@@ -224,8 +224,8 @@ bool SafetyGuard::homeInTimeAfter(const DubinsState& pose, double u_radps, doubl
     const double after_s = left_s - m_uav.clock.command_s() - kHomeReserve_s;
     const Point& home_m = m_uav.sortie->home_m;
     const double longest_s =
-        m_uav.fence ? m_uav.fence->longestWay_s(after, home_m, m_uav.clock.command_s())
-                    : longestWay_s(after, home_m, m_uav.motion, m_uav.clock.command_s());
+        m_uav.fence ? m_uav.fence->longestPath_s(after, home_m, m_uav.clock.command_s())
+                    : longestPath_s(after, home_m, m_uav.motion, m_uav.clock.command_s());
     if (longest_s <= after_s)
         return true;
     const std::optional<double> home_s = timeHome_s(after);
@@ -234,8 +234,8 @@ bool SafetyGuard::homeInTimeAfter(const DubinsState& pose, double u_radps, doubl
 
 double SafetyGuard::homeRate_radps(const DubinsState& pose) const
 {
-    const std::optional<Way> way = wayTo(pose, {.place_m = m_uav.sortie->home_m});
-    return way ? turnRateOf(*way, m_uav.motion, m_uav.clock.command_s()) : 0;
+    const std::optional<Path> path = pathTo(pose, {.place_m = m_uav.sortie->home_m});
+    return path ? turnRateOf(*path, m_uav.motion, m_uav.clock.command_s()) : 0;
 }
 
 ReturnSearch SafetyGuard::search() const

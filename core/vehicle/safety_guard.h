@@ -106,7 +106,8 @@ public:
     [[nodiscard]] double limitedToFence_radps(const DubinsState& pose, double u_radps) const;
 
     /** The path to a place that drifts, round the fence. */
-    [[nodiscard]] std::optional<Way> wayTo(const DubinsState& from, const MovingPlace& place) const;
+    [[nodiscard]] std::optional<Path> pathTo(const DubinsState& from,
+                                             const MovingPlace& place) const;
     /** How long the way home takes, with what the fence may add; needs a sortie. */
     [[nodiscard]] std::optional<double> timeHome_s(const DubinsState& from) const;
     /** Whether home can be reached within `left_s` after one command at this rate. */

@@ -30,7 +30,7 @@ SideTurn::SideTurn(const DubinsState& start, const MovingPlace& place, const Mot
 {
 }
 
-std::optional<Way> SideTurn::find(double within_s) const
+std::optional<Path> SideTurn::find(double within_s) const
 {
     double low_rad = 0;
     Miss low = missAfter(0);
@@ -49,7 +49,7 @@ std::optional<Way> SideTurn::find(double within_s) const
         if (low_rad > kMostTurn_rad || low_rad > within_s * m_motion.limit_radps)
             return std::nullopt;
     }
-    return wayAfter(low_rad);
+    return pathAfter(low_rad);
 }
 
 /** Exactly round an arc, or straight on. */
@@ -84,13 +84,13 @@ Point SideTurn::toPlace_m(const Turned& turned) const
 SideTurn::Miss SideTurn::missAfter(double turn_rad) const
 {
     const Turned turned = after(turn_rad);
-    const Point way_m = toPlace_m(turned);
-    const double away_m = way_m.norm();
-    const double across = cross(way_m, m_relativeWind_mps) / away_m;
+    const Point path_m = toPlace_m(turned);
+    const double away_m = path_m.norm();
+    const double across = cross(path_m, m_relativeWind_mps) / away_m;
     if (!std::isfinite(across))
         return {}; // over the place
     const double wanted_rad =
-        std::atan2(way_m.y(), way_m.x()) - std::asin(across / m_motion.airspeed_mps);
+        std::atan2(path_m.y(), path_m.x()) - std::asin(across / m_motion.airspeed_mps);
     return {.miss_rad = wrapPi(m_side * (wanted_rad - turned.state.psi_rad)), .away_m = away_m};
 }
 
@@ -129,7 +129,7 @@ double SideTurn::root(double low_rad, double low, double high_rad, double high) 
     return middle_rad;
 }
 
-Way SideTurn::wayAfter(double turn_rad) const
+Path SideTurn::pathAfter(double turn_rad) const
 {
     Turned turned = after(turn_rad);
     const double straight_s =

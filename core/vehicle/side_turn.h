@@ -1,15 +1,15 @@
 #pragma once
 
-#include "core/vehicle/way_home.h"
+#include "core/vehicle/path_home.h"
 
 #include <limits>
 
 namespace berg {
 
-/** No way turns further: the proof is at `wayTo`. */
+/** No way turns further: the proof is at `pathTo`. */
 inline constexpr double kMostTurn_rad = 18.85; // three full circles
 
-/** Ways to a place that turn to one side: the half of `wayTo`. */
+/** Ways to a place that turn to one side: the half of `pathTo`. */
 class SideTurn
 {
 public:
@@ -23,7 +23,7 @@ public:
      * Turns of whole commands can: with commands of a second one in ten thousand starts, all within
      * three circles of the place, finds a later answer a command later than it was foreseen.
      */
-    [[nodiscard]] std::optional<Way>
+    [[nodiscard]] std::optional<Path>
     find(double within_s = std::numeric_limits<double>::infinity()) const;
 
     /** Where a turn by so much, >= 0, to this side ends. */
@@ -47,7 +47,7 @@ private:
     [[nodiscard]] Miss missAfter(double turn_rad) const;
     [[nodiscard]] double safeStep_rad(const Miss& now) const;
     [[nodiscard]] double root(double low_rad, double low, double high_rad, double high) const;
-    [[nodiscard]] Way wayAfter(double turn_rad) const;
+    [[nodiscard]] Path pathAfter(double turn_rad) const;
 
     DubinsState m_start;
     MovingPlace m_place;

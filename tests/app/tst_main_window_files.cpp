@@ -66,9 +66,9 @@ bool drop(WindowFixture& w, const QList<QUrl>& urls)
     return true;
 }
 
-void leave(WindowFixture& w, WayOut way, const QString& other)
+void leave(WindowFixture& w, WayOut path, const QString& other)
 {
-    switch (way) {
+    switch (path) {
     case WayOut::New:
         w.trigger(u"newAction"_s);
         return;
@@ -101,7 +101,7 @@ void leave(WindowFixture& w, WayOut way, const QString& other)
 }
 
 /** Files to be opened in place of the scenario, which is in one of its own. */
-QString prepareFiles(WindowFixture& w, WayOut way)
+QString prepareFiles(WindowFixture& w, WayOut path)
 {
     const QString other = w.file(u"other.berg"_s);
     const QString own = w.file(u"own.berg"_s);
@@ -114,7 +114,7 @@ QString prepareFiles(WindowFixture& w, WayOut way)
     saveScenario(three(34), own.toStdString());
     w.interaction.path = own;
     w.trigger(u"openAction"_s);
-    if (way == WayOut::Recent) // the other one comes first
+    if (path == WayOut::Recent) // the other one comes first
         w.settings.setValue("files/recent", QStringList{other, own});
     return other;
 }
@@ -259,30 +259,30 @@ private slots:
 
     void everyWayOutAsks_data()
     {
-        QTest::addColumn<WayOut>("way");
+        QTest::addColumn<WayOut>("path");
         QTest::addColumn<Unsaved>("answer");
-        for (const auto& [way, name] : kWaysOut) {
-            QTest::addRow("%s, cancel", name) << way << Unsaved::Cancel;
-            QTest::addRow("%s, discard", name) << way << Unsaved::Discard;
-            QTest::addRow("%s, save", name) << way << Unsaved::Save;
+        for (const auto& [path, name] : kWaysOut) {
+            QTest::addRow("%s, cancel", name) << path << Unsaved::Cancel;
+            QTest::addRow("%s, discard", name) << path << Unsaved::Discard;
+            QTest::addRow("%s, save", name) << path << Unsaved::Save;
         }
     }
 
     void everyWayOutAsks()
     {
-        QFETCH(WayOut, way);
+        QFETCH(WayOut, path);
         QFETCH(Unsaved, answer);
         WindowFixture w(three());
-        const QString other = prepareFiles(w, way);
+        const QString other = prepareFiles(w, path);
         const QString own = w.document().filePath();
         change(w);
         const Scenario changed = w.scenario();
 
         w.interaction.unsaved = answer;
-        leave(w, way, other);
+        leave(w, path, other);
         QCOMPARE(w.interaction.unsavedNames.size(), 1);
         const bool stays = answer == Unsaved::Cancel;
-        const bool closes = way == WayOut::Close || way == WayOut::Quit;
+        const bool closes = path == WayOut::Close || path == WayOut::Quit;
         QCOMPARE(w.window().isVisible(), stays || !closes);
         QVERIFY((loadScenario(own.toStdString()) == changed) == (answer == Unsaved::Save));
         if (stays) {
@@ -291,10 +291,10 @@ private slots:
             QCOMPARE(w.document().undoStack()->count(), 1);
             QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{"berg-2"});
             QVERIFY(w.window().isWindowModified());
-        } else if (way == WayOut::New) {
+        } else if (path == WayOut::New) {
             QVERIFY(w.scenario().icebergs.empty());
             QVERIFY(w.document().filePath().isEmpty());
-        } else if (way == WayOut::Example) {
+        } else if (path == WayOut::Example) {
             QVERIFY(w.scenario() == loadExample(examplePaths().front()));
         } else if (!closes) {
             QVERIFY(w.scenario() == three(33));
@@ -303,28 +303,28 @@ private slots:
 
     void everyWayOutAsksAboutTheFlight_data()
     {
-        QTest::addColumn<WayOut>("way");
+        QTest::addColumn<WayOut>("path");
         QTest::addColumn<bool>("changed");
-        for (const auto& [way, name] : kWaysOut) {
-            QTest::addRow("%s", name) << way << false;
-            QTest::addRow("%s, changed", name) << way << true;
+        for (const auto& [path, name] : kWaysOut) {
+            QTest::addRow("%s", name) << path << false;
+            QTest::addRow("%s, changed", name) << path << true;
         }
     }
 
     /** One question for the flight and what is unsaved. */
     void everyWayOutAsksAboutTheFlight()
     {
-        QFETCH(WayOut, way);
+        QFETCH(WayOut, path);
         QFETCH(bool, changed);
         WindowFixture w(three());
-        const QString other = prepareFiles(w, way);
+        const QString other = prepareFiles(w, path);
         if (changed)
             change(w);
         QVERIFY(w.untilReady());
         w.workspace.stepTicks(50);
         QVERIFY(w.until([&] { return w.workspace.isMidFlight(); }));
         const Scenario flown = w.scenario();
-        leave(w, way, other);
+        leave(w, path, other);
         QCOMPARE(w.interaction.unsavedNames.size(), changed ? 1 : 0);
         QCOMPARE(w.interaction.toldOfFlight, changed);
         QCOMPARE(w.interaction.endFlightQuestions, changed ? 0 : 1);
@@ -333,9 +333,9 @@ private slots:
 
         w.interaction.unsaved = Unsaved::Discard;
         w.interaction.endsFlight = true;
-        leave(w, way, other);
+        leave(w, path, other);
         QCOMPARE(w.interaction.unsavedNames.size() + w.interaction.endFlightQuestions, 2);
-        const bool closes = way == WayOut::Close || way == WayOut::Quit;
+        const bool closes = path == WayOut::Close || path == WayOut::Quit;
         QCOMPARE(w.window().isVisible(), !closes);
         QCOMPARE(w.workspace.inFlight(), closes);
         QCOMPARE(w.scenario() == flown, closes);
@@ -390,19 +390,19 @@ private slots:
 
     void typingIsAChange_data()
     {
-        QTest::addColumn<WayOut>("way");
+        QTest::addColumn<WayOut>("path");
         QTest::addColumn<QString>("field");
-        const std::pair<WayOut, const char*> ways[] = {
+        const std::pair<WayOut, const char*> paths[] = {
             {WayOut::New, "new"}, {WayOut::Drop, "drop"}, {WayOut::Close, "close"}};
-        for (const auto& [way, name] : ways)
+        for (const auto& [path, name] : paths)
             for (const char* field : {"icebergName", "icebergGrowth", "tauField"})
-                QTest::addRow("%s, %s", name, field) << way << QString::fromLatin1(field);
+                QTest::addRow("%s, %s", name, field) << path << QString::fromLatin1(field);
     }
 
     /** What is typed but not yet confirmed counts as a change. */
     void typingIsAChange()
     {
-        QFETCH(WayOut, way);
+        QFETCH(WayOut, path);
         QFETCH(QString, field);
         WindowFixture w(three());
         const QString other = w.file(u"other.berg"_s);
@@ -414,7 +414,7 @@ private slots:
         input.setFocus();
         QTest::keyClick(&input, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&input, u"3"_s);
-        leave(w, way, other);
+        leave(w, path, other);
         QCOMPARE(w.interaction.unsavedNames.size(), 1);
         QVERIFY(w.window().isVisible());
         const Iceberg& iceberg = w.scenario().icebergs[1];

@@ -126,7 +126,7 @@ private slots:
             return true;
         };
         QVERIFY(w.until(shows));
-        w.workspace.lookAt(1);
+        w.workspace.seek(1);
         QVERIFY(w.until([&] { return w.record().instant && shows(); }));
         w.trigger(u"resetAction"_s);
         QVERIFY(w.untilReady());

@@ -57,7 +57,7 @@ private slots:
         double tau = 0.9;
         for (int round = 0; !hasFinished(w) && round < 1000; ++round) {
             const double before_s = w.record().now.time_s;
-            w.workspace.lookAtNewest();
+            w.workspace.seekLatest();
             w.workspace.fly(0);
             w.dragTau(tau, 1.0 - tau, 5);
             tau = 1.0 - tau;
@@ -67,7 +67,7 @@ private slots:
             QVERIFY(w.until([&] { return hasFinished(w) || w.record().instant.has_value(); }));
         }
         QVERIFY(hasFinished(w));
-        w.workspace.lookAtNewest();
+        w.workspace.seekLatest();
         QVERIFY(!w.record().instant);
         QCOMPARE(w.record().now.time_s, longMission().duration_s);
         QCOMPARE(w.record().history.samples.back().zeta_m2s, w.record().now.metrics.zeta_m2s);

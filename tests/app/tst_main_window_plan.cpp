@@ -96,7 +96,7 @@ private slots:
         dragTo(w, iceberg, "uav-2");
         QCOMPARE(w.document().undoStack()->count(), 1);
         QVERIFY(w.untilReady());
-        QCOMPARE(w.workspace.keeperOf(iceberg), "uav-2");
+        QCOMPARE(w.workspace.assignedUavOf(iceberg), "uav-2");
         QVERIFY(rowOf(w, iceberg) > rowOf(w, "uav-2"));
         QVERIFY(planTable(w)
                     .model()
@@ -118,7 +118,7 @@ private slots:
         const std::string iceberg = firstOf(w, "uav-1");
         const int index = indexOf(w.scenario(), iceberg);
         dragTo(w, iceberg, "uav-2");
-        QVERIFY(w.until([&] { return w.workspace.keeperOf(iceberg) == "uav-2"; }));
+        QVERIFY(w.until([&] { return w.workspace.assignedUavOf(iceberg) == "uav-2"; }));
         QVERIFY(w.until([&] { return rowOf(w, iceberg) > rowOf(w, "uav-2"); }));
         QVERIFY(w.scenario() == twoUavs());
         w.workspace.fly(0);
@@ -161,11 +161,11 @@ private slots:
         QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
         QCoreApplication::sendEvent(&table, &key);
         choose(u"planMenu"_s, u"Assign to uav-2"_s);
-        QCOMPARE(w.workspace.keeperOf(iceberg), "uav-2");
+        QCOMPARE(w.workspace.assignedUavOf(iceberg), "uav-2");
         QVERIFY(w.untilReady());
         QTest::mouseClick(&w.map(), Qt::RightButton, {}, w.pixelOf(iceberg));
         choose(u"mapMenu"_s, u"Assign to West"_s);
-        QCOMPARE(w.workspace.keeperOf(iceberg), "uav-1");
+        QCOMPARE(w.workspace.assignedUavOf(iceberg), "uav-1");
         QVERIFY(w.untilReady());
         QTest::mouseClick(&w.map(), Qt::RightButton, {}, w.pixelOf(iceberg));
         choose(u"mapMenu"_s, u"Any UAV may visit it"_s);

@@ -95,20 +95,20 @@ private slots:
 
     void solveTimesAreAskedAbout_data()
     {
-        QTest::addColumn<QString>("way");
-        for (const char* way : {"measured again", "closed", "logged out"})
-            QTest::newRow(way) << QString::fromLatin1(way);
+        QTest::addColumn<QString>("path");
+        for (const char* path : {"measured again", "closed", "logged out"})
+            QTest::newRow(path) << QString::fromLatin1(path);
     }
     void solveTimesAreAskedAbout()
     {
-        QFETCH(QString, way);
+        QFETCH(QString, path);
         ResultWindow w;
         QVERIFY(w.measure());
         const std::size_t rows = w.benchmark().rows().size();
         const auto leave = [&] {
-            if (way == u"measured again"_s)
+            if (path == u"measured again"_s)
                 w.press(u"startBenchmark"_s);
-            else if (way == u"closed"_s)
+            else if (path == u"closed"_s)
                 w.window().close();
             else if (w.window().mayEndSession(true))
                 w.window().hide();

@@ -44,7 +44,7 @@ bool flyTo(WindowFixture& w, double time_s)
 
 bool lookBack(WindowFixture& w, double time_s)
 {
-    w.workspace.lookAt(time_s);
+    w.workspace.seek(time_s);
     return w.until([&] { return w.record().instant.has_value(); });
 }
 

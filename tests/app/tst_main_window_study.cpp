@@ -271,13 +271,13 @@ private slots:
     /** What took long is not lost to another study, however that comes. */
     void anotherStudyIsAskedAbout_data()
     {
-        QTest::addColumn<QString>("way");
-        for (const char* way : {"startStudy", "figure4", "figure5", "file"})
-            QTest::newRow(way) << QString::fromLatin1(way);
+        QTest::addColumn<QString>("path");
+        for (const char* path : {"startStudy", "figure4", "figure5", "file"})
+            QTest::newRow(path) << QString::fromLatin1(path);
     }
     void anotherStudyIsAskedAbout()
     {
-        QFETCH(QString, way);
+        QFETCH(QString, path);
         StudyWindow w;
         QVERIFY(w.flyStudy(test::quickStudy()));
         const Study flown = w.study().result()->study;
@@ -285,10 +285,10 @@ private slots:
         const QString other = w.file(u"other.bergstudy"_s);
         saveStudy(test::fourCases()->study, other.toStdString());
         const auto replace = [&] {
-            if (way == u"file"_s)
+            if (path == u"file"_s)
                 QVERIFY(w.window().openFile(other));
             else
-                w.click(way);
+                w.click(path);
         };
         replace();
         QVERIFY(w.until([&] { return w.interaction.unsavedNames.size() == 1; }));

@@ -138,7 +138,7 @@ private slots:
         QVERIFY(flyTo(w, 20));
         QVERIFY(changeWind(w));
         QVERIFY(flyTo(w, 30));
-        w.workspace.lookAt(10);
+        w.workspace.seek(10);
         QVERIFY(w.until([&] { return w.record().instant.has_value(); }));
         QVERIFY(windShown_mps(w) == windyScenario().wind_mps);
         const QPoint from = windTipOf(w);
@@ -266,10 +266,10 @@ private slots:
         QVERIFY(flyTo(w, 15));
         w.map().addIcebergAt(kWater_m);
         QVERIFY(w.until([&] { return w.record().now.icebergs.size() == 5; }));
-        w.workspace.lookAt(5);
+        w.workspace.seek(5);
         w.map().addIcebergAt(kWater_m);
         QVERIFY(w.window().statusBar()->currentMessage().startsWith(u"You are looking back"_s));
-        w.workspace.lookAtNewest();
+        w.workspace.seekLatest();
         QCOMPARE(w.record().now.icebergs.size(), std::size_t{5});
     }
 

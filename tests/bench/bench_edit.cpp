@@ -105,8 +105,8 @@ private:
         QTest::mousePress(&map(), Qt::LeftButton, {}, from.toPoint());
         hold(name, [&](int i) {
             const double turn = i * 0.1;
-            const QPointF way(kReach_px * std::sin(turn), kReach_px * (1 - std::cos(turn)));
-            QTest::mouseMove(&map(), (from + way).toPoint());
+            const QPointF path(kReach_px * std::sin(turn), kReach_px * (1 - std::cos(turn)));
+            QTest::mouseMove(&map(), (from + path).toPoint());
         });
         QTest::mouseRelease(&map(), Qt::LeftButton, {}, from.toPoint() + QPoint(15, 25));
         watchTurns(kSettle_ms / 2);

@@ -36,8 +36,8 @@ inline double costByVisitingNumbers(const TvpProblem& problem, const VisitOrder&
     for (std::size_t i = 0; i < N; ++i) {
         reward += problem.sigma_m2[i] * static_cast<double>(N - t[i]);
         for (std::size_t j = 0; j < N; ++j) {
-            const bool wayBack = problem.route == Route::Closed && j == 0 && i != 0 && t[i] == N;
-            if (t[j] == t[i] + 1 || wayBack)
+            const bool pathBack = problem.route == Route::Closed && j == 0 && i != 0 && t[i] == N;
+            if (t[j] == t[i] + 1 || pathBack)
                 distance_m += problem.distance_m(static_cast<Eigen::Index>(i), //
                                                  static_cast<Eigen::Index>(j));
         }

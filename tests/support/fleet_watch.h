@@ -58,7 +58,7 @@ public:
         for (const Issue& issue : validate(fleet.scenario()))
             m_isSafe = m_isSafe && issue.reason.id != IssueId::StartNearFence &&
                        issue.reason.id != IssueId::NoSafeReturn &&
-                       issue.reason.id != IssueId::NoWayHome &&
+                       issue.reason.id != IssueId::NoPathHome &&
                        issue.reason.id != IssueId::HomeNearFence;
     }
 

@@ -28,17 +28,17 @@ inline std::vector<QLineF> linesOf(const std::vector<QPolygonF>& legs)
 }
 
 /** From the UAV a quarter circle and a line, then another line. */
-inline std::vector<MapWay> twoWays(const Point& from_m)
+inline std::vector<MapPath> twoWays(const Point& from_m)
 {
-    MapWay first{.path_m = {from_m}, .aim_m = from_m + Point(1500, 2500)};
+    MapPath first{.path_m = {from_m}, .aim_m = from_m + Point(1500, 2500)};
     for (int i = 1; i <= 10; ++i) {
         const double angle_rad = i * M_PI / 20;
         first.path_m.emplace_back(from_m +
                                   1000 * Point(std::sin(angle_rad), 1 - std::cos(angle_rad)));
     }
     first.path_m.emplace_back(from_m + Point(1000, 2000));
-    MapWay second{.path_m = {first.path_m.back(), from_m + Point(3000, 2000)},
-                  .aim_m = from_m + Point(3400, 2000)};
+    MapPath second{.path_m = {first.path_m.back(), from_m + Point(3000, 2000)},
+                   .aim_m = from_m + Point(3400, 2000)};
     return {std::move(first), std::move(second)};
 }
 

@@ -41,7 +41,7 @@ inline std::vector<PlanSection> visiting(const std::vector<std::string>& ids)
 inline std::vector<PlanSection> twoUavSections()
 {
     std::vector<PlanRow> kept = rowsOf({"c"});
-    kept.front().isKept = true;
+    kept.front().isAssigned = true;
     return {{.uav = "uav-1", .name = u"West"_s, .place = 0, .rows = rowsOf({"a", "b"})},
             {.uav = "uav-2", .name = u"uav-2"_s, .place = 1, .rows = std::move(kept)}};
 }

@@ -104,9 +104,9 @@ private:
         const Motion motion{.airspeed_mps = uav.spec.airspeed_mps,
                             .limit_radps = maxTurnRate_radps(uav.spec),
                             .wind_mps = m_scenario.wind_mps};
-        const double room_m =
+        const double clearance_m =
             m_scenario.geofence ? 2.1 * Geofence(m_scenario.area_m, motion).radius_m() : 0;
-        uav.position_m = place_m(room_m);
+        uav.position_m = place_m(clearance_m);
         if (oneIn(2)) {
             uav.spec.endurance_s = m_random.uniform(700, 2400);
             uav.turnaround_s = m_random.uniform(30, 600);

@@ -87,18 +87,18 @@ QList<QPointF> simplified(const QList<QPointF>& points, double tolerance)
     double lowest = -kInfinity;
     double highest = kInfinity;
     for (qsizetype i = 1; i < points.size(); ++i) {
-        QPointF way = points[i] - out.back();
+        QPointF path = points[i] - out.back();
         const bool reachable =
-            way.x() > 0 && way.y() >= lowest * way.x() && way.y() <= highest * way.x();
+            path.x() > 0 && path.y() >= lowest * path.x() && path.y() <= highest * path.x();
         if (!reachable && points[i - 1] != out.back()) {
             out.push_back(points[i - 1]);
-            way = points[i] - out.back();
+            path = points[i] - out.back();
             lowest = -kInfinity;
             highest = kInfinity;
         }
-        if (way.x() > 0) {
-            lowest = std::max(lowest, (way.y() - tolerance) / way.x());
-            highest = std::min(highest, (way.y() + tolerance) / way.x());
+        if (path.x() > 0) {
+            lowest = std::max(lowest, (path.y() - tolerance) / path.x());
+            highest = std::min(highest, (path.y() + tolerance) / path.x());
         }
     }
     out.push_back(points.back());

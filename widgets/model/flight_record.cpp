@@ -54,32 +54,32 @@ std::size_t lastChange(const std::vector<const PlanEvent*>& backwards)
 }
 
 /** The part of ways that comes after that time. */
-std::vector<AimedWay> after(std::vector<AimedWay> ways, double time_s)
+std::vector<AimedPath> after(std::vector<AimedPath> paths, double time_s)
 {
-    std::erase_if(ways,
-                  [time_s](const AimedWay& way) { return way.points.back().time_s <= time_s; });
-    if (ways.empty())
-        return ways;
-    std::vector<WayPoint>& points = ways.front().points;
-    const auto later = std::find_if(points.begin(), points.end(), [time_s](const WayPoint& point) {
+    std::erase_if(paths,
+                  [time_s](const AimedPath& path) { return path.points.back().time_s <= time_s; });
+    if (paths.empty())
+        return paths;
+    std::vector<PathPoint>& points = paths.front().points;
+    const auto later = std::find_if(points.begin(), points.end(), [time_s](const PathPoint& point) {
         return point.time_s > time_s;
     });
     if (later == points.begin())
-        return ways;
-    WayPoint& from = *std::prev(later);
+        return paths;
+    PathPoint& from = *std::prev(later);
     const double share = (time_s - from.time_s) / (later->time_s - from.time_s);
     from = {.position_m = from.position_m + share * (later->position_m - from.position_m),
             .time_s = time_s};
     points.erase(points.begin(), std::prev(later));
-    return ways;
+    return paths;
 }
 
 /** How a plan would have gone on from that time. */
-std::vector<AimedWay> waysAfter(const FlightRecord& record, const PlanEvent& plan, double time_s)
+std::vector<AimedPath> pathsAfter(const FlightRecord& record, const PlanEvent& plan, double time_s)
 {
     const auto k = static_cast<std::size_t>(plan.uav);
     const DubinsState uav{.position_m = placeAt(record, k, plan.time_s)};
-    return after(waysOf(plan, uav, plan.time_s, record.shown().motions.at(k)), time_s);
+    return after(pathsOf(plan, uav, plan.time_s, record.shown().motions.at(k)), time_s);
 }
 
 } // namespace
@@ -137,7 +137,7 @@ std::optional<ShownChange> FlightRecord::changeShown(int uav) const
     if (!inFlight() && startPlan && u < startPlan->changes.size() && startPlan->changes[u] &&
         now.plan)
         return ShownChange{.change = *startPlan->changes[u],
-                           .ways = waysAfter(*this, startPlan->former[u], 0)};
+                           .paths = pathsAfter(*this, startPlan->former[u], 0)};
     const std::vector<const PlanEvent*> backwards = plansBackwards(*this, uav);
     const std::size_t k = lastChange(backwards);
     if (k == backwards.size())
@@ -153,7 +153,7 @@ std::optional<ShownChange> FlightRecord::changeShown(int uav) const
     ShownChange shownChange{
         .change = *plan.change, .time_s = plan.time_s, .from_m = placeAt(*this, u, plan.time_s)};
     if (k + 1 < backwards.size())
-        shownChange.ways = waysAfter(*this, *backwards[k + 1], plan.time_s);
+        shownChange.paths = pathsAfter(*this, *backwards[k + 1], plan.time_s);
     return shownChange;
 }
 

@@ -26,9 +26,9 @@ struct StartPlan
 struct ShownChange
 {
     PlanChange change;
-    double time_s = 0;           ///< when
-    std::optional<Point> from_m; ///< where the UAV was then; none: where it is
-    std::vector<AimedWay> ways;  ///< how the plan before would have gone on; empty: straight
+    double time_s = 0;            ///< when
+    std::optional<Point> from_m;  ///< where the UAV was then; none: where it is
+    std::vector<AimedPath> paths; ///< how the plan before would have gone on; empty: straight
 };
 
 /** What is known of the number that zeta of no flight of a scenario is below. */

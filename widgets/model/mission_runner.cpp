@@ -224,12 +224,12 @@ void MissionRunner::cancelExportPreview()
     m_previewStop.request_stop();
 }
 
-std::optional<MissionSnapshot> MissionRunner::takeSnapshot()
+std::optional<MissionSnapshot> MissionRunner::acceptSnapshot()
 {
     return ofNow(m_snapshots.take());
 }
 
-std::optional<MissionSnapshot> MissionRunner::takeInstant()
+std::optional<MissionSnapshot> MissionRunner::acceptInstant()
 {
     return ofNow(m_instants.take());
 }

@@ -89,10 +89,10 @@ public:
     void cancelExportPreview();
 
     /** The newest snapshot of the present generation, with all samples since the last one taken. */
-    [[nodiscard]] std::optional<MissionSnapshot> takeSnapshot();
+    [[nodiscard]] std::optional<MissionSnapshot> acceptSnapshot();
 
     /** The newest instant asked for, if it is of the present generation. */
-    [[nodiscard]] std::optional<MissionSnapshot> takeInstant();
+    [[nodiscard]] std::optional<MissionSnapshot> acceptInstant();
 
     /** Asks for the run so far, to be saved: `runReady` with the same `path` follows. */
     void requestRun(const QString& path = {});

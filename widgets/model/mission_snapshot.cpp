@@ -81,7 +81,7 @@ std::vector<Intervention> worldChangesOf(const Mission& mission)
 
 } // namespace
 
-void append(MissionHistory& history, HistoryNews news)
+void append(MissionHistory& history, HistoryUpdate news)
 {
     if (news.firstSample < history.samples.size() || news.firstEvent < history.events.size())
         ++history.rewrites;
@@ -114,23 +114,23 @@ OrdersByUav ordersOf(const MissionSnapshot& snapshot)
     return orders;
 }
 
-std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav, double time_s,
-                             const Motion& motion)
+std::vector<AimedPath> pathsOf(const PlanEvent& plan, const DubinsState& uav, double time_s,
+                               const Motion& motion)
 {
     if (plan.legs.empty())
         return {};
-    std::vector<AimedWay> ways = aimedWays(plan.legs, uav, time_s, motion);
+    std::vector<AimedPath> paths = aimedPaths(plan.legs, uav, time_s, motion);
     constexpr double kSlack_s = 1; // a leg that starts with the last sighting sees nothing new
     if (plan.outlook && !plan.outlook->sightings_s.empty())
-        std::erase_if(ways, [last_s = plan.outlook->sightings_s.back()](const AimedWay& way) {
-            return way.points.front().time_s > last_s - kSlack_s;
+        std::erase_if(paths, [last_s = plan.outlook->sightings_s.back()](const AimedPath& path) {
+            return path.points.front().time_s > last_s - kSlack_s;
         });
     else // not judged yet
-        ways.resize(std::min(ways.size(), plan.order.size()));
-    return ways;
+        paths.resize(std::min(paths.size(), plan.order.size()));
+    return paths;
 }
 
-std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot, int uav)
+std::vector<AimedPath> pathsAhead(const MissionSnapshot& snapshot, int uav)
 {
     const PlanEvent* inForce = planOf(snapshot, uav);
     if (inForce == nullptr)
@@ -140,7 +140,7 @@ std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot, int uav)
     const UavState& state = snapshot.world.uavs[k];
     if (state.aim && !plan.legs.empty())
         plan.legs.front() = *state.aim; // what is left of its turn
-    return waysOf(plan, state.pose, snapshot.time_s, snapshot.motions[k]);
+    return pathsOf(plan, state.pose, snapshot.time_s, snapshot.motions[k]);
 }
 
 MissionSnapshot snapshotOf(const Mission& mission)

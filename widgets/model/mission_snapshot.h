@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/coverage/aimed_way.h"
+#include "core/coverage/aimed_path.h"
 #include "core/sim/mission.h"
 
 namespace berg {
@@ -26,7 +26,7 @@ struct MissionHistory
 };
 
 /** What is new in the record since the snapshot before. */
-struct HistoryNews
+struct HistoryUpdate
 {
     std::size_t firstSample = 0; ///< places of the first of each in the whole record
     std::size_t firstPlan = 0;
@@ -35,7 +35,7 @@ struct HistoryNews
 };
 
 /** Joins news to what is known up to them; what is known of them already is not doubled. */
-void append(MissionHistory& history, HistoryNews news);
+void append(MissionHistory& history, HistoryUpdate news);
 
 /** What the mission looks like at one instant, for drawing. Immutable once published. */
 struct MissionSnapshot
@@ -62,7 +62,7 @@ struct MissionSnapshot
     /** Until then, of the world: wind, asset and icebergs, without what else came with them. */
     std::vector<Intervention> worldChanges;
     Metrics metrics;
-    HistoryNews news;
+    HistoryUpdate news;
     std::optional<Error> error;
 };
 
@@ -73,10 +73,10 @@ struct MissionSnapshot
  * How a plan with aim points is flown by a UAV that is there at that time, until all of its order
  * are seen; none of other plans.
  */
-[[nodiscard]] std::vector<AimedWay> waysOf(const PlanEvent& plan, const DubinsState& uav,
-                                           double time_s, const Motion& motion);
+[[nodiscard]] std::vector<AimedPath> pathsOf(const PlanEvent& plan, const DubinsState& uav,
+                                             double time_s, const Motion& motion);
 /** The same of the plan in force of the UAV, from the instant of the snapshot on. */
-[[nodiscard]] std::vector<AimedWay> waysAhead(const MissionSnapshot& snapshot, int uav);
+[[nodiscard]] std::vector<AimedPath> pathsAhead(const MissionSnapshot& snapshot, int uav);
 
 /** In force for the UAV; null: none yet. */
 [[nodiscard]] const PlanEvent* planOf(const MissionSnapshot& snapshot, int uav);

@@ -30,8 +30,8 @@ void join(std::size_t waitingFirst, std::vector<Entry>& waiting, std::size_t nex
 void amend(MissionSnapshot& waiting, MissionSnapshot next)
 {
     if (waiting.generation == next.generation) {
-        HistoryNews& old = waiting.news;
-        HistoryNews& news = next.news;
+        HistoryUpdate& old = waiting.news;
+        HistoryUpdate& news = next.news;
         join(old.firstSample, old.part.samples, news.firstSample, news.part.samples);
         join(old.firstSample, old.part.rows, news.firstSample, news.part.rows);
         join(old.firstPlan, old.part.plans, news.firstPlan, news.part.plans);
@@ -304,10 +304,10 @@ void MissionWorker::fail(const WorkFailure& failure)
     publish();
 }
 
-HistoryNews MissionWorker::takeNews()
+HistoryUpdate MissionWorker::takeUpdate()
 {
     const Recorder& recorder = m_mission->recorder();
-    HistoryNews news = m_published;
+    HistoryUpdate news = m_published;
     const auto take = [](const auto& all, std::size_t& published, auto& part) {
         // A flight that went back to fly on in another way has less than was sent.
         published = std::min(published, all.size());
@@ -352,7 +352,7 @@ MissionSnapshot MissionWorker::present()
     MissionSnapshot snapshot;
     if (m_mission) {
         snapshot = snapshotOf(*m_mission);
-        snapshot.news = takeNews();
+        snapshot.news = takeUpdate();
     }
     snapshot.generation = m_request.generation;
     snapshot.phase = m_phase;

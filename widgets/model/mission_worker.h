@@ -85,7 +85,7 @@ private:
     void publishIncumbent(const PlanEvent& plan);
     void flyAgain(const RunFile& run);
     void listenToIncumbents();
-    [[nodiscard]] HistoryNews takeNews();
+    [[nodiscard]] HistoryUpdate takeUpdate();
     /** Of the mission there is. Throws `Error` where it has no plan. */
     [[nodiscard]] std::shared_ptr<const ExportJob> prepared(const ExportOrder& order) const;
 
@@ -101,7 +101,7 @@ private:
     double m_rate = 1;
     double m_target_s = 0;               ///< simulated time that the wall clock asks for
     std::vector<PlanEvent> m_incumbents; ///< of one solve so far, by UAV
-    HistoryNews m_published;             ///< how much of each was sent; nothing in it
+    HistoryUpdate m_published;           ///< how much of each was sent; nothing in it
 };
 
 } // namespace berg

@@ -29,9 +29,9 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
     connect(&m_document, &ScenarioDocument::refused, this, [this] {
         emit refused(tr("The scenario is locked in flight. Stop the flight to change it."));
     });
-    connect(&m_runner, &MissionRunner::updated, this, &Workspace::takeSnapshot);
+    connect(&m_runner, &MissionRunner::updated, this, &Workspace::acceptSnapshot);
     connect(&m_runner, &MissionRunner::commandRefused, this, &Workspace::refused);
-    connect(&m_runner, &MissionRunner::instantUpdated, this, &Workspace::takeInstant);
+    connect(&m_runner, &MissionRunner::instantUpdated, this, &Workspace::acceptInstant);
     connect(&m_bound, &BoundRunner::updated, this, [this] { m_record.bound = m_bound.known(); });
     connect(&m_studyFiles, &StudyFiles::saved, &m_study,
             [this](const QString&, const StudySavePoint& point) {
@@ -60,7 +60,7 @@ Point Workspace::wind_mps() const
     return inFlight() ? m_record.shown().motions.front().wind_mps : m_document.scenario().wind_mps;
 }
 
-std::string Workspace::keeperOf(const std::string& iceberg) const
+std::string Workspace::assignedUavOf(const std::string& iceberg) const
 {
     if (!inFlight()) {
         const Iceberg* found = findIceberg(m_document.scenario(), iceberg);
@@ -108,16 +108,16 @@ void Workspace::planAgain()
     m_bound.setScenario(m_document.scenario());
     if (wasInFlight) { // another scenario was opened over the flight
         m_record.begin(m_document.scenario());
-        tellInFlight();
+        reportInFlight();
         emit flightChanged();
     }
     if (std::exchange(m_isTakeOffAsked, false))
         emit refused(tr("The scenario was changed before take-off: nothing was flown."));
 }
 
-void Workspace::takeSnapshot()
+void Workspace::acceptSnapshot()
 {
-    std::optional<MissionSnapshot> snapshot = m_runner.takeSnapshot();
+    std::optional<MissionSnapshot> snapshot = m_runner.acceptSnapshot();
     if (!snapshot)
         return;
     const bool wasInFlight = inFlight();
@@ -128,7 +128,7 @@ void Workspace::takeSnapshot()
     if (m_record.now.phase == RunPhase::Finished && !wasFinished)
         m_runs.add(m_record);
     if (inFlight() != wasInFlight)
-        tellInFlight();
+        reportInFlight();
     if (m_givenUp && inFlight() && !(m_givenUp->scenario == m_record.scenario))
         setGivenUp({}); // another world is flown now
     emit flightChanged();
@@ -144,7 +144,7 @@ void Workspace::prepareTakeOff()
     m_isTakeOffAsked = m_record.now.phase != RunPhase::Failed;
 }
 
-void Workspace::tellInFlight()
+void Workspace::reportInFlight()
 {
     m_document.setLocked(inFlight());
     emit inFlightChanged(inFlight());
@@ -324,7 +324,7 @@ void Workspace::fly(double rate)
         emit flightChanged();
         return;
     }
-    lookAtNewest();
+    seekLatest();
     prepareTakeOff();
     flyTau(); // what was wanted before comes before
     m_runner.fly(rate);
@@ -351,7 +351,7 @@ bool Workspace::isPlaying() const
 void Workspace::step()
 {
     if (m_lookedAt_s) {
-        lookAt(*m_lookedAt_s + 1);
+        seek(*m_lookedAt_s + 1);
         return;
     }
     prepareTakeOff();
@@ -375,7 +375,7 @@ void Workspace::reset()
     m_curvePlan.reset();
     m_curve.setScenario(m_document.scenario());
     if (wasInFlight)
-        tellInFlight();
+        reportInFlight();
     if (flight)
         setGivenUp(flight);
     emit flightChanged();

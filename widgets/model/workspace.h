@@ -62,7 +62,7 @@ public:
     /** In force, likewise. */
     [[nodiscard]] Point wind_mps() const;
     /** The UAV that alone is to visit the iceberg, in force; empty: any may. */
-    [[nodiscard]] std::string keeperOf(const std::string& iceberg) const;
+    [[nodiscard]] std::string assignedUavOf(const std::string& iceberg) const;
     /** The newest of a flight that has not ended is shown: wind, asset and icebergs can change. */
     [[nodiscard]] bool mayIntervene() const;
     /** Those that are icebergs of the flight, added ones too. */
@@ -110,8 +110,8 @@ public:
     void setRate(double rate);
 
     /** Pauses and shows this instant of what was flown; at its end the newest is shown again. */
-    void lookAt(double time_s);
-    void lookAtNewest();
+    void seek(double time_s);
+    void seekLatest();
     /** The instant looked back at; none: the newest is shown. */
     [[nodiscard]] std::optional<double> lookedAt_s() const { return m_lookedAt_s; }
     /** A second back. */
@@ -147,11 +147,11 @@ private:
     void setGivenUp(std::optional<GivenUpFlight> flight);
     void planAgain();
     void prepareTakeOff();
-    void tellInFlight();
-    void takeSnapshot();
+    void reportInFlight();
+    void acceptSnapshot();
     void flyTau();
     void updateCurve();
-    void takeInstant();
+    void acceptInstant();
     void playBack();
     [[nodiscard]] bool refuseWhileLookingBack();
     [[nodiscard]] std::string freshIdInFlight() const;

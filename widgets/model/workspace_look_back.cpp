@@ -16,12 +16,12 @@ void Workspace::playBack()
         m_runner.requestInstant(time_s);
         return;
     }
-    lookAtNewest(); // caught up: fly on
+    seekLatest(); // caught up: fly on
     if (m_record.now.phase == RunPhase::Paused)
         m_runner.fly(m_rate);
 }
 
-void Workspace::lookAt(double time_s)
+void Workspace::seek(double time_s)
 {
     if (!inFlight())
         return;
@@ -29,14 +29,14 @@ void Workspace::lookAt(double time_s)
     if (m_record.now.phase == RunPhase::Flying) {
         m_runner.pause();
     } else if (time_s >= m_record.now.time_s) {
-        lookAtNewest();
+        seekLatest();
         return;
     }
     m_lookedAt_s = std::clamp(time_s, 0.0, m_record.now.time_s);
     m_runner.requestInstant(*m_lookedAt_s);
 }
 
-void Workspace::lookAtNewest()
+void Workspace::seekLatest()
 {
     m_playBack.stop();
     m_lookedAt_s.reset();
@@ -47,9 +47,9 @@ void Workspace::lookAtNewest()
     }
 }
 
-void Workspace::takeInstant()
+void Workspace::acceptInstant()
 {
-    std::optional<MissionSnapshot> instant = m_runner.takeInstant();
+    std::optional<MissionSnapshot> instant = m_runner.acceptInstant();
     if (!instant || !m_lookedAt_s)
         return;
     m_record.instant = std::move(instant);
@@ -59,14 +59,14 @@ void Workspace::takeInstant()
 
 void Workspace::stepBack()
 {
-    lookAt(m_lookedAt_s.value_or(m_record.now.time_s) - 1);
+    seek(m_lookedAt_s.value_or(m_record.now.time_s) - 1);
 }
 
 void Workspace::stepTicks(int ticks)
 {
     const double dt_s = m_document.scenario().dt_s;
     if (m_lookedAt_s || ticks < 0) {
-        lookAt(m_lookedAt_s.value_or(m_record.now.time_s) + ticks * dt_s);
+        seek(m_lookedAt_s.value_or(m_record.now.time_s) + ticks * dt_s);
         return;
     }
     prepareTakeOff();
@@ -84,16 +84,16 @@ void Workspace::stepToEvent(int direction)
             return e.time_s > now_s + half_s;
         });
         if (next == events.end())
-            lookAtNewest();
+            seekLatest();
         else
-            lookAt(next->time_s);
+            seek(next->time_s);
         return;
     }
     const auto before = std::find_if(events.rbegin(), events.rend(), [&](const MissionEvent& e) {
         return e.time_s < now_s - half_s;
     });
     if (before != events.rend())
-        lookAt(before->time_s);
+        seek(before->time_s);
 }
 
 void Workspace::flyOnFromHere()
@@ -103,7 +103,7 @@ void Workspace::flyOnFromHere()
     m_runs.add(m_record); // what is given up can still be compared
     setGivenUp(presentFlight());
     m_runner.flyOnFrom(*m_lookedAt_s);
-    lookAtNewest();
+    seekLatest();
 }
 
 bool Workspace::refuseWhileLookingBack()

@@ -64,12 +64,12 @@ QString icebergsText(const ExportContent& content)
 
 std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& locale)
 {
-    WayTotals total;
+    PathTotals total;
     for (const ExportUav& uav : content.uavs) {
-        const WayTotals way = wayTotals(uav);
-        total.length_m += way.length_m;
-        total.time_s = std::max(total.time_s, way.time_s);
-        total.end_s = std::max(total.end_s, way.end_s);
+        const PathTotals path = pathTotals(uav);
+        total.length_m += path.length_m;
+        total.time_s = std::max(total.time_s, path.time_s);
+        total.end_s = std::max(total.end_s, path.end_s);
     }
     std::vector<BriefFact> facts{{FlightBrief::tr("Wind, true"), windText(content, locale)}};
     if (!content.scenario->current_mps.isZero(0))
@@ -133,10 +133,10 @@ void addOwnTotals(std::vector<UavColumn>& columns, const QLocale& locale)
                                uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
                        }});
     columns.push_back({FlightBrief::tr("Distance"), [&locale](const ExportUav& uav) {
-                           return distanceText(wayTotals(uav).length_m, locale);
+                           return distanceText(pathTotals(uav).length_m, locale);
                        }});
     columns.push_back({FlightBrief::tr("Time"),
-                       [](const ExportUav& uav) { return clockText(wayTotals(uav).time_s); }});
+                       [](const ExportUav& uav) { return clockText(pathTotals(uav).time_s); }});
 }
 
 QString timeOrNone(const std::optional<double>& time_s)
@@ -230,7 +230,7 @@ QString footText(ExportWhat what)
 BriefContent briefContent(const ExportContent& content, const QLocale& locale)
 {
     BriefContent brief{.title = pageTitle(content),
-                       .about = waysText(content),
+                       .about = pathsText(content),
                        .start = startText(content),
                        .origin =
                            FlightBrief::tr("Origin %1")

@@ -23,35 +23,37 @@ constexpr int kMinuteDecimals = 2; // 18 m
 constexpr double kLater_s = 0.5;   // times are shown in whole seconds
 
 /** A way with its length up to each point. */
-class MeasuredWay
+class MeasuredPath
 {
 public:
-    explicit MeasuredWay(const ExportUav& uav) : m_way(wayOf(uav))
+    explicit MeasuredPath(const ExportUav& uav) : m_path(pathOf(uav))
     {
-        for (std::size_t i = 0; i < m_way.size(); ++i)
-            m_until_m.push_back(
-                i == 0 ? 0
-                       : m_until_m.back() + (m_way[i].position_m - m_way[i - 1].position_m).norm());
+        for (std::size_t i = 0; i < m_path.size(); ++i)
+            m_until_m.push_back(i == 0
+                                    ? 0
+                                    : m_until_m.back() +
+                                          (m_path[i].position_m - m_path[i - 1].position_m).norm());
     }
 
     [[nodiscard]] double until_m(double time_s) const
     {
-        const auto next = std::ranges::upper_bound(m_way, time_s, {}, &TimedPoint::time_s);
-        if (next == m_way.begin())
+        const auto next = std::ranges::upper_bound(m_path, time_s, {}, &TimedPoint::time_s);
+        if (next == m_path.begin())
             return 0;
-        if (next == m_way.end())
+        if (next == m_path.end())
             return m_until_m.back();
-        const auto i = static_cast<std::size_t>(next - m_way.begin());
-        const double share = (time_s - m_way[i - 1].time_s) / (next->time_s - m_way[i - 1].time_s);
+        const auto i = static_cast<std::size_t>(next - m_path.begin());
+        const double share =
+            (time_s - m_path[i - 1].time_s) / (next->time_s - m_path[i - 1].time_s);
         return std::lerp(m_until_m[i - 1], m_until_m[i], share);
     }
 
     [[nodiscard]] double length_m() const { return m_until_m.back(); }
-    [[nodiscard]] const TimedPoint& start() const { return m_way.front(); }
-    [[nodiscard]] const TimedPoint& end() const { return m_way.back(); }
+    [[nodiscard]] const TimedPoint& start() const { return m_path.front(); }
+    [[nodiscard]] const TimedPoint& end() const { return m_path.back(); }
 
 private:
-    std::vector<TimedPoint> m_way; ///< one point at least
+    std::vector<TimedPoint> m_path; ///< one point at least
     std::vector<double> m_until_m;
 };
 
@@ -81,8 +83,8 @@ double sigmaAt_m2(const ExportContent& content, const Visit& visit)
 class RouteRows
 {
 public:
-    RouteRows(const ExportContent& content, const MeasuredWay& way, const QLocale& locale)
-        : m_content(content), m_way(way), m_locale(locale), m_last(way.start())
+    RouteRows(const ExportContent& content, const MeasuredPath& path, const QLocale& locale)
+        : m_content(content), m_path(path), m_locale(locale), m_last(path.start())
     {
         BriefCells cells;
         cells[placeOf(BriefColumn::Name)] = FlightBrief::tr("Start");
@@ -94,11 +96,11 @@ public:
     void add(const TimedPoint& to, BriefCells cells)
     {
         setPlace(cells, m_content, to.position_m, m_locale);
-        const Point way_m =
+        const Point path_m =
             eastNorth_mps(m_content, to.position_m - m_last.position_m, m_last.position_m);
-        const double leg_m = m_way.until_m(to.time_s) - m_way.until_m(m_last.time_s);
-        if (!way_m.isZero(0))
-            cells[placeOf(BriefColumn::Course)] = bearingText(way_m);
+        const double leg_m = m_path.until_m(to.time_s) - m_path.until_m(m_last.time_s);
+        if (!path_m.isZero(0))
+            cells[placeOf(BriefColumn::Course)] = bearingText(path_m);
         cells[placeOf(BriefColumn::Leg)] = fixedText(longDistanceUnit().fromSi(leg_m), 2, m_locale);
         cells[placeOf(BriefColumn::LegTime)] = clockText(to.time_s - m_last.time_s);
         cells[placeOf(BriefColumn::Arrival)] = briefClock(m_content, to.time_s);
@@ -125,18 +127,18 @@ public:
     /** What was flown after the last visit. */
     void addEnd()
     {
-        if (m_way.end().time_s < m_last.time_s + kLater_s)
+        if (m_path.end().time_s < m_last.time_s + kLater_s)
             return;
         BriefCells cells;
         cells[placeOf(BriefColumn::Name)] = FlightBrief::tr("End of track");
-        add(m_way.end(), std::move(cells));
+        add(m_path.end(), std::move(cells));
     }
 
     [[nodiscard]] std::vector<BriefCells> taken() { return std::move(m_rows); }
 
 private:
     const ExportContent& m_content;
-    const MeasuredWay& m_way;
+    const MeasuredPath& m_path;
     const QLocale& m_locale;
     TimedPoint m_last;
     int m_icebergs = 0;
@@ -170,8 +172,8 @@ BriefCaptions briefCaptions(const ExportContent& content)
 BriefRoute briefRoute(const ExportContent& content, std::size_t uav, const QLocale& locale)
 {
     const ExportUav& flown = content.uavs.at(uav);
-    const MeasuredWay way(flown);
-    RouteRows rows(content, way, locale);
+    const MeasuredPath path(flown);
+    RouteRows rows(content, path, locale);
     const bool isTrack = content.what == ExportWhat::Track;
     for (const Visit& visit : flown.visits)
         if (visit.iceberg >= 0 || !isTrack) // what was flown has no way home that was not
@@ -196,12 +198,12 @@ QString briefClock(const ExportContent& content, double time_s)
     return later > 0 ? u"%1 +%2"_s.arg(text).arg(later) : text;
 }
 
-WayTotals wayTotals(const ExportUav& uav)
+PathTotals pathTotals(const ExportUav& uav)
 {
-    const MeasuredWay way(uav);
-    return {.length_m = way.length_m(),
-            .time_s = way.end().time_s - way.start().time_s,
-            .end_s = way.end().time_s};
+    const MeasuredPath path(uav);
+    return {.length_m = path.length_m(),
+            .time_s = path.end().time_s - path.start().time_s,
+            .end_s = path.end().time_s};
 }
 
 } // namespace berg

@@ -57,12 +57,12 @@ struct BriefCaptions
 [[nodiscard]] QString briefClock(const ExportContent& content, double time_s);
 
 /** Of the way of one UAV, over ground, and how long it takes. */
-struct WayTotals
+struct PathTotals
 {
     double length_m = 0;
     double time_s = 0;
     double end_s = 0;
 };
-[[nodiscard]] WayTotals wayTotals(const ExportUav& uav);
+[[nodiscard]] PathTotals pathTotals(const ExportUav& uav);
 
 } // namespace berg

@@ -221,7 +221,7 @@ QStringList loiterLines(const ExportContent& content, const QLocale& locale)
         each_s = std::max(each_s, turns_s);
         all_s = std::max(all_s, own_s);
         if (uav.uav.spec.endurance_s > 0 &&
-            wayTotals(uav).time_s + own_s > usableEndurance_s(uav.uav.spec))
+            pathTotals(uav).time_s + own_s > usableEndurance_s(uav.uav.spec))
             tooLong << printable(titleOf(uav.uav));
     }
     QStringList lines{

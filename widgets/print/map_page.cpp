@@ -87,9 +87,9 @@ std::vector<MapReadout> plannedFigures(const ExportContent& content, const QLoca
     double length_m = 0;
     double longest_s = 0;
     for (const ExportUav& uav : content.uavs) {
-        const WayTotals way = wayTotals(uav);
-        length_m += way.length_m;
-        longest_s = std::max(longest_s, way.time_s);
+        const PathTotals path = pathTotals(uav);
+        length_m += path.length_m;
+        longest_s = std::max(longest_s, path.time_s);
     }
     if (length_m == 0)
         return {};
@@ -236,7 +236,7 @@ PicturePage mapPage(const ExportContent& content, const QLocale& locale)
     sheet->picture = exportPicture(content);
     MapPicture& picture = sheet->picture;
     picture.title = pageTitle(content);
-    picture.subtitle = pageSubtitle(content, waysText(content), locale);
+    picture.subtitle = pageSubtitle(content, pathsText(content), locale);
     picture.readouts = content.what == ExportWhat::Track ? flownFigures(content, locale)
                                                          : plannedFigures(content, locale);
     picture.air = exportAir(content);

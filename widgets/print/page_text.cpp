@@ -27,7 +27,7 @@ QString pageTitle(const ExportContent& content)
     return name.isEmpty() ? PageText::tr("Untitled") : name;
 }
 
-QString waysText(const ExportContent& content)
+QString pathsText(const ExportContent& content)
 {
     const QString now = clockText(content.now_s);
     switch (content.what) {

@@ -13,7 +13,7 @@ namespace berg {
 [[nodiscard]] QString pageTitle(const ExportContent& content);
 
 /** What the page shows, as it was chosen: "Flown until 16:40". */
-[[nodiscard]] QString waysText(const ExportContent& content);
+[[nodiscard]] QString pathsText(const ExportContent& content);
 
 /** `what`, how it was planned, and when it starts, if that is known. */
 [[nodiscard]] QString pageSubtitle(const ExportContent& content, const QString& what,

@@ -201,9 +201,9 @@ QString placeText(const LatLon& place, int decimals, const QLocale& locale)
            longitudeText(place.longitude_deg, decimals, locale);
 }
 
-QString bearingText(const Point& way_m)
+QString bearingText(const Point& path_m)
 {
-    const double heading_deg = headingFromPsi(std::atan2(way_m.y(), way_m.x()));
+    const double heading_deg = headingFromPsi(std::atan2(path_m.y(), path_m.x()));
     return u"%1°"_s.arg(static_cast<int>(std::lround(heading_deg)) % 360, 3, 10, QChar(u'0'));
 }
 

@@ -79,6 +79,6 @@ struct ShownUnit
 [[nodiscard]] QString placeText(const LatLon& place, int decimals, const QLocale& locale);
 
 /** Direction of a way as navigators write it: "045°", clockwise from north. */
-[[nodiscard]] QString bearingText(const Point& way_m);
+[[nodiscard]] QString bearingText(const Point& path_m);
 
 } // namespace berg

@@ -105,7 +105,7 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
     {IssueId::SameLayer,
      QT_TRANSLATE_NOOP("IssueText", "Starts too near another UAV of the same altitude layer: they "
                                     "fly apart first. Let their altitudes differ by 30 m.")},
-    {IssueId::NoWayHome,
+    {IssueId::NoPathHome,
      QT_TRANSLATE_NOOP("IssueText",
                        "The endurance is too short for the path home from the start.")},
     {IssueId::NoRoundTrip,

@@ -104,7 +104,7 @@ private:
             double to_s = m_content.now_s + 1; // an interval is never empty
             for (const ExportUav& uav : m_content.uavs) {
                 from_s = std::min(from_s, uav.start_s);
-                to_s = std::max(to_s, wayOf(uav).back().time_s);
+                to_s = std::max(to_s, pathOf(uav).back().time_s);
             }
             Json& clock = packet["clock"];
             clock["interval"] = interval(from_s, to_s);
@@ -200,7 +200,7 @@ private:
 
     void addUav(const ExportUav& uav)
     {
-        const std::vector<TimedPoint> way = wayOf(uav);
+        const std::vector<TimedPoint> path = pathOf(uav);
         const Rgb rgb = uavColour(uav.row);
         Json packet;
         packet["id"] = "uav/" + uav.uav.id;
@@ -209,17 +209,17 @@ private:
         packet["point"]["color"] = colour(rgb);
         packet["properties"]["airspeed_mps"] = uav.uav.spec.airspeed_mps;
         packet["properties"]["altitude_m"] = uav.uav.spec.altitude_m;
-        if (m_content.start && way.size() > 1 && way.back().time_s > way.front().time_s) {
-            packet["availability"] = interval(way.front().time_s, way.back().time_s);
-            packet["position"] = moving(way, uav.uav.spec.altitude_m);
+        if (m_content.start && path.size() > 1 && path.back().time_s > path.front().time_s) {
+            packet["availability"] = interval(path.front().time_s, path.back().time_s);
+            packet["position"] = moving(path, uav.uav.spec.altitude_m);
             packet["path"]["width"] = 3;
             packet["path"]["material"] = solid(rgb);
         } else {
             Json place = Json::array();
-            append(place, way.front().position_m, uav.uav.spec.altitude_m);
+            append(place, path.front().position_m, uav.uav.spec.altitude_m);
             packet["position"]["cartographicDegrees"] = std::move(place);
             Json line = Json::array();
-            for (const TimedPoint& point : way)
+            for (const TimedPoint& point : path)
                 append(line, point.position_m, uav.uav.spec.altitude_m);
             packet["polyline"]["positions"]["cartographicDegrees"] = std::move(line);
             packet["polyline"]["width"] = 3;
@@ -229,11 +229,11 @@ private:
     }
 
     /** Samples at rising times: Cesium takes no two at one. */
-    [[nodiscard]] Json moving(const std::vector<TimedPoint>& way, double altitude_m) const
+    [[nodiscard]] Json moving(const std::vector<TimedPoint>& path, double altitude_m) const
     {
         Json samples = Json::array();
         std::optional<double> last_s;
-        for (const TimedPoint& point : way) {
+        for (const TimedPoint& point : path) {
             const double time_s = roundedSeconds(point.time_s);
             if (last_s && time_s <= *last_s)
                 continue;

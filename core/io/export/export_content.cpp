@@ -117,7 +117,7 @@ void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& w
         uav.visits.pop_back();
         return;
     }
-    const TimedPoint last = wayOf(uav).back();
+    const TimedPoint last = pathOf(uav).back();
     const double flight_s =
         flightTime_s(uav.home_m - last.position_m, uav.uav.spec.airspeed_mps, wind_mps);
     uav.visits.push_back({.time_s = last.time_s + flight_s, .position_m = uav.home_m});
@@ -145,8 +145,8 @@ void endOverTheLastIceberg(FlyablePath& path)
     std::erase_if(path.track, [end_s](const TrackPoint& point) { return point.time_s > end_s; });
 }
 
-void addWay(ExportUav& uav, const ExportSource& source, const ExportContent& content,
-            const Scenario& scene)
+void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& content,
+             const Scenario& scene)
 {
     if (content.what == ExportWhat::Track) {
         uav.track = flownTrack(*source.mission, uav.row);
@@ -200,7 +200,7 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
     }
     if (source.mission)
         result.flown_m = source.mission->simulation().uav(static_cast<int>(row)).flown_m;
-    addWay(result, source, content, scene);
+    addPath(result, source, content, scene);
     return result;
 }
 
@@ -225,7 +225,7 @@ void checkContent(const ExportContent& content)
         checkPlace("home of " + uav.uav.id, uav.home_m, uav.start_s);
         for (const Visit& visit : uav.visits)
             checkPlace("a visit of " + uav.uav.id, visit.position_m, visit.time_s);
-        for (const TimedPoint& point : wayOf(uav))
+        for (const TimedPoint& point : pathOf(uav))
             checkPlace(uav.uav.id, point.position_m, point.time_s);
         if (!std::isfinite(uav.reach_m) || !std::isfinite(uav.circle_m))
             throw Error(ErrorCode::Unsupported, uav.uav.id,
@@ -349,17 +349,17 @@ Point assetPlace_m(const ExportContent& content)
     return content.asset->position_m + content.asset->velocity_mps * content.now_s;
 }
 
-std::vector<TimedPoint> wayOf(const ExportUav& uav)
+std::vector<TimedPoint> pathOf(const ExportUav& uav)
 {
-    std::vector<TimedPoint> way;
+    std::vector<TimedPoint> path;
     for (const TrackPoint& point : uav.track)
-        way.push_back({.position_m = point.state.position_m, .time_s = point.time_s});
-    if (!way.empty())
-        return way;
-    way.push_back({.position_m = uav.uav.position_m, .time_s = uav.start_s});
+        path.push_back({.position_m = point.state.position_m, .time_s = point.time_s});
+    if (!path.empty())
+        return path;
+    path.push_back({.position_m = uav.uav.position_m, .time_s = uav.start_s});
     for (const Visit& visit : uav.visits)
-        way.push_back({.position_m = visit.position_m, .time_s = visit.time_s});
-    return way;
+        path.push_back({.position_m = visit.position_m, .time_s = visit.time_s});
+    return path;
 }
 
 } // namespace berg

@@ -176,6 +176,6 @@ struct ExportContent
 [[nodiscard]] Point assetPlace_m(const ExportContent& content);
 
 /** The way: its track, or straight from the start to each visit. */
-[[nodiscard]] std::vector<TimedPoint> wayOf(const ExportUav& uav);
+[[nodiscard]] std::vector<TimedPoint> pathOf(const ExportUav& uav);
 
 } // namespace berg

@@ -35,12 +35,12 @@ std::string flightTable(const ExportContent& content)
 
 constexpr ExportHolds kMissionHolds{.order = true, .mission = true, .radii = true};
 constexpr ExportHolds kMapHolds{
-    .order = true, .way = true, .fleet = true, .times = true, .icebergs = true, .fence = true};
+    .order = true, .path = true, .fleet = true, .times = true, .icebergs = true, .fence = true};
 constexpr ExportHolds kFlightTableHolds{.fleet = true, .flownOnly = true};
 constexpr ExportHolds kPictureHolds{
-    .order = true, .way = true, .fleet = true, .icebergs = true, .fence = true, .painted = true};
+    .order = true, .path = true, .fleet = true, .icebergs = true, .fence = true, .painted = true};
 constexpr ExportHolds kBriefHolds{.order = true,
-                                  .way = true,
+                                  .path = true,
                                   .fleet = true,
                                   .times = true,
                                   .icebergs = true,
@@ -58,8 +58,11 @@ constexpr std::array kFormats{
     ExportFormat{"wpl", "waypoints", "ArduPilot: Mission Planner, MAVProxy (home row)",
                  kMissionHolds, wplText},
     ExportFormat{"geojson", "geojson", "QGIS and other map programs", kMapHolds, geoJson},
-    ExportFormat{
-        "csv", "csv", "spreadsheets and scripts", {.order = true, .way = true, .fleet = true}, csv},
+    ExportFormat{"csv",
+                 "csv",
+                 "spreadsheets and scripts",
+                 {.order = true, .path = true, .fleet = true},
+                 csv},
     ExportFormat{"sigma-csv", "csv", "spreadsheets: sigma of every iceberg over time",
                  kFlightTableHolds, flightTable<sigmaCsv>},
     ExportFormat{"decisions-csv", "csv", "spreadsheets: plans, visits and what else happened",
@@ -69,7 +72,7 @@ constexpr std::array kFormats{
     ExportFormat{"gpx",
                  "gpx",
                  "chart plotters, Garmin devices, GPSBabel",
-                 {.order = true, .way = true, .fleet = true, .times = true, .icebergs = true},
+                 {.order = true, .path = true, .fleet = true, .times = true, .icebergs = true},
                  gpxText},
     ExportFormat{"kml", "kml", "Google Earth and other globes", kMapHolds, kmlText},
     ExportFormat{"kmz", "kmz", "Google Earth, packed", kMapHolds, kmzFile},

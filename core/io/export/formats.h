@@ -12,7 +12,7 @@ namespace berg {
 struct ExportHolds
 {
     bool order = false; ///< a way as waypoints
-    bool way = false;   ///< a way as a line of any number of points
+    bool path = false;  ///< a way as a line of any number of points
     bool fleet = false; ///< several UAVs; else one file each
     bool times = false; ///< dates, so only with a start time
     bool icebergs = false;

@@ -170,7 +170,7 @@ private:
             properties["tau"] = m_content.planner.tau;
         }
         const std::vector<std::vector<TimedPlace>> parts =
-            geographicLine(m_content.frame, wayOf(uav));
+            geographicLine(m_content.frame, pathOf(uav));
         if (!parts.empty())
             addParts(parts, std::move(properties));
     }

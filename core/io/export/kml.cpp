@@ -196,13 +196,13 @@ private:
                           .altitude_m = uav.uav.spec.altitude_m,
                           .time_s = visit.time_s});
         const std::vector<std::vector<TimedPlace>> parts =
-            geographicLine(m_content.frame, wayOf(uav));
+            geographicLine(m_content.frame, pathOf(uav));
         if (!parts.empty())
-            addWay(uav, parts);
+            addPath(uav, parts);
         m_text += "</Folder>\n";
     }
 
-    void addWay(const ExportUav& uav, const std::vector<std::vector<TimedPlace>>& parts)
+    void addPath(const ExportUav& uav, const std::vector<std::vector<TimedPlace>>& parts)
     {
         const bool timed = m_content.start && !uav.track.empty();
         m_text += "<Placemark>" + xmlElement("name", titleOf(uav.uav)) +

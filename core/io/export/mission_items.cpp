@@ -1,6 +1,6 @@
 #include "core/io/export/mission_items.h"
 
-#include "core/io/export/thinned_way.h"
+#include "core/io/export/thinned_path.h"
 #include "core/io/text/export_numbers.h"
 
 #include <algorithm>
@@ -93,7 +93,7 @@ std::vector<MavItem> itemsOnTheWay(const ExportContent& content, const ExportUav
 
 std::vector<TimedPoint> pathCorners(const ExportUav& uav)
 {
-    std::vector<TimedPoint> corners = thinnedWay(wayOf(uav), kPathTolerance_m);
+    std::vector<TimedPoint> corners = thinnedPath(pathOf(uav), kPathTolerance_m);
     corners.erase(corners.begin());
     return corners;
 }
@@ -124,7 +124,7 @@ MavMission mavMission(const ExportContent& content)
         mission.items.push_back(item);
     Point end_m = uav.home_m;
     if (content.what == ExportWhat::Path)
-        end_m = wayOf(uav).back().position_m;
+        end_m = pathOf(uav).back().position_m;
     else if (!uav.visits.empty())
         end_m = uav.visits.back().position_m;
     mission.items.push_back(maker.lastLoiter(end_m));

@@ -143,10 +143,10 @@ std::string searchText(const Search& search)
 {
     JsonObject object;
     object.add("iceberg", search.iceberg);
-    object.addText("corners_m", jsonArrayOf(search.way.corners_m()));
-    object.add("next", static_cast<std::int64_t>(search.way.next()));
-    object.add("spread_m", search.way.spread_m());
-    object.addText("chances", jsonArrayOf(search.way.chances()));
+    object.addText("corners_m", jsonArrayOf(search.path.corners_m()));
+    object.add("next", static_cast<std::int64_t>(search.path.next()));
+    object.add("spread_m", search.path.spread_m());
+    object.addText("chances", jsonArrayOf(search.path.chances()));
     return object.inLine();
 }
 
@@ -176,8 +176,8 @@ Search readSearch(const Json& value, const std::string& path, Faults& faults,
                 corners_m.push_back(*corner_m);
     const auto next = object.whole("next", 0, {.low = 0, .high = kLargestCount});
     const double spread_m = object.number("spread_m", 0);
-    search.way = LostSearch::restored(std::move(corners_m), static_cast<std::size_t>(next),
-                                      spread_m, readList(object, "chances"));
+    search.path = LostSearch::restored(std::move(corners_m), static_cast<std::size_t>(next),
+                                       spread_m, readList(object, "chances"));
     return search;
 }
 
@@ -348,8 +348,8 @@ std::string keyframeText(const WorldState& state)
     addUav(object, state.uavs.front());
     object.add("sigma_sum_m2", state.sigmaSum_m2);
     object.add("zeta_m2s", state.zeta_m2s);
-    if (!state.apart.empty())
-        object.addText("apart", jsonArrayOf(state.apart));
+    if (!state.unclustered.empty())
+        object.addText("apart", jsonArrayOf(state.unclustered));
     if (!state.givenUp.empty()) {
         std::vector<std::string> searches;
         std::transform(state.givenUp.begin(), state.givenUp.end(), std::back_inserter(searches),
@@ -382,7 +382,7 @@ WorldState readKeyframe(const Json& value, const std::string& path, Faults& faul
         state.uavs.push_back(std::move(uav));
     state.sigmaSum_m2 = object.number("sigma_sum_m2", 0, kAmount);
     state.zeta_m2s = object.number("zeta_m2s", 0, kAmount);
-    state.apart = readGroup(object, "apart", context);
+    state.unclustered = readGroup(object, "apart", context);
     if (object.find("given_up") != nullptr)
         if (const Json* list = object.array("given_up"))
             for (std::size_t i = 0; i < list->size(); ++i)

@@ -84,10 +84,10 @@ std::vector<Field> fieldsOf(const WorldState& state)
     fields.insert(fields.end(), {{"sigma_sum_m2", state.sigmaSum_m2},
                                  {"zeta_m2s", state.zeta_m2s},
                                  {"closest_m", state.closest_m.value_or(-1)},
-                                 {"apart", static_cast<double>(state.apart.size())},
+                                 {"apart", static_cast<double>(state.unclustered.size())},
                                  {"tracks", static_cast<double>(state.tracks.size())}});
-    for (std::size_t i = 0; i < state.apart.size(); ++i)
-        fields.emplace_back(entry("apart", i), state.apart[i]);
+    for (std::size_t i = 0; i < state.unclustered.size(); ++i)
+        fields.emplace_back(entry("apart", i), state.unclustered[i]);
     for (std::size_t i = 0; i < state.tracks.size(); ++i) {
         const Track& track = state.tracks[i];
         const std::string name = entry("tracks", i);

@@ -1,6 +1,6 @@
 #include "core/io/import/area_outline.h"
 
-#include "core/io/export/thinned_way.h"
+#include "core/io/export/thinned_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,7 @@ std::vector<Ring> stretchesOf(const Ring& ring)
 }
 
 /** Whether a line that ends at `end` goes on at `start`, on the other side of the antimeridian. */
-bool goesOn(const LatLon& end, const LatLon& start)
+bool continues(const LatLon& end, const LatLon& start)
 {
     return isClose(end.latitude_deg, start.latitude_deg) &&
            isClose(end.longitude_deg, -start.longitude_deg);
@@ -97,8 +97,9 @@ std::vector<Vertex> joined(const std::vector<Ring>& stretches)
         outline.back().endsStretch = true;
         const bool isLast = n + 1 == stretches.size();
         std::size_t next = 0;
-        while (next < stretches.size() && !(goesOn(stretches[at].back(), stretches[next].front()) &&
-                                            (isLast ? next == 0 : !used[next])))
+        while (next < stretches.size() &&
+               !(continues(stretches[at].back(), stretches[next].front()) &&
+                 (isLast ? next == 0 : !used[next])))
             ++next;
         if (next == stretches.size())
             return {};
@@ -155,7 +156,7 @@ std::vector<Point> thinnedRing(std::vector<TimedPoint> ring)
     std::rotate(ring.begin(), farthest, ring.end());
     ring.push_back(ring.front());
     std::vector<TimedPoint> corners =
-        thinnedWay(ring, std::min(kLargestTolerance_m, kTolerance * size_m));
+        thinnedPath(ring, std::min(kLargestTolerance_m, kTolerance * size_m));
     corners.pop_back();
     std::rotate(corners.begin(),
                 std::min_element(

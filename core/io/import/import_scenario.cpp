@@ -48,9 +48,9 @@ void checkOptions(const Scenario& base, const ImportOptions& options)
         throw Error(ErrorCode::InvalidInput, "import", std::move(issues));
 }
 
-void moveBy(Point& position_m, const Point& way_m, const std::string& who)
+void moveBy(Point& position_m, const Point& path_m, const std::string& who)
 {
-    position_m += way_m;
+    position_m += path_m;
     if (!position_m.allFinite() || position_m.cwiseAbs().maxCoeff() > kLargestCoordinate_m)
         throw Error(ErrorCode::InvalidInput, "import",
                     {{Severity::Error, "at", "by then " + printable(who) + " is off the plane"}});

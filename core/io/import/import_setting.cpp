@@ -55,11 +55,11 @@ std::optional<SceneNote> fenceFault(const Scenario& scenario)
 }
 
 /** Takes the parts of one scene over. */
-class Taking
+class SettingImport
 {
 public:
-    Taking(const FileScene& scene, const std::set<std::string, std::less<>>& icebergs,
-           ImportResult& result)
+    SettingImport(const FileScene& scene, const std::set<std::string, std::less<>>& icebergs,
+                  ImportResult& result)
         : m_scene(scene)
         , m_icebergs(icebergs)
         , m_at(result.at)
@@ -273,7 +273,7 @@ private:
 void takeScene(const FileScene& scene, const std::set<std::string, std::less<>>& icebergs,
                ImportResult& result)
 {
-    Taking(scene, icebergs, result).take();
+    SettingImport(scene, icebergs, result).take();
 }
 
 } // namespace berg

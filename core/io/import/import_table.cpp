@@ -51,9 +51,9 @@ std::string rowFaultText(const RejectedRow& row)
 
 void Rejections::add(RejectedRow row)
 {
-    constexpr std::size_t kMostKept = 1000;
+    constexpr std::size_t kMostStored = 1000;
     ++count;
-    if (first.size() < kMostKept)
+    if (first.size() < kMostStored)
         first.push_back(std::move(row));
 }
 

@@ -36,8 +36,8 @@ void certifyByRelaxation(const TvpProblem& problem, const VisitOrder& order,
     if (!result.reached) { // the steps prove nothing: without memory then
         proof.steps = {{.lambda = result.lambda}};
         LayeredPaths<Costs> paths(costs);
-        const Prices prices = certifiedPrices(result.lambda, proof.cost);
-        proof.bound = prices.certified(paths.sweep(prices, {}));
+        const Multipliers multipliers = certifiedMultipliers(result.lambda, proof.cost);
+        proof.bound = multipliers.certified(paths.sweep(multipliers, {}));
     }
     if constexpr (Costs::kWeighted)
         proof.rises = costs.steps;

@@ -1,9 +1,9 @@
 #include "core/plan/fleet/fleet_bound.h"
 
 #include "core/plan/fleet/fleet_graph.h"
+#include "core/plan/solve/multiplier_ascent.h"
 #include "core/plan/solve/ng_memory.h"
 #include "core/plan/solve/piece_list.h"
-#include "core/plan/solve/price_ascent.h"
 
 #include <algorithm>
 #include <array>
@@ -74,7 +74,7 @@ public:
     FleetBoundResult run()
     {
         if (!isBounded(m_costs)) {
-            while (!finished() && takeSuggestion() > 0) {
+            while (!finished() && acceptSuggestion() > 0) {
             }
             return std::move(m_result);
         }
@@ -83,7 +83,7 @@ public:
         for (const std::vector<int>& uavs : groups)
             all_bytes += FleetGraph::bytesOfComplete(m_costs, uavs);
         if (all_bytes > m_options.memoryLimit_bytes) {
-            takeSuggestion(); // a good plan without a bound
+            acceptSuggestion(); // a good plan without a bound
             m_result.memoryOut = true;
             return std::move(m_result);
         }
@@ -96,9 +96,9 @@ public:
             return std::move(m_result);
         }
         ascend(kFirstSteps);
-        takeSuggestion();
+        acceptSuggestion();
         m_suggested = true;
-        takeBound(m_result.bound);
+        acceptBound(m_result.bound);
         ascend(kPlainSteps - kFirstSteps);
         for (int cap = kNearest; !finished(); ++cap) {
             if (cap > kNearest)
@@ -108,7 +108,7 @@ public:
                 break;
             ascend(cap == kNearest ? kFirstGraphSteps : kLaterSteps);
             putTogether();
-            takeSuggestion();
+            acceptSuggestion();
             report();
             // A memory that holds all icebergs cannot grow.
             const bool isFinest = !finer || cap > m_costs.icebergs();
@@ -151,7 +151,7 @@ private:
                cut();
     }
     /** Takes a certified bound. */
-    void takeBound(double bound)
+    void acceptBound(double bound)
     {
         bound = std::max(bound, 0.0); // no cost is negative
         if (bound >= cutoff()) {
@@ -161,7 +161,7 @@ private:
             m_result.bound = std::max(m_result.bound, bound);
         }
     }
-    bool takePlan(const FleetPlan& plan)
+    bool acceptPlan(const FleetPlan& plan)
     {
         const double cost = m_costs.total(plan);
         if (!replaces(cost, m_cost))
@@ -172,14 +172,14 @@ private:
         return true;
     }
     /** The work of it. */
-    std::int64_t takeSuggestion()
+    std::int64_t acceptSuggestion()
     {
         if (!m_options.suggest || finished())
             return 0;
         const FleetSuggestion found =
             m_options.suggest(m_result.work, m_options.workLimit - m_result.work);
         m_result.work += found.work;
-        takePlan(found.plan);
+        acceptPlan(found.plan);
         return found.work;
     }
     void report() const
@@ -222,7 +222,7 @@ private:
     }
 
     /** The visits of the shortest paths of the last sweep. Paths that are a plan are taken. */
-    std::vector<int> takePaths()
+    std::vector<int> acceptPaths()
     {
         std::vector<int> visits;
         FleetPlan plan(static_cast<std::size_t>(m_costs.uavs()));
@@ -237,7 +237,7 @@ private:
         if (m_recent.size() > most)
             m_recent.erase(m_recent.begin(), m_recent.end() - static_cast<std::ptrdiff_t>(most));
         if (m_costs.isPlan(plan))
-            takePlan(plan);
+            acceptPlan(plan);
         return visits;
     }
 
@@ -245,7 +245,7 @@ private:
     void renewMultipliers()
     {
         if (!allowsProof(marginOf(m_ascent.best(), 0), m_cost))
-            m_ascent = PriceAscent(savings(m_costs, m_result.plan));
+            m_ascent = MultiplierAscent(savings(m_costs, m_result.plan));
     }
 
     void ascend(int steps)
@@ -258,8 +258,8 @@ private:
             if (!swept)
                 return;
             const bool climbs = m_ascent.step(
-                {.visits = takePaths(), .bound = swept->bound, .margin = swept->margin}, m_cost);
-            takeBound(m_ascent.bound());
+                {.visits = acceptPaths(), .bound = swept->bound, .margin = swept->margin}, m_cost);
+            acceptBound(m_ascent.bound());
             if (!climbs)
                 break;
             if (k % 20 == 6 && m_suggested)
@@ -346,12 +346,12 @@ private:
         m_result.work += kWorkOfCandidate * found.work;
         // None is cheaper than the one found, as far as rounding lets both be known.
         const double least = found.plan ? m_costs.total(*found.plan) - 2 * swept.margin : kInfinity;
-        const bool better = found.plan && takePlan(*found.plan);
+        const bool better = found.plan && acceptPlan(*found.plan);
         if (!found.complete) {
             m_coverWork *= 2;
             return false;
         }
-        takeBound(std::min(least, cost));
+        acceptBound(std::min(least, cost));
         return !better;
     }
 
@@ -359,7 +359,7 @@ private:
     const FleetBoundOptions& m_options;
     FleetBoundResult m_result;
     double m_cost; ///< of m_result.plan
-    PriceAscent m_ascent;
+    MultiplierAscent m_ascent;
     NgSets m_sets{0};
     CutQuestion m_cutQuestion;
     std::unique_ptr<FleetGraphs, FreeElsewhere> m_graphs{new FleetGraphs};

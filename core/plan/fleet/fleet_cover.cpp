@@ -41,11 +41,11 @@ bool disjoint(const NodeSet& a, const NodeSet& b)
 }
 
 /** Depth first: the row (iceberg or UAV) that the fewest orders satisfy is branched on. */
-class CoverSearch
+class SetPartitioningSearch
 {
 public:
-    CoverSearch(const FleetOrders& orders, double slack, std::int64_t workLimit,
-                const CutQuestion& cut)
+    SetPartitioningSearch(const FleetOrders& orders, double slack, std::int64_t workLimit,
+                          const CutQuestion& cut)
         : m_orders(orders)
         , m_slack(slack)
         , m_workLimit(workLimit)
@@ -55,7 +55,7 @@ public:
         for (int i = 1; i <= orders.icebergs(); ++i)
             m_all.insert(i);
         for (int uav = 0; uav < orders.uavs(); ++uav)
-            takeOrders(uav);
+            acceptOrders(uav);
     }
 
     void run()
@@ -70,7 +70,7 @@ public:
 private:
     /** UAV by UAV, because sorting all at once would take too long between two looks at the clock.
      */
-    void takeOrders(int uav)
+    void acceptOrders(int uav)
     {
         Candidates own;
         for (std::size_t k = 0; k < m_orders.all().size(); ++k) {
@@ -280,7 +280,7 @@ private:
 FleetCover bestCover(const FleetOrders& orders, double slack, std::int64_t workLimit,
                      const CutQuestion& cut)
 {
-    CoverSearch search(orders, slack, workLimit, cut);
+    SetPartitioningSearch search(orders, slack, workLimit, cut);
     search.run();
     FleetCover cover{.complete = search.complete(), .plan = {}, .work = search.work()};
     if (search.best()) {

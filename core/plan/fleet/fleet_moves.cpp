@@ -18,7 +18,7 @@ public:
     Chooser(const FleetRoutes& routes, SearchEffort& effort) : m_routes(routes), m_effort(effort) {}
 
     /** Asked once for each place of an order. */
-    [[nodiscard]] bool goesOn() const { return !m_effort.spent(); }
+    [[nodiscard]] bool continues() const { return !m_effort.spent(); }
 
     void offer(const FleetMove::Part& part)
     {
@@ -49,14 +49,14 @@ private:
 
 void offerTurns(Chooser& chooser, int uav, int size)
 {
-    for (int begin = 0; begin < size && chooser.goesOn(); ++begin)
+    for (int begin = 0; begin < size && chooser.continues(); ++begin)
         for (int end = begin + 2; end <= size; ++end)
             chooser.offer({uav, {{{uav, 0, begin}, {uav, begin, end, true}, {uav, end, size}}}});
 }
 
 void offerExchanges(Chooser& chooser, int uav, int size)
 {
-    for (int a = 0; a < size && chooser.goesOn(); ++a)
+    for (int a = 0; a < size && chooser.continues(); ++a)
         for (int b = a + 2; b < size; ++b)
             chooser.offer({uav,
                            {{{uav, 0, a},
@@ -68,7 +68,7 @@ void offerExchanges(Chooser& chooser, int uav, int size)
 
 void offerShifts(Chooser& chooser, int uav, int size)
 {
-    for (int begin = 0; begin < size && chooser.goesOn(); ++begin)
+    for (int begin = 0; begin < size && chooser.continues(); ++begin)
         for (int end = begin + 1; end <= std::min(size, begin + kLongestPiece); ++end)
             for (int place = 0; place <= size; ++place) {
                 if (place >= begin && place <= end)
@@ -104,11 +104,11 @@ FleetMove bestMoveBetween(const FleetRoutes& routes, int from, int to, SearchEff
     Chooser chooser(routes, effort);
     const int sizeFrom = routes.length(from);
     const int sizeTo = routes.length(to);
-    for (int a = 0; a <= sizeFrom && chooser.goesOn(); ++a)
+    for (int a = 0; a <= sizeFrom && chooser.continues(); ++a)
         for (int b = 0; b <= sizeTo; ++b)
             chooser.offer({from, {{{from, 0, a}, {to, b, sizeTo}}}},
                           {to, {{{to, 0, b}, {from, a, sizeFrom}}}});
-    for (int begin = 0; begin < sizeFrom && chooser.goesOn(); ++begin)
+    for (int begin = 0; begin < sizeFrom && chooser.continues(); ++begin)
         for (int end = begin + 1; end <= std::min(sizeFrom, begin + kLongestPiece); ++end)
             for (const bool backwards : {false, true}) {
                 if (backwards && end == begin + 1)

@@ -59,11 +59,11 @@ public:
         , m_costs(problem)
         , m_shift(fleetObjectiveShift(problem))
         , m_own(effort.value_or(kNoLimit))
-        , m_most(std::min(m_own, options.workLimit.value_or(kNoLimit)))
+        , m_limit(std::min(m_own, options.workLimit.value_or(kNoLimit)))
         , m_search(m_costs, m_effort)
     {
         m_effort.cut = [this] { return cut(); };
-        m_effort.limit = m_most;
+        m_effort.limit = m_limit;
         m_search.onImproved = [this](const FleetPlan& plan) {
             m_objective = fleetObjective(m_problem, plan);
             report();
@@ -104,19 +104,19 @@ public:
         const FleetBoundResult result = improveFleetBound(
             m_costs, m_search.best(),
             {.gap = m_options.gap,
-             .workLimit = m_most - before,
+             .workLimit = m_limit - before,
              .memoryLimit_bytes = m_options.memoryLimit_bytes.value_or(kNoLimit) - m_costs.bytes(),
              .cover = cover,
              .cut = m_effort.cut,
              .onImproved =
                  [this](const FleetPlan& plan, double bound) {
                      m_search.take(plan);
-                     takeBound(bound);
+                     acceptBound(bound);
                  },
              .suggest = [this](std::int64_t work,
                                std::int64_t most) { return suggest(work, most); }});
         m_search.take(result.plan);
-        takeBound(result.bound);
+        acceptBound(result.bound);
         return outcome(result, before + result.work);
     }
 
@@ -154,7 +154,7 @@ private:
         return m_bound - m_shift - roundingMargin(m_costs.icebergs(), m_shift);
     }
     /** 0 says nothing: that every cost is positive goes without saying. */
-    void takeBound(double bound)
+    void acceptBound(double bound)
     {
         if (bound <= 0 || bound <= m_bound)
             return;
@@ -200,9 +200,9 @@ private:
     const SolveOptions& m_options;
     Stopwatch m_watch;
     FleetCosts m_costs;
-    double m_shift;      ///< cost = objective + shift
-    std::int64_t m_own;  ///< the back end's own limit of work
-    std::int64_t m_most; ///< that and the caller's
+    double m_shift;       ///< cost = objective + shift
+    std::int64_t m_own;   ///< the back end's own limit of work
+    std::int64_t m_limit; ///< that and the caller's
     SearchEffort m_effort;
     FleetSearch m_search;
     std::optional<std::int64_t> m_searched; ///< work of the first annealing, once it is done

@@ -185,7 +185,7 @@ public:
     PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
     {
         if (request.ids == m_known) {
-            const std::vector<std::vector<int>> orders = takeRests(request);
+            const std::vector<std::vector<int>> orders = acceptRests(request);
             if (!std::ranges::all_of(orders, &std::vector<int>::empty)) {
                 PlanAnswer answer = answerOf(request, orders);
                 answer.outcome = {.status = SolveStatus::Feasible,
@@ -209,7 +209,7 @@ private:
     /** Those available of what is left of each UAV's order, from its first available one; when
      * nobody else can visit them, those in view now as well. A UAV to which nothing is available
      * keeps its place; one that has flown its part before others has what only it may visit. */
-    [[nodiscard]] std::vector<std::vector<int>> takeRests(const PlanRequest& request)
+    [[nodiscard]] std::vector<std::vector<int>> acceptRests(const PlanRequest& request)
     {
         std::vector<std::vector<int>> orders;
         for (const UavRequest& uav : request.uavs) {

@@ -91,14 +91,14 @@ private:
     [[nodiscard]] Entries enter(const Cycle& cycle, const std::vector<std::size_t>& places) const
     {
         const auto count = static_cast<Eigen::Index>(m_uavs.size());
-        Eigen::MatrixXd way_m(count, count);
+        Eigen::MatrixXd path_m(count, count);
         for (Eigen::Index k = 0; k < count; ++k)
             for (Eigen::Index place = 0; place < count; ++place)
-                way_m(place, k) =
+                path_m(place, k) =
                     uav(static_cast<std::size_t>(k))
                         .distance_m(0, cycle[places[static_cast<std::size_t>(place)]]);
         Entries entries{.cycle = cycle, .places = std::vector<std::size_t>(m_uavs.size())};
-        const std::vector<int> placeOf = cheapestAssignment(way_m);
+        const std::vector<int> placeOf = cheapestAssignment(path_m);
         for (std::size_t k = 0; k < m_uavs.size(); ++k) {
             const auto place = static_cast<std::size_t>(placeOf[k]);
             entries.places[k] = places[place];

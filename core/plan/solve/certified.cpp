@@ -39,7 +39,7 @@ bool allowsProof(double margin, double cost)
     return margin <= kMostOfTolerance * kProofTolerance * cost;
 }
 
-Prices certifiedPrices(const Eigen::VectorXd& lambda, double cutoff)
+Multipliers certifiedMultipliers(const Eigen::VectorXd& lambda, double cutoff)
 {
     // One multiplier for each visit, and [0] for the route.
     return {.lambda = lambda,

@@ -41,7 +41,7 @@ inline constexpr double kLeastGain = 1e-10;
 [[nodiscard]] bool allowsProof(double margin, double cost);
 
 /** Multipliers of "each iceberg once", one per node ([0] is 0), and the cost they prune at. */
-struct Prices
+struct Multipliers
 {
     Eigen::VectorXd lambda;
     double sum = 0;    ///< of lambda
@@ -56,6 +56,6 @@ struct Prices
 };
 
 /** With the margin for one route. */
-[[nodiscard]] Prices certifiedPrices(const Eigen::VectorXd& lambda, double cutoff);
+[[nodiscard]] Multipliers certifiedMultipliers(const Eigen::VectorXd& lambda, double cutoff);
 
 } // namespace berg

@@ -49,7 +49,7 @@ public:
     {
         m_effort.cut = [this] { return cut(); };
         m_effort.limit = mostWork();
-        m_search.onImproved = [this](const VisitOrder& order) { takeOrder(order); };
+        m_search.onImproved = [this](const VisitOrder& order) { acceptOrder(order); };
     }
 
     SolveOutcome run()
@@ -70,7 +70,7 @@ public:
         options.cut = m_effort.cut;
         options.onImproved = [this](const VisitOrder& order, double bound) {
             m_search.take(order);
-            takeBound(bound);
+            acceptBound(bound);
         };
         options.suggest = [this](std::int64_t work, std::int64_t most) {
             return suggest(work, most);
@@ -78,7 +78,7 @@ public:
         const std::int64_t before = m_effort.work;
         const BoundResult result = improveBound(m_costs, m_search.best(), options);
         m_search.take(result.order);
-        takeBound(result.bound);
+        acceptBound(result.bound);
         return outcome(result, before + result.work);
     }
 
@@ -114,7 +114,7 @@ private:
         return {.order = m_search.best(), .work = m_effort.work - before};
     }
 
-    void takeOrder(const VisitOrder& order)
+    void acceptOrder(const VisitOrder& order)
     {
         m_objective = objective(m_problem, order);
         report();
@@ -125,7 +125,7 @@ private:
         return m_bound - m_shift - roundingMargin(m_costs.icebergs, m_shift);
     }
     /** 0 says nothing: that every cost is positive goes without saying. */
-    void takeBound(double bound)
+    void acceptBound(double bound)
     {
         if (bound <= 0 || bound <= m_bound)
             return;

@@ -72,7 +72,7 @@ class StateTable
 {
 public:
     StateTable(const LayeredGraph<Costs>& graph, std::size_t most, const CutQuestion& cut)
-        : m_graph(graph), m_most(most), m_cut(cut), m_slots(1024, -1)
+        : m_graph(graph), m_limit(most), m_cut(cut), m_slots(1024, -1)
     {
     }
     /** Memory for each state to be kept, at most. */
@@ -80,7 +80,7 @@ public:
 
     void offer(const State& state)
     {
-        if (m_states.size() >= kTableGrowth * m_most) {
+        if (m_states.size() >= kTableGrowth * m_limit) {
             cutDown();
             enterAnew(m_slots.size());
         }
@@ -121,11 +121,11 @@ private:
     }
     void cutDown()
     {
-        if (m_states.size() <= m_most)
+        if (m_states.size() <= m_limit)
             return;
-        selectLeast(m_states, m_most, m_cut);
-        m_dropped = std::min(m_dropped, m_states[m_most].estimate);
-        m_states.resize(m_most);
+        selectLeast(m_states, m_limit, m_cut);
+        m_dropped = std::min(m_dropped, m_states[m_limit].estimate);
+        m_states.resize(m_limit);
     }
     /** Half done when cut, which does no harm: the search is cut as well. */
     void enterAnew(std::size_t slotCount)
@@ -142,7 +142,7 @@ private:
     }
 
     const LayeredGraph<Costs>& m_graph;
-    std::size_t m_most;
+    std::size_t m_limit;
     const CutQuestion& m_cut;
     std::vector<State> m_states;
     std::vector<int> m_slots;
@@ -176,11 +176,11 @@ std::size_t statesFor(const GraphSearchLimits& limits, int icebergs)
 } // namespace
 
 template <class Costs>
-GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Prices& prices,
+GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Multipliers& multipliers,
                               const GraphSearchLimits& limits)
 {
     const Costs& costs = graph.costs();
-    const double allowed = prices.allowedLength();
+    const double allowed = multipliers.allowedLength();
     GraphSearchResult result;
     StateTable<Costs> table(graph, statesFor<Costs>(limits, graph.icebergs()), limits.cut);
     std::vector<std::vector<State>> layers(1);
@@ -199,7 +199,7 @@ GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Prices& pr
                 if (from[k].visited.contains(j))
                     continue;
                 const double length = from[k].length + weight * costs.leg(i, j) +
-                                      costs.visit(j, p + 1) - prices.lambda(j);
+                                      costs.visit(j, p + 1) - multipliers.lambda(j);
                 const double estimate = length + graph.completion(to);
                 if (estimate < allowed)
                     table.offer({.visited = from[k].visited.with(j),
@@ -221,10 +221,10 @@ GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Prices& pr
     const auto best =
         std::min_element(layers.back().begin(), layers.back().end(),
                          [](const State& a, const State& b) { return a.estimate < b.estimate; });
-    result.bound = dropped + prices.sum;
+    result.bound = dropped + multipliers.sum;
     if (best == layers.back().end())
         return result;
-    result.bound = std::min(result.bound, best->estimate + prices.sum);
+    result.bound = std::min(result.bound, best->estimate + multipliers.sum);
     const State* state = &*best;
     for (int p = graph.icebergs(); p >= 1; --p) {
         result.order.push_back(graph.iceberg(state->node));
@@ -234,9 +234,9 @@ GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Prices& pr
     return result;
 }
 
-template GraphSearchResult searchGraph(const LayeredGraph<VisitCosts>&, const Prices&,
+template GraphSearchResult searchGraph(const LayeredGraph<VisitCosts>&, const Multipliers&,
                                        const GraphSearchLimits&);
-template GraphSearchResult searchGraph(const LayeredGraph<LatencyCosts>&, const Prices&,
+template GraphSearchResult searchGraph(const LayeredGraph<LatencyCosts>&, const Multipliers&,
                                        const GraphSearchLimits&);
 
 } // namespace berg

@@ -28,7 +28,8 @@ struct GraphSearchResult
  * answer is exact. Costs are those of the orders, also where the graph knows bounds on them only.
  */
 template <class Costs>
-[[nodiscard]] GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Prices& prices,
+[[nodiscard]] GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph,
+                                            const Multipliers& multipliers,
                                             const GraphSearchLimits& limits);
 
 } // namespace berg

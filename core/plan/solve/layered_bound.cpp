@@ -3,9 +3,9 @@
 #include "core/base/error.h"
 #include "core/plan/solve/graph_search.h"
 #include "core/plan/solve/layered_graph.h"
+#include "core/plan/solve/multiplier_ascent.h"
 #include "core/plan/solve/ng_memory.h"
 #include "core/plan/solve/piece_list.h"
-#include "core/plan/solve/price_ascent.h"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +79,7 @@ struct Stage
     std::shared_ptr<LayeredGraph<Costs>> graph;
     NgSets sets;
     int cap = 0; ///< icebergs that a memory may grow to
-    PriceAscent ascent;
+    MultiplierAscent ascent;
 };
 
 /** The run of `improveBound`: an incumbent, a bound, and a graph of what may lie between. */
@@ -91,7 +91,7 @@ public:
         : m_costs(costs)
         , m_options(options)
         , m_cost(costs.total(order))
-        , m_ascent(options.lambda ? *options.lambda : firstPrices(costs, order))
+        , m_ascent(options.lambda ? *options.lambda : firstMultipliers(costs, order))
     {
         require(!options.lambda || options.lambda->size() == costs.icebergs + 1,
                 "improveBound: one multiplier for each node");
@@ -102,13 +102,13 @@ public:
     {
         LayeredPaths<Costs> paths(m_costs);
         relax(paths, kFirstSteps);
-        takeSuggestion();
+        acceptSuggestion();
         m_gap = m_options.gap;
-        takeBound(m_result.bound);
+        acceptBound(m_result.bound);
         relax(paths, plainSteps() - kFirstSteps);
         if (!finished() && m_costs.icebergs < NodeSet::kCapacity)
             tighten(paths);
-        tellStep();
+        reportStep();
         m_result.lambda = m_ascent.best();
         return std::move(m_result);
     }
@@ -143,15 +143,21 @@ private:
     void renewMultipliers()
     {
         if (!allowsProof(best().margin, m_cost))
-            m_ascent = PriceAscent(firstPrices(m_costs, m_result.order));
+            m_ascent = MultiplierAscent(firstMultipliers(m_costs, m_result.order));
     }
     /** Orders of at least this cost are of no interest. */
     [[nodiscard]] double cutoff() const
     {
         return m_keepEqual ? cutoffAbove(m_cost) : cutoffBelow(m_cost, m_gap);
     }
-    [[nodiscard]] Prices here() const { return certifiedPrices(m_ascent.here(), cutoff()); }
-    [[nodiscard]] Prices best() const { return certifiedPrices(m_ascent.best(), cutoff()); }
+    [[nodiscard]] Multipliers here() const
+    {
+        return certifiedMultipliers(m_ascent.here(), cutoff());
+    }
+    [[nodiscard]] Multipliers best() const
+    {
+        return certifiedMultipliers(m_ascent.best(), cutoff());
+    }
     bool cut()
     {
         m_cut = m_cut || (m_options.cut && m_options.cut());
@@ -179,7 +185,7 @@ private:
     }
 
     /** Takes a certified lower bound on all orders below the cutoff. */
-    void takeBound(double bound)
+    void acceptBound(double bound)
     {
         bound = std::max(bound, 0.0); // no cost is negative
         if (bound >= cutoff()) {
@@ -191,7 +197,7 @@ private:
         }
     }
     /** Takes an order; returns whether it is a better one. */
-    bool takeOrder(const VisitOrder& order)
+    bool acceptOrder(const VisitOrder& order)
     {
         const double cost = m_costs.total(order);
         if (m_keepEqual || !replaces(cost, m_cost))
@@ -208,17 +214,17 @@ private:
                 return;
             visited.insert(i);
         }
-        if (takeOrder(path))
+        if (acceptOrder(path))
             report();
     }
-    void takeSuggestion()
+    void acceptSuggestion()
     {
         if (!m_options.suggest || finished())
             return;
         const OrderSuggestion found =
             m_options.suggest(m_result.work, m_options.workLimit - m_result.work);
         m_result.work += found.work;
-        if (!found.order.empty() && takeOrder(found.order))
+        if (!found.order.empty() && acceptOrder(found.order))
             report();
     }
     void report() const
@@ -231,12 +237,12 @@ private:
     {
         renewMultipliers();
         for (std::int64_t k = 0; k < steps && !finished(); ++k) {
-            const Prices prices = here();
-            const double bound = paths.sweep(prices, cutQuestion());
+            const Multipliers multipliers = here();
+            const double bound = paths.sweep(multipliers, cutQuestion());
             m_result.work += paths.workOfSweep();
             if (!std::isfinite(bound))
                 return;
-            if (!climb(paths.shortestPath(), bound, prices.margin))
+            if (!climb(paths.shortestPath(), bound, multipliers.margin))
                 break;
             if (k % kFirstSteps == 0)
                 report();
@@ -250,7 +256,7 @@ private:
         takePath(path);
         const bool steps =
             m_ascent.step({.visits = std::move(path), .bound = bound, .margin = margin}, m_cost);
-        takeBound(m_ascent.bound());
+        acceptBound(m_ascent.bound());
         return steps;
     }
 
@@ -259,18 +265,18 @@ private:
     {
         const std::int64_t n = m_costs.icebergs;
         const int nearest = n <= 50 ? 3 : 2; // large graphs must grow slowly
-        const Prices prices = best();
-        paths.sweep(prices, cutQuestion());
+        const Multipliers multipliers = best();
+        paths.sweep(multipliers, cutQuestion());
         m_result.work += 4 * paths.workOfSweep();
-        tellStep();
-        return {.graph = shared(LayeredGraph(m_costs, paths, prices, cutQuestion())),
+        reportStep();
+        return {.graph = shared(LayeredGraph(m_costs, paths, multipliers, cutQuestion())),
                 .sets = nearestSets(m_costs, nearest),
                 .cap = nearest,
                 .ascent = m_ascent};
     }
 
     /** Arcs have been deleted at the best multipliers, or nothing below the cutoff is left. */
-    void tellStep(const NgSets* sets = nullptr) const
+    void reportStep(const NgSets* sets = nullptr) const
     {
         if (m_options.onStep)
             m_options.onStep({.lambda = m_ascent.best(),
@@ -304,7 +310,7 @@ private:
             if (!finished() && !m_stageDone)
                 searchIn(*stage.graph, saved_bytes);
             report();
-            takeSuggestion();
+            acceptSuggestion();
             if (finished())
                 return;
             if (m_stageDone) {
@@ -341,15 +347,15 @@ private:
     bool refine(Stage<Costs>& stage, std::int64_t otherBytes)
     {
         constexpr std::int64_t kGrowth = 3; // of vectors, and what the search needs
-        const Prices prices = best();
-        stage.graph->sweep(prices, cutQuestion());
+        const Multipliers multipliers = best();
+        stage.graph->sweep(multipliers, cutQuestion());
         if (cut())
             return false;
         const std::int64_t left = m_options.workLimit - m_result.work;
         const std::int64_t left_bytes =
             m_options.memoryLimit_bytes - stage.graph->bytes() - otherBytes;
         Refinement<Costs> refined = stage.graph->refined(
-            stage.sets, prices,
+            stage.sets, multipliers,
             {.arcs = left / (kWorkOfRefining + kLaterSteps), .bytes = left_bytes / kGrowth},
             cutQuestion());
         m_result.memoryOut = refined.memoryOut;
@@ -357,7 +363,7 @@ private:
         if (!refined.graph)
             return false;
         stage.graph = shared(std::move(*refined.graph));
-        tellStep(&stage.sets);
+        reportStep(&stage.sets);
         m_result.work += kWorkOfRefining * workOfSweep(*stage.graph);
         ++m_graphs;
         return true;
@@ -370,20 +376,20 @@ private:
         m_ascent.restart();
         m_recent.clear();
         for (int k = 0; k < steps && !finished() && !m_stageDone; ++k) {
-            const Prices prices = here();
-            const double bound = graph.sweep(prices, cutQuestion());
+            const Multipliers multipliers = here();
+            const double bound = graph.sweep(multipliers, cutQuestion());
             m_result.work += workOfSweep(graph);
             if (cut())
                 return;
             std::vector<int> path = graph.shortestPath();
             if (path.empty()) {
-                takeBound(kInfinity); // nothing below the cutoff is left
+                acceptBound(kInfinity); // nothing below the cutoff is left
                 return;
             }
             m_recent.push_back(path);
             if (m_recent.size() > kRecentPaths)
                 m_recent.erase(m_recent.begin());
-            if (!climb(std::move(path), bound, prices.margin)) {
+            if (!climb(std::move(path), bound, multipliers.margin)) {
                 // What is missing now, only the exact search can find.
                 m_width = std::min(2 * m_width, kWidest);
                 break;
@@ -398,38 +404,38 @@ private:
 
     void trim(LayeredGraph<Costs>& graph)
     {
-        const Prices prices = best();
-        graph.sweep(prices, cutQuestion());
-        if (!cut() && !graph.trim(prices, cutQuestion()))
+        const Multipliers multipliers = best();
+        graph.sweep(multipliers, cutQuestion());
+        if (!cut() && !graph.trim(multipliers, cutQuestion()))
             m_cut = true;
-        tellStep();
+        reportStep();
         m_result.work += 3 * workOfSweep(graph);
     }
 
     void searchIn(LayeredGraph<Costs>& graph, std::int64_t otherBytes)
     {
-        const Prices prices = best();
-        graph.sweep(prices, cutQuestion());
+        const Multipliers multipliers = best();
+        graph.sweep(multipliers, cutQuestion());
         if (cut())
             return;
         // Half the mean width of the graph: the work of a few sweeps.
         const int states = m_width * std::max(100, graph.nodeCount() / (2 * m_costs.icebergs));
         const GraphSearchResult found =
-            searchGraph(graph, prices,
+            searchGraph(graph, multipliers,
                         {.mostStates = states,
                          .memory_bytes = m_options.memoryLimit_bytes - graph.bytes() - otherBytes,
                          .cut = cutQuestion()});
         m_result.work += kWorkOfSearching * found.work;
         if (!found.order.empty())
-            takeOrder(found.order);
-        takeBound(prices.certified(found.bound));
+            acceptOrder(found.order);
+        acceptBound(multipliers.certified(found.bound));
     }
 
     const Costs& m_costs;
     const LayeredBoundOptions& m_options;
     BoundResult m_result;
     double m_cost; ///< of m_result.order
-    PriceAscent m_ascent;
+    MultiplierAscent m_ascent;
     std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
     double m_gap = 0;                       ///< that is being certified
     int m_graphs = 0;                       ///< refined so far

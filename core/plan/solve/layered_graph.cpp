@@ -44,16 +44,16 @@ std::size_t NodeSet::hash() const
 
 template <class Costs>
 LayeredGraph<Costs>::LayeredGraph(const Costs& costs, const LayeredPaths<Costs>& paths,
-                                  const Prices& prices, const CutQuestion& cut)
+                                  const Multipliers& multipliers, const CutQuestion& cut)
     : m_costs(&costs)
 {
-    build(paths, prices, cut);
+    build(paths, multipliers, cut);
 }
 
 /** Layers are positions in the order. */
 template <>
-void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths, const Prices& prices,
-                                     const CutQuestion& cut)
+void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
+                                     const Multipliers& multipliers, const CutQuestion& cut)
 {
     const VisitCosts& costs = *m_costs;
     const int n = costs.icebergs;
@@ -63,7 +63,7 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths, cons
     Eigen::ArrayXd onwards(n);
     const auto enter = [&](int p) {
         for (int j = 1; j <= n; ++j)
-            onwards(j - 1) = costs.visit(j, p) - prices.lambda(j) + completion(j - 1, p - 1);
+            onwards(j - 1) = costs.visit(j, p) - multipliers.lambda(j) + completion(j - 1, p - 1);
     };
     for (int p = n - 1; p >= 1; --p) {
         if (cut && cut())
@@ -76,7 +76,7 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths, cons
         }
     }
 
-    const double allowed = prices.allowedLength();
+    const double allowed = multipliers.allowedLength();
     Eigen::ArrayXXi id = Eigen::ArrayXXi::Constant(n, n, -1);
     m_iceberg.push_back(0);
     m_firstNode = {0, 1};
@@ -134,11 +134,11 @@ bool LayeredGraph<LatencyCosts>::refreshUnseen(const CutQuestion& cut)
 /** Layers are levels of the sigma seen. */
 template <>
 void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
-                                       const Prices& prices, const CutQuestion& cut)
+                                       const Multipliers& multipliers, const CutQuestion& cut)
 {
     const LatencyCosts& costs = *m_costs;
     const int n = costs.icebergs;
-    const double allowed = prices.allowedLength();
+    const double allowed = multipliers.allowedLength();
     Eigen::ArrayXXd length = Eigen::ArrayXXd::Constant(n, lastLayer() + 1, kInfinity);
     // Calls `take(j, level, length)` for every leg from the node that is on a path below the
     // cutoff.
@@ -149,7 +149,7 @@ void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
             const int next = level + costs.step(j);
             if (j == i || next > lastLayer())
                 continue;
-            const double there = here + weight * costs.leg(i, j) - prices.lambda(j);
+            const double there = here + weight * costs.leg(i, j) - multipliers.lambda(j);
             if (there + paths.completion(j, next) < allowed)
                 take(j, next, there);
         }
@@ -202,7 +202,7 @@ std::int64_t LayeredGraph<Costs>::bytesOf(std::size_t nodes, std::size_t arcs)
 }
 
 template <class Costs>
-double LayeredGraph<Costs>::sweep(const Prices& prices, const CutQuestion& cut)
+double LayeredGraph<Costs>::sweep(const Multipliers& multipliers, const CutQuestion& cut)
 {
     for (LargeVector<double>* const values : {&m_completion, &m_entry})
         if (values->size() != m_iceberg.size() &&
@@ -215,10 +215,11 @@ double LayeredGraph<Costs>::sweep(const Prices& prices, const CutQuestion& cut)
             const int i = iceberg(v);
             const double least = p == lastLayer() ? m_costs->leg(i, 0) : leastOnwards(v);
             m_completion[static_cast<std::size_t>(v)] = least;
-            m_entry[static_cast<std::size_t>(v)] = least + m_costs->visit(i, p) - prices.lambda(i);
+            m_entry[static_cast<std::size_t>(v)] =
+                least + m_costs->visit(i, p) - multipliers.lambda(i);
         }
     }
-    return prices.sum + completion(0);
+    return multipliers.sum + completion(0);
 }
 
 template <class Costs>
@@ -266,7 +267,7 @@ std::vector<int> LayeredGraph<Costs>::shortestPath() const
 }
 
 template <class Costs>
-std::vector<double> LayeredGraph<Costs>::lengthsFromStart(const Prices& prices,
+std::vector<double> LayeredGraph<Costs>::lengthsFromStart(const Multipliers& multipliers,
                                                           const CutQuestion& cut) const
 {
     std::vector<double> length;
@@ -279,7 +280,7 @@ std::vector<double> LayeredGraph<Costs>::lengthsFromStart(const Prices& prices,
                 return {};
             const int i = iceberg(v);
             double& here = length[static_cast<std::size_t>(v)];
-            here += m_costs->visit(i, p) - prices.lambda(i);
+            here += m_costs->visit(i, p) - multipliers.lambda(i);
             for (const int to : successors(v)) {
                 double& there = length[static_cast<std::size_t>(to)];
                 there = std::min(there, here + weight(v) * m_costs->leg(i, iceberg(to)));
@@ -290,12 +291,12 @@ std::vector<double> LayeredGraph<Costs>::lengthsFromStart(const Prices& prices,
 }
 
 template <class Costs>
-bool LayeredGraph<Costs>::trim(const Prices& prices, const CutQuestion& cut)
+bool LayeredGraph<Costs>::trim(const Multipliers& multipliers, const CutQuestion& cut)
 {
-    const std::vector<double> length = lengthsFromStart(prices, cut);
+    const std::vector<double> length = lengthsFromStart(multipliers, cut);
     if (length.empty())
         return false;
-    const double allowed = prices.allowedLength();
+    const double allowed = multipliers.allowedLength();
     const auto at = [](int v) { return static_cast<std::size_t>(v); };
 
     std::vector<int> id;
@@ -364,14 +365,14 @@ struct LayeredGraph<Costs>::Making
 };
 
 template <class Costs>
-Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Prices& prices,
+Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Multipliers& multipliers,
                                                const GraphLimits& limits,
                                                const CutQuestion& cut) const
 {
     const std::unique_ptr<Making, FreeElsewhere> making(new Making(*m_costs));
     auto& [result, tables, labelOf, icebergs, firstArc, arcs] = *making;
     result.m_firstNode.push_back(0);
-    const double allowed = prices.allowedLength();
+    const double allowed = multipliers.allowedLength();
     tables.offer(0, {.memory = {}, .length = 0, .node = 0});
     std::size_t looked = 0; // so many arcs had been tried at the last look
     std::size_t tried = 0;
@@ -387,7 +388,7 @@ Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Prices&
             if constexpr (Costs::kWeighted)
                 labelOf.push_back(label.number);
             const int i = iceberg(label.node);
-            const double length = label.length + m_costs->visit(i, level) - prices.lambda(i);
+            const double length = label.length + m_costs->visit(i, level) - multipliers.lambda(i);
             const double factor = weight(label.node);
             const NodeSet visited = i == 0 ? label.memory : label.memory.with(i);
             icebergs.push_back(i);

@@ -113,14 +113,14 @@ public:
      * Graph without memory, with the arcs on paths below the cutoff, from paths swept at the same
      * prices. Cost: a few sweeps of them. Of no use when cut.
      */
-    LayeredGraph(const Costs& costs, const LayeredPaths<Costs>& paths, const Prices& prices,
-                 const CutQuestion& cut = {});
+    LayeredGraph(const Costs& costs, const LayeredPaths<Costs>& paths,
+                 const Multipliers& multipliers, const CutQuestion& cut = {});
 
     /**
      * Finds all shortest lengths to the end. Returns the lower bound sum(lambda) + shortest
      * length, +infinity when no path is left, -infinity when cut.
      */
-    double sweep(const Prices& prices, const CutQuestion& cut = {});
+    double sweep(const Multipliers& multipliers, const CutQuestion& cut = {});
     /** Shortest path of the last sweep: icebergs in turn; empty when there is none. */
     [[nodiscard]] std::vector<int> shortestPath() const;
     /** Length from `node` to the end at the last sweep's multipliers. */
@@ -133,14 +133,14 @@ public:
      * Deletes for good what is on no path below the cutoff. Sweep at the same prices first, and
      * again afterwards. False when cut: the graph is of no use any more then.
      */
-    [[nodiscard]] bool trim(const Prices& prices, const CutQuestion& cut);
+    [[nodiscard]] bool trim(const Multipliers& multipliers, const CutQuestion& cut);
 
     /**
      * The product of this graph with the memory that `sets` prescribe, less what is on no path
      * below the cutoff. Sweep at the same prices first. No graph when it would exceed the limits
      * or when cut. Needs up to three times `GraphLimits::bytes` on the way.
      */
-    [[nodiscard]] Refinement<Costs> refined(const NgSets& sets, const Prices& prices,
+    [[nodiscard]] Refinement<Costs> refined(const NgSets& sets, const Multipliers& multipliers,
                                             const GraphLimits& limits,
                                             const CutQuestion& cut) const;
 
@@ -166,14 +166,15 @@ private:
 
     explicit LayeredGraph(const Costs& costs) : m_costs(&costs) {}
     [[nodiscard]] static std::int64_t bytesOf(std::size_t nodes, std::size_t arcs);
-    void build(const LayeredPaths<Costs>& paths, const Prices& prices, const CutQuestion& cut);
+    void build(const LayeredPaths<Costs>& paths, const Multipliers& multipliers,
+               const CutQuestion& cut);
     [[nodiscard]] int lastLayer() const { return m_costs->lastLevel(); }
     [[nodiscard]] int layerBegin(int layer) const
     {
         return m_firstNode[static_cast<std::size_t>(layer)];
     }
     /** Length by node from the UAV, its own visit included; empty when cut. */
-    [[nodiscard]] std::vector<double> lengthsFromStart(const Prices& prices,
+    [[nodiscard]] std::vector<double> lengthsFromStart(const Multipliers& multipliers,
                                                        const CutQuestion& cut) const;
     [[nodiscard]] double leastOnwards(int node) const;
     /** How often legs from the node count. */

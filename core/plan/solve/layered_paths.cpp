@@ -33,11 +33,11 @@ LayeredPaths<VisitCosts>::LayeredPaths(const VisitCosts& costs)
     m_legs.matrix().diagonal().setConstant(kInfinity);
 }
 
-double LayeredPaths<VisitCosts>::sweep(const Prices& prices, const CutQuestion& cut)
+double LayeredPaths<VisitCosts>::sweep(const Multipliers& multipliers, const CutQuestion& cut)
 {
     const Eigen::Index n = m_costs->icebergs;
     const Eigen::ArrayXd sigma = Eigen::Map<const Eigen::ArrayXd>(m_costs->sigma.data() + 1, n);
-    const Eigen::ArrayXd lambda = prices.lambda.tail(n).array();
+    const Eigen::ArrayXd lambda = multipliers.lambda.tail(n).array();
     m_lengths.col(0) = m_costs->legs.col(0).tail(n).array() + 2 * sigma - lambda;
     Eigen::ArrayXd least(n);
     for (Eigen::Index p = 1; p < n; ++p) {
@@ -56,10 +56,10 @@ double LayeredPaths<VisitCosts>::sweep(const Prices& prices, const CutQuestion& 
         m_lengths.col(p) = least + static_cast<double>(p + 2) * sigma - lambda;
     }
     Eigen::Index last = 0;
-    const Eigen::ArrayXd wayBack = m_costs->legs.row(0).tail(n).transpose().array();
-    const double length = (m_lengths.col(n - 1) + wayBack).minCoeff(&last);
+    const Eigen::ArrayXd pathBack = m_costs->legs.row(0).tail(n).transpose().array();
+    const double length = (m_lengths.col(n - 1) + pathBack).minCoeff(&last);
     m_last = static_cast<int>(last) + 1;
-    return prices.sum + length;
+    return multipliers.sum + length;
 }
 
 std::vector<int> LayeredPaths<VisitCosts>::shortestPath() const
@@ -119,10 +119,10 @@ Eigen::ArrayXd LayeredPaths<LatencyCosts>::leastOnwards(const Eigen::ArrayXd& af
     return least;
 }
 
-double LayeredPaths<LatencyCosts>::sweep(const Prices& prices, const CutQuestion& cut)
+double LayeredPaths<LatencyCosts>::sweep(const Multipliers& multipliers, const CutQuestion& cut)
 {
     const Eigen::Index n = m_costs->icebergs;
-    m_lambda = prices.lambda;
+    m_lambda = multipliers.lambda;
     m_completion.col(m_costs->lastLevel()).setZero();
     for (int level = m_costs->lastLevel() - 1; level >= 1; --level) {
         if (level % kLevelsPerCheck == 0 && cut && cut())
@@ -134,7 +134,7 @@ double LayeredPaths<LatencyCosts>::sweep(const Prices& prices, const CutQuestion
             m_completion.col(level).setConstant(kInfinity);
     }
     const Eigen::ArrayXd legs = m_costs->legs.col(0).tail(n).array();
-    return prices.sum + (m_costs->leastUnseen(0) * legs + onwards(0)).minCoeff();
+    return multipliers.sum + (m_costs->leastUnseen(0) * legs + onwards(0)).minCoeff();
 }
 
 std::vector<int> LayeredPaths<LatencyCosts>::shortestPath() const

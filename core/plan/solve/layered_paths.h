@@ -31,7 +31,7 @@ public:
     explicit LayeredPaths(const VisitCosts& costs);
 
     /** As `LayeredGraph::sweep`; -infinity when cut. */
-    double sweep(const Prices& prices, const CutQuestion& cut);
+    double sweep(const Multipliers& multipliers, const CutQuestion& cut);
     /** Shortest path of the last sweep, which was not cut: icebergs by position. */
     [[nodiscard]] std::vector<int> shortestPath() const;
     /** Length from the UAV to `iceberg` (1 .. n) in `position`, its multiplier included. */
@@ -61,7 +61,7 @@ public:
     explicit LayeredPaths(const LatencyCosts& costs);
 
     /** As `LayeredGraph::sweep`; -infinity when cut. */
-    double sweep(const Prices& prices, const CutQuestion& cut);
+    double sweep(const Multipliers& multipliers, const CutQuestion& cut);
     /** Shortest path of the last sweep, which was not cut: icebergs in turn. */
     [[nodiscard]] std::vector<int> shortestPath() const;
     /** Length from `iceberg` (1 .. n) at `level` to the end, its own multiplier not included. */

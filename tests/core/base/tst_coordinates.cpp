@@ -245,9 +245,9 @@ private slots:
                     const double half_deg = 0.5001 * finest_deg(form, decimals);
                     QVERIFY2(std::abs(at.latitude_deg - place.latitude_deg) <= half_deg,
                              text.c_str());
-                    const double way_deg =
+                    const double path_deg =
                         std::remainder(at.longitude_deg - place.longitude_deg, 360.0);
-                    QVERIFY2(std::abs(way_deg) <= half_deg, text.c_str());
+                    QVERIFY2(std::abs(path_deg) <= half_deg, text.c_str());
                 }
     }
 };

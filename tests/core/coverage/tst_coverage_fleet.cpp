@@ -1,4 +1,4 @@
-#include "core/coverage/aimed_way.h"
+#include "core/coverage/aimed_path.h"
 #include "core/coverage/coverage_model.h"
 #include "core/coverage/coverage_policy.h"
 #include "core/scenario/presets.h"
@@ -35,11 +35,11 @@ Scenario field(int seed, int uavs, int icebergs = 12)
 }
 
 /** Where a UAV is and looks at that time of its ways; nothing after their end. */
-std::optional<Pose> poseAt(const std::vector<AimedWay>& ways, double time_s)
+std::optional<Pose> poseAt(const std::vector<AimedPath>& paths, double time_s)
 {
-    const WayPoint* before = nullptr;
-    for (const AimedWay& way : ways)
-        for (const WayPoint& point : way.points) {
+    const PathPoint* before = nullptr;
+    for (const AimedPath& path : paths)
+        for (const PathPoint& point : path.points) {
             if (before && point.time_s > before->time_s && point.time_s >= time_s) {
                 const double share = (time_s - before->time_s) / (point.time_s - before->time_s);
                 const Point step_m = point.position_m - before->position_m;
@@ -56,13 +56,13 @@ double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
 {
     constexpr double kStep_s = 0.05;
     const FlightPicture& picture = *request.uavs[0].picture;
-    std::vector<std::vector<AimedWay>> ways;
+    std::vector<std::vector<AimedPath>> paths;
     for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
         const FlightPicture& own = *request.uavs[u].picture;
         std::vector<AimedLeg> legs = answer.uavs[u].legs;
         if (!legs.empty())
             legs.back().sighting_s = own.until_s; // flown on when something was seen
-        ways.push_back(aimedWays(legs, own.uav, own.time_s, own.motion));
+        paths.push_back(aimedPaths(legs, own.uav, own.time_s, own.motion));
     }
     // Good legs end with an iceberg in the very corner of the view: a little wider, so that steps
     // do not miss it.
@@ -74,8 +74,8 @@ double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
     for (double t_s = picture.time_s; t_s < picture.until_s; t_s += kStep_s) {
         for (Track& track : tracks)
             track.sigma_m2 += track.q_m2ps * kStep_s;
-        for (const std::vector<AimedWay>& way : ways)
-            if (const std::optional<Pose> pose = poseAt(way, t_s))
+        for (const std::vector<AimedPath>& path : paths)
+            if (const std::optional<Pose> pose = poseAt(path, t_s))
                 for (Track& track : tracks) {
                     const Point d_m = track.estimate_m(t_s) - pose->position_m;
                     if (std::abs(pose->ahead.dot(d_m)) <= half_m.x() &&

@@ -336,7 +336,7 @@ private slots:
             s.uavs[0].spec.reservePercent = 0;
             const std::vector<Issue> issues = validate(s);
             return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
-                return issue.reason.id == IssueId::NoWayHome &&
+                return issue.reason.id == IssueId::NoPathHome &&
                        issue.severity == Severity::Warning && issue.field == "uavs[0].endurance_s";
             });
         };

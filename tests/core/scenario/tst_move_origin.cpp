@@ -11,24 +11,24 @@ using namespace berg::test;
 namespace {
 
 /** A point that moves over the Earth: where it is now and where a moment later. */
-struct Way
+struct Path
 {
     double length_m = 0;
     double azimuth_deg = 0;
 };
 
-/** Over the Earth, of `way_m` at a place of the plane about an origin. */
-Way wayOverEarth(const LatLon& origin, const Point& from_m, const Point& way_m)
+/** Over the Earth, of `path_m` at a place of the plane about an origin. */
+Path pathOverEarth(const LatLon& origin, const Point& from_m, const Point& path_m)
 {
     const LocalFrame frame(origin);
     const LatLon a = frame.toGeographic(from_m);
-    const LatLon b = frame.toGeographic(from_m + way_m);
-    Way way;
+    const LatLon b = frame.toGeographic(from_m + path_m);
+    Path path;
     double end_deg = 0;
     GeographicLib::Geodesic::WGS84().Inverse(a.latitude_deg, a.longitude_deg, b.latitude_deg,
-                                             b.longitude_deg, way.length_m, way.azimuth_deg,
+                                             b.longitude_deg, path.length_m, path.azimuth_deg,
                                              end_deg);
-    return way;
+    return path;
 }
 
 Scenario scene(const LatLon& origin)
@@ -47,7 +47,7 @@ Scenario scene(const LatLon& origin)
     return s;
 }
 
-void compareWays(const Way& after, const Way& before)
+void comparePaths(const Path& after, const Path& before)
 {
     COMPARE_NEAR(std::remainder(after.azimuth_deg - before.azimuth_deg, 360.0), 0, 0.02);
     COMPARE_NEAR(after.length_m / before.length_m, 1, 1e-3); // no plane keeps all lengths
@@ -104,25 +104,26 @@ private slots:
             const Iceberg& then = before.icebergs[i];
             const Iceberg& now = after.icebergs[i];
             stays(now.position_m, then.position_m);
-            compareWays(wayOverEarth(after.origin, now.position_m,
-                                     1000 * (now.velocity_mps + after.current_mps)),
-                        wayOverEarth(before.origin, then.position_m,
-                                     1000 * (then.velocity_mps + before.current_mps)));
+            comparePaths(pathOverEarth(after.origin, now.position_m,
+                                       1000 * (now.velocity_mps + after.current_mps)),
+                         pathOverEarth(before.origin, then.position_m,
+                                       1000 * (then.velocity_mps + before.current_mps)));
             COMPARE_NEAR((now.velocity_mps + after.current_mps).norm(),
                          (then.velocity_mps + before.current_mps).norm(), 1e-12);
         }
         for (std::size_t i = 0; i < 2; ++i)
             stays(after.icebergs[1].track.position_m[i], before.icebergs[1].track.position_m[i]);
-        compareWays(
-            wayOverEarth(after.origin, after.asset->position_m, 100 * after.asset->velocity_mps),
-            wayOverEarth(before.origin, before.asset->position_m,
-                         100 * before.asset->velocity_mps));
+        comparePaths(
+            pathOverEarth(after.origin, after.asset->position_m, 100 * after.asset->velocity_mps),
+            pathOverEarth(before.origin, before.asset->position_m,
+                          100 * before.asset->velocity_mps));
         const auto ahead = [](const Uav& uav) {
             const double heading_rad = radFromDeg(uav.heading_deg);
             return Point(500 * std::sin(heading_rad), 500 * std::cos(heading_rad));
         };
-        compareWays(wayOverEarth(after.origin, after.uavs[0].position_m, ahead(after.uavs[0])),
-                    wayOverEarth(before.origin, before.uavs[0].position_m, ahead(before.uavs[0])));
+        comparePaths(
+            pathOverEarth(after.origin, after.uavs[0].position_m, ahead(after.uavs[0])),
+            pathOverEarth(before.origin, before.uavs[0].position_m, ahead(before.uavs[0])));
         COMPARE_NEAR(after.wind_mps.norm(), before.wind_mps.norm(), 1e-12);
         QVERIFY(after.uavs[0].heading_deg >= 0 && after.uavs[0].heading_deg < 360);
     }

@@ -142,7 +142,7 @@ private slots:
         QCOMPARE(simulation.planReason(), PlanReason::Overdue);
         COMPARE_NEAR(simulation.uav(0).pose.position_m.x(), 2000, kFlownOver_m);
         QVERIFY(simulation.track(0).inView);
-        QCOMPARE(simulation.state().apart, std::vector<int>{2});
+        QCOMPARE(simulation.state().unclustered, std::vector<int>{2});
         QVERIFY(simulation.available(0, 2) && !simulation.fleet().clusterable(2));
 
         simulation.setTarget(0, 1);
@@ -155,7 +155,7 @@ private slots:
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QVERIFY(simulation.track(2).inView);
-        QVERIFY(simulation.state().apart.empty());
+        QVERIFY(simulation.state().unclustered.empty());
     }
 
     /** Round the inner corner of a fence, where the way is longer than it is straight. */

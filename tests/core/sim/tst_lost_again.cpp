@@ -163,7 +163,7 @@ private slots:
             std::vector<EventKind> told;
             int plans = 0;
             const auto take = [&told](Simulation& world) {
-                for (const MissionEvent& event : world.takeEvents())
+                for (const MissionEvent& event : world.acceptEvents())
                     told.push_back(event.kind);
             };
             while (!read.finished()) {

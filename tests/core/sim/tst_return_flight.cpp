@@ -40,7 +40,7 @@ bool isCalledUnsafe(const Scenario& s)
     const std::vector<Issue> issues = validate(s);
     return hasErrors(issues) || std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
                return issue.reason.id == IssueId::NoSafeReturn ||
-                      issue.reason.id == IssueId::NoWayHome;
+                      issue.reason.id == IssueId::NoPathHome;
            });
 }
 

@@ -171,7 +171,7 @@ private slots:
                                               DubinsState{.position_m = {1000, 0}}});
             QVERIFY(simulation.uav(0).pose.position_m == Point(x_m, 0));
             std::ranges::copy_if(
-                simulation.takeEvents(), std::back_inserter(close),
+                simulation.acceptEvents(), std::back_inserter(close),
                 [](const MissionEvent& event) { return event.kind == EventKind::Close; });
         }
         QCOMPARE(close.size(), std::size_t{1});

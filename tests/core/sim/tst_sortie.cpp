@@ -178,7 +178,7 @@ private slots:
             }
             const std::vector<Issue> issues = validate(s);
             const bool warned = std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
-                return issue.reason.id == IssueId::NoWayHome ||
+                return issue.reason.id == IssueId::NoPathHome ||
                        issue.reason.id == IssueId::NoSafeReturn;
             });
             for (const double margin_s : margins_s(flownWithin(s))) {

@@ -13,7 +13,7 @@ using namespace berg;
 
 namespace {
 
-double distanceToWay(const Point& p, const std::vector<Point>& corners_m)
+double distanceToPath(const Point& p, const std::vector<Point>& corners_m)
 {
     double least_m = (p - corners_m[0]).norm();
     for (std::size_t i = 1; i < corners_m.size(); ++i)
@@ -63,7 +63,7 @@ private slots:
             for (int k = 0; k < 2000; ++k) {
                 const Point p_m = random.uniform(-reach_m, reach_m) * along +
                                   random.uniform(-reach_m, reach_m) * left;
-                QVERIFY(distanceToWay(p_m, corners_m) <= 540 / std::sqrt(2.0) + 1e-6);
+                QVERIFY(distanceToPath(p_m, corners_m) <= 540 / std::sqrt(2.0) + 1e-6);
                 // Seen by a camera 600 m across, 0.9 of which is the spacing, except in corners.
             }
         }

@@ -37,10 +37,10 @@ private slots:
         // Along the southern edge, 100 m inside: only the circle to the left is inside.
         const DubinsState east{.position_m = {1500, 100}, .psi_rad = 0};
         const double radius_m = fence.radius_m();
-        QVERIFY(std::abs(fence.room_m(east) - std::min(100.0, 900 - 2 * radius_m)) < 1e-9);
+        QVERIFY(std::abs(fence.turnClearance_m(east) - std::min(100.0, 900 - 2 * radius_m)) < 1e-9);
         // Straight at the edge, both circles stick out.
         const DubinsState south{.position_m = {1500, 100}, .psi_rad = -kPi / 2};
-        QVERIFY(std::abs(fence.room_m(south) - (100 - radius_m)) < 1e-9);
+        QVERIFY(std::abs(fence.turnClearance_m(south) - (100 - radius_m)) < 1e-9);
         QVERIFY(fence.contains({500, 2500}));
         QVERIFY(!fence.contains({2500, 2500}));
     }
@@ -154,13 +154,13 @@ private slots:
         const Geofence fence = fenceIn({-4, 3});
         const DubinsState start{.position_m = {2500, 500}, .psi_rad = 0};
         const MovingPlace home{.place_m = {500, 2500}};
-        const std::optional<Way> way = fence.wayTo(start, home, 0.1);
-        QVERIFY(way);
-        QVERIFY((way->end.position_m - home.place_m).norm() < 1);
-        QVERIFY(way->time_s <= fence.longestWay_s(start, home.place_m, 0.1));
+        const std::optional<Path> path = fence.pathTo(start, home, 0.1);
+        QVERIFY(path);
+        QVERIFY((path->end.position_m - home.place_m).norm() < 1);
+        QVERIFY(path->time_s <= fence.longestPath_s(start, home.place_m, 0.1));
         const double air_m =
             fence.distances_m(std::vector<Point>{start.position_m, home.place_m})(0, 1);
-        QVERIFY(way->time_s > air_m / 22);
+        QVERIFY(path->time_s > air_m / 22);
     }
 
     /** 200 m by 1000 m, between the places west and east of it. */
@@ -175,9 +175,9 @@ private slots:
         const double radius_m = fence.radius_m();
         // Straight at the wall, both circles are beside it; along it, one of them.
         const DubinsState east{.position_m = {-radius_m / 2, 0}, .psi_rad = 0};
-        QVERIFY(std::abs(fence.room_m(east) + radius_m / 2) < 1e-9);
+        QVERIFY(std::abs(fence.turnClearance_m(east) + radius_m / 2) < 1e-9);
         const DubinsState north{.position_m = {-10, 0}, .psi_rad = kPi / 2};
-        QVERIFY(std::abs(fence.room_m(north) - 10) < 1e-9);
+        QVERIFY(std::abs(fence.turnClearance_m(north) - 10) < 1e-9);
         const std::vector<Point> corners_m = fence.cornersBetween({-800, 200}, {1000, 200});
         QCOMPARE(corners_m.size(), std::size_t{2});
         for (const Point& corner_m : corners_m)
@@ -191,7 +191,7 @@ private slots:
         const Point at_m(0, 100);
         const std::vector<Point> mast_m{at_m, at_m + Point(1, 0), at_m + Point(0, 1)};
         const Geofence fence({}, {}, {mast_m, {{0, -100}, {1, -100}, {0, -101}}});
-        QVERIFY(fence.room_m({}) < 0);
+        QVERIFY(fence.turnClearance_m({}) < 0);
     }
 
     /** Two squares that lie over each other, across the edge of the polygon: only corners that a

@@ -67,7 +67,7 @@ private slots:
         Flight f;
         const Scenario scenario = f.workspace.document().scenario();
         for (const double time_s : {10.0, 123.4, 0.0, 299.9, 150.0, 149.9}) {
-            f.workspace.lookAt(time_s);
+            f.workspace.seek(time_s);
             QVERIFY(f.untilShown(time_s));
             const Mission then = flown(scenario, time_s);
             const MissionSnapshot& shown = f.record().shown();
@@ -79,7 +79,7 @@ private slots:
             QCOMPARE(f.record().eventsShown(), then.events().size());
         }
         QCOMPARE(f.record().now.time_s, 300.0); // the flight itself stands where it stood
-        f.workspace.lookAtNewest();
+        f.workspace.seekLatest();
         QVERIFY(!f.record().instant.has_value());
     }
 
@@ -98,20 +98,20 @@ private slots:
             return order == f.record().shown().plan->order;
         };
         for (const double time_s : {5.0, 120.0, 250.0}) {
-            f.workspace.lookAt(time_s);
+            f.workspace.seek(time_s);
             QVERIFY(f.untilShown(time_s));
             QVERIFY(f.until(holdsThePlan));
         }
-        f.workspace.lookAtNewest();
+        f.workspace.seekLatest();
         QVERIFY(f.until(holdsThePlan));
     }
 
     void atItsEndTheNewestIsShown()
     {
         Flight f;
-        f.workspace.lookAt(100);
+        f.workspace.seek(100);
         QVERIFY(f.untilShown(100));
-        f.workspace.lookAt(300);
+        f.workspace.seek(300);
         QVERIFY(!f.record().instant.has_value());
         QVERIFY(!f.workspace.lookedAt_s().has_value());
     }
@@ -121,7 +121,7 @@ private slots:
         Flight f;
         f.workspace.fly(50);
         QVERIFY(f.until([&] { return f.record().now.phase == RunPhase::Flying; }));
-        f.workspace.lookAt(20);
+        f.workspace.seek(20);
         QVERIFY(f.untilShown(20));
         QVERIFY(f.until([&] { return f.record().now.phase == RunPhase::Paused; }));
         QVERIFY(!f.workspace.isPlaying());
@@ -133,7 +133,7 @@ private slots:
         workspace.document().reset(randomScenario(4, {.icebergs = 3}));
         QVERIFY(QTest::qWaitFor([&] { return workspace.record().now.phase == RunPhase::Ready; },
                                 10'000));
-        workspace.lookAt(10);
+        workspace.seek(10);
         QVERIFY(!workspace.lookedAt_s().has_value());
     }
 
@@ -156,7 +156,7 @@ private slots:
     void eventsBothWays()
     {
         Flight f;
-        f.workspace.lookAt(140);
+        f.workspace.seek(140);
         QVERIFY(f.untilShown(140));
         std::vector<double> times_s;
         for (const MissionEvent& event : f.record().history.events)
@@ -173,7 +173,7 @@ private slots:
     void playsWhatWasFlownAndFliesOn()
     {
         Flight f;
-        f.workspace.lookAt(280);
+        f.workspace.seek(280);
         QVERIFY(f.untilShown(280));
         f.workspace.fly(100);
         QVERIFY(f.workspace.isPlaying());
@@ -190,7 +190,7 @@ private slots:
     {
         Flight f;
         QSignalSpy refused(&f.workspace, &Workspace::refused);
-        f.workspace.lookAt(100);
+        f.workspace.seek(100);
         f.workspace.setTau(4);
         f.workspace.setPolicy(PolicyKind::Nearest);
         QCOMPARE(refused.count(), 2);
@@ -202,7 +202,7 @@ private slots:
     void fliesOnFromThere()
     {
         Flight f;
-        f.workspace.lookAt(100);
+        f.workspace.seek(100);
         QVERIFY(f.untilShown(100));
         f.workspace.flyOnFromHere();
         QVERIFY(f.until([&] { return std::abs(f.record().now.time_s - 100) < 1e-6; }));
@@ -229,7 +229,7 @@ private slots:
     void resetForgetsTheInstant()
     {
         Flight f;
-        f.workspace.lookAt(100);
+        f.workspace.seek(100);
         QVERIFY(f.untilShown(100));
         f.workspace.reset();
         QVERIFY(f.until([&] { return f.record().now.phase == RunPhase::Ready; }));

@@ -20,7 +20,7 @@ bool follow(MissionRunner& runner, FlightRecord& record, const Wanted& wanted)
 {
     return QTest::qWaitFor(
         [&] {
-            if (std::optional<MissionSnapshot> snapshot = runner.takeSnapshot())
+            if (std::optional<MissionSnapshot> snapshot = runner.acceptSnapshot())
                 record.take(std::move(*snapshot));
             return wanted(record);
         },
@@ -141,7 +141,7 @@ private slots:
         runner.setScenario(randomScenario(8));
         QTRY_VERIFY_WITH_TIMEOUT(updated.count() > 0, kPatience_ms);
         runner.setScenario(randomScenario(9)); // the snapshot that waits is of the one before
-        while (const auto snapshot = runner.takeSnapshot())
+        while (const auto snapshot = runner.acceptSnapshot())
             QCOMPARE(snapshot->generation, runner.generation());
     }
 

@@ -106,7 +106,7 @@ private slots:
             runner.stepBy(60);
             return QTest::qWaitFor(
                 [&] {
-                    if (std::optional<MissionSnapshot> snapshot = runner.takeSnapshot())
+                    if (std::optional<MissionSnapshot> snapshot = runner.acceptSnapshot())
                         record.take(std::move(*snapshot));
                     return record.now.generation == runner.generation() &&
                            (record.now.phase == RunPhase::Failed || record.now.time_s >= 60);

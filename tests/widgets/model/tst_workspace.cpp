@@ -153,7 +153,7 @@ private slots:
         workspace.assign({first}, "uav-2");
         workspace.assign({first, "no iceberg"}, "uav-2"); // as it is
         QCOMPARE(workspace.document().undoStack()->count(), 1);
-        QCOMPARE(workspace.keeperOf(first), "uav-2");
+        QCOMPARE(workspace.assignedUavOf(first), "uav-2");
         QVERIFY(untilPhase(workspace, RunPhase::Ready));
         QCOMPARE(workspace.record().now.assigned[0], 1);
         workspace.document().undoStack()->undo();
@@ -161,15 +161,15 @@ private slots:
         QVERIFY(untilPhase(workspace, RunPhase::Ready));
         QVERIFY(takeOff(workspace));
         workspace.assign({first, second}, "uav-2");
-        QVERIFY(until([&] { return workspace.keeperOf(second) == "uav-2"; }));
-        QCOMPARE(workspace.keeperOf(first), "uav-2"); // the later one has not taken its place
+        QVERIFY(until([&] { return workspace.assignedUavOf(second) == "uav-2"; }));
+        QCOMPARE(workspace.assignedUavOf(first), "uav-2"); // the later one has not taken its place
         QVERIFY(workspace.document().scenario() == scenario);
         for (const PlanEvent& plan : workspace.record().now.plans)
             if (plan.uav == 0)
                 for (const int iceberg : plan.order)
                     QVERIFY(iceberg > 1);
         workspace.assign({first}, {});
-        QVERIFY(until([&] { return workspace.keeperOf(first).empty(); }));
+        QVERIFY(until([&] { return workspace.assignedUavOf(first).empty(); }));
     }
 
     /** Before take-off there is no flight to be told. */
@@ -189,7 +189,7 @@ private slots:
         QVERIFY(workspace.wind_mps() == Point(3, 0));
         QVERIFY(takeOff(workspace));
         QVERIFY(workspace.mayIntervene());
-        workspace.lookAt(0);
+        workspace.seek(0);
         QVERIFY(!workspace.mayIntervene());
     }
 

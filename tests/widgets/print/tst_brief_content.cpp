@@ -201,10 +201,10 @@ private slots:
         const ExportContent content = what == ExportWhat::Track
                                           ? runContent(mission, options)
                                           : planContent(fourIcebergs(), fourIcebergPlan(), options);
-        const std::vector<TimedPoint> way = wayOf(content.uavs[0]);
+        const std::vector<TimedPoint> path = pathOf(content.uavs[0]);
         double length_m = 0;
-        for (std::size_t i = 1; i < way.size(); ++i)
-            length_m += (way[i].position_m - way[i - 1].position_m).norm();
+        for (std::size_t i = 1; i < path.size(); ++i)
+            length_m += (path[i].position_m - path[i - 1].position_m).norm();
         const BriefContent brief = briefContent(content, kEnglish);
         double legs_m = 0;
         int times_s = 0;
@@ -215,7 +215,7 @@ private slots:
         const double rows = static_cast<double>(brief.routes[0].rows.size());
         QVERIFY(length_m > 5000);
         QVERIFY(std::abs(legs_m - length_m) < 5 * rows + 25); // what is flown in half a second more
-        QVERIFY(std::abs(times_s - way.back().time_s) <= 0.5 * rows + 0.5);
+        QVERIFY(std::abs(times_s - path.back().time_s) <= 0.5 * rows + 0.5);
     }
 
     void trackSaysWhatWasFlown()

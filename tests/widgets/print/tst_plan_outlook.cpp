@@ -81,10 +81,10 @@ private slots:
         QCOMPARE(sections.size(), content.uavs.size());
         double length_m = 0;
         for (std::size_t u = 0; u < sections.size(); ++u) {
-            const WayTotals way = wayTotals(content.uavs[u]);
-            length_m += way.length_m;
-            COMPARE_NEAR(sections[u].length_m(), way.length_m, 1e-6);
-            COMPARE_NEAR(sections[u].lastArrival_s(), way.time_s, 1e-6);
+            const PathTotals path = pathTotals(content.uavs[u]);
+            length_m += path.length_m;
+            COMPARE_NEAR(sections[u].length_m(), path.length_m, 1e-6);
+            COMPARE_NEAR(sections[u].lastArrival_s(), path.time_s, 1e-6);
             compareArrivals(sections[u], content.uavs[u].visits, time_s);
         }
         QVERIFY(length_m > 1000);

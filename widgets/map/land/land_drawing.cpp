@@ -73,11 +73,11 @@ std::optional<QLineF> clipped(const QLineF& line, const QRectF& rect)
 {
     double from = 0;
     double to = 1;
-    const auto enter = [&](double way, double room) {
-        if (way == 0)
+    const auto enter = [&](double path, double room) {
+        if (path == 0)
             return room >= 0;
-        const double at = room / way;
-        (way < 0 ? from : to) = way < 0 ? std::max(from, at) : std::min(to, at);
+        const double at = room / path;
+        (path < 0 ? from : to) = path < 0 ? std::max(from, at) : std::min(to, at);
         return from <= to;
     };
     if (!enter(-line.dx(), line.x1() - rect.left()) ||

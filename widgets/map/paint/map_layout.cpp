@@ -399,12 +399,12 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
 
 QLineF driftArrow(const MapPicture& picture, const MapLayout& layout, std::size_t iceberg)
 {
-    const Point way_m = picture.icebergs[iceberg].velocity_mps * layout.symbols.driftTime_s;
-    const Point way_px = way_m * layout.view.scale_pxpm();
-    const double length_px = way_px.norm();
+    const Point path_m = picture.icebergs[iceberg].velocity_mps * layout.symbols.driftTime_s;
+    const Point path_px = path_m * layout.view.scale_pxpm();
+    const double length_px = path_px.norm();
     if (length_px < 1.5)
         return {};
-    const QPointF along(way_px.x() / length_px, -way_px.y() / length_px);
+    const QPointF along(path_px.x() / length_px, -path_px.y() / length_px);
     const LabelDisk& disk = layout.icebergs[iceberg];
     const QPointF start = disk.centre_px + along * disk.radius_px;
     return {start, start + along * length_px};

@@ -1,7 +1,7 @@
 #include "widgets/map/paint/map_legend_rows.h"
 
+#include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/paint/map_symbols.h"
-#include "widgets/map/paint/map_world.h"
 #include "widgets/map/picture/route_colours.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -188,7 +188,7 @@ void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
              });
 }
 
-void addWayRows(RowList& rows, const MapPicture& picture, const Theme& theme)
+void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme)
 {
     const RouteColours colours = legendColours(picture, theme);
     rows.add(
@@ -205,7 +205,7 @@ void addWayRows(RowList& rows, const MapPicture& picture, const Theme& theme)
              [&theme, colours](QPainter& p, const QRectF& r) {
                  drawClusterSwatch(p, r, colours.plan, theme);
              });
-    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.planWays.empty(); }),
+    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.planPaths.empty(); }),
              MapLegend::tr("Point aimed at"), MapLegend::tr("Aim point"),
              [&theme, colours](QPainter& p, const QRectF& r) {
                  drawAim(p, r.center(), colours.plan, theme);
@@ -276,7 +276,7 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
     RowList rows(picture, theme);
     addIcebergRows(rows, picture, theme);
     addFleetRows(rows, picture, theme);
-    addWayRows(rows, picture, theme);
+    addPathRows(rows, picture, theme);
     addPlaceRows(rows, picture, theme);
     const QString drift =
         MapLegend::tr("Drift in %1").arg(durationText(scale.driftTime_s, style.locale));

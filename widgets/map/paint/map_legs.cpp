@@ -16,8 +16,8 @@ LabelDisk stopAt(const MapPicture& picture, const MapLayout& layout, int iceberg
 /** On the way from `from` to `to`, past the edge of its symbol. */
 QPointF pastEdge(const LabelDisk& from, const QPointF& to)
 {
-    const QLineF way(from.centre_px, to);
-    return way.length() > 0 ? way.pointAt(from.radius_px / way.length()) : to;
+    const QLineF path(from.centre_px, to);
+    return path.length() > 0 ? path.pointAt(from.radius_px / path.length()) : to;
 }
 
 /** By way of the corners, cut at the symbols; empty: there is no room between. */
@@ -42,12 +42,12 @@ QPolygonF cornersOf(const MapRoute& route, const MapLayout& layout, std::size_t 
     return corners;
 }
 
-std::vector<QPolygonF> legsAlong(const std::vector<MapWay>& ways, const MapViewTransform& view)
+std::vector<QPolygonF> legsAlong(const std::vector<MapPath>& paths, const MapViewTransform& view)
 {
     std::vector<QPolygonF> legs;
-    for (const MapWay& way : ways) {
+    for (const MapPath& path : paths) {
         QPolygonF& leg = legs.emplace_back();
-        for (const Point& point_m : way.path_m)
+        for (const Point& point_m : path.path_m)
             leg << view.toPixel(point_m);
     }
     return legs;
@@ -63,8 +63,8 @@ LabelDisk pointAt(const Point& place_m, const MapLayout& layout)
 std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layout, std::size_t uav)
 {
     const MapRoute& route = picture.routes[uav];
-    if (!route.planWays.empty())
-        return legsAlong(route.planWays, layout.view);
+    if (!route.planPaths.empty())
+        return legsAlong(route.planPaths, layout.view);
     std::vector<QPolygonF> legs;
     LabelDisk from = pointAt(picture.uavs[uav].position_m, layout);
     for (const int iceberg : thisSortie(route)) {
@@ -83,8 +83,8 @@ QPolygonF homeLeg(const MapPicture& picture, const MapLayout& layout, std::size_
         return {};
     const std::span<const int> flown = thisSortie(route);
     LabelDisk from = pointAt(picture.uavs[uav].position_m, layout);
-    if (!route.planWays.empty())
-        from = pointAt(route.planWays.back().path_m.back(), layout);
+    if (!route.planPaths.empty())
+        from = pointAt(route.planPaths.back().path_m.back(), layout);
     else if (!flown.empty())
         from = stopAt(picture, layout, flown.back());
     return legBetween(from, cornersOf(route, layout, flown.size()), pointAt(*home_m, layout));
@@ -94,8 +94,8 @@ std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& la
                                   std::size_t uav)
 {
     const MapRoute& route = picture.routes[uav];
-    if (!route.formerWays.empty())
-        return legsAlong(route.formerWays, layout.view);
+    if (!route.formerPaths.empty())
+        return legsAlong(route.formerPaths, layout.view);
     std::vector<QPolygonF> legs;
     LabelDisk from = pointAt(route.formerFrom_m.value_or(picture.uavs[uav].position_m), layout);
     for (const int iceberg : route.formerPlan) {

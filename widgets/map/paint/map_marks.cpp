@@ -37,8 +37,8 @@ void paintSelectionMark(QPainter& painter, const LabelDisk& symbol, const Theme&
     painter.setBrush(theme.panel);
     // On the diagonals they are out of the way of names, which are mostly beside the symbol.
     const double diagonal_px = radius_px * std::numbers::sqrt2 / 2;
-    for (const QPointF& way : {QPointF(1, 1), QPointF(-1, 1), QPointF(-1, -1), QPointF(1, -1)}) {
-        const QPointF at = symbol.centre_px + way * diagonal_px;
+    for (const QPointF& path : {QPointF(1, 1), QPointF(-1, 1), QPointF(-1, -1), QPointF(1, -1)}) {
+        const QPointF at = symbol.centre_px + path * diagonal_px;
         painter.drawRect(
             QRectF(at.x() - kHandle_px / 2, at.y() - kHandle_px / 2, kHandle_px, kHandle_px));
     }
@@ -50,12 +50,12 @@ void paintHoverMark(QPainter& painter, const LabelDisk& symbol, const Theme& the
     drawRing(painter, symbol.centre_px, symbol.radius_px + kRingGap_px, 1.2, theme);
 }
 
-void paintRecordedTrack(QPainter& painter, const QPolygonF& way, const Theme& theme)
+void paintRecordedTrack(QPainter& painter, const QPolygonF& path, const Theme& theme)
 {
-    if (way.isEmpty())
+    if (path.isEmpty())
         return;
-    QPolygonF seen{way.front()}; // a pixel apart
-    for (const QPointF& at : way)
+    QPolygonF seen{path.front()}; // a pixel apart
+    for (const QPointF& at : path)
         if ((at - seen.back()).manhattanLength() >= 1)
             seen << at;
     const PainterState saved(painter);
@@ -77,14 +77,14 @@ void paintRubberBand(QPainter& painter, const QRectF& band, const Theme& theme)
     painter.drawRect(band);
 }
 
-void paintDragTrail(QPainter& painter, const QLineF& way, const Theme& theme)
+void paintDragTrail(QPainter& painter, const QLineF& path, const Theme& theme)
 {
     const PainterState saved(painter);
     painter.setPen(QPen(theme.text, 1.2, Qt::DotLine, Qt::FlatCap));
-    painter.drawLine(way);
+    painter.drawLine(path);
     painter.setPen(QPen(theme.text, 1.2));
     painter.setBrush(theme.sea);
-    painter.drawEllipse(way.p1(), 3.5, 3.5);
+    painter.drawEllipse(path.p1(), 3.5, 3.5);
 }
 
 void paintBubble(QPainter& painter, const QPointF& at, const QString& text, const QRectF& area,

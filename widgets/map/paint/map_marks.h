@@ -23,10 +23,10 @@ void paintHoverMark(QPainter& painter, const LabelDisk& symbol, const Theme& the
 void paintRubberBand(QPainter& painter, const QRectF& band, const Theme& theme);
 
 /** From where something was taken to where it is now. */
-void paintDragTrail(QPainter& painter, const QLineF& way, const Theme& theme);
+void paintDragTrail(QPainter& painter, const QLineF& path, const Theme& theme);
 
 /** Where an iceberg truly was, by its record; faint. Points on the screen, in the order of time. */
-void paintRecordedTrack(QPainter& painter, const QPolygonF& way, const Theme& theme);
+void paintRecordedTrack(QPainter& painter, const QPolygonF& path, const Theme& theme);
 
 /** Selected or under the cursor: the outline of the area is thicker. */
 void paintAreaMark(QPainter& painter, const QPolygonF& outline, bool isSelected,

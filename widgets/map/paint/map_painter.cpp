@@ -4,10 +4,10 @@
 #include "widgets/map/land/land_layer.h"
 #include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_paint.h"
+#include "widgets/map/paint/map_paths.h"
 #include "widgets/map/paint/map_sprites.h"
+#include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/paint/map_symbols.h"
-#include "widgets/map/paint/map_ways.h"
-#include "widgets/map/paint/map_world.h"
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/picture/route_colours.h"
 #include "widgets/theme/painter_state.h"
@@ -121,9 +121,9 @@ void paintLabel(const MapPaint& p, std::size_t i)
     if (label.apart) {
         const QPointF near(std::clamp(disk.centre_px.x(), label.rect.left(), label.rect.right()),
                            std::clamp(disk.centre_px.y(), label.rect.top(), label.rect.bottom()));
-        const QLineF way(disk.centre_px, near);
+        const QLineF path(disk.centre_px, near);
         p.painter.setPen(QPen(p.theme.graticuleText, 1));
-        p.painter.drawLine(way.pointAt(std::min(1.0, disk.radius_px / way.length())), near);
+        p.painter.drawLine(path.pointAt(std::min(1.0, disk.radius_px / path.length())), near);
     }
     const QString text = labelText(p.picture.icebergs[i]);
     const MapStop& stop = p.layout.stops[i];

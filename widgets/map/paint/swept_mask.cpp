@@ -48,22 +48,22 @@ struct Cone
     Point left = Point::Zero();
     double reach_px = 0; ///< of the farthest point passed
 
-    /** Narrows to the lines that pass near `way_px` too; false: there are none. */
-    bool admit(const Point& way_px)
+    /** Narrows to the lines that pass near `path_px` too; false: there are none. */
+    bool admit(const Point& path_px)
     {
-        const double length_px = way_px.norm();
+        const double length_px = path_px.norm();
         if (length_px <= kSlack_px)
             return true;
         if (length_px < reach_px - kSlack_px) // on the way back
             return false;
-        if (right && (cross(*right, way_px) < 0 || cross(way_px, left) < 0))
+        if (right && (cross(*right, path_px) < 0 || cross(path_px, left) < 0))
             return false;
-        const Point aside = Point(-way_px.y(), way_px.x()) * (kSlack_px / length_px);
+        const Point aside = Point(-path_px.y(), path_px.x()) * (kSlack_px / length_px);
         const bool isFirst = !right;
-        if (isFirst || cross(*right, way_px - aside) > 0)
-            right = way_px - aside;
-        if (isFirst || cross(way_px + aside, left) > 0)
-            left = way_px + aside;
+        if (isFirst || cross(*right, path_px - aside) > 0)
+            right = path_px - aside;
+        if (isFirst || cross(path_px + aside, left) > 0)
+            left = path_px + aside;
         reach_px = std::max(reach_px, length_px);
         return true;
     }
@@ -149,8 +149,8 @@ private:
     {
         const PixelPose from = m_end;
         const double bend_rad = turnBetween(from.heading_rad, next.heading_rad);
-        const Point way = next.at - from.at;
-        const Point sagitta = Point(way.y(), -way.x()) * (bend_rad / 8); // of the arc, nearly
+        const Point path = next.at - from.at;
+        const Point sagitta = Point(path.y(), -path.x()) * (bend_rad / 8); // of the arc, nearly
         if (isOutOfSight(from.at, next.at, m_reach_px + sagitta.norm())) {
             finish();
             start(next);
@@ -162,7 +162,7 @@ private:
         const int pieces = std::clamp(static_cast<int>(std::ceil(wanted)), 1, kMostPieces);
         for (int k = 1; k < pieces; ++k) {
             const double share = static_cast<double>(k) / pieces;
-            join({.at = from.at + way * share + sagitta * (4 * share * (1 - share)),
+            join({.at = from.at + path * share + sagitta * (4 * share * (1 - share)),
                   .heading_rad = wrapPi(from.heading_rad + bend_rad * share)});
         }
         join(next);

@@ -98,21 +98,21 @@ void paintDial(QPainter& painter, const QPointF& centre, const MapStyle& style)
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.mutedText, 1));
     painter.drawEllipse(centre, kDial_px, kDial_px);
-    for (const QPointF& way : {QPointF(0, -1), QPointF(1, 0), QPointF(0, 1), QPointF(-1, 0)})
-        painter.drawLine(centre + way * (kDial_px - kTick_px), centre + way * kDial_px);
+    for (const QPointF& path : {QPointF(0, -1), QPointF(1, 0), QPointF(0, 1), QPointF(-1, 0)})
+        painter.drawLine(centre + path * (kDial_px - kTick_px), centre + path * kDial_px);
     painter.setPen(QPen(theme.graticuleText, 1, Qt::DashLine));
     painter.drawEllipse(centre, kStrongWind * kDial_px, kStrongWind * kDial_px);
 }
 
 void paintArrow(QPainter& painter, const QPointF& centre, const MapAir& air, const MapStyle& style)
 {
-    const QPointF way = onDial(air.wind_mps, air);
-    const double length_px = QLineF({0, 0}, way).length();
+    const QPointF path = onDial(air.wind_mps, air);
+    const double length_px = QLineF({0, 0}, path).length();
     const double short_px = style.offersWind ? kGrip_px : 0;
     if (length_px <= short_px / 2)
         return;
     const QColor ink = isStrong(air) ? style.theme.uav : style.theme.ink;
-    drawArrow(painter, {centre - way, centre + way * (1 - short_px / length_px)}, QPen(ink, 2.2),
+    drawArrow(painter, {centre - path, centre + path * (1 - short_px / length_px)}, QPen(ink, 2.2),
               9);
 }
 
@@ -176,8 +176,8 @@ QPointF windTip(const QRectF& panel, const MapAir& air)
 
 Point windAtTip(const QRectF& panel, const MapAir& air, const QPointF& tip, bool inLargeSteps)
 {
-    const QPointF way_px = tip - dialCentre(panel);
-    const Point towards(way_px.x(), -way_px.y());
+    const QPointF path_px = tip - dialCentre(panel);
+    const Point towards(path_px.x(), -path_px.y());
     const double step_mps =
         shownUnits().speed == SpeedUnit::Knots ? speedUnit().toSi(1) : kStep_mps;
     const double wanted_mps =

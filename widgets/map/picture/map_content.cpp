@@ -44,9 +44,9 @@ std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, 
         points_m.push_back(picture.station->position_m);
     for (const MapRoute& route : picture.routes) {
         addTrack(route.track);
-        for (const MapWay& way : route.planWays) {
-            points_m.insert(points_m.end(), way.path_m.begin(), way.path_m.end());
-            points_m.push_back(way.aim_m);
+        for (const MapPath& path : route.planPaths) {
+            points_m.insert(points_m.end(), path.path_m.begin(), path.path_m.end());
+            points_m.push_back(path.aim_m);
         }
     }
     for (const MapUav& uav : picture.uavs) {

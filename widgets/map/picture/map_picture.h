@@ -93,7 +93,7 @@ struct MapReadout
 };
 
 /** One leg of a plan with aim points. */
-struct MapWay
+struct MapPath
 {
     std::vector<Point> path_m; ///< as it is flown
     Point aim_m = Point::Zero();
@@ -108,8 +108,8 @@ struct MapRoute
     std::optional<int> thisSortie; ///< so many of `plan` are flown to before going home; none: all
     std::vector<std::vector<Point>> planCorners; ///< of the geofence that the legs go round, by
                                                  ///< leg, the way home last; empty: none do
-    std::vector<MapWay> planWays;   ///< how `plan` is flown; empty: straight from symbol to symbol
-    std::vector<MapWay> formerWays; ///< how `formerPlan` would have been
+    std::vector<MapPath> planPaths; ///< how `plan` is flown; empty: straight from symbol to symbol
+    std::vector<MapPath> formerPaths; ///< how `formerPlan` would have been
     /** The point of no return and, before it, how the plan gets there from the place before; empty:
      * there is none. */
     std::vector<Point> toNoReturn_m;

@@ -196,9 +196,9 @@ std::vector<Point> searchOf_m(const FlightRecord& record, std::size_t uav)
     if (state.mode != FlightMode::Search || !state.search)
         return {};
     const Point datum_m = record.estimate_m(static_cast<std::size_t>(state.search->iceberg));
-    const std::vector<Point>& offsets_m = state.search->way.corners_m();
+    const std::vector<Point>& offsets_m = state.search->path.corners_m();
     std::vector<Point> corners_m;
-    for (std::size_t k = state.search->way.next(); k < offsets_m.size(); ++k)
+    for (std::size_t k = state.search->path.next(); k < offsets_m.size(); ++k)
         corners_m.emplace_back(datum_m + offsets_m[k]);
     return corners_m;
 }
@@ -232,12 +232,12 @@ std::vector<std::vector<int>> clustersOf(const std::vector<PlanEvent>& plans,
     return clusters;
 }
 
-std::vector<MapWay> mapWays(const std::vector<AimedWay>& ways)
+std::vector<MapPath> mapPaths(const std::vector<AimedPath>& paths)
 {
-    std::vector<MapWay> drawn;
-    for (const AimedWay& way : ways) {
-        MapWay& next = drawn.emplace_back(MapWay{.path_m = {}, .aim_m = way.aim_m});
-        for (const WayPoint& point : way.points)
+    std::vector<MapPath> drawn;
+    for (const AimedPath& path : paths) {
+        MapPath& next = drawn.emplace_back(MapPath{.path_m = {}, .aim_m = path.aim_m});
+        for (const PathPoint& point : path.points)
             next.path_m.push_back(point.position_m);
     }
     return drawn;
@@ -279,12 +279,12 @@ MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<
     if (plan != nullptr && state.isPlanned()) { // else others visit what was its
         route.plan = placesOf(plan->order, shown);
         route.thisSortie = plan->thisSortie;
-        route.planWays = mapWays(waysAhead(record.shown(), place));
+        route.planPaths = mapPaths(pathsAhead(record.shown(), place));
     }
     if (const std::optional<ShownChange> change = record.changeShown(place)) {
         route.formerPlan = placesOf(change->change.before, shown);
         route.formerFrom_m = change->from_m;
-        route.formerWays = mapWays(change->ways);
+        route.formerPaths = mapPaths(change->paths);
     }
     route.search_m = searchOf_m(record, uav);
     route.track = trackOf(record, uav);

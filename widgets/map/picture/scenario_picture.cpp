@@ -80,7 +80,7 @@ bool isAt(const MapUav& drawn, const Uav& uav)
 bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
 {
     if (!picture.anyRoute([](const MapRoute& route) {
-            return !route.planWays.empty() || !route.formerWays.empty() ||
+            return !route.planPaths.empty() || !route.formerPaths.empty() ||
                    !route.planCorners.empty() || !route.toNoReturn_m.empty();
         }))
         return true;
@@ -114,8 +114,8 @@ std::vector<MapRoute> routesFor(const Scenario& scenario, const MapPicture& pict
 /** Only what holds wherever the UAV is. */
 void forgetPlaces(MapRoute& route)
 {
-    route.planWays.clear();
-    route.formerWays.clear();
+    route.planPaths.clear();
+    route.formerPaths.clear();
     route.planCorners.clear();
     route.toNoReturn_m.clear();
 }

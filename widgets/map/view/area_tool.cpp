@@ -269,7 +269,7 @@ void AreaTool::paint(QPainter& painter) const
     if (m_isHovering && !closesAt(m_now.at_px))
         paintBubble(painter, m_now.at_px,
                     m_fault == Fault::None
-                        ? wayText(m_now.at_m - m_corners_m.back(), scene.locale())
+                        ? pathText(m_now.at_m - m_corners_m.back(), scene.locale())
                         : faultText(),
                     scene.rect(), scene.theme());
 }

@@ -58,11 +58,11 @@ Point DriftArrow::velocity_mps(const Iceberg& iceberg, const MapPointer& tip,
     const std::optional<LabelDisk> symbol = m_scene.symbolOf(iceberg.id);
     // The arrows of the map begin at the edge of the symbol; inside it there is no drift.
     const double edge_px = symbol ? symbol->radius_px : 0;
-    const Point way_px(tip.at_px.x() - centre.x(), centre.y() - tip.at_px.y());
-    const double length_px = way_px.norm();
+    const Point path_px(tip.at_px.x() - centre.x(), centre.y() - tip.at_px.y());
+    const double length_px = path_px.norm();
     if (length_px <= edge_px)
         return Point::Zero();
-    Point along = way_px / length_px;
+    Point along = path_px / length_px;
     if (tip.modifiers.testFlag(Qt::ShiftModifier)) {
         const double psi_rad =
             snapped(std::atan2(along.y(), along.x()), radFromDeg(kDirectionStep_deg));
@@ -91,11 +91,11 @@ QString driftText(const Point& drift_mps, const QLocale& locale)
 
 std::optional<double> headingTowards_deg(const Point& from_m, const MapPointer& pointer)
 {
-    const Point way_m = pointer.at_m - from_m;
-    if (way_m.norm() <= 0)
+    const Point path_m = pointer.at_m - from_m;
+    if (path_m.norm() <= 0)
         return std::nullopt;
     const double step_deg = pointer.modifiers.testFlag(Qt::ShiftModifier) ? kDirectionStep_deg : 1;
-    const double heading_deg = headingFromPsi(std::atan2(way_m.y(), way_m.x()));
+    const double heading_deg = headingFromPsi(std::atan2(path_m.y(), path_m.x()));
     return std::fmod(snapped(heading_deg, step_deg), 360.0);
 }
 
@@ -106,9 +106,9 @@ QString headingText(double heading_deg)
     return DriftArrowText::tr("Heading %1").arg(degrees);
 }
 
-QString wayText(const Point& way_m, const QLocale& locale)
+QString pathText(const Point& path_m, const QLocale& locale)
 {
-    return u"%1  %2"_s.arg(distanceText(way_m.norm(), locale), bearingText(way_m));
+    return u"%1  %2"_s.arg(distanceText(path_m.norm(), locale), bearingText(path_m));
 }
 
 } // namespace berg

@@ -45,6 +45,6 @@ private:
 [[nodiscard]] QString headingText(double heading_deg);
 
 /** "1.20 km  045°". */
-[[nodiscard]] QString wayText(const Point& way_m, const QLocale& locale);
+[[nodiscard]] QString pathText(const Point& path_m, const QLocale& locale);
 
 } // namespace berg

@@ -92,7 +92,7 @@ public:
 
     [[nodiscard]] QString text() const override
     {
-        return wayText(m_to_m - m_from_m, context().scene.locale());
+        return pathText(m_to_m - m_from_m, context().scene.locale());
     }
 
     [[nodiscard]] QString status() const override

@@ -128,7 +128,7 @@ public:
     [[nodiscard]] QString text() const override
     {
         return m_isRefused ? crossingText()
-                           : wayText(m_area_m[m_index] - m_from_m, context().scene.locale());
+                           : pathText(m_area_m[m_index] - m_from_m, context().scene.locale());
     }
     [[nodiscard]] QString status() const override
     {

@@ -170,25 +170,25 @@ std::string MapScene::objectAt(const QPointF& at)
     };
     for (std::size_t i = 0; i < m_picture.uavs.size(); ++i) {
         const MapUav& uav = m_picture.uavs[i];
-        const QLineF way(at, map.view.toPixel(uav.position_m));
+        const QLineF path(at, map.view.toPixel(uav.position_m));
         if (uav.key.empty())
             continue;
-        if (way.length() <= kUavReach_px)
-            offer(uav.key, way.length());
+        if (path.length() <= kUavReach_px)
+            offer(uav.key, path.length());
         else if (map.uavLabels[i].contains(at))
             offer(uav.key, kUnderName_px);
     }
     if (m_picture.asset) {
-        const QLineF way(at, map.view.toPixel(m_picture.asset->position_m));
-        if (way.length() <= kAssetReach_px)
-            offer(kAssetKey, way.length());
+        const QLineF path(at, map.view.toPixel(m_picture.asset->position_m));
+        if (path.length() <= kAssetReach_px)
+            offer(kAssetKey, path.length());
     }
     for (std::size_t i = 0; i < m_picture.icebergs.size(); ++i) {
         const LabelDisk& disk = map.icebergs[i];
-        const QLineF way(at, disk.centre_px);
+        const QLineF path(at, disk.centre_px);
         const double reach_px = std::max(disk.radius_px + kReachMargin_px, kSmallestReach_px);
-        if (way.length() <= reach_px)
-            offer(keyOf(m_picture.icebergs[i]), way.length());
+        if (path.length() <= reach_px)
+            offer(keyOf(m_picture.icebergs[i]), path.length());
         else if (nearest.empty() && map.labels[i].rect.contains(at))
             offer(keyOf(m_picture.icebergs[i]), kUnderName_px);
     }

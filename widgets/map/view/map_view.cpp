@@ -386,10 +386,10 @@ void MapView::paintMarks(QPainter& painter)
     for (const Iceberg& iceberg : m_document.scenario().icebergs) {
         if (iceberg.track.empty() || m_picture.hidesTruth || !m_selection.contains(iceberg.id))
             continue;
-        QPolygonF way;
+        QPolygonF path;
         for (const Point& position_m : iceberg.track.position_m)
-            way << toScreen(position_m);
-        paintRecordedTrack(painter, way, theme);
+            path << toScreen(position_m);
+        paintRecordedTrack(painter, path, theme);
     }
     m_scene.paintSelection(painter, m_selection.ids());
 }

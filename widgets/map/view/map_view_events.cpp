@@ -227,24 +227,24 @@ void MapView::leave()
 void MapView::pressArrow(const QKeyEvent& event)
 {
     const bool isLarge = event.modifiers().testFlag(Qt::ShiftModifier);
-    Point way = Point::Zero(); // east, north
+    Point path = Point::Zero(); // east, north
     if (event.key() == Qt::Key_Left)
-        way.x() = -1;
+        path.x() = -1;
     else if (event.key() == Qt::Key_Right)
-        way.x() = 1;
+        path.x() = 1;
     else if (event.key() == Qt::Key_Up)
-        way.y() = 1;
+        path.y() = 1;
     else
-        way.y() = -1;
+        path.y() = -1;
     if (m_selection.isEmpty() || m_tool->isDrawing()) {
         // The view goes where the arrow points, so the map goes the other way.
         const double pan_px = isLarge ? kLargePan_px : kPan_px;
-        panBy(QPointF(-way.x(), way.y()) * pan_px);
+        panBy(QPointF(-path.x(), path.y()) * pan_px);
         return;
     }
     const double step_m = roundDown125(kNudge_px / view().scale_pxpm());
-    way *= isLarge ? kLargeNudge * step_m : step_m;
-    nudge(way.x(), way.y());
+    path *= isLarge ? kLargeNudge * step_m : step_m;
+    nudge(path.x(), path.y());
 }
 
 bool MapView::event(QEvent* event)

@@ -30,7 +30,7 @@ constexpr double kStraight_m = 20000;
 constexpr int kMostPieces = 64;
 
 /** The way from one place to another: its length and true bearing at the start. */
-Point geodesicWay_m(LatLon from, LatLon to)
+Point geodesicPath_m(LatLon from, LatLon to)
 {
     return LocalFrame(from).toPlane(to); // about `from` this projection is exact
 }
@@ -40,11 +40,11 @@ QPolygonF geodesicLine(const LocalFrame& plane, const MapViewTransform& view, co
 {
     const LatLon from = plane.toGeographic(from_m);
     const LocalFrame about(from);
-    const Point way_m = about.toPlane(plane.toGeographic(to_m));
-    const int pieces = std::clamp(static_cast<int>(way_m.norm() / kStraight_m), 1, kMostPieces);
+    const Point path_m = about.toPlane(plane.toGeographic(to_m));
+    const int pieces = std::clamp(static_cast<int>(path_m.norm() / kStraight_m), 1, kMostPieces);
     QPolygonF line{view.toPixel(from_m)};
     for (int i = 1; i < pieces; ++i)
-        line << view.toPixel(plane.toPlane(about.toGeographic(way_m * i / pieces)));
+        line << view.toPixel(plane.toPlane(about.toGeographic(path_m * i / pieces)));
     line << view.toPixel(to_m);
     return line;
 }
@@ -62,10 +62,10 @@ MeasuredLeg measureLeg(const Scenario& scenario, const Point& wind_mps, const Po
                        const Point& to_m)
 {
     const LocalFrame plane(scenario.origin);
-    const Point way_m = geodesicWay_m(plane.toGeographic(from_m), plane.toGeographic(to_m));
-    MeasuredLeg leg{.length_m = way_m.norm()};
+    const Point path_m = geodesicPath_m(plane.toGeographic(from_m), plane.toGeographic(to_m));
+    MeasuredLeg leg{.length_m = path_m.norm()};
     if (leg.length_m > 0)
-        leg.bearing_deg = headingFromPsi(std::atan2(way_m.y(), way_m.x()));
+        leg.bearing_deg = headingFromPsi(std::atan2(path_m.y(), path_m.x()));
     const bool isFlown =
         !scenario.uavs.empty() && wind_mps.norm() < scenario.uavs.front().spec.airspeed_mps;
     if (!isFlown || leg.length_m <= 0 || to_m == from_m)

@@ -67,8 +67,8 @@ void PlaceMark::paintEvent(QPaintEvent*)
     for (const QPen& pen : {QPen(m_theme.panel, 5), QPen(m_theme.plan, 2.5)}) {
         painter.setPen(pen);
         painter.drawEllipse(at, kRing_px, kRing_px);
-        for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-            painter.drawLine(at + way * kRing_px, at + way * (kRing_px + kTick_px));
+        for (const QPointF& path : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            painter.drawLine(at + path * kRing_px, at + path * (kRing_px + kTick_px));
     }
     if (m_name.isEmpty())
         return;

@@ -362,11 +362,12 @@ void AssetTool::paint(QPainter& painter) const
         return;
     MapScene& scene = context().scene;
     const Point from_m = m_gesture->start().asset->position_m;
-    const Point way_m = m_asset.position_m - from_m;
+    const Point path_m = m_asset.position_m - from_m;
     paintDragTrail(painter,
                    {scene.view().toPixel(from_m), scene.view().toPixel(m_asset.position_m)},
                    scene.theme());
-    paintBubble(painter, m_now.at_px, wayText(way_m, scene.locale()), scene.rect(), scene.theme());
+    paintBubble(painter, m_now.at_px, pathText(path_m, scene.locale()), scene.rect(),
+                scene.theme());
 }
 
 QCursor AssetTool::cursor(const std::string& over) const

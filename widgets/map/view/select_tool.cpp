@@ -115,8 +115,8 @@ void SelectTool::beginInFlight()
 
 void SelectTool::moveSelection(const MapPointer& pointer)
 {
-    const Point way_m = roundedTo(pointer.at_m - m_press.at_m, kPositionStep_m);
-    m_gesture->apply([&](Scenario& scenario) { moveObjects(scenario, m_moved, way_m); });
+    const Point path_m = roundedTo(pointer.at_m - m_press.at_m, kPositionStep_m);
+    m_gesture->apply([&](Scenario& scenario) { moveObjects(scenario, m_moved, path_m); });
 }
 
 void SelectTool::stretchBand(const MapPointer& pointer)
@@ -274,9 +274,9 @@ void SelectTool::paint(QPainter& painter) const
     const std::optional<Point> to_m = positionOf(m_gesture->now(), m_object);
     if (!from_m || !to_m)
         return;
-    const Point way_m = *to_m - *from_m;
+    const Point path_m = *to_m - *from_m;
     paintDragTrail(painter, {view.toPixel(*from_m), view.toPixel(*to_m)}, theme);
-    paintBubble(painter, m_now.at_px, wayText(way_m, context().scene.locale()),
+    paintBubble(painter, m_now.at_px, pathText(path_m, context().scene.locale()),
                 context().scene.rect(), theme);
 }
 

@@ -127,7 +127,7 @@ void IcebergTable::connectTable()
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &IcebergTable::showDocument);
     connect(&m_selection, &Selection::changed, this, &IcebergTable::showSelection);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &IcebergTable::takeSelection);
+            &IcebergTable::acceptSelection);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& current) {
                 if (current.isValid())
@@ -296,7 +296,7 @@ void IcebergTable::showSelection()
 }
 
 /** What was selected before stays in front, in its order. */
-void IcebergTable::takeSelection()
+void IcebergTable::acceptSelection()
 {
     if (m_isSelecting)
         return;

@@ -69,7 +69,7 @@ private:
     void showFilter();
     void showEmpty();
     void showSelection();
-    void takeSelection();
+    void acceptSelection();
     void setHovered(const std::string& id);
     void editAll(const QModelIndex& index, const QVariant& value);
     void copy();

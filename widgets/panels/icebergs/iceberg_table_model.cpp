@@ -85,7 +85,7 @@ void IcebergTableModel::updateRows(std::vector<IcebergTableRow> rows)
     if (hasOtherName)
         rankNames();
     rearrange();
-    tellOfChanges(hasChanged);
+    reportChanges(hasChanged);
 }
 
 void IcebergTableModel::rankNames()
@@ -165,7 +165,7 @@ void IcebergTableModel::rearrange()
     emit layoutChanged({}, VerticalSortHint);
 }
 
-void IcebergTableModel::tellOfChanges(const std::vector<bool>& hasChanged)
+void IcebergTableModel::reportChanges(const std::vector<bool>& hasChanged)
 {
     int first = rowCount();
     int last = -1;

@@ -86,7 +86,7 @@ private:
     [[nodiscard]] std::vector<int> arranged() const;
     [[nodiscard]] bool isBefore(int a, int b) const;
     void rearrange();
-    void tellOfChanges(const std::vector<bool>& hasChanged);
+    void reportChanges(const std::vector<bool>& hasChanged);
     [[nodiscard]] QString copiedCell(const IcebergTableRow& row, int column) const;
 
     ScenarioDocument& m_document;

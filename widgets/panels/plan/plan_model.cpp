@@ -72,11 +72,11 @@ void PlanModel::setLines(std::vector<PlanLine> lines)
         endInsertRows();
     }
     m_lines = std::move(lines);
-    takeLooks(std::min(before, after));
+    acceptLooks(std::min(before, after));
 }
 
 /** Tells which of the first `kept` lines look otherwise than before, as one span. */
-void PlanModel::takeLooks(int kept)
+void PlanModel::acceptLooks(int kept)
 {
     const std::vector<Look> before = std::exchange(m_looks, {});
     m_looks.reserve(m_lines.size());
@@ -85,7 +85,7 @@ void PlanModel::takeLooks(int kept)
     for (int row = 0; row < rowCount(); ++row) {
         Look& look = m_looks.emplace_back();
         look.uav = line(row).uav;
-        look.isKept = line(row).row.isKept;
+        look.isAssigned = line(row).row.isAssigned;
         for (int column = 0; column < ColumnCount; ++column)
             look.texts[static_cast<std::size_t>(column)] = text(row, static_cast<Column>(column));
         if (row < kept && look != before[static_cast<std::size_t>(row)]) {
@@ -229,7 +229,8 @@ QString PlanModel::toolTip(int row, Column column) const
     const PlanRow& planned = line(row).row;
     if (column == Name) {
         const QString name = tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
-        return planned.isKept ? name + u'\n' + tr("Assigned to %1").arg(uavOf(row).row.name) : name;
+        return planned.isAssigned ? name + u'\n' + tr("Assigned to %1").arg(uavOf(row).row.name)
+                                  : name;
     }
     if (!planned.isSeen && column != Sigma)
         return tr("The plan ends before this iceberg is seen.");
@@ -265,7 +266,7 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const
     case NumberRole:
         return line.number;
     case KeptRole:
-        return line.row.isKept;
+        return line.row.isAssigned;
     case DropRole:
         return line.uav >= 0 && line.uav == m_dropUav;
     default:

@@ -88,12 +88,12 @@ private:
     {
         std::array<QString, ColumnCount> texts;
         int uav = -1;
-        bool isKept = false;
+        bool isAssigned = false;
         bool operator==(const Look&) const = default;
     };
 
     void setLines(std::vector<PlanLine> lines);
-    void takeLooks(int kept);
+    void acceptLooks(int kept);
     [[nodiscard]] QString text(int row, Column column) const;
     [[nodiscard]] QString uavText(const PlanLine& line, Column column) const;
     [[nodiscard]] QString toolTip(int row, Column column) const;

@@ -31,7 +31,7 @@ PlanRow rowOf(const MissionSnapshot& now, int iceberg)
     return {.id = now.icebergs[index].id,
             .name = shownName(now.icebergs[index]),
             .sigma_m2 = now.world.tracks[index].sigma_m2,
-            .isKept = isFleet && index < now.assigned.size() && now.assigned[index] >= 0};
+            .isAssigned = isFleet && index < now.assigned.size() && now.assigned[index] >= 0};
 }
 
 std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecast& route)
@@ -60,7 +60,7 @@ void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
 
 std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan)
 {
-    const std::vector<AimedWay> ways = waysAhead(now, plan.uav);
+    const std::vector<AimedPath> paths = pathsAhead(now, plan.uav);
     const std::vector<double>& sightings_s = plan.outlook->sightings_s;
     std::vector<PlanRow> rows;
     double before_m = 0;
@@ -70,9 +70,9 @@ std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan
         row.isSeen = k < sightings_s.size();
         if (!row.isSeen)
             continue;
-        const double way_m = lengthUntil_m(ways, sightings_s[k]);
+        const double path_m = lengthUntil_m(paths, sightings_s[k]);
         const Track& track = now.world.tracks[static_cast<std::size_t>(iceberg)];
-        row.leg_m = way_m - std::exchange(before_m, way_m);
+        row.leg_m = path_m - std::exchange(before_m, path_m);
         row.arrival_s = std::max(0.0, sightings_s[k] - now.time_s);
         row.arrivalSigma_m2 = track.sigmaAfter_m2(row.arrival_s);
     }
@@ -138,7 +138,7 @@ void addChange(PlanOutlook& outlook, const FlightRecord& record)
         const std::optional<ShownChange> change = record.changeShown(uav);
         if (!change || (outlook.change && change->time_s < outlook.changed_s))
             continue;
-        if (!change->ways.empty()) {
+        if (!change->paths.empty()) {
             outlook.change.reset(); // straight legs are no measure of the plan before
             return;
         }

@@ -19,7 +19,7 @@ struct PlanRow
     double sigma_m2 = 0;        ///< now
     double arrivalSigma_m2 = 0; ///< when the UAV is there, unless it is seen on the way
     bool isSeen = true;         ///< false: the plan ends before, legs and arrivals are not known
-    bool isKept = false;        ///< of several UAVs this one alone is to visit it
+    bool isAssigned = false;    ///< of several UAVs this one alone is to visit it
     bool operator==(const PlanRow&) const = default;
 };
 

@@ -2,7 +2,7 @@
 
 #include "core/io/export/export_files.h"
 #include "core/io/export/export_notes.h"
-#include "core/io/export/thinned_way.h"
+#include "core/io/export/thinned_path.h"
 #include "core/io/text/zip_file.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
@@ -322,7 +322,7 @@ private slots:
             circle.push_back(
                 {.position_m = 100 * Point(std::cos(i * M_PI / 180), std::sin(i * M_PI / 180)),
                  .time_s = double(i)});
-        const std::vector<TimedPoint> corners = thinnedWay(circle, 5);
+        const std::vector<TimedPoint> corners = thinnedPath(circle, 5);
         // A chord of angle a is r (1 - cos(a/2)) off: 5 m of 100 m at 36 degrees.
         QVERIFY(corners.size() >= 11 && corners.size() <= 20);
         for (const TimedPoint& point : circle) {
@@ -333,8 +333,8 @@ private slots:
                                                           corners[i].position_m, point.position_m));
             QVERIFY(nearest_m <= 5);
         }
-        QCOMPARE(thinnedWay(std::span(circle).first(2), 5).size(), std::size_t{2});
-        QVERIFY(thinnedWay({}, 5).empty());
+        QCOMPARE(thinnedPath(std::span(circle).first(2), 5).size(), std::size_t{2});
+        QVERIFY(thinnedPath({}, 5).empty());
     }
 
     void equalContentIsEqualBytes()

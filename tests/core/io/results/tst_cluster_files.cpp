@@ -101,7 +101,7 @@ private slots:
     void apartIsKept()
     {
         RunFile run = recorded();
-        run.keyframes[2].apart = {5, 1};
+        run.keyframes[2].unclustered = {5, 1};
         QVERIFY(runFromJson(runToJson(run), "text") == run);
         QCOMPARE(compareRun(run, recorded()).front().field, std::string("keyframes[2].apart"));
     }

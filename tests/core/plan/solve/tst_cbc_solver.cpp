@@ -87,14 +87,14 @@ private slots:
         for (int icebergs = 1; icebergs <= 8; ++icebergs)
             for (const Route route : {Route::Open, Route::Closed})
                 for (const bool asymmetric : {false, true}) {
-                    const char* way = route == Route::Open ? "open" : "closed";
+                    const char* path = route == Route::Open ? "open" : "closed";
                     const char* wind = asymmetric ? ", asymmetric" : "";
-                    QTest::addRow("position, %d, %s%s", icebergs, way, wind)
+                    QTest::addRow("position, %d, %s%s", icebergs, path, wind)
                         << Formulation::Position << icebergs << route << asymmetric;
-                    QTest::addRow("reduced, %d, %s%s", icebergs, way, wind)
+                    QTest::addRow("reduced, %d, %s%s", icebergs, path, wind)
                         << Formulation::Reduced << icebergs << route << asymmetric;
                     if (icebergs <= 6)
-                        QTest::addRow("printed, %d, %s%s", icebergs, way, wind)
+                        QTest::addRow("printed, %d, %s%s", icebergs, path, wind)
                             << Formulation::Printed << icebergs << route << asymmetric;
                 }
     }

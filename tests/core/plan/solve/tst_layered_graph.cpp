@@ -13,7 +13,7 @@ namespace {
 constexpr double kRounding = 1e-9;
 
 /** Multipliers as an ascent might leave them: of the size of the costs, in no order. */
-Prices roughPrices(const VisitCosts& costs, double cutoff, std::uint64_t seed)
+Multipliers roughPrices(const VisitCosts& costs, double cutoff, std::uint64_t seed)
 {
     Random random(seed);
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(costs.icebergs + 1);
@@ -125,21 +125,21 @@ private slots:
         for (const VisitOrder& order : allOrders(7))
             optimum = std::min(optimum, costs.total(order));
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-            const Prices prices = roughPrices(costs, 10 * optimum, seed);
+            const Multipliers multipliers = roughPrices(costs, 10 * optimum, seed);
             LayeredPaths paths(costs);
-            const double plain = paths.sweep(prices, {});
+            const double plain = paths.sweep(multipliers, {});
             QVERIFY(plain <= optimum + kRounding);
 
-            LayeredGraph graph(costs, paths, prices);
+            LayeredGraph graph(costs, paths, multipliers);
             QCOMPARE(graph.nodeCount(), 1 + 7 * 7);
             QCOMPARE(graph.arcCount(), std::int64_t{7 + 6 * 7 * 6});
-            COMPARE_NEAR(graph.sweep(prices), plain, kRounding);
+            COMPARE_NEAR(graph.sweep(multipliers), plain, kRounding);
             QVERIFY(graph.shortestPath() == paths.shortestPath());
 
             std::optional<LayeredGraph<VisitCosts>> some =
-                graph.refined(someMemory(7), prices, {}, {}).graph;
+                graph.refined(someMemory(7), multipliers, {}, {}).graph;
             QVERIFY(some.has_value());
-            const double better = some->sweep(prices);
+            const double better = some->sweep(multipliers);
             QVERIFY(better >= plain - kRounding);
             QVERIFY(better <= optimum + kRounding);
         }
@@ -152,15 +152,15 @@ private slots:
         const TvpProblem problem = fetched(6);
         const VisitCosts costs(problem);
         const double optimum = test::bruteForce(problem).objective + objectiveShift(problem);
-        const Prices prices = roughPrices(costs, 10 * optimum, 3);
+        const Multipliers multipliers = roughPrices(costs, 10 * optimum, 3);
         LayeredPaths paths(costs);
-        (void)paths.sweep(prices, {});
-        LayeredGraph graph(costs, paths, prices);
-        (void)graph.sweep(prices);
+        (void)paths.sweep(multipliers, {});
+        LayeredGraph graph(costs, paths, multipliers);
+        (void)graph.sweep(multipliers);
         std::optional<LayeredGraph<VisitCosts>> full =
-            graph.refined(fullMemory(6), prices, {}, {}).graph;
+            graph.refined(fullMemory(6), multipliers, {}, {}).graph;
         QVERIFY(full.has_value());
-        COMPARE_NEAR(full->sweep(prices), optimum, kRounding);
+        COMPARE_NEAR(full->sweep(multipliers), optimum, kRounding);
         QVERIFY(isElementary(full->shortestPath()));
         COMPARE_NEAR(costs.total(full->shortestPath()), optimum, kRounding);
     }
@@ -177,10 +177,10 @@ private slots:
         for (const std::size_t wanted : {1U, 5U, 40U, 300U}) {
             const double cutoff =
                 (costs.total(orders[wanted - 1]) + costs.total(orders[wanted])) / 2;
-            Prices prices = roughPrices(costs, cutoff, wanted);
+            Multipliers multipliers = roughPrices(costs, cutoff, wanted);
             LayeredPaths paths(costs);
-            (void)paths.sweep(prices, {});
-            LayeredGraph graph(costs, paths, prices);
+            (void)paths.sweep(multipliers, {});
+            LayeredGraph graph(costs, paths, multipliers);
             const auto allHeld = [&](const LayeredGraph<VisitCosts>& where) {
                 return std::all_of(orders.begin(),
                                    orders.begin() + static_cast<std::ptrdiff_t>(wanted),
@@ -188,20 +188,20 @@ private slots:
             };
             QVERIFY(allHeld(graph));
             for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-                prices = roughPrices(costs, cutoff, 100 * seed);
-                (void)graph.sweep(prices);
+                multipliers = roughPrices(costs, cutoff, 100 * seed);
+                (void)graph.sweep(multipliers);
                 const std::int64_t before = graph.arcCount();
-                QVERIFY(graph.trim(prices, {}));
+                QVERIFY(graph.trim(multipliers, {}));
                 QVERIFY(graph.arcCount() <= before);
                 QVERIFY(allHeld(graph));
             }
-            (void)graph.sweep(prices);
+            (void)graph.sweep(multipliers);
             std::optional<LayeredGraph<VisitCosts>> refined =
-                graph.refined(someMemory(6), prices, {}, {}).graph;
+                graph.refined(someMemory(6), multipliers, {}, {}).graph;
             QVERIFY(refined.has_value());
             QVERIFY(allHeld(*refined));
-            (void)refined->sweep(prices);
-            QVERIFY(refined->trim(prices, {}));
+            (void)refined->sweep(multipliers);
+            QVERIFY(refined->trim(multipliers, {}));
             QVERIFY(allHeld(*refined));
         }
     }
@@ -212,25 +212,25 @@ private slots:
         const TvpProblem problem = test::randomProblem(5, 8, 1, Route::Open);
         const VisitCosts costs(problem);
         const double optimum = test::bruteForce(problem).objective + objectiveShift(problem);
-        Prices prices = roughPrices(costs, 10 * optimum, 1);
+        Multipliers multipliers = roughPrices(costs, 10 * optimum, 1);
         LayeredPaths paths(costs);
-        (void)paths.sweep(prices, {});
-        LayeredGraph graph(costs, paths, prices);
-        (void)graph.sweep(prices);
-        graph = graph.refined(fullMemory(8), prices, {}, {}).graph.value();
+        (void)paths.sweep(multipliers, {});
+        LayeredGraph graph(costs, paths, multipliers);
+        (void)graph.sweep(multipliers);
+        graph = graph.refined(fullMemory(8), multipliers, {}, {}).graph.value();
 
         // All memory: at any multipliers the shortest path is the optimum, so a cutoff just
         // above it leaves that path alone, one below it nothing.
-        prices.cutoff = optimum * (1 + 1e-6);
-        (void)graph.sweep(prices);
-        QVERIFY(graph.trim(prices, {}));
+        multipliers.cutoff = optimum * (1 + 1e-6);
+        (void)graph.sweep(multipliers);
+        QVERIFY(graph.trim(multipliers, {}));
         QCOMPARE(graph.nodeCount(), 1 + 8);
         QCOMPARE(graph.arcCount(), std::int64_t{8});
-        prices.cutoff = optimum * (1 - 1e-6);
-        (void)graph.sweep(prices);
-        QVERIFY(graph.trim(prices, {}));
+        multipliers.cutoff = optimum * (1 - 1e-6);
+        (void)graph.sweep(multipliers);
+        QVERIFY(graph.trim(multipliers, {}));
         QCOMPARE(graph.arcCount(), std::int64_t{0});
-        QCOMPARE(graph.sweep(prices), std::numeric_limits<double>::infinity());
+        QCOMPARE(graph.sweep(multipliers), std::numeric_limits<double>::infinity());
         QVERIFY(graph.shortestPath().empty());
     }
 
@@ -240,18 +240,18 @@ private slots:
         const TvpProblem problem = fetched(7);
         const VisitCosts costs(problem);
         const double optimum = test::bruteForce(problem).objective + objectiveShift(problem);
-        Prices prices = roughPrices(costs, 1.2 * optimum, 2);
+        Multipliers multipliers = roughPrices(costs, 1.2 * optimum, 2);
         LayeredPaths paths(costs);
-        (void)paths.sweep(prices, {});
-        LayeredGraph graph(costs, paths, prices);
-        (void)graph.sweep(prices);
-        const GraphSearchResult found = searchGraph(graph, prices, {.mostStates = 100'000});
+        (void)paths.sweep(multipliers, {});
+        LayeredGraph graph(costs, paths, multipliers);
+        (void)graph.sweep(multipliers);
+        const GraphSearchResult found = searchGraph(graph, multipliers, {.mostStates = 100'000});
         COMPARE_NEAR(found.bound, optimum, kRounding);
         COMPARE_NEAR(costs.total(found.order), optimum, kRounding);
 
         // Nothing is cheaper than the cutoff.
-        prices.cutoff = 0.99 * optimum;
-        const GraphSearchResult nothing = searchGraph(graph, prices, {.mostStates = 100'000});
+        multipliers.cutoff = 0.99 * optimum;
+        const GraphSearchResult nothing = searchGraph(graph, multipliers, {.mostStates = 100'000});
         QCOMPARE(nothing.bound, std::numeric_limits<double>::infinity());
         QVERIFY(nothing.order.empty());
     }
@@ -262,13 +262,13 @@ private slots:
         const TvpProblem problem = fetched(8);
         const VisitCosts costs(problem);
         const double optimum = test::bruteForce(problem).objective + objectiveShift(problem);
-        const Prices prices = roughPrices(costs, 2 * optimum, 4);
+        const Multipliers multipliers = roughPrices(costs, 2 * optimum, 4);
         LayeredPaths paths(costs);
-        (void)paths.sweep(prices, {});
-        LayeredGraph graph(costs, paths, prices);
-        const double relaxed = graph.sweep(prices);
+        (void)paths.sweep(multipliers, {});
+        LayeredGraph graph(costs, paths, multipliers);
+        const double relaxed = graph.sweep(multipliers);
         for (const int states : {1, 3, 10, 30}) {
-            const GraphSearchResult found = searchGraph(graph, prices, {.mostStates = states});
+            const GraphSearchResult found = searchGraph(graph, multipliers, {.mostStates = states});
             QVERIFY(found.bound >= relaxed - kRounding);
             QVERIFY(found.bound <= optimum + kRounding);
             QVERIFY(found.order.empty() || isVisitOrder(problem, found.order));
@@ -278,27 +278,28 @@ private slots:
     void stopsWhenCut()
     {
         const VisitCosts costs(test::randomProblem(5, 8, 1, Route::Open));
-        const Prices prices = roughPrices(costs, 1e6, 1);
+        const Multipliers multipliers = roughPrices(costs, 1e6, 1);
         const CutQuestion cut = [] { return true; };
         LayeredPaths paths(costs);
-        QCOMPARE(paths.sweep(prices, cut), -std::numeric_limits<double>::infinity());
-        (void)paths.sweep(prices, {});
-        LayeredGraph graph(costs, paths, prices);
-        (void)graph.sweep(prices);
-        QCOMPARE(graph.sweep(prices, cut), -std::numeric_limits<double>::infinity());
-        (void)graph.sweep(prices);
-        const Refinement<VisitCosts> whenCut = graph.refined(fullMemory(8), prices, {}, cut);
+        QCOMPARE(paths.sweep(multipliers, cut), -std::numeric_limits<double>::infinity());
+        (void)paths.sweep(multipliers, {});
+        LayeredGraph graph(costs, paths, multipliers);
+        (void)graph.sweep(multipliers);
+        QCOMPARE(graph.sweep(multipliers, cut), -std::numeric_limits<double>::infinity());
+        (void)graph.sweep(multipliers);
+        const Refinement<VisitCosts> whenCut = graph.refined(fullMemory(8), multipliers, {}, cut);
         QVERIFY(!whenCut.graph && !whenCut.memoryOut);
         const Refinement<VisitCosts> manyArcs =
-            graph.refined(fullMemory(8), prices, {.arcs = 100}, {});
+            graph.refined(fullMemory(8), multipliers, {.arcs = 100}, {});
         QVERIFY(!manyArcs.graph && !manyArcs.memoryOut);
         const Refinement<VisitCosts> large =
-            graph.refined(fullMemory(8), prices, {.bytes = 1000}, {});
+            graph.refined(fullMemory(8), multipliers, {.bytes = 1000}, {});
         QVERIFY(!large.graph && large.memoryOut);
-        const GraphSearchResult found = searchGraph(graph, prices, {.mostStates = 10, .cut = cut});
+        const GraphSearchResult found =
+            searchGraph(graph, multipliers, {.mostStates = 10, .cut = cut});
         QCOMPARE(found.bound, -std::numeric_limits<double>::infinity());
         QVERIFY(found.order.empty());
-        QVERIFY(!graph.trim(prices, cut));
+        QVERIFY(!graph.trim(multipliers, cut));
     }
 
 private:

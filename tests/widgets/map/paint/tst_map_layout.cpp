@@ -118,7 +118,7 @@ private slots:
     {
         MapPicture picture = test::randomPicture(12);
         picture.routes[0].plan = {0, 1, 2};
-        picture.routes[0].planWays = twoWays(picture.uavs[0].position_m);
+        picture.routes[0].planPaths = twoWays(picture.uavs[0].position_m);
         const MapLayout high = layoutOf(picture, {960, 800});
         const MapLayout low = layoutOf(picture, {960, 445});
         QVERIFY(!high.isLegendCompact && low.isLegendCompact);
@@ -167,9 +167,9 @@ private slots:
         double longest_px = 0;
         for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
             const QLineF arrow = driftArrow(picture, layout, i);
-            const double way_m =
+            const double path_m =
                 picture.icebergs[i].velocity_mps.norm() * layout.symbols.driftTime_s;
-            COMPARE_NEAR(arrow.length(), way_m * layout.view.scale_pxpm(), 1e-6);
+            COMPARE_NEAR(arrow.length(), path_m * layout.view.scale_pxpm(), 1e-6);
             longest_px = std::max(longest_px, arrow.length());
         }
         QVERIFY(longest_px <= 44);

@@ -199,7 +199,7 @@ private slots:
         picture.routes[0].plan = {0, 2};
         QVERIFY(planLegs(picture, layoutOf(picture, size), 0)[0].size() == 2);
         const double legend_px = layoutOf(picture, size).legend.height();
-        picture.routes[0].planWays = twoWays(picture.uavs[0].position_m);
+        picture.routes[0].planPaths = twoWays(picture.uavs[0].position_m);
         const MapLayout layout = layoutOf(picture, size);
         QVERIFY(layout.legend.height() > legend_px); // a row for the aims
         const std::vector<QPolygonF> legs = planLegs(picture, layout, 0);
@@ -210,15 +210,15 @@ private slots:
         const auto isDrawn = [&](const Point& at_m) {
             return hasColourNear(image, layout.view.toPixel(at_m), 4, theme.plan);
         };
-        for (const MapWay& way : picture.routes[0].planWays)
-            QVERIFY(isDrawn(way.aim_m));
+        for (const MapPath& path : picture.routes[0].planPaths)
+            QVERIFY(isDrawn(path.aim_m));
         const Point from_m = picture.uavs[0].position_m;
         QVERIFY(isDrawn(from_m + Point(1000, 1700)));
         QVERIFY(isDrawn(from_m + Point(2000, 2000)));
         QVERIFY(isDrawn(from_m + 1000 * Point(std::sin(1.2), 1 - std::cos(1.2))));
 
         picture.routes[0].formerPlan = {2, 0};
-        picture.routes[0].formerWays = twoWays(picture.uavs[0].position_m - Point(300, 0));
+        picture.routes[0].formerPaths = twoWays(picture.uavs[0].position_m - Point(300, 0));
         QCOMPARE(formerLegs(picture, layout, 0)[0].size(), qsizetype{12});
     }
 

@@ -4,7 +4,7 @@
 #include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_painter.h"
-#include "widgets/map/paint/map_world.h"
+#include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/picture/route_colours.h"
 #include "widgets/model/scenario_edits.h"
 #include "widgets/theme/palette.h"

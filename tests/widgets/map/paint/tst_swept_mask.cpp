@@ -17,7 +17,7 @@ namespace {
 constexpr QSize kSize(400, 300);
 const QColor kTint(0, 120, 110, 40);
 
-SweptLook lookAt(const Point& centre_m, double scale_pxpm)
+SweptLook seek(const Point& centre_m, double scale_pxpm)
 {
     const QRectF rect(QPointF(0, 0), QSizeF(kSize));
     return {
@@ -89,7 +89,7 @@ private slots:
     void aStraightWay()
     {
         const SensorSpec sensor{.fov_m = {600, 200}};
-        const SweptLook look = lookAt({1000, 0}, 0.1);
+        const SweptLook look = seek({1000, 0}, 0.1);
         const std::vector<MapPose> poses{{.position_m = {0, 0}},
                                          {.position_m = {700, 0}, .time_s = 30},
                                          {.position_m = {2000, 0}, .time_s = 90}};
@@ -131,7 +131,7 @@ private slots:
         const SensorSpec sensor{.fov_m = {500, 300}, .shape = static_cast<FovShape>(shape)};
         const std::vector<MapPose> steps = posesOf(flown(0.2));
         const std::vector<MapPose> poses = posesOf(flown(interval_s));
-        const SweptLook look = lookAt(steps[steps.size() / 2].position_m, scale_pxpm);
+        const SweptLook look = seek(steps[steps.size() / 2].position_m, scale_pxpm);
         SweptMask mask;
         const QImage& image = mask.updated({{poses, sensor}}, look);
         const double slack_m = slack_px / scale_pxpm;
@@ -156,7 +156,7 @@ private slots:
     {
         const std::vector<MapPose> poses = posesOf(flown(1));
         SweptMask mask;
-        const QImage& image = mask.updated({{poses}}, lookAt(poses.front().position_m, 0.1));
+        const QImage& image = mask.updated({{poses}}, seek(poses.front().position_m, 0.1));
         const QRgb tint = qPremultiply(kTint.rgba());
         int tinted = 0;
         for (int y = 0; y < image.height(); ++y)
@@ -172,7 +172,7 @@ private slots:
     void growingIsPaintingAnew()
     {
         const std::vector<MapPose> poses = posesOf(flown(1));
-        const SweptLook look = lookAt(poses.front().position_m, 0.1);
+        const SweptLook look = seek(poses.front().position_m, 0.1);
         SweptMask grown;
         for (std::size_t count = 2; count <= poses.size(); ++count) {
             std::vector<MapPose> known(poses.begin(),
@@ -195,7 +195,7 @@ private slots:
     void backInTimeThereIsLess()
     {
         const std::vector<MapPose> poses = posesOf(flown(1));
-        const SweptLook look = lookAt(poses.front().position_m, 0.1);
+        const SweptLook look = seek(poses.front().position_m, 0.1);
         SweptMask mask;
         static_cast<void>(mask.updated({{poses}}, look));
         for (const std::size_t count : {std::size_t{300}, std::size_t{299}, std::size_t{2}}) {
@@ -208,7 +208,7 @@ private slots:
     void anotherLookIsPaintedAnew()
     {
         const std::vector<MapPose> poses = posesOf(flown(1));
-        SweptLook look = lookAt(poses.front().position_m, 0.1);
+        SweptLook look = seek(poses.front().position_m, 0.1);
         SensorSpec sensor;
         SweptMask mask;
         static_cast<void>(mask.updated({{poses, sensor}}, look));
@@ -234,7 +234,7 @@ private slots:
     void paintedInParts()
     {
         const std::vector<MapPose> poses = posesOf(flown(1));
-        const SweptLook look = lookAt(poses.front().position_m, 0.1);
+        const SweptLook look = seek(poses.front().position_m, 0.1);
         SweptMask mask;
         QVERIFY(!mask.advance({{poses}}, look, 0));
         QVERIFY(mask.isOf({{poses}}));
@@ -262,7 +262,7 @@ private slots:
             return image;
         };
         SweptLayer layer;
-        SweptLook look = lookAt({1500, 0}, 0.08);
+        SweptLook look = seek({1500, 0}, 0.08);
         QImage shown = frame(layer, look);
         while (!layer.isDone())
             shown = frame(layer, look);
@@ -296,7 +296,7 @@ private slots:
             {.position_m = {1000, 0}, .psi_rad = kPi / 2, .time_s = 50},
             {.position_m = {1000, 800}, .psi_rad = kPi / 2, .time_s = 100}};
         const SensorSpec narrow{.fov_m = {600, 200}};
-        const SweptLook look = lookAt({1000, 0}, 0.1);
+        const SweptLook look = seek({1000, 0}, 0.1);
         SweptMask both;
         SweptMask first;
         SweptMask second;
@@ -320,7 +320,7 @@ private slots:
     void farFromTheMapNothingIsPainted()
     {
         const std::vector<MapPose> poses = posesOf(flown(1));
-        const SweptLook look = lookAt({500e3, 500e3}, 10);
+        const SweptLook look = seek({500e3, 500e3}, 10);
         SweptMask mask;
         const QImage& image = mask.updated({{poses}}, look);
         QImage empty(kSize, QImage::Format_ARGB32_Premultiplied);

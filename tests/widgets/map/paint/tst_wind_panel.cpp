@@ -6,7 +6,7 @@
 #include "tests/support/panel_test.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_painter.h"
-#include "widgets/map/paint/map_ways.h"
+#include "widgets/map/paint/map_paths.h"
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/model/wind.h"
 #include "widgets/theme/unit_settings.h"

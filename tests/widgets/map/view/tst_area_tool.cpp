@@ -393,10 +393,10 @@ private slots:
         const Scenario before = map.scenario();
         map.drag(edge, edge + QPoint(40, 20));
         QCOMPARE(map.undoText(), u"Move area"_s);
-        const Point way_m = map.area_m()[0] - before.area_m[0];
-        QVERIFY(way_m.norm() > 100);
+        const Point path_m = map.area_m()[0] - before.area_m[0];
+        QVERIFY(path_m.norm() > 100);
         for (std::size_t i = 0; i < 4; ++i)
-            QVERIFY((map.area_m()[i] - before.area_m[i] - way_m).norm() < 1e-6);
+            QVERIFY((map.area_m()[i] - before.area_m[i] - path_m).norm() < 1e-6);
         QTest::keyClick(&map.view, Qt::Key_Delete);
         QVERIFY(map.area_m().empty());
         QVERIFY(map.selection.isEmpty());

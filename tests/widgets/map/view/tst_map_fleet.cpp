@@ -244,10 +244,10 @@ private slots:
         QCOMPARE(map.undoCount(), 1);
         QCOMPARE(map.scenario().uavs.size(), std::size_t{4});
         QCOMPARE(map.selection.ids(), (Ids{"uav-3", "uav-4"}));
-        const Point way_m = map.uavOf(2).position_m - map.uavOf(0).position_m;
-        QVERIFY(way_m.x() > 0 && way_m.y() < 0);
-        QVERIFY((map.uavOf(3).position_m - map.uavOf(1).position_m - way_m).norm() < 1e-6);
-        QVERIFY((*map.uavOf(3).home_m - *map.uavOf(1).home_m - way_m).norm() < 1e-6);
+        const Point path_m = map.uavOf(2).position_m - map.uavOf(0).position_m;
+        QVERIFY(path_m.x() > 0 && path_m.y() < 0);
+        QVERIFY((map.uavOf(3).position_m - map.uavOf(1).position_m - path_m).norm() < 1e-6);
+        QVERIFY((*map.uavOf(3).home_m - *map.uavOf(1).home_m - path_m).norm() < 1e-6);
         QVERIFY(map.uavOf(3).name.empty());
         COMPARE_NEAR(map.uavOf(2).spec.altitude_m, 230, 0);
         COMPARE_NEAR(map.uavOf(3).spec.altitude_m, 260, 0);

@@ -11,9 +11,9 @@ using Ids = std::vector<std::string>;
 
 namespace {
 
-double heading_deg(const Point& way)
+double heading_deg(const Point& path)
 {
-    return headingFromPsi(std::atan2(way.y(), way.x()));
+    return headingFromPsi(std::atan2(path.y(), path.x()));
 }
 
 struct HandleFixture : test::MapFixture
@@ -76,12 +76,13 @@ private slots:
         QCOMPARE(map.undoCount(), 1);
         QCOMPARE(map.document.undoStack()->undoText(), u"Change drift"_s);
         QVERIFY(map.scenario().icebergs[2].position_m == before.icebergs[2].position_m);
-        const QPointF way = QPointF(from + QPoint(20, 40)) -
-                            map.view.toScreen(map.scenario().icebergs[2].position_m);
+        const QPointF path = QPointF(from + QPoint(20, 40)) -
+                             map.view.toScreen(map.scenario().icebergs[2].position_m);
         // Half a pixel of some dozens, and 1 mm/s of some tenths of a metre.
-        COMPARE_NEAR(std::remainder(
-                         heading_deg(map.velocity_mps(2)) - heading_deg({way.x(), -way.y()}), 360),
-                     0, 1.5);
+        COMPARE_NEAR(
+            std::remainder(heading_deg(map.velocity_mps(2)) - heading_deg({path.x(), -path.y()}),
+                           360),
+            0, 1.5);
         map.document.undoStack()->undo();
         QVERIFY(map.scenario() == before);
     }

@@ -96,11 +96,11 @@ private slots:
         map.selection.set({"berg-1", "berg-4", "uav-1"});
         map.drag(map.iceberg(3), map.iceberg(3) + QPoint(-50, 35));
         QCOMPARE(map.undoCount(), 1);
-        const Point way_m = map.scenario().icebergs[3].position_m - before.icebergs[3].position_m;
-        QVERIFY(way_m.norm() > 100);
+        const Point path_m = map.scenario().icebergs[3].position_m - before.icebergs[3].position_m;
+        QVERIFY(path_m.norm() > 100);
         // Rounding of doubles only: the same way is added to all.
         const auto moved = [&](const Point& now_m, const Point& was_m) {
-            return (now_m - was_m - way_m).norm() < 1e-9;
+            return (now_m - was_m - path_m).norm() < 1e-9;
         };
         QVERIFY(moved(map.scenario().icebergs[0].position_m, before.icebergs[0].position_m));
         QVERIFY(moved(map.scenario().uavs[0].position_m, before.uavs[0].position_m));
@@ -391,9 +391,9 @@ private slots:
             QTest::keyClick(&map.view, Qt::Key_Right);
         QTest::keyClick(&map.view, Qt::Key_Up, Qt::ShiftModifier);
         QCOMPARE(map.undoCount(), 1);
-        const Point way_m = map.scenario().icebergs[0].position_m - before.icebergs[0].position_m;
-        QVERIFY(way_m.x() > 0);
-        COMPARE_NEAR(way_m.y(), 2 * way_m.x(), 1e-9); // one step of ten, five of one
+        const Point path_m = map.scenario().icebergs[0].position_m - before.icebergs[0].position_m;
+        QVERIFY(path_m.x() > 0);
+        COMPARE_NEAR(path_m.y(), 2 * path_m.x(), 1e-9); // one step of ten, five of one
         map.selection.set({"berg-3"});
         QTest::keyClick(&map.view, Qt::Key_Right);
         QCOMPARE(map.undoCount(), 2);

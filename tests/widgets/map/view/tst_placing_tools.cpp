@@ -159,7 +159,7 @@ private slots:
 
     void pressDragTurnsTheUav_data()
     {
-        QTest::addColumn<QPoint>("way");
+        QTest::addColumn<QPoint>("path");
         QTest::addColumn<double>("heading_deg");
         QTest::newRow("north") << QPoint(0, -80) << 0.0;
         QTest::newRow("east") << QPoint(80, 0) << 90.0;
@@ -168,20 +168,20 @@ private slots:
 
     void pressDragTurnsTheUav()
     {
-        QFETCH(QPoint, way);
+        QFETCH(QPoint, path);
         QFETCH(double, heading_deg);
         test::MapFixture map;
         const Scenario before = map.scenario();
         map.view.setTool(MapToolKind::Uav);
         const QPoint from = map.pixelOf(kWater_m);
-        map.drag(from, from + way);
+        map.drag(from, from + path);
         QCOMPARE(map.undoCount(), 1);
         COMPARE_NEAR(map.scenario().uavs.front().heading_deg, heading_deg, 0);
         map.document.undoStack()->undo();
         // From the UAV itself it turns on the spot. Its centre is up to half a pixel from where the
         // press can be, which over 80 px is half a degree.
         const Point place_m = before.uavs.front().position_m;
-        map.drag(map.uav(), map.uav() + way);
+        map.drag(map.uav(), map.uav() + path);
         QVERIFY(map.scenario().uavs.front().position_m == place_m);
         const double off_deg =
             std::remainder(map.scenario().uavs.front().heading_deg - heading_deg, 360.0);

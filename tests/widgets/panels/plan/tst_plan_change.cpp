@@ -120,13 +120,13 @@ private slots:
         const std::vector<PlanRow> rows =
             planSections(desk.record().now, desk.record().scenario).front().rows;
         QCOMPARE(rows.size(), plan.order.size());
-        double way_m = 0;
+        double path_m = 0;
         for (std::size_t k = 0; k < rows.size(); ++k) {
             QVERIFY(rows[k].isSeen);
             COMPARE_NEAR(rows[k].arrival_s, plan.outlook->sightings_s[k], 1e-9);
             QVERIFY(rows[k].arrivalSigma_m2 > rows[k].sigma_m2);
-            way_m += rows[k].leg_m;
-            COMPARE_NEAR(way_m, 22 * rows[k].arrival_s, 1); // turns are cut into chords
+            path_m += rows[k].leg_m;
+            COMPARE_NEAR(path_m, 22 * rows[k].arrival_s, 1); // turns are cut into chords
         }
         const PlanOutlook outlook = planOutlook(desk.record()).value();
         QVERIFY(outlook.isAimed && !outlook.change && !outlook.until_s);
@@ -154,27 +154,27 @@ private slots:
     void waysOnTheMap()
     {
         Desk desk;
-        QVERIFY(desk.picture().routes[0].planWays.empty());
+        QVERIFY(desk.picture().routes[0].planPaths.empty());
         desk.open(aimed());
         const MapPicture picture = desk.picture();
-        QVERIFY(!picture.routes[0].planWays.empty());
-        QVERIFY(picture.routes[0].planWays.front().path_m.front() == Point(0, 0));
-        for (std::size_t k = 1; k < picture.routes[0].planWays.size(); ++k)
-            COMPARE_NEAR((picture.routes[0].planWays[k].path_m.front() -
-                          picture.routes[0].planWays[k - 1].path_m.back())
+        QVERIFY(!picture.routes[0].planPaths.empty());
+        QVERIFY(picture.routes[0].planPaths.front().path_m.front() == Point(0, 0));
+        for (std::size_t k = 1; k < picture.routes[0].planPaths.size(); ++k)
+            COMPARE_NEAR((picture.routes[0].planPaths[k].path_m.front() -
+                          picture.routes[0].planPaths[k - 1].path_m.back())
                              .norm(),
                          0, 1e-6);
-        QVERIFY(!withScenario(picture, desk.record().scenario).routes[0].planWays.empty());
+        QVERIFY(!withScenario(picture, desk.record().scenario).routes[0].planPaths.empty());
         Scenario moved = desk.record().scenario;
         moved.icebergs[1].position_m.x() += 100; // they are of another place
-        QVERIFY(withScenario(picture, moved).routes[0].planWays.empty());
+        QVERIFY(withScenario(picture, moved).routes[0].planPaths.empty());
         QCOMPARE(withScenario(picture, moved).routes[0].plan, picture.routes[0].plan);
 
         desk.workspace.setPolicy(PolicyKind::Uncertainty);
         desk.wait();
         QCOMPARE(desk.picture().routes[0].plan, kUncertainFirst);
-        QVERIFY(desk.picture().routes[0].planWays.empty());
-        QCOMPARE(desk.picture().routes[0].formerWays.size(), picture.routes[0].planWays.size());
+        QVERIFY(desk.picture().routes[0].planPaths.empty());
+        QCOMPARE(desk.picture().routes[0].formerPaths.size(), picture.routes[0].planPaths.size());
         QVERIFY(!planOutlook(desk.record())->change); // nothing to be compared with
     }
 
@@ -182,20 +182,20 @@ private slots:
     {
         Desk desk;
         desk.open(aimed());
-        const std::size_t count = desk.picture().routes[0].planWays.size();
+        const std::size_t count = desk.picture().routes[0].planPaths.size();
         desk.flyTo(20);
         QCOMPARE(desk.record().now.planCount, std::size_t{1}); // on its first leg
         MapPicture picture = desk.picture();
-        QCOMPARE(picture.routes[0].planWays.size(), count);
-        QVERIFY(picture.routes[0].planWays.front().path_m.front() == picture.uavs[0].position_m);
+        QCOMPARE(picture.routes[0].planPaths.size(), count);
+        QVERIFY(picture.routes[0].planPaths.front().path_m.front() == picture.uavs[0].position_m);
         const Point turn_m = picture.uavs[0].position_m;
         const std::size_t plans = desk.record().now.planCount;
         desk.workspace.setPolicy(PolicyKind::Uncertainty);
         QTRY_VERIFY(desk.record().now.planCount > plans);
         picture = desk.picture();
-        QVERIFY(picture.routes[0].planWays.empty());
-        QVERIFY(!picture.routes[0].formerWays.empty()); // from where it was left
-        COMPARE_NEAR((picture.routes[0].formerWays.front().path_m.front() - turn_m).norm(), 0, 3);
+        QVERIFY(picture.routes[0].planPaths.empty());
+        QVERIFY(!picture.routes[0].formerPaths.empty()); // from where it was left
+        COMPARE_NEAR((picture.routes[0].formerPaths.front().path_m.front() - turn_m).norm(), 0, 3);
     }
 
     void figuresBeforeTakeOff()
@@ -324,7 +324,7 @@ private slots:
         desk.intervene(0);
         desk.flyTo(560);
         const auto formerAt = [&](double time_s) {
-            desk.workspace.lookAt(time_s);
+            desk.workspace.seek(time_s);
             desk.waitFor(time_s);
             return desk.former();
         };
@@ -363,7 +363,7 @@ private slots:
         QVERIFY(!desk.picture().showsSwept());
         desk.flyTo(20);
         QCOMPARE(desk.picture().routes[0].swept.size(), std::size_t{21});
-        desk.workspace.lookAt(10.4);
+        desk.workspace.seek(10.4);
         desk.waitFor(10.4);
         const std::vector<MapPose> poses = desk.picture().routes[0].swept;
         QCOMPARE(poses.size(), std::size_t{12});

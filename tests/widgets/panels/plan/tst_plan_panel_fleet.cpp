@@ -36,13 +36,13 @@ private slots:
         const std::vector<PlanSection> sections = planSections(now, scenario);
         QCOMPARE(sections.size(), std::size_t{2});
         QCOMPARE(sections[0].rows.size(), std::size_t{1});
-        QVERIFY(!sections[0].rows[0].isKept);
+        QVERIFY(!sections[0].rows[0].isAssigned);
         COMPARE_NEAR(sections[0].lastArrival_s(), 25.0, 1e-9);
         QCOMPARE(sections[1].uav, "uav-2");
         QCOMPARE(sections[1].name, u"North"_s);
         QCOMPARE(sections[1].place, 1);
         QCOMPARE(sections[1].rows[0].name, u"Tabular"_s);
-        QVERIFY(sections[1].rows[0].isKept);
+        QVERIFY(sections[1].rows[0].isAssigned);
         COMPARE_NEAR(sections[1].length_m(), 1000.0, 1e-9); // due south, at 10 m/s
         COMPARE_NEAR(sections[1].lastArrival_s(), 100.0, 1e-9);
         now.world.uavs[1].mode = FlightMode::Home;
@@ -96,7 +96,7 @@ private slots:
         QVERIFY(kept.data(Qt::ToolTipRole).toString().endsWith(u"Assigned to uav-2"_s));
         QSignalSpy changed(&f.model, &QAbstractItemModel::dataChanged);
         std::vector<PlanSection> sections = twoUavSections();
-        sections[1].rows[0].isKept = false; // no text says so
+        sections[1].rows[0].isAssigned = false; // no text says so
         f.panel.showPlan(sections);
         QCOMPARE(changed.count(), 1);
         QCOMPARE(changed.front().front().toModelIndex().row(), 4);

@@ -16,9 +16,10 @@ struct SortieSpec
 
 /** Landed where the track passes home at this distance or less. */
 inline constexpr double kLandingRadius_m = 25;
-/** Endurance kept for what `wayTo` leaves out: rounding to time steps, the approach itself. */
+/** Endurance kept for what `pathTo` leaves out: rounding to time steps, the approach itself. */
 inline constexpr double kHomeReserve_s = 10;
-/** Kept besides for each visit promised: line-of-sight guidance turns later than `wayTo` has it. */
+/** Kept besides for each visit promised: line-of-sight guidance turns later than `pathTo` has it.
+ */
 inline constexpr double kVisitReserve_s = 10;
 
 /** A place that moves with a constant velocity over ground. */
@@ -29,7 +30,7 @@ struct MovingPlace
 };
 
 /** A way to a place: a turn at the limit, then straight on. */
-struct Way
+struct Path
 {
     double turn_rad = 0; ///< left positive, three full circles at most
     double time_s = 0;
@@ -45,14 +46,14 @@ struct Way
  * a way. That there is one: over three circles one of the two turns comes round to the bearing of
  * the place, which cannot be inside both circles at once.
  */
-[[nodiscard]] std::optional<Way> wayTo(const DubinsState& start, const MovingPlace& place,
-                                       const Motion& motion, double command_s);
+[[nodiscard]] std::optional<Path> pathTo(const DubinsState& start, const MovingPlace& place,
+                                         const Motion& motion, double command_s);
 
-/** An upper bound of `wayTo(...).time_s` to a place that stands still; much quicker to compute. */
-[[nodiscard]] double longestWay_s(const DubinsState& start, const Point& place_m,
-                                  const Motion& motion, double command_s);
+/** An upper bound of `pathTo(...).time_s` to a place that stands still; much quicker to compute. */
+[[nodiscard]] double longestPath_s(const DubinsState& start, const Point& place_m,
+                                   const Motion& motion, double command_s);
 
 /** Turn rate to begin the way with: of the next command. */
-[[nodiscard]] double turnRateOf(const Way& way, const Motion& motion, double command_s);
+[[nodiscard]] double turnRateOf(const Path& path, const Motion& motion, double command_s);
 
 } // namespace berg

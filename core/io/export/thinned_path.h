@@ -12,7 +12,7 @@ namespace berg {
  * last among them: no other is farther than `tolerance_m` from the line through those kept. Cost: n
  * log n as a rule, n^2 at worst.
  */
-[[nodiscard]] std::vector<TimedPoint> thinnedWay(std::span<const TimedPoint> way,
-                                                 double tolerance_m);
+[[nodiscard]] std::vector<TimedPoint> thinnedPath(std::span<const TimedPoint> path,
+                                                  double tolerance_m);
 
 } // namespace berg

@@ -10,17 +10,17 @@
 namespace berg {
 
 /** A place over ground and when the UAV is there. */
-struct WayPoint
+struct PathPoint
 {
     Point position_m = Point::Zero();
     double time_s = 0;
 };
 
 /** How a leg is flown over ground. */
-struct AimedWay
+struct AimedPath
 {
-    Point aim_m = Point::Zero();  ///< where the line passes its iceberg, or would
-    std::vector<WayPoint> points; ///< the turn, sampled, then the end of the line; never empty
+    Point aim_m = Point::Zero();   ///< where the line passes its iceberg, or would
+    std::vector<PathPoint> points; ///< the turn, sampled, then the end of the line; never empty
 };
 
 /**
@@ -29,11 +29,11 @@ struct AimedWay
  * sighting. Of a leg under way give what is left of its turn. The flight stays within a few metres
  * of it as long as it meets what was predicted.
  */
-[[nodiscard]] std::vector<AimedWay> aimedWays(std::span<const AimedLeg> legs,
-                                              const DubinsState& uav, double time_s,
-                                              const Motion& motion);
+[[nodiscard]] std::vector<AimedPath> aimedPaths(std::span<const AimedLeg> legs,
+                                                const DubinsState& uav, double time_s,
+                                                const Motion& motion);
 
 /** Length over ground of what is flown of the ways until then. */
-[[nodiscard]] double lengthUntil_m(std::span<const AimedWay> ways, double time_s);
+[[nodiscard]] double lengthUntil_m(std::span<const AimedPath> paths, double time_s);
 
 } // namespace berg

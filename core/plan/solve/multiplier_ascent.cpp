@@ -1,4 +1,4 @@
-#include "core/plan/solve/price_ascent.h"
+#include "core/plan/solve/multiplier_ascent.h"
 
 #include <algorithm>
 
@@ -21,14 +21,14 @@ Eigen::VectorXd shortestLegs(const LegTable& costs)
 
 } // namespace
 
-PriceAscent::PriceAscent(Eigen::VectorXd lambda) : m_lambda(std::move(lambda))
+MultiplierAscent::MultiplierAscent(Eigen::VectorXd lambda) : m_lambda(std::move(lambda))
 {
     m_lambda(0) = 0;
     m_best = m_lambda;
     m_direction = Eigen::VectorXd::Zero(m_lambda.size());
 }
 
-void PriceAscent::restart()
+void MultiplierAscent::restart()
 {
     m_lambda = m_best;
     m_direction.setZero();
@@ -37,7 +37,7 @@ void PriceAscent::restart()
     m_idle = 0;
 }
 
-bool PriceAscent::step(const Relaxed& relaxed, double target)
+bool MultiplierAscent::step(const Relaxed& relaxed, double target)
 {
     const double bound = relaxed.bound - relaxed.margin;
     m_idle = bound > m_bound + 1e-7 * target ? 0 : m_idle + 1;
@@ -64,7 +64,7 @@ bool PriceAscent::step(const Relaxed& relaxed, double target)
     return true;
 }
 
-Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order)
+Eigen::VectorXd firstMultipliers(const VisitCosts& costs, const VisitOrder& order)
 {
     const int n = costs.icebergs;
     const Eigen::VectorXd sigma = Eigen::Map<const Eigen::VectorXd>(costs.sigma.data(), n + 1);
@@ -80,12 +80,12 @@ Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order)
 
     // About the mean: between sigmas that are nearly equal the slope is beyond all measure, and
     // what it is multiplied with is as small.
-    Eigen::VectorXd prices = shortestLegs(costs);
-    prices.tail(n).array() += meanT * sigma.tail(n).array() + slope * deviation.square() / 2;
-    return prices;
+    Eigen::VectorXd multipliers = shortestLegs(costs);
+    multipliers.tail(n).array() += meanT * sigma.tail(n).array() + slope * deviation.square() / 2;
+    return multipliers;
 }
 
-Eigen::VectorXd firstPrices(const LatencyCosts& costs, const VisitOrder& order)
+Eigen::VectorXd firstMultipliers(const LatencyCosts& costs, const VisitOrder& order)
 {
     double length = 0;
     int from = 0;

@@ -1,4 +1,4 @@
-#include "core/coverage/aimed_way.h"
+#include "core/coverage/aimed_path.h"
 
 #include "core/base/angles.h"
 #include "core/vehicle/tangent_turn.h"
@@ -31,28 +31,28 @@ struct LaidLeg
     bool whole = true;   ///< it does not end in its turn
 };
 
-class WayOfLegs
+class PathOfLegs
 {
 public:
-    WayOfLegs(std::span<const AimedLeg> legs, const Motion& motion)
+    PathOfLegs(std::span<const AimedLeg> legs, const Motion& motion)
         : m_legs(legs), m_motion(motion), m_radius_m(motion.airspeed_mps / motion.limit_radps)
     {
     }
 
-    [[nodiscard]] std::vector<AimedWay> from(const DubinsState& uav, double time_s) const
+    [[nodiscard]] std::vector<AimedPath> from(const DubinsState& uav, double time_s) const
     {
         const std::vector<LaidLeg> laid = layOut(uav);
-        std::vector<AimedWay> ways;
+        std::vector<AimedPath> paths;
         for (std::size_t k = 0; k < laid.size(); ++k) {
-            std::vector<WayPoint> way{{.position_m = laid[k].start_m, .time_s = time_s}};
+            std::vector<PathPoint> path{{.position_m = laid[k].start_m, .time_s = time_s}};
             if (k + 1 < laid.size())
-                flyTo(way, laid[k], laid[k + 1].start_m);
+                flyTo(path, laid[k], laid[k + 1].start_m);
             else
-                flyUntil(way, laid[k], m_legs[k].sighting_s);
-            time_s = way.back().time_s;
-            ways.push_back({.aim_m = m_legs[k].abeam_m, .points = std::move(way)});
+                flyUntil(path, laid[k], m_legs[k].sighting_s);
+            time_s = path.back().time_s;
+            paths.push_back({.aim_m = m_legs[k].abeam_m, .points = std::move(path)});
         }
-        return ways;
+        return paths;
     }
 
 private:
@@ -112,44 +112,44 @@ private:
             leg.turn_rad -= side * left_rad;
     }
 
-    void turn(std::vector<WayPoint>& way, const LaidLeg& leg, double turn_rad) const
+    void turn(std::vector<PathPoint>& path, const LaidLeg& leg, double turn_rad) const
     {
-        const WayPoint start = way.back();
+        const PathPoint start = path.back();
         const int arcs = static_cast<int>(std::ceil(std::abs(turn_rad) / kLongestArc_rad));
         for (int i = 1; i <= arcs; ++i) {
             const double part_rad = turn_rad * i / arcs;
-            way.push_back({.position_m = start.position_m + turned_m(leg.psi_rad, part_rad),
-                           .time_s = start.time_s + turnTime_s(part_rad)});
+            path.push_back({.position_m = start.position_m + turned_m(leg.psi_rad, part_rad),
+                            .time_s = start.time_s + turnTime_s(part_rad)});
         }
     }
 
-    void flyTo(std::vector<WayPoint>& way, const LaidLeg& leg, const Point& end_m) const
+    void flyTo(std::vector<PathPoint>& path, const LaidLeg& leg, const Point& end_m) const
     {
-        turn(way, leg, leg.turn_rad);
+        turn(path, leg, leg.turn_rad);
         if (!leg.whole) {
-            way.back().position_m = end_m;
+            path.back().position_m = end_m;
             return;
         }
-        const Point line_m = end_m - way.back().position_m;
-        way.push_back({.position_m = end_m,
-                       .time_s = way.back().time_s +
-                                 flightTime_s(line_m, m_motion.airspeed_mps, m_motion.wind_mps)});
+        const Point line_m = end_m - path.back().position_m;
+        path.push_back({.position_m = end_m,
+                        .time_s = path.back().time_s +
+                                  flightTime_s(line_m, m_motion.airspeed_mps, m_motion.wind_mps)});
     }
 
-    void flyUntil(std::vector<WayPoint>& way, const LaidLeg& leg, double end_s) const
+    void flyUntil(std::vector<PathPoint>& path, const LaidLeg& leg, double end_s) const
     {
-        const double most_rad = std::max(0.0, end_s - way.back().time_s) * m_motion.limit_radps;
-        turn(way, leg, std::clamp(leg.turn_rad, -most_rad, most_rad));
-        const double left_s = end_s - way.back().time_s;
+        const double most_rad = std::max(0.0, end_s - path.back().time_s) * m_motion.limit_radps;
+        turn(path, leg, std::clamp(leg.turn_rad, -most_rad, most_rad));
+        const double left_s = end_s - path.back().time_s;
         if (left_s <= 0)
             return;
-        const Point line_m = m_legs.back().abeam_m - way.back().position_m;
+        const Point line_m = m_legs.back().abeam_m - path.back().position_m;
         if (line_m.norm() < kShortestLine_m)
             return;
         const double length_s = flightTime_s(line_m, m_motion.airspeed_mps, m_motion.wind_mps);
-        way.push_back(
-            {.position_m = way.back().position_m + line_m * std::min(1.0, left_s / length_s),
-             .time_s = way.back().time_s + std::min(left_s, length_s)});
+        path.push_back(
+            {.position_m = path.back().position_m + line_m * std::min(1.0, left_s / length_s),
+             .time_s = path.back().time_s + std::min(left_s, length_s)});
     }
 
     std::span<const AimedLeg> m_legs;
@@ -159,19 +159,19 @@ private:
 
 } // namespace
 
-std::vector<AimedWay> aimedWays(std::span<const AimedLeg> legs, const DubinsState& uav,
-                                double time_s, const Motion& motion)
+std::vector<AimedPath> aimedPaths(std::span<const AimedLeg> legs, const DubinsState& uav,
+                                  double time_s, const Motion& motion)
 {
-    return WayOfLegs(legs, motion).from(uav, time_s);
+    return PathOfLegs(legs, motion).from(uav, time_s);
 }
 
-double lengthUntil_m(std::span<const AimedWay> ways, double time_s)
+double lengthUntil_m(std::span<const AimedPath> paths, double time_s)
 {
     double length_m = 0;
-    for (const AimedWay& way : ways)
-        for (std::size_t i = 1; i < way.points.size(); ++i) {
-            const WayPoint& from = way.points[i - 1];
-            const WayPoint& to = way.points[i];
+    for (const AimedPath& path : paths)
+        for (std::size_t i = 1; i < path.points.size(); ++i) {
+            const PathPoint& from = path.points[i - 1];
+            const PathPoint& to = path.points[i];
             if (time_s <= from.time_s)
                 return length_m;
             const double span_s = to.time_s - from.time_s;

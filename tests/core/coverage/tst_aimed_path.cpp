@@ -1,4 +1,4 @@
-#include "core/coverage/aimed_way.h"
+#include "core/coverage/aimed_path.h"
 #include "core/coverage/described_plan.h"
 #include "core/scenario/presets.h"
 #include "core/sim/mission.h"
@@ -19,13 +19,13 @@ namespace {
 const Motion kCalm{.airspeed_mps = 20, .limit_radps = 0.2}; // turns of 100 m
 
 /** Where the way is at that time. */
-Point placeAt(const std::vector<AimedWay>& ways, double time_s)
+Point placeAt(const std::vector<AimedPath>& paths, double time_s)
 {
-    Point at_m = ways.front().points.front().position_m;
-    for (const AimedWay& way : ways)
-        for (std::size_t i = 1; i < way.points.size(); ++i) {
-            const WayPoint& from = way.points[i - 1];
-            const WayPoint& to = way.points[i];
+    Point at_m = paths.front().points.front().position_m;
+    for (const AimedPath& path : paths)
+        for (std::size_t i = 1; i < path.points.size(); ++i) {
+            const PathPoint& from = path.points[i - 1];
+            const PathPoint& to = path.points[i];
             if (time_s >= to.time_s || to.time_s <= from.time_s)
                 at_m = to.position_m;
             else if (time_s > from.time_s)
@@ -54,17 +54,18 @@ DescribedPlan randomPlan(const PlanRequest& request, int legs, Random random)
 
 /** Largest distance between the ways and a flight of their legs, each begun when it is planned. */
 double largestMiss_m(const Scenario& scenario, const DescribedPlan& plan,
-                     const std::vector<AimedWay>& ways)
+                     const std::vector<AimedPath>& paths)
 {
     Simulation simulation(scenario);
     double miss_m = 0;
-    for (std::size_t k = 0; k < ways.size(); ++k) {
+    for (std::size_t k = 0; k < paths.size(); ++k) {
         simulation.setTarget(0, plan.legs[k].iceberg, plan.legs[k]);
-        while (simulation.time_s() < ways[k].points.back().time_s - simulation.world().dt_s() / 2) {
+        while (simulation.time_s() <
+               paths[k].points.back().time_s - simulation.world().dt_s() / 2) {
             simulation.advanceStep();
             miss_m = std::max(
                 miss_m,
-                (placeAt(ways, simulation.time_s()) - simulation.uav(0).pose.position_m).norm());
+                (placeAt(paths, simulation.time_s()) - simulation.uav(0).pose.position_m).norm());
             if (simulation.planReason() != PlanReason::None)
                 simulation.setTarget(0, plan.legs[k].iceberg, simulation.uav(0).aim);
         }
@@ -74,7 +75,7 @@ double largestMiss_m(const Scenario& scenario, const DescribedPlan& plan,
 
 } // namespace
 
-class TestAimedWay : public QObject
+class TestAimedPath : public QObject
 {
     Q_OBJECT
 
@@ -102,10 +103,11 @@ private slots:
             const DescribedPlan plan =
                 randomPlan(planRequest(simulation), 8, Random(static_cast<unsigned>(seed)));
             const FlightPicture picture = *planRequest(simulation).uavs[0].picture;
-            const std::vector<AimedWay> ways = aimedWays(plan.legs, picture.uav, 0, picture.motion);
-            QCOMPARE(ways.size(), plan.legs.size());
+            const std::vector<AimedPath> paths =
+                aimedPaths(plan.legs, picture.uav, 0, picture.motion);
+            QCOMPARE(paths.size(), plan.legs.size());
             legs += static_cast<int>(plan.legs.size());
-            const double miss_m = largestMiss_m(scenario, plan, ways);
+            const double miss_m = largestMiss_m(scenario, plan, paths);
             QVERIFY2(miss_m < 6, qPrintable(QString("seed %1: %2 m").arg(seed).arg(miss_m)));
         }
         QVERIFY(legs > 60);
@@ -129,8 +131,8 @@ private slots:
             legs.front() = *world.uavs[0].aim;
             const Motion& motion = mission.lastRequest()->uavs[0].picture->motion;
             const double now_s = mission.simulation().time_s();
-            const std::vector<AimedWay> now = aimedWays(legs, world.uavs[0].pose, now_s, motion);
-            const std::vector<AimedWay> planned = aimedWays(
+            const std::vector<AimedPath> now = aimedPaths(legs, world.uavs[0].pose, now_s, motion);
+            const std::vector<AimedPath> planned = aimedPaths(
                 plan.legs, mission.lastRequest()->uavs[0].picture->uav, plan.time_s, motion);
             QVERIFY(now.front().points.front().position_m == world.uavs[0].pose.position_m);
             QVERIFY((placeAt(planned, now_s) - world.uavs[0].pose.position_m).norm() < 3);
@@ -150,20 +152,20 @@ private slots:
                            .from_m = {100, 100},
                            .abeam_m = {100, 1100},
                            .sighting_s = 5 + M_PI / 2 / 0.2 + 15};
-        const std::vector<AimedWay> ways = aimedWays({&leg, 1}, {}, 5, kCalm);
-        QCOMPARE(ways.size(), std::size_t{1});
-        QVERIFY(ways.front().aim_m == leg.abeam_m);
-        const std::vector<WayPoint>& way = ways.front().points;
-        QVERIFY((way[way.size() - 2].position_m - leg.from_m).norm() < 1e-9);
-        QVERIFY((way.back().position_m - Point(100, 400)).norm() < 1e-9);
-        QVERIFY(std::abs(way.back().time_s - leg.sighting_s) < 1e-9);
-        for (const WayPoint& point : way) // on the circle until the line
+        const std::vector<AimedPath> paths = aimedPaths({&leg, 1}, {}, 5, kCalm);
+        QCOMPARE(paths.size(), std::size_t{1});
+        QVERIFY(paths.front().aim_m == leg.abeam_m);
+        const std::vector<PathPoint>& path = paths.front().points;
+        QVERIFY((path[path.size() - 2].position_m - leg.from_m).norm() < 1e-9);
+        QVERIFY((path.back().position_m - Point(100, 400)).norm() < 1e-9);
+        QVERIFY(std::abs(path.back().time_s - leg.sighting_s) < 1e-9);
+        for (const PathPoint& point : path) // on the circle until the line
             if (point.position_m.y() < 100)
                 QVERIFY(std::abs((point.position_m - Point(0, 100)).norm() - 100) < 1e-9);
-        QVERIFY(std::abs(lengthUntil_m(ways, leg.sighting_s) - (100 * M_PI / 2 + 300)) < 0.1);
-        QVERIFY(std::abs(lengthUntil_m(ways, leg.sighting_s - 10) - (100 * M_PI / 2 + 100)) < 0.1);
-        QCOMPARE(lengthUntil_m(ways, 5), 0.0);
-        QVERIFY(std::abs(lengthUntil_m(ways, 1e6) - (100 * M_PI / 2 + 300)) < 0.1);
+        QVERIFY(std::abs(lengthUntil_m(paths, leg.sighting_s) - (100 * M_PI / 2 + 300)) < 0.1);
+        QVERIFY(std::abs(lengthUntil_m(paths, leg.sighting_s - 10) - (100 * M_PI / 2 + 100)) < 0.1);
+        QCOMPARE(lengthUntil_m(paths, 5), 0.0);
+        QVERIFY(std::abs(lengthUntil_m(paths, 1e6) - (100 * M_PI / 2 + 300)) < 0.1);
     }
 
     /** Seen while still turning: the next leg begins there. */
@@ -173,20 +175,20 @@ private slots:
             {.turn_rad = M_PI, .from_m = {0, 200}, .abeam_m = {-1000, 200}, .sighting_s = 3},
             // From a quarter circle on, to the right and east again.
             {.turn_rad = -M_PI / 2, .from_m = {200, 200}, .abeam_m = {900, 200}, .sighting_s = 25}};
-        const std::vector<AimedWay> ways = aimedWays(legs, {}, 0, kCalm);
-        QVERIFY((ways[0].points.back().position_m - Point(100, 100)).norm() < 1e-9);
-        QVERIFY(std::abs(ways[0].points.back().time_s - M_PI / 2 / 0.2) < 1e-9);
-        QVERIFY((ways[1].points.front().position_m - Point(100, 100)).norm() < 1e-9);
-        for (const WayPoint& point : ways[1].points)
+        const std::vector<AimedPath> paths = aimedPaths(legs, {}, 0, kCalm);
+        QVERIFY((paths[0].points.back().position_m - Point(100, 100)).norm() < 1e-9);
+        QVERIFY(std::abs(paths[0].points.back().time_s - M_PI / 2 / 0.2) < 1e-9);
+        QVERIFY((paths[1].points.front().position_m - Point(100, 100)).norm() < 1e-9);
+        for (const PathPoint& point : paths[1].points)
             QVERIFY(point.position_m.x() > 99.9 && point.position_m.y() < 200.1);
     }
 
     void withoutLegsThereIsNoWay()
     {
-        QVERIFY(aimedWays({}, {}, 0, kCalm).empty());
+        QVERIFY(aimedPaths({}, {}, 0, kCalm).empty());
         QCOMPARE(lengthUntil_m({}, 100), 0.0);
     }
 };
 
-QTEST_APPLESS_MAIN(TestAimedWay)
-#include "tst_aimed_way.moc"
+QTEST_APPLESS_MAIN(TestAimedPath)
+#include "tst_aimed_path.moc"

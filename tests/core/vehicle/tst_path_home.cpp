@@ -1,6 +1,6 @@
 #include "core/base/angles.h"
 #include "core/base/random.h"
-#include "core/vehicle/way_home.h"
+#include "core/vehicle/path_home.h"
 
 #include <QTest>
 
@@ -24,8 +24,8 @@ double flown_s(DubinsState uav, MovingPlace place, const Motion& motion, double 
     double u_radps = 0;
     for (int step = 1; step < 360'000; ++step) {
         if ((step - 1) % held == 0)
-            if (const std::optional<Way> way = wayTo(uav, place, motion, command_s))
-                u_radps = turnRateOf(*way, motion, command_s);
+            if (const std::optional<Path> path = pathTo(uav, place, motion, command_s))
+                u_radps = turnRateOf(*path, motion, command_s);
         // In the frame of the place.
         const Point from_m = uav.position_m - place.place_m;
         uav = berg::step(uav, motion.airspeed_mps, u_radps, kStep_s, motion.wind_mps);
@@ -49,7 +49,7 @@ DubinsState anywhere(Random& random, double farthest_m)
 } // namespace
 
 /** What endurance and home rely on: no flight home takes longer than was foreseen. */
-class TestWayHome : public QObject
+class TestPathHome : public QObject
 {
     Q_OBJECT
 
@@ -74,32 +74,32 @@ private slots:
         for (int i = 0; i < 300; ++i) {
             const Motion motion = inWind(random.uniform(0, wind_mps), random.uniform(-kPi, kPi));
             const DubinsState start = anywhere(random, farthest_m);
-            const std::optional<Way> way = wayTo(start, {}, motion, command_s);
-            QVERIFY(way);
-            QVERIFY(way->time_s <= longestWay_s(start, Point::Zero(), motion, command_s));
+            const std::optional<Path> path = pathTo(start, {}, motion, command_s);
+            QVERIFY(path);
+            QVERIFY(path->time_s <= longestPath_s(start, Point::Zero(), motion, command_s));
             // The last step ends up to one step late; much more than a circle is never flown.
-            QVERIFY(flown_s(start, {}, motion, command_s) <= way->time_s + kStep_s);
+            QVERIFY(flown_s(start, {}, motion, command_s) <= path->time_s + kStep_s);
         }
     }
 
     void aheadIsFlownStraight()
     {
         const DubinsState start{.position_m = {-2200, 0}, .psi_rad = 0};
-        const std::optional<Way> way = wayTo(start, {}, {}, kStep_s);
-        QVERIFY(way);
-        QCOMPARE(way->turn_rad, 0.0);
-        QCOMPARE(way->time_s, 100.0);
-        QVERIFY(way->end.position_m.norm() < 1e-9);
+        const std::optional<Path> path = pathTo(start, {}, {}, kStep_s);
+        QVERIFY(path);
+        QCOMPARE(path->turn_rad, 0.0);
+        QCOMPARE(path->time_s, 100.0);
+        QVERIFY(path->end.position_m.norm() < 1e-9);
     }
 
     void turnsToTheQuickerSide()
     {
         const DubinsState start{.position_m = {-2200, 0}, .psi_rad = kPi / 2};
-        const std::optional<Way> way = wayTo(start, {}, {}, kStep_s);
-        QVERIFY(way);
+        const std::optional<Path> path = pathTo(start, {}, {}, kStep_s);
+        QVERIFY(path);
         // To the right by about a quarter, less what the turn brings it to the side.
-        QVERIFY(way->turn_rad < -kPi / 2);
-        QVERIFY(way->turn_rad > -kPi / 2 - 0.1);
+        QVERIFY(path->turn_rad < -kPi / 2);
+        QVERIFY(path->turn_rad > -kPi / 2 - 0.1);
     }
 
     /** Inside one turning circle there is no way with a turn to that side. */
@@ -108,10 +108,10 @@ private slots:
         const Motion calm;
         const double radius_m = calm.airspeed_mps / calm.limit_radps;
         const DubinsState start{.position_m = {0, -radius_m}, .psi_rad = 0}; // left, round home
-        const std::optional<Way> way = wayTo(start, {}, calm, kStep_s);
-        QVERIFY(way);
-        QVERIFY(way->turn_rad < 0);
-        QVERIFY(flown_s(start, {}, calm, kStep_s) <= way->time_s + kStep_s);
+        const std::optional<Path> path = pathTo(start, {}, calm, kStep_s);
+        QVERIFY(path);
+        QVERIFY(path->turn_rad < 0);
+        QVERIFY(flown_s(start, {}, calm, kStep_s) <= path->time_s + kStep_s);
     }
 
     void meetsWhatDrifts()
@@ -121,21 +121,21 @@ private slots:
             const Motion motion = inWind(random.uniform(0, 12), random.uniform(-kPi, kPi));
             const DubinsState start = anywhere(random, 4000);
             const MovingPlace iceberg{.drift_mps = {random.uniform(-2, 2), random.uniform(-2, 2)}};
-            const std::optional<Way> way = wayTo(start, iceberg, motion, kStep_s);
-            QVERIFY(way);
-            const Point met_m = iceberg.drift_mps * way->time_s;
-            QVERIFY((way->end.position_m - met_m).norm() < 0.02 * way->time_s);
-            QVERIFY(flown_s(start, iceberg, motion, kStep_s) <= way->time_s + kStep_s);
+            const std::optional<Path> path = pathTo(start, iceberg, motion, kStep_s);
+            QVERIFY(path);
+            const Point met_m = iceberg.drift_mps * path->time_s;
+            QVERIFY((path->end.position_m - met_m).norm() < 0.02 * path->time_s);
+            QVERIFY(flown_s(start, iceberg, motion, kStep_s) <= path->time_s + kStep_s);
         }
     }
 
     void whatOutrunsTheUavIsOutOfReach()
     {
         const MovingPlace away{.place_m = {1000, 0}, .drift_mps = {5, 0}};
-        QVERIFY(!wayTo({}, away, inWind(17.1, kPi), kStep_s));
-        QVERIFY(wayTo({}, away, inWind(16.9, kPi), kStep_s));
+        QVERIFY(!pathTo({}, away, inWind(17.1, kPi), kStep_s));
+        QVERIFY(pathTo({}, away, inWind(16.9, kPi), kStep_s));
     }
 };
 
-QTEST_APPLESS_MAIN(TestWayHome)
-#include "tst_way_home.moc"
+QTEST_APPLESS_MAIN(TestPathHome)
+#include "tst_path_home.moc"

@@ -1,24 +1,24 @@
-#include "core/io/export/thinned_way.h"
+#include "core/io/export/thinned_path.h"
 
 #include <utility>
 
 namespace berg {
 
-std::vector<TimedPoint> thinnedWay(std::span<const TimedPoint> way, double tolerance_m)
+std::vector<TimedPoint> thinnedPath(std::span<const TimedPoint> path, double tolerance_m)
 {
-    if (way.size() < 3)
-        return {way.begin(), way.end()};
-    std::vector<bool> kept(way.size(), false);
+    if (path.size() < 3)
+        return {path.begin(), path.end()};
+    std::vector<bool> kept(path.size(), false);
     kept.front() = kept.back() = true;
-    std::vector<std::pair<std::size_t, std::size_t>> stretches{{0, way.size() - 1}};
+    std::vector<std::pair<std::size_t, std::size_t>> stretches{{0, path.size() - 1}};
     while (!stretches.empty()) {
         const auto [first, last] = stretches.back();
         stretches.pop_back();
         std::size_t farthest = first;
         double distance_m = tolerance_m;
         for (std::size_t i = first + 1; i < last; ++i) {
-            const double here_m =
-                distanceToSegment(way[first].position_m, way[last].position_m, way[i].position_m);
+            const double here_m = distanceToSegment(path[first].position_m, path[last].position_m,
+                                                    path[i].position_m);
             if (here_m > distance_m) {
                 farthest = i;
                 distance_m = here_m;
@@ -31,9 +31,9 @@ std::vector<TimedPoint> thinnedWay(std::span<const TimedPoint> way, double toler
         stretches.emplace_back(farthest, last);
     }
     std::vector<TimedPoint> thinned;
-    for (std::size_t i = 0; i < way.size(); ++i)
+    for (std::size_t i = 0; i < path.size(); ++i)
         if (kept[i])
-            thinned.push_back(way[i]);
+            thinned.push_back(path[i]);
     return thinned;
 }
 

@@ -1,4 +1,4 @@
-#include "widgets/map/paint/map_world.h"
+#include "widgets/map/paint/map_surroundings.h"
 
 #include "core/base/geometry.h"
 #include "core/scenario/advice.h"
@@ -78,11 +78,11 @@ QColor clusterColour(const MapPaint& p, const std::vector<int>& members)
 }
 
 /** Round both, as a string would lie, with a sign in the middle. */
-void paintPairTooClose(const MapPaint& p, const QLineF& way)
+void paintPairTooClose(const MapPaint& p, const QLineF& path)
 {
     constexpr double kReach_px = 22;
-    QPainterPath line(way.p1());
-    line.lineTo(way.p2() + QPointF(0.01, 0)); // two in one place still have an outline
+    QPainterPath line(path.p1());
+    line.lineTo(path.p2() + QPointF(0.01, 0)); // two in one place still have an outline
     QPainterPathStroker stroker;
     stroker.setWidth(2 * kReach_px);
     stroker.setCapStyle(Qt::RoundCap);
@@ -91,8 +91,8 @@ void paintPairTooClose(const MapPaint& p, const QLineF& way)
     p.painter.drawPath(stroker.createStroke(line));
     p.painter.setPen(alarmRingPen(p.theme, 2.2));
     p.painter.drawPath(stroker.createStroke(line));
-    p.painter.drawLine(way);
-    drawAlarm(p.painter, way.center() - QPointF(0, kReach_px), p.theme);
+    p.painter.drawLine(path);
+    drawAlarm(p.painter, path.center() - QPointF(0, kReach_px), p.theme);
 }
 
 } // namespace
@@ -221,13 +221,13 @@ void paintTruths(const MapPaint& p)
     for (const MapIceberg& iceberg : p.picture.icebergs) {
         if (!iceberg.truth_m)
             continue;
-        const QLineF way(p.layout.view.toPixel(iceberg.position_m),
-                         p.layout.view.toPixel(*iceberg.truth_m));
-        if (way.length() < icebergSymbolRadius_px(iceberg.radius_m))
+        const QLineF path(p.layout.view.toPixel(iceberg.position_m),
+                          p.layout.view.toPixel(*iceberg.truth_m));
+        if (path.length() < icebergSymbolRadius_px(iceberg.radius_m))
             continue; // at this scale they are in one place
         p.painter.setPen(QPen(p.theme.ink, 1, Qt::DotLine));
-        p.painter.drawLine(way);
-        drawTruth(p.painter, way.p2(), p.theme);
+        p.painter.drawLine(path);
+        drawTruth(p.painter, path.p2(), p.theme);
     }
 }
 

@@ -149,14 +149,14 @@ private slots:
     {
         FlightRecord record = recordOfStart(kalmanScenario());
         UavState& world = record.now.world.uavs[0];
-        world.search =
-            Search{.iceberg = 1, .way = LostSearch(record.scenario.observer, SensorSpec(), 200, 0)};
+        world.search = Search{.iceberg = 1,
+                              .path = LostSearch(record.scenario.observer, SensorSpec(), 200, 0)};
         QVERIFY(missionPicture(record, kLocale).routes[0].search_m.empty()); // not flown
         world.mode = FlightMode::Search;
-        const LostSearch& way = world.search->way;
+        const LostSearch& path = world.search->path;
         const MapPicture picture = missionPicture(record, kLocale);
-        QCOMPARE(picture.routes[0].search_m.size(), way.corners_m().size() - way.next());
-        QVERIFY(picture.routes[0].search_m.front() == record.estimate_m(1) + way.corner_m());
+        QCOMPARE(picture.routes[0].search_m.size(), path.corners_m().size() - path.next());
+        QVERIFY(picture.routes[0].search_m.front() == record.estimate_m(1) + path.corner_m());
         QVERIFY(legendOf(picture).contains(u"Search pattern"_s));
         MapPicture without = picture;
         without.routes[0].search_m.clear();
@@ -412,4 +412,4 @@ private slots:
 };
 
 QTEST_MAIN(TestMapWorld)
-#include "tst_map_world.moc"
+#include "tst_map_surroundings.moc"

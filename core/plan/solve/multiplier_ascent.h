@@ -13,11 +13,11 @@ namespace berg {
  * the incumbent (Polyak 1969), direction deflected by the one before (Camerini, Fratta and
  * Maffioli 1975).
  */
-class PriceAscent
+class MultiplierAscent
 {
 public:
     /** `lambda`: one per node, [0] is taken as 0. */
-    explicit PriceAscent(Eigen::VectorXd lambda);
+    explicit MultiplierAscent(Eigen::VectorXd lambda);
 
     /** Best certified bound since the last restart; -infinity before the first step. */
     [[nodiscard]] double bound() const { return m_bound; }
@@ -58,9 +58,9 @@ private:
  * integral over sigma of t(sigma), a line fitted to the order: at that price an iceberg of any
  * sigma is indifferent to a small change of its position.
  */
-[[nodiscard]] Eigen::VectorXd firstPrices(const VisitCosts& costs, const VisitOrder& order);
+[[nodiscard]] Eigen::VectorXd firstMultipliers(const VisitCosts& costs, const VisitOrder& order);
 
 /** For latency: the shortest leg to it, at the mean weight of the legs of the order. */
-[[nodiscard]] Eigen::VectorXd firstPrices(const LatencyCosts& costs, const VisitOrder& order);
+[[nodiscard]] Eigen::VectorXd firstMultipliers(const LatencyCosts& costs, const VisitOrder& order);
 
 } // namespace berg

@@ -1,4 +1,4 @@
-#include "widgets/map/paint/map_ways.h"
+#include "widgets/map/paint/map_paths.h"
 
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_paint.h"
@@ -54,10 +54,10 @@ void paintHeadingMarks(const MapPaint& p, std::size_t uav, const QColor& colour)
 /** Legs end when their iceberg comes into view; their lines point on at these. */
 void paintAims(const MapPaint& p, const MapRoute& route, const QColor& colour)
 {
-    for (const MapWay& way : route.planWays) {
-        const QPointF aim = p.layout.view.toPixel(way.aim_m);
+    for (const MapPath& path : route.planPaths) {
+        const QPointF aim = p.layout.view.toPixel(path.aim_m);
         p.painter.setPen(QPen(colour, 1, Qt::DotLine, Qt::FlatCap));
-        p.painter.drawLine(p.layout.view.toPixel(way.path_m.back()), aim);
+        p.painter.drawLine(p.layout.view.toPixel(path.path_m.back()), aim);
         drawAim(p.painter, aim, colour, p.theme);
     }
 }
@@ -133,13 +133,13 @@ void paintSearch(const MapPaint& p, std::size_t uav)
     if (route.search_m.empty())
         return;
     const QColor colour = routeColours(p.picture, p.theme, uav).uav;
-    QPolygonF way{p.layout.view.toPixel(p.picture.uavs[uav].position_m)};
+    QPolygonF path{p.layout.view.toPixel(p.picture.uavs[uav].position_m)};
     for (const Point& corner_m : route.search_m)
-        way << p.layout.view.toPixel(corner_m);
+        path << p.layout.view.toPixel(corner_m);
     p.painter.setBrush(Qt::NoBrush);
     p.painter.setPen(searchPen(colour));
-    p.painter.drawPolyline(way);
-    drawDirectionMark(p.painter, QLineF(way[0], way[1]), colour, 10);
+    p.painter.drawPolyline(path);
+    drawDirectionMark(p.painter, QLineF(path[0], path[1]), colour, 10);
 }
 
 void paintPlan(const MapPaint& p, std::size_t uav)
