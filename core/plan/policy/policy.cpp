@@ -141,9 +141,11 @@ private:
         double distance_m = std::numeric_limits<double>::infinity();
         int uav = -1;
         int node = 0;
+        bool isFirst = false; ///< the UAV has no other yet
     };
 
-    /** Ties go to the smallest node, then to the first UAV. */
+    /** Each UAV has somewhere to fly before any has a second iceberg. Ties go to the smallest node,
+     * then to the first UAV. */
     [[nodiscard]] Next bestNext(const FleetProblem& problem, const FleetPlan& plan,
                                 const std::vector<bool>& done) const
     {
@@ -157,7 +159,8 @@ private:
                     .sigma_m2 = problem.sigma_m2[static_cast<std::size_t>(node)],
                     .distance_m = problem.distance_m[k](plan[k].empty() ? 0 : plan[k].back(), node),
                     .uav = uav,
-                    .node = node};
+                    .node = node,
+                    .isFirst = plan[k].empty()};
                 if (isBetter(next, best))
                     best = next;
             }
@@ -165,6 +168,8 @@ private:
     }
     [[nodiscard]] bool isBetter(const Next& next, const Next& best) const
     {
+        if (next.isFirst != best.isFirst)
+            return next.isFirst;
         if (m_nearest || next.node == best.node)
             return next.distance_m < best.distance_m;
         return next.sigma_m2 > best.sigma_m2;

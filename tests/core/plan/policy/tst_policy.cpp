@@ -1,5 +1,6 @@
 #include "core/plan/policy/policy.h"
 #include "tests/support/approx.h"
+#include "tests/support/fleet_requests.h"
 #include "tests/support/request_builder.h"
 #include "tests/support/test_solvers.h"
 
@@ -269,6 +270,23 @@ private slots:
                 QCOMPARE(different.size(), answer.uavs[0].order.size());
             }
         }
+    }
+
+    /** It was given nothing when another UAV was nearer to everything, and circled. */
+    void eachUavHasAFirst_data()
+    {
+        QTest::addColumn<PolicyKind>("kind");
+        QTest::newRow("nearest") << PolicyKind::Nearest;
+        QTest::newRow("uncertainty") << PolicyKind::Uncertainty;
+    }
+
+    void eachUavHasAFirst()
+    {
+        QFETCH(PolicyKind, kind);
+        const PlanRequest request = test::fleetRequestOf({{0, 0}, {-5000, 0}}, kFive);
+        const PlanAnswer answer = policy(kind)->plan(request, {});
+        QVERIFY(!answer.uavs[0].order.empty());
+        QVERIFY(!answer.uavs[1].order.empty());
     }
 
     void noIcebergNoOrder_data() { firstIsAlwaysAvailable_data(); }
