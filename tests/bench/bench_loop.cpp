@@ -16,10 +16,14 @@ int main(int argc, char** argv)
     std::array<int, kFaultNames.size()> flights{};
     int losses = 0;
     int sorties = 0;
+    int landings = 0;
+    int reserves = 0;
     for (int seed = first; seed < first + fleets; ++seed) {
         const FleetFaults faults = faultsOf(static_cast<std::uint64_t>(seed));
         losses += faults.losses;
         sorties += faults.sorties;
+        landings += faults.landings;
+        reserves += faults.reserves;
         for (std::size_t i = 0; i < flights.size(); ++i)
             flights[i] += faults.seconds[i] > 0 ? 1 : 0;
         if (!faults.any())
@@ -31,7 +35,9 @@ int main(int argc, char** argv)
         std::printf("\n");
         std::fflush(stdout);
     }
-    std::printf("%d fleets, %d losses, %d take-offs; flights with\n", fleets, losses, sorties);
+    std::printf("%d fleets, %d losses, %d take-offs, %d landings, %d of them with part of the "
+                "reserve as others were in the way; flights with\n",
+                fleets, losses, sorties, landings, reserves);
     for (std::size_t i = 0; i < flights.size(); ++i)
         std::printf("  %-10s %d\n", kFaultNames[i], flights[i]);
     return 0;

@@ -3,6 +3,7 @@
 #include "core/io/export/export_flight.h"
 #include "core/io/export/formats.h"
 #include "core/io/files/run_json.h"
+#include "core/scenario/advice.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission_instant.h"
 #include "tests/support/random_fleet.h"
@@ -18,7 +19,8 @@ enum class Fault
     Idle,       ///< a UAV circles beside an unseen iceberg that nobody flies to; where routes are
                 ///< kept, one that is kept for it
     Outside,    ///< it left a fence that it could have kept
-    Late,       ///< home after its time, although there was a way
+    Late,       ///< home after its time, although there was a way; of UAVs that are kept apart:
+                ///< after the whole endurance, see `reserves`
     LookBack,   ///< an instant of the record is not that of the flight
     Replay,     ///< the run file does not repeat
     Export,     ///< a format cannot be written, or holds what is no number
@@ -33,6 +35,8 @@ struct FleetFaults
     std::string first;                             ///< where the first one was
     int losses = 0;
     int sorties = 0;
+    int landings = 0;
+    int reserves = 0; ///< landings that took part of the reserve, as others were in the way
 
     void add(Fault fault, const std::string& where)
     {
@@ -73,8 +77,9 @@ public:
                 kept = m_mission.simulation().state();
             }
             m_mission.advance(time_s);
-            if (time_s == m_fleet.change().time_s)
-                change();
+            for (const Intervention& change : m_fleet.changes())
+                if (time_s == change.time_s)
+                    intervene(change);
             watchLost(time_s);
             watchIdle(time_s);
         }
@@ -105,14 +110,29 @@ private:
                m_mission.simulation().fleet().autopilots().end();
     }
 
-    void change()
+    void intervene(const Intervention& change)
     {
         try {
-            m_mission.intervene(m_fleet.change());
+            m_mission.intervene(change);
         } catch (const Error&) {
             return; // such as an iceberg that has left
         }
-        m_isSafe = m_isSafe && !m_fleet.change().wind_mps;
+        m_isSafe = m_isSafe && !change.wind_mps;
+    }
+    /** All of it. */
+    [[nodiscard]] double endurance_s(int uav) const
+    {
+        const double endurance_s = m_fleet.scenario().uavs[toIndex(uav)].spec.endurance_s;
+        return endurance_s > 0 ? endurance_s : std::numeric_limits<double>::infinity();
+    }
+    [[nodiscard]] bool isKeptApart(int uav) const
+    {
+        const std::vector<Uav>& uavs = m_fleet.scenario().uavs;
+        const auto shares = [&](const Uav& other) {
+            return std::abs(other.spec.altitude_m - uavs[toIndex(uav)].spec.altitude_m) <
+                   kLayerHeight_m;
+        };
+        return m_fleet.scenario().separation_m > 0 && std::ranges::count_if(uavs, shares) > 1;
     }
 
     /** Some UAV may search for it, comes home from there, and has no other search. */
@@ -122,7 +142,7 @@ private:
         const int assigned = now.world().body(iceberg).assignedUav;
         for (int uav = 0; uav < now.uavCount(); ++uav)
             if (const Autopilot& me = now.fleet().autopilot(uav);
-                !me.isHomeward() && !now.observer().searches().of(uav) &&
+                me.isPlanned() && !now.observer().searches().of(uav) &&
                 (assigned < 0 || assigned == uav) &&
                 thisSortie(me, std::span(&iceberg, 1), now.observer()).value_or(1) == 1)
                 return true;
@@ -177,8 +197,8 @@ private:
                     (!keepsRoute || now.world().body(i).assignedUav == uav))
                     beside = i;
             double& idle_s = m_idle_s[static_cast<std::size_t>(uav)];
-            const bool isIdle = me.target() < 0 && !me.isHomeward() &&
-                                me.mode() != FlightMode::Search && beside >= 0;
+            const bool isIdle =
+                me.target() < 0 && me.isPlanned() && me.mode() != FlightMode::Search && beside >= 0;
             idle_s = isIdle ? idle_s + 1 : 0;
             if (idle_s > 2 * delay_s())
                 m_faults.add(Fault::Idle, std::to_string(uav) + " beside " +
@@ -189,12 +209,21 @@ private:
 
     void countEvents()
     {
+        std::vector<double> since_s(m_fleet.scenario().uavs.size());
         for (const MissionEvent& event : m_mission.events()) {
             m_faults.losses += event.kind == EventKind::Lost ? 1 : 0;
             m_faults.sorties += event.kind == EventKind::TookOff ? 1 : 0;
             if (m_isSafe && event.kind == EventKind::LeftFence)
                 m_faults.add(Fault::Outside, std::to_string(event.time_s));
-            if (m_isSafe && event.kind == EventKind::LateHome)
+            m_faults.landings += event.kind == EventKind::Landed ? 1 : 0;
+            if (event.kind == EventKind::TookOff)
+                since_s[toIndex(event.uav)] = event.time_s;
+            if (!m_isSafe || (event.kind != EventKind::LateHome && event.kind != EventKind::Landed))
+                continue;
+            if (event.kind == EventKind::LateHome && isKeptApart(event.uav))
+                ++m_faults.reserves;
+            else if (event.kind == EventKind::LateHome ||
+                     event.time_s - since_s[toIndex(event.uav)] > endurance_s(event.uav))
                 m_faults.add(Fault::Late, std::to_string(event.time_s));
         }
     }

@@ -37,11 +37,18 @@ public:
         for (int i = 0; i < icebergs; ++i)
             m_scenario.icebergs.push_back(iceberg("berg-" + std::to_string(i + 1)));
         drawChange();
+        // Of a stream of their own: the flights of older seeds stay what they are.
+        m_random = Random(seed, 222);
+        if (oneIn(3))
+            drawAreas();
+        if (oneIn(3))
+            drawOrders();
+        std::ranges::stable_sort(m_changes, {}, &Intervention::time_s);
     }
 
     [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
-    /** Comes at its `time_s`. */
-    [[nodiscard]] const Intervention& change() const { return m_change; }
+    /** They come at their `time_s`, ascending whole seconds. */
+    [[nodiscard]] const std::vector<Intervention>& changes() const { return m_changes; }
 
 private:
     bool oneIn(std::uint64_t count) { return m_random.below(count) == 0; }
@@ -137,29 +144,77 @@ private:
         }
         return iceberg;
     }
+    /** No-fly areas and a stand-off ring, where no UAV starts. */
+    void drawAreas()
+    {
+        const auto count = 1 + m_random.below(3);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const double away_m = m_random.uniform(150, 700);
+            const Point middle_m = point_m(3000);
+            if (!isClear(middle_m, away_m))
+                continue;
+            NoFlyArea area{.name = "area-" + std::to_string(i + 1)};
+            const auto corners = static_cast<int>(3 + m_random.below(5));
+            for (int k = 0; k < corners; ++k) {
+                const double angle_rad = 2 * kPi * (k + m_random.uniform(-0.3, 0.3)) / corners;
+                area.corners_m.push_back(middle_m +
+                                         m_random.uniform(0.5, 1) * away_m *
+                                             Point(std::cos(angle_rad), std::sin(angle_rad)));
+            }
+            if (oneIn(3))
+                area.ceiling_m = m_random.uniform(90, 160);
+            m_scenario.noFly.push_back(std::move(area));
+        }
+        if (m_scenario.asset && isClear(m_scenario.asset->position_m, 500))
+            m_scenario.asset->standoff_m = 500;
+    }
+    [[nodiscard]] bool isClear(const Point& middle_m, double away_m) const
+    {
+        return std::ranges::all_of(m_scenario.uavs, [&](const Uav& uav) {
+            const Motion motion{.airspeed_mps = uav.spec.airspeed_mps,
+                                .limit_radps = maxTurnRate_radps(uav.spec),
+                                .wind_mps = m_scenario.wind_mps};
+            return (uav.position_m - middle_m).norm() >
+                   1.1 * away_m + 2.1 * 2 * circleRadius_m(motion);
+        });
+    }
+    /** One UAV is called back or held, and let go again. */
+    void drawOrders()
+    {
+        const std::string uav = m_scenario.uavs[m_random.below(m_scenario.uavs.size())].id;
+        const double time_s = std::round(m_random.uniform(0.1, 0.6) * m_scenario.duration_s);
+        const double again_s = time_s + std::round(m_random.uniform(20, 500));
+        m_changes.push_back(
+            {.time_s = time_s,
+             .commanded = UavCommand{
+                 .uav = uav, .order = oneIn(2) ? FlightOrder::ReturnNow : FlightOrder::HoldHere}});
+        m_changes.push_back(
+            {.time_s = again_s, .commanded = UavCommand{.uav = uav, .order = FlightOrder::None}});
+    }
     void drawChange()
     {
-        m_change.time_s = std::round(m_random.uniform(0.1, 0.7) * m_scenario.duration_s);
+        Intervention& change = m_changes.emplace_back();
+        change.time_s = std::round(m_random.uniform(0.1, 0.7) * m_scenario.duration_s);
         switch (m_random.below(4)) {
         case 0:
-            m_change.wind_mps = point_m(6);
+            change.wind_mps = point_m(6);
             break;
         case 1:
-            m_change.appears = iceberg("new");
-            m_change.appears->appears_s = 0;
+            change.appears = iceberg("new");
+            change.appears->appears_s = 0;
             break;
         case 2:
-            m_change.tau = m_random.uniform(0, 3);
+            change.tau = m_random.uniform(0, 3);
             break;
         default:
-            m_change.assigned = Assignment{.iceberg = "berg-1", .uav = m_scenario.uavs.back().id};
+            change.assigned = Assignment{.iceberg = "berg-1", .uav = m_scenario.uavs.back().id};
             m_scenario.icebergs.front().appears_s = 0;
         }
     }
 
     Random m_random;
     Scenario m_scenario;
-    Intervention m_change;
+    std::vector<Intervention> m_changes;
 };
 
 } // namespace berg::test
