@@ -3396,6 +3396,10 @@
         <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by 30 m.</source>
         <translation>Starter for nær en annen UAV i samme høydelag: de flyr først fra hverandre. La høydene skille 30 m.</translation>
     </message>
+    <message>
+        <source>On the way home this UAV may have to wait %2 for others of its altitude layer, longer than its reserve. Separate altitudes, or a greater reserve, avoid it.</source>
+        <translation>På vei hjem kan dette UAV-et måtte vente %2 på andre i samme høydelag, lenger enn reserven varer. Ulike høyder, eller en større reserve, unngår det.</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>

@@ -61,12 +61,17 @@ bool insidePolygon(std::span<const Point> polygon, const Point& p)
     return inside;
 }
 
-double distanceToSegment(const Point& a, const Point& b, const Point& p)
+Point nearestOnSegment(const Point& a, const Point& b, const Point& p)
 {
     const Point path = b - a;
     const double length2 = path.squaredNorm();
     const double share = length2 > 0 ? std::clamp((p - a).dot(path) / length2, 0.0, 1.0) : 0.0;
-    return (p - (a + share * path)).norm();
+    return a + share * path;
+}
+
+double distanceToSegment(const Point& a, const Point& b, const Point& p)
+{
+    return (p - nearestOnSegment(a, b, p)).norm();
 }
 
 double distanceToEdges(std::span<const Point> polygon, const Point& p)

@@ -23,6 +23,9 @@ using Point = Eigen::Vector2d;
 /** Whether the segments from `a` to `b` and from `c` to `d` have a point in common. */
 [[nodiscard]] bool segmentsMeet(const Point& a, const Point& b, const Point& c, const Point& d);
 
+/** Of the segment from `a` to `b`, the point nearest to `p`. */
+[[nodiscard]] Point nearestOnSegment(const Point& a, const Point& b, const Point& p);
+
 /** Distance from `p` to the nearest point of the segment from `a` to `b`. */
 [[nodiscard]] double distanceToSegment(const Point& a, const Point& b, const Point& p);
 

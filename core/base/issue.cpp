@@ -85,6 +85,9 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::WindLimit, "must not be exceeded: wind of %1 m/s, limit %2 m/s"},
     {IssueId::GustLimit, "must not be exceeded: gusts of %1 m/s, limit %2 m/s"},
     {IssueId::Icing, "the UAV must not be flown in icing conditions, which this weather brings"},
+    {IssueId::CrowdedReturn,
+     "is less reserve than waiting for the other UAVs of the altitude layer "
+     "may take, %1 s"},
     {IssueId::ThinReserve, "in one flight of twenty %1 s of the reserve are used to come home"},
     {IssueId::NoContact, "the plan leads out of the range of the ground station for %1 s"},
     {IssueId::FenceUnplanned,

@@ -73,8 +73,9 @@ enum class IssueId
     WindLimit, ///< wind, limit
     GustLimit, ///< gusts, limit
     Icing,
-    ThinReserve, ///< seconds of the reserve that are used
-    NoContact,   ///< seconds
+    CrowdedReturn, ///< seconds that waiting for other UAVs may take
+    ThinReserve,   ///< seconds of the reserve that are used
+    NoContact,     ///< seconds
     FenceUnplanned,
     UavOutside,
     WideTurn,

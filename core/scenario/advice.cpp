@@ -16,6 +16,12 @@ namespace berg {
 
 namespace {
 
+/**
+ * Of 100 returns to one pad 99 wait less than so long for each other UAV of the layer; measured
+ * with two to six UAVs over fields with hardly room for them (`tests/bench/RESULTS.md`).
+ */
+constexpr double kWaitForOne_s = 45;
+
 /** Nearer than this two icebergs are one, entered or imported twice. */
 constexpr double kSamePlace_m = 1;
 /** Icebergs drift at some tenths of a metre a second; more is a slip of unit or sign. */
@@ -237,6 +243,15 @@ void Adviser::adviseEndurance(const Flyer& flyer)
         pathTo(startOf(uav), {.place_m = sortie->home_m}, motionOf(m_s, uav), m_s.dt_s);
     if (!flyer.fence && (!home || home->time_s + kHomeReserve_s > sortie->endurance_s))
         warn(flyer.path + ".endurance_s", IssueId::NoPathHome);
+    const auto isKeptApart = [&](const Flyer& other) {
+        return &other != &flyer && m_s.separation_m > 0 &&
+               std::abs(other.uav.spec.altitude_m - uav.spec.altitude_m) < kLayerHeight_m;
+    };
+    const double wait_s =
+        kWaitForOne_s * static_cast<double>(std::ranges::count_if(m_flyers, isKeptApart));
+    if (reserve_s(uav.spec) < wait_s)
+        m_issues.push_back(issueOf(Severity::Warning, flyer.path + ".endurance_s",
+                                   {.id = IssueId::CrowdedReturn, .arguments = {wait_s}}));
     bool visits = false;
     bool returns = false;
     for (const Iceberg& iceberg : m_s.icebergs) {

@@ -129,10 +129,11 @@ void Fleet::keepApart(int uav)
     if (!m_separation.concerns(uav) || !me.isCommanded(m_observer.world()))
         return;
     Separation::Wish wish{.rate_radps = me.turnRate_radps(),
-                          .isHomeward = me.isHomeward(),
                           .hasGoal = me.isHomeward() || me.target() >= 0};
-    if (me.isHomeward() && me.guard().uav().sortie)
+    if (me.isHomeward() && me.guard().uav().sortie) {
+        wish.home_m = me.guard().uav().sortie->home_m;
         wish.left_s = me.guard().enduranceLeft_s();
+    }
     me.deviateTo(m_separation.command_radps(uav, me.guard(), me.pose(), wish));
 }
 

@@ -20,6 +20,10 @@ constexpr double kSpare = 1.05;
 constexpr int kRates = 8;
 /** A UAV that is blocked for so long is made way for. */
 constexpr double kPatience_s = 20;
+/** Of the path home, so much is kept clear. */
+constexpr double kAhead_s = 60;
+/** For another one to leave the path home. */
+constexpr double kLongestWait_s = 60;
 /** One that has waited for so much longer goes first. */
 constexpr double kWait_s = 30;
 
@@ -171,15 +175,24 @@ void Separation::setMotion(int uav, const SafetyGuard& guard)
         m_members[index(uav)].radius_m = holdingRadius_m(guard);
 }
 
-/** By UAV; those it need not be kept apart from are far away. */
+/** By UAV to their discs, then by UAV to the paths home that it has to keep clear of; what it need
+ * not be kept apart from is far away. */
 std::vector<double> Separation::gaps_m(int uav, const Disc& disc) const
 {
-    std::vector<double> gaps(m_members.size(), kFar);
-    for (int other = 0; other < static_cast<int>(gaps.size()); ++other)
-        if (const auto& theirs = m_members[index(other)].disc;
-            theirs && other != uav && shareLayer(uav, other))
-            gaps[index(other)] =
-                (theirs->middle_m - disc.middle_m).norm() - theirs->radius_m - disc.radius_m;
+    const std::size_t count = m_members.size();
+    std::vector<double> gaps(2 * count, kFar);
+    for (std::size_t other = 0; other < count; ++other) {
+        const Member& them = m_members[other];
+        if (!them.disc || static_cast<int>(other) == uav ||
+            !shareLayer(uav, static_cast<int>(other)))
+            continue;
+        gaps[other] =
+            (them.disc->middle_m - disc.middle_m).norm() - them.disc->radius_m - disc.radius_m;
+        if (them.ahead_m && precedes(static_cast<int>(other), uav))
+            gaps[count + other] =
+                distanceToSegment(them.ahead_m->first, them.ahead_m->second, disc.middle_m) -
+                them.radius_m - disc.radius_m;
+    }
     return gaps;
 }
 
@@ -208,6 +221,9 @@ void Separation::leave(int uav)
 {
     Member& me = m_members[index(uav)];
     me.disc.reset();
+    me.ahead_m.reset();
+    me.left_s = kFar;
+    me.waits_s = 0;
     me.blocker = -1;
     me.denied_s = 0;
     me.waited_s = 0;
@@ -244,7 +260,7 @@ Separation::Trial Separation::trial(int uav, const SafetyGuard& guard, const Dub
         for (std::size_t other = 0; other < gaps.size(); ++other)
             if (least_m[other] - gaps[other] > lack_m) {
                 lack_m = least_m[other] - gaps[other];
-                blocker = static_cast<int>(other);
+                blocker = static_cast<int>(other % m_members.size());
             }
         if (const double gap_m = std::ranges::min(gaps); lack_m == 0 && gap_m > widest_m) {
             trial.disc = disc;
@@ -275,12 +291,32 @@ int Separation::avoided(int uav, const std::vector<double>& gaps) const
 {
     const auto nearest = std::ranges::min_element(gaps);
     if (*nearest < m_separation_m)
-        return static_cast<int>(nearest - gaps.begin());
+        return static_cast<int>(nearest - gaps.begin()) % static_cast<int>(m_members.size());
     for (int other = 0; other < static_cast<int>(m_members.size()); ++other)
         if (const Member& them = m_members[index(other)];
             them.blocker == uav && them.denied_s >= kPatience_s && precedes(other, uav))
             return other;
     return -1;
+}
+
+/** Whether the one that it waits for is still in its path home; else they would fly on side by
+ * side, each turning with the other. */
+bool Separation::waitsOn(int uav) const
+{
+    const Member& me = m_members[index(uav)];
+    if (me.waits_s == 0 || me.waits_s > kLongestWait_s || !me.ahead_m || me.blocker < 0)
+        return false;
+    const std::optional<Disc>& theirs = m_members[index(me.blocker)].disc;
+    return theirs && distanceToSegment(me.ahead_m->first, me.ahead_m->second, theirs->middle_m) <
+                         theirs->radius_m + me.radius_m + m_separation_m;
+}
+
+/** Of the other UAV and its path home, what is nearest. */
+Point Separation::placeToAvoid_m(int other, const Point& from_m) const
+{
+    const Member& them = m_members[index(other)];
+    return them.ahead_m ? nearestOnSegment(them.ahead_m->first, them.ahead_m->second, from_m)
+                        : them.place_m;
 }
 
 void Separation::note(int uav, const Trial& wished, const Wish& wish, double command_s)
@@ -329,6 +365,13 @@ double Separation::command_radps(int uav, const SafetyGuard& guard, const Dubins
     Member& me = m_members[index(uav)];
     me.place_m = pose.position_m;
     me.left_s = wish.left_s;
+    me.ahead_m.reset();
+    if (wish.home_m) {
+        const Point path_m = *wish.home_m - pose.position_m;
+        const double clear_m = kAhead_s * guard.uav().motion.airspeed_mps;
+        me.ahead_m = {pose.position_m,
+                      pose.position_m + std::min(1.0, clear_m / path_m.norm()) * path_m};
+    }
     const bool isOnPathHome = me.disc->side == 0;
     if (!isOnPathHome)
         me.disc->radius_m = me.radius_m; // the path to the circle is flown by now
@@ -340,18 +383,25 @@ double Separation::command_radps(int uav, const SafetyGuard& guard, const Dubins
         return trial(uav, guard, pose, rate_radps, least_m);
     };
 
+    if (other < 0 && waitsOn(uav)) {
+        note(uav, {.blocker = me.blocker}, wish, guard.uav().clock.command_s());
+        me.waits_s += guard.uav().clock.command_s();
+        return holdingRate_radps(guard, pose, me.disc->middle_m, me.disc->side);
+    }
     const double wished_radps =
-        other < 0 ? wish.rate_radps : turnAway_radps(guard, pose, m_members[index(other)].place_m);
+        other < 0 ? wish.rate_radps
+                  : turnAway_radps(guard, pose, placeToAvoid_m(other, pose.position_m));
     Trial best = tried(wished_radps);
     if (!best.disc && isOnPathHome)
         return wished_radps;
-    if (!best.disc && wish.isHomeward && other < 0)
+    if (!best.disc && wish.home_m && other < 0)
         if (const Trial home = pathHome(uav, guard, pose, wished_radps); home.disc)
             best = home;
     note(uav, best, wish, guard.uav().clock.command_s());
     const bool waits = best.blocker >= 0 &&
                        (precedes(best.blocker, uav) ? m_members[index(best.blocker)].blocker >= 0
                                                     : me.denied_s >= kPatience_s);
+    me.waits_s = waits && me.ahead_m && other < 0 ? guard.uav().clock.command_s() : 0;
     if (!waits)
         for (const double rate_radps : ratesByNearness(wished_radps, guard.uav().motion)) {
             if (best.disc)

@@ -16,7 +16,8 @@ namespace berg {
  * wish (the generalized roundabout policy of Pallottino et al. 2007). They are asked one after
  * another; those that begin too near each other get no command that brings them nearer.
  *
- * Of two that block each other one waits, and makes way after `kPatience_s`: see `precedes`.
+ * Of two that block each other one waits, and makes way after `kPatience_s`: see `precedes`. Those
+ * that go after a UAV on its way home keep clear of the path ahead of it as well.
  */
 class Separation
 {
@@ -24,7 +25,7 @@ public:
     struct Wish
     {
         double rate_radps = 0;
-        bool isHomeward = false;
+        std::optional<Point> home_m; ///< where it flies to land; none: it does not
         /** Of the endurance, when it flies home; infinity: it does not, or has no limit. */
         double left_s = std::numeric_limits<double>::infinity();
         bool hasGoal = true; ///< it is sent somewhere
@@ -66,8 +67,11 @@ private:
         std::optional<Disc> disc;      ///< none: not aloft
         Point place_m = Point::Zero(); ///< at its last command
         double left_s = kFar;          ///< of its last wish
-        int blocker = -1;              ///< who denied its wish last
+        /** The path home ahead of it, which those that it precedes keep clear of as of its disc. */
+        std::optional<std::pair<Point, Point>> ahead_m;
+        int blocker = -1;    ///< who denied its wish last
         double denied_s = 0; ///< grows while it is denied, up to twice the patience, and shrinks
+        double waits_s = 0; ///< since it began to wait until its path home is clear; 0: it does not
         double waited_s = 0; ///< in which its wish was denied, since it arrived somewhere
     };
     /** What comes of a turn rate. */
@@ -86,6 +90,8 @@ private:
                                  double rate_radps) const;
     [[nodiscard]] bool precedes(int first, int second) const;
     [[nodiscard]] int avoided(int uav, const std::vector<double>& gaps) const;
+    [[nodiscard]] Point placeToAvoid_m(int other, const Point& from_m) const;
+    [[nodiscard]] bool waitsOn(int uav) const;
     void note(int uav, const Trial& wished, const Wish& wish, double command_s);
 
     double m_separation_m;

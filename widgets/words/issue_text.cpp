@@ -136,6 +136,11 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
      QT_TRANSLATE_NOOP("IssueText", "The gusts are above the limit of this UAV: %2, limit %3.")},
     {IssueId::Icing,
      QT_TRANSLATE_NOOP("IssueText", "Icing conditions at its altitude: not for this UAV.")},
+    {IssueId::CrowdedReturn,
+     QT_TRANSLATE_NOOP("IssueText",
+                       "On the way home this UAV may have to wait %2 for others of its "
+                       "altitude layer, longer than its reserve. Separate altitudes, "
+                       "or a greater reserve, avoid it.")},
     {IssueId::ThinReserve,
      QT_TRANSLATE_NOOP("IssueText",
                        "With wind and airspeed off their values, one flight in twenty uses %2 or "

@@ -85,6 +85,23 @@ const std::vector<Case>& cases()
              addUav(s, 0, 0);
              s.separation_m = 0;
          }},
+        {"less reserve than waiting for the other UAV may take",
+         [](S& s) {
+             addUav(s, 1000, 0).spec.endurance_s = 1000;
+             s.uavs[1].spec.reserve_s = 44;
+         },
+         kWarning, "uavs[1].endurance_s", IssueId::CrowdedReturn,
+         [](S& s) {
+             addUav(s, 1000, 0).spec.endurance_s = 1000;
+             s.uavs[1].spec.reserve_s = 45;
+         }},
+        {"less reserve, but never kept apart",
+         [](S& s) { addUav(s, 1000, 29).spec.endurance_s = 100; }, kWarning, "uavs[1].endurance_s",
+         IssueId::CrowdedReturn,
+         [](S& s) {
+             addUav(s, 1000, 29).spec.endurance_s = 100;
+             s.separation_m = 0;
+         }},
         {"wide turn of the second UAV",
          [](S& s) {
              addUav(s, 1000, 0).fov_m = {600, 200};

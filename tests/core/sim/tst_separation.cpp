@@ -51,7 +51,7 @@ class TestSeparation : public QObject
 
 private slots:
     /** BERGWATCH_FLEET_CASES of them; not kept apart, the nearest two passed at less than 1 m. A
-     * few of them wait for 1000 s even so, where there are not enough icebergs for all. */
+     * few of them wait for long even so, where there are not enough icebergs for all. */
     void randomFleetsKeepTheirDistance()
     {
         const int cases = qEnvironmentVariableIntValue("BERGWATCH_FLEET_CASES");
@@ -68,6 +68,23 @@ private slots:
             QVERIFY2(flight.longest_s < 1200,
                      qPrintable(QString("case %1: %2 s").arg(seed).arg(flight.longest_s)));
         }
+    }
+
+    /** Those on the way home turned towards the pad and with each other, side by side, for a
+     * thousand seconds; others circled in the path of one that had to land. */
+    void noneIsKeptFromHome_data()
+    {
+        QTest::addColumn<int>("seed");
+        for (const int seed : {393, 572, 638, 705})
+            QTest::newRow(qPrintable(QString::number(seed))) << seed;
+    }
+
+    void noneIsKeptFromHome()
+    {
+        QFETCH(int, seed);
+        const FleetFlight flight = flownFleet(FleetCase(seed).scenario());
+        QVERIFY(flight.landings > 5);
+        QCOMPARE(flight.spent, 0);
     }
 
     void twoOnOppositeCoursesPass()
