@@ -109,12 +109,9 @@ struct Weather
     bool operator==(const Weather&) const = default;
 };
 
-struct Scenario
+/** What moves and what sees it: all that zeta of a flight depends on, whoever plans it. */
+struct ScenarioMotion
 {
-    std::string name;
-    std::string notes;
-    LatLon origin{47, -48};
-    std::string startUtc; ///< ISO 8601 with Z; empty: times are relative
     double duration_s = 1000;
     std::int64_t seed = 1;
     double dt_s = 0.1;
@@ -122,25 +119,46 @@ struct Scenario
     Point wind_mps = Point::Zero();
     Point current_mps = Point::Zero(); ///< carries every iceberg in addition to its own velocity
     std::vector<Point> area_m;         ///< icebergs outside are not monitored; empty: unbounded
-    bool geofence = false;             ///< the UAVs stay inside the area
+    ObserverSpec observer;
+    FovShape fovShape = FovShape::Body; ///< file: planner.fov_shape
+    std::vector<Uav> uavs;
+    std::vector<Iceberg> icebergs;
+    bool operator==(const ScenarioMotion&) const = default;
+};
+
+/** All but how it is planned: runs in equal worlds can be set beside each other. */
+struct ScenarioWorld : ScenarioMotion
+{
+    LatLon origin{47, -48};
+    std::string startUtc;  ///< ISO 8601 with Z; empty: times are relative
+    bool geofence = false; ///< the UAVs stay inside the area
     std::vector<NoFlyArea> noFly;
     /** UAVs of one altitude layer are kept so far apart, horizontally; 0: they are not. */
     double separation_m = 200;
     Weather weather;
     std::optional<GroundStation> groundStation;
-    ObserverSpec observer;
-    std::vector<Uav> uavs;
-    std::vector<Iceberg> icebergs;
     std::optional<Asset> asset;
-    PlannerSettings planner;
     double planningTime_s = 0; ///< file: planner.planning_delay_s; a plan is in force so late
     bool clusters = false;     ///< file: planner.clusters; several in one view: a point
     std::optional<double> reachRadius_m; ///< file: planner.reach_radius_m; none: reached in view
-    FovShape fovShape = FovShape::Body;  ///< file: planner.fov_shape
     std::string plannerExtraJson;
     std::string originExtraJson;
     std::string observerExtraJson;
     std::string extraJson;
+    bool operator==(const ScenarioWorld&) const = default;
+};
+
+/** What only people read. */
+struct ScenarioLabels
+{
+    std::string name;
+    std::string notes;
+    bool operator==(const ScenarioLabels&) const = default;
+};
+
+struct Scenario : ScenarioLabels, ScenarioWorld
+{
+    PlannerSettings planner;
     bool operator==(const Scenario&) const = default;
 };
 

@@ -12,25 +12,11 @@ namespace {
 constexpr int kPause_ms = 1000; // plan, curve and forecasts come first
 constexpr int kBetweenReports_ms = 200;
 
-/** The scenario without what its bound does not depend on: no field is forgotten by mistake. */
-Scenario boundedPart(const Scenario& scenario)
+/** What the bound depends on: motion alone, without names. */
+Scenario boundedPart(const ScenarioMotion& motion)
 {
-    const Scenario standard;
-    Scenario part = scenario;
-    for (std::string* text : {&part.name, &part.notes, &part.startUtc, &part.plannerExtraJson,
-                              &part.originExtraJson, &part.observerExtraJson, &part.extraJson})
-        text->clear();
-    part.origin = standard.origin;
-    part.geofence = standard.geofence;
-    part.noFly = standard.noFly;
-    part.separation_m = standard.separation_m;
-    part.weather = standard.weather;
-    part.groundStation = standard.groundStation;
-    part.asset = standard.asset;
-    part.planner = standard.planner;
-    part.planningTime_s = standard.planningTime_s;
-    part.clusters = standard.clusters;
-    part.reachRadius_m = standard.reachRadius_m;
+    Scenario part;
+    static_cast<ScenarioMotion&>(part) = motion;
     for (Uav& uav : part.uavs) {
         uav.name.clear();
         uav.extraJson.clear();

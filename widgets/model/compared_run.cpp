@@ -93,13 +93,9 @@ QString runName(const ComparedRun& run, const QLocale& locale)
     return stopped ? ComparedRunText::tr("%1, to %2").arg(policy, end) : policy;
 }
 
-bool isSameWorld(const Scenario& a, const Scenario& b)
+bool isSameWorld(const ScenarioWorld& a, const ScenarioWorld& b)
 {
-    Scenario other = b;
-    other.name = a.name;
-    other.notes = a.notes;
-    other.planner = a.planner;
-    return a == other;
+    return a == b;
 }
 
 bool isComparable(const ComparedRun& a, const ComparedRun& b)

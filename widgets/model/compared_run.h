@@ -33,7 +33,7 @@ struct ComparedRun
 [[nodiscard]] QString runName(const ComparedRun& run, const QLocale& locale);
 
 /** Equal scenarios apart from name, notes and planner: runs of one can be set beside the other. */
-[[nodiscard]] bool isSameWorld(const Scenario& a, const Scenario& b);
+[[nodiscard]] bool isSameWorld(const ScenarioWorld& a, const ScenarioWorld& b);
 /** Runs in the same world, which was changed in flight in the same way at the same times. */
 [[nodiscard]] bool isComparable(const ComparedRun& a, const ComparedRun& b);
 /** Equal settings, tau aside where the policy does not use it. */

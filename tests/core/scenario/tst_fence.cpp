@@ -38,7 +38,8 @@ private slots:
         if (ceiling_m > 0)
             area.ceiling_m = ceiling_m;
         QCOMPARE(isClosedAt(area, 120), isClosed);
-        const Scenario s{.noFly = {area}};
+        Scenario s;
+        s.noFly = {area};
         const std::shared_ptr<const Geofence> fence = fenceOf(s, 120, {});
         QCOMPARE(fence != nullptr, isClosed);
         QVERIFY(!fence || (!fence->contains({500, 500}) && fence->contains({1500, 500})));
@@ -46,7 +47,8 @@ private slots:
 
     void areaIsOneOfThemOnlyAsAGeofence()
     {
-        Scenario s{.area_m = kSquare_m};
+        Scenario s;
+        s.area_m = kSquare_m;
         QVERIFY(!fenceOf(s, 120, {}));
         s.geofence = true;
         QVERIFY(!fenceOf(s, 120, {})->contains({1500, 500}));

@@ -85,6 +85,14 @@ private slots:
         scenario.planner.policy = PolicyKind::Coverage;
         scenario.planningTime_s = 5;
         scenario.asset = Asset{.name = "Platform"};
+        scenario.origin = {.latitude_deg = 60, .longitude_deg = 5};
+        scenario.startUtc = "2026-06-01T00:00:00Z";
+        scenario.separation_m = 0;
+        scenario.groundStation = GroundStation{};
+        scenario.clusters = true;
+        scenario.reachRadius_m = 100;
+        scenario.extraJson = R"({"later":1})";
+        scenario.icebergs[0].uav = scenario.uavs[0].id;
         scenario.icebergs[0].name = "Big one";
         scenario.uavs[0].name = "Osprey";
         runner.setScenario(scenario);

@@ -29,6 +29,13 @@ private slots:
         QTest::newRow("one iceberg less") << 6 << false;
         QTest::newRow("field of view") << 7 << false;
         QTest::newRow("reach") << 8 << false;
+        QTest::newRow("name of an iceberg") << 9 << false;
+        QTest::newRow("name of a UAV") << 10 << false;
+        QTest::newRow("unknown members") << 11 << false;
+        QTest::newRow("planning delay") << 12 << false;
+        QTest::newRow("asset") << 13 << false;
+        QTest::newRow("separation") << 14 << false;
+        QTest::newRow("start time") << 15 << false;
     }
 
     void comparable()
@@ -53,6 +60,20 @@ private slots:
             other.uavs[0].fov_m = Point(500, 500);
         else if (change == 8)
             other.reachRadius_m = 200;
+        else if (change == 9)
+            other.icebergs[0].name = "other";
+        else if (change == 10)
+            other.uavs[0].name = "other";
+        else if (change == 11)
+            other.extraJson = R"({"later":1})";
+        else if (change == 12)
+            other.planningTime_s = 3;
+        else if (change == 13)
+            other.asset = Asset{.name = "Platform"};
+        else if (change == 14)
+            other.separation_m = 0;
+        else if (change == 15)
+            other.startUtc = "2026-06-01T00:00:00Z";
         QCOMPARE(isSameWorld(scenario, other), expected);
         const ComparedRun a{.scenario = scenario, .icebergs = scenario.icebergs};
         const ComparedRun b{.scenario = other, .icebergs = other.icebergs};
