@@ -3076,6 +3076,30 @@
         <source>Separate altitudes</source>
         <translation>Skill høydene</translation>
     </message>
+    <message>
+        <source>Drift variation</source>
+        <translation>Variasjon i drift</translation>
+    </message>
+    <message>
+        <source>Standard deviation of its drift in the long run, along each axis, about that of the current. A beacon off Canada: 0.15 m/s.</source>
+        <translation>Standardavvik for driften i det lange løp, langs hver akse, omkring strømmens. En bøye utenfor Canada: 0,15 m/s.</translation>
+    </message>
+    <message>
+        <source>Change drift variation</source>
+        <translation>Endre variasjon i drift</translation>
+    </message>
+    <message>
+        <source>Drift changes in</source>
+        <translation>Driften endrer seg på</translation>
+    </message>
+    <message>
+        <source>Time in which a drift that was known is known no more: it fades to the current. 0: the drift is constant. A beacon off Canada: 36,000 s.</source>
+        <translation>Tiden som går før en kjent drift ikke er kjent lenger: den avtar mot strømmen. 0: driften er konstant. En bøye utenfor Canada: 36 000 s.</translation>
+    </message>
+    <message>
+        <source>Change time of drift</source>
+        <translation>Endre tid for drift</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>

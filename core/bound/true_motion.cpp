@@ -28,8 +28,8 @@ std::vector<double> corners_s(const Scenario& scenario, const Iceberg& iceberg, 
         return {std::upper_bound(times_s.begin(), times_s.end(), from_s),
                 std::lower_bound(times_s.begin(), times_s.end(), to_s)};
     }
-    std::vector<double> corners; // of the noise, which is linear between whole seconds
-    if (scenario.noise)
+    std::vector<double> corners; // of what is linear between whole seconds
+    if (scenario.noise || iceberg.velocityTime_s > 0)
         for (double s = std::floor(from_s) + 1; s < to_s; s += 1)
             corners.push_back(s);
     return corners;
@@ -65,15 +65,10 @@ TrueMotion::TrueMotion(const Scenario& scenario, const std::stop_token& stop)
 TrueMotion::Path TrueMotion::pathOf(const Scenario& scenario, const Iceberg& iceberg,
                                     const std::stop_token& stop) const
 {
-    const TrueStart start = trueStart(iceberg, scenario.observer,
-                                      static_cast<std::uint64_t>(scenario.seed), scenario.noise);
-    DriftModel drift({.position_m = start.position_m,
-                      .velocity_mps = start.velocity_mps + scenario.current_mps,
-                      .q_m2ps = iceberg.q_m2ps,
-                      .track = iceberg.track.empty()
-                                   ? nullptr
-                                   : std::make_shared<const RecordedTrack>(iceberg.track)},
-                     static_cast<std::uint64_t>(scenario.seed), iceberg.id, scenario.noise);
+    const auto seed = static_cast<std::uint64_t>(scenario.seed);
+    DriftModel drift(
+        trueDrift(iceberg, scenario.observer, seed, scenario.noise, scenario.current_mps), seed,
+        iceberg.id, scenario.noise);
     Path path;
     TimedPoint last{.time_s = 0, .position_m = drift.position_m(0)};
     path.position_m.push_back(last.position_m);

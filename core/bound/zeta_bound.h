@@ -52,7 +52,9 @@ struct ZetaBound
  * scenario draws: the true tracks, noise of its seed included, are those the simulation flies.
  * Icebergs added during the run only add to zeta; but one reported seen from outside breaks it.
  * Those that may leave the area are left out. A Kalman filter's sigma is at least that of the
- * simple model: q x (time since it was measured), or initial + q t; and less is seen.
+ * simple model: q x (time since it was measured), or initial + q t; and less is seen. That holds
+ * as well for velocities that are not known or change, whose part of sigma is left out: the bound
+ * is then far below what can be flown.
  *
  * Why. Sigma of an iceberg is q x (time since it was in view), or initial + q t. Fix an instant t
  * and a time w <= t, and let R_i hold every place from which iceberg i is in view at any instant of

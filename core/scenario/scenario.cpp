@@ -13,10 +13,14 @@ Track initialTrack(const Iceberg& iceberg, ObserverModel model)
                 .velocity_mps = iceberg.velocity_mps,
                 .sigma_m2 = iceberg.sigma0_m2,
                 .q_m2ps = iceberg.q_m2ps,
-                .velocity_m2ps2 = iceberg.velocitySd_mps * iceberg.velocitySd_mps};
-    track.grow(iceberg.observed_s);
-    if (model == ObserverModel::Simple) // from now on the velocity is the one given
+                .velocity_m2ps2 = iceberg.velocitySd_mps * iceberg.velocitySd_mps,
+                .velocitySpread_mps = iceberg.velocitySpread_mps,
+                .velocityTime_s = iceberg.velocityTime_s};
+    track.setVariances(grown(track.variances(), track.process(), iceberg.observed_s));
+    if (model == ObserverModel::Simple) { // from now on the velocity is the one given
         track.mixed_m2ps = track.velocity_m2ps2 = 0;
+        track.velocitySpread_mps = track.velocityTime_s = 0;
+    }
     return track;
 }
 

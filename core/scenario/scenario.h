@@ -49,7 +49,9 @@ struct Iceberg
     std::string name;
     Point position_m = Point::Zero();   ///< estimate at t = 0, and truth in the simple model
     Point velocity_mps = Point::Zero(); ///< known part
-    double velocitySd_mps = 0;          ///< of what it is known to, along each axis
+    double velocitySd_mps = 0;          ///< of what it is known to when last seen, along each axis
+    double velocitySpread_mps = 0;      ///< of the velocity in the long run, along each axis
+    double velocityTime_s = 0; ///< in which its own velocity fades to 1/e; 0: it is constant
     double q_m2ps = 0.025;
     double sigma0_m2 = 5;
     double observed_s = 0; ///< age of the last observation at t = 0, since when sigma0 has grown
@@ -162,7 +164,8 @@ struct Scenario : ScenarioLabels, ScenarioWorld
     bool operator==(const Scenario&) const = default;
 };
 
-/** sigma at t = 0: sigma0 plus q x age and (velocity_sd x age)^2 since the last observation. */
+/** sigma at t = 0: sigma0 and what position and velocity have changed since the last observation.
+ */
 [[nodiscard]] double initialSigma_m2(const Iceberg& iceberg);
 /**
  * The iceberg at t = 0, without the current. With measurements its velocity is as uncertain as

@@ -19,4 +19,12 @@ struct TrueStart
 [[nodiscard]] TrueStart trueStart(const Iceberg& iceberg, const ObserverSpec& observer,
                                   std::uint64_t seed, bool noise);
 
+/**
+ * How the simulation moves it from `trueStart` at `start_s` on, over a current that carries all.
+ * With the simple observer the velocity is constant: the one that is known.
+ */
+[[nodiscard]] DriftSpec trueDrift(const Iceberg& iceberg, const ObserverSpec& observer,
+                                  std::uint64_t seed, bool noise, const Point& current_mps,
+                                  double start_s = 0);
+
 } // namespace berg

@@ -339,6 +339,8 @@ void checkIceberg(const Iceberg& iceberg, const std::string& path, Findings& fin
     findings.inRange(iceberg.position_m, limits::kCoordinate_m, path + ".position_m");
     findings.inRange(iceberg.velocity_mps, limits::kVelocity_mps, path + ".velocity_mps");
     findings.inRange(iceberg.velocitySd_mps, limits::kSpeed_mps, path + ".velocity_sd_mps");
+    findings.inRange(iceberg.velocitySpread_mps, limits::kSpeed_mps, path + ".velocity_spread_mps");
+    findings.inRange(iceberg.velocityTime_s, limits::kTime_s, path + ".velocity_time_s");
     findings.inRange(iceberg.q_m2ps, limits::kGrowth_m2ps, path + ".q_m2ps");
     findings.inRange(iceberg.sigma0_m2, limits::kSigma_m2, path + ".sigma0_m2");
     findings.inRange(iceberg.observed_s, limits::kTime_s, path + ".observed_s");

@@ -34,11 +34,14 @@ void IcebergRows::Courses::advanceTo(std::int64_t until, double dt_s)
         Track track{.sigma_m2 = course.sigma_m2,
                     .q_m2ps = course.q_m2ps,
                     .mixed_m2ps = course.mixed_m2ps,
-                    .velocity_m2ps2 = course.velocity_m2ps2};
+                    .velocity_m2ps2 = course.velocity_m2ps2,
+                    .velocitySpread_mps = course.velocitySpread_mps,
+                    .velocityTime_s = course.velocityTime_s};
         for (std::int64_t at = step; at < until; ++at)
             track.grow(dt_s);
         course.sigma_m2 = track.sigma_m2;
         course.mixed_m2ps = track.mixed_m2ps;
+        course.velocity_m2ps2 = track.velocity_m2ps2;
     }
     step = until;
 }
@@ -50,6 +53,8 @@ IcebergRows::Course IcebergRows::courseOf(const Simulation& now, int iceberg)
     return {.sigma_m2 = track.sigma_m2,
             .mixed_m2ps = track.mixed_m2ps,
             .velocity_m2ps2 = track.velocity_m2ps2,
+            .velocitySpread_mps = track.velocitySpread_mps,
+            .velocityTime_s = track.velocityTime_s,
             .q_m2ps = track.q_m2ps,
             .inView = track.inView,
             .active = now.active(iceberg),

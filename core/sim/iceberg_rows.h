@@ -39,6 +39,8 @@ private:
         double sigma_m2 = 0;
         double mixed_m2ps = 0;
         double velocity_m2ps2 = 0;
+        double velocitySpread_mps = 0;
+        double velocityTime_s = 0;
         double q_m2ps = 0;
         bool inView = false;
         bool active = false;

@@ -53,9 +53,7 @@ void Observer::insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
     m_world.add(iceberg, std::move(noise), start_s, appearsStep);
     m_lookStep.push_back(appearsStep);
     m_nextLookStep = std::min(m_nextLookStep, appearsStep);
-    Track track = initialTrack(iceberg, m_world.observer().model);
-    track.anchor_s = start_s;
-    track.velocity_mps = m_world.body(m_world.icebergCount() - 1).velocity_mps;
+    Track track = m_world.body(m_world.icebergCount() - 1).start;
     // An iceberg that appears later has drifted unseen until then.
     track.grow(std::max(0.0, static_cast<double>(appearsStep) * m_world.dt_s() - start_s));
     m_tracks.push_back(std::move(track));
@@ -228,12 +226,13 @@ void Observer::measure(int iceberg, const Point& measured_m, int seenBy, StepRep
         track.measured(measured_m, variance_m2, m_world.time_s());
         return;
     }
-    // What the filter believed was wrong: it starts again.
-    const IcebergParameters& body = m_world.body(iceberg);
-    const double sd_mps = std::max(body.velocitySd_mps, kFoundVelocitySd_mps);
+    // What the filter believed was wrong: it starts again from what was given.
+    Track given = m_world.body(iceberg).start;
+    given.grow(m_world.time_s() - given.anchor_s);
+    const double sd_mps = std::max(std::sqrt(given.velocity_m2ps2), kFoundVelocitySd_mps);
     track.anchor_m = measured_m;
     track.anchor_s = m_world.time_s();
-    track.velocity_mps = body.velocity_mps;
+    track.velocity_mps = given.velocity_mps;
     track.sigma_m2 = variance_m2;
     track.mixed_m2ps = 0;
     track.velocity_m2ps2 = sd_mps * sd_mps;

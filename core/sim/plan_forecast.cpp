@@ -22,9 +22,7 @@ struct Growth
     /** Integral of sigma until `time_s`. */
     [[nodiscard]] double areaUntil_m2s(double time_s) const
     {
-        const double t_s = time_s - since_s;
-        return t_s * (track.sigma_m2 + (track.sigma_m2 + track.q_m2ps * t_s)) / 2 +
-               t_s * t_s * (track.mixed_m2ps + t_s * track.velocity_m2ps2 / 3);
+        return positionIntegral_m2s(track.variances(), track.process(), time_s - since_s);
     }
     /** Seen for an instant, as exactly as can be: that tells of its velocity, too. */
     void seeAt(double time_s)

@@ -1,5 +1,6 @@
 #include "core/sim/visits.h"
 
+#include "core/scenario/true_start.h"
 #include "core/sim/clusters.h"
 #include "core/sim/leg_flight.h"
 
@@ -21,14 +22,9 @@ DriftModel driftOf(const Mission& mission, std::size_t iceberg)
     for (const Intervention& intervention : mission.interventions())
         if (intervention.appears && added++ == iceberg)
             start_s = intervention.time_s;
-    return {DriftSpec{.position_m = spec.position_m,
-                      .start_s = start_s,
-                      .velocity_mps = spec.velocity_mps + scenario.current_mps,
-                      .q_m2ps = spec.q_m2ps,
-                      .track = spec.track.empty()
-                                   ? nullptr
-                                   : std::make_shared<const RecordedTrack>(spec.track)},
-            static_cast<std::uint64_t>(scenario.seed), spec.id, scenario.noise};
+    const auto seed = static_cast<std::uint64_t>(scenario.seed);
+    return {trueDrift(spec, scenario.observer, seed, scenario.noise, scenario.current_mps, start_s),
+            seed, spec.id, scenario.noise};
 }
 
 template <class PlaceOf>

@@ -42,22 +42,17 @@ World::World(const Scenario& scenario)
 
 void World::add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep)
 {
-    const TrueStart truth = trueStart(iceberg, m_observer, m_seed, m_noise);
-    m_drift.emplace_back(
-        DriftSpec{.position_m = truth.position_m,
-                  .start_s = start_s,
-                  .velocity_mps = truth.velocity_mps + m_current_mps,
-                  .q_m2ps = iceberg.q_m2ps,
-                  .track = iceberg.track.empty()
-                               ? nullptr
-                               : std::make_shared<const RecordedTrack>(iceberg.track)},
-        std::move(noise), m_noise);
+    m_drift.emplace_back(trueDrift(iceberg, m_observer, m_seed, m_noise, m_current_mps, start_s),
+                         std::move(noise), m_noise);
     m_appearsStep.push_back(appearsStep);
+    Track start = initialTrack(iceberg, m_observer.model);
+    start.anchor_s = start_s;
+    start.velocity_mps += m_current_mps;
+    start.mean_mps = m_current_mps;
     const auto assigned = std::ranges::find(m_uavs, iceberg.uav);
     m_bodies.push_back({.stream = stableHash(iceberg.id + "/look"),
                         .radius_m = iceberg.radius_m,
-                        .velocity_mps = iceberg.velocity_mps + m_current_mps,
-                        .velocitySd_mps = iceberg.velocitySd_mps,
+                        .start = start,
                         .assignedUav = iceberg.uav.empty() || assigned == m_uavs.end()
                                            ? -1
                                            : static_cast<int>(assigned - m_uavs.begin())});

@@ -20,9 +20,8 @@ struct IcebergParameters
 {
     std::uint64_t stream = 0; ///< of its random numbers
     double radius_m = 0;
-    Point velocity_mps = Point::Zero(); ///< as given, with the current
-    double velocitySd_mps = 0;          ///< of that, along each axis
-    int assignedUav = -1;               ///< the one that alone is to visit it; -1: any
+    Track start;          ///< what is known of it at its start, the velocity with the current
+    int assignedUav = -1; ///< the one that alone is to visit it; -1: any
 };
 
 /** The truth: what time it is, and where the icebergs are. */

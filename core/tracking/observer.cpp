@@ -30,6 +30,14 @@ bool FieldOfView::contains(const Point& p_m) const
            std::abs(cross(m_along, d_m)) <= m_half_m.y();
 }
 
+void Track::moveOn(double dt_s)
+{
+    anchor_m = estimate_m(anchor_s + dt_s);
+    anchor_s += dt_s;
+    velocity_mps = mean_mps + (velocity_mps - mean_mps) * std::exp(-dt_s / velocityTime_s);
+    setVariances(grown(variances(), process(), dt_s));
+}
+
 void Track::measured(const Point& position_m, double variance_m2, double time_s)
 {
     const Point predicted_m = estimate_m(time_s);

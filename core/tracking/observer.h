@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/geometry.h"
+#include "core/tracking/drift.h"
 
 #include <cstdint>
 
@@ -94,7 +95,8 @@ enum class TrackStatus
  * With measurements a Kalman filter for position and velocity: constant velocity plus the
  * white-noise velocity of Eq. (17), whose position variance grows by q t. Both axes are measured
  * with the same variance, so they share one covariance (sigma, mixed, velocity variance). With a
- * known velocity and measurements without noise it is the simple model.
+ * known velocity and measurements without noise it is the simple model. Where the velocity is not
+ * constant (`DriftProcess`), what is believed of it fades to the mean, and its variance grows.
  */
 struct Track
 {
@@ -108,10 +110,16 @@ struct Track
     double velocity_m2ps2 = 0; ///< variance of the velocity along one axis
     double presence = 1;       ///< chance that it is where the camera looks in vain
     TrackStatus status = TrackStatus::Tracked;
-    bool left = false; ///< of the area that is monitored
+    bool left = false;              ///< of the area that is monitored
+    Point mean_mps = Point::Zero(); ///< what the velocity fades to; see `DriftProcess`
+    double velocitySpread_mps = 0;
+    double velocityTime_s = 0; ///< 0: the velocity is constant
 
     [[nodiscard]] Point estimate_m(double time_s) const
     {
+        if (velocityTime_s > 0 && time_s > anchor_s)
+            return anchor_m + mean_mps * (time_s - anchor_s) +
+                   (velocity_mps - mean_mps) * carriedFor_s(velocityTime_s, time_s - anchor_s);
         return anchor_m + velocity_mps * (time_s - anchor_s);
     }
     void seen(const Point& truth_m, double time_s)
@@ -126,20 +134,49 @@ struct Track
         grow(dt_s);
         inView = false;
     }
-    /** Prediction of the filter: the variances of `dt_s` later. */
+    [[nodiscard]] DriftProcess process() const
+    {
+        return {.q_m2ps = q_m2ps,
+                .velocitySpread_mps = velocitySpread_mps,
+                .velocityTime_s = velocityTime_s};
+    }
+    [[nodiscard]] DriftVariances variances() const
+    {
+        return {
+            .position_m2 = sigma_m2, .mixed_m2ps = mixed_m2ps, .velocity_m2ps2 = velocity_m2ps2};
+    }
+    void setVariances(const DriftVariances& variances)
+    {
+        sigma_m2 = variances.position_m2;
+        mixed_m2ps = variances.mixed_m2ps;
+        velocity_m2ps2 = variances.velocity_m2ps2;
+    }
+    /**
+     * Prediction of the filter: the variances of `dt_s` later. A velocity that fades is then that
+     * of the instant as well: the anchor moves on.
+     */
     void grow(double dt_s)
     {
+        if (velocityTime_s > 0) {
+            moveOn(dt_s);
+            return;
+        }
         sigma_m2 += q_m2ps * dt_s + dt_s * (2 * mixed_m2ps + dt_s * velocity_m2ps2);
         mixed_m2ps += dt_s * velocity_m2ps2;
     }
     /** sigma after `dt_s` >= 0 unseen. */
     [[nodiscard]] double sigmaAfter_m2(double dt_s) const
     {
+        if (velocityTime_s > 0)
+            return grown(variances(), process(), dt_s).position_m2;
         return sigma_m2 + q_m2ps * dt_s + dt_s * (2 * mixed_m2ps + dt_s * velocity_m2ps2);
     }
     /** A position measured at `time_s`, to which the variances have grown. */
     void measured(const Point& position_m, double variance_m2, double time_s);
     bool operator==(const Track&) const = default;
+
+private:
+    void moveOn(double dt_s);
 };
 
 } // namespace berg

@@ -147,6 +147,8 @@ private:
         iceberg.position_m = point(1e6);
         iceberg.velocity_mps = point(5);
         iceberg.velocitySd_mps = number(0, 5);
+        iceberg.velocitySpread_mps = number(0, 5);
+        iceberg.velocityTime_s = often() ? number(0, 1e9) : 0;
         iceberg.q_m2ps = number(0, 10);
         iceberg.sigma0_m2 = number(0, 1e6);
         iceberg.observed_s = number(0, 1e6);

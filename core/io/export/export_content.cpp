@@ -74,8 +74,7 @@ ExportIceberg enteredIceberg(const Scenario& scenario, const Iceberg& iceberg)
             .position_m = iceberg.position_m,
             .drift_mps = iceberg.velocity_mps + scenario.current_mps,
             .sigma_m2 = track.sigma_m2,
-            .mixed_m2ps = track.mixed_m2ps,
-            .velocity_m2ps2 = track.velocity_m2ps2,
+            .track = track,
             .state = iceberg.appears_s > 0 ? IcebergState::Expected : IcebergState::Tracked};
 }
 
@@ -93,9 +92,8 @@ ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportWhat
                                                : simulation.observer().estimate_m(index);
     if (what != ExportWhat::Track)
         now.drift_mps = simulation.track(index).velocity_mps;
-    now.sigma_m2 = simulation.track(index).sigma_m2;
-    now.mixed_m2ps = simulation.track(index).mixed_m2ps;
-    now.velocity_m2ps2 = simulation.track(index).velocity_m2ps2;
+    now.track = simulation.track(index);
+    now.sigma_m2 = now.track.sigma_m2;
     return now;
 }
 

@@ -98,16 +98,12 @@ struct ExportIceberg
     Point position_m = Point::Zero(); ///< estimate; of a track, where it truly is
     Point drift_mps = Point::Zero();  ///< believed, with the current, in the plane
     double sigma_m2 = 0;
-    double mixed_m2ps = 0;     ///< as those of `Track`
-    double velocity_m2ps2 = 0; ///< likewise
+    Track track; ///< what is known of it: how sigma goes on
     IcebergState state = IcebergState::Tracked;
     bool isListed = true; ///< there at `now_s`, or to come in a scenario that was not flown
 
     /** sigma after `dt_s` >= 0 unseen. */
-    [[nodiscard]] double sigmaAfter_m2(double dt_s) const
-    {
-        return sigma_m2 + iceberg.q_m2ps * dt_s + dt_s * (2 * mixed_m2ps + dt_s * velocity_m2ps2);
-    }
+    [[nodiscard]] double sigmaAfter_m2(double dt_s) const { return track.sigmaAfter_m2(dt_s); }
 };
 
 /** What the solver said of the plan. */

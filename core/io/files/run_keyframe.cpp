@@ -24,6 +24,8 @@ constexpr std::array<Named<FlightMode>, 8> kModeNames{{
 const std::vector<double> kPlainFilter{0, 0, 1, 0, 0};
 constexpr std::size_t kPlainTrack = 8;
 constexpr std::size_t kFilteredTrack = 13;
+/** With a velocity that is not constant: its mean, spread and time. */
+constexpr std::size_t kFadingTrack = 17;
 
 std::string trackText(const Track& track)
 {
@@ -32,8 +34,11 @@ std::string trackText(const Track& track)
                                 track.q_m2ps,           track.inView ? 1.0 : 0.0};
     const std::vector<double> filter{track.mixed_m2ps, track.velocity_m2ps2, track.presence,
                                      static_cast<double>(track.status), track.left ? 1.0 : 0.0};
-    if (filter != kPlainFilter)
+    if (filter != kPlainFilter || track.velocityTime_s > 0)
         numbers.insert(numbers.end(), filter.begin(), filter.end());
+    if (track.velocityTime_s > 0)
+        numbers.insert(numbers.end(), {track.mean_mps.x(), track.mean_mps.y(),
+                                       track.velocitySpread_mps, track.velocityTime_s});
     return jsonArrayOf(numbers);
 }
 
@@ -63,13 +68,15 @@ std::array<double, Count> readNumbers(const Json& value, const std::string& path
 
 Track readTrack(const Json& value, const std::string& path, Faults& faults)
 {
-    std::array<double, kFilteredTrack> n{};
-    if (value.is_array() && value.size() == kFilteredTrack) {
-        n = readNumbers<kFilteredTrack>(value, path, faults);
+    std::array<double, kFadingTrack> n{};
+    const auto take = [&](const auto& numbers) { std::ranges::copy(numbers, n.begin()); };
+    if (value.is_array() && value.size() == kFadingTrack) {
+        take(readNumbers<kFadingTrack>(value, path, faults));
+    } else if (value.is_array() && value.size() == kFilteredTrack) {
+        take(readNumbers<kFilteredTrack>(value, path, faults));
     } else {
-        const auto plain = readNumbers<kPlainTrack>(value, path, faults);
-        std::copy(plain.begin(), plain.end(), n.begin());
-        std::copy(kPlainFilter.begin(), kPlainFilter.end(), n.begin() + kPlainTrack);
+        take(readNumbers<kPlainTrack>(value, path, faults));
+        std::ranges::copy(kPlainFilter, n.begin() + kPlainTrack);
     }
     TrackStatus status = TrackStatus::Tracked;
     if (n[11] == 1 || n[11] == 2)
@@ -86,7 +93,10 @@ Track readTrack(const Json& value, const std::string& path, Faults& faults)
             .velocity_m2ps2 = n[9],
             .presence = n[10],
             .status = status,
-            .left = n[12] != 0};
+            .left = n[12] != 0,
+            .mean_mps = {n[13], n[14]},
+            .velocitySpread_mps = n[15],
+            .velocityTime_s = n[16]};
 }
 
 std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)

@@ -140,6 +140,8 @@ Iceberg readIceberg(const Json& value, const std::string& path, Faults& faults)
     iceberg.position_m = readPosition(object);
     iceberg.velocity_mps = object.point("velocity_mps", iceberg.velocity_mps);
     iceberg.velocitySd_mps = object.number("velocity_sd_mps", iceberg.velocitySd_mps);
+    iceberg.velocitySpread_mps = object.number("velocity_spread_mps", iceberg.velocitySpread_mps);
+    iceberg.velocityTime_s = object.number("velocity_time_s", iceberg.velocityTime_s);
     iceberg.q_m2ps = object.number("q_m2ps", iceberg.q_m2ps);
     iceberg.sigma0_m2 = object.number("sigma0_m2", iceberg.sigma0_m2);
     iceberg.observed_s = object.number("observed_s", iceberg.observed_s);
@@ -161,6 +163,9 @@ std::string icebergText(const Iceberg& iceberg)
     object.add("position_m", iceberg.position_m);
     object.add("velocity_mps", iceberg.velocity_mps);
     object.addUnless("velocity_sd_mps", iceberg.velocitySd_mps, standard.velocitySd_mps);
+    object.addUnless("velocity_spread_mps", iceberg.velocitySpread_mps,
+                     standard.velocitySpread_mps);
+    object.addUnless("velocity_time_s", iceberg.velocityTime_s, standard.velocityTime_s);
     object.addUnless("q_m2ps", iceberg.q_m2ps, standard.q_m2ps);
     object.add("sigma0_m2", iceberg.sigma0_m2);
     object.addUnless("observed_s", iceberg.observed_s, standard.observed_s);

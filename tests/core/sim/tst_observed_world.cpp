@@ -3,6 +3,7 @@
 #include "core/scenario/presets.h"
 #include "core/scenario/true_start.h"
 #include "core/sim/mission_instant.h"
+#include "core/sim/visits.h"
 #include "tests/support/approx.h"
 #include "tests/support/scenario_builder.h"
 
@@ -32,6 +33,18 @@ Scenario measuredField(std::int64_t seed, double velocitySd_mps)
     return scenario;
 }
 
+/** A field whose velocities are not known and change. */
+Scenario changingField(std::int64_t seed, double time_s)
+{
+    Scenario scenario = measuredField(seed, 0.15);
+    scenario.observer.search = SearchPattern::None;
+    for (Iceberg& iceberg : scenario.icebergs) {
+        iceberg.velocitySpread_mps = 0.15;
+        iceberg.velocityTime_s = time_s;
+    }
+    return scenario;
+}
+
 /** One iceberg ahead that has a beacon: it is truly so far north of where it is believed to be. */
 Scenario ghost(double off_m)
 {
@@ -48,6 +61,14 @@ Mission flownToEnd(const Scenario& scenario)
     Mission mission(scenario);
     mission.advance(scenario.duration_s);
     return mission;
+}
+
+/** Written, read and flown again. */
+bool isSameFlight(const Mission& mission)
+{
+    const RunFile run = runOf(mission);
+    const RunFile read = runFromJson(runToJson(run), "run");
+    return read == run && compareRun(read, runOf(replay(read))).empty();
 }
 
 } // namespace
@@ -143,6 +164,87 @@ private slots:
         // 1000 numbers squared: standard deviation sqrt(2 / 1000) = 0.045, three of them.
         COMPARE_NEAR(places / 500, 1, 0.14);
         COMPARE_NEAR(both / 500, 1, 0.14);
+    }
+
+    /** Ten hours after its last sighting a velocity that changes has been forgotten. */
+    void theAgeOfASightingCountsHowItsVelocityChanges()
+    {
+        Scenario scenario = emptySea(100);
+        scenario.observer.model = ObserverModel::Kalman;
+        scenario.noise = true;
+        constexpr double kAge_s = 36'000;
+        for (int i = 0; i < 500; ++i) {
+            Iceberg& iceberg = addIceberg(scenario, 1e5, 0);
+            iceberg.observed_s = kAge_s;
+            iceberg.velocitySd_mps = 0.02;
+            iceberg.velocitySpread_mps = 0.15;
+            iceberg.velocityTime_s = 36'000;
+        }
+        const Track track = Simulation(scenario).track(0);
+        const DriftVariances expected =
+            grown({.position_m2 = 5, .velocity_m2ps2 = 0.0004}, track.process(), kAge_s);
+        COMPARE_NEAR(track.sigma_m2, expected.position_m2, 1e-6);
+        COMPARE_NEAR(std::sqrt(track.velocity_m2ps2), 0.15 * std::sqrt(1 - std::exp(-2.0)), 0.001);
+        DriftVariances drawn;
+        for (const Iceberg& iceberg : scenario.icebergs) {
+            const TrueStart truth = trueStart(iceberg, scenario.observer, 7, true);
+            const Point off_m = truth.position_m - iceberg.position_m;
+            const Point off_mps = truth.velocity_mps - iceberg.velocity_mps;
+            drawn.position_m2 += off_m.squaredNorm() / 1000;
+            drawn.mixed_m2ps += off_m.dot(off_mps) / 1000;
+            drawn.velocity_m2ps2 += off_mps.squaredNorm() / 1000;
+        }
+        // 1000 numbers squared: standard deviation sqrt(2 / 1000) = 0.045, three of them.
+        COMPARE_NEAR(drawn.position_m2 / track.sigma_m2, 1, 0.14);
+        COMPARE_NEAR(drawn.mixed_m2ps / track.mixed_m2ps, 1, 0.14);
+        COMPARE_NEAR(drawn.velocity_m2ps2 / track.velocity_m2ps2, 1, 0.14);
+        scenario.observer.model = ObserverModel::Simple; // which knows velocities
+        COMPARE_NEAR(Simulation(scenario).track(0).sigma_m2, expected.position_m2, 1e-6);
+        QCOMPARE(Simulation(scenario).track(0).velocityTime_s, 0.0);
+    }
+
+    /** Visits are where the icebergs truly were, drawn as the simulation drew them. */
+    void visitsAreWhereTheyTrulyWere()
+    {
+        Scenario scenario = changingField(3, 36'000);
+        const Mission mission = flownToEnd(scenario);
+        const std::vector<Visit> visits = flownVisits(mission, 0);
+        QVERIFY(!visits.empty());
+        for (const Visit& visit : visits) {
+            const Simulation then = instantAt(mission, visit.time_s).simulation;
+            COMPARE_NEAR((then.truth_m(visit.iceberg) - visit.position_m).norm(), 0, 1e-6);
+        }
+    }
+
+    /** With velocities that change: errors are what sigma says, runs replay, the bound holds. */
+    void changingVelocities()
+    {
+        double error = 0;
+        int samples = 0;
+        for (std::int64_t seed = 1; seed <= 30; ++seed) {
+            Scenario scenario = changingField(seed, seed % 2 == 0 ? 36'000 : 400);
+            scenario.current_mps = {0.3, -0.2};
+            Mission mission(scenario);
+            for (const double time_s : {150.0, 400.0, 650.0, 1000.0}) {
+                mission.advance(time_s);
+                const Simulation& now = mission.simulation();
+                for (int i = 0; i < now.icebergCount(); ++i) {
+                    if (now.track(i).status != TrackStatus::Tracked)
+                        continue;
+                    error += (now.truth_m(i) - now.observer().estimate_m(i)).squaredNorm() /
+                             (2 * now.track(i).sigma_m2);
+                    ++samples;
+                }
+            }
+            if (seed > 4)
+                continue;
+            const double bound_m2s = zetaLowerBound(scenario, {.workLimit = 100'000'000}).zeta_m2s;
+            QVERIFY(bound_m2s > 0 && bound_m2s < mission.metrics().zeta_m2s);
+            QVERIFY(isSameFlight(mission));
+        }
+        // 30 x 12 independent ones at least: sd 1 / sqrt(360) = 0.053, three of them.
+        QVERIFY2(std::abs(error / samples - 1) < 0.16,
+                 qPrintable(QString::number(error / samples)));
     }
 
     /** With measurements an iceberg is reached where it is believed to be, once it has been seen;

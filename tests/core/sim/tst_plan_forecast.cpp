@@ -112,6 +112,8 @@ private slots:
         world.state.tracks[0].mixed_m2ps = 3;
         world.state.tracks[0].velocity_m2ps2 = 0.5;
         world.state.tracks[1].velocity_m2ps2 = 0.02;
+        world.state.tracks[1].velocitySpread_mps = 0.3;
+        world.state.tracks[1].velocityTime_s = 150;
         constexpr double kHorizon_s = 400;
         const PlanForecast forecast = forecastPlan(world.start(), {{0}}, kHorizon_s);
         const ForecastVisit& visit = forecast.uavs[0].visits.front();

@@ -143,6 +143,8 @@ private slots:
             Iceberg& iceberg = addIceberg(scenario, 300.0 * i - 1000, 200.0 * (i % 5));
             iceberg.velocity_mps = {0.3, -0.1};
             iceberg.velocitySd_mps = 0.1;
+            iceberg.velocitySpread_mps = 0.2;
+            iceberg.velocityTime_s = i % 3 == 0 ? 0 : 200.0 * i;
             if (i % 4 == 0)
                 iceberg.appears_s = 7.3 * i;
         }

@@ -54,6 +54,7 @@ Scenario wrongAllOver()
         iceberg.name = "\xFF";
         iceberg.uav = "nobody";
         iceberg.velocity_mps = {99, 99};
+        iceberg.velocitySpread_mps = iceberg.velocityTime_s = -1;
         iceberg.velocitySd_mps = iceberg.q_m2ps = iceberg.sigma0_m2 = -1;
         iceberg.observed_s = iceberg.appears_s = iceberg.radius_m = -1;
         iceberg.track = {.time_s = {2, 1}, .position_m = {{1e9, 0}, {0, 0}}};

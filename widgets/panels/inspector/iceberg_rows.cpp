@@ -50,6 +50,27 @@ std::vector<InspectorRow> driftRows()
                    {}, &Iceberg::velocitySd_mps, limits::kSpeed_mps));
     deviation.decimals = {.least = 2, .most = 3};
     deviation.step = kVelocityStep_mps;
+    NumberRow spread = asSpeed(
+        icebergRow({.key = u"icebergVelocitySpread"_s,
+                    .label = InspectorRows::tr("Drift variation"),
+                    .toolTip = InspectorRows::tr(
+                        "Standard deviation of its drift in the long run, along each axis, about "
+                        "that of the current. A beacon off Canada: 0.15 m/s."),
+                    .undoText = InspectorRows::tr("Change drift variation"),
+                    .isShown = isFiltered},
+                   {}, &Iceberg::velocitySpread_mps, limits::kSpeed_mps));
+    spread.decimals = deviation.decimals;
+    spread.step = deviation.step;
+    NumberRow time = icebergRow(
+        {.key = u"icebergVelocityTime"_s,
+         .label = InspectorRows::tr("Drift changes in"),
+         .toolTip = InspectorRows::tr("Time in which a drift that was known is known no more: it "
+                                      "fades to the current. 0: the drift is constant. A beacon "
+                                      "off Canada: 36,000 s."),
+         .undoText = InspectorRows::tr("Change time of drift"),
+         .isShown = isFiltered},
+        u" s"_s, &Iceberg::velocityTime_s, limits::kTime_s);
+    time.step = 3600;
     return {
         row(
             u"icebergVelocityEast"_s, InspectorRows::tr("Drift east"),
@@ -60,6 +81,8 @@ std::vector<InspectorRow> driftRows()
             InspectorRows::tr("Known drift to the north; the current comes on top."),
             [](auto& iceberg) -> auto& { return iceberg.velocity_mps.y(); }),
         deviation,
+        spread,
+        time,
         InfoRow{.key = u"icebergDrift"_s,
                 .text = [](const Scenario& scenario, const std::string& id, const QLocale& locale) {
                     const Iceberg* iceberg = objectOf(scenario.icebergs, id);

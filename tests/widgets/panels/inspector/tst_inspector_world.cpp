@@ -160,6 +160,10 @@ private slots:
         QCOMPARE(f.scenario().icebergs[0].velocitySd_mps, 0.2);
         QCOMPARE(f.scenario().icebergs[1].velocitySd_mps, 0.2);
         QCOMPARE(f.scenario().icebergs[2].velocitySd_mps, 0.0);
+        f.type(u"icebergVelocitySpread"_s, u"0.15"_s);
+        f.type(u"icebergVelocityTime"_s, u"36000"_s);
+        QCOMPARE(f.scenario().icebergs[1].velocitySpread_mps, 0.15);
+        QCOMPARE(f.scenario().icebergs[1].velocityTime_s, 36'000.0);
         f.undoAll();
         QCOMPARE(f.scenario(), test::fourIcebergs());
     }
