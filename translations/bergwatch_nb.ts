@@ -559,6 +559,10 @@
         <source>Home cannot be reached in time</source>
         <translation>Kan ikke komme hjem i tide</translation>
     </message>
+    <message>
+        <source>end of hold</source>
+        <translation>slutt på oppholdet</translation>
+    </message>
 </context>
 <context>
     <name>ExportPicture</name>

@@ -48,9 +48,11 @@ public:
             if (k + 1 < laid.size())
                 flyTo(path, laid[k], laid[k + 1].start_m);
             else
-                flyUntil(path, laid[k], m_legs[k].sighting_s);
+                flyUntil(path, laid[k], m_legs[k].end_s.value_or(m_legs[k].sighting_s));
             time_s = path.back().time_s;
-            paths.push_back({.aim_m = m_legs[k].abeam_m, .points = std::move(path)});
+            paths.push_back({.points = std::move(path)});
+            if (!m_legs[k].end_s)
+                paths.back().aim_m = m_legs[k].abeam_m;
         }
         return paths;
     }

@@ -4,6 +4,7 @@
 #include "core/vehicle/dubins.h"
 #include "core/vehicle/los_guidance.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,15 +20,15 @@ struct PathPoint
 /** How a leg is flown over ground. */
 struct AimedPath
 {
-    Point aim_m = Point::Zero();   ///< where the line passes its iceberg, or would
+    std::optional<Point> aim_m;    ///< where the line passes its iceberg, or would; none: a hold
     std::vector<PathPoint> points; ///< the turn, sampled, then the end of the line; never empty
 };
 
 /**
  * The way along legs that follow each other, from the UAV as it is at `time_s`, one for each leg. A
  * leg ends where the next one begins, on its line or still in its turn, the last one at its first
- * sighting. Of a leg under way give what is left of its turn. The flight stays within a few metres
- * of it as long as it meets what was predicted.
+ * sighting or the end of its hold. Of a leg under way give what is left of its turn. The flight
+ * stays within a few metres of it as long as it meets what was predicted.
  */
 [[nodiscard]] std::vector<AimedPath> aimedPaths(std::span<const AimedLeg> legs,
                                                 const DubinsState& uav, double time_s,

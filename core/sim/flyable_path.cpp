@@ -101,6 +101,7 @@ private:
         const bool continues = !isNewLeg && uav().aim;
         AimedLeg leg = continues ? *uav().aim : m_order.legs[m_leg];
         leg.sighting_s = pathEnd_s(); // whatever is seen before, it is flown to its end
+        leg.end_s.reset();
         m_simulation.setTarget(0, m_rest.front(), leg);
     }
 

@@ -213,7 +213,10 @@ void Mission::flyOn(int uav)
     const Errand* now = m_simulation.fleet().autopilot(uav).errand();
     if (plan.target >= 0 && now != nullptr && plan.target == now->target && now->aim) {
         AimedLeg leg = *now->aim;
-        leg.sighting_s = std::max(leg.sighting_s, plan.time_s + m_scenario.planningTime_s);
+        const double planned_s = plan.time_s + m_scenario.planningTime_s;
+        leg.sighting_s = std::max(leg.sighting_s, planned_s);
+        if (leg.end_s)
+            leg.end_s = std::max(*leg.end_s, planned_s);
         plan.legs = {leg};
     }
     tell(std::move(plan));

@@ -159,8 +159,12 @@ PlanReason PlanTrigger::reasonOfAim(int uav, Fleet& fleet) const
         return PlanReason::SeenByOther;
     if (!observer.newlyAppeared().empty())
         return PlanReason::Appeared;
-    return observer.world().time_s() > errand.aim->sighting_s + kOverdue_s ? PlanReason::Overdue
-                                                                           : PlanReason::None;
+    const World& world = observer.world();
+    if (errand.aim->end_s) // at the step next to it
+        return world.time_s() > *errand.aim->end_s - world.dt_s() / 2 ? PlanReason::HoldFlown
+                                                                      : PlanReason::None;
+    return world.time_s() > errand.aim->sighting_s + kOverdue_s ? PlanReason::Overdue
+                                                                : PlanReason::None;
 }
 
 /**

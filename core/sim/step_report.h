@@ -22,6 +22,7 @@ enum class PlanReason
     Found,       ///< a lost one is in view
     GivenUp,     ///< the search for one has ended without it
     TakeOff,     ///< the next sortie begins
+    HoldFlown,   ///< a hold has come to its end
     SeenByOther, ///< another UAV has the target in view
     Fleet        ///< another UAV needs one
 };

@@ -160,6 +160,8 @@ QString planReasonText(PlanReason reason)
         return EventText::tr("search given up");
     case PlanReason::TakeOff:
         return EventText::tr("next sortie");
+    case PlanReason::HoldFlown:
+        return EventText::tr("end of hold");
     case PlanReason::SeenByOther:
         return EventText::tr("seen by another UAV");
     case PlanReason::Fleet:

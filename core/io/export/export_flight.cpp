@@ -99,8 +99,11 @@ UavOrder presentOrder(const ExportSource& source, std::size_t row)
     UavOrder order{.icebergs = plan->order, .clusters = plan->clusters, .legs = plan->legs};
     if (!order.legs.empty() && simulation.uav(uav).aim)
         order.legs.front() = *simulation.uav(uav).aim; // what is left of its turn
-    for (AimedLeg& leg : order.legs)
+    for (AimedLeg& leg : order.legs) {
         leg.sighting_s -= simulation.time_s();
+        if (leg.end_s)
+            *leg.end_s -= simulation.time_s();
+    }
     return order;
 }
 

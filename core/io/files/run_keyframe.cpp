@@ -195,20 +195,34 @@ Search readSearch(const Json& value, const std::string& path, Faults& faults,
 
 std::string legText(const AimedLeg& leg)
 {
-    return jsonArrayOf(std::vector<double>{static_cast<double>(leg.iceberg), leg.turn_rad,
-                                           leg.from_m.x(), leg.from_m.y(), leg.abeam_m.x(),
-                                           leg.abeam_m.y(), leg.sighting_s});
+    std::vector<double> numbers{static_cast<double>(leg.iceberg),
+                                leg.turn_rad,
+                                leg.from_m.x(),
+                                leg.from_m.y(),
+                                leg.abeam_m.x(),
+                                leg.abeam_m.y(),
+                                leg.sighting_s};
+    if (leg.end_s)
+        numbers.push_back(*leg.end_s);
+    return jsonArrayOf(numbers);
 }
 
 AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
                  const RunContext& context)
 {
-    const auto n = readNumbers<7>(value, path, faults);
+    constexpr std::size_t kOfHold = 8;
+    const bool isHold = value.is_array() && value.size() == kOfHold;
+    std::array<double, kOfHold> n{};
+    if (isHold)
+        n = readNumbers<kOfHold>(value, path, faults);
+    else
+        std::ranges::copy(readNumbers<kOfHold - 1>(value, path, faults), n.begin());
     return {.iceberg = icebergOf(n[0], entryPath(path, 0), faults, context),
             .turn_rad = n[1],
             .from_m = {n[2], n[3]},
             .abeam_m = {n[4], n[5]},
-            .sighting_s = n[6]};
+            .sighting_s = n[6],
+            .end_s = isHold ? std::optional(n[7]) : std::nullopt};
 }
 
 std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults& faults,

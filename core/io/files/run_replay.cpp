@@ -69,7 +69,8 @@ void addFields(std::vector<Field>& fields, const std::string& at, const UavState
                                                      {"aim[3]", uav.aim->from_m.y()},
                                                      {"aim[4]", uav.aim->abeam_m.x()},
                                                      {"aim[5]", uav.aim->abeam_m.y()},
-                                                     {"aim[6]", uav.aim->sighting_s}})
+                                                     {"aim[6]", uav.aim->sighting_s},
+                                                     {"aim[7]", uav.aim->end_s.value_or(-1)}})
             fields.emplace_back(at + field.first, field.second);
     for (std::size_t i = 0; i < uav.members.size(); ++i)
         fields.emplace_back(at + entry("members", i), uav.members[i]);

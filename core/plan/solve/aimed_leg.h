@@ -2,18 +2,23 @@
 
 #include "core/base/geometry.h"
 
+#include <optional>
 #include <vector>
 
 namespace berg {
 
-/** One leg of a plan with aim points: a turn at the limit, then a line that passes an iceberg. */
+/**
+ * One leg of a plan with aim points: a turn at the limit, then a line that passes an iceberg. Or a
+ * hold: a turn or a line that is flown until `end_s`, to keep in view what is in view.
+ */
 struct AimedLeg
 {
-    int iceberg = -1;              ///< id of the one that the line passes
-    double turn_rad = 0;           ///< left positive
+    int iceberg = -1;    ///< id of the one that the line passes, or that is flown to after a hold
+    double turn_rad = 0; ///< left positive
     Point from_m = Point::Zero();  ///< where the line starts, over ground
     Point abeam_m = Point::Zero(); ///< where it passes the iceberg
     double sighting_s = 0;         ///< when the first sighting on this leg is predicted
+    std::optional<double> end_s;   ///< of a hold: when it ends, whatever is seen by then
     bool operator==(const AimedLeg&) const = default;
 };
 

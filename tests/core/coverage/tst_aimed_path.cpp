@@ -168,6 +168,21 @@ private slots:
         QVERIFY(std::abs(lengthUntil_m(paths, 1e6) - (100 * M_PI / 2 + 300)) < 0.1);
     }
 
+    /** A hold is flown to its end, without a place that it aims at. */
+    void holds()
+    {
+        const std::vector<AimedLeg> legs{
+            {.from_m = {0, 0}, .abeam_m = {20, 0}, .sighting_s = 4, .end_s = 5},
+            {.turn_rad = M_PI / 2, .from_m = {200, 100}, .abeam_m = {200, 120}, .end_s = 14}};
+        const std::vector<AimedPath> paths = aimedPaths(legs, {}, 0, kCalm);
+        QVERIFY(!paths[0].aim_m && !paths[1].aim_m);
+        QVERIFY((paths[0].points.back().position_m - Point(100, 0)).norm() < 1e-9);
+        QVERIFY(std::abs(paths[0].points.back().time_s - 5) < 1e-9);
+        QVERIFY((paths[1].points[paths[1].points.size() - 2].position_m - Point(200, 100)).norm() <
+                1e-9);
+        QVERIFY(paths[1].points.back().time_s <= 14);
+    }
+
     /** Seen while still turning: the next leg begins there. */
     void legsMayEndInTheirTurn()
     {

@@ -55,7 +55,9 @@ void paintHeadingMarks(const MapPaint& p, std::size_t uav, const QColor& colour)
 void paintAims(const MapPaint& p, const MapRoute& route, const QColor& colour)
 {
     for (const MapPath& path : route.planPaths) {
-        const QPointF aim = p.layout.view.toPixel(path.aim_m);
+        if (!path.aim_m)
+            continue;
+        const QPointF aim = p.layout.view.toPixel(*path.aim_m);
         p.painter.setPen(QPen(colour, 1, Qt::DotLine, Qt::FlatCap));
         p.painter.drawLine(p.layout.view.toPixel(path.path_m.back()), aim);
         drawAim(p.painter, aim, colour, p.theme);

@@ -46,7 +46,8 @@ std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s, 
         addTrack(route.track);
         for (const MapPath& path : route.planPaths) {
             points_m.insert(points_m.end(), path.path_m.begin(), path.path_m.end());
-            points_m.push_back(path.aim_m);
+            if (path.aim_m)
+                points_m.push_back(*path.aim_m);
         }
     }
     for (const MapUav& uav : picture.uavs) {

@@ -95,8 +95,8 @@ struct MapReadout
 /** One leg of a plan with aim points. */
 struct MapPath
 {
-    std::vector<Point> path_m; ///< as it is flown
-    Point aim_m = Point::Zero();
+    std::vector<Point> path_m;  ///< as it is flown
+    std::optional<Point> aim_m; ///< none: a hold
 };
 
 /** What one UAV has flown and is going to fly. */

@@ -211,7 +211,7 @@ private slots:
             return hasColourNear(image, layout.view.toPixel(at_m), 4, theme.plan);
         };
         for (const MapPath& path : picture.routes[0].planPaths)
-            QVERIFY(isDrawn(path.aim_m));
+            QVERIFY(isDrawn(*path.aim_m));
         const Point from_m = picture.uavs[0].position_m;
         QVERIFY(isDrawn(from_m + Point(1000, 1700)));
         QVERIFY(isDrawn(from_m + Point(2000, 2000)));
