@@ -38,18 +38,20 @@ KeptPlan keptPlan(const CoveragePlan& plan, std::span<const int> ids)
     KeptPlan kept;
     for (const CoverageLeg& leg : plan)
         kept.push_back(
-            {.id = ids[static_cast<std::size_t>(leg.iceberg)], .offset_m = leg.offset_m});
+            {.id = leg.isHold() ? -1 : ids[static_cast<std::size_t>(leg.iceberg)], .leg = leg});
     return kept;
 }
 
 CoveragePlan restOf(const KeptPlan& plan, std::span<const int> ids)
 {
     CoveragePlan rest;
-    for (const KeptLeg& leg : plan) {
-        const auto it = std::find(ids.begin(), ids.end(), leg.id);
-        if (it != ids.end())
-            rest.push_back(
-                {.iceberg = static_cast<int>(it - ids.begin()), .offset_m = leg.offset_m});
+    for (const auto& [id, leg] : plan) {
+        const auto it = std::find(ids.begin(), ids.end(), id);
+        if (!leg.isHold() && it == ids.end())
+            continue;
+        rest.push_back(leg);
+        if (!leg.isHold())
+            rest.back().iceberg = static_cast<int>(it - ids.begin());
     }
     return rest;
 }

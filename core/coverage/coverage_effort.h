@@ -14,6 +14,8 @@ namespace berg {
 /** Work of the first plan, and of each one after it: about 200 ms and 5 ms. */
 inline constexpr std::int64_t kFirstWork = 8'000'000;
 inline constexpr std::int64_t kNextWork = 200'000;
+/** Where looks pay there is more to choose, and the first plan takes so many times as long. */
+inline constexpr std::int64_t kWorkOfLooks = 2;
 /** Of the first work, for each plan to start from; the best of them gets the rest. */
 inline constexpr double kShareOfStart = 0.15;
 /** For each order to start from, in the solver's units. */
@@ -34,8 +36,8 @@ inline constexpr int kRounds = 20;
 /** A leg with the id of its iceberg, which stays the same in flight. */
 struct KeptLeg
 {
-    int id = -1;
-    double offset_m = 0;
+    int id = -1;     ///< of a hold: none
+    CoverageLeg leg; ///< its iceberg is that of the plan it was kept from
 };
 
 using KeptPlan = std::vector<KeptLeg>;

@@ -16,6 +16,8 @@ constexpr double kLongestArc_s = 1;
 constexpr double kLongestArc_rad = 0.21;
 /** Times closer than this are one. */
 constexpr double kShortest_s = 1e-9;
+/** What is looked for again after so long out of view has another chance to be found. */
+constexpr double kNewChance_s = 20;
 
 double largestQ_m2ps(const FlightPicture& picture)
 {
@@ -23,27 +25,6 @@ double largestQ_m2ps(const FlightPicture& picture)
     for (const Track& track : picture.tracks)
         q_m2ps = std::max(q_m2ps, track.q_m2ps);
     return q_m2ps;
-}
-
-/** What a sighting some minutes from now leaves of the variance of the velocity (Kalman). */
-double varianceAfterSighting_m2ps2(const Track& track)
-{
-    constexpr double kSome_s = 300;
-    const double mixed_m2ps = track.mixed_m2ps + kSome_s * track.velocity_m2ps2;
-    const double sigma_m2 = track.sigmaAfter_m2(kSome_s);
-    return sigma_m2 > 0 ? std::max(0.0, track.velocity_m2ps2 - mixed_m2ps * mixed_m2ps / sigma_m2)
-                        : 0;
-}
-
-/** With unknown velocities: one standard deviation of the worst known place, at most an eighth of
- * the view's extent, so that what is aimed at its edge is seen. */
-double doubt_m(const FlightPicture& picture)
-{
-    double worst_m2 = 0;
-    for (const Track& track : picture.tracks)
-        if (track.velocity_m2ps2 > 0)
-            worst_m2 = std::max(worst_m2, track.sigma_m2);
-    return std::min(std::sqrt(worst_m2), picture.sensor.fov_m.minCoeff() / 8);
 }
 
 /** Axes of the view at one instant. */
@@ -98,6 +79,12 @@ Point likelyPlace_m(const ViewWindow& window, const Pose& uav, const Point& esti
 
 } // namespace
 
+int firstIceberg(const CoveragePlan& plan)
+{
+    const auto leg = std::ranges::find_if_not(plan, &CoverageLeg::isHold);
+    return leg == plan.end() ? -1 : leg->iceberg;
+}
+
 /** One leg under way. */
 class CoverageModel::Flight
 {
@@ -109,10 +96,10 @@ public:
     }
 
     /** True when the target is in view, or the horizon has come, on the way. */
-    bool turn(const TangentTurn& turn)
+    bool turn(double turn_rad, const Pose& turned)
     {
-        const double side = turn.turn_rad < 0 ? -1 : 1;
-        double left_s = std::abs(turn.turn_rad) / m_model.m_limit_radps;
+        const double side = turn_rad < 0 ? -1 : 1;
+        double left_s = std::abs(turn_rad) / m_model.m_limit_radps;
         if (left_s <= kShortest_s)
             return false;
         const std::span<const int> near = nearIcebergs(side, left_s);
@@ -122,7 +109,7 @@ public:
             const double dt_s = last ? left_s : m_model.m_arc_s;
             const Pose end =
                 last
-                    ? turn.end
+                    ? turned
                     : turnedTo(m_state.uav, rotated(m_state.uav.ahead, m_model.m_cosineOfArc, sine),
                                side, m_model.m_radius_m);
             if (piece(end, dt_s, near)) {
@@ -189,19 +176,31 @@ private:
         const double to_s = m_from_s + dt_s;
         m_end_s = std::min(to_s, m_model.m_flightEnd_s);
         const auto crossing = [&](int iceberg) {
-            return m_model.m_window.crossing(before.coordinates(m_model.place_m(iceberg, m_from_s)),
-                                             after.coordinates(m_model.place_m(iceberg, to_s)));
+            const Point from_m = before.coordinates(m_model.place_m(iceberg, m_from_s));
+            const Point to_m = after.coordinates(m_model.place_m(iceberg, to_s));
+            std::optional<ViewSpan> span = m_model.m_window.crossing(from_m, to_m);
+            if (!span || !m_model.m_paysForLooks)
+                return span;
+            const double enter_s = m_from_s + span->enter * dt_s;
+            return windowAt(iceberg, enter_s).crossing(from_m, to_m);
         };
         bool ends = m_end_s < to_s;
-        if (const std::optional<ViewSpan> span = crossing(m_target)) {
-            const double enter_s = m_from_s + span->enter * dt_s;
-            ends = ends || enter_s <= m_end_s;
-            m_end_s = std::min(m_end_s, enter_s);
-        }
+        if (m_target >= 0)
+            if (const std::optional<ViewSpan> span = crossing(m_target)) {
+                const double enter_s = m_from_s + span->enter * dt_s;
+                ends = ends || enter_s <= m_end_s;
+                m_end_s = std::min(m_end_s, enter_s);
+            }
         for (const int i : icebergs)
             if (const std::optional<ViewSpan> span = crossing(i))
                 see(i, m_from_s + span->enter * dt_s, m_from_s + span->leave * dt_s);
         return ends;
+    }
+
+    [[nodiscard]] ViewWindow windowAt(int iceberg, double time_s) const
+    {
+        const auto& account = m_state.accounts[static_cast<std::size_t>(iceberg)];
+        return m_model.windowOf(iceberg, m_model.growthUntil(iceberg, account, time_s).sigma_m2);
     }
 
     void see(int iceberg, double enter_s, double leave_s)
@@ -213,14 +212,13 @@ private:
             m_views->push_back({.iceberg = iceberg, .enter_s = enter_s, .leave_s = until_s});
         CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(iceberg)];
         m_state.cost_m2s += m_model.passOthers_m2s(iceberg, account, enter_s);
-        const double unseen_s = enter_s - account.paid_s;
-        if (unseen_s > kShortest_s) {
-            m_state.cost_m2s += m_model.growth(iceberg, account, unseen_s).cost_m2s;
-            if (m_sightings)
-                m_sightings->push_back({iceberg, enter_s});
-        }
-        account.paid_s = std::max(account.paid_s, until_s);
-        account.sigma_m2 = 0;
+        const bool isNew = m_model.berg(iceberg).chance < 1
+                               ? enter_s > account.lookedFor_s + kNewChance_s
+                               : enter_s - account.paid_s > kShortest_s;
+        if (isNew && m_sightings)
+            m_sightings->push_back({iceberg, enter_s});
+        m_state.cost_m2s +=
+            m_model.view_m2s(iceberg, account, isNew ? enter_s : account.paid_s, until_s);
     }
 
     const CoverageModel& m_model;
@@ -234,7 +232,8 @@ private:
 };
 
 CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon)
-    : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)) + doubt_m(picture))
+    : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)))
+    , m_paysForLooks(picture.observer.model != ObserverModel::Simple)
     , m_horizon(horizon)
     , m_flightEnd_s(std::min(horizon.length_s, horizon.flown_s))
     , m_uav(poseOf(picture.uav))
@@ -249,15 +248,16 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
     for (std::size_t i = 0; i < picture.tracks.size(); ++i) {
         const Track& track = picture.tracks[i];
         const double weight = picture.weights.empty() ? 1 : picture.weights[i];
-        const Point estimate_m = track.estimate_m(picture.time_s);
-        m_bergs.push_back({.place_m = likelyPlace_m(m_window, m_uav, estimate_m, track.inView),
+        m_bergs.push_back({.place_m = track.estimate_m(picture.time_s),
                            .velocity_mps = track.velocity_mps - m_wind_mps,
-                           .q_m2ps = weight * track.q_m2ps,
-                           .sigma_m2 = weight * track.sigma_m2,
-                           .mixed_m2ps = weight * track.mixed_m2ps,
-                           .velocity_m2ps2 = weight * track.velocity_m2ps2,
-                           .velocityAfter_m2ps2 = weight * varianceAfterSighting_m2ps2(track)});
-        m_fastest_mps = std::max(m_fastest_mps, m_bergs.back().velocity_mps.norm());
+                           .account = CovarianceAccount(track, picture.observer, weight)});
+        Berg& berg = m_bergs.back();
+        if (m_paysForLooks && track.status != TrackStatus::Tracked)
+            berg.chance = picture.chances.empty() ? kChanceOfLost : picture.chances[i];
+        const ViewWindow window =
+            track.inView ? windowOf(static_cast<int>(i), berg.account.start().sigma_m2) : m_window;
+        berg.place_m = likelyPlace_m(window, m_uav, berg.place_m, track.inView);
+        m_fastest_mps = std::max(m_fastest_mps, berg.velocity_mps.norm());
     }
     m_all.resize(m_bergs.size());
     std::iota(m_all.begin(), m_all.end(), 0);
@@ -282,9 +282,51 @@ void CoverageModel::setOthers(std::vector<CoverageView> views)
             else if (view->enter_s < m_horizon.length_s && view->leave_s > kShortest_s)
                 m_others.push_back({.enter_s = view->enter_s, .leave_s = view->leave_s});
         m_others.push_back({});
-        for (std::size_t k = m_others.size() - 1; k-- > m_firstOfOther.back();)
+        // After a look that tells all the rest is the same whatever was before.
+        for (std::size_t k = m_others.size() - 1; !m_paysForLooks && k-- > m_firstOfOther.back();)
             m_others[k].rest_m2s = restOf_m2s(i, {.paid_s = m_others[k].leave_s, .next = k + 1});
     }
+}
+
+double CoverageModel::restOf_m2s(int iceberg, const CoverageState::Account& account) const
+{
+    const OtherView& next = m_others[account.next];
+    const bool isLast = next.enter_s >= m_horizon.length_s;
+    const CovarianceAccount::Growth end = berg(iceberg).account.growth(
+        account.known, (isLast ? m_horizon.length_s : next.enter_s) - account.paid_s);
+    if (isLast)
+        return end.cost_m2s + m_horizon.rest_s * end.sigma_m2;
+    if (!m_paysForLooks)
+        return end.cost_m2s + next.rest_m2s;
+    CoverageState::Account after = account;
+    double cost_m2s = 0;
+    while (m_others[after.next].enter_s < m_horizon.length_s)
+        cost_m2s += passOthers_m2s(iceberg, after, m_others[after.next].enter_s);
+    return cost_m2s + restOf_m2s(iceberg, after);
+}
+
+double CoverageModel::view_m2s(int iceberg, CoverageState::Account& account, double enter_s,
+                               double leave_s) const
+{
+    const Berg& berg = this->berg(iceberg);
+    const bool isLost = berg.chance < 1;
+    if (isLost && enter_s <= account.lookedFor_s + kNewChance_s) {
+        account.lookedFor_s = std::max(account.lookedFor_s, leave_s);
+        return 0;
+    }
+    double cost_m2s = 0;
+    if (enter_s > account.paid_s) {
+        cost_m2s += berg.account.grow(account.known, enter_s - account.paid_s);
+        account.paid_s = enter_s;
+    }
+    if (isLost) {
+        berg.account.lookForLost(account.known, berg.chance);
+        account.lookedFor_s = leave_s;
+    } else if (leave_s >= account.paid_s) {
+        cost_m2s += berg.account.look(account.known, leave_s - account.paid_s);
+        account.paid_s = leave_s;
+    }
+    return cost_m2s;
 }
 
 void CoverageModel::passOthers(CoverageState& state) const
@@ -299,7 +341,7 @@ CoverageState CoverageModel::start() const
     CoverageState state{.uav = m_uav};
     for (std::size_t i = 0; i < m_bergs.size(); ++i)
         state.accounts.push_back(
-            {.paid_s = 0, .sigma_m2 = m_bergs[i].sigma_m2, .next = m_firstOfOther[i]});
+            {.paid_s = 0, .known = m_bergs[i].account.start(), .next = m_firstOfOther[i]});
     if (!m_isAlone)
         passOthers(state);
     return state;
@@ -310,16 +352,23 @@ TangentTurn CoverageModel::turnOf(const CoverageState& state, const CoverageLeg&
     // Aimed at where the iceberg will be when it is seen: iterated, as the time depends on it.
     constexpr int kMostRounds = 8;
     constexpr double kGoodEnough_m = 0.3;
-    const double drift_mps = m_bergs[static_cast<std::size_t>(leg.iceberg)].velocity_mps.norm();
+    /** An offset is taken in by a little more than the view. */
+    constexpr double kInside = 1.02;
+    const double drift_mps = berg(leg.iceberg).velocity_mps.norm();
     double ahead_s =
         std::max(0.0, distance_m(state, leg.iceberg) - m_window.half_m().x()) / m_speed_mps;
+    const auto& account = state.accounts[static_cast<std::size_t>(leg.iceberg)];
+    const ViewWindow window =
+        windowOf(leg.iceberg, growthUntil(leg.iceberg, account, state.time_s + ahead_s).sigma_m2);
+    const double offset_m =
+        leg.offset_m * (1 - kInside * (1 - window.largestOffset_m() / m_window.largestOffset_m()));
     TangentTurn turn;
     for (int round = 0; round < kMostRounds; ++round) {
         turn = turnOntoLine(
             state.uav,
-            {.target_m = place_m(leg.iceberg, state.time_s + ahead_s), .offset_m = leg.offset_m},
+            {.target_m = place_m(leg.iceberg, state.time_s + ahead_s), .offset_m = offset_m},
             m_radius_m);
-        const double entry_m = m_window.entry_m(turn.end.ahead, leg.offset_m);
+        const double entry_m = window.entry_m(turn.end.ahead, offset_m);
         const double was_s = ahead_s;
         ahead_s = std::abs(turn.turn_rad) / m_limit_radps +
                   std::max(0.0, turn.length_m - entry_m) / m_speed_mps;
@@ -329,17 +378,32 @@ TangentTurn CoverageModel::turnOf(const CoverageState& state, const CoverageLeg&
     return turn;
 }
 
+/** A turn at the limit to that side, or straight on. */
+TangentTurn CoverageModel::holdTurn(const CoverageState& state, const CoverageLeg& leg) const
+{
+    TangentTurn hold{.turn_rad = leg.side * m_limit_radps * leg.stay_s, .end = state.uav};
+    if (leg.side == 0)
+        hold.length_m = m_speed_mps * leg.stay_s;
+    else
+        hold.end = turnedTo(
+            state.uav, rotated(state.uav.ahead, std::cos(hold.turn_rad), std::sin(hold.turn_rad)),
+            leg.side, m_radius_m);
+    return hold;
+}
+
 bool CoverageModel::fly(CoverageState& state, const CoverageLeg& leg,
                         std::vector<CoverageSighting>* sightings,
                         std::vector<CoverageView>* views) const
 {
-    if (atEnd(state) || inView(state, leg.iceberg))
+    if (atEnd(state) || (!leg.isHold() && inView(state, leg.iceberg)))
         return false;
     const double from_s = state.time_s;
-    const TangentTurn turn = turnOf(state, leg);
+    const TangentTurn turn = leg.isHold() ? holdTurn(state, leg) : turnOf(state, leg);
     Flight flight(*this, state, leg.iceberg, sightings, views);
-    if (!flight.turn(turn))
+    if (!flight.turn(turn.turn_rad, turn.end) && (!leg.isHold() || turn.length_m > 0))
         flight.straight(turn.length_m);
+    if (!leg.isHold() && leg.stay_s > 0 && !atEnd(state))
+        Flight(*this, state, -1, sightings, views).straight(m_speed_mps * leg.stay_s);
     if (!m_isAlone)
         passOthers(state);
     return state.time_s - from_s > kShortest_s;
@@ -358,8 +422,7 @@ double CoverageModel::costSoFar_m2s(const CoverageState& state) const
     double cost_m2s = state.cost_m2s;
     for (std::size_t i = 0; i < m_bergs.size(); ++i) {
         const CoverageState::Account& account = state.accounts[i];
-        const double unseen_s = std::max(0.0, state.time_s - account.paid_s);
-        cost_m2s += growth(static_cast<int>(i), account, unseen_s).cost_m2s;
+        cost_m2s += growthUntil(static_cast<int>(i), account, state.time_s).cost_m2s;
     }
     return cost_m2s;
 }
@@ -367,13 +430,15 @@ double CoverageModel::costSoFar_m2s(const CoverageState& state) const
 double CoverageModel::sigma_m2(const CoverageState& state, int iceberg) const
 {
     const CoverageState::Account& account = state.accounts[static_cast<std::size_t>(iceberg)];
-    return growth(iceberg, account, std::max(0.0, state.time_s - account.paid_s)).sigma_m2;
+    return growthUntil(iceberg, account, state.time_s).sigma_m2;
 }
 
 bool CoverageModel::inView(const CoverageState& state, int iceberg) const
 {
-    return m_window.contains(
-        axesOf(m_window, state.uav).coordinates(place_m(iceberg, state.time_s)));
+    const Point place_m =
+        axesOf(m_window, state.uav).coordinates(this->place_m(iceberg, state.time_s));
+    return m_window.contains(place_m) &&
+           (!m_paysForLooks || windowOf(iceberg, sigma_m2(state, iceberg)).contains(place_m));
 }
 
 double CoverageModel::distance_m(const CoverageState& state, int iceberg) const
@@ -384,7 +449,10 @@ double CoverageModel::distance_m(const CoverageState& state, int iceberg) const
 CoverageModel::Course CoverageModel::course(const CoverageState& state,
                                             const CoverageLeg& leg) const
 {
-    Course course{.turn = turnOf(state, leg), .abeam_m = Point::Zero()};
+    Course course{.turn = leg.isHold() ? holdTurn(state, leg) : turnOf(state, leg),
+                  .abeam_m = Point::Zero()};
+    if (leg.isHold()) // a line to go on along until the next leg begins
+        course.turn.length_m = std::max(course.turn.length_m, m_speed_mps);
     const Pose& end = course.turn.end;
     const double turned_s = state.time_s + std::abs(course.turn.turn_rad) / m_limit_radps;
     const double abeam_s = turned_s + course.turn.length_m / m_speed_mps;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/coverage/covariance_account.h"
 #include "core/coverage/flight_picture.h"
 #include "core/tracking/view_window.h"
 #include "core/vehicle/tangent_turn.h"
@@ -10,16 +11,33 @@
 
 namespace berg {
 
-/** A leg of a plan: turn onto the line that leaves the iceberg at this offset, fly it until seen.
+/**
+ * A leg of a plan: turn onto the line that leaves the iceberg at this offset, fly it until seen and
+ * for `stay_s` more. Or a hold, for that long straight on or in a turn at the limit, to keep in
+ * view what is in view.
  */
 struct CoverageLeg
 {
-    int iceberg = 0;     ///< index into the tracks of the picture
+    int iceberg = 0;     ///< index into the tracks of the picture; -1: a hold
     double offset_m = 0; ///< the iceberg is left of the line by so much
+    double stay_s = 0;
+    int side = 0; ///< of a hold: 1 left, -1 right, 0 straight on
+    [[nodiscard]] bool isHold() const { return iceberg < 0; }
     bool operator==(const CoverageLeg&) const = default;
 };
 
+[[nodiscard]] inline CoverageLeg holdOf(double stay_s, int side = 0)
+{
+    return {.iceberg = -1, .stay_s = stay_s, .side = side};
+}
+
 using CoveragePlan = std::vector<CoverageLeg>;
+
+/** Of the first leg that is no hold; -1: there is none. */
+[[nodiscard]] int firstIceberg(const CoveragePlan& plan);
+
+/** A lost iceberg is found with this chance each time it is flown to where it is believed to be. */
+inline constexpr double kChanceOfLost = 0.4;
 
 /** Up to when a plan is judged, and what is still to come is worth. */
 struct CoverageHorizon
@@ -32,12 +50,14 @@ struct CoverageHorizon
 /** The predicted flight at the end of a leg. In the air's frame, which the wind does not move. */
 struct CoverageState
 {
-    /** sigma of one iceberg at the time until which it is paid for in `cost`. */
+    /** What is known of one iceberg at the time until which it is paid for in `cost`. */
     struct Account
     {
         double paid_s = 0;
-        double sigma_m2 = 0;
+        Covariance known;
         std::size_t next = 0; ///< the first view of other UAVs that is not accounted for
+        /** Of one that is lost: until when it was looked for last. */
+        double lookedFor_s = -std::numeric_limits<double>::infinity();
     };
 
     double time_s = 0; ///< since the picture
@@ -65,9 +85,10 @@ struct CoverageView
  * Predicts, in closed form, what flying a sequence of legs costs: each leg is a turn at the limit,
  * taken in arcs of a second and 12 degrees at most, and a straight line in one piece; every iceberg
  * that comes into view on the way counts, with the exact integral of its sigma between sightings.
- * The same flight as `Simulation` makes of a leg, but for the noise of the drift. Cost of a leg:
- * about 0.2 us and 10 ns for each iceberg. Immutable but for `setOthers`: one object serves several
- * threads.
+ * With measurements each iceberg has a view of its own, narrower by the deviation of its place, and
+ * what a visit leaves of its sigma is `CovarianceAccount`'s to say. The same flight as `Simulation`
+ * makes of a leg, but for the noise of the drift. Cost of a leg: about 0.2 us and 10 ns for each
+ * iceberg. Immutable but for `setOthers`: one object serves several threads.
  *
  * Of several UAVs each has a model. What a UAV sees depends on its own legs alone, so the others
  * are a list of times at which icebergs are in view of theirs; costs are then those of the fleet.
@@ -79,6 +100,8 @@ public:
     CoverageModel(const FlightPicture& picture, const CoverageHorizon& horizon);
 
     [[nodiscard]] int icebergCount() const { return static_cast<int>(m_bergs.size()); }
+    /** Whether a look does not tell all, so that it may pay to keep icebergs in view. */
+    [[nodiscard]] bool paysForLooks() const { return m_paysForLooks; }
     [[nodiscard]] double largestOffset_m() const { return m_window.largestOffset_m(); }
     [[nodiscard]] const CoverageHorizon& horizon() const { return m_horizon; }
     [[nodiscard]] bool atEnd(const CoverageState& state) const
@@ -92,8 +115,8 @@ public:
     [[nodiscard]] CoverageState start() const;
 
     /**
-     * Flies one leg until its iceberg is in view, but to the horizon or abeam of the iceberg at
-     * most. False when no time passes, because it is in view already. `sightings` gets what is
+     * Flies one leg, to the horizon at most, and until its iceberg is in view or abeam before it
+     * stays. False when no time passes, because it is in view already. `sightings` gets what is
      * seen after it was not, `views` all that is in view, piece by piece.
      */
     bool fly(CoverageState& state, const CoverageLeg& leg,
@@ -127,14 +150,8 @@ private:
     {
         Point place_m; ///< at the time of the picture
         Point velocity_mps;
-        double q_m2ps = 0;
-        double sigma_m2 = 0;
-        // Unknown velocities, with measurements: sigma grows by (q + 2 mixed) t + variance t^2
-        // until the iceberg is seen, and by q t + (what a sighting leaves of the variance) t^2
-        // after.
-        double mixed_m2ps = 0;
-        double velocity_m2ps2 = 0;
-        double velocityAfter_m2ps2 = 0;
+        CovarianceAccount account;
+        double chance = 1; ///< of finding one that is lost
     };
     class Flight;
 
@@ -146,47 +163,29 @@ private:
         double rest_m2s = 0; ///< from then on with nothing but the views after it
     };
 
-    /** sigma after `unseen_s` of an account, and its integral until then. */
-    struct Growth
+    [[nodiscard]] const Berg& berg(int iceberg) const
     {
-        double sigma_m2 = 0;
-        double cost_m2s = 0;
-    };
-    [[nodiscard]] Growth growth(int iceberg, const CoverageState::Account& account,
-                                double unseen_s) const
+        return m_bergs[static_cast<std::size_t>(iceberg)];
+    }
+    /** From what is paid for to then; none: it is paid for longer. */
+    [[nodiscard]] CovarianceAccount::Growth
+    growthUntil(int iceberg, const CoverageState::Account& account, double time_s) const
     {
-        const Berg& berg = m_bergs[static_cast<std::size_t>(iceberg)];
-        const bool isSeen = account.paid_s > 0;
-        const double rate_m2ps = isSeen ? berg.q_m2ps : berg.q_m2ps + 2 * berg.mixed_m2ps;
-        const double velocity_m2ps2 = isSeen ? berg.velocityAfter_m2ps2 : berg.velocity_m2ps2;
-        const double grown_m2 = rate_m2ps * unseen_s;
-        const double drifted_m2 = velocity_m2ps2 * unseen_s * unseen_s;
-        return {.sigma_m2 = account.sigma_m2 + grown_m2 + drifted_m2,
-                .cost_m2s = unseen_s * (account.sigma_m2 + grown_m2 / 2 + drifted_m2 / 3)};
+        return berg(iceberg).account.growth(account.known, std::max(0.0, time_s - account.paid_s));
     }
 
     /** From now to the end of an account that nothing but the others' views change. */
-    [[nodiscard]] double restOf_m2s(int iceberg, const CoverageState::Account& account) const
-    {
-        const OtherView& next = m_others[account.next];
-        const bool isLast = next.enter_s >= m_horizon.length_s;
-        const Growth end =
-            growth(iceberg, account, (isLast ? m_horizon.length_s : next.enter_s) - account.paid_s);
-        return isLast ? end.cost_m2s + m_horizon.rest_s * end.sigma_m2
-                      : end.cost_m2s + next.rest_m2s;
-    }
+    [[nodiscard]] double restOf_m2s(int iceberg, const CoverageState::Account& account) const;
+    /** In view from then until then: what that costs, the time before it included. */
+    double view_m2s(int iceberg, CoverageState::Account& account, double enter_s,
+                    double leave_s) const;
     /** Takes the others' views that have begun by then into the account; what that costs. */
     double passOthers_m2s(int iceberg, CoverageState::Account& account, double time_s) const
     {
         double cost_m2s = 0;
         while (m_others[account.next].enter_s <= time_s) {
             const OtherView& view = m_others[account.next++];
-            if (view.enter_s > account.paid_s)
-                cost_m2s += growth(iceberg, account, view.enter_s - account.paid_s).cost_m2s;
-            if (view.leave_s > account.paid_s) {
-                account.paid_s = view.leave_s;
-                account.sigma_m2 = 0;
-            }
+            cost_m2s += view_m2s(iceberg, account, view.enter_s, view.leave_s);
         }
         return cost_m2s;
     }
@@ -194,12 +193,19 @@ private:
 
     [[nodiscard]] Point place_m(int iceberg, double time_s) const
     {
-        const Berg& berg = m_bergs[static_cast<std::size_t>(iceberg)];
-        return berg.place_m + berg.velocity_mps * time_s;
+        return berg(iceberg).place_m + berg(iceberg).velocity_mps * time_s;
+    }
+    /** The view of one whose account comes to this sigma. */
+    [[nodiscard]] ViewWindow windowOf(int iceberg, double sigma_m2) const
+    {
+        return m_paysForLooks ? m_window.narrowed(berg(iceberg).account.deviation_m(sigma_m2))
+                              : m_window;
     }
     [[nodiscard]] TangentTurn turnOf(const CoverageState& state, const CoverageLeg& leg) const;
+    [[nodiscard]] TangentTurn holdTurn(const CoverageState& state, const CoverageLeg& leg) const;
 
-    ViewWindow m_window;
+    ViewWindow m_window; ///< of an iceberg whose place is known
+    bool m_paysForLooks;
     CoverageHorizon m_horizon;
     double m_flightEnd_s;
     Pose m_uav;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace berg {
 
@@ -15,6 +16,11 @@ constexpr std::uint64_t kReplace = kRemove + 8;
 constexpr std::uint64_t kSwap = kReplace + 8;
 constexpr std::uint64_t kMove = kSwap + 10;
 constexpr std::uint64_t kAll = kMove + 10;
+/** Beside these where looks pay. */
+constexpr std::uint64_t kHolds = 12;
+/** A leg stays, and a hold lasts, no longer. */
+constexpr double kLongestStay_s = 60;
+constexpr double kShortestHold_s = 0.3;
 
 /** Places are drawn as this power of a uniform number: the front is flown first and most often. */
 constexpr double kFrontPower = 1.3;
@@ -30,11 +36,23 @@ auto at(CoveragePlan& plan, std::size_t place)
     return plan.begin() + static_cast<std::ptrdiff_t>(place);
 }
 
+/** That of the nearest leg to one before the place, or of the first one after it. */
+int icebergBefore(const CoveragePlan& plan, std::size_t place)
+{
+    for (std::size_t k = place; k-- > 0;)
+        if (!plan[k].isHold())
+            return plan[k].iceberg;
+    for (std::size_t k = place; k < plan.size(); ++k)
+        if (!plan[k].isHold())
+            return plan[k].iceberg;
+    return 0;
+}
+
 } // namespace
 
 CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random,
                              const std::vector<bool>& allowed)
-    : m_edge_m(model.largestOffset_m()), m_random(random)
+    : m_edge_m(model.largestOffset_m()), m_paysForLooks(model.paysForLooks()), m_random(random)
 {
     for (int i = 0; i < model.icebergCount(); ++i) {
         std::vector<int> others;
@@ -50,7 +68,9 @@ CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random,
 
 std::size_t CoverageMoves::change(CoveragePlan& plan)
 {
-    const std::uint64_t dice = m_random.below(kAll);
+    const std::uint64_t dice = m_random.below(m_paysForLooks ? kAll + kHolds : kAll);
+    if (dice >= kAll)
+        return changeHold(plan);
     return dice < kReplace ? changeOne(plan, dice) : changeTwo(plan, dice);
 }
 
@@ -58,7 +78,7 @@ std::size_t CoverageMoves::changeOne(CoveragePlan& plan, std::uint64_t dice)
 {
     const std::size_t place = drawn(plan.size(), kFrontPower);
     if (dice < kOffset)
-        plan[place].offset_m = nearOffset_m(plan[place].offset_m);
+        changeLine(plan[place]);
     else if (dice < kInsert)
         plan.insert(at(plan, place), anyLeg(plan, place));
     else if (dice < kRemove)
@@ -82,10 +102,64 @@ std::size_t CoverageMoves::changeTwo(CoveragePlan& plan, std::uint64_t dice)
     } else {
         std::reverse(at(plan, first), at(plan, last) + 1);
         // Flown the other way, an iceberg lies on the other side of its line.
-        for (std::size_t i = first; i <= last; ++i)
+        for (std::size_t i = first; i <= last; ++i) {
             plan[i].offset_m = -plan[i].offset_m;
+            plan[i].side = -plan[i].side;
+        }
     }
     return first;
+}
+
+/** One more, or something else of the next one from a drawn place on. */
+std::size_t CoverageMoves::changeHold(CoveragePlan& plan)
+{
+    const std::size_t place = drawn(plan.size(), kFrontPower);
+    const auto hold = std::find_if(at(plan, place), plan.end(),
+                                   [](const CoverageLeg& leg) { return leg.isHold(); });
+    if (m_random.below(2) == 0 || hold == plan.end()) {
+        plan.insert(at(plan, place), anyHold());
+        return place;
+    }
+    const auto changed = static_cast<std::size_t>(hold - plan.begin());
+    if (m_random.below(4) == 0)
+        plan.erase(hold);
+    else
+        vary(*hold);
+    return changed;
+}
+
+/** Its offset or how long it stays; of a hold that, or its kind. */
+void CoverageMoves::changeLine(CoverageLeg& leg)
+{
+    if (leg.isHold())
+        vary(leg);
+    else if (!m_paysForLooks || m_random.below(2) == 0)
+        leg.offset_m = nearOffset_m(leg.offset_m);
+    else if (m_random.below(6) == 0)
+        leg.stay_s = 0;
+    else {
+        const double step = m_random.uniform() - m_random.uniform();
+        leg.stay_s = std::clamp(leg.stay_s * std::exp(step) + 4 * step, 0.0, kLongestStay_s);
+    }
+}
+
+void CoverageMoves::vary(CoverageLeg& hold)
+{
+    if (m_random.below(5) == 0) {
+        hold.side = static_cast<int>(m_random.below(3)) - 1;
+        return;
+    }
+    const double step = m_random.uniform() - m_random.uniform();
+    hold.stay_s =
+        std::clamp(hold.stay_s * std::exp(1.2 * step) + 2 * step, kShortestHold_s, kLongestStay_s);
+}
+
+CoverageLeg CoverageMoves::anyHold()
+{
+    constexpr int kSides[] = {1, -1, 0, 0, 0};
+    const int side = kSides[m_random.below(std::size(kSides))];
+    const double share = m_random.uniform() * m_random.uniform();
+    return holdOf(1 + share * (kLongestStay_s / 2 - 1), side);
 }
 
 std::size_t CoverageMoves::drawn(std::size_t count, double power)
@@ -103,10 +177,15 @@ std::size_t CoverageMoves::placeNear(std::size_t place, std::size_t count)
 
 CoverageLeg CoverageMoves::anyLeg(const CoveragePlan& plan, std::size_t place)
 {
-    const int before = plan[place > 0 ? place - 1 : place].iceberg;
+    const int before = icebergBefore(plan, place);
     const std::vector<int>& others = m_neighbours[static_cast<std::size_t>(before)];
     const int iceberg = others.empty() ? before : others[drawn(others.size(), kNearPower)];
-    return {.iceberg = iceberg, .offset_m = anyOffset_m()};
+    CoverageLeg leg{.iceberg = iceberg, .offset_m = anyOffset_m()};
+    if (m_paysForLooks && m_random.below(3) != 0) {
+        const double share = m_random.uniform() * m_random.uniform();
+        leg.stay_s = share * kLongestStay_s / 3;
+    }
+    return leg;
 }
 
 /** The middle and the edges are where good lines often are. */

@@ -15,8 +15,8 @@ public:
 
     /**
      * Changes a plan that has legs: an offset, or a leg added, removed, replaced, moved or
-     * exchanged, or a stretch of the plan turned round; mostly near its front. Returns the first
-     * place that may differ.
+     * exchanged, or a stretch of the plan turned round; mostly near its front. Where looks pay also
+     * how long a leg stays, and holds. Returns the first place that may differ.
      */
     std::size_t change(CoveragePlan& plan);
 
@@ -26,6 +26,10 @@ public:
 private:
     std::size_t changeOne(CoveragePlan& plan, std::uint64_t dice);
     std::size_t changeTwo(CoveragePlan& plan, std::uint64_t dice);
+    std::size_t changeHold(CoveragePlan& plan);
+    void changeLine(CoverageLeg& leg);
+    void vary(CoverageLeg& hold);
+    [[nodiscard]] CoverageLeg anyHold();
     /** Below `count`; small ones the more often, the higher the power. */
     [[nodiscard]] std::size_t drawn(std::size_t count, double power);
     [[nodiscard]] std::size_t placeNear(std::size_t place, std::size_t count);
@@ -37,6 +41,7 @@ private:
     std::vector<std::vector<int>>
         m_neighbours; ///< of each iceberg all allowed others, nearest first
     double m_edge_m;
+    bool m_paysForLooks;
     Random m_random;
 };
 

@@ -7,6 +7,7 @@
 #include "core/plan/solve/tuning.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -245,6 +246,38 @@ private:
     double m_next_s = 0;
 };
 
+/** What is left of a plan some time after it was made, when a first leg that is over is cut. */
+void shorten(CoveragePlan& plan, const FlightPicture& picture, double flown_s)
+{
+    constexpr double kLeastOfHold_s = 0.05;
+    constexpr double kLeastStay_s = 0.3;
+    if (plan.empty())
+        return;
+    CoverageLeg& first = plan.front();
+    if (first.isHold()) {
+        first.stay_s -= flown_s;
+        if (first.stay_s < kLeastOfHold_s)
+            plan.erase(plan.begin());
+    } else if (picture.tracks[static_cast<std::size_t>(first.iceberg)].inView &&
+               first.stay_s > kLeastStay_s) {
+        first = holdOf(first.stay_s);
+    }
+}
+
+/** Each time a lost iceberg is flown to in vain there is less hope. */
+std::vector<double> chancesOf(std::span<const int> ids, const std::map<int, int>& inVain)
+{
+    constexpr double kAfterMiss = 0.3;
+    std::vector<double> chances;
+    for (const int id : ids) {
+        const auto times = inVain.find(id);
+        chances.push_back(times == inVain.end()
+                              ? kChanceOfLost
+                              : kChanceOfLost * std::pow(kAfterMiss, times->second));
+    }
+    return chances;
+}
+
 /** Predicted zeta minimised over sequences of icebergs and aim points. */
 class CoveragePolicy final : public Policy
 {
@@ -267,7 +300,19 @@ private:
         return m_isAlone ? ofOne : ofOne * 3 / 2;
     }
 
-    std::map<int, KeptPlan> m_last; ///< what each UAV flies, by its number; empty: no plan yet
+    [[nodiscard]] std::map<int, int> inVain(const PlanRequest& request) const;
+    void keep(const PlanRequest& request, const FleetCoverage& found, const PlanAnswer& answer);
+
+    /** What a UAV flies. */
+    struct Flown
+    {
+        KeptPlan plan;
+        double planned_s = 0;
+        std::optional<double> sighting_s; ///< predicted for the first leg; none: a hold
+    };
+    std::map<int, Flown> m_last; ///< by number of the UAV; empty: no plan yet
+    /** How often a lost iceberg was flown to without being found, by id. */
+    std::map<int, int> m_inVain;
     /** No other UAV has ever been planned for: the last one to fly goes on as one of several. */
     bool m_isAlone = true;
 };
@@ -303,16 +348,55 @@ std::optional<Plans> CoveragePolicy::warmStart(const PlanRequest& request) const
         return std::nullopt;
     Plans rests;
     for (const UavRequest& uav : request.uavs) {
-        const auto kept = m_last.find(uav.uav);
-        rests.push_back(kept == m_last.end() ? CoveragePlan() : restOf(kept->second, request.ids));
+        const auto last = m_last.find(uav.uav);
+        if (last == m_last.end()) {
+            rests.emplace_back();
+            continue;
+        }
+        rests.push_back(restOf(last->second.plan, request.ids));
+        shorten(rests.back(), *uav.picture, uav.picture->time_s - last->second.planned_s);
     }
     return rests;
+}
+
+/** As `m_inVain`, now. */
+std::map<int, int> CoveragePolicy::inVain(const PlanRequest& request) const
+{
+    std::map<int, int> inVain = m_inVain;
+    const FlightPicture& picture = *request.uavs.front().picture;
+    const auto isLost = [&](int id) {
+        const auto k = std::ranges::find(request.ids, id) - request.ids.begin();
+        return k < std::ssize(request.ids) &&
+               picture.tracks[static_cast<std::size_t>(k)].status != TrackStatus::Tracked;
+    };
+    std::erase_if(inVain, [&](const auto& entry) { return !isLost(entry.first); });
+    for (const auto& [uav, last] : m_last)
+        if (last.sighting_s && *last.sighting_s <= picture.time_s && isLost(last.plan.front().id))
+            ++inVain[last.plan.front().id];
+    return inVain;
+}
+
+void CoveragePolicy::keep(const PlanRequest& request, const FleetCoverage& found,
+                          const PlanAnswer& answer)
+{
+    m_last.clear();
+    for (std::size_t u = 0; u < found.plans.size(); ++u) {
+        if (found.plans[u].empty())
+            continue;
+        const AimedLeg& leg = answer.uavs[u].legs.front();
+        m_last[request.uavs[u].uav] = {.plan = keptPlan(found.plans[u], request.ids),
+                                       .planned_s = request.uavs[u].picture->time_s,
+                                       .sighting_s = leg.end_s ? std::nullopt
+                                                               : std::optional(leg.sighting_s)};
+    }
 }
 
 FleetCoverage CoveragePolicy::first(FleetCoverageSearch& search, const PlanRequest& request,
                                     const SolveOptions& options, const SolveWatch& watch) const
 {
-    const std::int64_t work = options.workLimit.value_or(this->work(kFirstWork));
+    const bool paysForLooks = request.uavs.front().picture->observer.model != ObserverModel::Simple;
+    const std::int64_t work =
+        options.workLimit.value_or(this->work(kFirstWork) * (paysForLooks ? kWorkOfLooks : 1));
     const auto share = static_cast<std::int64_t>(kShareOfStart * static_cast<double>(work));
     const SolveOptions limits{.timeLimit_s = options.timeLimit_s,
                               .workLimit = std::min(kOrderWork, work),
@@ -345,7 +429,10 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& 
     m_isAlone = m_isAlone && request.uavs.size() == 1;
     const Stopwatch clock;
     const SolveWatch watch(options);
-    const std::vector<FlightPicture> pictures = ownPictures(request);
+    std::vector<FlightPicture> pictures = ownPictures(request);
+    std::map<int, int> inVain = this->inVain(request);
+    for (FlightPicture& picture : pictures)
+        picture.chances = chancesOf(request.ids, inVain);
     PlanAnswer answer{.uavs = std::vector<UavAnswer>(request.uavs.size())};
     if (const std::vector<bool> any = availableToAny(request);
         std::find(any.begin(), any.end(), true) != any.end()) {
@@ -365,11 +452,9 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& 
         answer.outcome.reason = cut.value_or(StopReason::WorkLimit);
         answer.outcome.work = search.work();
         answer.outcome.hintUsed = warm.has_value();
-        m_last.clear();
-        for (std::size_t u = 0; u < found.plans.size(); ++u)
-            if (!found.plans[u].empty())
-                m_last[request.uavs[u].uav] = keptPlan(found.plans[u], request.ids);
+        keep(request, found, answer);
     }
+    m_inVain = std::move(inVain);
     answer.outcome.status = SolveStatus::Feasible;
     answer.outcome.source = AnswerSource::Coverage;
     answer.outcome.elapsed_s = clock.elapsed_s();

@@ -110,14 +110,17 @@ bool CoverageSearch::flyTail(std::size_t from, double limit_m2s)
     const auto reached = [&]() -> const CoverageState& {
         return m_tail.legs.empty() ? stateBefore(from) : m_tail.states[m_tail.legs.size() - 1];
     };
+    const bool flies =
+        std::any_of(m_now.legs.begin(), m_now.legs.begin() + static_cast<std::ptrdiff_t>(from),
+                    [](const CoverageLeg& leg) { return !leg.isHold(); });
     while (!m_model.atEnd(reached()) && m_tail.legs.size() < kMostLegs) {
         const bool planned = next < m_candidate.size();
-        const bool isFirst = from + m_tail.legs.size() == 0;
+        const bool isFirst = !flies && std::ranges::all_of(m_tail.legs, &CoverageLeg::isHold);
         const std::optional<CoverageLeg> leg =
             planned ? m_candidate[next++] : greedyLeg(reached(), isFirst);
         if (!leg)
             break;
-        if (planned && !mayFly(leg->iceberg, isFirst))
+        if (planned && !mayFly(*leg, isFirst))
             continue;
         if (addToTail(reached(), *leg)) {
             if (hopeless(limit_m2s, place))
@@ -185,9 +188,11 @@ void CoverageSearch::accept(std::size_t from)
     m_now.total_m2s = m_tail.total_m2s;
 }
 
-bool CoverageSearch::mayFly(int iceberg, bool isFirst) const
+bool CoverageSearch::mayFly(const CoverageLeg& leg, bool isFirst) const
 {
-    const auto i = static_cast<std::size_t>(iceberg);
+    if (leg.isHold())
+        return true;
+    const auto i = static_cast<std::size_t>(leg.iceberg);
     return (m_limits.any.empty() || m_limits.any[i]) &&
            (!isFirst || m_limits.first.empty() || m_limits.first[i]);
 }
@@ -199,7 +204,7 @@ std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state,
     std::optional<CoverageLeg> best;
     double bestScore = -1;
     for (int i = 0; i < m_model.icebergCount(); ++i) {
-        if (m_model.inView(state, i) || !mayFly(i, isFirst))
+        if (m_model.inView(state, i) || !mayFly({.iceberg = i}, isFirst))
             continue;
         const double path_m =
             std::max(kShortestPath_m, m_model.distance_m(state, i) - m_model.largestOffset_m());

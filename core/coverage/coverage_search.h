@@ -22,7 +22,7 @@ struct CoverageResult
 struct CoverageLimits
 {
     std::vector<bool> any;   ///< at all
-    std::vector<bool> first; ///< first of all
+    std::vector<bool> first; ///< first of all, but for holds
 };
 
 /** How an annealing cools down, in work. */
@@ -96,7 +96,7 @@ private:
     bool addToTail(const CoverageState& before, const CoverageLeg& leg);
     void tell(const CoverageResult& better);
     [[nodiscard]] bool hopeless(double limit_m2s, std::size_t& place) const;
-    [[nodiscard]] bool mayFly(int iceberg, bool isFirst) const;
+    [[nodiscard]] bool mayFly(const CoverageLeg& leg, bool isFirst) const;
     [[nodiscard]] std::optional<CoverageLeg> greedyLeg(const CoverageState& state,
                                                        bool isFirst) const;
     void accept(std::size_t from);

@@ -40,6 +40,15 @@ double firstSighting_s(const UavRequest& request, const std::vector<CoverageSigh
     return first_s;
 }
 
+/** What a leg goes to; of a hold what comes after it, or was before it. */
+int icebergOf(const CoveragePlan& plan, std::size_t leg)
+{
+    const auto isAim = [](const CoverageLeg& other) { return !other.isHold(); };
+    const auto from = plan.begin() + static_cast<std::ptrdiff_t>(leg);
+    const auto next = std::find_if(from, plan.end(), isAim);
+    return next != plan.end() ? next->iceberg : std::max(0, firstIceberg(plan));
+}
+
 } // namespace
 
 DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
@@ -49,16 +58,22 @@ DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
     std::vector<CoverageSighting> all;
     std::vector<CoverageSighting> onLeg;
     CoverageState state = model.start();
-    for (const CoverageLeg& leg : plan) {
+    for (std::size_t k = 0; k < plan.size(); ++k) {
+        CoverageLeg leg = plan[k];
         const CoverageModel::Course course = model.course(state, leg);
         onLeg.clear();
+        const double stay_s = leg.isHold() ? 0 : std::exchange(leg.stay_s, 0);
         model.fly(state, leg, &onLeg);
-        described.legs.push_back({.iceberg = ids[static_cast<std::size_t>(leg.iceberg)],
+        described.legs.push_back({.iceberg = ids[static_cast<std::size_t>(icebergOf(plan, k))],
                                   .turn_rad = course.turn.turn_rad,
                                   .from_m = course.turn.end.position_m,
                                   .abeam_m = course.abeam_m,
                                   .sighting_s = request.picture->time_s +
                                                 firstSighting_s(request, onLeg, state.time_s)});
+        if (leg.isHold())
+            described.legs.back().end_s = request.picture->time_s + state.time_s;
+        if (stay_s > 0)
+            model.fly(state, holdOf(stay_s), &onLeg);
         all.insert(all.end(), onLeg.begin(), onLeg.end());
     }
     orderBySighting(described, request, std::move(all));
@@ -98,8 +113,8 @@ std::vector<int> owners(const PlanRequest& request, std::span<const CoveragePlan
                 owner[k] = static_cast<int>(u);
         }
     for (std::size_t u = 0; u < plans.size(); ++u)
-        if (!plans[u].empty())
-            owner[static_cast<std::size_t>(plans[u].front().iceberg)] = static_cast<int>(u);
+        if (const int iceberg = firstIceberg(plans[u]); iceberg >= 0)
+            owner[static_cast<std::size_t>(iceberg)] = static_cast<int>(u);
     return owner;
 }
 

@@ -150,8 +150,8 @@ void FleetCoverageSearch::lookAtOthers(std::size_t member)
             continue;
         const Member& other = *m_members[v];
         views.insert(views.end(), other.views.begin(), other.views.end());
-        if (!other.plan.empty())
-            first[static_cast<std::size_t>(other.plan.front().iceberg)] = false;
+        if (const int iceberg = firstIceberg(other.plan); iceberg >= 0)
+            first[static_cast<std::size_t>(iceberg)] = false;
     }
     own.model.setOthers(std::move(views));
     own.search.setFirst(std::move(first));

@@ -16,9 +16,13 @@ struct FlightPicture
     DubinsState uav;
     Motion motion;
     SensorSpec sensor;
+    ObserverSpec observer;
     std::vector<Track> tracks; ///< one per id of the `PlanRequest`, in its order
     /** By track: so much its sigma counts in the search for a plan. Empty: 1 each. */
     std::vector<double> weights;
+    /** By track: chance that it is found where it is believed to be if it is lost. Empty: as when
+     * nobody has looked for it yet. */
+    std::vector<double> chances;
     std::uint64_t seed = 0; ///< of the scenario
     std::int64_t step = 0;  ///< with `seed`, names the random numbers of a search made now
 };

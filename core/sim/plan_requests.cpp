@@ -18,6 +18,7 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<i
                           .uav = me.pose(),
                           .motion = me.motion(),
                           .sensor = me.sensor(),
+                          .observer = world.observer(),
                           .seed = world.seed(),
                           .step = world.step()};
     if (me.guard().uav().sortie)

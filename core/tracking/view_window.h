@@ -28,6 +28,17 @@ public:
      */
     ViewWindow(const SensorSpec& sensor, double margin_m);
 
+    /** The same for what may be elsewhere by `deviation_m`: so much smaller on each side, but a
+     * quarter at most. */
+    [[nodiscard]] ViewWindow narrowed(double deviation_m) const
+    {
+        ViewWindow narrow = *this;
+        narrow.m_half_m -= (kMostNarrowed * m_half_m).cwiseMin(deviation_m);
+        narrow.m_largestOffset_m =
+            m_shape == FovShape::Body ? narrow.m_half_m.y() : narrow.m_half_m.minCoeff();
+        return narrow;
+    }
+
     /** Whether the axes turn with the UAV. */
     [[nodiscard]] bool turns() const { return m_shape == FovShape::Body; }
     [[nodiscard]] FovShape shape() const { return m_shape; }
@@ -71,6 +82,9 @@ private:
                                                             const Point& to_m) const;
     [[nodiscard]] std::optional<ViewSpan> crossingDisk(const Point& from_m,
                                                        const Point& to_m) const;
+
+    /** Wider margins would make first passes slow. */
+    static constexpr double kMostNarrowed = 0.25;
 
     FovShape m_shape;
     Point m_half_m;

@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <limits>
 
 using namespace berg;
@@ -51,6 +52,19 @@ RunFile coverageRun()
     mission.advance(240);
     mission.intervene({.policy = PolicyKind::Coverage});
     mission.advance(300);
+    return runOf(mission);
+}
+
+/** With holds, as measurements make them worth while. */
+RunFile holdRun()
+{
+    Scenario scenario = randomScenario(4);
+    scenario.planner.policy = PolicyKind::Coverage;
+    scenario.observer.model = ObserverModel::Kalman;
+    for (Iceberg& iceberg : scenario.icebergs)
+        iceberg.velocitySd_mps = 0.1;
+    Mission mission(scenario, {.workLimit = 50'000, .keyframeInterval_s = 20});
+    mission.advance(400);
     return runOf(mission);
 }
 
@@ -109,6 +123,26 @@ private slots:
         const RunFile flown = runOf(replay(read));
         QVERIFY(flown == run);
         QVERIFY(compareRun(read, flown).empty());
+    }
+
+    void holdsReplay()
+    {
+        const RunFile run = holdRun();
+        const auto holds = [](const RecordedPlan& plan) {
+            return std::ranges::any_of(plan.legs,
+                                       [](const AimedLeg& leg) { return leg.end_s.has_value(); });
+        };
+        QVERIFY(std::ranges::any_of(run.plans, holds));
+        const RunFile read = again(run);
+        QVERIFY(read == run);
+        const RunFile flown = runOf(replay(read));
+        QVERIFY(flown == run);
+        RunFile other = run;
+        const auto frame = std::ranges::find_if(
+            other.keyframes, [](const WorldState& state) { return state.uavs[0].aim.has_value(); });
+        QVERIFY(frame != other.keyframes.end());
+        frame->uavs[0].aim->end_s = 1;
+        QCOMPARE(compareRun(run, other).size(), std::size_t{1});
     }
 
     void aimPointsAreCompared()
