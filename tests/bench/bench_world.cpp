@@ -22,6 +22,7 @@ struct Part
 
 constexpr std::array kParts{Part{"clusters", bench::clusters},
                             Part{"observer", bench::observer},
+                            Part{"filter", bench::filter},
                             Part{"lost", bench::lost},
                             Part{"wind", bench::wind},
                             Part{"asset", bench::asset},

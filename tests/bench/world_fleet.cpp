@@ -11,21 +11,6 @@ namespace berg::bench {
 
 namespace {
 
-/** UAVs along the western edge, evenly, heading as the first; each in an altitude layer. */
-Scenario withUavs(Scenario scenario, int uavs)
-{
-    const Uav first = scenario.uavs.front();
-    scenario.uavs.clear();
-    for (int i = 0; i < uavs; ++i) {
-        Uav uav = first;
-        uav.id = "uav-" + std::to_string(i + 1);
-        uav.position_m.y() += 1000.0 * i;
-        uav.spec.altitude_m += kLayerHeight_m * i;
-        scenario.uavs.push_back(uav);
-    }
-    return scenario;
-}
-
 /** Each iceberg kept for the UAV that the plan of least waiting gives it to at the start: that one
  * shares the work evenly. */
 Scenario partitioned(Scenario scenario)

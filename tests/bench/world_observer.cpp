@@ -68,7 +68,7 @@ std::vector<Row> fly(int scenarios, double sd_mps, double duration_s, const Chan
 
 } // namespace
 
-void observer(int scenarios)
+void filter(int scenarios)
 {
     std::printf("%-24s %11s %11s %11s %11s %11s\n", "true velocity off by", "zeta", "error m",
                 "lost", "found", "visits");

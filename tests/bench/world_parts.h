@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scenario/advice.h"
 #include "core/sim/mission.h"
 #include "core/study/statistics.h"
 
@@ -13,6 +14,7 @@
 namespace berg::bench {
 
 void observer(int scenarios);
+void filter(int scenarios);
 void lost(int scenarios);
 void wind(int scenarios);
 void asset(int scenarios);
@@ -24,6 +26,21 @@ void geofence(int scenarios);
 void fleet(int scenarios);
 void fleetCoverage(int scenarios);
 void separation(int scenarios);
+
+/** UAVs along the western edge, evenly, heading as the first; each in an altitude layer. */
+inline Scenario withUavs(Scenario scenario, int uavs)
+{
+    const Uav first = scenario.uavs.front();
+    scenario.uavs.clear();
+    for (int i = 0; i < uavs; ++i) {
+        Uav uav = first;
+        uav.id = "uav-" + std::to_string(i + 1);
+        uav.position_m.y() += 1000.0 * i;
+        uav.spec.altitude_m += kLayerHeight_m * i;
+        scenario.uavs.push_back(uav);
+    }
+    return scenario;
+}
 
 inline int countOf(const Mission& mission, EventKind kind)
 {
