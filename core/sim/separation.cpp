@@ -14,8 +14,6 @@ namespace berg {
 
 namespace {
 
-/** The circle over ground is so much wider than it needs to be. */
-constexpr double kSpare = 1.05;
 /** Turn rates tried between none and the limit. */
 constexpr int kRates = 8;
 /** A UAV that is blocked for so long is made way for. */
@@ -26,13 +24,6 @@ constexpr double kAhead_s = 60;
 constexpr double kLongestWait_s = 60;
 /** One that has waited for so much longer goes first. */
 constexpr double kWait_s = 30;
-
-/** Of the circle over ground that can be flown in this wind. */
-double circleOverGround_m(const Motion& motion)
-{
-    const double faster = 1 + motion.wind_mps.norm() / motion.airspeed_mps;
-    return kSpare * faster * faster * motion.airspeed_mps / motion.limit_radps;
-}
 
 /** Of the course over ground. */
 Point aheadOf(const DubinsState& pose, const Motion& motion)

@@ -25,6 +25,12 @@ constexpr double kBeside_m = 5;
 
 } // namespace
 
+double circleOverGround_m(const Motion& motion)
+{
+    const double faster = 1 + motion.wind_mps.norm() / motion.airspeed_mps;
+    return kSpare * faster * faster * motion.airspeed_mps / motion.limit_radps;
+}
+
 Geofence::Geofence(std::vector<Point> corners_m, const Motion& motion,
                    std::vector<std::vector<Point>> holes_m)
     : m_rings_m(std::move(holes_m)), m_isBounded(!corners_m.empty()), m_motion(motion)
@@ -40,8 +46,7 @@ Geofence::Geofence(std::vector<Point> corners_m, const Motion& motion,
     for (std::size_t k = 0; k < m_rings_m.size(); ++k)
         if ((signedArea(m_rings_m[k]) < 0) == (m_isBounded && k == 0))
             std::reverse(m_rings_m[k].begin(), m_rings_m[k].end());
-    const double faster = 1 + motion.wind_mps.norm() / motion.airspeed_mps;
-    m_radius_m = kSpare * faster * faster * motion.airspeed_mps / motion.limit_radps;
+    m_radius_m = circleOverGround_m(motion);
     placeCorners();
     connectCorners();
 }

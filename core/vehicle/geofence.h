@@ -15,12 +15,16 @@ inline constexpr std::size_t kMostFenceCorners = 200;
 /** For each corner on a way: the fence may turn the UAV aside there. */
 inline constexpr double kCornerReserve_s = 5;
 
+/** Radius of the circle over ground that can be flown for ever in this wind: (1 + W/U)^2 times the
+ * UAV's own, and 5 % more. */
+[[nodiscard]] double circleOverGround_m(const Motion& motion);
+
 /**
  * Where a UAV stays: inside a simple polygon, concave or not, and outside others, its holes, which
  * may overlap each other and the polygon. Without the first polygon it is unbounded.
  *
- * Holding: the UAV can stay for ever on a circle over ground of radius (1 + W/U)^2 times its own,
- * and 5 % more, tangent to its course, left or right. While one of the two lies inside, with no
+ * Holding: the UAV can stay for ever on a circle over ground (`circleOverGround_m`) tangent to its
+ * course, left or right. While one of the two lies inside, with no
  * hole in it, the fence can be kept: `turnClearance_m` >= 0. Whoever flies only commands that leave
  * room stays inside.
  *
