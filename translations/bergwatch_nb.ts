@@ -3345,10 +3345,6 @@
         <translation>Denne strategien planlegger isfjell ett for ett: flere i ett synsfelt planlegges ikke som ett punkt.</translation>
     </message>
     <message>
-        <source>Icebergs are planned as one point for one UAV only; with several each is planned by itself.</source>
-        <translation>Isfjell planlegges som ett punkt bare for én UAV; med flere planlegges hvert for seg.</translation>
-    </message>
-    <message>
         <source>A scenario holds at most %2 no-fly areas, not %3.</source>
         <translation>Et scenario rommer høyst %2 flyforbudsområder, ikke %3.</translation>
     </message>

@@ -113,8 +113,6 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
      "no iceberg is uncertain at the start, so distance alone makes the first plan"},
     {IssueId::BeyondProof, "more than can be proven optimal; the plan comes with a bound"},
     {IssueId::ClustersIgnored, "the policy plans icebergs one by one, so clusters are not made"},
-    {IssueId::ClustersOneUav,
-     "clusters are planned for one UAV only, so with several they are not made"},
     {IssueId::SolverUnable, "cannot plan so many icebergs; the back end auto can"},
     {IssueId::LongProof, "proving the optimum of so many icebergs can take a minute and more"},
 }};

@@ -93,7 +93,6 @@ enum class IssueId
     NoSigma,
     BeyondProof,
     ClustersIgnored,
-    ClustersOneUav,
     SolverUnable,
     LongProof ///< the last
 };

@@ -408,8 +408,6 @@ void Adviser::advisePlanner()
     const PlannerSettings& planner = m_s.planner;
     if (m_s.clusters && !traitsOf(planner.policy).plansClusters)
         hint("planner.clusters", IssueId::ClustersIgnored);
-    else if (m_s.clusters && m_s.uavs.size() > 1)
-        warn("planner.clusters", IssueId::ClustersOneUav);
     if (!traitsOf(planner.policy).usesTau || count == 0)
         return;
     if (std::all_of(m_s.icebergs.begin(), m_s.icebergs.end(),

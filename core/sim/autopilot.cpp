@@ -78,6 +78,13 @@ const Errand* Autopilot::errand() const
     return searching != nullptr ? &searching->errand : nullptr;
 }
 
+bool Autopilot::fliesTo(int iceberg) const
+{
+    const Errand* now = errand();
+    return now != nullptr && (now->target == iceberg ||
+                              std::ranges::find(now->members, iceberg) != now->members.end());
+}
+
 Point targetPlace_m(const Errand& errand, const Observer& observer)
 {
     return errand.members.empty() ? observer.estimate_m(errand.target)

@@ -37,6 +37,8 @@ public:
     [[nodiscard]] const Errand* errand() const;
     /** Index of the iceberg it is sent to; -1: none. */
     [[nodiscard]] int target() const { return errand() ? errand()->target : -1; }
+    /** Whether it is sent to it, alone or as one of a cluster. */
+    [[nodiscard]] bool fliesTo(int iceberg) const;
     /** What is put on record, without what others know: search, planned alone. */
     [[nodiscard]] UavState state() const;
 

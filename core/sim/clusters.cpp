@@ -49,12 +49,14 @@ bool isFlownOver(const Geofence& fence, const Point& place_m)
 class Grouping
 {
 public:
-    Grouping(std::span<const Track> tracks, const ClusterRules& rules)
-        : m_tracks(tracks), m_rules(rules)
+    Grouping(std::span<const Track> tracks, std::span<const ClusterRules> uavs)
+        : m_tracks(tracks), m_uavs(uavs), m_time_s(uavs.front().time_s)
     {
+        for (const ClusterRules& rules : uavs)
+            m_widest_m = std::max(m_widest_m, rules.cover_m);
         for (int i = 0; i < static_cast<int>(tracks.size()); ++i) {
             m_groups.push_back({i});
-            m_places_m.push_back(track(i).estimate_m(rules.time_s));
+            m_places_m.push_back(track(i).estimate_m(m_time_s));
         }
         for (std::size_t a = 0; a < m_groups.size(); ++a)
             for (std::size_t b = a + 1; b < m_groups.size(); ++b)
@@ -84,7 +86,7 @@ private:
 
     void offer(std::size_t a, std::size_t b)
     {
-        if ((m_places_m[a] - m_places_m[b]).norm() > 2 * m_rules.cover_m)
+        if ((m_places_m[a] - m_places_m[b]).norm() > 2 * m_widest_m)
             return;
         std::vector<int> members = m_groups[a];
         members.insert(members.end(), m_groups[b].begin(), m_groups[b].end());
@@ -107,25 +109,40 @@ private:
                 offer(other, chosen.a);
     }
 
-    /** Of the circle round the members, the larger of now and later; none: they are no cluster. */
+    /** Of the circle round the members, the largest for any UAV; none: they are no cluster. */
     [[nodiscard]] std::optional<double> radiusOf(const std::vector<int>& members) const
     {
-        const Circle now = circleAt(members, m_rules.time_s);
-        if (now.radius_m > m_rules.cover_m ||
-            !canTurnOnto(m_rules.uav, m_rules.motion, now.centre_m) ||
-            (m_rules.fence && !isFlownOver(*m_rules.fence, now.centre_m)))
+        const Circle now = circleAt(members, m_time_s);
+        std::optional<double> largest_m;
+        for (const ClusterRules& rules : m_uavs) {
+            if (!mayVisit(rules, members))
+                continue;
+            const std::optional<double> radius_m = radiusFor(rules, members, now);
+            if (!radius_m)
+                return std::nullopt;
+            largest_m = std::max(largest_m.value_or(0), *radius_m);
+        }
+        return largest_m;
+    }
+
+    /** For one UAV: the larger of now and when it is there. */
+    [[nodiscard]] std::optional<double>
+    radiusFor(const ClusterRules& rules, const std::vector<int>& members, const Circle& now) const
+    {
+        const Motion& motion = rules.motion;
+        if (now.radius_m > rules.cover_m || !canTurnOnto(rules.uav, motion, now.centre_m) ||
+            (rules.fence && !isFlownOver(*rules.fence, now.centre_m)))
             return std::nullopt;
-        const Motion& motion = m_rules.motion;
         const double wait_s =
-            longestTurn_s(motion) + flightTime_s(now.centre_m - m_rules.uav.position_m,
-                                                 motion.airspeed_mps, motion.wind_mps);
+            longestTurn_s(motion) +
+            flightTime_s(now.centre_m - rules.uav.position_m, motion.airspeed_mps, motion.wind_mps);
         double sigma_m2 = 0;
         for (const int i : members)
             sigma_m2 = std::max(sigma_m2, track(i).sigmaAfter_m2(wait_s));
         const double radius_m =
-            std::max(now.radius_m, circleAt(members, m_rules.time_s + wait_s).radius_m);
+            std::max(now.radius_m, circleAt(members, m_time_s + wait_s).radius_m);
         const double spare_m = kDeviations * std::sqrt(sigma_m2) + kFlownOver_m;
-        return radius_m + spare_m <= m_rules.cover_m ? std::optional(radius_m) : std::nullopt;
+        return radius_m + spare_m <= rules.cover_m ? std::optional(radius_m) : std::nullopt;
     }
 
     [[nodiscard]] Circle circleAt(const std::vector<int>& members, double time_s) const
@@ -140,7 +157,9 @@ private:
     [[nodiscard]] const Track& track(int i) const { return m_tracks[static_cast<std::size_t>(i)]; }
 
     std::span<const Track> m_tracks;
-    const ClusterRules& m_rules;
+    std::span<const ClusterRules> m_uavs;
+    double m_time_s;
+    double m_widest_m = 0;
     std::vector<Point> m_places_m;          ///< by track, now
     std::vector<std::vector<int>> m_groups; ///< each at the index of its first; empty: of another
     std::vector<Union> m_unions;
@@ -173,9 +192,17 @@ std::optional<int> thisSortie(const Simulation& simulation, int uav, std::span<c
     return visits;
 }
 
-std::vector<std::vector<int>> clustersOf(std::span<const Track> tracks, const ClusterRules& rules)
+bool mayVisit(const ClusterRules& rules, std::span<const int> members)
 {
-    return Grouping(tracks, rules).grown();
+    return rules.visitable.empty() || std::ranges::all_of(members, [&](int i) {
+               return rules.visitable[static_cast<std::size_t>(i)];
+           });
+}
+
+std::vector<std::vector<int>> clustersOf(std::span<const Track> tracks,
+                                         std::span<const ClusterRules> uavs)
+{
+    return Grouping(tracks, uavs).grown();
 }
 
 std::span<const int> clusterWith(std::span<const std::vector<int>> clusters, int iceberg)

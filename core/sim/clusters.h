@@ -26,7 +26,7 @@ class Simulation;
 /** Passing nearer to its middle than this is flying over a cluster. */
 inline constexpr double kFlownOver_m = 10;
 
-/** How clusters are flown to, and what they may be. */
+/** How one UAV flies to clusters, and what they may be for it. */
 struct ClusterRules
 {
     double time_s = 0;
@@ -34,7 +34,11 @@ struct ClusterRules
     Motion motion;
     double cover_m = 0; ///< largest distance of a member from the UAV at which it counts
     std::shared_ptr<const Geofence> fence; ///< null: none
+    std::vector<bool> visitable;           ///< by track: what it may visit; empty: all
 };
+
+/** Whether the UAV may visit all of them. */
+[[nodiscard]] bool mayVisit(const ClusterRules& rules, std::span<const int> members);
 
 /** What turning onto the straight way to a cluster adds to it at most: a full turn. */
 [[nodiscard]] double longestTurn_s(const Motion& motion);
@@ -45,7 +49,8 @@ struct ClusterRules
  * less 2 standard deviations of the least certain one and the error of flying, now and when the
  * UAV, on a straight way after a full turn, is there. (In between it is no larger either: estimates
  * move straight, and the radius is then a convex function of time.) The UAV can turn onto the
- * middle at once, and fly over it on any course inside the fence.
+ * middle at once, and fly over it on any course inside the fence. With several UAVs that holds for
+ * each that may visit all of the members, of which there is one at least.
  *
  * Returns groups of indices into `tracks`, two and more in each, ascending, as are the first of
  * the groups; each index once at most. Groups grow out of single icebergs, the two that come into
@@ -55,7 +60,7 @@ struct ClusterRules
  * of the count.
  */
 [[nodiscard]] std::vector<std::vector<int>> clustersOf(std::span<const Track> tracks,
-                                                       const ClusterRules& rules);
+                                                       std::span<const ClusterRules> uavs);
 
 /** The cluster that this one leads or is in; empty: none. */
 [[nodiscard]] std::span<const int> clusterWith(std::span<const std::vector<int>> clusters,

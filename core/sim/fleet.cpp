@@ -42,7 +42,7 @@ std::shared_ptr<const Scenario> boundsOf(const Scenario& scenario)
 } // namespace
 
 Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
-    : m_clusters(scenario.clusters && scenario.uavs.size() == 1)
+    : m_clusters(scenario.clusters)
     , m_separation_m(scenario.separation_m)
     , m_bounds(boundsOf(scenario))
     , m_observer(scenario, noise)
@@ -83,9 +83,9 @@ int Fleet::nearestAvailable(int uav) const
                    [this, uav](int iceberg) { return available(uav, iceberg); });
 }
 
-bool Fleet::clusterable(int iceberg) const
+bool Fleet::clusterable(int uav, int iceberg) const
 {
-    return available(0, iceberg) &&
+    return available(uav, iceberg) &&
            std::ranges::find(m_unclustered, iceberg) == m_unclustered.end();
 }
 
@@ -142,7 +142,7 @@ void Fleet::setTarget(int uav, Errand errand, bool mayGoOn)
     Autopilot& me = m_autopilots[toIndex(uav)];
     const Errand* now = me.errand();
     if (mayGoOn && errand.target >= 0 && !errand.aim && now != nullptr &&
-        now->target == errand.target && !now->aim) {
+        now->target == errand.target && now->members == errand.members && !now->aim) {
         if (me.mode() != FlightMode::Search) // another UAV may have left it its search
             beginOrEndSearch(uav);
         return;

@@ -30,10 +30,10 @@ public:
     [[nodiscard]] bool available(int uav, int iceberg) const;
     /** By its estimate; the first one among equals, -1: none is available. */
     [[nodiscard]] int nearestAvailable(int uav) const;
-    /** Whether the scenario asks for clusters, which are for one UAV only. */
+    /** Whether the scenario asks for clusters. */
     [[nodiscard]] bool plansClusters() const { return m_clusters; }
-    /** Whether it may be planned as one of a cluster. */
-    [[nodiscard]] bool clusterable(int iceberg) const;
+    /** Whether it may be planned for the UAV as one of a cluster. */
+    [[nodiscard]] bool clusterable(int uav, int iceberg) const;
 
     /** One step: `poses` as for `Simulation::advanceStep`. */
     void advance(std::span<const DubinsState> poses);

@@ -25,8 +25,7 @@ bool nobodyIsPlanned(const Fleet& fleet)
 PlanEvent planEvent(const PlanAnswer& answer)
 {
     const SolveOutcome& outcome = answer.outcome;
-    return {.clusters = answer.clusters,
-            .predictedZeta_m2s = answer.predictedZeta_m2s,
+    return {.predictedZeta_m2s = answer.predictedZeta_m2s,
             .status = outcome.status,
             .stop = outcome.reason,
             .source = outcome.source,
@@ -52,6 +51,11 @@ std::vector<PlanEvent> planEvents(const PlanAnswer& answer, const PlanRequest& r
         event.sameSolve = k > 0;
         event.target = own.order.empty() ? -1 : own.order.front();
         event.order = own.order;
+        std::ranges::copy_if(answer.clusters, std::back_inserter(event.clusters),
+                             [&](const std::vector<int>& members) {
+                                 return std::ranges::find(own.order, members.front()) !=
+                                        own.order.end();
+                             });
         event.legs = own.legs;
         event.outlook = own.outlook;
         events.push_back(std::move(event));
@@ -59,12 +63,12 @@ std::vector<PlanEvent> planEvents(const PlanAnswer& answer, const PlanRequest& r
     return events;
 }
 
-/** Of the clusters, what can still be flown to as one point. */
-std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> clusters,
+/** Of the clusters, what the UAV can still fly to as one point. */
+std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> clusters, int uav,
                                             const Simulation& simulation)
 {
     for (std::vector<int>& members : clusters)
-        std::erase_if(members, [&](int i) { return !simulation.fleet().clusterable(i); });
+        std::erase_if(members, [&](int i) { return !simulation.fleet().clusterable(uav, i); });
     std::erase_if(clusters, [](const std::vector<int>& members) { return members.size() < 2; });
     return clusters;
 }
@@ -104,7 +108,7 @@ bool Mission::putPendingInForce()
         // What has come into view since is not flown to.
         const auto isGone = [&](int i) { return !m_simulation.available(plan.uav, i); };
         std::erase_if(plan.order, isGone);
-        plan.clusters = stillClusters(std::move(plan.clusters), m_simulation);
+        plan.clusters = stillClusters(std::move(plan.clusters), plan.uav, m_simulation);
         plan.time_s = m_simulation.time_s();
         if (plan.target < 0 || !isGone(plan.target))
             continue;
@@ -207,7 +211,7 @@ void Mission::flyOn(int uav)
             next >= 0)
             plan.order = {next};
     if (const PlanEvent* last = lastPlanOf(m_plans, uav))
-        plan.clusters = stillClusters(last->clusters, m_simulation);
+        plan.clusters = stillClusters(last->clusters, uav, m_simulation);
     plan.thisSortie = thisSortie(m_simulation, uav, plan.order, plan.clusters);
     plan.target = plan.order.empty() ? -1 : plan.order.front();
     const Errand* now = m_simulation.fleet().autopilot(uav).errand();
@@ -225,7 +229,7 @@ void Mission::flyOn(int uav)
 bool Mission::isTargetOfOther(int uav, int iceberg) const
 {
     for (int other = 0; other < m_simulation.uavCount(); ++other)
-        if (other != uav && m_simulation.fleet().autopilot(other).target() == iceberg)
+        if (other != uav && m_simulation.fleet().autopilot(other).fliesTo(iceberg))
             return true;
     return false;
 }
@@ -270,12 +274,17 @@ void Mission::compareWithLast(Round& plans) const
             return std::ranges::find(plan.order, iceberg) != plan.order.end();
         });
     };
-    ChangedClusters clusters{.after = plans.front().clusters};
+    std::vector<std::vector<int>> clustersBefore;
+    std::vector<std::vector<int>> clustersAfter;
+    const auto append = [](auto& all, const std::vector<std::vector<int>>& own) {
+        all.insert(all.end(), own.begin(), own.end());
+    };
     for (const PlanEvent& next : plans) {
         const PlanEvent* last = lastPlanOf(m_plans, next.uav);
         if (last == nullptr)
             continue;
-        clusters.before = last->clusters;
+        append(clustersBefore, last->clusters);
+        append(clustersAfter, next.clusters);
         std::vector<int> rest =
             restOfPlan(next.uav, last->interim ? PlanReason::None : next.reason);
         // Those in view are passed over, unless the new order keeps them, as fixed routes do.
@@ -289,8 +298,8 @@ void Mission::compareWithLast(Round& plans) const
     const double left_s =
         static_cast<double>(m_simulation.world().lastStep()) * m_simulation.world().dt_s() -
         m_simulation.time_s();
-    std::vector<std::optional<PlanChange>> changes =
-        planChanges(forecastStart(), before, after, left_s, clusters);
+    std::vector<std::optional<PlanChange>> changes = planChanges(
+        forecastStart(), before, after, left_s, {.before = clustersBefore, .after = clustersAfter});
     for (PlanEvent& plan : plans)
         plan.change = std::move(changes[static_cast<std::size_t>(plan.uav)]);
 }

@@ -8,6 +8,17 @@ namespace berg {
 
 namespace {
 
+/** From the UAV, between the places, in the unit of a request: flight time times the speed of the
+ * first UAV. */
+Eigen::MatrixXd distances_m(const Simulation& simulation, int uav, std::span<const Point> places_m)
+{
+    const Autopilot& me = simulation.fleet().autopilot(uav);
+    std::vector<Point> nodes_m{me.pose().position_m};
+    nodes_m.insert(nodes_m.end(), places_m.begin(), places_m.end());
+    return simulation.motion(0).airspeed_mps / me.motion().airspeed_mps *
+           legLengths_m(me.guard().uav(), nodes_m);
+}
+
 UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<int>& ids)
 {
     const World& world = simulation.world();
@@ -24,51 +35,91 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<i
     if (me.guard().uav().sortie)
         picture.until_s = std::min(picture.until_s, picture.time_s + me.guard().enduranceLeft_s());
     UavRequest request{.uav = uav};
-    std::vector<Point> nodes_m{me.pose().position_m};
+    std::vector<Point> places_m;
     for (const int i : ids) {
         request.available.push_back(
             simulation.available(uav, i) &&
             !simulation.trigger().isTargetOfUnplanned(i, simulation.fleet()));
-        nodes_m.push_back(observer.estimate_m(i));
+        places_m.push_back(observer.estimate_m(i));
         picture.tracks.push_back(observer.track(i));
         picture.weights.push_back(priority(observer, i));
     }
     request.picture = std::make_shared<const FlightPicture>(std::move(picture));
-    // In the unit of a request: flight time times the speed of the first UAV.
-    request.distance_m = simulation.motion(0).airspeed_mps / me.motion().airspeed_mps *
-                         legLengths_m(me.guard().uav(), nodes_m);
+    request.distance_m = distances_m(simulation, uav, places_m);
     return request;
 }
 
+/** Icebergs that are planned as one point, and for whom. */
+struct Cluster
+{
+    std::vector<int> members;
+    std::vector<bool> uavs; ///< by UAV of the request: whether it may fly there
+};
+
 /** The request with the nodes of each cluster made one, that of its first member. */
 PlanRequest withClusters(const Simulation& simulation, const PlanRequest& single,
-                         std::vector<std::vector<int>> clusters)
+                         const std::vector<Cluster>& clusters)
 {
     const Observer& observer = simulation.observer();
-    const Autopilot& me = simulation.fleet().autopilot(0);
     PlanRequest request = single;
     request.ids.clear();
-    request.uavs.front().available.clear();
     request.sigma_m2 = {0};
-    std::vector<Point> nodes_m{me.pose().position_m};
+    for (UavRequest& uav : request.uavs)
+        uav.available.clear();
+    for (const Cluster& cluster : clusters)
+        request.clusters.push_back(cluster.members);
+    std::vector<Point> places_m;
     for (std::size_t k = 0; k < single.ids.size(); ++k) {
         const int id = single.ids[k];
         const double sigma_m2 = single.sigma_m2[k + 1];
-        const std::span<const int> members = clusterWith(clusters, id);
-        if (!members.empty() && members.front() != id) {
-            const auto leader = std::ranges::find(request.ids, members.front());
+        const auto found = std::ranges::find_if(clusters, [id](const Cluster& cluster) {
+            return std::ranges::find(cluster.members, id) != cluster.members.end();
+        });
+        const bool isSingle = found == clusters.end();
+        if (!isSingle && found->members.front() != id) {
+            const auto leader = std::ranges::find(request.ids, found->members.front());
             request.sigma_m2[static_cast<std::size_t>(leader - request.ids.begin()) + 1] +=
                 sigma_m2;
             continue;
         }
         request.ids.push_back(id);
-        request.uavs.front().available.push_back(single.uavs.front().available[k]);
+        for (std::size_t uav = 0; uav < request.uavs.size(); ++uav)
+            request.uavs[uav].available.push_back(isSingle ? single.uavs[uav].available[k]
+                                                           : found->uavs[uav]);
         request.sigma_m2.push_back(sigma_m2);
-        nodes_m.push_back(members.empty() ? observer.estimate_m(id) : middle_m(observer, members));
+        places_m.push_back(isSingle ? observer.estimate_m(id) : middle_m(observer, found->members));
     }
-    request.uavs.front().distance_m = legLengths_m(me.guard().uav(), nodes_m);
-    request.clusters = std::move(clusters);
+    for (UavRequest& uav : request.uavs)
+        uav.distance_m = distances_m(simulation, uav.uav, places_m);
     return request;
+}
+
+/** How a UAV of the request flies to clusters of `candidates`. */
+ClusterRules clusterRules(const Simulation& simulation, const PlanRequest& single,
+                          std::size_t place, std::span<const int> candidates)
+{
+    const UavRequest& asked = single.uavs[place];
+    const Autopilot& me = simulation.fleet().autopilot(asked.uav);
+    const double seen_m = surelySeen_m(me.sensor());
+    const std::optional<double>& reach_m = simulation.observer().cameras().reachRadius_m();
+    ClusterRules rules{.time_s = simulation.time_s(),
+                       .uav = me.pose(),
+                       .motion = me.motion(),
+                       .cover_m = std::min(seen_m, reach_m.value_or(seen_m)),
+                       .fence = me.guard().uav().fence};
+    for (const int node : candidates)
+        rules.visitable.push_back(
+            asked.available[toIndex(node)] &&
+            simulation.fleet().clusterable(asked.uav, single.ids[toIndex(node)]));
+    return rules;
+}
+
+/** Whether it can be flown to whole in this sortie; else it is left to single visits. */
+bool isOfThisSortie(const Simulation& simulation, int uav, std::span<const int> members)
+{
+    const std::optional<int> visits =
+        thisSortie(simulation.fleet().autopilot(uav), members, simulation.observer());
+    return !visits || *visits == static_cast<int>(members.size());
 }
 
 } // namespace
@@ -103,31 +154,33 @@ PlanRequest clusteredRequest(const Simulation& simulation)
     const Fleet& fleet = simulation.fleet();
     if (!fleet.plansClusters())
         return single;
-    const Autopilot& me = fleet.autopilot(0); // clusters are planned for one UAV only
-    std::vector<int> candidates;
+    std::vector<int> candidates; // places in `single.ids`
     std::vector<Track> tracks;
-    for (const int id : single.ids)
-        if (fleet.clusterable(id)) {
-            candidates.push_back(id);
-            tracks.push_back(simulation.track(id));
-        }
-    const double seen_m = surelySeen_m(me.sensor());
-    const std::optional<double>& reach_m = simulation.observer().cameras().reachRadius_m();
-    std::vector<std::vector<int>> clusters =
-        clustersOf(tracks, {.time_s = simulation.time_s(),
-                            .uav = me.pose(),
-                            .motion = me.motion(),
-                            .cover_m = std::min(seen_m, reach_m.value_or(seen_m)),
-                            .fence = me.guard().uav().fence});
-    for (std::vector<int>& members : clusters)
-        for (int& member : members)
-            member = candidates[toIndex(member)];
-    // What cannot be flown to whole in this sortie is left to single visits.
-    std::erase_if(clusters, [&](const std::vector<int>& members) {
-        const std::optional<int> visits = thisSortie(me, members, simulation.observer());
-        return visits && *visits < static_cast<int>(members.size());
-    });
-    return clusters.empty() ? single : withClusters(simulation, single, std::move(clusters));
+    for (std::size_t k = 0; k < single.ids.size(); ++k) {
+        const auto isFor = [&](const UavRequest& uav) {
+            return uav.available[k] && fleet.clusterable(uav.uav, single.ids[k]);
+        };
+        if (!std::ranges::any_of(single.uavs, isFor))
+            continue;
+        candidates.push_back(static_cast<int>(k));
+        tracks.push_back(simulation.track(single.ids[k]));
+    }
+    std::vector<ClusterRules> rules;
+    for (std::size_t uav = 0; uav < single.uavs.size(); ++uav)
+        rules.push_back(clusterRules(simulation, single, uav, candidates));
+    std::vector<Cluster> clusters;
+    for (const std::vector<int>& group : clustersOf(tracks, rules)) {
+        Cluster cluster;
+        for (const int member : group)
+            cluster.members.push_back(single.ids[toIndex(candidates[toIndex(member)])]);
+        for (std::size_t uav = 0; uav < rules.size(); ++uav)
+            cluster.uavs.push_back(
+                mayVisit(rules[uav], group) &&
+                isOfThisSortie(simulation, single.uavs[uav].uav, cluster.members));
+        if (std::ranges::find(cluster.uavs, true) != cluster.uavs.end())
+            clusters.push_back(std::move(cluster));
+    }
+    return clusters.empty() ? single : withClusters(simulation, single, clusters);
 }
 
 PlanRequest requestFor(const Simulation& simulation, PolicyKind policy)

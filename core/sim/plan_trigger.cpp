@@ -20,11 +20,21 @@ bool targetReached(int uav, const Fleet& fleet)
         errand.members, [&](int member) { return isReached(fleet.observer(), uav, member); });
 }
 
-/** Whether it is the target of one of the UAVs. */
+/** Whether another UAV has come to one of those it is sent to. */
+bool isSeenByOther(int uav, const Fleet& fleet)
+{
+    const Errand& errand = *fleet.autopilot(uav).errand();
+    const auto isSeen = [&](int iceberg) {
+        return isReachedByOther(fleet.observer(), uav, iceberg);
+    };
+    return isSeen(errand.target) || std::ranges::any_of(errand.members, isSeen);
+}
+
+/** Whether one of the UAVs is sent to it. */
 bool isTarget(int iceberg, const Fleet& fleet)
 {
-    return std::ranges::find(fleet.autopilots(), iceberg, &Autopilot::target) !=
-           fleet.autopilots().end();
+    return std::ranges::any_of(fleet.autopilots(),
+                               [iceberg](const Autopilot& uav) { return uav.fliesTo(iceberg); });
 }
 
 bool hasTargets(const Fleet& fleet)
@@ -84,7 +94,7 @@ bool PlanTrigger::isTargetOfUnplanned(int iceberg, const Fleet& fleet) const
     if (reason() == PlanReason::None)
         return false; // asked about in between, all of them are planned
     for (int uav = 0; uav < fleet.count(); ++uav)
-        if (fleet.autopilot(uav).target() == iceberg && reason(uav) == PlanReason::None)
+        if (fleet.autopilot(uav).fliesTo(iceberg) && reason(uav) == PlanReason::None)
             return true;
     return false;
 }
@@ -138,8 +148,7 @@ PlanReason PlanTrigger::reasonOf(int uav, Fleet& fleet) const
     }
     if (!fleet.observer().newlyAppeared().empty())
         return PlanReason::Appeared;
-    return isReachedByOther(fleet.observer(), uav, me.target()) ? PlanReason::SeenByOther
-                                                                : PlanReason::None;
+    return isSeenByOther(uav, fleet) ? PlanReason::SeenByOther : PlanReason::None;
 }
 
 PlanReason PlanTrigger::reasonOfAim(int uav, Fleet& fleet) const

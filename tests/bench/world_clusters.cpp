@@ -4,7 +4,7 @@
 #include "tests/bench/world_parts.h"
 
 #include <string>
-#include <utility>
+#include <tuple>
 
 namespace berg::bench {
 
@@ -40,17 +40,24 @@ void clusters(int scenarios)
 {
     std::printf("%-24s %11s %11s %11s %11s %11s %11s\n", "clusters", "zeta", "visits", "plans",
                 "solving ms", "legs there", "missed");
-    const std::pair<const char*, FieldSpec> fields[] = {
-        {"12 in 5000 x 4000 m", {}},
-        {"12 in 2500 x 2000 m", {.size_m = Point(2500, 2000)}},
-        {"20 in 2500 x 2000 m", {.icebergs = 20, .size_m = Point(2500, 2000)}}};
-    for (const auto& [name, field] : fields)
+    const FieldSpec near{.size_m = Point(2500, 2000)};
+    const FieldSpec dense{.icebergs = 20, .size_m = Point(2500, 2000)};
+    const FieldSpec wide{.icebergs = 40};
+    const std::tuple<const char*, FieldSpec, int> fields[] = {
+        {"12 in 5000 x 4000 m", {}, 1},
+        {"12 in 2500 x 2000 m", near, 1},
+        {"20 in 2500 x 2000 m", dense, 1},
+        {"12 in 5000 x 4000 m, 2 UAVs", {}, 2},
+        {"20 in 2500 x 2000 m, 2 UAVs", dense, 2},
+        {"40 in 5000 x 4000 m, 2 UAVs", wide, 2},
+        {"40 in 5000 x 4000 m, 3 UAVs", wide, 3}};
+    for (const auto& [name, field, uavs] : fields)
         for (const PolicyKind policy : {PolicyKind::Visitation, PolicyKind::Latency,
                                         PolicyKind::Nearest, PolicyKind::Uncertainty}) {
             std::vector<Row> without;
             std::vector<Row> with;
             for (int seed = 1; seed <= scenarios; ++seed) {
-                Scenario scenario = randomScenario(seed, field);
+                Scenario scenario = withUavs(randomScenario(seed, field), uavs);
                 scenario.planner.policy = policy;
                 without.push_back(flown(scenario));
                 scenario.clusters = true;

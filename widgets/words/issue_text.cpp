@@ -194,9 +194,6 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
     {IssueId::ClustersIgnored,
      QT_TRANSLATE_NOOP("IssueText", "This policy plans icebergs one by one: several in one field "
                                     "of view are not planned as one point.")},
-    {IssueId::ClustersOneUav,
-     QT_TRANSLATE_NOOP("IssueText", "Icebergs are planned as one point for one UAV only; with "
-                                    "several each is planned by itself.")},
     {IssueId::SolverUnable,
      QT_TRANSLATE_NOOP("IssueText", "This solver cannot plan so many icebergs. Choose Automatic.")},
     {IssueId::LongProof,

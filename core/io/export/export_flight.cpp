@@ -79,7 +79,7 @@ PlanAnswer startPlan(const Mission& mission)
         if (&plan != &mission.plans().front() && !plan.sameSolve)
             break; // made later
         answer.uavs.push_back({.order = plan.order, .legs = plan.legs});
-        answer.clusters = plan.clusters;
+        answer.clusters.insert(answer.clusters.end(), plan.clusters.begin(), plan.clusters.end());
         answer.outcome.status = plan.status;
         answer.gap = plan.gap;
         answer.fellBack = plan.fellBack;

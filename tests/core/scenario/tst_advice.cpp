@@ -125,12 +125,6 @@ const std::vector<Case>& cases()
              addUav(s, 25000, 0);
              s.icebergs[1].position_m = {23000, 0};
          }},
-        {"clusters of several UAVs",
-         [](S& s) {
-             addUav(s, 1000, 0);
-             s.clusters = true;
-         },
-         kWarning, "planner.clusters", IssueId::ClustersOneUav, [](S& s) { s.clusters = true; }},
         {"home without endurance", [](S& s) { s.uavs[0].home_m = Point(100, 0); }, kHint,
          "uavs[0].home_m", IssueId::HomeUnused,
          [](S& s) {

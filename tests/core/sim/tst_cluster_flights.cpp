@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <set>
 
 using namespace berg;
 using namespace berg::test;
@@ -21,6 +22,20 @@ Scenario calmCrowd(std::int64_t seed, FovShape shape)
     Scenario scenario = crowd(seed);
     scenario.noise = false;
     scenario.fovShape = shape;
+    return scenario;
+}
+
+/** At altitudes of their own, which is no part of this. */
+Scenario calmFleet(std::int64_t seed, int uavs)
+{
+    Scenario scenario = calmCrowd(seed, FovShape::Body);
+    scenario.planner.policy = seed % 3 == 0 ? PolicyKind::Latency : PolicyKind::Visitation;
+    for (int uav = 1; uav < uavs; ++uav) {
+        scenario.uavs.push_back(scenario.uavs[0]);
+        scenario.uavs.back().id = "uav-" + std::to_string(uav + 1);
+        scenario.uavs.back().position_m += Point(400 * uav, 0);
+        scenario.uavs.back().spec.altitude_m += 60 * uav;
+    }
     return scenario;
 }
 
@@ -130,6 +145,67 @@ private slots:
         QVERIFY2(reached > 30, QByteArray::number(reached));
     }
 
+    void requestsOfSeveralUavs()
+    {
+        Scenario scenario = pairAhead();
+        scenario.uavs.push_back(scenario.uavs[0]);
+        scenario.uavs[1].id = "uav-2";
+        scenario.uavs[1].position_m = {-2000, 3000};
+        scenario.uavs[1].spec.airspeed_mps *= 2;
+        const PlanRequest single = planRequest(Simulation(scenario));
+        const PlanRequest both = clusteredRequest(Simulation(scenario));
+        QCOMPARE(both.clusters, (Groups{{0, 2}}));
+        QCOMPARE(both.ids, (std::vector{0, 1}));
+        QCOMPARE(both.sigma_m2[1], single.sigma_m2[1] + single.sigma_m2[3]);
+        for (const UavRequest& uav : both.uavs) {
+            QCOMPARE(uav.available, std::vector<bool>(2, true));
+            QCOMPARE(uav.distance_m(0, 2), single.uavs[toIndex(uav.uav)].distance_m(0, 2));
+        }
+        COMPARE_NEAR(both.uavs[0].distance_m(0, 1), 2000, 1e-9);
+        COMPARE_NEAR(both.uavs[1].distance_m(0, 1), 2500, 1e-9); // half the time
+        // One that only the other UAV may visit makes the cluster that one's.
+        scenario.icebergs[2].uav = "uav-2";
+        QCOMPARE(clusteredRequest(Simulation(scenario)).uavs[0].available,
+                 (std::vector{false, true}));
+        QCOMPARE(clusteredRequest(Simulation(scenario)).uavs[1].available,
+                 (std::vector{true, true}));
+        scenario.icebergs[0].uav = scenario.uavs[0].id;
+        QVERIFY(clusteredRequest(Simulation(scenario)).clusters.empty());
+    }
+
+    /** Two and three UAVs: nothing is in two orders, what is reached is in view, none is missed. */
+    void wholeMissionsOfFleets()
+    {
+        int reached = 0;
+        for (int seed = 1; seed <= 10; ++seed) {
+            Mission mission(calmFleet(seed, 2 + seed % 2));
+            mission.advance(mission.scenario().duration_s);
+            const std::vector<PlanEvent>& plans = mission.plans();
+            std::set<int> planned;
+            for (const PlanEvent& plan : plans) {
+                QVERIFY(plan.reason != PlanReason::Overdue);
+                if (!plan.sameSolve)
+                    planned.clear();
+                for (const int iceberg : plan.order)
+                    QVERIFY(planned.insert(iceberg).second);
+                for (const std::vector<int>& members : plan.clusters) {
+                    const auto first = std::ranges::find(plan.order, members.front());
+                    QVERIFY(std::ranges::equal(
+                        members, std::span(first, plan.order.end()).first(members.size())));
+                }
+            }
+            for (const MissionEvent& event : mission.events()) {
+                if (event.kind != EventKind::Reached || event.together.empty())
+                    continue;
+                const Simulation then = instantAt(mission, event.time_s).simulation;
+                for (const int member : event.together)
+                    QVERIFY(isInOwnView(then.observer(), event.uav, member));
+                ++reached;
+            }
+        }
+        QVERIFY2(reached > 30, QByteArray::number(reached));
+    }
+
     /** One of the two is not where it is believed to be: the other is seen, and it stays single. */
     void membersThatAreNotThereAreFlownToAlone()
     {
@@ -143,7 +219,7 @@ private slots:
         COMPARE_NEAR(simulation.uav(0).pose.position_m.x(), 2000, kFlownOver_m);
         QVERIFY(simulation.track(0).inView);
         QCOMPARE(simulation.state().unclustered, std::vector<int>{2});
-        QVERIFY(simulation.available(0, 2) && !simulation.fleet().clusterable(2));
+        QVERIFY(simulation.available(0, 2) && !simulation.fleet().clusterable(0, 2));
 
         simulation.setTarget(0, 1);
         while (simulation.planReason() == PlanReason::None)

@@ -25,6 +25,11 @@ ClusterRules rules()
     return {.time_s = 100, .cover_m = 300};
 }
 
+Groups clustersFor(const std::vector<Track>& tracks, const ClusterRules& rules)
+{
+    return clustersOf(tracks, std::span(&rules, 1));
+}
+
 Track trackAt(const Point& place_m, const Point& velocity_mps = Point::Zero(), double sigma_m2 = 4)
 {
     return {.anchor_m = place_m,
@@ -94,7 +99,7 @@ private slots:
         const std::vector<Track> tracks{
             trackAt({2400, apart_m / 2}, {0, drift_mps / 2}, sigma_m2),
             trackAt({2400, -apart_m / 2}, {0, -drift_mps / 2}, sigma_m2)};
-        QCOMPARE(clustersOf(tracks, rules()), (together ? Groups{{0, 1}} : Groups{}));
+        QCOMPARE(clustersFor(tracks, rules()), (together ? Groups{{0, 1}} : Groups{}));
     }
 
     /** Tight before wide: 1 could be with 0 or with 2. */
@@ -102,16 +107,16 @@ private slots:
     {
         const std::vector<Track> tracks{trackAt({2000, 0}), trackAt({2000, 500}),
                                         trackAt({2000, 900})};
-        QCOMPARE(clustersOf(tracks, rules()), (Groups{{1, 2}}));
+        QCOMPARE(clustersFor(tracks, rules()), (Groups{{1, 2}}));
     }
 
     void notInsideATurn()
     {
         // The tightest turn has 106 m: its middle is where the UAV cannot be at once.
         const std::vector<Track> beside{trackAt({0, 10}), trackAt({0, 240})};
-        QVERIFY(clustersOf(beside, rules()).empty());
+        QVERIFY(clustersFor(beside, rules()).empty());
         const std::vector<Track> ahead{trackAt({400, 10}), trackAt({400, 240})};
-        QCOMPARE(clustersOf(ahead, rules()), (Groups{{0, 1}}));
+        QCOMPARE(clustersFor(ahead, rules()), (Groups{{0, 1}}));
     }
 
     void notWhereTheFenceIsTooNear()
@@ -124,9 +129,23 @@ private slots:
                 fenced.motion);
         };
         fenced.fence = fence(290); // the middle, at 200 m, is nearer than a circle
-        QVERIFY(clustersOf(tracks, fenced).empty());
+        QVERIFY(clustersFor(tracks, fenced).empty());
         fenced.fence = fence(600);
-        QCOMPARE(clustersOf(tracks, fenced), (Groups{{0, 1}}));
+        QCOMPARE(clustersFor(tracks, fenced), (Groups{{0, 1}}));
+    }
+
+    /** A cluster suits every UAV that may visit all of it. */
+    void ofSeveralUavs()
+    {
+        const std::vector<Track> tracks{trackAt({2000, 0}), trackAt({2000, 450})};
+        std::vector<ClusterRules> uavs{rules(), rules()};
+        QCOMPARE(clustersOf(tracks, uavs), (Groups{{0, 1}}));
+        uavs[1].cover_m = 200;
+        QVERIFY(clustersOf(tracks, uavs).empty());
+        uavs[1].visitable = {true, false};
+        QCOMPARE(clustersOf(tracks, uavs), (Groups{{0, 1}}));
+        uavs[0].visitable = {false, true}; // no UAV may visit both
+        QVERIFY(clustersOf(tracks, uavs).empty());
     }
 
     void areGroupsThatOneViewCovers()
@@ -137,7 +156,7 @@ private slots:
             const std::vector<Track> tracks = randomTracks(random, 25);
             ClusterRules flight = rules();
             flight.uav.psi_rad = random.uniform(-kPi, kPi);
-            const Groups groups = clustersOf(tracks, flight);
+            const Groups groups = clustersFor(tracks, flight);
             QVERIFY(std::ranges::is_sorted(groups));
             std::set<int> once;
             for (const std::vector<int>& members : groups) {
@@ -174,14 +193,14 @@ private slots:
             std::vector<Track> shuffled;
             for (const int place : places)
                 shuffled.push_back(tracks[static_cast<std::size_t>(place)]);
-            Groups groups = clustersOf(shuffled, rules());
+            Groups groups = clustersFor(shuffled, rules());
             for (std::vector<int>& members : groups) {
                 for (int& member : members)
                     member = places[static_cast<std::size_t>(member)];
                 std::ranges::sort(members);
             }
             std::ranges::sort(groups);
-            QCOMPARE(groups, clustersOf(tracks, rules()));
+            QCOMPARE(groups, clustersFor(tracks, rules()));
         }
     }
 
