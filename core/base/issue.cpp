@@ -67,6 +67,9 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::UnknownMembers, "members that this version does not know are kept, but not used"},
     {IssueId::AreaNoFence, "icebergs outside it are not monitored; the UAV may fly beyond it"},
     {IssueId::VelocitySdUnused, "is used in flight with the observer kalman only"},
+    {IssueId::SeenLongAgo, "%1 h old: may be %2 m away (%3 x the field of view)"},
+    {IssueId::OutOfViewNext, "with these drifts and a round of %1 minutes, %2 of %3 icebergs will "
+                             "be out of view at the next visit"},
     {IssueId::SameLayer, "starts within separation_m of another UAV of the same altitude layer"},
     {IssueId::NoPathHome, "is too short for the way home from the start"},
     {IssueId::NoRoundTrip, "is too short for the way to the nearest iceberg and back"},

@@ -61,6 +61,8 @@ enum class IssueId
     UnknownMembers,
     AreaNoFence,
     VelocitySdUnused,
+    SeenLongAgo,   ///< hours, standard deviation in metres, in fields of view
+    OutOfViewNext, ///< minutes of a round, icebergs out of view, of so many
     SameLayer,
     NoPathHome,
     NoRoundTrip,

@@ -3,6 +3,7 @@
 #include "core/base/angles.h"
 #include "core/plan/solve/engine.h"
 #include "core/scenario/checks.h"
+#include "core/scenario/drift_advice.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/sortie.h"
 #include "core/scenario/weather.h"
@@ -105,6 +106,8 @@ public:
         adviseAsset();
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
             adviseIceberg(i);
+        for (Issue& issue : driftIssues(m_s))
+            m_issues.push_back(std::move(issue));
         adviseSamePlace();
         adviseReach();
         advisePlanner();
@@ -196,7 +199,7 @@ void Adviser::adviseUnused()
         hint("area_m", IssueId::AreaNoFence);
     if (m_s.observer.model == ObserverModel::Simple)
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
-            if (m_s.icebergs[i].velocitySd_mps > 0)
+            if (m_s.icebergs[i].velocitySd_mps > 0 || m_s.icebergs[i].velocityTime_s > 0)
                 hint(entryPath("icebergs", i) + ".velocity_sd_mps", IssueId::VelocitySdUnused);
 }
 

@@ -3,6 +3,8 @@
 #include "core/base/angles.h"
 #include "core/scenario/field_draws.h"
 
+#include <algorithm>
+
 namespace berg {
 
 Scenario randomScenario(std::int64_t seed, const FieldSpec& field)
@@ -34,6 +36,21 @@ Scenario randomScenario(std::int64_t seed, const FieldSpec& field)
         iceberg.id = "berg-" + std::to_string(i);
         scenario.icebergs.push_back(std::move(iceberg));
     }
+    return scenario;
+}
+
+void driftAsFitted(Iceberg& iceberg)
+{
+    iceberg.velocity_mps = Point::Zero();
+    iceberg.velocitySd_mps = kFittedDrift.velocitySpread_mps;
+    iceberg.velocitySpread_mps = kFittedDrift.velocitySpread_mps;
+    iceberg.velocityTime_s = kFittedDrift.velocityTime_s;
+}
+
+Scenario withFittedDrift(Scenario scenario)
+{
+    scenario.observer.model = ObserverModel::Kalman;
+    std::ranges::for_each(scenario.icebergs, driftAsFitted);
     return scenario;
 }
 

@@ -23,6 +23,11 @@ struct FieldSpec
  */
 [[nodiscard]] Scenario randomScenario(std::int64_t seed, const FieldSpec& field = {});
 
+/** Its velocity is not known and changes, as real ones do: `kFittedDrift`. */
+void driftAsFitted(Iceberg& iceberg);
+/** The same of all, measured in flight: with the simple observer velocities are known. */
+[[nodiscard]] Scenario withFittedDrift(Scenario scenario);
+
 /** What the program opens with: `randomScenario(1)` on the Grand Banks, with ids and a name. */
 [[nodiscard]] Scenario defaultScenario();
 

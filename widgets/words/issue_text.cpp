@@ -102,6 +102,11 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
     {IssueId::VelocitySdUnused,
      QT_TRANSLATE_NOOP("IssueText",
                        "In flight, the velocity's deviation counts with the Kalman filter only.")},
+    {IssueId::SeenLongAgo,
+     QT_TRANSLATE_NOOP("IssueText", "Seen %2 h ago: may be %3 m away (%4 × the field of view).")},
+    {IssueId::OutOfViewNext,
+     QT_TRANSLATE_NOOP("IssueText", "With these drifts and a round of %2 minutes, %3 of %4 "
+                                    "icebergs will be out of view at the next visit.")},
     {IssueId::SameLayer,
      QT_TRANSLATE_NOOP("IssueText", "Starts too near another UAV of the same altitude layer: they "
                                     "fly apart first. Let their altitudes differ by 30 m.")},

@@ -1,0 +1,136 @@
+#include "core/scenario/drift_advice.h"
+
+#include "core/scenario/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace berg {
+
+namespace {
+
+/** More looks at one visit say little more. */
+constexpr double kMostLooks = 100;
+
+SensorSpec sensorOf(const Scenario& scenario, const Uav& uav)
+{
+    return {.fov_m = uav.fov_m, .shape = scenario.fovShape};
+}
+
+/** Across what is seen, the smaller extent. */
+double width_m(const SensorSpec& sensor)
+{
+    return sensor.shape == FovShape::Disk ? sensor.fov_m.x() : sensor.fov_m.minCoeff();
+}
+
+const Uav& widestView(const Scenario& scenario)
+{
+    return *std::ranges::max_element(
+        scenario.uavs, {}, [&](const Uav& uav) { return width_m(sensorOf(scenario, uav)); });
+}
+
+std::int64_t atLeastOne(double value)
+{
+    return std::max<std::int64_t>(1, std::llround(value));
+}
+
+/** To two digits, as nobody knows it better. */
+std::int64_t roughly(double value)
+{
+    const double digit = std::pow(10, std::max(0.0, std::floor(std::log10(value)) - 1));
+    return atLeastOne(value / digit) * std::llround(digit);
+}
+
+/** Of one UAV among all, through all icebergs there are at the start; 0 with fewer than two. */
+double round_s(const Scenario& scenario)
+{
+    std::vector<Point> left_m;
+    for (const Iceberg& iceberg : scenario.icebergs)
+        if (iceberg.appears_s == 0)
+            left_m.push_back(iceberg.position_m);
+    if (left_m.size() < 2)
+        return 0;
+    const Point first_m = left_m.back();
+    Point at_m = first_m;
+    double round_m = 0;
+    for (left_m.pop_back(); !left_m.empty(); left_m.pop_back()) {
+        const auto next = std::ranges::min_element(
+            left_m, {}, [&](const Point& p_m) { return (p_m - at_m).norm(); });
+        round_m += (*next - at_m).norm();
+        at_m = *next;
+        std::swap(*next, left_m.back());
+    }
+    round_m += (first_m - at_m).norm();
+    double speed_mps = 0;
+    for (const Uav& uav : scenario.uavs)
+        speed_mps += uav.spec.airspeed_mps;
+    return round_m / speed_mps;
+}
+
+/** Standard deviation of the place a round after a visit, in which the filter looks at it. */
+double sdAfterRound_m(const Scenario& scenario, const Iceberg& iceberg, const Uav& uav,
+                      double round_s)
+{
+    const ObserverSpec& observer = scenario.observer;
+    const double interval_s = std::max(observer.interval_s, scenario.dt_s);
+    const double inView_s = width_m(sensorOf(scenario, uav)) / uav.spec.airspeed_mps;
+    Track track = initialTrack(iceberg, observer.model);
+    const double looks = std::clamp(observer.detection * inView_s / interval_s, 1.0, kMostLooks);
+    for (int look = 0; look < static_cast<int>(looks); ++look) {
+        track.grow(look == 0 ? 0 : inView_s / looks);
+        track.measured(track.anchor_m, observer.positionSd_m * observer.positionSd_m,
+                       track.anchor_s);
+    }
+    return std::sqrt(track.sigmaAfter_m2(round_s));
+}
+
+} // namespace
+
+double chanceInView(const SensorSpec& sensor, double sd_m)
+{
+    if (!(sd_m > 0))
+        return 1;
+    const Point half = sensor.fov_m / (2 * sd_m);
+    if (sensor.shape == FovShape::Disk)
+        return -std::expm1(-half.x() * half.x() / 2);
+    return std::erf(half.x() / std::numbers::sqrt2) * std::erf(half.y() / std::numbers::sqrt2);
+}
+
+std::vector<Issue> driftIssues(const Scenario& scenario)
+{
+    std::vector<Issue> issues;
+    const auto add = [&](Severity severity, std::string field, IssueId id,
+                         std::vector<IssueArgument> arguments) {
+        issues.push_back(
+            issueOf(severity, std::move(field), {.id = id, .arguments = std::move(arguments)}));
+    };
+    const Uav& uav = widestView(scenario);
+    const double view_m = width_m(sensorOf(scenario, uav));
+    for (std::size_t i = 0; i < scenario.icebergs.size(); ++i) {
+        const Iceberg& iceberg = scenario.icebergs[i];
+        const double sd_m = std::sqrt(initialSigma_m2(iceberg));
+        if (iceberg.observed_s > 0 && sd_m > view_m / 2)
+            add(Severity::Warning, entryPath("icebergs", i) + ".observed_s", IssueId::SeenLongAgo,
+                {atLeastOne(iceberg.observed_s / 3600), roughly(sd_m), atLeastOne(sd_m / view_m)});
+    }
+    const double next_s = round_s(scenario);
+    if (scenario.observer.model == ObserverModel::Simple || next_s <= 0 ||
+        next_s > scenario.duration_s)
+        return issues;
+    double out = 0;
+    std::int64_t count = 0;
+    for (const Iceberg& iceberg : scenario.icebergs) {
+        if (iceberg.appears_s > 0)
+            continue;
+        ++count;
+        out += 1 - chanceInView(sensorOf(scenario, uav),
+                                sdAfterRound_m(scenario, iceberg, uav, next_s));
+    }
+    if (out >= 0.5)
+        add(Severity::Hint, "icebergs", IssueId::OutOfViewNext,
+            {roughly(next_s / 60), std::int64_t{std::llround(out)}, count});
+    return issues;
+}
+
+} // namespace berg

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/issue.h"
+#include "core/scenario/scenario.h"
+
+namespace berg {
+
+/**
+ * Chance that an iceberg, whose place is normally distributed about the middle of the field of view
+ * with this standard deviation along each axis, is in view: erf(h / (sqrt 2 s)) along each side of
+ * half width h, 1 - exp(-h^2 / (2 s^2)) of a disk.
+ */
+[[nodiscard]] double chanceInView(const SensorSpec& sensor, double sd_m);
+
+/**
+ * What drift does before the icebergs are seen: those last seen so long ago that they may be out of
+ * view where they are believed to be, and how many will be at the next visit, one round later. The
+ * round is that of one UAV among several with an equal share: from each iceberg to the nearest not
+ * yet visited, and back.
+ */
+[[nodiscard]] std::vector<Issue> driftIssues(const Scenario& scenario);
+
+} // namespace berg
