@@ -5706,6 +5706,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>none</source>
         <translation>ingen</translation>
     </message>
+    <message>
+        <source>Not known, changing within 10 h</source>
+        <translation>Ikke kjent, endrer seg i løpet av 10 t</translation>
+    </message>
+    <message>
+        <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. The icebergs are then measured in flight.</source>
+        <translation>Som tilpasset en bøye: 0,15 m/s langs hver akse, i alle retninger. Isfjellene måles da under flyging.</translation>
+    </message>
 </context>
 <context>
     <name>berg::GotoBar</name>

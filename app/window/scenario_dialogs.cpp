@@ -45,9 +45,12 @@ void ScenarioDialogs::generateIcebergs()
         if (!m_files.mayAnswer(false))
             return;
         const int count = dialog->count();
-        workspace().document().edit(
-            count == 1 ? tr("Generate iceberg") : tr("Generate %n icebergs", nullptr, count),
-            [dialog](Scenario& scenario) { scenario.icebergs = dialog->result().icebergs; });
+        workspace().document().edit(count == 1 ? tr("Generate iceberg")
+                                               : tr("Generate %n icebergs", nullptr, count),
+                                    [dialog](Scenario& scenario) {
+                                        scenario.icebergs = dialog->result().icebergs;
+                                        scenario.observer = dialog->result().observer;
+                                    });
     });
     connect(dialog, &QDialog::finished, this, [this] { panels().map->setPreview(nullptr); });
     preview();

@@ -3,6 +3,7 @@
 #include "core/base/angles.h"
 #include "core/scenario/checks.h"
 #include "core/scenario/field_draws.h"
+#include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 
 #include <algorithm>
@@ -211,6 +212,8 @@ std::vector<Iceberg> generateIcebergs(const Scenario& scenario, const FieldReque
         places.add(position_m);
         icebergs.push_back(drawIceberg(draws, position_m, random));
         icebergs.back().id = ids.take();
+        if (request.fittedDrift)
+            driftAsFitted(icebergs.back());
         misses = 0;
     }
     return icebergs;

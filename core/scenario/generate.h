@@ -17,7 +17,8 @@ struct FieldRequest
     double sigmaMax_m2 = 10;
     double q_m2ps = 0.025;
     std::int64_t seed = 1;
-    double spacing_m = 0; ///< least distance between two, and to those there are; 0: any
+    bool fittedDrift = false; ///< velocities are not known, `driftAsFitted`, in place of the above
+    double spacing_m = 0;     ///< least distance between two, and to those there are; 0: any
 };
 
 /**

@@ -159,6 +159,11 @@ void GenerateDialog::addMotion(QFormLayout& form)
     m_direction->setObjectName(u"generateDirection"_s);
     m_direction->addItem(tr("In any direction"));
     m_direction->addItem(tr("About one direction"));
+    m_direction->addItem(tr("Not known, changing within 10 h"));
+    m_direction->setItemData(2,
+                             tr("As fitted to a beacon: 0.15 m/s along each axis, in any "
+                                "direction. The icebergs are then measured in flight."),
+                             Qt::ToolTipRole);
     addRow(form, tr("D&rift"), {m_direction});
     m_towards_deg = makeNumber({"generateTowards",
                                 tr("Direction they drift to, from north"),
@@ -284,6 +289,7 @@ FieldRequest GenerateDialog::request() const
                          .sigmaMax_m2 = m_sigmaMax_m2->value(),
                          .q_m2ps = m_q_m2ps->value(),
                          .seed = m_seed->value(),
+                         .fittedDrift = m_direction->currentIndex() == 2,
                          .spacing_m = distanceUnit().toSi(m_spacing->value())};
     if (m_direction->currentIndex() == 1) {
         request.towards_deg = m_towards_deg->value();
@@ -298,6 +304,8 @@ void GenerateDialog::draw()
         field->setEnabled(place() == Place::Rectangle);
     for (NumberField* field : {m_towards_deg, m_spread_deg})
         field->setEnabled(m_direction->currentIndex() == 1);
+    for (NumberField* field : {m_speedMin, m_speedMax})
+        field->setEnabled(m_direction->currentIndex() != 2);
     m_result = m_scenario;
     m_count = 0;
     QString fault;
@@ -307,6 +315,8 @@ void GenerateDialog::draw()
             present.icebergs.clear();
         const std::vector<Iceberg> icebergs = generateIcebergs(present, request());
         present.icebergs.insert(present.icebergs.end(), icebergs.begin(), icebergs.end());
+        if (request().fittedDrift) // with the simple observer velocities are known
+            present.observer.model = ObserverModel::Kalman;
         m_result = std::move(present);
         m_count = static_cast<int>(icebergs.size());
     } catch (const Error& error) {
