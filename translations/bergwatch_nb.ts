@@ -5912,14 +5912,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Senere observasjoner utelates.</translation>
     </message>
     <message>
-        <source>&amp;Uncertainty σ₀</source>
-        <translation>&amp;Usikkerhet σ₀</translation>
-    </message>
-    <message>
-        <source>Variance of a position where the file tells none.</source>
-        <translation>Variansen til en posisjon der filen ikke sier noe.</translation>
-    </message>
-    <message>
         <source>&amp;Growth q</source>
         <translation>&amp;Vekst q</translation>
     </message>
@@ -5986,6 +5978,30 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>The file names no icebergs: its rows are the track of one beacon, or an iceberg each.</source>
         <translation>Filen navngir ingen isfjell: Radene er sporet til én bøye, eller ett isfjell hver.</translation>
+    </message>
+    <message>
+        <source>Position &amp;error</source>
+        <translation>Posis&amp;jonsfeil</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a position where the file tells none: 20 m by satellite navigation, 300 m by Argos, 1,852 m from an aircraft.</source>
+        <translation>Standardavvik for en posisjon der filen ikke angir det: 20 m med satellittnavigasjon, 300 m med Argos, 1852 m fra fly.</translation>
+    </message>
+    <message>
+        <source>Drift &amp;variation</source>
+        <translation>Variasjon i &amp;drift</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the drift where it is not known, along each axis. With 0 the drift is taken as known and constant.</source>
+        <translation>Standardavvik for driften der den ikke er kjent, langs hver akse. Med 0 regnes driften som kjent og konstant.</translation>
+    </message>
+    <message>
+        <source>Drift &amp;changes in</source>
+        <translation>Driften endrer se&amp;g på</translation>
+    </message>
+    <message>
+        <source>Time in which a drift that was known is known no more. 0: never.</source>
+        <translation>Tiden som går før en kjent drift ikke er kjent lenger. 0: aldri.</translation>
     </message>
 </context>
 <context>

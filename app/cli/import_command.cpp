@@ -30,7 +30,9 @@ struct ImportArguments
     std::string since;
     std::string until;
     std::string area;
-    std::optional<double> sigma_m2;
+    std::string positionError;
+    std::optional<double> spread_mps;
+    std::optional<double> velocityTime_s;
     std::optional<double> q_m2ps;
     bool withTracks = false;
     bool force = false;
@@ -95,6 +97,21 @@ FieldColumn mappingOf(const std::string& text)
     return {.field = *field, .column = text.substr(equals + 1)};
 }
 
+/** Metres, or how the positions were got. */
+std::optional<double> positionErrorOf(const std::string& text)
+{
+    if (text.empty())
+        return std::nullopt;
+    if (const std::optional<double> known_m = valueOf(kPositionErrorNames, text))
+        return known_m;
+    double error_m = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), error_m);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(error_m))
+        throw UsageError{"--position-error: " + text + " is neither metres nor one of " +
+                         allowedNames(kPositionErrorNames)};
+    return error_m;
+}
+
 ImportOptions optionsOf(const ImportArguments& arguments)
 {
     ImportOptions options{.at = timeOf("--at", arguments.at),
@@ -102,7 +119,10 @@ ImportOptions optionsOf(const ImportArguments& arguments)
                           .until = timeOf("--until", arguments.until),
                           .area = areaOf(arguments.area),
                           .withTracks = arguments.withTracks};
-    options.sigma0_m2 = arguments.sigma_m2.value_or(options.sigma0_m2);
+    options.positionSd_m = positionErrorOf(arguments.positionError);
+    DriftProcess& drift = options.track.drift;
+    drift.velocitySpread_mps = arguments.spread_mps.value_or(drift.velocitySpread_mps);
+    drift.velocityTime_s = arguments.velocityTime_s.value_or(drift.velocityTime_s);
     options.q_m2ps = arguments.q_m2ps.value_or(options.q_m2ps);
     if (options.withTracks && !options.at)
         throw UsageError{"--with-tracks needs --at: the tracks are what was sighted after it"};
@@ -132,6 +152,8 @@ std::string summary(const SightingTable& table, const ImportResult& result)
         add("left out", result.leftOut, "icebergs");
     for (const SceneFinding& finding : result.scene)
         text += "scene      " + sceneFindingText(finding) + '\n';
+    if (result.observerSet)
+        text += "observer   kalman: velocities are not known exactly\n";
     if (result.at)
         text += "start      " + result.scenario.startUtc + '\n';
     return text;
@@ -222,8 +244,17 @@ void addImportCommand(CLI::App& app, Action& action)
     command->add_option("--since", arguments->since, "Leave out what was sighted before, UTC");
     command->add_option("--until", arguments->until, "Leave out what was sighted after, UTC");
     command->add_option("--area", arguments->area, "SOUTH,WEST,NORTH,EAST in degrees (everywhere)");
-    command->add_option("--sigma", arguments->sigma_m2, "sigma where the file has none, m^2 (5)")
-        ->check(numberFrom(0, kLargestSigma_m2));
+    command->add_option("--position-error", arguments->positionError,
+                        "Standard deviation of positions where the file has none: metres, " +
+                            allowedNames(kPositionErrorNames) + " (by the format)");
+    command
+        ->add_option("--drift-variation", arguments->spread_mps,
+                     "Standard deviation of velocities that are not known, m/s (0.15)")
+        ->check(numberFrom(0, kLargestVelocity_mps));
+    command
+        ->add_option("--drift-time", arguments->velocityTime_s,
+                     "Time in which velocities change, s; 0: never (36000)")
+        ->check(numberFrom(0, kLargestTime_s));
     command->add_option("--q", arguments->q_m2ps, "q where it cannot be estimated, m^2/s (0.025)")
         ->check(numberFrom(0, kLargestGrowth_m2ps));
     command->add_flag("--with-tracks", arguments->withTracks,

@@ -167,16 +167,26 @@ TrackEstimate estimateTrack(std::span<const Fix> fixes, const TrackRules& rules)
         estimate.velocity_mps = Point(Point::Zero());
         return estimate;
     }
+    const bool tellsGrowth = used.size() >= std::max<std::size_t>(3, rules.fewestForGrowth);
+    if (rules.drift.velocitySpread_mps > 0) {
+        std::vector<Fix> chosen;
+        for (const std::size_t i : used)
+            chosen.push_back(fixes[i]);
+        estimate.fit = fitDrift(chosen, rules.drift, rules.mean_mps,
+                                tellsGrowth ? rules.largestGrowth_m2ps : 0);
+    }
     const Fix& first = fixes[used.front()];
     const Fix& last = fixes[used.back()];
-    const Point velocity_mps = (last.position_m - first.position_m) / (last.time_s - first.time_s);
+    const Point mean_mps = (last.position_m - first.position_m) / (last.time_s - first.time_s);
+    const Point velocity_mps = estimate.fit ? estimate.fit->velocity_mps : mean_mps;
     const double most_mps = rules.largestVelocity_mps;
     const Point clamped_mps = velocity_mps.cwiseMax(-most_mps).cwiseMin(most_mps);
     estimate.velocityClamped = clamped_mps != velocity_mps;
     estimate.velocity_mps = clamped_mps;
-    if (used.size() < std::max<std::size_t>(3, rules.fewestForGrowth))
+    if (!tellsGrowth)
         return estimate;
-    const double q_m2ps = growth_m2ps(fixes, used, velocity_mps);
+    const double q_m2ps =
+        estimate.fit ? estimate.fit->q_m2ps : growth_m2ps(fixes, used, velocity_mps);
     estimate.growthClamped = q_m2ps > rules.largestGrowth_m2ps;
     estimate.q_m2ps = std::min(q_m2ps, rules.largestGrowth_m2ps);
     return estimate;

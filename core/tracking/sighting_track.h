@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/geometry.h"
-#include "core/tracking/drift.h"
+#include "core/tracking/drift_fit.h"
 
 #include <cstddef>
 #include <optional>
@@ -9,15 +9,6 @@
 #include <vector>
 
 namespace berg {
-
-/** One time-stamped position of an iceberg. */
-struct Fix
-{
-    double time_s = 0; ///< on any clock
-    Point position_m = Point::Zero();
-    double variance_m2 = 0; ///< of the position along an axis; 0: exact or not known
-    bool operator==(const Fix&) const = default;
-};
 
 /**
  * What is used of a track, and the bounds of what may come out. A window of a day holds about two
@@ -36,6 +27,9 @@ struct TrackRules
     double stationaryFor_s = 86400;     ///< ... over at least this time: aground; 0: do not ask
     double largestVelocity_mps = 5;     ///< each component is clamped to it
     double largestGrowth_m2ps = 1e6;    ///< q is clamped to it
+    /** How velocities change; with a spread, `fitDrift` tells position, velocity and q. */
+    DriftProcess drift = {};
+    Point mean_mps = Point::Zero(); ///< what velocities are then about
     bool operator==(const TrackRules&) const = default;
 };
 
@@ -48,6 +42,7 @@ struct TrackEstimate
     std::size_t jumped = 0;   ///< in the window, but where the iceberg cannot have been
     std::optional<Point> velocity_mps; ///< none: too few fixes
     std::optional<double> q_m2ps;      ///< none: too few fixes, or stationary
+    std::optional<DriftFit> fit;       ///< at the last fix used; none: as for the velocity
     bool stationary = false;           ///< its velocity is zero then
     bool velocityClamped = false;
     bool growthClamped = false;
@@ -83,7 +78,8 @@ struct ConsistentFixes
  * is error of position, from deciding it. When the fixes' errors are not given they are part of q.
  *
  * Fixes of the last `window_s` are used; when only the last lies there, the last two.
- * Assumes that v is constant over the window: its changes are part of q.
+ * Assumes that v is constant over the window: its changes are part of q. With `rules.drift` they
+ * are not, and v is that of the last fix.
  */
 [[nodiscard]] TrackEstimate estimateTrack(std::span<const Fix> fixes, const TrackRules& rules = {});
 

@@ -190,9 +190,9 @@ private slots:
         options.until = test::utc("2012-07-03T12:00:00Z");
         import.setTime(u"importSince"_s, "2012-07-03T02:00:00Z");
         import.setTime(u"importUntil"_s, "2012-07-03T12:00:00Z");
-        options.sigma0_m2 = 250;
+        options.positionSd_m = 250;
         options.q_m2ps = 0.5;
-        test::enter(import.at<QWidget>(u"importSigma"_s), u"250"_s);
+        test::enter(import.at<QWidget>(u"importPositionError"_s), u"250"_s);
         test::enter(import.at<QWidget>(u"importGrowth"_s), QLocale().toString(0.5));
         QVERIFY(import.settles());
         const ImportResult core = direct("cis-beacon.csv", test::openSea(), options);
@@ -464,8 +464,9 @@ private slots:
         }
         for (const char* name :
              {"importFormat", "importTarget", "importAtBox", "importSinceBox", "importUntilBox",
-              "importAreaBox", "importPresentView", "importSigma", "importGrowth", "importMap",
-              "importIcebergs", "importButton", "importCancel"})
+              "importAreaBox", "importPresentView", "importPositionError", "importSpread",
+              "importVelocityTime", "importGrowth", "importMap", "importIcebergs", "importButton",
+              "importCancel"})
             QVERIFY2(reached.count(QString::fromLatin1(name)) == 1, name);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
         QVERIFY(!import.dialog().isVisible());

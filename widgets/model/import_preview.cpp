@@ -41,7 +41,8 @@ SightingSummary summaryOf(const SightingTable& table)
                             .columns = {},
                             .mapping = table.mapping,
                             .sightings = table.sightings.size(),
-                            .oneIceberg = table.oneIceberg};
+                            .oneIceberg = table.oneIceberg,
+                            .positionSd_m = table.positionSd_m};
     for (const std::string& column : table.columns)
         summary.columns << QString::fromStdString(column);
     for (const Sighting& sighting : table.sightings) {

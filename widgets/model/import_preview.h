@@ -43,6 +43,7 @@ struct SightingSummary
     std::size_t sightings = 0;
     bool namesIcebergs = false;
     bool oneIceberg = false;
+    double positionSd_m = 0;      ///< of a sighting that does not tell
     std::optional<UtcTime> first; ///< sighting; none: the file tells no times
     std::optional<UtcTime> last;
 };

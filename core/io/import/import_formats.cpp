@@ -17,21 +17,26 @@ namespace berg {
 namespace {
 
 constexpr std::array kFormats{
-    ImportFormat{"kml", "Google Earth and other map programs", true, isKml, readKml},
-    ImportFormat{"kmz", "the same, packed", true, isZip, readKml},
-    ImportFormat{"czml", "Cesium: places and tracks", true, isCzml, readCzml},
-    ImportFormat{"gpx", "satellite navigation: waypoints, routes and tracks", false, isGpx,
+    ImportFormat{"kml", "Google Earth and other map programs", true, kGps_m, isKml, readKml},
+    ImportFormat{"kmz", "the same, packed", true, kGps_m, isZip, readKml},
+    ImportFormat{"czml", "Cesium: places and tracks", true, kGps_m, isCzml, readCzml},
+    ImportFormat{"gpx", "satellite navigation: waypoints, routes and tracks", false, kGps_m, isGpx,
                  readGpx},
-    ImportFormat{"plan", "QGroundControl: the places of a mission", false, isPlan, readPlan},
-    ImportFormat{"wpl", "ArduPilot: the places of a mission (QGC WPL)", false, isWpl, readWpl},
-    ImportFormat{"metno", "MET Norway and Copernicus: icebergs seen by radar", true, isMetno,
-                 readMetno},
-    ImportFormat{"geojson", "QGIS and other map programs: points and tracks", true, isGeoJson,
-                 readGeoJson},
-    ImportFormat{"iip", "International Ice Patrol sightings (NSIDC G00807)", false, isIip, readIip},
-    ImportFormat{"cis-beacon", "Canadian Ice Service beacons", true, isCisBeacon, readCisBeacon},
-    ImportFormat{"usnic", "US National Ice Center, Antarctic icebergs", true, isUsnic, readUsnic},
-    ImportFormat{"csv", "any table with a header", true, isAnyCsv, readAnyCsv}};
+    ImportFormat{"plan", "QGroundControl: the places of a mission", false, kGps_m, isPlan,
+                 readPlan},
+    ImportFormat{"wpl", "ArduPilot: the places of a mission (QGC WPL)", false, kGps_m, isWpl,
+                 readWpl},
+    ImportFormat{"metno", "MET Norway and Copernicus: icebergs seen by radar", true, kRadar_m,
+                 isMetno, readMetno},
+    ImportFormat{"geojson", "QGIS and other map programs: points and tracks", true, kGps_m,
+                 isGeoJson, readGeoJson},
+    ImportFormat{"iip", "International Ice Patrol sightings (NSIDC G00807)", false, kAircraft_m,
+                 isIip, readIip},
+    ImportFormat{"cis-beacon", "Canadian Ice Service beacons", true, kArgos_m, isCisBeacon,
+                 readCisBeacon},
+    ImportFormat{"usnic", "US National Ice Center, Antarctic icebergs", true, kAircraft_m, isUsnic,
+                 readUsnic},
+    ImportFormat{"csv", "any table with a header", true, kGps_m, isAnyCsv, readAnyCsv}};
 
 std::string formatIds()
 {
@@ -149,6 +154,7 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
     SightingTable table = format.read(
         {.text = text, .budget = budget, .mapping = options.mapping, .dates = options.dates});
     table.format = format.id;
+    table.positionSd_m = format.positionSd_m;
     if (!table.sightings.empty())
         return table;
     if (table.rejected.count > 0)

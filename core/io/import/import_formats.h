@@ -23,9 +23,10 @@ struct ImportText
 /** One row of the table that the command line and the dialog share. */
 struct ImportFormat
 {
-    std::string_view id;      ///< e.g. "iip"
-    std::string_view source;  ///< where such files come from
-    bool namedColumns = true; ///< whether a mapping says anything
+    std::string_view id;          ///< e.g. "iip"
+    std::string_view source;      ///< where such files come from
+    bool namedColumns = true;     ///< whether a mapping says anything
+    double positionSd_m = kGps_m; ///< of a position along an axis, where the file does not tell
     bool (*matches)(std::string_view text);
     SightingTable (*read)(const ImportText&);
 };

@@ -39,12 +39,13 @@ public:
         if (known != nullptr)
             m_iceberg = *known;
         else
-            m_iceberg = {.id = sighted.id,
-                         .q_m2ps = setting.options.q_m2ps,
-                         .sigma0_m2 = setting.options.sigma0_m2};
+            m_iceberg = {.id = sighted.id, .q_m2ps = setting.options.q_m2ps};
+        const double sd_m = setting.options.positionSd_m.value_or(0);
         for (const PlacedSighting& placed : sighted.sightings)
             if (placed.fix.time_s <= 0) {
                 m_past.push_back(placed.fix);
+                if (!placed.sighting->sigma_m2)
+                    m_past.back().variance_m2 = sd_m * sd_m;
                 m_pastSightings.push_back(&placed);
             }
     }
@@ -68,7 +69,10 @@ private:
 
     void build()
     {
-        m_estimate = estimateTrack(m_past, m_setting.options.track);
+        TrackRules rules = m_setting.options.track;
+        rules.mean_mps = m_setting.current_mps;
+        rules.drift.q_m2ps = m_iceberg.q_m2ps;
+        m_estimate = estimateTrack(m_past, rules);
         m_last = m_pastSightings[m_estimate.last];
         m_report.used = m_estimate.used;
         m_report.age_s = 0.0 - m_last->fix.time_s; // not -0
@@ -85,8 +89,7 @@ private:
             note(ImportNote::Jumped);
         setMotion();
         setRest();
-        const Point drift_mps = m_iceberg.velocity_mps + m_setting.current_mps;
-        m_iceberg.position_m = toCentimetre(m_last->fix.position_m + drift_mps * m_report.age_s);
+        carryOn();
         if (!onPlane(m_iceberg.position_m)) {
             leaveOut(ImportNote::DriftedAway);
             return;
@@ -109,15 +112,24 @@ private:
             note(ImportNote::Stationary);
             m_iceberg.q_m2ps = 0;
             setDrift(Point::Zero(), kGivenParts);
+            setChange(0, {});
         } else if (given_mps) {
             note(ImportNote::VelocityGiven);
             setDrift(*given_mps, kGivenParts);
+            if (!last.drift_mps) // a speed and a direction, which nobody says are exact
+                setChange(drift().velocitySpread_mps, drift());
         } else if (m_estimate.velocity_mps) {
             m_clamped = m_estimate.velocityClamped;
             setDrift(*m_estimate.velocity_mps, kEstimatedParts);
+            m_isFitted = m_estimate.fit.has_value();
+            if (m_isFitted)
+                setChange(std::sqrt(m_estimate.fit->variances.velocity_m2ps2), drift());
         } else {
-            // Of one that is there already the velocity is known as well as before.
             note(ImportNote::VelocityUnknown);
+            if (m_known == nullptr)
+                setChange(drift().velocitySpread_mps, drift());
+            else
+                forget();
         }
         if (m_clamped)
             note(ImportNote::VelocityClamped);
@@ -159,12 +171,65 @@ private:
         m_clamped = m_clamped || m_iceberg.velocity_mps != own_mps;
     }
 
+    [[nodiscard]] const DriftProcess& drift() const { return m_setting.options.track.drift; }
+
+    void setChange(double sd_mps, const DriftProcess& process)
+    {
+        m_iceberg.velocitySd_mps =
+            std::min(kLargestVelocity_mps, std::round(sd_mps * kEstimatedParts) / kEstimatedParts);
+        m_iceberg.velocitySpread_mps = process.velocitySpread_mps;
+        m_iceberg.velocityTime_s = process.velocitySpread_mps > 0 ? process.velocityTime_s : 0;
+    }
+
+    /** Later than what the scenario has of it. */
+    [[nodiscard]] bool isNews() const
+    {
+        return m_known == nullptr || m_report.age_s + kTimeRounding_s < m_known->observed_s;
+    }
+
+    /** Of one that is there already what was known of its velocity, at the new sighting. */
+    void forget()
+    {
+        const Track then =
+            initialTrack({.velocitySd_mps = m_known->velocitySd_mps,
+                          .velocitySpread_mps = m_known->velocitySpread_mps,
+                          .velocityTime_s = m_known->velocityTime_s,
+                          .observed_s = std::max(0.0, m_known->observed_s - m_report.age_s)},
+                         ObserverModel::Kalman);
+        m_iceberg.velocitySd_mps = std::sqrt(then.velocity_m2ps2);
+    }
+
+    /** From the last sighting to t = 0: the velocity above the current fades meanwhile. */
+    void carryOn()
+    {
+        // Of one that is there already the velocity is that of t = 0.
+        const bool isPresent = m_known != nullptr && !m_estimate.velocity_mps && !givenDrift();
+        const double time_s = isPresent ? 0 : m_iceberg.velocityTime_s;
+        const double carried_s = carriedFor_s(time_s, m_report.age_s);
+        const Point from_m = m_isFitted ? m_estimate.fit->position_m : m_last->fix.position_m;
+        m_iceberg.position_m = toCentimetre(from_m + m_setting.current_mps * m_report.age_s +
+                                            m_iceberg.velocity_mps * carried_s);
+        if (time_s > 0)
+            m_iceberg.velocity_mps =
+                (m_iceberg.velocity_mps * std::exp(-m_report.age_s / time_s) * kGivenParts)
+                    .array()
+                    .round() /
+                kGivenParts;
+        if (!m_isFitted || !isNews())
+            return;
+        // A scenario has no covariance of the two: what it adds by t = 0 goes into the variance.
+        const DriftVariances& known = m_estimate.fit->variances;
+        m_iceberg.sigma0_m2 = std::min(
+            kLargestSigma_m2,
+            std::round((known.position_m2 + 2 * known.mixed_m2ps * carried_s) * 100) / 100);
+    }
+
     void setRest()
     {
         const Sighting& last = *m_last->sighting;
         m_iceberg.observed_s = std::min(m_report.age_s, kLargestTime_s);
-        if (last.sigma_m2)
-            m_iceberg.sigma0_m2 = *last.sigma_m2;
+        if (last.sigma_m2 || isNews())
+            m_iceberg.sigma0_m2 = m_past[m_estimate.last].variance_m2;
         if (last.appearsIn_s)
             m_iceberg.appears_s =
                 std::clamp(*last.appearsIn_s - m_report.age_s, 0.0, kLargestTime_s);
@@ -220,6 +285,7 @@ private:
     TrackEstimate m_estimate;
     const PlacedSighting* m_last = nullptr;
     bool m_clamped = false;
+    bool m_isFitted = false; ///< position and velocity are those of `fitDrift`
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "core/io/text/json_writer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace berg {
@@ -34,6 +35,8 @@ std::string icebergText(const ImportedIceberg& imported, const Iceberg* iceberg)
     object.add("age_s", imported.age_s);
     if (iceberg != nullptr) {
         object.add("velocity_mps", iceberg->velocity_mps);
+        object.add("velocity_sd_mps", iceberg->velocitySd_mps);
+        object.add("sd_m", std::sqrt(initialSigma_m2(*iceberg)));
         object.add("q_m2ps", iceberg->q_m2ps);
     }
     object.addText("notes", jsonArrayOf(notes));

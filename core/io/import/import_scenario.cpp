@@ -9,6 +9,7 @@
 #include "core/scenario/validate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -29,7 +30,9 @@ void checkOptions(const Scenario& base, const ImportOptions& options)
         if (std::string fault = limitsFault(value, limits); !fault.empty())
             issues.push_back({Severity::Error, field, std::move(fault)});
     };
-    check("sigma", options.sigma0_m2, limits::kSigma_m2);
+    check("position error", options.positionSd_m.value_or(0), limits::kLength_m);
+    check("drift variation", options.track.drift.velocitySpread_mps, limits::kSpeed_mps);
+    check("drift time", options.track.drift.velocityTime_s, limits::kTime_s);
     check("q", options.q_m2ps, limits::kGrowth_m2ps);
     check("window", options.track.window_s, limits::kTime_s);
     check("tolerance", options.tolerance_m, limits::kLength_m);
@@ -60,8 +63,12 @@ void moveBy(Point& position_m, const Point& path_m, const std::string& who)
 void moveStart(Scenario& scenario, double later_s)
 {
     for (Iceberg& iceberg : scenario.icebergs) {
-        moveBy(iceberg.position_m, (iceberg.velocity_mps + scenario.current_mps) * later_s,
+        moveBy(iceberg.position_m,
+               iceberg.velocity_mps * carriedFor_s(iceberg.velocityTime_s, later_s) +
+                   scenario.current_mps * later_s,
                iceberg.id);
+        if (iceberg.velocityTime_s > 0)
+            iceberg.velocity_mps *= std::exp(-std::max(0.0, later_s) / iceberg.velocityTime_s);
         iceberg.observed_s = std::clamp(iceberg.observed_s + later_s, 0.0, kLargestTime_s);
         iceberg.appears_s = std::clamp(iceberg.appears_s - later_s, 0.0, kLargestTime_s);
         for (double& time_s : iceberg.track.time_s)
@@ -142,6 +149,13 @@ void takeIn(std::vector<IcebergEntry> entries, ImportResult& result)
     for (std::size_t i = 0; i < result.scenario.icebergs.size(); ++i)
         rows.emplace(result.scenario.icebergs[i].id, i);
     for (IcebergEntry& entry : entries) {
+        const bool isTaken = entry.report.outcome == ImportOutcome::Added ||
+                             entry.report.outcome == ImportOutcome::Updated;
+        const bool isUnsure = entry.iceberg.velocitySd_mps > 0 || entry.iceberg.velocityTime_s > 0;
+        if (isTaken && isUnsure && result.scenario.observer.model == ObserverModel::Simple) {
+            result.scenario.observer.model = ObserverModel::Kalman;
+            result.observerSet = true;
+        }
         switch (entry.report.outcome) {
         case ImportOutcome::Added:
             ++result.added;
@@ -215,6 +229,8 @@ ImportResult importSightings(const Scenario& base, const SightingTable& table,
                              const ImportOptions& options, const std::stop_token& stop)
 {
     checkOptions(base, options);
+    ImportOptions resolved = options;
+    resolved.positionSd_m = options.positionSd_m.value_or(table.positionSd_m);
     ImportResult result;
     result.scenario = base;
     result.rejected = table.rejected;
@@ -235,7 +251,7 @@ ImportResult importSightings(const Scenario& base, const SightingTable& table,
         result.scenario.origin = middleOf(icebergs).value_or(base.origin);
     place(icebergs, LocalFrame(result.scenario.origin), result.rejected, stop);
     addScene(table.scene, icebergs, holdsPlaces(base), result);
-    takeIn(entriesOf(icebergs, result.scenario, options, stop), result);
+    takeIn(entriesOf(icebergs, result.scenario, resolved, stop), result);
 
     std::vector<Issue> issues = validate(result.scenario);
     const std::vector<Issue> before = validate(base); // what was wrong then is not the import's

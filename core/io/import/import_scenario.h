@@ -40,11 +40,12 @@ struct ImportOptions
      * none: when that moves nothing else, that is without icebergs, asset and area.
      */
     std::optional<bool> moveOrigin;
-    TrackRules track;        ///< how far back sightings are used for the velocity, and more
-    double sigma0_m2 = 5;    ///< of an iceberg whose sightings do not tell
-    double q_m2ps = 0.025;   ///< likewise
-    bool withTracks = false; ///< sightings after `at` become the true motion
-    double tolerance_m = 20; ///< of the positions left out of a track
+    /** How far back sightings are used for the velocity, how velocities change, and more. */
+    TrackRules track{.drift = kFittedDrift};
+    std::optional<double> positionSd_m; ///< of a sighting that does not tell; none: of such files
+    double q_m2ps = 0.025;              ///< of an iceberg whose sightings do not tell
+    bool withTracks = false;            ///< sightings after `at` become the true motion
+    double tolerance_m = 20;            ///< of the positions left out of a track
     bool operator==(const ImportOptions&) const = default;
 };
 
@@ -59,7 +60,8 @@ enum class ImportOutcome
 /** What is worth knowing of one iceberg. */
 enum class ImportNote
 {
-    VelocityUnknown, ///< one sighting, or the next too long ago: drifts as before
+    VelocityUnknown, ///< one sighting, or the next too long ago: drifts with the current, or as
+                     ///< before
     VelocityGiven,   ///< by the file
     VelocityClamped,
     GrowthEstimated,
@@ -103,6 +105,7 @@ struct ImportResult
     std::size_t outsideTime = 0;     ///< sightings; those after `at` too, unless tracks are wanted
     Rejections rejected;             ///< rows of the table, and sightings too far from the origin
     std::vector<SceneFinding> scene; ///< what became of the rest of the file
+    bool observerSet = false;        ///< to measurements: velocities are not known exactly
 };
 
 /** What sightings become a scenario with when they belong to none yet: one aircraft. */
@@ -113,12 +116,14 @@ struct ImportResult
  *
  * The last sighting at or before t = 0 places an iceberg, its velocity (`estimateTrack`, in the
  * scenario's plane; or what the file gives) carries it on to t = 0, and `observed_s` is the age of
- * that sighting, which adds q x age to sigma. The current of the scenario is taken off the
- * velocity, because the simulation adds it. An iceberg that is there already keeps its name and
- * whatever the sightings do not tell. In a scenario without icebergs, area and asset the scene of
- * the table is taken over too: its UAVs, area and asset; one in use keeps its own. Without ids each
- * place is an iceberg named by it, or all rows are one (`SightingTable::oneIceberg`) named by its
- * first time.
+ * that sighting, since which the variance has grown. A velocity that the file does not tell exactly
+ * is known to what its sightings say, or to its spread, and fades to the current
+ * (`TrackRules::drift`); the observer is then one that measures. The current of the scenario is
+ * taken off the velocity, because the simulation adds it. An iceberg that is there already keeps
+ * its name and whatever the sightings do not tell. In a scenario without icebergs, area and asset
+ * the scene of the table is taken over too: its UAVs, area and asset; one in use keeps its own.
+ * Without ids each place is an iceberg named by it, or all rows are one
+ * (`SightingTable::oneIceberg`) named by its first time.
  *
  * When the start of the scenario moves, what was in it is carried along: positions by their
  * velocities, ages, appearance and tracks by the time between.

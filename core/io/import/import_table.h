@@ -16,6 +16,14 @@
 
 namespace berg {
 
+/** Standard deviation of a position along an axis, by how it was got. */
+inline constexpr double kGps_m = 20;
+inline constexpr double kArgos_m = 300;     ///< as the fixes of a beacon by Argos scatter
+inline constexpr double kAircraft_m = 1852; ///< a nautical mile: reports in whole minutes
+inline constexpr double kRadar_m = 100;     ///< some pixels of a satellite's radar picture
+inline constexpr std::array<Named<double>, 4> kPositionErrorNames{
+    {{kGps_m, "gps"}, {kArgos_m, "argos"}, {kAircraft_m, "aircraft"}, {kRadar_m, "radar"}}};
+
 /** What a column of a table, or a property of a feature, can tell about a sighting. */
 enum class SightingField
 {
@@ -129,6 +137,7 @@ struct SightingTable
     Rejections rejected;
     std::vector<std::string> columns; ///< of the file by name; empty where there are none
     ColumnMapping mapping;            ///< as used
+    double positionSd_m = kGps_m;     ///< of such files, where a sighting does not tell
     /** Without ids the rows are one iceberg (a beacon's track) rather than one each. */
     bool oneIceberg = false;
     /** A date that was read month first although nothing in the file tells; empty: none. */

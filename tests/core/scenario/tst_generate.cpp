@@ -58,6 +58,19 @@ private slots:
         }
     }
 
+    /** The same places; of their velocities nothing is known but how they vary. */
+    void driftAsFittedIsNotKnown()
+    {
+        FieldRequest r = request(12);
+        r.fittedDrift = true;
+        const Scenario expected = withFittedDrift(randomScenario(r.seed));
+        QVERIFY(generateIcebergs(emptySea(), r) == expected.icebergs);
+        QVERIFY(expected.observer.model == ObserverModel::Kalman);
+        QVERIFY(expected.icebergs[3].velocity_mps.isZero(0));
+        QCOMPARE(expected.icebergs[3].velocitySd_mps, 0.15);
+        QCOMPARE(expected.icebergs[3].velocityTime_s, 36'000.0);
+    }
+
     void seedsDiffer()
     {
         FieldRequest r = request(30);

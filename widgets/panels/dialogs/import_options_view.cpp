@@ -21,7 +21,7 @@ namespace berg {
 namespace {
 
 constexpr int kGap_px = 5;
-constexpr double kHighestSigma_m2 = 1e12;
+constexpr double kHighestError_m = 1e6;
 constexpr double kHighestGrowth_m2ps = 1e6;
 
 UtcTime utcOf(const QDateTimeEdit& edit)
@@ -79,9 +79,19 @@ ImportOptionsView::ImportOptionsView(const QString& presentName, bool intoNew, Q
     m_since = addTime(u"importSince"_s, tr("Not &before"), tr("Earlier sightings are left out."));
     m_until = addTime(u"importUntil"_s, tr("Not &after"), tr("Later sightings are left out."));
     addArea();
-    m_sigma = addNumber(u"importSigma"_s, tr("&Uncertainty σ₀"),
-                        tr("Variance of a position where the file tells none."), standard.sigma0_m2,
-                        kHighestSigma_m2, 3, u" m²"_s);
+    m_error = addNumber(u"importPositionError"_s, tr("Position &error"),
+                        tr("Standard deviation of a position where the file tells none: 20 m by "
+                           "satellite navigation, 300 m by Argos, 1,852 m from an aircraft."),
+                        kGps_m, kHighestError_m, 1, u" m"_s);
+    connect(m_error, &NumberField::edited, this, [this] { m_errorChosen = true; });
+    m_spread = addNumber(u"importSpread"_s, tr("Drift &variation"),
+                         tr("Standard deviation of the drift where it is not known, along each "
+                            "axis. With 0 the drift is taken as known and constant."),
+                         standard.track.drift.velocitySpread_mps, 5, 3, u" m/s"_s);
+    m_velocityTime =
+        addNumber(u"importVelocityTime"_s, tr("Drift &changes in"),
+                  tr("Time in which a drift that was known is known no more. 0: never."),
+                  standard.track.drift.velocityTime_s / 3600, 1e5, 2, u" h"_s);
     m_growth = addNumber(u"importGrowth"_s, tr("&Growth q"),
                          tr("Growth of the uncertainty where the sightings are too few to "
                             "estimate it."),
@@ -211,6 +221,8 @@ void ImportOptionsView::showFile(const SightingSummary& file)
 {
     m_one->setVisible(!file.namesIcebergs && file.sightings > 1);
     m_one->setChecked(file.oneIceberg);
+    if (!m_errorChosen)
+        m_error->showValue(file.positionSd_m);
     if (m_timesShown || !file.first || !file.last)
         return;
     m_timesShown = true; // from here on they are the user's
@@ -253,7 +265,10 @@ ImportOptions ImportOptionsView::options() const
                               .west_deg = m_edges[1]->value(),
                               .north_deg = m_edges[2]->value(),
                               .east_deg = m_edges[3]->value()};
-    options.sigma0_m2 = m_sigma->value();
+    if (m_errorChosen)
+        options.positionSd_m = m_error->value();
+    options.track.drift = {.velocitySpread_mps = m_spread->value(),
+                           .velocityTime_s = m_velocityTime->value() * 3600};
     options.q_m2ps = m_growth->value();
     options.withTracks = options.at && m_tracks->isChecked();
     return options;

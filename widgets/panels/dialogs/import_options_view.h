@@ -65,7 +65,10 @@ private:
     QCheckBox* m_areaBox;
     std::array<NumberField*, 4> m_edges; ///< south, west, north, east
     QPushButton* m_presentView;
-    NumberField* m_sigma;
+    NumberField* m_error;
+    bool m_errorChosen = false; ///< otherwise it is that of the file's format
+    NumberField* m_spread;
+    NumberField* m_velocityTime;
     NumberField* m_growth;
     QCheckBox* m_tracks;
     QCheckBox* m_one;

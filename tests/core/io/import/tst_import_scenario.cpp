@@ -40,8 +40,8 @@ private slots:
         QCOMPARE(result.added, std::size_t{1});
         const Iceberg& iceberg = result.scenario.icebergs.at(0);
         QCOMPARE(iceberg.id, std::string("b"));
-        QVERIFY(iceberg.position_m.norm() < 1); // the origin is where it was seen last
-        COMPARE_NEAR(iceberg.velocity_mps.y(), kNorthward_mps, 2e-4);
+        QVERIFY(iceberg.position_m.norm() < 5); // the origin is where it was seen last
+        COMPARE_NEAR(iceberg.velocity_mps.y(), kNorthward_mps, 0.01);
         QCOMPARE(iceberg.observed_s, 0.0);
         COMPARE_NEAR(result.scenario.origin.latitude_deg, 60.012, 1e-9);
         COMPARE_NEAR(result.scenario.origin.longitude_deg, -50, 1e-9);
@@ -62,7 +62,10 @@ private slots:
     /** Drift and uncertainty from the last sighting to the start asked for. */
     void advancedToTheReferenceTime()
     {
-        const ImportOptions options{.at = utc("2024-05-01T03:00:00Z"), .q_m2ps = 0.5};
+        const ImportOptions options{.at = utc("2024-05-01T03:00:00Z"),
+                                    .track = {},
+                                    .positionSd_m = std::sqrt(5),
+                                    .q_m2ps = 0.5};
         const ImportResult result = importSightings(openSea(), northward(3), options);
         const Iceberg& iceberg = result.scenario.icebergs.at(0);
         const double age_s = 3 * 3600 - 1200;
@@ -76,7 +79,7 @@ private slots:
     {
         Scenario base = openSea();
         base.current_mps = {0.05, 0.1};
-        const ImportOptions options{.at = utc("2024-05-01T03:00:00Z")};
+        const ImportOptions options{.at = utc("2024-05-01T03:00:00Z"), .track = {}};
         const ImportResult result = importSightings(base, northward(3), options);
         const Iceberg& iceberg = result.scenario.icebergs.at(0);
         COMPARE_NEAR(iceberg.velocity_mps.x(), -0.05, 1e-4);
@@ -171,10 +174,11 @@ private slots:
 
     void acrossTheAntimeridian()
     {
-        const ImportResult result =
-            importSightings(openSea(), csv("a,2024-05-01T00:00:00Z,70,179.9\n"
-                                           "a,2024-05-01T10:00:00Z,70,-179.9\n"
-                                           "b,2024-05-01T10:00:00Z,70,179.7\n"));
+        const ImportResult result = importSightings(openSea(),
+                                                    csv("a,2024-05-01T00:00:00Z,70,179.9\n"
+                                                        "a,2024-05-01T10:00:00Z,70,-179.9\n"
+                                                        "b,2024-05-01T10:00:00Z,70,179.7\n"),
+                                                    {.track = {}});
         COMPARE_NEAR(std::abs(result.scenario.origin.longitude_deg), 179.9, 1e-9);
         COMPARE_NEAR(result.scenario.icebergs[0].velocity_mps.x(), 7633.0 / 36000, 1e-3);
         COMPARE_NEAR(result.scenario.icebergs[0].position_m.x(), 7633, 20);
@@ -197,8 +201,9 @@ private slots:
 
     void driftingOffThePlaneIsLeftOut()
     {
-        const ImportResult result = importSightings(
-            openSea(), northward(4), {.at = utc("2024-12-01T00:00:00Z")}); // 3400 km on
+        const ImportResult result =
+            importSightings(openSea(), northward(4),
+                            {.at = utc("2024-12-01T00:00:00Z"), .track = {}}); // 3400 km on
         QCOMPARE(result.leftOut, std::size_t{1});
         QVERIFY(has(result.icebergs[0], ImportNote::DriftedAway));
         QVERIFY(result.scenario.icebergs.empty());
@@ -264,7 +269,7 @@ private slots:
     {
         QFETCH(int, row);
         const std::vector<ImportOptions> bad{
-            {.sigma0_m2 = -1},
+            {.positionSd_m = -1},
             {.q_m2ps = std::nan("")},
             {.tolerance_m = -1},
             {.area = GeoBox{.south_deg = 60, .north_deg = 50}},
@@ -306,8 +311,8 @@ private slots:
         }
         Scenario base = openSea();
         base.origin = scenario.origin;
-        const ImportResult result =
-            importSightings(base, readSightings(text, "table.csv"), {.moveOrigin = false});
+        const ImportResult result = importSightings(base, readSightings(text, "table.csv"),
+                                                    {.moveOrigin = false, .track = {}});
         QCOMPARE(result.added, std::size_t{40});
         for (std::size_t i = 0; i < 40; ++i) {
             Iceberg got = result.scenario.icebergs[i];
@@ -337,7 +342,11 @@ private slots:
             openSea(), table, {.at = utc("1997-09-01T00:00:00Z"), .withTracks = true});
         const Iceberg& iceberg = result.scenario.icebergs.at(0);
         QVERIFY(iceberg.velocity_mps.norm() > 0.01 && iceberg.velocity_mps.norm() < 0.6);
-        QVERIFY(iceberg.q_m2ps > 1 && iceberg.q_m2ps < 500);
+        qInfo("velocity %.3f %.3f give or take %.3f m/s, q %.3f m2/s, position %.0f m",
+              iceberg.velocity_mps.x(), iceberg.velocity_mps.y(), iceberg.velocitySd_mps,
+              iceberg.q_m2ps, std::sqrt(initialSigma_m2(iceberg)));
+        QVERIFY(iceberg.velocitySd_mps > 0.01 && iceberg.velocitySd_mps < 0.15);
+        QVERIFY(iceberg.q_m2ps < 100);
         QVERIFY(iceberg.track.time_s.size() > 100);
         QVERIFY(!hasErrors(validate(result.scenario)));
     }
