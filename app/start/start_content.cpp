@@ -81,6 +81,8 @@ QStringList examplePaths()
             u":/scenarios/flemish-pass-appearing.berg"_s,
             u":/scenarios/barents-wind.berg"_s,
             u":/scenarios/bonavista-lost.berg"_s,
+            u":/scenarios/upernavik-real-drift.berg"_s,
+            u":/scenarios/baffin-bay-day.berg"_s,
             u":/scenarios/twillingate-clusters.berg"_s,
             u":/scenarios/fram-strait-endurance.berg"_s,
             u":/scenarios/jones-sound-late-plans.berg"_s,

@@ -3,6 +3,7 @@
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
+#include "tests/support/approx.h"
 
 #include <QDir>
 #include <QTest>
@@ -30,6 +31,17 @@ Mission start(const char* name)
     return mission;
 }
 
+/** Velocities that are not known and change, as fitted to a beacon. */
+bool hasFittedDrift(const Scenario& s)
+{
+    return s.observer.model == ObserverModel::Kalman &&
+           std::ranges::all_of(s.icebergs, [](const Iceberg& iceberg) {
+               return iceberg.velocitySd_mps == kFittedDrift.velocitySpread_mps &&
+                      iceberg.velocitySpread_mps == kFittedDrift.velocitySpread_mps &&
+                      iceberg.velocityTime_s == kFittedDrift.velocityTime_s;
+           });
+}
+
 /** What one of the files is there to show. */
 struct Feature
 {
@@ -38,7 +50,7 @@ struct Feature
     bool (*shows)(const Scenario&);
 };
 
-constexpr std::array<Feature, 14> kFeatures = {{
+constexpr std::array<Feature, 16> kFeatures = {{
     {"grand-banks-12", 12, [](const Scenario& s) { return s == defaultScenario(); }},
     {"disko-bay-4", 4,
      [](const Scenario& s) {
@@ -78,6 +90,9 @@ constexpr std::array<Feature, 14> kFeatures = {{
      [](const Scenario& s) {
          return s.observer.model == ObserverModel::Kalman && s.observer.detection < 1;
      }},
+    {"upernavik-real-drift", 12, hasFittedDrift},
+    {"baffin-bay-day", 6,
+     [](const Scenario& s) { return s.duration_s == 86'400 && hasFittedDrift(s); }},
     {"twillingate-clusters", 17, [](const Scenario& s) { return s.clusters; }},
     {"jones-sound-late-plans", 12,
      [](const Scenario& s) { return s.planningTime_s > 0 && s.uavs[0].spec.autopilot_s > 0; }},
@@ -129,6 +144,24 @@ private slots:
             QVERIFY2(std::any_of(mission.events().begin(), mission.events().end(),
                                  [kind](const MissionEvent& event) { return event.kind == kind; }),
                      std::to_string(static_cast<int>(kind)).c_str());
+    }
+
+    /** Icebergs are lost and found as they drift; a day is flown in less than a second. */
+    void realDrift_data()
+    {
+        QTest::addColumn<double>("zeta_m2s");
+        QTest::addColumn<int>("visits");
+        QTest::newRow("upernavik-real-drift") << 119'088'961.0 << 46;
+        QTest::newRow("baffin-bay-day") << 14'046'330'796.0 << 273;
+    }
+    void realDrift()
+    {
+        QFETCH(const double, zeta_m2s);
+        QFETCH(const int, visits);
+        Mission mission(shipped(QTest::currentDataTag()));
+        mission.advance(mission.scenario().duration_s);
+        COMPARE_NEAR(mission.metrics().zeta_m2s / zeta_m2s, 1, 1e-8);
+        QCOMPARE(mission.metrics().visits, visits);
     }
 
     void clustersAreFlownTo()
