@@ -15,19 +15,19 @@ constexpr double kLeastSd_m = 0.01;
 constexpr double kFound_s = 10;
 
 /** A measurement of the position with this information (1 / variance). */
-void measurePosition(Covariance& known, double information_1pm2)
+void measurePosition(DriftVariances& known, double information_1pm2)
 {
-    const double gain = 1 / (1 + known.sigma_m2 * information_1pm2);
-    known.sigma_m2 *= gain;
+    const double gain = 1 / (1 + known.position_m2 * information_1pm2);
+    known.position_m2 *= gain;
     known.velocity_m2ps2 -= known.mixed_m2ps * known.mixed_m2ps * information_1pm2 * gain;
     known.mixed_m2ps *= gain;
 }
 
 /** The same of the velocity, s2/m2. */
-void measureVelocity(Covariance& known, double information_s2pm2)
+void measureVelocity(DriftVariances& known, double information_s2pm2)
 {
     const double gain = 1 / (1 + known.velocity_m2ps2 * information_s2pm2);
-    known.sigma_m2 -= known.mixed_m2ps * known.mixed_m2ps * information_s2pm2 * gain;
+    known.position_m2 -= known.mixed_m2ps * known.mixed_m2ps * information_s2pm2 * gain;
     known.mixed_m2ps *= gain;
     known.velocity_m2ps2 *= gain;
 }
@@ -36,10 +36,12 @@ void measureVelocity(Covariance& known, double information_s2pm2)
 
 CovarianceAccount::CovarianceAccount(const Track& track, const ObserverSpec& observer,
                                      double weight)
-    : m_start{.sigma_m2 = weight * track.sigma_m2,
+    : m_start{.position_m2 = weight * track.sigma_m2,
               .mixed_m2ps = weight * track.mixed_m2ps,
               .velocity_m2ps2 = weight * track.velocity_m2ps2}
-    , m_q_m2ps(weight * track.q_m2ps)
+    , m_process{.q_m2ps = weight * track.q_m2ps,
+                .velocitySpread_mps = std::sqrt(weight) * track.velocitySpread_mps,
+                .velocityTime_s = track.velocityTime_s}
     , m_weight(weight)
 {
     if (observer.model == ObserverModel::Simple)
@@ -58,7 +60,7 @@ double CovarianceAccount::deviation_m(double sigma_m2) const
  * since they are spread over the step, about the velocity. Between the looks sigma is P / (1 + P L
  * t), whose integral is a logarithm; what it grows in the step is added as a triangle.
  */
-double CovarianceAccount::filter(Covariance& known, double seen_s) const
+double CovarianceAccount::filter(DriftVariances& known, double seen_s) const
 {
     if (!(seen_s > 0))
         return 0;
@@ -68,23 +70,23 @@ double CovarianceAccount::filter(Covariance& known, double seen_s) const
     double product = 1;
     double grown_m2s = 0;
     for (double k = 0; k < steps; ++k) {
-        const double factor = 1 + known.sigma_m2 * information_1pm2;
+        const double factor = 1 + known.position_m2 * information_1pm2;
         product *= factor;
-        const double still_m2 = known.sigma_m2 / factor;
+        const double still_m2 = known.position_m2 / factor;
         grow(known, step_s / 2);
         measurePosition(known, information_1pm2);
         measureVelocity(known, information_1pm2 * step_s * step_s / 12);
         grow(known, step_s / 2);
-        grown_m2s += (known.sigma_m2 - still_m2) * step_s / 2;
+        grown_m2s += (known.position_m2 - still_m2) * step_s / 2;
     }
     return grown_m2s + std::log(product) / m_information_1pm2s;
 }
 
-void CovarianceAccount::lookForLost(Covariance& known, double chance) const
+void CovarianceAccount::lookForLost(DriftVariances& known, double chance) const
 {
-    Covariance found = known;
+    DriftVariances found = known;
     look(found, kFound_s);
-    known.sigma_m2 += chance * (found.sigma_m2 - known.sigma_m2);
+    known.position_m2 += chance * (found.position_m2 - known.position_m2);
     known.mixed_m2ps += chance * (found.mixed_m2ps - known.mixed_m2ps);
     known.velocity_m2ps2 += chance * (found.velocity_m2ps2 - known.velocity_m2ps2);
 }

@@ -255,7 +255,8 @@ CoverageModel::CoverageModel(const FlightPicture& picture, const CoverageHorizon
         if (m_paysForLooks && track.status != TrackStatus::Tracked)
             berg.chance = picture.chances.empty() ? kChanceOfLost : picture.chances[i];
         const ViewWindow window =
-            track.inView ? windowOf(static_cast<int>(i), berg.account.start().sigma_m2) : m_window;
+            track.inView ? windowOf(static_cast<int>(i), berg.account.start().position_m2)
+                         : m_window;
         berg.place_m = likelyPlace_m(window, m_uav, berg.place_m, track.inView);
         m_fastest_mps = std::max(m_fastest_mps, berg.velocity_mps.norm());
     }

@@ -54,7 +54,7 @@ struct CoverageState
     struct Account
     {
         double paid_s = 0;
-        Covariance known;
+        DriftVariances known;
         std::size_t next = 0; ///< the first view of other UAVs that is not accounted for
         /** Of one that is lost: until when it was looked for last. */
         double lookedFor_s = -std::numeric_limits<double>::infinity();

@@ -17,10 +17,12 @@ ObserverSpec kalman(double sd_m, double detection = 1)
 }
 
 /** Known once, then left alone for some minutes. */
-Track unseenTrack(double velocitySd_mps)
+Track unseenTrack(double velocitySd_mps, double velocityTime_s = 0)
 {
     Track track{
         .sigma_m2 = 25, .q_m2ps = kQ_m2ps, .velocity_m2ps2 = velocitySd_mps * velocitySd_mps};
+    track.velocitySpread_mps = velocitySd_mps;
+    track.velocityTime_s = velocityTime_s;
     track.grow(300);
     return track;
 }
@@ -49,18 +51,27 @@ class TestCovarianceAccount : public QObject
     Q_OBJECT
 
 private slots:
+    void unseenIsTheTrack_data()
+    {
+        QTest::addColumn<double>("velocityTime_s");
+        QTest::newRow("constant velocity") << 0.0;
+        QTest::newRow("velocity of ten hours") << 36'000.0;
+        QTest::newRow("velocity of five minutes") << 300.0;
+    }
+
     void unseenIsTheTrack()
     {
-        Track track = unseenTrack(0.1);
+        QFETCH(double, velocityTime_s);
+        Track track = unseenTrack(0.1, velocityTime_s);
         const CovarianceAccount account(track, kalman(5), 1);
-        Covariance known = account.start();
+        DriftVariances known = account.start();
         const double half_m2s = account.grow(known, 20);
         const double whole_m2s = half_m2s + account.grow(known, 30);
         QVERIFY(std::abs(account.growth(account.start(), 50).cost_m2s / whole_m2s - 1) < 1e-12);
         track.grow(50);
-        QVERIFY(std::abs(known.sigma_m2 / track.sigma_m2 - 1) < 1e-12);
+        QVERIFY(std::abs(known.position_m2 / track.sigma_m2 - 1) < 1e-12);
         QVERIFY(std::abs(known.mixed_m2ps / track.mixed_m2ps - 1) < 1e-12);
-        QVERIFY(account.deviation_m(known.sigma_m2) == std::sqrt(known.sigma_m2));
+        QVERIFY(account.deviation_m(known.position_m2) == std::sqrt(known.position_m2));
     }
 
     /** Against the filter, look by look. */
@@ -69,27 +80,31 @@ private slots:
         QTest::addColumn<double>("velocitySd_mps");
         QTest::addColumn<double>("seconds");
         QTest::addColumn<double>("sd_m");
+        QTest::addColumn<double>("velocityTime_s");
         for (const double sd_m : {5.0, 20.0})
             for (const double velocitySd_mps : {0.0, 0.1, 0.3})
                 for (const double seconds : {10.0, 18.0, 27.0})
-                    QTest::addRow("velocity %g, %g s, %g m", velocitySd_mps, seconds, sd_m)
-                        << velocitySd_mps << seconds << sd_m;
+                    for (const double velocityTime_s : {0.0, 1200.0})
+                        QTest::addRow("velocity %g for %g s, %g s, %g m", velocitySd_mps,
+                                      velocityTime_s, seconds, sd_m)
+                            << velocitySd_mps << seconds << sd_m << velocityTime_s;
     }
     void lookedAtIsTheFilter()
     {
         QFETCH(double, velocitySd_mps);
         QFETCH(double, seconds);
         QFETCH(double, sd_m);
-        Track track = unseenTrack(velocitySd_mps);
+        QFETCH(double, velocityTime_s);
+        Track track = unseenTrack(velocitySd_mps, velocityTime_s);
         const CovarianceAccount account(track, kalman(sd_m), 1);
-        Covariance known = account.start();
+        DriftVariances known = account.start();
         const double predicted_m2s = account.look(known, seconds);
         const CovarianceAccount::Growth flown = lookByLook(track, seconds, sd_m * sd_m);
-        QVERIFY(std::abs(known.sigma_m2 / flown.sigma_m2 - 1) < 0.02);
+        QVERIFY(std::abs(known.position_m2 / flown.sigma_m2 - 1) < 0.02);
         track.grow(200);
         QVERIFY(std::abs(account.growth(known, 200).sigma_m2 / track.sigma_m2 - 1) < 0.01);
         // Until the first look, half a second in, sigma is what it was.
-        const double waited_m2s = account.start().sigma_m2 / 2;
+        const double waited_m2s = account.start().position_m2 / 2;
         QVERIFY(predicted_m2s < flown.cost_m2s);
         QVERIFY(predicted_m2s + waited_m2s > flown.cost_m2s * 0.9);
     }
@@ -98,13 +113,13 @@ private slots:
     void piecesAreTheWhole()
     {
         const CovarianceAccount account(unseenTrack(0.1), kalman(5, 0.6), 1);
-        Covariance whole = account.start();
+        DriftVariances whole = account.start();
         const double whole_m2s = account.look(whole, 20);
-        Covariance known = account.start();
+        DriftVariances known = account.start();
         double sum_m2s = 0;
         for (int k = 0; k < 20; ++k)
             sum_m2s += account.look(known, 1);
-        QVERIFY(std::abs(known.sigma_m2 / whole.sigma_m2 - 1) < 0.03);
+        QVERIFY(std::abs(known.position_m2 / whole.position_m2 - 1) < 0.03);
         QVERIFY(std::abs(sum_m2s / whole_m2s - 1) < 0.03);
         QCOMPARE(account.look(known, 0), 0.0);
     }
@@ -115,37 +130,37 @@ private slots:
         const Track track = unseenTrack(0.1);
         const CovarianceAccount one(track, kalman(5), 1);
         const CovarianceAccount three(track, kalman(5), 3);
-        Covariance known = one.start();
-        Covariance weighted = three.start();
+        DriftVariances known = one.start();
+        DriftVariances weighted = three.start();
         const double cost_m2s = one.grow(known, 10) + one.look(known, 15);
         const double weighted_m2s = three.grow(weighted, 10) + three.look(weighted, 15);
         QVERIFY(std::abs(weighted_m2s / cost_m2s - 3) < 1e-9);
         QVERIFY(std::abs(weighted.velocity_m2ps2 / known.velocity_m2ps2 - 3) < 1e-9);
-        QVERIFY(std::abs(three.deviation_m(weighted.sigma_m2) - one.deviation_m(known.sigma_m2)) <
-                1e-9);
+        QVERIFY(std::abs(three.deviation_m(weighted.position_m2) -
+                         one.deviation_m(known.position_m2)) < 1e-9);
     }
 
     void oneLookOfTheSimpleObserverTellsAll()
     {
         const CovarianceAccount account({.sigma_m2 = 7, .q_m2ps = kQ_m2ps}, {}, 2);
-        Covariance known = account.start();
+        DriftVariances known = account.start();
         QCOMPARE(account.grow(known, 10), 10 * (14 + 10 * kQ_m2ps));
         QCOMPARE(account.look(known, 5), 0.0);
-        QCOMPARE(known.sigma_m2, 0.0);
+        QCOMPARE(known.position_m2, 0.0);
     }
 
     void lostIcebergsAreFoundByChance()
     {
         const CovarianceAccount account(unseenTrack(0.1), kalman(5), 1);
-        Covariance never = account.start();
+        DriftVariances never = account.start();
         account.lookForLost(never, 0);
         QVERIFY(never == account.start());
-        Covariance surely = account.start();
+        DriftVariances surely = account.start();
         account.lookForLost(surely, 1);
-        Covariance half = account.start();
+        DriftVariances half = account.start();
         account.lookForLost(half, 0.5);
-        QVERIFY(surely.sigma_m2 < 10);
-        QCOMPARE(half.sigma_m2, (never.sigma_m2 + surely.sigma_m2) / 2);
+        QVERIFY(surely.position_m2 < 10);
+        QCOMPARE(half.position_m2, (never.position_m2 + surely.position_m2) / 2);
         QCOMPARE(half.velocity_m2ps2, (never.velocity_m2ps2 + surely.velocity_m2ps2) / 2);
     }
 };
