@@ -235,7 +235,7 @@ Separation::Trial Separation::trial(int uav, const SafetyGuard& guard, const Dub
     for (std::int64_t i = 0; i < guard.uav().clock.steps; ++i)
         flown.push_back(guard.heldFor(flown.back(), rate_radps, 1));
     Trial trial{.rate_radps = rate_radps};
-    double least_lack_m = kFar;
+    double leastLack_m = kFar;
     double widest_m = -kFar;
     for (const double side : {-1.0, 1.0}) {
         Disc disc{.middle_m = middleBeside_m(flown.back(), guard.uav().motion, side),
@@ -257,8 +257,8 @@ Separation::Trial Separation::trial(int uav, const SafetyGuard& guard, const Dub
             trial.disc = disc;
             widest_m = gap_m;
         }
-        if (lack_m < least_lack_m) {
-            least_lack_m = lack_m;
+        if (lack_m < leastLack_m) {
+            leastLack_m = lack_m;
             trial.blocker = blocker;
         }
     }

@@ -130,10 +130,10 @@ private:
         if (m_content.standoff)
             m_text += closedStyle("stand-off");
         for (const ExportUav& uav : m_content.uavs) {
-            const std::string colour = colourText(uavColour(uav.row));
-            m_text += "<Style id=\"" + styleId(uav) + "\"><IconStyle><color>" + colour +
-                      "</color><scale>0.6</scale></IconStyle><LineStyle><color>" + colour +
-                      "</color><width>3</width></LineStyle></Style>\n";
+            const std::string colour = "<color>" + colourText(uavColour(uav.row)) + "</color>";
+            m_text.append("<Style id=\"").append(styleId(uav)).append("\"><IconStyle>");
+            m_text.append(colour).append("<scale>0.6</scale></IconStyle><LineStyle>");
+            m_text.append(colour).append("<width>3</width></LineStyle></Style>\n");
         }
     }
 

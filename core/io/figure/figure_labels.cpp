@@ -174,7 +174,8 @@ private:
         const Pixel end = endOf(label);
         for (int k = 0; k < kPlaces; ++k) {
             // 0, 1 up, 1 down, 2 up, ... halves of a line
-            const double shift_px = 0.5 * kFreeHeight_px * ((k + 1) / 2) * (k % 2 == 0 ? 1 : -1);
+            const int halves = (k + 1) / 2 * (k % 2 == 0 ? 1 : -1);
+            const double shift_px = 0.5 * kFreeHeight_px * halves;
             const PixelRect rect = rectAt(end.x + kGap_px, end.y + shift_px,
                                           width_px(label.text, FigureFont::Small), kFreeHeight_px);
             if (!isFree(rect, acrossLines))

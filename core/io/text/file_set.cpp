@@ -101,6 +101,8 @@ bool canBePutBack(const std::string& path)
 
 struct FileSet::Entry
 {
+    Entry(const std::string& file, StagedFile&& content) : path(file), staged(std::move(content)) {}
+
     std::string path;
     StagedFile staged;
 };
@@ -121,8 +123,8 @@ StagedFile& FileSet::add(const std::string& path)
 
 void FileSet::write()
 {
-    std::ranges::stable_partition(m_entries,
-                                  [](const auto& entry) { return canBePutBack(entry->path); });
+    std::stable_partition(m_entries.begin(), m_entries.end(),
+                          [](const auto& entry) { return canBePutBack(entry->path); });
     std::vector<StagedFile> staged;
     std::vector<std::unique_ptr<Before>> before;
     for (const std::unique_ptr<Entry>& entry : m_entries) {

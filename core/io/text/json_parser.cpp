@@ -197,15 +197,14 @@ private:
 /** Lists go one after another: the library would first gather all of their entries in one. */
 void release(Json& value)
 {
-    if (value.is_object()) {
-        for (auto& [name, member] : membersOf(value))
+    if (Members* const members = value.get_ptr<Json::object_t*>()) {
+        for (auto& [name, member] : *members)
             release(member);
-        Members().swap(membersOf(value));
-    } else if (value.is_array()) {
-        Json::array_t& entries = value.get_ref<Json::array_t&>();
-        for (Json& entry : entries)
+        Members().swap(*members);
+    } else if (auto* const entries = value.get_ptr<Json::array_t*>()) {
+        for (Json& entry : *entries)
             release(entry);
-        Json::array_t().swap(entries);
+        Json::array_t().swap(*entries);
     }
 }
 

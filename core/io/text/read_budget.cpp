@@ -21,7 +21,8 @@ constexpr std::size_t kMostRows = 1'000'000;
 std::size_t factor()
 {
     constexpr std::size_t kMost = 1000;
-    const char* const given = std::getenv(kReadLimitsVariable);
+    const char* const given = // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets it
+        std::getenv(kReadLimitsVariable);
     const std::string_view text = given == nullptr ? "" : given;
     std::size_t value = 1;
     std::from_chars(text.data(), text.data() + text.size(), value);
