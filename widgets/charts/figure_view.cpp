@@ -11,7 +11,7 @@ namespace berg {
 namespace {
 
 constexpr double kReach_px = 16; ///< of the pointer
-constexpr PlotMark kChosenMark{.at = {}, .radius_px = 8, .shape = MarkShape::Ring};
+const PlotMark kChosenMark{.at = {}, .radius_px = 8, .shape = MarkShape::Ring};
 constexpr double kBoxGap_px = 14; ///< between a point and its read-out
 constexpr double kBoxMargin_px = 7;
 constexpr double kLine_px = 16;

@@ -126,8 +126,8 @@ void ParetoChart::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Right:
     case Qt::Key_Up:
         return choose(tauOfPreviousPlan(m_curve, m_tau));
-    default:
-        QWidget::keyPressEvent(event);
+    default:                           // not the marks, which the keys of a figure walk through
+        QWidget::keyPressEvent(event); // NOLINT(bugprone-parent-virtual-call)
     }
 }
 

@@ -17,7 +17,7 @@ namespace {
 QString canonicalPath(const QString& path)
 {
     const QFileInfo file(path);
-    if (const QString canonical = file.canonicalFilePath(); !canonical.isEmpty())
+    if (QString canonical = file.canonicalFilePath(); !canonical.isEmpty())
         return canonical;
     return QDir(QFileInfo(file.absolutePath()).canonicalFilePath()).filePath(file.fileName());
 }

@@ -18,8 +18,8 @@ Point placeAt(const FlightRecord& record, std::size_t uav, double time_s)
     const auto after = std::lower_bound(samples.begin(), samples.end(), time_s,
                                         [](const Sample& s, double t) { return s.time_s < t; });
     const bool isLast = after == samples.end();
-    const Point to_m = isLast ? record.now.world.uavs.at(uav).pose.position_m
-                              : after->uavs.at(uav).pose.position_m;
+    Point to_m = isLast ? record.now.world.uavs.at(uav).pose.position_m
+                        : after->uavs.at(uav).pose.position_m;
     if (after == samples.begin())
         return to_m;
     const Sample& before = *std::prev(after);

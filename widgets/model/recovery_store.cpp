@@ -47,7 +47,7 @@ RecoveryInfo readInfo(const RecoveryFiles& files, const Scenario& scenario)
 /** Puts what cannot be read out of the way, for whoever wants to look into it. */
 QString setAside(const RecoveryFiles& files)
 {
-    const QString aside = files.scenario() + u".damaged"_s;
+    QString aside = files.scenario() + u".damaged"_s;
     QFile::rename(files.scenario(), aside);
     return aside;
 }

@@ -46,9 +46,9 @@ private:
     void dismiss();
     void place();
 
-    PlaceField* m_field;
-    QLabel* m_reason;
-    QPushButton* m_move;
+    PlaceField* m_field = nullptr;
+    QLabel* m_reason = nullptr;
+    QPushButton* m_move = nullptr;
     Theme m_theme = Theme::light();
     LatLon m_origin;
     bool m_mayMove = true;

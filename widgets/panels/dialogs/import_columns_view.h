@@ -35,8 +35,8 @@ signals:
 private:
     void fill(QComboBox& combo, const QStringList& columns, const QString& guess);
 
-    QLabel* m_words;
-    QWidget* m_fields;
+    QLabel* m_words = nullptr;
+    QWidget* m_fields = nullptr;
     std::vector<QComboBox*> m_combos; ///< by field
     CellModel m_rows;
 };

@@ -57,21 +57,21 @@ private:
     void addTracks();
     void enableInputs();
 
-    QFormLayout* m_form;
-    QComboBox* m_target;
+    QFormLayout* m_form = nullptr;
+    QComboBox* m_target = nullptr;
     TimeRow m_at;
     TimeRow m_since;
     TimeRow m_until;
-    QCheckBox* m_areaBox;
-    std::array<NumberField*, 4> m_edges; ///< south, west, north, east
-    QPushButton* m_presentView;
-    NumberField* m_error;
+    QCheckBox* m_areaBox = nullptr;
+    std::array<NumberField*, 4> m_edges{}; ///< south, west, north, east
+    QPushButton* m_presentView = nullptr;
+    NumberField* m_error = nullptr;
     bool m_errorChosen = false; ///< otherwise it is that of the file's format
-    NumberField* m_spread;
-    NumberField* m_velocityTime;
-    NumberField* m_growth;
-    QCheckBox* m_tracks;
-    QCheckBox* m_one;
+    NumberField* m_spread = nullptr;
+    NumberField* m_velocityTime = nullptr;
+    NumberField* m_growth = nullptr;
+    QCheckBox* m_tracks = nullptr;
+    QCheckBox* m_one = nullptr;
     std::optional<bool> m_oneChosen;
     bool m_timesShown = false;
 };

@@ -81,13 +81,13 @@ private:
     std::size_t m_icebergs = 0;               ///< in it
     std::shared_ptr<const ZetaBound> m_bound; ///< of it
     QStringList m_listed;                     ///< names of the lines in the menu
-    QComboBox* m_kind;
-    QToolButton* m_lines;
-    QMenu* m_menu;
-    QToolButton* m_follow;
-    QToolButton* m_all;
-    QToolButton* m_export;
-    TimeChart* m_chart;
+    QComboBox* m_kind = nullptr;
+    QToolButton* m_lines = nullptr;
+    QMenu* m_menu = nullptr;
+    QToolButton* m_follow = nullptr;
+    QToolButton* m_all = nullptr;
+    QToolButton* m_export = nullptr;
+    TimeChart* m_chart = nullptr;
 };
 
 } // namespace berg

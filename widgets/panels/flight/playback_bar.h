@@ -57,14 +57,14 @@ private:
 
     Theme m_theme = Theme::light();
     RunPhase m_phase = RunPhase::Planning;
-    QToolButton* m_play; ///< or pause
-    QToolButton* m_step;
-    QToolButton* m_reset;
-    QComboBox* m_rate;
-    RunTimeLine* m_timeLine;
-    QLineEdit* m_time;     ///< shown, can be typed
-    FigureLabel* m_length; ///< of the run
-    QString m_timeText;    ///< of what is shown
+    QToolButton* m_play = nullptr; ///< or pause
+    QToolButton* m_step = nullptr;
+    QToolButton* m_reset = nullptr;
+    QComboBox* m_rate = nullptr;
+    RunTimeLine* m_timeLine = nullptr;
+    QLineEdit* m_time = nullptr;     ///< shown, can be typed
+    FigureLabel* m_length = nullptr; ///< of the run
+    QString m_timeText;              ///< of what is shown
 };
 
 } // namespace berg

@@ -100,15 +100,14 @@ bool IcebergTableView::event(QEvent* event)
 void IcebergTableView::keyPressEvent(QKeyEvent* event)
 {
     const QModelIndex current = currentIndex();
+    const bool isChoice = state() != EditingState && isReturn(*event); // else left by an editor
     if (event->matches(QKeySequence::Copy))
         emit copyRequested();
     else if (event->matches(QKeySequence::Paste))
         emit pasteRequested();
-    else if (state() == EditingState) // what the editor has left over
-        QTableView::keyPressEvent(event);
-    else if (isReturn(*event) && current.flags().testFlag(Qt::ItemIsEditable))
+    else if (isChoice && current.flags().testFlag(Qt::ItemIsEditable))
         edit(current);
-    else if (isReturn(*event) && current.isValid())
+    else if (isChoice && current.isValid())
         emit chosen(current);
     else
         QTableView::keyPressEvent(event);

@@ -45,9 +45,9 @@ private:
     std::vector<Issue> m_planIssues;
     std::vector<Issue> m_issues; ///< as listed
     QStringList m_lines;
-    QStackedLayout* m_pages;
-    QListWidget* m_list;
-    CaptionLabel* m_empty;
+    QStackedLayout* m_pages = nullptr;
+    QListWidget* m_list = nullptr;
+    CaptionLabel* m_empty = nullptr;
 };
 
 } // namespace berg

@@ -65,20 +65,20 @@ private:
     ScenarioDocument& m_document;
     Selection& m_selection;
     Theme m_theme = Theme::light();
-    QLabel* m_chip; ///< colour of the UAV
-    QLabel* m_title;
-    CaptionLabel* m_subtitle;
+    QLabel* m_chip = nullptr; ///< colour of the UAV
+    QLabel* m_title = nullptr;
+    CaptionLabel* m_subtitle = nullptr;
     Notice m_lock;
     Notice m_issues;
-    InspectorForm* m_icebergForm;
-    InspectorForm* m_uavForm;
-    InspectorForm* m_assetForm;
-    InspectorForm* m_areaForm;
-    InspectorForm* m_noFlyForm;
-    InspectorForm* m_scenarioForm;
+    InspectorForm* m_icebergForm = nullptr;
+    InspectorForm* m_uavForm = nullptr;
+    InspectorForm* m_assetForm = nullptr;
+    InspectorForm* m_areaForm = nullptr;
+    InspectorForm* m_noFlyForm = nullptr;
+    InspectorForm* m_scenarioForm = nullptr;
     std::vector<InspectorForm*> m_forms; ///< all of them
-    IdField* m_icebergId;
-    IdField* m_uavId;
+    IdField* m_icebergId = nullptr;
+    IdField* m_uavId = nullptr;
     std::vector<std::string> m_icebergs; ///< selected, in the scenario
     std::vector<std::string> m_uavs;
     std::string m_noFly; ///< key of the first one selected; empty: none

@@ -158,7 +158,7 @@ void PlanDelegate::paintSwatch(QPainter& painter, const QStyleOptionViewItem& op
                                double sigma_m2) const
 {
     const QRect& cell = option.rect;
-    const QRectF swatch(cell.left() + kSwatchMargin_px, cell.center().y() + 1 - kSwatch_px / 2,
+    const QRectF swatch(cell.left() + kSwatchMargin_px, cell.center().y() + 1 - kSwatch_px / 2.0,
                         kSwatch_px, kSwatch_px);
     // On the ground of a chosen row the scale does not stand out by itself.
     const bool chosen = option.state.testFlag(QStyle::State_Selected);

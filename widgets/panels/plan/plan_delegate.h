@@ -20,7 +20,7 @@ public:
     void setTheme(const Theme& theme) { m_theme = theme; }
     void setSigmaFull(double full_m2) { m_sigmaFull_m2 = full_m2; }
 
-    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+    void paint(QPainter* painter, const QStyleOptionViewItem& given,
                const QModelIndex& index) const override;
 
     /** Room that the colour takes left of the text of sigma. */

@@ -32,12 +32,12 @@ private:
 
     Theme m_theme = Theme::light();
     PlanVerdict m_verdict = PlanVerdict::None;
-    FigureLabel* m_distance;
-    FigureLabel* m_reward;
-    FigureLabel* m_objective;
-    FigureLabel* m_mu;
-    QLabel* m_mark;  ///< shape of the verdict
-    QLabel* m_state; ///< its words
+    FigureLabel* m_distance = nullptr;
+    FigureLabel* m_reward = nullptr;
+    FigureLabel* m_objective = nullptr;
+    FigureLabel* m_mu = nullptr;
+    QLabel* m_mark = nullptr;  ///< shape of the verdict
+    QLabel* m_state = nullptr; ///< its words
 };
 
 } // namespace berg

@@ -75,14 +75,14 @@ private:
     void updateEnabled();
     void updateForecast();
 
-    NumberField* m_tau;
-    QSlider* m_slider;
-    TauStrip* m_strip;
-    PolicyCombo* m_policy;
-    CaptionLabel* m_forecast;
-    QComboBox* m_backend;
-    QComboBox* m_route;
-    PlanReadoutView* m_result;
+    NumberField* m_tau = nullptr;
+    QSlider* m_slider = nullptr;
+    TauStrip* m_strip = nullptr;
+    PolicyCombo* m_policy = nullptr;
+    CaptionLabel* m_forecast = nullptr;
+    QComboBox* m_backend = nullptr;
+    QComboBox* m_route = nullptr;
+    PlanReadoutView* m_result = nullptr;
     PlannerSettings m_settings; ///< shown
     PlanReadout m_readout;
     bool m_inFlight = false;

@@ -63,22 +63,22 @@ private:
 
     RunList& m_list;
     std::optional<Scenario> m_scenario;
-    QBoxLayout* m_content;
-    RunTable* m_runs;
-    QTabWidget* m_tabs;
-    ComparisonTable* m_figures;
-    ComparisonTable* m_unseen;
-    QLabel* m_state; ///< why the last flight failed
-    QBoxLayout* m_actions;
-    QStackedWidget* m_flight; ///< the button, or progress while something is flown
-    QPushButton* m_tour;
-    QLabel* m_progressText;
-    QProgressBar* m_bar;
-    QLabel* m_tauLabel;
-    NumberField* m_tau;
-    QPushButton* m_fly;
-    QToolButton* m_open;
-    QPushButton* m_remove;
+    QBoxLayout* m_content = nullptr;
+    RunTable* m_runs = nullptr;
+    QTabWidget* m_tabs = nullptr;
+    ComparisonTable* m_figures = nullptr;
+    ComparisonTable* m_unseen = nullptr;
+    QLabel* m_state = nullptr; ///< why the last flight failed
+    QBoxLayout* m_actions = nullptr;
+    QStackedWidget* m_flight = nullptr; ///< the button, or progress while something is flown
+    QPushButton* m_tour = nullptr;
+    QLabel* m_progressText = nullptr;
+    QProgressBar* m_bar = nullptr;
+    QLabel* m_tauLabel = nullptr;
+    NumberField* m_tau = nullptr;
+    QPushButton* m_fly = nullptr;
+    QToolButton* m_open = nullptr;
+    QPushButton* m_remove = nullptr;
 };
 
 } // namespace berg

@@ -33,7 +33,7 @@ bool fleetsDiffer(const std::vector<RunPointer>& runs)
 } // namespace
 
 RunTable::RunTable(RunList& list, QWidget* parent)
-    : QTableWidget(0, kRunColumns, parent), m_list(list), m_theme(Theme::light())
+    : QTableWidget(0, RunColumnCount, parent), m_list(list), m_theme(Theme::light())
 {
     setUpComparisonTable(*this, u"comparedRuns"_s, tr("Runs"));
     m_marks = new RunMarkDelegate(this);

@@ -18,7 +18,7 @@ enum RunColumn
     RunName,
     RunZeta,
     RunDifference,
-    kRunColumns
+    RunColumnCount
 };
 
 /** How a cell of the first two columns stands: `Qt::UserRole`. */
@@ -70,8 +70,8 @@ private:
 
     RunList& m_list;
     Theme m_theme;
-    RunMarkDelegate* m_marks;
-    QLabel* m_empty;
+    RunMarkDelegate* m_marks = nullptr;
+    QLabel* m_empty = nullptr;
 };
 
 } // namespace berg

@@ -55,15 +55,15 @@ private:
     void updateEnabled();
 
     BenchmarkRunner& m_runner;
-    NumberField* m_largest;
-    NumberField* m_repeat;
-    NumberField* m_budget;
+    NumberField* m_largest = nullptr;
+    NumberField* m_repeat = nullptr;
+    NumberField* m_budget = nullptr;
     std::vector<std::pair<BenchmarkSolver, QCheckBox*>> m_solvers;
-    SolveTimeChart* m_chart;
-    QPushButton* m_start;
-    QPushButton* m_save;
-    QProgressBar* m_bar;
-    QLabel* m_state;
+    SolveTimeChart* m_chart = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_save = nullptr;
+    QProgressBar* m_bar = nullptr;
+    QLabel* m_state = nullptr;
     double m_done = 0; ///< share of the instances
     bool m_cancelled = false;
     QElapsedTimer m_sinceStart;

@@ -63,9 +63,9 @@ private:
     void compareIfWanted(const QString& failure);
 
     StudyRunner& m_runner;
-    StudySetup* m_setup;
-    StudyRunBar* m_run;
-    StudyResults* m_results;
+    StudySetup* m_setup = nullptr;
+    StudyRunBar* m_run = nullptr;
+    StudyResults* m_results = nullptr;
     bool m_comparesThen = false; ///< Figure 5 waits for Figure 4, which is being flown
 };
 

@@ -76,18 +76,18 @@ private:
 
     StudyRunner& m_runner;
     std::optional<std::size_t> m_setting; ///< chosen
-    QComboBox* m_reference;
-    QToolButton* m_openStudy;
+    QComboBox* m_reference = nullptr;
+    QToolButton* m_openStudy = nullptr;
     std::array<QToolButton*, 4> m_exports{};
-    QTabWidget* m_pictures;
-    StudyChart* m_chart;
-    DifferenceChart* m_differences;
-    QTabWidget* m_tables;
-    StudySettingsModel* m_settingsModel;
-    StudyCasesModel* m_casesModel;
-    QTableView* m_settingsTable;
-    QTableView* m_casesTable;
-    QPushButton* m_open;
+    QTabWidget* m_pictures = nullptr;
+    StudyChart* m_chart = nullptr;
+    DifferenceChart* m_differences = nullptr;
+    QTabWidget* m_tables = nullptr;
+    StudySettingsModel* m_settingsModel = nullptr;
+    StudyCasesModel* m_casesModel = nullptr;
+    QTableView* m_settingsTable = nullptr;
+    QTableView* m_casesTable = nullptr;
+    QPushButton* m_open = nullptr;
 };
 
 } // namespace berg

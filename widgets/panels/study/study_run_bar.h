@@ -43,11 +43,11 @@ private:
     QString m_fault;
     QString m_failure; ///< of the last flight
     QString m_note;    ///< since then
-    QLabel* m_estimate;
-    QPushButton* m_start;
-    QPushButton* m_carryOn;
-    QProgressBar* m_bar;
-    QLabel* m_state;
+    QLabel* m_estimate = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_carryOn = nullptr;
+    QProgressBar* m_bar = nullptr;
+    QLabel* m_state = nullptr;
     bool m_cancelled = false;
     QTimer m_second; ///< keeps the time left going while single missions take long
 };

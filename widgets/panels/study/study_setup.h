@@ -61,15 +61,15 @@ private:
     [[nodiscard]] std::vector<double> taus() const;
 
     Scenario m_scenario;
-    QRadioButton* m_this;
-    QRadioButton* m_random;
-    NumberField* m_count;
-    NumberField* m_seed;
-    NumberField* m_icebergs;
-    NumberField* m_runs;
-    NumberField* m_from;
-    NumberField* m_to;
-    NumberField* m_step;
+    QRadioButton* m_this = nullptr;
+    QRadioButton* m_random = nullptr;
+    NumberField* m_count = nullptr;
+    NumberField* m_seed = nullptr;
+    NumberField* m_icebergs = nullptr;
+    NumberField* m_runs = nullptr;
+    NumberField* m_from = nullptr;
+    NumberField* m_to = nullptr;
+    NumberField* m_step = nullptr;
     std::vector<std::pair<PolicyKind, QCheckBox*>> m_policies;
 };
 
