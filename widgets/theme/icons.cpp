@@ -156,8 +156,8 @@ private:
 class LineIconEngine final : public QIconEngine
 {
 public:
-    LineIconEngine(QPainterPath path, const QColor& ink, const QColor& disabled)
-        : m_path(std::move(path)), m_ink(ink), m_disabled(disabled)
+    LineIconEngine(const QPainterPath& path, const QColor& ink, const QColor& disabled)
+        : m_path(path), m_ink(ink), m_disabled(disabled)
     {
     }
 

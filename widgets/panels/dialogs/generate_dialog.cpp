@@ -94,7 +94,7 @@ GenerateDialog::GenerateDialog(const Scenario& scenario, const WorldBounds& view
     draw();
 }
 
-NumberField* GenerateDialog::makeNumber(const NumberSpec& spec)
+NumberField* GenerateDialog::makeNumber(const NumberSpec& spec) const
 {
     auto* field = new NumberField;
     field->setObjectName(QLatin1String(spec.name));

@@ -67,7 +67,7 @@ private:
     void fitToTexts();
     void place();
     void elideFault();
-    void setIcon(IconName icon);
+    void setIcon(IconName name);
 
     Theme m_theme = Theme::light();
     IconName m_iconName = IconName::Locked;
@@ -75,17 +75,17 @@ private:
     bool m_hasState = false;
     std::vector<FlightNotice> m_notices;
     std::vector<NoticeLine> m_noticeLines; ///< at least as many
-    QBoxLayout* m_column;
-    QWidget* m_state;   ///< the line of the lock or the fault
-    QWidget* m_givenUp; ///< the line of the flight that was given up
-    QLabel* m_givenUpText;
+    QBoxLayout* m_column = nullptr;
+    QWidget* m_state = nullptr;   ///< the line of the lock or the fault
+    QWidget* m_givenUp = nullptr; ///< the line of the flight that was given up
+    QLabel* m_givenUpText = nullptr;
     bool m_hasGivenUp = false;
-    QLabel* m_icon;
-    QLabel* m_text;
-    QPushButton* m_stop;
-    QPushButton* m_flyOn;
-    QPushButton* m_newest;
-    QPushButton* m_checks;
+    QLabel* m_icon = nullptr;
+    QLabel* m_text = nullptr;
+    QPushButton* m_stop = nullptr;
+    QPushButton* m_flyOn = nullptr;
+    QPushButton* m_newest = nullptr;
+    QPushButton* m_checks = nullptr;
 };
 
 } // namespace berg

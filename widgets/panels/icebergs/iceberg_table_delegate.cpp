@@ -137,8 +137,9 @@ void IcebergTableDelegate::paintBar(QPainter& painter, const QStyleOptionViewIte
                                     double sigma_m2) const
 {
     const double share = m_sigmaFull_m2 > 0 ? std::clamp(sigma_m2 / m_sigmaFull_m2, 0.0, 1.0) : 0;
-    const QRectF whole(option.rect.left() + kMargin_px,
-                       option.rect.center().y() + 1 - kBarHeight_px / 2, kBar_px, kBarHeight_px);
+    const int above_px = kBarHeight_px / 2;
+    const QRectF whole(option.rect.left() + kMargin_px, option.rect.center().y() + 1 - above_px,
+                       kBar_px, kBarHeight_px);
     QRectF bar = whole;
     bar.setWidth(share * kBar_px);
     // On the ground of a chosen row the scale does not stand out by itself.

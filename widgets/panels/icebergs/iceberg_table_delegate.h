@@ -21,7 +21,7 @@ public:
     /** sigma at the end of the colour scale. */
     void setSigmaFull(double full_m2) { m_sigmaFull_m2 = full_m2; }
 
-    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+    void paint(QPainter* painter, const QStyleOptionViewItem& given,
                const QModelIndex& index) const override;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;

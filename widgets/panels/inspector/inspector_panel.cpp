@@ -155,7 +155,9 @@ IdField* InspectorPanel::addIdField(InspectorForm& form, const QString& key, con
     });
     form.addOnTop(tr("Id"), field);
     connect(field, &IdField::edited, this, [this, &shown](const QString& id) {
-        const std::string before = shown.front(); // which is another one while it is renamed
+        // A copy: `shown` is another one while it is renamed.
+        // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+        const std::string before = shown.front();
         rename(before, id.toStdString());
     });
     return field;

@@ -21,11 +21,11 @@ constexpr int kCellMargins_px = 9;
 
 enum Column
 {
-    kLabel,
-    kReference,
-    kOther,
-    kDifference,
-    kColumns
+    FigureName,
+    FigureOfReference,
+    FigureOfOther,
+    FigureDifference,
+    FigureColumnCount
 };
 
 struct ComparisonText
@@ -232,15 +232,15 @@ void setUpComparisonTable(QTableWidget& table, const QString& name, const QStrin
 }
 
 ComparisonTable::ComparisonTable(const QString& name, const QString& title, QWidget* parent)
-    : QTableWidget(0, kColumns, parent)
+    : QTableWidget(0, FigureColumnCount, parent)
 {
     setUpComparisonTable(*this, name, title);
     setSelectionMode(QAbstractItemView::NoSelection);
     setFocusPolicy(Qt::TabFocus);
     setHorizontalHeaderLabels({QString(), tr("A"), tr("B"), tr("B − A")});
-    for (const int column : {kReference, kOther, kDifference})
+    for (const int column : {FigureOfReference, FigureOfOther, FigureDifference})
         horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    horizontalHeader()->setSectionResizeMode(kLabel, QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(FigureName, QHeaderView::Stretch);
 }
 
 void ComparisonTable::setTheme(const Theme& theme)
@@ -260,7 +260,7 @@ void ComparisonTable::showRows(const std::vector<ComparisonRow>& rows)
             if (cell == nullptr) {
                 cell = new QTableWidgetItem;
                 setItem(r, column, cell);
-                if (column != kLabel)
+                if (column != FigureName)
                     cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             }
             QFont cellFont = font();
@@ -269,10 +269,10 @@ void ComparisonTable::showRows(const std::vector<ComparisonRow>& rows)
             cell->setText(text);
             cell->setToolTip(row.toolTip);
         };
-        put(kLabel, row.label, false);
-        put(kReference, row.reference, row.better == Better::Reference);
-        put(kOther, row.other, row.better == Better::Other);
-        put(kDifference, row.difference, false);
+        put(FigureName, row.label, false);
+        put(FigureOfReference, row.reference, row.better == Better::Reference);
+        put(FigureOfOther, row.other, row.better == Better::Other);
+        put(FigureDifference, row.difference, false);
     }
     setColumnWidths();
 }
@@ -284,7 +284,7 @@ void ComparisonTable::setColumnWidths()
     bold.setBold(true);
     const QFontMetrics metrics(bold);
     const int most_px = viewport()->width() / 4;
-    for (const int column : {kReference, kOther, kDifference}) {
+    for (const int column : {FigureOfReference, FigureOfOther, FigureDifference}) {
         int widest_px = metrics.horizontalAdvance(u"00:00"_s);
         for (int r = 0; r < rowCount(); ++r)
             if (const QTableWidgetItem* cell = item(r, column))
