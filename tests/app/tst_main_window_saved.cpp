@@ -139,7 +139,7 @@ private slots:
         w.interaction.path = path;
         w.interaction.overwrite = Interaction::Overwrite::Overwrite;
         int faulty = 0;
-        for (int i = 0; i < 120; ++i) {
+        for (int i = 0; i < 180; ++i) {
             editor.edit();
             faulty += hasErrors(w.document().issues()) ? 1 : 0;
             if (i % 6 != 5)

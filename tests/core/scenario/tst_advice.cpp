@@ -85,23 +85,6 @@ const std::vector<Case>& cases()
              addUav(s, 0, 0);
              s.separation_m = 0;
          }},
-        {"less reserve than waiting for the other UAV may take",
-         [](S& s) {
-             addUav(s, 1000, 0).spec.endurance_s = 1000;
-             s.uavs[1].spec.reserve_s = 44;
-         },
-         kWarning, "uavs[1].endurance_s", IssueId::CrowdedReturn,
-         [](S& s) {
-             addUav(s, 1000, 0).spec.endurance_s = 1000;
-             s.uavs[1].spec.reserve_s = 45;
-         }},
-        {"less reserve, but never kept apart",
-         [](S& s) { addUav(s, 1000, 29).spec.endurance_s = 100; }, kWarning, "uavs[1].endurance_s",
-         IssueId::CrowdedReturn,
-         [](S& s) {
-             addUav(s, 1000, 29).spec.endurance_s = 100;
-             s.separation_m = 0;
-         }},
         {"wide turn of the second UAV",
          [](S& s) {
              addUav(s, 1000, 0).fov_m = {600, 200};
@@ -293,6 +276,25 @@ private slots:
         expected.harmless(slighter);
         for (const Issue& issue : validate(slighter))
             QVERIFY2(issue.reason.id != expected.id, issue.field.c_str());
+    }
+
+    /** 45 s for each other UAV of the layer. */
+    void reserveForWaiting()
+    {
+        Scenario s = calmSea();
+        addUav(s, 1000, 0).spec.endurance_s = 1000;
+        s.uavs[1].spec.reserve_s = 44;
+        QVERIFY(isOne(validate(s), issueOf(Severity::Warning, "uavs[1].endurance_s",
+                                           {.id = IssueId::CrowdedReturn, .arguments = {45.0}})));
+        Scenario enough = s;
+        enough.uavs[1].spec.reserve_s = 45;
+        QVERIFY(validate(enough).empty());
+        Scenario layered = s;
+        layered.uavs[1].spec.altitude_m += kLayerHeight_m;
+        QVERIFY(validate(layered).empty());
+        Scenario free = s;
+        free.separation_m = 0;
+        QVERIFY(validate(free).empty());
     }
 
     void area()
