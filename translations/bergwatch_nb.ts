@@ -3425,12 +3425,12 @@
         <translation>På vei hjem kan dette UAV-et måtte vente %2 på andre i samme høydelag, lenger enn reserven varer. Ulike høyder, eller en større reserve, unngår det.</translation>
     </message>
     <message>
-        <source>Seen %2 h ago: may be %3 m away (%4 × the field of view).</source>
-        <translation>Sett for %2 t siden: kan være %3 m unna (%4 × synsfeltet).</translation>
-    </message>
-    <message>
         <source>With these drifts and a round of %2 minutes, %3 of %4 icebergs will be out of view at the next visit.</source>
         <translation>Med denne driften og en runde på %2 minutter er %3 av %4 isfjell utenfor synsfeltet ved neste besøk.</translation>
+    </message>
+    <message>
+        <source>Seen %2 h ago: may be %3 away (%4 × the field of view).</source>
+        <translation>Sett for %2 t siden: kan være %3 unna (%4 × synsfeltet).</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "widgets/words/issue_text.h"
 
+#include "widgets/theme/quantity_text.h"
 #include "widgets/words/field_names.h"
 
 #include <QCoreApplication>
@@ -23,6 +24,7 @@ struct SentenceRow
 {
     IssueId id;
     const char* text; ///< %1 stands for the field, %2, %3, ... for the arguments of the reason
+    int distance = 0; ///< which of them is a distance, told in the user's unit; 0: none
 };
 
 constexpr std::array<SentenceRow, kIssueIds> kSentences{{
@@ -103,7 +105,7 @@ constexpr std::array<SentenceRow, kIssueIds> kSentences{{
      QT_TRANSLATE_NOOP("IssueText",
                        "In flight, the velocity's deviation counts with the Kalman filter only.")},
     {IssueId::SeenLongAgo,
-     QT_TRANSLATE_NOOP("IssueText", "Seen %2 h ago: may be %3 m away (%4 × the field of view).")},
+     QT_TRANSLATE_NOOP("IssueText", "Seen %2 h ago: may be %3 away (%4 × the field of view)."), 3},
     {IssueId::OutOfViewNext,
      QT_TRANSLATE_NOOP("IssueText", "With these drifts and a round of %2 minutes, %3 of %4 "
                                     "icebergs will be out of view at the next visit.")},
@@ -241,14 +243,18 @@ QString nameOfEntry(const Issue& issue, std::string_view list, const std::vector
 
 QString issueText(const Issue& issue, const QLocale& locale)
 {
-    const char* const sentence = kSentences.at(static_cast<std::size_t>(issue.reason.id)).text;
-    if (sentence == nullptr)
+    const SentenceRow& sentence = kSentences.at(static_cast<std::size_t>(issue.reason.id));
+    if (sentence.text == nullptr)
         return u"%1: %2"_s.arg(QString::fromStdString(issue.field),
                                QString::fromStdString(issue.message));
     QStringList texts{fieldName(issue.field)};
-    for (const IssueArgument& argument : issue.reason.arguments)
-        texts << fieldValue(issue.field, argument, locale);
-    return filledIn(QCoreApplication::translate("IssueText", sentence), texts);
+    for (const IssueArgument& argument : issue.reason.arguments) {
+        const auto* const metres = std::get_if<std::int64_t>(&argument);
+        texts << (metres != nullptr && texts.size() + 1 == sentence.distance
+                      ? distanceText(static_cast<double>(*metres), locale, 2)
+                      : fieldValue(issue.field, argument, locale));
+    }
+    return filledIn(QCoreApplication::translate("IssueText", sentence.text), texts);
 }
 
 QString issueLine(const Issue& issue, const Scenario& scenario)

@@ -78,6 +78,16 @@ class TestIssueText : public QObject
     Q_OBJECT
 
 private slots:
+    void distancesHaveTheUnitOfTheUser()
+    {
+        const Issue issue =
+            issueOf(Severity::Warning, "icebergs[0].observed_s",
+                    {.id = IssueId::SeenLongAgo,
+                     .arguments = {std::int64_t{24}, std::int64_t{7100}, std::int64_t{12}}});
+        QCOMPARE(issueText(issue, QLocale::c()),
+                 u"Seen 24 h ago: may be 7.1 km away (12 × the field of view)."_s);
+    }
+
     void init() { QLocale::setDefault(QLocale::c()); }
 
     void everyReasonHasASentence()
