@@ -21,7 +21,7 @@ namespace {
  * Of 100 returns to one pad 99 wait less than so long for each other UAV of the layer; measured
  * with two to six UAVs over fields with hardly room for them (`tests/bench/RESULTS.md`).
  */
-constexpr double kWaitForOne_s = 45;
+constexpr double kWaitForOne_s = 55;
 
 /** Nearer than this two icebergs are one, entered or imported twice. */
 constexpr double kSamePlace_m = 1;

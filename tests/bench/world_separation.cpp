@@ -4,6 +4,8 @@
 #include "tests/bench/world_parts.h"
 #include "tests/support/fleet_case.h"
 
+#include <map>
+
 namespace berg::bench {
 
 namespace {
@@ -40,7 +42,10 @@ public:
     void fly(Scenario scenario)
     {
         const double separation_m = scenario.separation_m;
-        m_apart.push_back(rowOf(test::flownFleet(scenario), separation_m));
+        const test::FleetFlight apart = test::flownFleet(scenario);
+        m_apart.push_back(rowOf(apart, separation_m));
+        std::vector<double>& waits_s = m_waits_s[scenario.uavs.size()];
+        waits_s.insert(waits_s.end(), apart.waits_s.begin(), apart.waits_s.end());
         scenario.separation_m = 0;
         m_free.push_back(rowOf(test::flownFleet(scenario), separation_m));
     }
@@ -59,12 +64,20 @@ public:
                         waits_s[waits_s.size() / 2], waits_s[waits_s.size() * 99 / 100],
                         waits_s.back());
         }
+        for (auto [uavs, waits_s] : m_waits_s)
+            if (!waits_s.empty()) {
+                std::ranges::sort(waits_s);
+                std::printf(
+                    "  %zu UAVs, %zu landings later than foreseen, s: 99 %% %.0f, all %.0f\n", uavs,
+                    waits_s.size(), waits_s[waits_s.size() * 99 / 100], waits_s.back());
+            }
         std::fflush(stdout);
     }
 
 private:
     std::vector<Row> m_apart;
     std::vector<Row> m_free;
+    std::map<std::size_t, std::vector<double>> m_waits_s; ///< of landings, by number of UAVs
 };
 
 } // namespace

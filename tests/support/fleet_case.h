@@ -118,6 +118,7 @@ struct FleetFlight
     int spent = 0; ///< landings after the whole endurance
     double longest_s =
         0; ///< that one of them had a target, or home to go to, and did not get there
+    std::vector<double> waits_s; ///< by landing: later than foreseen when it was sent home
 };
 
 inline FleetFlight flownFleet(const Scenario& s)
@@ -126,6 +127,7 @@ inline FleetFlight flownFleet(const Scenario& s)
     Mission mission(s, {.workLimit = 3'000, .record = false});
     std::vector<double> since_s(s.uavs.size());
     std::vector<double> tookOff_s(s.uavs.size());
+    std::vector<double> due_s(s.uavs.size());
     std::size_t told = 0;
     const int count = static_cast<int>(s.uavs.size());
     while (!mission.simulation().finished()) {
@@ -148,6 +150,13 @@ inline FleetFlight flownFleet(const Scenario& s)
             const MissionEvent& event = mission.events()[told];
             flight.landings += event.kind == EventKind::Landed ? 1 : 0;
             flight.late += event.kind == EventKind::LateHome ? 1 : 0;
+            if (event.kind == EventKind::HomeBound) {
+                const Autopilot& uav = world.fleet().autopilot(event.uav);
+                due_s[toIndex(event.uav)] = event.time_s + uav.guard().enduranceLeft_s() -
+                                            uav.homeMargin_s(world.observer()).value_or(0);
+            }
+            if (event.kind == EventKind::Landed)
+                flight.waits_s.push_back(event.time_s - due_s[toIndex(event.uav)]);
             if (event.kind == EventKind::TookOff)
                 tookOff_s[toIndex(event.uav)] = event.time_s;
             if (event.kind == EventKind::Landed)

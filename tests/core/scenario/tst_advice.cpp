@@ -278,16 +278,16 @@ private slots:
             QVERIFY2(issue.reason.id != expected.id, issue.field.c_str());
     }
 
-    /** 45 s for each other UAV of the layer. */
+    /** 55 s for each other UAV of the layer. */
     void reserveForWaiting()
     {
         Scenario s = calmSea();
         addUav(s, 1000, 0).spec.endurance_s = 1000;
-        s.uavs[1].spec.reserve_s = 44;
+        s.uavs[1].spec.reserve_s = 54;
         QVERIFY(isOne(validate(s), issueOf(Severity::Warning, "uavs[1].endurance_s",
-                                           {.id = IssueId::CrowdedReturn, .arguments = {45.0}})));
+                                           {.id = IssueId::CrowdedReturn, .arguments = {55.0}})));
         Scenario enough = s;
-        enough.uavs[1].spec.reserve_s = 45;
+        enough.uavs[1].spec.reserve_s = 55;
         QVERIFY(validate(enough).empty());
         Scenario layered = s;
         layered.uavs[1].spec.altitude_m += kLayerHeight_m;
