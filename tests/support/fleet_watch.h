@@ -105,9 +105,13 @@ private:
     }
     [[nodiscard]] bool isTargeted(int iceberg) const
     {
-        return std::ranges::find(m_mission.simulation().fleet().autopilots(), iceberg,
-                                 &Autopilot::target) !=
-               m_mission.simulation().fleet().autopilots().end();
+        return std::ranges::any_of(
+            m_mission.simulation().fleet().autopilots(), [iceberg](const Autopilot& uav) {
+                const Errand* errand = uav.errand();
+                return uav.target() == iceberg ||
+                       (errand != nullptr &&
+                        std::ranges::find(errand->members, iceberg) != errand->members.end());
+            });
     }
 
     void intervene(const Intervention& change)
