@@ -1,26 +1,15 @@
 #include "core/base/random.h"
 #include "core/scenario/drift_advice.h"
 #include "core/scenario/presets.h"
-#include "core/scenario/validate.h"
 #include "tests/support/approx.h"
+#include "tests/support/finding_message.h"
 
 #include <QTest>
 
 #include <string>
 
 using namespace berg;
-
-namespace {
-
-std::string messageOf(const Scenario& scenario, IssueId id)
-{
-    for (const Issue& issue : validate(scenario))
-        if (issue.reason.id == id)
-            return issue.message;
-    return {};
-}
-
-} // namespace
+using test::messageOf;
 
 /** What drift does before the icebergs are seen, in words. */
 class TestDriftAdvice : public QObject

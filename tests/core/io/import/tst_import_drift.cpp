@@ -1,6 +1,6 @@
 #include "core/io/import/import_scenario.h"
-#include "core/scenario/validate.h"
 #include "tests/support/approx.h"
+#include "tests/support/finding_message.h"
 #include "tests/support/import_fixtures.h"
 
 #include <QtTest>
@@ -35,14 +35,6 @@ DriftModel drifting(std::uint64_t seed, double q_m2ps)
                       .velocitySpread_mps = kFittedDrift.velocitySpread_mps,
                       .velocityTime_s = kFittedDrift.velocityTime_s},
             seed, "beacon", true};
-}
-
-std::string messageOf(const Scenario& scenario, IssueId id)
-{
-    for (const Issue& issue : validate(scenario))
-        if (issue.reason.id == id)
-            return issue.message;
-    return {};
 }
 
 } // namespace
