@@ -26,6 +26,7 @@ int runExport(int argc, char** argv)
     QLoggingCategory::setFilterRules(u"*.warning=false"_s); // say nothing to who wants a file
     int nameOnly = 1; // Qt's own options, such as -platform, are none of this command
     const QApplication app(nameOnly, argv);
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
     std::setlocale(LC_NUMERIC, "C"); // which the constructor set to the user's; options are in C
     QApplication::setApplicationName(u"bergwatch"_s);
     installLanguage({});

@@ -217,6 +217,7 @@ int main(int argc, char* argv[])
         return berg::runExport(argc, argv);
     choosePlatform();
     QApplication app(argc, argv);
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
     std::setlocale(LC_NUMERIC, "C"); // which the constructor set to the user's; files are in C
     QApplication::setApplicationName(u"bergwatch"_s);
     QApplication::setApplicationVersion(QStringLiteral(BERGWATCH_VERSION));

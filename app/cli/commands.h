@@ -6,7 +6,7 @@
 #include <functional>
 #include <stop_token>
 
-namespace CLI {
+namespace CLI { // NOLINT(readability-identifier-naming): of CLI11
 class App;
 }
 

@@ -142,10 +142,10 @@ void tell(const std::string& text)
     std::fprintf(stderr, "%s\n", shown(text).c_str());
 }
 
-void print(const std::string& given)
+void print(const std::string& text)
 {
-    const std::string text = shown(given);
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    const std::string printed = shown(text);
+    const bool written = std::fwrite(printed.data(), 1, printed.size(), stdout) == printed.size();
     if (std::fflush(stdout) != 0 || !written)
         throw Error(ErrorCode::FileUnwritable, "standard output", "could not be written");
 }

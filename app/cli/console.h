@@ -11,15 +11,12 @@
 namespace berg::cli {
 
 /** Exit codes: a promise to scripts. */
-enum ExitCode : int
-{
-    kDone = 0,
-    kFailure = 1,
-    kWrongUsage = 2,
-    kBadInput = 3,
-    kLimitWithoutPlan = 4,
-    kInterrupted = 130
-};
+inline constexpr int kDone = 0;
+inline constexpr int kFailure = 1;
+inline constexpr int kWrongUsage = 2;
+inline constexpr int kBadInput = 3;
+inline constexpr int kLimitWithoutPlan = 4;
+inline constexpr int kInterrupted = 130;
 
 /** What is said when `Interrupted` ends a command. */
 inline constexpr const char* kNothingWritten = "interrupted, nothing written";

@@ -3,6 +3,7 @@
 
 using namespace berg::cli;
 
+// NOLINTNEXTLINE(bugprone-exception-escape): only without memory for a few words
 int main(int argc, char** argv)
 {
     const std::stop_token stop = interruptToken();

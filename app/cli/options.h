@@ -54,8 +54,7 @@ inline CLI::Validator numberFrom(double low, double high)
                 const auto [last, failure] = std::from_chars(text.data(), end, value);
                 if (failure != std::errc() || last != end)
                     return text + " is not a number";
-                const std::string fault = limitsFault(value, {.low = low, .high = high});
-                return fault;
+                return limitsFault(value, {.low = low, .high = high});
             },
             "(" + shortText(low) + " to " + shortText(high) + ")"};
 }

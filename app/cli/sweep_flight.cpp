@@ -23,6 +23,7 @@ std::optional<int> mpiRank()
 {
     // Set by Open MPI's mpirun, and by launchers that speak PMIx, as Slurm's srun does.
     for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK"})
+        // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody writes there
         if (const char* rank = std::getenv(name))
             return std::atoi(rank);
     return std::nullopt;

@@ -99,7 +99,7 @@ std::string indented(std::string_view lines, const std::string& before)
     std::istringstream in{std::string(lines)};
     std::string text;
     for (std::string line; std::getline(in, line);)
-        text += (text.empty() ? "" : "\n") + before + line;
+        text.append(text.empty() ? "" : "\n").append(before).append(line);
     return text;
 }
 

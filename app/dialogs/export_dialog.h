@@ -53,15 +53,15 @@ private:
     MissionRunner& m_runner;
     ExportOffer m_offer;
     ExportPreviewPointer m_preview; ///< newest; null: none yet
-    QListWidget* m_formats;
-    ExportOptionsView* m_options;
-    QLabel* m_about;
-    ExportPreviewView* m_view;
-    QLabel* m_notes;
-    QLineEdit* m_path;
-    QTimer* m_pathPause; ///< until then the name of the file may still be typed
-    QLabel* m_fileNote;
-    QPushButton* m_export;
+    QListWidget* m_formats = nullptr;
+    ExportOptionsView* m_options = nullptr;
+    QLabel* m_about = nullptr;
+    ExportPreviewView* m_view = nullptr;
+    QLabel* m_notes = nullptr;
+    QLineEdit* m_path = nullptr;
+    QTimer* m_pathPause = nullptr; ///< until then the name of the file may still be typed
+    QLabel* m_fileNote = nullptr;
+    QPushButton* m_export = nullptr;
 };
 
 } // namespace berg

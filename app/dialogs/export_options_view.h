@@ -39,14 +39,14 @@ private:
     [[nodiscard]] QDoubleSpinBox* addNumber(const QString& label, const QString& name,
                                             const QString& unit, double most);
 
-    QFormLayout* m_form;
-    QComboBox* m_what;
-    QComboBox* m_uav;
-    QDoubleSpinBox* m_altitude;
-    QDoubleSpinBox* m_airspeed;
-    QDoubleSpinBox* m_acceptance;
-    QSpinBox* m_loiter;
-    QComboBox* m_return;
+    QFormLayout* m_form = nullptr;
+    QComboBox* m_what = nullptr;
+    QComboBox* m_uav = nullptr;
+    QDoubleSpinBox* m_altitude = nullptr;
+    QDoubleSpinBox* m_airspeed = nullptr;
+    QDoubleSpinBox* m_acceptance = nullptr;
+    QSpinBox* m_loiter = nullptr;
+    QComboBox* m_return = nullptr;
 };
 
 } // namespace berg

@@ -35,10 +35,10 @@ private:
     ScenarioDocument m_document; ///< empty: the map shows pictures
     Selection m_selection;
     CellModel m_cells;
-    QScrollArea* m_scroll;
+    QScrollArea* m_scroll = nullptr;
     PageView* m_page;
-    MapView* m_map;
-    QTableView* m_waypoints;
+    MapView* m_map = nullptr;
+    QTableView* m_waypoints = nullptr;
     QPlainTextEdit* m_text;
     bool m_isFitted = false;
 };

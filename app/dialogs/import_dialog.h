@@ -64,20 +64,20 @@ private:
     CellModel m_icebergs;
     CellModel m_rejected;
 
-    QComboBox* m_format;
-    ImportOptionsView* m_options;
-    ImportColumnsView* m_columns;
-    QStackedWidget* m_outcome; ///< the map, or why there is none
-    MapView* m_map;
-    QLabel* m_error;
-    QLabel* m_summary;
-    CaptionLabel* m_scene; ///< what becomes of the file's UAVs, area and asset
-    CaptionLabel* m_legend;
-    QTabWidget* m_tabs;
-    QTableView* m_icebergTable;
-    QTableView* m_rejectedTable;
-    QProgressBar* m_progress;
-    QPushButton* m_import;
+    QComboBox* m_format = nullptr;
+    ImportOptionsView* m_options = nullptr;
+    ImportColumnsView* m_columns = nullptr;
+    QStackedWidget* m_outcome = nullptr; ///< the map, or why there is none
+    MapView* m_map = nullptr;
+    QLabel* m_error = nullptr;
+    QLabel* m_summary = nullptr;
+    CaptionLabel* m_scene = nullptr; ///< what becomes of the file's UAVs, area and asset
+    CaptionLabel* m_legend = nullptr;
+    QTabWidget* m_tabs = nullptr;
+    QTableView* m_icebergTable = nullptr;
+    QTableView* m_rejectedTable = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QPushButton* m_import = nullptr;
 };
 
 } // namespace berg

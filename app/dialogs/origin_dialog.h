@@ -36,8 +36,8 @@ private:
     OverviewInset* m_chart;
     QRadioButton* m_keepLayout;
     QRadioButton* m_keepPlaces;
-    QLabel* m_note;
-    QPushButton* m_move;
+    QLabel* m_note = nullptr;
+    QPushButton* m_move = nullptr;
     std::optional<OriginChoice> m_choice;
 };
 

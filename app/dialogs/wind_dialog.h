@@ -28,7 +28,7 @@ private:
     double m_airspeed_mps;
     NumberField* m_speed;
     NumberField* m_from;
-    QLabel* m_note;
+    QLabel* m_note = nullptr;
 };
 
 } // namespace berg

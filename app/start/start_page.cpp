@@ -47,7 +47,7 @@ StartPage::~StartPage()
 }
 
 QPushButton* StartPage::addCommand(QVBoxLayout& column, const char* name, const QString& text,
-                                   void (StartPage::*intent)())
+                                   void (StartPage::*intent)()) const
 {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1String(name));

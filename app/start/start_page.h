@@ -59,7 +59,7 @@ protected:
 
 private:
     QPushButton* addCommand(QVBoxLayout& column, const char* name, const QString& text,
-                            void (StartPage::*intent)());
+                            void (StartPage::*intent)()) const;
     QWidget* makeCommands(const QString& continued, bool showAtStart, bool offersTour);
     QWidget* makeExamples();
     void showRecent(const QList<RecentFile>& files);
@@ -69,13 +69,13 @@ private:
 
     Theme m_theme = Theme::light();
     int m_top_px = 0;
-    QLabel* m_title;
+    QLabel* m_title = nullptr;
     std::vector<QLabel*> m_headings;
     std::vector<QLabel*> m_captions;
-    QPushButton* m_continue;
-    QVBoxLayout* m_recent;
-    QScrollArea* m_examples;
-    QGridLayout* m_grid;
+    QPushButton* m_continue = nullptr;
+    QVBoxLayout* m_recent = nullptr;
+    QScrollArea* m_examples = nullptr;
+    QGridLayout* m_grid = nullptr;
     std::vector<ExampleCard*> m_cards;
     /** Child of the parent: closing the page waits for no slow disk. */
     QPointer<StartContent> m_content;

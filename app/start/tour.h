@@ -56,13 +56,13 @@ private:
     std::vector<TourStep> m_steps;
     std::size_t m_step = 0;
     Theme m_theme;
-    QWidget* m_bubble;
-    QLabel* m_title;
-    QLabel* m_text;
-    QLabel* m_count;
-    QPushButton* m_back;
-    QPushButton* m_next;
-    QPushButton* m_skip;
+    QWidget* m_bubble = nullptr;
+    QLabel* m_title = nullptr;
+    QLabel* m_text = nullptr;
+    QLabel* m_count = nullptr;
+    QPushButton* m_back = nullptr;
+    QPushButton* m_next = nullptr;
+    QPushButton* m_skip = nullptr;
 };
 
 } // namespace berg

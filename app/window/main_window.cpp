@@ -216,7 +216,7 @@ void MainWindow::showTitle()
     setWindowModified(!document.isClean());
 }
 
-void MainWindow::finishLand()
+void MainWindow::finishLand() const
 {
     m_panels.map->finishLand();
     if (m_panels.overview->isVisible())

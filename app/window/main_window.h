@@ -37,9 +37,9 @@ public:
     void takeOver(MainWindow& other);
     /** Applies a theme now; the user's choice decides it in daily use. */
     void applyTheme(const Theme& theme);
-    [[nodiscard]] MapView& mapView() { return *m_panels.map; }
+    [[nodiscard]] MapView& mapView() const { return *m_panels.map; }
     /** Waits until all the land last painted can be painted: for pictures. */
-    void finishLand();
+    void finishLand() const;
 
 signals:
     /** Another language was chosen: the owner makes a new window. Empty: the system's. */

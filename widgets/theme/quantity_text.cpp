@@ -179,7 +179,7 @@ QString durationText(double time_s, const QLocale& locale)
 
 QString latitudeText(double latitude_deg, int decimals, const QLocale& locale)
 {
-    const QString angle = shownAngle(std::abs(latitude_deg), decimals, locale);
+    QString angle = shownAngle(std::abs(latitude_deg), decimals, locale);
     if (std::abs(latitude_deg) < kNoAngle_deg)
         return angle;
     return latitude_deg < 0 ? QuantityText::tr("%1 S", "latitude").arg(angle)
@@ -188,7 +188,7 @@ QString latitudeText(double latitude_deg, int decimals, const QLocale& locale)
 
 QString longitudeText(double longitude_deg, int decimals, const QLocale& locale)
 {
-    const QString angle = shownAngle(std::abs(longitude_deg), decimals, locale);
+    QString angle = shownAngle(std::abs(longitude_deg), decimals, locale);
     if (std::abs(std::remainder(longitude_deg, 180.0)) < kNoAngle_deg)
         return angle;
     return longitude_deg < 0 ? QuantityText::tr("%1 W", "longitude").arg(angle)

@@ -13,8 +13,9 @@ QFont sized(QFont font, int size_px, QFont::Weight weight = QFont::Normal)
     return font;
 }
 
-double linear(double channel)
+double linear(float given)
 {
+    const auto channel = static_cast<double>(given);
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
 }
 

@@ -13,10 +13,10 @@ namespace {
 /** One policy in the user's words and as a mark. */
 struct PolicyWords
 {
-    PolicyKind policy;
-    const char* name;
-    const char* label; ///< short; of one that uses tau with its place
-    const char* sentence;
+    PolicyKind policy = {};
+    const char* name = nullptr;
+    const char* label = nullptr; ///< short; of one that uses tau with its place
+    const char* sentence = nullptr;
     MarkShape mark = MarkShape::Disk;
     QRgb light = 0; ///< 0: as plans
     QRgb dark = 0;

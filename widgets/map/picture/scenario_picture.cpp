@@ -146,8 +146,8 @@ std::optional<MapStation> stationOf(const Scenario& scenario)
     for (const Uav& uav : scenario.uavs)
         station.ranges_m.push_back(linkRange_m(*scenario.groundStation, uav.spec.altitude_m));
     std::ranges::sort(station.ranges_m);
-    const auto repeated = std::ranges::unique(station.ranges_m);
-    station.ranges_m.erase(repeated.begin(), repeated.end());
+    station.ranges_m.erase(std::unique(station.ranges_m.begin(), station.ranges_m.end()),
+                           station.ranges_m.end());
     return station;
 }
 

@@ -46,8 +46,8 @@ private:
     /** A time that counts only when it is asked for. */
     struct TimeRow
     {
-        QCheckBox* box;
-        QDateTimeEdit* edit;
+        QCheckBox* box = nullptr;
+        QDateTimeEdit* edit = nullptr;
     };
     void addTarget(const QString& presentName, bool intoNew);
     TimeRow addTime(const QString& name, const QString& text, const QString& toolTip);

@@ -40,9 +40,9 @@ private:
     /** A row of a mark and a text that may wrap. */
     struct Notice
     {
-        QWidget* row;
-        QLabel* mark;
-        QLabel* text;
+        QWidget* row = nullptr;
+        QLabel* mark = nullptr;
+        QLabel* text = nullptr;
     };
 
     [[nodiscard]] QVBoxLayout* addScrollArea();

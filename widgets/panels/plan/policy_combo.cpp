@@ -219,7 +219,7 @@ QString PolicyCombo::toolTipOf(PolicyKind policy) const
     if (found->second.state == ForecastState::TooLong)
         return text + u"\n\n"_s +
                tr("Not predicted: flying it in advance takes more than %1.")
-                   .arg(durationText(PolicyForecasts::kLimit_ms / 1000, locale()));
+                   .arg(durationText(PolicyForecasts::kLimit_ms / 1000.0, locale()));
     if (found->second.state == ForecastState::Impossible)
         return found->second.whyNot.isEmpty() ? text : text + u"\n\n"_s + found->second.whyNot;
     return text + u"\n\n"_s + explanation();
