@@ -7121,6 +7121,27 @@ virkelige flygingen avviker med støyen i driften.</translation>
         <source>Predicted ζ %1, lowest %2</source>
         <translation>Forutsagt ζ %1, laveste %2</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>Then each policy is flown %1 times with drift and sightings drawn as the scenario describes
+them, in the same %1 worlds: ζ is the mean of these flights, the range that of 90 % of them,
+and the policy with the lowest mean is recommended.</source>
+        <translation>Deretter flys hver strategi %1 ganger med drift og observasjoner trukket slik scenariet beskriver
+dem, i de samme %1 verdenene: ζ er gjennomsnittet av disse flygingene, spennet gjelder 90 % av
+dem, og strategien med lavest gjennomsnitt anbefales.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>zeta and its range</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Recommended</source>
+        <translation>Anbefalt</translation>
+    </message>
 </context>
 <context>
     <name>berg::PreferenceMenus</name>

@@ -1,5 +1,8 @@
 #include "core/sim/policy_forecast.h"
 
+#include "core/base/random.h"
+#include "core/scenario/limits.h"
+
 namespace berg {
 
 Scenario foreseen(const Scenario& scenario, PolicyKind policy)
@@ -23,6 +26,22 @@ std::optional<Metrics> forecastOf(const Scenario& scenario, PolicyKind policy,
     if (mission.advance(scenario.duration_s, stop, progress) == AdvanceStatus::Cancelled)
         return std::nullopt;
     return mission.metrics();
+}
+
+std::optional<double> drawnZeta_m2s(const Scenario& scenario, PolicyKind policy, int number,
+                                    const std::stop_token& stop)
+{
+    Scenario drawn = foreseen(scenario, policy);
+    drawn.noise = true;
+    Random random(static_cast<std::uint64_t>(scenario.seed),
+                  stableHash("drawn flight") + static_cast<std::uint64_t>(number));
+    do {
+        drawn.seed = static_cast<std::int64_t>(random.below(kLargestSeed));
+    } while (drawn.seed == scenario.seed);
+    Mission mission(drawn, {.record = false});
+    if (mission.advance(drawn.duration_s, stop) == AdvanceStatus::Cancelled)
+        return std::nullopt;
+    return mission.metrics().zeta_m2s;
 }
 
 } // namespace berg

@@ -22,4 +22,15 @@ namespace berg {
                                                 const std::stop_token& stop = {},
                                                 const std::function<void(double)>& onProgress = {});
 
+/** So many tell what may come of a mission. */
+inline constexpr int kDrawnFlights = 20;
+
+/**
+ * Zeta of flight `number` in a world drawn as the scenario says: noise, velocities that nobody
+ * knows, looks in vain; without recorded tracks, and never in the world of the scenario's own seed.
+ * A number is the same world for every policy. None when stopped. Throws likewise.
+ */
+[[nodiscard]] std::optional<double> drawnZeta_m2s(const Scenario& scenario, PolicyKind policy,
+                                                  int number, const std::stop_token& stop = {});
+
 } // namespace berg

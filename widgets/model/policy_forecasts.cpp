@@ -45,9 +45,42 @@ PlannerSettings relevant(PolicyKind policy, const PlannerSettings& settings)
     return used;
 }
 
+using Tell = std::function<void(PolicyForecast)>;
+
+void foresee(const Scenario& scenario, PolicyKind policy, const std::stop_token& stop,
+             const Tell& tell)
+{
+    ReportPace pace(kBetweenReports_ms);
+    const auto report = [&](double share) {
+        if (pace.isDue())
+            tell({.state = ForecastState::Computing, .share = share});
+    };
+    if (const auto metrics = forecastOf(scenario, policy, stop, report))
+        tell({.state = ForecastState::Known, .share = 1, .metrics = *metrics});
+}
+
+void flyDrawn(const Scenario& scenario, PolicyKind policy, PolicyForecast forecast,
+              const std::stop_token& stop, const Tell& tell)
+{
+    while (!forecast.drawsNoMore) {
+        const auto number = static_cast<int>(forecast.drawn_m2s.size());
+        const std::optional<double> zeta_m2s = drawnZeta_m2s(scenario, policy, number, stop);
+        if (!zeta_m2s)
+            return;
+        forecast.drawn_m2s.push_back(*zeta_m2s);
+        forecast.drawsNoMore = number + 1 == kDrawnFlights;
+        tell(forecast);
+    }
+}
+
 bool isUnderWay(const PolicyForecast& forecast)
 {
     return forecast.state == ForecastState::Waiting || forecast.state == ForecastState::Computing;
+}
+
+bool awaitsDrawn(const PolicyForecast& forecast)
+{
+    return forecast.state == ForecastState::Known && !forecast.drawsNoMore;
 }
 
 } // namespace
@@ -58,14 +91,10 @@ PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms)
     , m_task(u"forecasts"_s,
              {.work =
                   [](const Request& request, const std::stop_token& stop, const auto& tell) {
-                      ReportPace pace(kBetweenReports_ms);
-                      const auto report = [&](double share) {
-                          if (pace.isDue())
-                              tell({.state = ForecastState::Computing, .share = share});
-                      };
-                      if (const auto metrics =
-                              forecastOf(request.scenario, request.policy, stop, report))
-                          tell({.state = ForecastState::Known, .share = 1, .metrics = *metrics});
+                      if (request.soFar.state == ForecastState::Known)
+                          flyDrawn(request.scenario, request.policy, request.soFar, stop, tell);
+                      else
+                          foresee(request.scenario, request.policy, stop, tell);
                   },
               .deliver = [this](PolicyForecast forecast) { take(std::move(forecast)); },
               .end =
@@ -87,6 +116,13 @@ bool PolicyForecasts::isComplete() const
 {
     return std::none_of(m_forecasts.begin(), m_forecasts.end(),
                         [](const auto& entry) { return isUnderWay(entry.second); });
+}
+
+bool PolicyForecasts::isDrawn() const
+{
+    return isComplete() &&
+           std::none_of(m_forecasts.begin(), m_forecasts.end(),
+                        [](const auto& entry) { return awaitsDrawn(entry.second); });
 }
 
 void PolicyForecasts::setScenario(const Scenario& scenario)
@@ -127,16 +163,24 @@ void PolicyForecasts::startNext()
 {
     if (m_present || m_pause.isActive())
         return;
-    for (const PolicyKind policy : m_order) {
-        PolicyForecast& forecast = m_forecasts[policy];
-        if (forecast.state != ForecastState::Waiting)
-            continue;
-        forecast.state = ForecastState::Computing;
-        m_present = policy;
-        m_limit.start();
-        m_task.start({.scenario = *m_scenario, .policy = policy});
-        return;
-    }
+    for (const PolicyKind policy : m_order)
+        if (m_forecasts[policy].state == ForecastState::Waiting) {
+            m_forecasts[policy].state = ForecastState::Computing;
+            startPresent(policy);
+            return;
+        }
+    for (const PolicyKind policy : m_order)
+        if (awaitsDrawn(m_forecasts[policy])) {
+            startPresent(policy);
+            return;
+        }
+}
+
+void PolicyForecasts::startPresent(PolicyKind policy)
+{
+    m_present = policy;
+    m_limit.start();
+    m_task.start({.scenario = *m_scenario, .policy = policy, .soFar = m_forecasts[policy]});
 }
 
 void PolicyForecasts::stopPresent()
@@ -148,7 +192,11 @@ void PolicyForecasts::stopPresent()
 
 void PolicyForecasts::giveUp()
 {
-    m_forecasts[*m_present] = {.state = ForecastState::TooLong};
+    PolicyForecast& forecast = m_forecasts[*m_present];
+    if (forecast.state == ForecastState::Known)
+        forecast.drawsNoMore = true;
+    else
+        forecast = {.state = ForecastState::TooLong};
     stopPresent();
     emit updated();
     startNext();
@@ -158,8 +206,14 @@ void PolicyForecasts::take(PolicyForecast forecast)
 {
     if (!m_present)
         return;
-    const bool isDone = forecast.state != ForecastState::Computing;
-    m_forecasts[*m_present] = std::move(forecast);
+    const bool isDone = forecast.state == ForecastState::Known
+                            ? forecast.drawn_m2s.empty() || forecast.drawsNoMore
+                            : forecast.state != ForecastState::Computing;
+    PolicyForecast& present = m_forecasts[*m_present];
+    if (present.state == ForecastState::Known && forecast.state == ForecastState::Impossible)
+        present.drawsNoMore = true; // of a drawn world: what was foreseen holds
+    else
+        present = std::move(forecast);
     if (isDone)
         stopPresent();
     emit updated();

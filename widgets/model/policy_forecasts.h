@@ -25,8 +25,10 @@ enum class ForecastState
 struct PolicyForecast
 {
     ForecastState state = ForecastState::Waiting;
-    double share = 0; ///< flown in advance so far
-    Metrics metrics;  ///< when known
+    double share = 0;                   ///< flown in advance so far
+    Metrics metrics;                    ///< when known
+    std::vector<double> drawn_m2s = {}; ///< zeta of flights in drawn worlds, by `drawnZeta_m2s`
+    bool drawsNoMore = false;           ///< all were flown, or it took too long
     QString whyNot;
     bool operator==(const PolicyForecast&) const = default;
 };
@@ -35,15 +37,17 @@ using PolicyForecastList = std::map<PolicyKind, PolicyForecast>;
 
 /**
  * Forecasts what the scenario comes to with each policy, on a thread of its own at low priority, a
- * moment after the last change, one policy after the other, those that are soon done first. A
- * change of settings does away with the forecasts that depend on them only. GUI thread.
+ * moment after the last change, one policy after the other, those that are soon done first; then
+ * flies each in drawn worlds, which tell its mean and spread. A change of settings does away with
+ * the forecasts that depend on them only. GUI thread.
  */
 class PolicyForecasts : public QObject
 {
     Q_OBJECT
 
 public:
-    /** Longest time for a policy: fields of hundreds of icebergs take hours to fly. */
+    /** Longest time for a policy, and again for its drawn worlds: fields of hundreds of icebergs
+     * take hours to fly. */
     static constexpr int kLimit_ms = 60'000;
 
     explicit PolicyForecasts(QObject* parent = nullptr, int limit_ms = kLimit_ms);
@@ -52,8 +56,10 @@ public:
 
     /** Of every policy, for the present scenario; empty before the first one. */
     [[nodiscard]] const PolicyForecastList& forecasts() const { return m_forecasts; }
-    /** None waits or is under way. */
+    /** None waits or is under way; drawn worlds may be. */
     [[nodiscard]] bool isComplete() const;
+    /** Nor are they. */
+    [[nodiscard]] bool isDrawn() const;
 
 signals:
     void updated();
@@ -63,11 +69,13 @@ private:
     {
         Scenario scenario;
         PolicyKind policy = PolicyKind::Visitation;
+        PolicyForecast soFar;
     };
 
     void take(PolicyForecast forecast);
     void start();
     void startNext();
+    void startPresent(PolicyKind policy);
     void stopPresent();
     void giveUp();
 

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <set>
+
 using namespace berg;
 
 namespace {
@@ -67,6 +69,29 @@ private slots:
                 forecastOf(plain, PolicyKind::Nearest));
         QVERIFY(forecastOf(recorded, PolicyKind::Nearest) !=
                 flownWithoutNoise(recorded, PolicyKind::Nearest));
+    }
+
+    /** The same whether the flight itself has noise, and never that of its own seed. */
+    void drawnWorlds()
+    {
+        Scenario scenario = randomScenario(15, {.icebergs = 6});
+        scenario.observer.model = ObserverModel::Kalman;
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.velocitySd_mps = 0.2;
+        std::set<double> zetas;
+        for (int flight = 0; flight < 6; ++flight)
+            zetas.insert(drawnZeta_m2s(scenario, PolicyKind::Nearest, flight).value());
+        QCOMPARE(zetas.size(), std::size_t{6});
+        scenario.planner.policy = PolicyKind::Nearest;
+        Mission own(scenario);
+        own.advance(scenario.duration_s);
+        QVERIFY(!zetas.contains(own.metrics().zeta_m2s));
+        scenario.noise = false;
+        QVERIFY(zetas.contains(drawnZeta_m2s(scenario, PolicyKind::Nearest, 3).value()));
+
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(!drawnZeta_m2s(scenario, PolicyKind::Nearest, 0, stop.get_token()).has_value());
     }
 
     void tellsHowFarItIs()

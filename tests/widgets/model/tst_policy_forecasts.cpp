@@ -70,10 +70,40 @@ private slots:
         runner.setScenario(scenario);
         QVERIFY(!runner.isComplete());
         QVERIFY(completes(runner));
-        QVERIFY(runner.forecasts() == expected);
+        QCOMPARE(runner.forecasts().size(), expected.size());
+        for (const auto& [policy, forecast] : runner.forecasts())
+            QVERIFY(forecast.state == ForecastState::Known &&
+                    forecast.metrics == expected[policy].metrics);
         QCOMPARE(known.size(), expected.size()); // told one by one, the dear one last
         QVERIFY(known.front() == PolicyKind::Nearest);
         QVERIFY(known.back() == PolicyKind::Coverage);
+    }
+
+    /** After all else, each in the same worlds. */
+    void fliesDrawnWorlds()
+    {
+        Scenario scenario = shortFlight(2);
+        scenario.observer.model = ObserverModel::Kalman;
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.velocitySd_mps = 0.3;
+        PolicyForecasts runner;
+        runner.setScenario(scenario);
+        QVERIFY(completes(runner));
+        QVERIFY(!runner.isDrawn());
+        QVERIFY(QTest::qWaitFor([&] { return runner.isDrawn(); }, kPatience_ms));
+        for (const auto& [policy, forecast] : runner.forecasts()) {
+            QVERIFY(forecast.metrics == forecastOf(scenario, policy));
+            QCOMPARE(forecast.drawn_m2s.size(), std::size_t{kDrawnFlights});
+            for (const int flight : {0, 7, 19})
+                QCOMPARE(forecast.drawn_m2s[static_cast<std::size_t>(flight)],
+                         drawnZeta_m2s(scenario, policy, flight).value());
+        }
+        // Tau concerns one policy alone.
+        scenario.planner.tau = 0.3;
+        runner.setScenario(scenario);
+        QVERIFY(runner.forecasts().at(PolicyKind::Visitation).drawn_m2s.empty());
+        QCOMPARE(runner.forecasts().at(PolicyKind::Latency).drawn_m2s.size(),
+                 std::size_t{kDrawnFlights});
     }
 
     /** Only what depends on the change is forecast again; the rest stays to be seen. */

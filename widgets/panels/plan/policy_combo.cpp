@@ -1,5 +1,7 @@
 #include "widgets/panels/plan/policy_combo.h"
 
+#include "core/sim/policy_forecast.h"
+#include "core/study/statistics.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
@@ -62,20 +64,20 @@ void PolicyDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
     const bool present = index.data(PresentRole).toBool();
     text(upper, Qt::AlignRight, m_theme.body(), present ? ink : muted, FigureRole);
     text(lower, Qt::AlignRight, small, muted, RemarkRole);
-    if (index.data(LowestRole).toBool()) {
+    if (const QString pill = index.data(LowestRole).toString(); !pill.isEmpty()) {
         painter->setRenderHint(QPainter::Antialiasing);
         const QString title = index.data(Qt::DisplayRole).toString();
         painter->setPen(muted);
-        paintLowest(*painter, upper,
-                    upper.left() + QFontMetrics(name).horizontalAdvance(title) + kMargin_px);
+        paintPill(*painter, pill, upper,
+                  upper.left() + QFontMetrics(name).horizontalAdvance(title) + kMargin_px);
     }
     painter->restore();
 }
 
 /** In words in a rounded box of the pen's colour. */
-void PolicyDelegate::paintLowest(QPainter& painter, const QRect& row, int from_px) const
+void PolicyDelegate::paintPill(QPainter& painter, const QString& text, const QRect& row,
+                               int from_px) const
 {
-    const QString text = PolicyCombo::tr("Lowest");
     const QFontMetrics metrics(m_theme.small());
     const QRectF box(from_px + 0.5, row.top() + 0.5,
                      metrics.horizontalAdvance(text) + 2 * kPillMargin_px, row.height() - 1);
@@ -103,8 +105,7 @@ int PolicyDelegate::widthFor(const QAbstractItemModel& offers) const
         const auto width = [&](const QFontMetrics& metrics, int role) {
             return metrics.horizontalAdvance(index.data(role).toString());
         };
-        const int pill_px =
-            small.horizontalAdvance(PolicyCombo::tr("Lowest")) + 2 * kPillMargin_px + kMargin_px;
+        const int pill_px = width(small, LowestRole) + 2 * kPillMargin_px + kMargin_px;
         left_px =
             std::max({left_px, width(name, Qt::DisplayRole) + pill_px, width(small, SentenceRole)});
         right_px = std::max(
@@ -145,6 +146,12 @@ void PolicyCombo::showForecasts(const PolicyForecastList& forecasts)
     if (forecasts == m_forecasts)
         return;
     m_forecasts = forecasts;
+    m_isDrawn = true;
+    for (const auto& [policy, forecast] : m_forecasts)
+        m_isDrawn = m_isDrawn && (forecast.state == ForecastState::Known
+                                      ? forecast.drawn_m2s.size() == kDrawnFlights
+                                      : forecast.state != ForecastState::Waiting &&
+                                            forecast.state != ForecastState::Computing);
     updateOffers();
 }
 
@@ -154,12 +161,30 @@ void PolicyCombo::setInFlight(bool inFlight)
     updateOffers();
 }
 
-std::optional<double> PolicyCombo::zetaOf(PolicyKind policy) const
+const PolicyForecast* PolicyCombo::forecastOf(PolicyKind policy) const
 {
     const auto found = m_forecasts.find(policy);
-    if (found == m_forecasts.end() || found->second.state != ForecastState::Known)
+    return found == m_forecasts.end() ? nullptr : &found->second;
+}
+
+std::optional<double> PolicyCombo::zetaOf(PolicyKind policy) const
+{
+    const PolicyForecast* const forecast = forecastOf(policy);
+    if (forecast == nullptr || forecast->state != ForecastState::Known)
         return std::nullopt;
-    return found->second.metrics.zeta_m2s;
+    return m_isDrawn ? summarise(forecast->drawn_m2s).mean : forecast->metrics.zeta_m2s;
+}
+
+/** "65 120 to 80 330": of 20 flights all but the one or two at each end. Empty: not known. */
+QString PolicyCombo::spreadOf(PolicyKind policy) const
+{
+    if (!m_isDrawn || !zetaOf(policy))
+        return {};
+    std::vector<double> zetas_m2s = forecastOf(policy)->drawn_m2s;
+    std::ranges::sort(zetas_m2s);
+    return tr("%1 to %2")
+        .arg(significantText(quantile(zetas_m2s, 0.05), 4, locale()),
+             significantText(quantile(zetas_m2s, 0.95), 4, locale()));
 }
 
 /** Of those that are known; none while some are still to come. */
@@ -177,18 +202,17 @@ std::optional<PolicyKind> PolicyCombo::lowest() const
 
 QString PolicyCombo::figureOf(PolicyKind policy) const
 {
-    const auto found = m_forecasts.find(policy);
-    if (found == m_forecasts.end())
+    const PolicyForecast* const forecast = forecastOf(policy);
+    if (forecast == nullptr)
         return {};
-    const PolicyForecast& forecast = found->second;
-    switch (forecast.state) {
+    switch (forecast->state) {
     case ForecastState::Waiting:
         return u"…"_s;
     case ForecastState::Computing:
-        return forecast.share > 0 ? tr("%1 %…").arg(fixedText(100 * forecast.share, 0, locale()))
-                                  : u"…"_s;
+        return forecast->share > 0 ? tr("%1 %…").arg(fixedText(100 * forecast->share, 0, locale()))
+                                   : u"…"_s;
     case ForecastState::Known:
-        return u"ζ "_s + zetaText(forecast.metrics.zeta_m2s, locale());
+        return u"ζ "_s + zetaText(*zetaOf(policy), locale());
     case ForecastState::TooLong:
     case ForecastState::Impossible:
         return noFigure();
@@ -198,30 +222,33 @@ QString PolicyCombo::figureOf(PolicyKind policy) const
 
 QString PolicyCombo::remarkOf(PolicyKind policy) const
 {
-    const auto found = m_forecasts.find(policy);
-    if (found != m_forecasts.end() && found->second.state == ForecastState::TooLong)
+    const PolicyForecast* const forecast = forecastOf(policy);
+    if (forecast != nullptr && forecast->state == ForecastState::TooLong)
         return tr("takes too long");
-    if (policy == shownPolicy())
-        return tr("chosen");
     const std::optional<double> zeta_m2s = zetaOf(policy);
     const std::optional<double> chosen_m2s = zetaOf(shownPolicy());
-    if (!zeta_m2s || !chosen_m2s || *chosen_m2s <= 0)
-        return {};
-    return changeText(*zeta_m2s / *chosen_m2s - 1, locale());
+    QStringList parts;
+    if (const QString spread = spreadOf(policy); !spread.isEmpty())
+        parts << spread;
+    if (policy == shownPolicy())
+        parts << tr("chosen");
+    else if (zeta_m2s && chosen_m2s && *chosen_m2s > 0)
+        parts << changeText(*zeta_m2s / *chosen_m2s - 1, locale());
+    return parts.join(u" · "_s);
 }
 
 QString PolicyCombo::toolTipOf(PolicyKind policy) const
 {
     QString text = policySentence(policy);
-    const auto found = m_forecasts.find(policy);
-    if (found == m_forecasts.end())
+    const PolicyForecast* const forecast = forecastOf(policy);
+    if (forecast == nullptr)
         return text;
-    if (found->second.state == ForecastState::TooLong)
+    if (forecast->state == ForecastState::TooLong)
         return text + u"\n\n"_s +
                tr("Not predicted: flying it in advance takes more than %1.")
                    .arg(durationText(PolicyForecasts::kLimit_ms / 1000.0, locale()));
-    if (found->second.state == ForecastState::Impossible)
-        return found->second.whyNot.isEmpty() ? text : text + u"\n\n"_s + found->second.whyNot;
+    if (forecast->state == ForecastState::Impossible)
+        return forecast->whyNot.isEmpty() ? text : text + u"\n\n"_s + forecast->whyNot;
     return text + u"\n\n"_s + explanation();
 }
 
@@ -229,21 +256,30 @@ QString PolicyCombo::explanation()
 {
     return tr("ζ is predicted before take-off by flying the mission in advance with the policy, "
               "planned\nagain at each sighting as in flight, with icebergs that drift exactly as "
-              "entered. The real\nflight differs by the noise of the drift.");
+              "entered. The real\nflight differs by the noise of the drift.") +
+           u"\n\n"_s +
+           tr("Then each policy is flown %1 times with drift and sightings drawn as the scenario "
+              "describes\nthem, in the same %1 worlds: ζ is the mean of these flights, the range "
+              "that of 90 % of them,\nand the policy with the lowest mean is recommended.")
+               .arg(kDrawnFlights);
 }
 
 QString PolicyCombo::summary() const
 {
     const PolicyKind policy = shownPolicy();
-    const auto found = m_forecasts.find(policy);
-    if (found == m_forecasts.end() || found->second.state == ForecastState::Impossible)
+    const PolicyForecast* const forecast = forecastOf(policy);
+    if (forecast == nullptr || forecast->state == ForecastState::Impossible)
         return {};
-    if (found->second.state == ForecastState::TooLong)
+    if (forecast->state == ForecastState::TooLong)
         return tr("ζ not predicted: takes too long");
     const std::optional<double> zeta_m2s = zetaOf(policy);
     if (!zeta_m2s)
         return m_inFlight ? QString() : tr("Predicting ζ…");
-    const QString figure = zetaText(*zeta_m2s, locale());
+    const QString spread = spreadOf(policy);
+    const QString figure =
+        spread.isEmpty()
+            ? zetaText(*zeta_m2s, locale())
+            : tr("%1 (%2)", "zeta and its range").arg(zetaText(*zeta_m2s, locale()), spread);
     if (m_inFlight)
         return tr("Predicted before take-off: ζ %1").arg(figure);
     const std::optional<PolicyKind> best = lowest();
@@ -258,13 +294,14 @@ QString PolicyCombo::summary() const
 void PolicyCombo::updateOffers()
 {
     const std::optional<PolicyKind> best = lowest();
+    const QString pill = m_isDrawn ? tr("Recommended") : tr("Lowest");
     for (int row = 0; row < count(); ++row) {
         const auto policy = static_cast<PolicyKind>(itemData(row).toInt());
         const QString figure = figureOf(policy);
         const QString remark = remarkOf(policy);
         setItemData(row, figure, PolicyDelegate::FigureRole);
         setItemData(row, remark, PolicyDelegate::RemarkRole);
-        setItemData(row, best == policy, PolicyDelegate::LowestRole);
+        setItemData(row, best == policy ? pill : QString(), PolicyDelegate::LowestRole);
         setItemData(row, !m_inFlight && zetaOf(policy).has_value(), PolicyDelegate::PresentRole);
         setItemData(row, toolTipOf(policy), Qt::ToolTipRole);
         QStringList spoken{itemText(row)};

@@ -58,7 +58,7 @@ struct Fixture
     }
     [[nodiscard]] bool isLowest(PolicyKind policy) const
     {
-        return offer(policy, PolicyDelegate::LowestRole).toBool();
+        return !offer(policy, PolicyDelegate::LowestRole).toString().isEmpty();
     }
 };
 
@@ -88,6 +88,48 @@ private slots:
                     .toString()
                     .contains(u"61\u202f230"_s));
         QVERIFY(f.offer(PolicyKind::Tour, Qt::ToolTipRole).toString().contains(u"noise"_s));
+    }
+
+    /** Once all were flown in drawn worlds: what is lower without noise need not be lower then. */
+    void meanAndRangeOfDrawnWorlds()
+    {
+        Fixture f;
+        PolicyForecastList list = forecasts();
+        for (auto& [policy, forecast] : list)
+            for (int flight = 0; flight < 20; ++flight) // means of 49 500 and 80 000
+                forecast.drawn_m2s.push_back(policy == PolicyKind::Latency ? 40000 + 1000 * flight
+                                                                           : 70500 + 1000 * flight);
+        PolicyForecastList partial = list;
+        partial[PolicyKind::Coverage].drawn_m2s.pop_back();
+        f.panel.showForecasts(partial);
+        QCOMPARE(f.figure(PolicyKind::Visitation), u"ζ 71\u202f230 m² s"_s);
+        QCOMPARE(f.offer(PolicyKind::Coverage, PolicyDelegate::LowestRole).toString(), u"Lowest"_s);
+
+        f.panel.showForecasts(list);
+        QCOMPARE(f.figure(PolicyKind::Visitation), u"ζ 80\u202f000 m² s"_s);
+        QCOMPARE(f.remark(PolicyKind::Visitation), u"71\u202f450 to 88\u202f550 · chosen"_s);
+        QCOMPARE(f.offer(PolicyKind::Latency, PolicyDelegate::LowestRole).toString(),
+                 u"Recommended"_s);
+        QVERIFY(f.remark(PolicyKind::Latency).endsWith(u"−38.1 %"_s));
+        QVERIFY(!f.isLowest(PolicyKind::Coverage));
+        QCOMPARE(f.line.text(), u"Predicted ζ 80\u202f000 m² s (71\u202f450 to 88\u202f550), "
+                                u"lowest −38.1 %"_s);
+        f.panel.setInFlight(true);
+        QCOMPARE(f.line.text(), u"Predicted before take-off: ζ 80\u202f000 m² s "
+                                u"(71\u202f450 to 88\u202f550)"_s);
+    }
+
+    /** One that was not predicted has no part in it. */
+    void drawnWorldsOfThoseThatAreKnown()
+    {
+        Fixture f;
+        PolicyForecastList list = forecasts();
+        for (auto& [policy, forecast] : list)
+            forecast.drawn_m2s.assign(20, 80000);
+        list[PolicyKind::Coverage] = {.state = ForecastState::TooLong};
+        f.panel.showForecasts(list);
+        QCOMPARE(f.figure(PolicyKind::Visitation), u"ζ 80\u202f000 m² s"_s);
+        QCOMPARE(f.remark(PolicyKind::Coverage), u"takes too long"_s);
     }
 
     void setAgainstTheOneChosen()
