@@ -40,6 +40,7 @@ struct SweepArguments
 {
     std::vector<std::string> files;
     int random = 0;
+    std::optional<FieldRegime> regime;
     std::int64_t firstSeed = 1;
     std::string taus;
     std::string policies = "visitation";
@@ -68,6 +69,9 @@ StudySpec specOf(const SweepArguments& arguments)
                    .taus = tausOf(arguments.taus),
                    .policies = policiesOf(arguments.policies),
                    .runs = arguments.runs};
+    if (arguments.regime && arguments.random == 0)
+        throw UsageError{"--regime is for --random N; scenarios say themselves how icebergs drift"};
+    spec.field.regime = arguments.regime.value_or(FieldRegime::Published);
     if (arguments.files.empty() && arguments.random == 0)
         throw UsageError{"name scenarios, or give --random N"};
     for (const std::string& file : arguments.files)
@@ -194,6 +198,8 @@ void addSweepCommand(CLI::App& app, Action& action)
     command->add_option("SCENARIO", a.files, "Scenarios to fly");
     command->add_option("--random", a.random, "Also fly N random scenarios (none)")
         ->transform(wholeFrom(1, 1000000));
+    addNamed(*command, "--regime", a.regime, kFieldRegimeNames,
+             "What is known of drift in random scenarios (published)");
     command->add_option("--first-seed", a.firstSeed, "Seed of the first random scenario (1)")
         ->transform(wholeFrom(0, (std::int64_t{1} << 53) - 1000000));
     command->add_option("-t,--tau", a.taus, "A:B:STEP, or values with commas")->required();

@@ -4,8 +4,33 @@
 #include "core/scenario/field_draws.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace berg {
+
+namespace {
+
+constexpr double kUnknown_mps = 0.1;
+
+Scenario inRegime(Scenario scenario, FieldRegime regime)
+{
+    switch (regime) {
+    case FieldRegime::Published:
+        break;
+    case FieldRegime::UnknownVelocity:
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.velocitySd_mps = kUnknown_mps;
+        [[fallthrough]];
+    case FieldRegime::Measured:
+        scenario.observer.model = ObserverModel::Kalman;
+        break;
+    case FieldRegime::FittedDrift:
+        return withFittedDrift(std::move(scenario));
+    }
+    return scenario;
+}
+
+} // namespace
 
 Scenario randomScenario(std::int64_t seed, const FieldSpec& field)
 {
@@ -36,7 +61,7 @@ Scenario randomScenario(std::int64_t seed, const FieldSpec& field)
         iceberg.id = "berg-" + std::to_string(i);
         scenario.icebergs.push_back(std::move(iceberg));
     }
-    return scenario;
+    return inRegime(std::move(scenario), field.regime);
 }
 
 void driftAsFitted(Iceberg& iceberg)

@@ -1,8 +1,24 @@
 #pragma once
 
+#include "core/plan/solve/names.h"
 #include "core/scenario/scenario.h"
 
 namespace berg {
+
+/** What is known of how icebergs drift, and how they are seen. */
+enum class FieldRegime
+{
+    Published,       ///< as in the paper: in view all is known, velocities always
+    Measured,        ///< measurements with noise, velocities known
+    UnknownVelocity, ///< likewise, velocities not known by 0.1 m/s along each axis
+    FittedDrift      ///< likewise, as icebergs drift: `withFittedDrift`
+};
+inline constexpr std::array<Named<FieldRegime>, 4> kFieldRegimeNames{{
+    {FieldRegime::Published, "published"},
+    {FieldRegime::Measured, "measured"},
+    {FieldRegime::UnknownVelocity, "unknown-velocity"},
+    {FieldRegime::FittedDrift, "fitted-drift"},
+}};
 
 /** How a random field of icebergs is drawn. Defaults: Table 3 of the paper and what it leaves open.
  */
@@ -14,6 +30,7 @@ struct FieldSpec
     double sigmaMin_m2 = 1;
     double sigmaMax_m2 = 10;
     double q_m2ps = 0.025;
+    FieldRegime regime = FieldRegime::Published;
     bool operator==(const FieldSpec&) const = default;
 };
 

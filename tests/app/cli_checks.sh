@@ -275,6 +275,8 @@ check "sweep: differences" json 'all(r["difference"]["low_percent"] <= r["differ
 check "sweep: best tau" json '0 <= d["best_tau"]["decile1"] <= d["best_tau"]["median"] <= d["best_tau"]["decile9"] <= 1 and d["best_tau"]["mean_m2s"] <= min(r["mean_m2s"] for r in d["rows"][:3])'
 check "sweep: csv" grep -qx 'policy,tau,n,mean_m2s,standard_error_m2s,median_m2s,quartile1_m2s,quartile3_m2s,decile1_m2s,decile9_m2s,stuck_share,mean_visits,difference_percent,difference_low_percent,difference_high_percent,lower_share,worst_percent' <(head -1 sweep.csv)
 cp sweep.csv one.csv
+check "sweep with real drift" exits 0 "$cli" sweep --random 2 --regime fitted-drift --tau 1 --policies visitation,coverage
+check "a regime is of random scenarios" exits 2 "$cli" sweep "$default" --regime measured --tau 1
 check "sweep on four threads" exits 0 "$cli" sweep --random 6 --tau 0:1:0.5 --policies visitation,tour --threads 4 --output sweep.csv --force
 check "sweep: threads do not matter" cmp -s one.csv sweep.csv
 check "sweep: several noise seeds" exits 0 "$cli" sweep "$default" --tau 1 --runs 3 --json

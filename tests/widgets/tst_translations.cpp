@@ -34,6 +34,7 @@ const QString kTranslations = QStringLiteral(BERG_SOURCE_DIR "/translations");
 const std::set<QString> kSame = {u"%1 m"_s,
                                  u"PNR"_s,
                                  u"Landing"_s,
+                                 u"Drift"_s,
                                  u"Reserve"_s,
                                  u"%1 km"_s,
                                  u"CZML (Cesium)"_s,

@@ -43,6 +43,21 @@ std::string scenarioHtml(const Scenario& scenario)
            (scenario.noise ? "" : ", without noise");
 }
 
+std::string regimeHtml(FieldRegime regime)
+{
+    switch (regime) {
+    case FieldRegime::Published:
+        return {};
+    case FieldRegime::Measured:
+        return ", measured with noise, velocities known";
+    case FieldRegime::UnknownVelocity:
+        return ", measured with noise, velocities not known by 0.1 m/s";
+    case FieldRegime::FittedDrift:
+        return ", measured with noise, with unknown velocities that change as those of icebergs do";
+    }
+    return {};
+}
+
 std::string randomHtml(const StudySpec& spec)
 {
     const FieldSpec& field = spec.field;
@@ -55,7 +70,7 @@ std::string randomHtml(const StudySpec& spec)
            numberText(field.size_m.x()) + " m × " + numberText(field.size_m.y()) +
            " m, drifting at up to " + numberText(field.speedMax_mps) + " m/s, σ at first " +
            numberText(field.sigmaMin_m2) + " to " + numberText(field.sigmaMax_m2) +
-           " m², growing by q = " + numberText(field.q_m2ps) + " m²/s";
+           " m², growing by q = " + numberText(field.q_m2ps) + " m²/s" + regimeHtml(field.regime);
 }
 
 std::string scenariosHtml(const StudySpec& spec)
@@ -149,6 +164,8 @@ std::string sweepCommand(const StudySpec& spec)
     if (spec.random > 0)
         command += " --random " + std::to_string(spec.random) + " --first-seed " +
                    std::to_string(spec.firstSeed);
+    if (spec.random > 0 && spec.field.regime != FieldRegime::Published)
+        command += " --regime " + nameOf(kFieldRegimeNames, spec.field.regime);
     if (!spec.taus.empty())
         command += " --tau " + tauArgument(spec.taus);
     std::string policies;
@@ -198,7 +215,8 @@ std::string reportRecipe(const StudySpec& spec)
         "and can be given to Bergwatch as a study file. From the results in it:</p>\n"
         "<pre><code>bergwatch-cli study REPORT.html --report AGAIN.html"
         "</code></pre>\n";
-    if (spec.random == 0 || spec.field == FieldSpec{}) // the command line has no other fields
+    // The command line has no other fields.
+    if (spec.random == 0 || spec.field == FieldSpec{.regime = spec.field.regime})
         html += "<p>Flown anew" +
                 std::string(spec.scenarios.empty() ? "" : ", with the scenario files by name") +
                 "; the numbers depend neither on the machine nor on how many threads fly "

@@ -26,6 +26,8 @@ std::string fieldText(const FieldSpec& field)
     object.add("sigma_min_m2", field.sigmaMin_m2);
     object.add("sigma_max_m2", field.sigmaMax_m2);
     object.add("q_m2ps", field.q_m2ps);
+    if (field.regime != FieldRegime::Published)
+        object.add("regime", nameOf(kFieldRegimeNames, field.regime));
     return object.inLine();
 }
 
@@ -70,6 +72,7 @@ FieldSpec readField(const Json& value, const std::string& path, Faults& faults)
     field.sigmaMin_m2 = object.number("sigma_min_m2", field.sigmaMin_m2);
     field.sigmaMax_m2 = object.number("sigma_max_m2", field.sigmaMax_m2);
     field.q_m2ps = object.number("q_m2ps", field.q_m2ps);
+    field.regime = object.choice("regime", field.regime, kFieldRegimeNames);
     return field;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 using namespace berg;
 
@@ -47,6 +48,23 @@ private slots:
             QCOMPARE(s.icebergs[i].observed_s, 0.0);
             QCOMPARE(s.icebergs[i].appears_s, 0.0);
         }
+    }
+
+    /** The same icebergs, known and seen otherwise. */
+    void regimes()
+    {
+        const Scenario published = randomScenario(7);
+        QVERIFY(published.observer.model == ObserverModel::Simple);
+        Scenario measured = randomScenario(7, {.regime = FieldRegime::Measured});
+        QVERIFY(measured.observer.model == ObserverModel::Kalman);
+        QVERIFY(measured.icebergs == published.icebergs);
+        Scenario unknown = randomScenario(7, {.regime = FieldRegime::UnknownVelocity});
+        QVERIFY(unknown.observer == measured.observer);
+        for (Iceberg& iceberg : unknown.icebergs)
+            QCOMPARE(std::exchange(iceberg.velocitySd_mps, 0.0), 0.1);
+        QVERIFY(unknown.icebergs == published.icebergs);
+        QVERIFY(randomScenario(7, {.regime = FieldRegime::FittedDrift}) ==
+                withFittedDrift(published));
     }
 
     void drawsAreUniform()

@@ -8,6 +8,7 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QRadioButton>
 
 #include <algorithm>
@@ -115,11 +116,40 @@ void StudySetup::addScenarios()
     column.addLayout(row);
     auto* runs = new QHBoxLayout;
     runs->setSpacing(kGap_px);
+    runs->addLayout(addRegime(), 2);
     m_runs = addNumber(*runs, {"studyRuns", tr("Runs each"), 1, kMostRuns, 1, 0,
                                tr("Flights of each scenario with other noise: the true drift is "
                                   "drawn again, the same for every setting.")});
-    runs->addStretch(2);
     column.addLayout(runs);
+}
+
+QLayout* StudySetup::addRegime()
+{
+    m_regime = new QComboBox;
+    m_regime->setObjectName(u"studyRegime"_s);
+    m_regime->setToolTip(tr("What is known of the drift in random scenarios, and how icebergs are "
+                            "seen."));
+    const auto add = [this](FieldRegime regime, const QString& name, const QString& toolTip) {
+        m_regime->addItem(name, static_cast<int>(regime));
+        m_regime->setItemData(m_regime->count() - 1, toolTip, Qt::ToolTipRole);
+    };
+    add(FieldRegime::Published, tr("As published"),
+        tr("Velocities are known, and an iceberg in view has no uncertainty."));
+    add(FieldRegime::Measured, tr("Measured"),
+        tr("Measurements with noise, filtered for position and velocity."));
+    add(FieldRegime::UnknownVelocity, tr("Unknown velocity"),
+        tr("Measured; velocities are not known by 0.1 m/s along each axis."));
+    add(FieldRegime::FittedDrift, tr("Real drift"),
+        tr("Measured; velocities are not known and change, as those of icebergs with beacons."));
+    connect(m_regime, &QComboBox::currentIndexChanged, this, &StudySetup::edited);
+    auto* caption = new CaptionLabel(tr("Drift"));
+    caption->setBuddy(m_regime);
+    m_regime->setAccessibleName(caption->text());
+    auto* pair = new QVBoxLayout;
+    pair->setSpacing(1);
+    pair->addWidget(caption);
+    pair->addWidget(m_regime);
+    return pair;
 }
 
 void StudySetup::addTau()
@@ -187,6 +217,7 @@ StudySpec StudySetup::spec() const
         spec.random = static_cast<int>(m_count->value());
         spec.firstSeed = static_cast<std::int64_t>(m_seed->value());
         spec.field.icebergs = static_cast<int>(m_icebergs->value());
+        spec.field.regime = static_cast<FieldRegime>(m_regime->currentData().toInt());
         spec.name = (spec.random == 1 ? tr("1 random scenario")
                                       : tr("%n random scenarios", nullptr, spec.random))
                         .toStdString();
@@ -204,6 +235,7 @@ void StudySetup::showSpec(const StudySpec& spec)
         m_count->showValue(spec.random);
         m_seed->showValue(static_cast<double>(spec.firstSeed));
         m_icebergs->showValue(spec.field.icebergs);
+        m_regime->setCurrentIndex(m_regime->findData(static_cast<int>(spec.field.regime)));
     }
     m_runs->showValue(spec.runs);
     if (!spec.taus.empty()) {
@@ -248,6 +280,7 @@ void StudySetup::updateEnabled()
 {
     for (NumberField* field : {m_count, m_seed, m_icebergs})
         field->setEnabled(m_random->isChecked());
+    m_regime->setEnabled(m_random->isChecked());
     for (NumberField* field : {m_from, m_to, m_step})
         field->setEnabled(m_policies.front().second->isChecked());
 }

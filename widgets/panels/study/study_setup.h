@@ -10,6 +10,8 @@
 
 class QBoxLayout;
 class QCheckBox;
+class QComboBox;
+class QLayout;
 class QRadioButton;
 
 namespace berg {
@@ -55,6 +57,7 @@ private:
     };
     NumberField* addNumber(QBoxLayout& row, const NumberSpec& spec);
     void addScenarios();
+    [[nodiscard]] QLayout* addRegime();
     void addTau();
     void addPolicies();
     void updateEnabled();
@@ -66,6 +69,7 @@ private:
     NumberField* m_count = nullptr;
     NumberField* m_seed = nullptr;
     NumberField* m_icebergs = nullptr;
+    QComboBox* m_regime = nullptr;
     NumberField* m_runs = nullptr;
     NumberField* m_from = nullptr;
     NumberField* m_to = nullptr;

@@ -22,7 +22,10 @@ StudySpec smallSpec()
             .scenarios = {scenario},
             .random = 1,
             .firstSeed = 5,
-            .field = {.icebergs = 3, .size_m = {2000, 1500}, .q_m2ps = 0.05},
+            .field = {.icebergs = 3,
+                      .size_m = {2000, 1500},
+                      .q_m2ps = 0.05,
+                      .regime = FieldRegime::UnknownVelocity},
             .taus = {0.1, 1},
             .policies = {PolicyKind::Visitation, PolicyKind::Nearest},
             .runs = 2};
@@ -131,6 +134,8 @@ private slots:
         row("first seed", R"("first_seed": 5)", R"("first_seed": 0.5)",
             "first_seed: must be a whole number");
         row("field", R"("icebergs": 3)", R"("icebergs": 2000)", "field.icebergs: must be");
+        row("regime", R"("unknown-velocity")", R"("stormy")",
+            "field.regime: must be one of published, measured, unknown-velocity, fitted-drift");
         row("scenario", R"("dt_s": 0.1)", R"("dt_s": 0)", "scenarios[0].dt_s: must be");
         row("cases", "\n  null,", "", "outcomes: must have an entry for each of 4 cases, not 3");
         row("settings", "],[", "],null,[", "outcomes[0]: must be null or an array of 3 outcomes");

@@ -117,6 +117,12 @@ private slots:
         QCOMPARE(spec.random, 25);
         QCOMPARE(spec.firstSeed, std::int64_t{1001});
         QCOMPARE(spec.field.icebergs, 20);
+        QVERIFY(spec.field.regime == FieldRegime::Published);
+        auto& regime = f.get<QComboBox>(u"studyRegime"_s);
+        QCOMPARE(regime.count(), static_cast<int>(kFieldRegimeNames.size()));
+        regime.setCurrentIndex(3);
+        spec = f.spec();
+        QVERIFY(spec.field.regime == FieldRegime::FittedDrift);
         QVERIFY(validate(spec).empty());
     }
 
@@ -141,6 +147,7 @@ private slots:
         StudySpec random{.random = 7, .firstSeed = 4, .taus = {0, 0.25, 0.5}, .runs = 2};
         random.policies = {PolicyKind::Visitation, PolicyKind::Coverage};
         random.field.icebergs = 9;
+        random.field.regime = FieldRegime::Measured;
         setup.showSpec(random);
         random.name = f.spec().name;
         QVERIFY(f.spec() == random);
