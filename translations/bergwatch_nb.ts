@@ -1131,6 +1131,10 @@
         <source>Straight legs that lead out of the geofence or through a no-fly area: %1. They are flown round it.</source>
         <translation>Rette etapper som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1. De flys utenom.</translation>
     </message>
+    <message>
+        <source>Chance of being in view on arrival: %1</source>
+        <translation>Sjanse for å være i synsfeltet ved ankomst: %1</translation>
+    </message>
 </context>
 <context>
     <name>FlightDrag</name>
@@ -4501,6 +4505,10 @@
             <numerusform>%n isfjell</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>
@@ -6851,6 +6859,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>1 visit</source>
         <translation>1 besøk</translation>
     </message>
+    <message>
+        <source>In view</source>
+        <translation>I synsfelt</translation>
+    </message>
+    <message>
+        <source>Chance that the iceberg is in view when the UAV is over its estimate</source>
+        <translation>Sjansen for at isfjellet er i synsfeltet når dronen er over dets estimat</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanPanel</name>
@@ -7132,11 +7148,6 @@ and the policy with the lowest mean is recommended.</source>
         <translation>Deretter flys hver strategi %1 ganger med drift og observasjoner trukket slik scenariet beskriver
 dem, i de samme %1 verdenene: ζ er gjennomsnittet av disse flygingene, spennet gjelder 90 % av
 dem, og strategien med lavest gjennomsnitt anbefales.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>zeta and its range</comment>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Recommended</source>
@@ -8313,6 +8324,46 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>A study has at most %1 missions.</source>
         <translation>En studie har høyst %1 oppdrag.</translation>
+    </message>
+    <message>
+        <source>What is known of the drift in random scenarios, and how icebergs are seen.</source>
+        <translation>Hva som er kjent om driften i tilfeldige scenarier, og hvordan isfjell blir sett.</translation>
+    </message>
+    <message>
+        <source>As published</source>
+        <translation>Som publisert</translation>
+    </message>
+    <message>
+        <source>Velocities are known, and an iceberg in view has no uncertainty.</source>
+        <translation>Hastighetene er kjent, og et isfjell i synsfeltet har ingen usikkerhet.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Målt</translation>
+    </message>
+    <message>
+        <source>Measurements with noise, filtered for position and velocity.</source>
+        <translation>Målinger med støy, filtrert for posisjon og hastighet.</translation>
+    </message>
+    <message>
+        <source>Unknown velocity</source>
+        <translation>Ukjent hastighet</translation>
+    </message>
+    <message>
+        <source>Measured; velocities are not known by 0.1 m/s along each axis.</source>
+        <translation>Målt; hastighetene er ukjente med 0,1 m/s langs hver akse.</translation>
+    </message>
+    <message>
+        <source>Real drift</source>
+        <translation>Virkelig drift</translation>
+    </message>
+    <message>
+        <source>Measured; velocities are not known and change, as those of icebergs with beacons.</source>
+        <translation>Målt; hastighetene er ukjente og endrer seg, som hos isfjell med sporingsbøyer.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
     </message>
 </context>
 <context>

@@ -144,6 +144,28 @@ QStringList icebergLines(const ExportContent& content)
     return lines;
 }
 
+/** Visits of a plan from which one in ten or more of the icebergs is out of view. */
+QStringList missLines(const ExportContent& content, const QLocale& locale)
+{
+    constexpr double kToldBelow = 0.9;
+    QStringList names;
+    if (content.what == ExportWhat::Track)
+        return names;
+    for (const ExportUav& uav : content.uavs)
+        for (const Visit& visit : uav.visits) {
+            if (visit.iceberg < 0)
+                continue;
+            double chance = 1;
+            for (const int iceberg : icebergsOf(visit))
+                chance = std::min(chance, chanceInView(content, uav, visit, iceberg));
+            if (chance < kToldBelow && names.size() < kMostNames)
+                names << printable(titleOf(content, visit)) + u' ' + chanceText(chance, locale);
+        }
+    if (names.isEmpty())
+        return names;
+    return {FlightBrief::tr("Chance of being in view on arrival: %1").arg(names.join(u", "_s))};
+}
+
 /** UAVs without an iceberg, when others have one. */
 QStringList idleLines(const ExportContent& content)
 {
@@ -301,7 +323,7 @@ QStringList briefWarnings(const ExportContent& content, const QLocale& locale)
         lines << FlightBrief::tr("The planner reached its limit without an order: the rest of the "
                                  "plan before, or the nearest iceberg, is flown.");
     lines << loiterLines(content, locale) << alarmLines(content, locale)
-          << ruleLines(content, locale) << icebergLines(content)
+          << ruleLines(content, locale) << missLines(content, locale) << icebergLines(content)
           << issueLines(scenario, issues, Severity::Warning) << idleLines(content)
           << planLines(content, locale);
     return lines;

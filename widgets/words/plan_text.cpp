@@ -188,4 +188,9 @@ QString solveTimeText(double elapsed_s, const QLocale& locale)
     return PlanText::tr("%1 s").arg(significantText(elapsed_s, 2, locale));
 }
 
+QString chanceText(double chance, const QLocale& locale)
+{
+    return PlanText::tr("%1 %").arg(fixedText(100 * chance, 0, locale));
+}
+
 } // namespace berg

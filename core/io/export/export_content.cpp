@@ -3,6 +3,7 @@
 #include "core/base/angles.h"
 #include "core/io/export/export_flight.h"
 #include "core/scenario/checks.h"
+#include "core/scenario/drift_advice.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/validate.h"
 #include "core/sim/clusters.h"
@@ -295,6 +296,15 @@ std::vector<NoFlyArea> closedAreas(const ExportContent& content)
     if (content.standoff)
         areas.push_back(*content.standoff);
     return areas;
+}
+
+double chanceInView(const ExportContent& content, const ExportUav& uav, const Visit& visit,
+                    int iceberg)
+{
+    const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(iceberg));
+    const Point within_m = (uav.uav.fov_m.array() - 2 * visit.spread_m).max(0).matrix();
+    return chanceInView(SensorSpec{.fov_m = within_m, .shape = content.scenario->fovShape},
+                        std::sqrt(now.sigmaAfter_m2(visit.time_s - content.now_s)));
 }
 
 std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit)

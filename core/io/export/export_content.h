@@ -150,6 +150,13 @@ struct ExportContent
 /** No-fly areas and the stand-off ring, `closedAreas` of the content. */
 [[nodiscard]] std::vector<NoFlyArea> closedAreas(const ExportContent& content);
 
+/**
+ * Chance that an iceberg of a planned visit is in view when the UAV is over its estimate
+ * (`chanceInView`; of a cluster, as far out as its farthest member).
+ */
+[[nodiscard]] double chanceInView(const ExportContent& content, const ExportUav& uav,
+                                  const Visit& visit, int iceberg);
+
 /** Ids of the icebergs in view at a visit. */
 [[nodiscard]] std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit);
 

@@ -24,7 +24,9 @@ void addVisit(std::string& text, const ExportContent& content, const ExportUav& 
             text += ',';
             appendNumber(text, value);
         }
-        text += ',' + csvField(uav.uav.id) + '\n';
+        text += ',' + csvField(uav.uav.id) + ',';
+        appendNumber(text, chanceInView(content, uav, visit, index));
+        text += '\n';
         leg_m = 0; // the others of a cluster are there already
     }
 }
@@ -34,7 +36,7 @@ void addVisit(std::string& text, const ExportContent& content, const ExportUav& 
 std::string planCsv(const ExportContent& content)
 {
     std::string text = "sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,east_m,"
-                       "north_m,sigma_now_m2,sigma_at_arrival_m2,uav\n";
+                       "north_m,sigma_now_m2,sigma_at_arrival_m2,uav,chance_in_view\n";
     for (const ExportUav& uav : content.uavs) {
         Point from_m = uav.uav.position_m;
         int sequence = 0;

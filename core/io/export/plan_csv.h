@@ -11,8 +11,8 @@ namespace berg {
 /**
  * The order, one row per iceberg in visiting order, UAV after UAV:
  * `sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,east_m,north_m,sigma_now_m2,`
- * `sigma_at_arrival_m2,uav`. A leg is measured over ground. Icebergs of a cluster share number,
- * place and time.
+ * `sigma_at_arrival_m2,uav,chance_in_view`. A leg is measured over ground. Icebergs of a cluster
+ * share number, place and time.
  */
 [[nodiscard]] std::string planCsv(const ExportContent& content);
 

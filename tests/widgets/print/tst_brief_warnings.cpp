@@ -32,6 +32,20 @@ private slots:
         QVERIFY(0 < fence && fence < left); // a rule does not get lost behind a list
     }
 
+    /** Icebergs that may have drifted out of view until the UAV is there. */
+    void chanceOfBeingInView()
+    {
+        const auto linesWith = [](double sigma_m2) {
+            const ExportContent content = planContent(
+                changed([&](Scenario& s) { s.icebergs[3].sigma0_m2 = sigma_m2; }), planOf({0, 3}));
+            return briefWarnings(content, kEnglish).filter(u"in view on arrival"_s);
+        };
+        QVERIFY(linesWith(10).isEmpty());
+        const QStringList lines = linesWith(300 * 300);
+        QCOMPARE(lines.size(), 1);
+        QVERIFY2(lines.front().endsWith(u"berg-4 47 %"_s), qPrintable(lines.front()));
+    }
+
     void sameOfSeveralIsOneLine()
     {
         const ExportContent content = planContent(changed([](Scenario& s) {

@@ -2,6 +2,7 @@
 
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/plan_text.h"
 
 #include <QMimeData>
 
@@ -13,6 +14,9 @@ using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
+
+/** "99 %" is said of less. */
+constexpr double kSurelySeen = 0.995;
 
 constexpr auto kIcebergType = "application/x-bergwatch-planned-iceberg"_L1;
 
@@ -117,6 +121,13 @@ void PlanModel::setDropUav(int uav)
         emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {DropRole});
 }
 
+bool PlanModel::mayMiss() const
+{
+    return std::ranges::any_of(m_lines, [](const PlanLine& line) {
+        return line.row.chance && *line.row.chance < kSurelySeen;
+    });
+}
+
 const PlanLine& PlanModel::line(int row) const
 {
     return m_lines.at(static_cast<std::size_t>(row));
@@ -164,7 +175,7 @@ QString PlanModel::text(int row, Column column) const
     const PlanRow& planned = line(row).row;
     if (!planned.isSeen && column == Arrival)
         return tr("later");
-    if (!planned.isSeen && (column == Leg || column == ArrivalSigma))
+    if (!planned.isSeen && (column == Leg || column == ArrivalSigma || column == Chance))
         return noFigure();
     switch (column) {
     case Number:
@@ -180,6 +191,8 @@ QString PlanModel::text(int row, Column column) const
         return significantText(planned.sigma_m2, 3, m_locale); // its unit is in the header
     case ArrivalSigma:
         return significantText(planned.arrivalSigma_m2, 3, m_locale);
+    case Chance:
+        return planned.chance ? chanceText(*planned.chance, m_locale) : noFigure();
     case ColumnCount:
         break;
     }
@@ -202,6 +215,7 @@ QString PlanModel::uavText(const PlanLine& line, Column column) const
         return line.visits == 1 ? tr("1 visit") : tr("%n visits", nullptr, line.visits);
     case Number:
     case ArrivalSigma:
+    case Chance:
     case ColumnCount:
         break;
     }
@@ -299,6 +313,9 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
     case ArrivalSigma:
         return isText ? tr("σ at arrival")
                       : tr("Uncertainty of the position when the UAV is there, m²");
+    case Chance:
+        return isText ? tr("In view")
+                      : tr("Chance that the iceberg is in view when the UAV is over its estimate");
     case ColumnCount:
         break;
     }

@@ -38,6 +38,7 @@ public:
         Arrival,
         Sigma,
         ArrivalSigma,
+        Chance,
         ColumnCount
     };
     enum Role
@@ -77,6 +78,9 @@ public:
     [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
     bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
                       const QModelIndex& parent) override;
+
+    /** The chance that one of the icebergs is not in view on arrival is worth telling. */
+    [[nodiscard]] bool mayMiss() const;
 
 signals:
     /** An iceberg was dragged onto the lines of this UAV. */

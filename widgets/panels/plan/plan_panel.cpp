@@ -171,14 +171,17 @@ void PlanPanel::setColumnWidths()
     const QString sigma = widestSigmaText(m_sigmaFull_m2, locale());
     setWidth(PlanModel::Sigma, sigma, PlanDelegate::swatchWidth());
     setWidth(PlanModel::ArrivalSigma, sigma, 0);
+    setWidth(PlanModel::Chance, u"100 %"_s, 0);
     chooseColumns();
 }
 
-/** The last column is there when the names have room beside it; its values are in tool tips too. */
+/** Sigma at arrival is there when the names have room beside it, as its values are in tool tips
+ * too; the chance of being in view, when an iceberg may be missed. */
 void PlanPanel::chooseColumns()
 {
     // A hidden column has no width.
     m_table->setColumnHidden(PlanModel::ArrivalSigma, false);
+    m_table->setColumnHidden(PlanModel::Chance, !m_model->mayMiss());
     int taken_px = 0;
     for (int column = 0; column < PlanModel::ColumnCount; ++column)
         if (column != PlanModel::Name)
@@ -355,6 +358,8 @@ void PlanPanel::showPlan(std::vector<PlanSection> sections)
     const int scroll_px = bar->value();
     const std::string chosen = m_chosen;
     m_model->setPlan(m_sections);
+    if (m_model->mayMiss() == m_table->isColumnHidden(PlanModel::Chance))
+        chooseColumns();
     updateSpans();
     m_chosen = chosen; // when the current row goes, Qt makes a neighbour the current one
     updateEmpty();

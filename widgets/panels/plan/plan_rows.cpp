@@ -1,11 +1,13 @@
 #include "widgets/panels/plan/plan_rows.h"
 
+#include "core/scenario/drift_advice.h"
 #include "core/sim/leg_flight.h"
 #include "widgets/words/object_names.h"
 
 #include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -34,7 +36,8 @@ PlanRow rowOf(const MissionSnapshot& now, int iceberg)
             .isAssigned = isFleet && index < now.assigned.size() && now.assigned[index] >= 0};
 }
 
-std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecast& route)
+std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecast& route,
+                                  const SensorSpec& sensor)
 {
     std::vector<PlanRow> rows;
     for (const ForecastVisit& visit : route.visits) {
@@ -42,6 +45,7 @@ std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecas
         row.leg_m = visit.leg_m;
         row.arrival_s = visit.arrival_s;
         row.arrivalSigma_m2 = visit.arrivalSigma_m2;
+        row.chance = chanceInView(sensor, std::sqrt(visit.arrivalSigma_m2));
     }
     return rows;
 }
@@ -55,6 +59,7 @@ void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
         PlanRow& row = rows[k];
         row.isSeen = false;
         row.leg_m = row.arrival_s = row.arrivalSigma_m2 = 0;
+        row.chance.reset();
     }
 }
 
@@ -206,7 +211,11 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
         const PlanEvent* plan = planOf(now, place);
         if (plan == nullptr || !section.isPlanned || u >= forecast.uavs.size())
             continue;
-        section.rows = plan->outlook ? aimedRows(now, *plan) : straightRows(now, forecast.uavs[u]);
+        section.rows =
+            plan->outlook
+                ? aimedRows(now, *plan)
+                : straightRows(now, forecast.uavs[u],
+                               {.fov_m = scenario.uavs[u].fov_m, .shape = scenario.fovShape});
         leaveForNextSortie(section.rows, *plan);
         if (!plan->outlook)
             section.returns = returnOf(now, scenario.uavs[u], *plan);

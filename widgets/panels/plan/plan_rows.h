@@ -13,13 +13,14 @@ namespace berg {
 struct PlanRow
 {
     std::string id;
-    QString name;               ///< never empty: the id where there is no name
-    double leg_m = 0;           ///< over ground, from the one before or the UAV
-    double arrival_s = 0;       ///< from now
-    double sigma_m2 = 0;        ///< now
-    double arrivalSigma_m2 = 0; ///< when the UAV is there, unless it is seen on the way
-    bool isSeen = true;         ///< false: the plan ends before, legs and arrivals are not known
-    bool isAssigned = false;    ///< of several UAVs this one alone is to visit it
+    QString name;                      ///< never empty: the id where there is no name
+    double leg_m = 0;                  ///< over ground, from the one before or the UAV
+    double arrival_s = 0;              ///< from now
+    double sigma_m2 = 0;               ///< now
+    double arrivalSigma_m2 = 0;        ///< when the UAV is there, unless it is seen on the way
+    std::optional<double> chance = {}; ///< of being in view on arrival; none: depends on the aim
+    bool isSeen = true;      ///< false: the plan ends before, legs and arrivals are not known
+    bool isAssigned = false; ///< of several UAVs this one alone is to visit it
     bool operator==(const PlanRow&) const = default;
 };
 

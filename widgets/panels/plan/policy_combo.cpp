@@ -276,10 +276,9 @@ QString PolicyCombo::summary() const
     if (!zeta_m2s)
         return m_inFlight ? QString() : tr("Predicting ζ…");
     const QString spread = spreadOf(policy);
-    const QString figure =
-        spread.isEmpty()
-            ? zetaText(*zeta_m2s, locale())
-            : tr("%1 (%2)", "zeta and its range").arg(zetaText(*zeta_m2s, locale()), spread);
+    const QString figure = spread.isEmpty()
+                               ? zetaText(*zeta_m2s, locale())
+                               : u"%1 (%2)"_s.arg(zetaText(*zeta_m2s, locale()), spread);
     if (m_inFlight)
         return tr("Predicted before take-off: ζ %1").arg(figure);
     const std::optional<PolicyKind> best = lowest();

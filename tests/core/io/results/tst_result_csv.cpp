@@ -296,7 +296,7 @@ private slots:
         const QList<Record> records = csvRecords(planCsv(planContent(scenario, plan)));
         QCOMPARE(records[0].join(','),
                  QByteArray("sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,"
-                            "east_m,north_m,sigma_now_m2,sigma_at_arrival_m2,uav"));
+                            "east_m,north_m,sigma_now_m2,sigma_at_arrival_m2,uav,chance_in_view"));
         QCOMPARE(records.size(), 5);
         const std::vector<Visit> visits = plannedVisits(scenario, plan);
         Point from_m = scenario.uavs[0].position_m;

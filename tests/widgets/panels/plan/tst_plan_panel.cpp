@@ -227,6 +227,38 @@ private slots:
         QVERIFY(!f.table.isColumnHidden(PlanModel::ArrivalSigma));
     }
 
+    /** The chance of being in view is there when an iceberg may be missed. */
+    void chanceIsToldWhenItMatters()
+    {
+        Fixture f;
+        f.panel.resize(600, 240);
+        std::vector<PlanRow> rows{{.id = "a", .leg_m = 10, .chance = 0.9951},
+                                  {.id = "b", .leg_m = 10}};
+        f.panel.showPlan(planOf(rows));
+        QVERIFY(f.table.isColumnHidden(PlanModel::Chance));
+        rows[0].chance = 0.414;
+        f.panel.showPlan(planOf(rows));
+        QVERIFY(!f.table.isColumnHidden(PlanModel::Chance));
+        QCOMPARE(f.cell(0, PlanModel::Chance), u"41 %"_s);
+        QCOMPARE(f.cell(1, PlanModel::Chance), noFigure()); // it depends on the aim
+        rows[0].chance = 1;
+        f.panel.showPlan(planOf(rows));
+        QVERIFY(f.table.isColumnHidden(PlanModel::Chance));
+    }
+
+    /** A standard deviation to each side on either axis. */
+    void chanceOnArrival()
+    {
+        Scenario scenario = twoIcebergScenario();
+        scenario.uavs[0].fov_m = Point(600, 600);
+        MissionSnapshot now = standing(twoIcebergs(scenario));
+        for (Track& track : now.world.tracks)
+            track.sigma_m2 = 300.0 * 300.0;
+        const std::vector<PlanRow> rows = planSections(now, scenario).front().rows;
+        COMPARE_NEAR(rows[0].chance.value(), 0.6826894921 * 0.6826894921, 1e-3); // it grows by q
+        QVERIFY(rows[1].chance.value() < rows[0].chance.value());
+    }
+
     void onlyChangedRowsAreRedrawn()
     {
         Fixture f;
