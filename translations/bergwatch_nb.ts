@@ -3983,10 +3983,6 @@
         <translation>Grense %1 °/s</translation>
     </message>
     <message>
-        <source>At %1 the turn rate is %2 °/s; the limit is %3 °/s.</source>
-        <translation>Ved %1 er svinghastigheten %2 °/s; grensen er %3 °/s.</translation>
-    </message>
-    <message>
         <source>Cross-track error</source>
         <translation>Avvik fra etappen</translation>
     </message>
@@ -3997,10 +3993,6 @@
     <message>
         <source>m</source>
         <translation>m</translation>
-    </message>
-    <message>
-        <source>At %1 the cross-track error is %2 m.</source>
-        <translation>Ved %1 er avviket fra etappen %2 m.</translation>
     </message>
     <message>
         <source>Zeta and sum of σ</source>
@@ -4043,12 +4035,12 @@
         <translation>Alle</translation>
     </message>
     <message>
-        <source>At %1 the turn rates are: %2.</source>
-        <translation>Ved %1 er svinghastighetene: %2.</translation>
+        <source>Turn rate at %1: %2; limit: %3.</source>
+        <translation>Svinghastighet ved %1: %2; grense: %3.</translation>
     </message>
     <message>
-        <source>At %1 the cross-track errors are: %2.</source>
-        <translation>Ved %1 er avvikene fra etappene: %2.</translation>
+        <source>Cross-track error at %1: %2.</source>
+        <translation>Avvik fra etappen ved %1: %2.</translation>
     </message>
 </context>
 <context>

@@ -160,8 +160,11 @@ std::string orderWords(const UavReport& uav)
 /** A line for each UAV; the only one needs no name. */
 std::string orderLines(const std::vector<UavReport>& uavs)
 {
-    if (uavs.size() == 1)
-        return "order     " + orderWords(uavs.front()) + '\n';
+    if (const UavReport& only = uavs.front(); uavs.size() == 1)
+        return "order     " + orderWords(only) + '\n' +
+               (only.thisSortie
+                    ? "sortie     the first " + std::to_string(*only.thisSortie) + ", then home\n"
+                    : "");
     std::string text;
     for (const UavReport& uav : uavs) {
         text += rowLabel(uav.id) + orderWords(uav) + "  (" + grouped(uav.distance_m) + " m";
@@ -186,8 +189,6 @@ std::string reportText(const PlanReport& report, bool json)
             text += ' ' + word(id);
         text += '\n';
     }
-    if (const UavReport& only = report.uavs.front(); report.uavs.size() == 1 && only.thisSortie)
-        text += "sortie     the first " + std::to_string(*only.thisSortie) + ", then home\n";
     const std::optional<double> objective = report.objective();
     text += "objective  " + (objective ? fixed(*objective, 3) : std::string("none")) + "  (" +
             solverWords(report.problem, outcome) + ", " + fixed(1000 * outcome.elapsed_s, 1) +

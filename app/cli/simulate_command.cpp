@@ -158,8 +158,7 @@ std::string summary(const Mission& mission, std::optional<double> bound_m2s, dou
             grouped(mission.simulation().time_s()) + " s  (policy " +
             nameOf(kPolicyNames, scenario.planner.policy) + ", tau " +
             fixed(scenario.planner.tau, 2) + ")\ncomputed  in " + fixed(elapsed_s, 3) + " s\n";
-    if (scenario.uavs.size() > 1)
-        text += fleetLines(mission);
+    text += fleetLines(mission);
     std::string events;
     for (const auto& [name, count] : worldEvents(mission))
         events += (events.empty() ? "events    " : ", ") + std::to_string(count) + ' ' + name;

@@ -29,7 +29,7 @@ inline std::vector<PlanRow> rowsOf(const std::vector<std::string>& ids)
 /** The plan of the only UAV. */
 inline std::vector<PlanSection> planOf(std::vector<PlanRow> rows, bool isPlanned = true)
 {
-    return {{.uav = "uav-1", .name = u"uav-1"_s, .isPlanned = isPlanned, .rows = std::move(rows)}};
+    return {{.uav = "uav-1", .name = {}, .isPlanned = isPlanned, .rows = std::move(rows)}};
 }
 
 inline std::vector<PlanSection> visiting(const std::vector<std::string>& ids)

@@ -52,13 +52,14 @@ void addReadings(TimeChartContent& content, const FlightRecord& record, const QS
                              .key = column});
 }
 
-/** "Osprey 12.3 km, Gannet 11.9 km" of the newest sample. */
+/** "Osprey 12.3 km, Gannet 11.9 km" of the newest sample; "12.3 km" of the only UAV. */
 QString readings(const FlightRecord& record, const std::function<QString(const UavSample&)>& text)
 {
     QStringList all;
     const std::vector<UavSample>& uavs = record.history.samples.back().uavs;
     for (std::size_t i = 0; i < uavs.size(); ++i)
-        all << shownName(record.scenario.uavs[i]) + u' ' + text(uavs[i]);
+        all << (nameInFleet(record.scenario.uavs, static_cast<int>(i)) + u' ' + text(uavs[i]))
+                   .trimmed();
     return all.join(u", "_s);
 }
 
@@ -110,25 +111,20 @@ void fillTurnRate(TimeChartContent& content, const FlightRecord& record, const Q
         return;
     const QString unit = MissionCharts::tr("°/s");
     addReadings(content, record, unit, u"turn_rate_degps"_s);
-    QString limit;
+    QStringList limits;
     for (const double limit_degps : limits_degps(record)) {
-        limit = significantText(limit_degps, 3, locale);
+        const QString limit = significantText(limit_degps, 3, locale);
+        limits << limit + u' ' + unit;
         content.references.push_back(
             {.value = limit_degps, .label = MissionCharts::tr("Limit %1 °/s").arg(limit)});
         content.references.push_back({.value = -limit_degps, .label = {}});
     }
     const auto text = [&](const UavSample& uav) {
-        return significantText(degFromRad(uav.u_radps), 3, locale);
+        return significantText(degFromRad(uav.u_radps), 3, locale) + u' ' + unit;
     };
-    const QString time = clockText(record.now.time_s);
-    if (areSeveral(record))
-        content.summary = MissionCharts::tr("At %1 the turn rates are: %2.")
-                              .arg(time, readings(record, [&](const UavSample& uav) {
-                                       return text(uav) + u' ' + unit;
-                                   }));
-    else
-        content.summary = MissionCharts::tr("At %1 the turn rate is %2 °/s; the limit is %3 °/s.")
-                              .arg(time, text(record.history.samples.back().uavs.front()), limit);
+    content.summary =
+        MissionCharts::tr("Turn rate at %1: %2; limit: %3.")
+            .arg(clockText(record.now.time_s), readings(record, text), limits.join(u", "_s));
 }
 
 void fillCrossTrack(TimeChartContent& content, const FlightRecord& record, const QLocale& locale)
@@ -141,17 +137,10 @@ void fillCrossTrack(TimeChartContent& content, const FlightRecord& record, const
     addReadings(content, record, unit, u"cross_track_m"_s);
     content.references = {{.value = 0, .label = {}}};
     const auto text = [&](const UavSample& uav) {
-        return significantText(uav.crossTrack_m, 3, locale);
+        return significantText(uav.crossTrack_m, 3, locale) + u' ' + unit;
     };
-    const QString time = clockText(record.now.time_s);
-    if (areSeveral(record))
-        content.summary = MissionCharts::tr("At %1 the cross-track errors are: %2.")
-                              .arg(time, readings(record, [&](const UavSample& uav) {
-                                       return text(uav) + u' ' + unit;
-                                   }));
-    else
-        content.summary = MissionCharts::tr("At %1 the cross-track error is %2 m.")
-                              .arg(time, text(record.history.samples.back().uavs.front()));
+    content.summary = MissionCharts::tr("Cross-track error at %1: %2.")
+                          .arg(clockText(record.now.time_s), readings(record, text));
 }
 
 std::optional<double> uavChartValue(ChartKind kind, const Sample& sample, std::size_t line)

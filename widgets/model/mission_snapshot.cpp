@@ -51,7 +51,8 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
     for (int i = 0; i < simulation.icebergCount(); ++i) {
         snapshot.truth_m.push_back(simulation.truth_m(i));
         snapshot.active.push_back(simulation.active(i));
-        snapshot.assigned.push_back(simulation.world().body(i).assignedUav);
+        const int assigned = simulation.world().body(i).assignedUav;
+        snapshot.assigned.push_back(snapshot.world.uavs.size() > 1 ? assigned : -1);
     }
     return snapshot;
 }

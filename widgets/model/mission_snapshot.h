@@ -58,7 +58,8 @@ struct MissionSnapshot
     std::vector<std::shared_ptr<const Geofence>> fences;
     /** By UAV, `Autopilot::homeMargin_s`. */
     std::vector<std::optional<double>> homeMargins_s;
-    std::vector<int> assigned; ///< by iceberg: the UAV that alone is to visit it, -1: any
+    std::vector<int>
+        assigned; ///< by iceberg: the UAV that alone is to visit it, -1: any, as the only one
     /** Until then, of the world: wind, asset and icebergs, without what else came with them. */
     std::vector<Intervention> worldChanges;
     Metrics metrics;

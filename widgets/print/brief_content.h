@@ -29,8 +29,6 @@ struct BriefContent
     QStringList warnings;             ///< the most important first
     QString notes;                    ///< of the scenario
     QString foot;
-
-    [[nodiscard]] bool isFleet() const { return uavs.size() > 2; }
 };
 
 [[nodiscard]] BriefContent briefContent(const ExportContent& content, const QLocale& locale);

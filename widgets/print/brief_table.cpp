@@ -180,7 +180,9 @@ BriefRoute briefRoute(const ExportContent& content, std::size_t uav, const QLoca
             rows.add(visit);
     if (isTrack)
         rows.addEnd();
-    return {.uav = uav, .name = printable(titleOf(flown.uav)), .rows = rows.taken()};
+    return {.uav = uav,
+            .name = content.uavs.size() > 1 ? printable(titleOf(flown.uav)) : QString(),
+            .rows = rows.taken()};
 }
 
 QString briefClock(const ExportContent& content, double time_s)

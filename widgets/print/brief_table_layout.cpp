@@ -71,7 +71,7 @@ std::vector<BriefTable::Line> BriefTable::linesWith(std::size_t rowsEach) const
     std::vector<Line> lines;
     for (std::size_t route = 0; route < m_content.routes.size(); ++route) {
         const std::size_t rows = m_content.routes[route].rows.size();
-        if (m_content.isFleet())
+        if (!m_content.routes[route].name.isEmpty())
             lines.push_back({.kind = LineKind::Name, .route = route});
         for (std::size_t row = 0; row < std::min(rows, rowsEach); ++row)
             lines.push_back({.kind = LineKind::Row, .route = route, .row = row});

@@ -18,11 +18,11 @@ constexpr double kSignScale = 0.55; // of the symbol on the map
 
 LegendUavs::LegendUavs(const MapPicture& picture, const Theme& theme, double width_px)
 {
-    if (!picture.isFleet())
-        return;
     const QFontMetricsF metrics(theme.small());
     QPointF at(0, kRow_px / 2);
     for (const MapUav& uav : picture.uavs) {
+        if (uav.label.isEmpty())
+            continue;
         const QString name = metrics.elidedText(uav.label, Qt::ElideRight, width_px - kSign_px);
         const double chip_px = kSign_px + metrics.horizontalAdvance(name);
         if (at.x() > 0 && at.x() + chip_px > width_px)
@@ -30,7 +30,8 @@ LegendUavs::LegendUavs(const MapPicture& picture, const Theme& theme, double wid
         m_chips.push_back({.at = at, .name = name, .colour = uavColour(theme, uav.place)});
         at.rx() += chip_px + kGap_px;
     }
-    m_height_px = at.y() + kRow_px / 2;
+    if (!m_chips.empty())
+        m_height_px = at.y() + kRow_px / 2;
 }
 
 void LegendUavs::paint(QPainter& painter, const QPointF& at, const Theme& theme) const

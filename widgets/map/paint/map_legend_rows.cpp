@@ -153,7 +153,7 @@ void addIcebergRows(RowList& rows, const MapPicture& picture, const Theme& theme
         [](const MapIceberg& iceberg) { return iceberg.inView; },
         isCertain ? MapLegend::tr("In view now: σ is 0") : MapLegend::tr("In view now"),
         MapLegend::tr("In view"),
-        {.radius_px = 6, .sigma = {}, .inView = true, .bracket = bracketColour(picture, theme)});
+        {.radius_px = 6, .sigma = {}, .inView = true, .bracket = routeColours(picture, theme).uav});
     rows.addIceberg([](const MapIceberg& iceberg) { return iceberg.appears_s > 0; },
                     MapLegend::tr("Still to come, with its time"), MapLegend::tr("To come"),
                     {.radius_px = 6, .ring_px = 10, .sigma = theme.sigma.at(0.3), .later = true});
@@ -180,8 +180,7 @@ void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
     rows.add(!pairsTooClose(picture).empty(), MapLegend::tr("UAVs too close to each other"),
              MapLegend::tr("Too close"),
              [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
-    rows.add(picture.isFleet() &&
-                 rows.any([](const MapIceberg& iceberg) { return iceberg.keptFor >= 0; }),
+    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.keptFor >= 0; }),
              MapLegend::tr("Assigned to the UAV of this colour"), MapLegend::tr("Assigned to one"),
              [&](QPainter& p, const QRectF& r) {
                  drawPin(p, r.center() + QPointF(0, 7), theme.ink, theme);
@@ -190,7 +189,7 @@ void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
 
 void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme)
 {
-    const RouteColours colours = legendColours(picture, theme);
+    const RouteColours colours = routeColours(picture, theme);
     rows.add(
         picture.anyRoute([](const MapRoute& route) { return !route.plan.empty(); }),
         MapLegend::tr("Plan, next leg thicker"), MapLegend::tr("Plan"),

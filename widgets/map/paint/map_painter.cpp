@@ -90,7 +90,7 @@ void paintIcebergs(const MapPaint& p)
                                .ring_px = ring_px,
                                .sigma = p.theme.sigma.at(sigma),
                                .inView = iceberg.inView,
-                               .bracket = bracketColour(p.picture, p.theme),
+                               .bracket = routeColours(p.picture, p.theme).uav,
                                .later = iceberg.appears_s > 0,
                                .status = iceberg.status,
                                .variant = variant};

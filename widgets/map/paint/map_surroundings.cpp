@@ -137,10 +137,10 @@ void paintClosedAreas(const MapPaint& p)
 
 void paintHomes(const MapPaint& p)
 {
-    for (const MapUav& uav : p.picture.uavs)
-        if (uav.home_m)
-            drawHome(p.painter, p.layout.view.toPixel(*uav.home_m),
-                     p.picture.isFleet() ? uavColour(p.theme, uav.place) : p.theme.ink, p.theme);
+    for (std::size_t uav = 0; uav < p.picture.uavs.size(); ++uav)
+        if (const std::optional<Point>& home_m = p.picture.uavs[uav].home_m)
+            drawHome(p.painter, p.layout.view.toPixel(*home_m),
+                     routeColours(p.picture, p.theme, uav).home, p.theme);
 }
 
 void paintAsset(const MapPaint& p)
@@ -245,8 +245,6 @@ void paintAlarms(const MapPaint& p)
 
 void paintPins(const MapPaint& p)
 {
-    if (!p.picture.isFleet())
-        return;
     for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
         const MapIceberg& iceberg = p.picture.icebergs[i];
         if (iceberg.keptFor < 0)

@@ -27,7 +27,7 @@ struct MapIceberg
     double circle_m = 0;            ///< it is within this of the estimate with 95 %; 0: not shown
     std::optional<Point> truth_m{}; ///< where it is in truth; none: not shown
     std::optional<double> ringEntry_s{}; ///< from now, into the inner ring of the asset; 0: inside
-    int keptFor = -1; ///< place of the UAV that alone is to visit it; -1: any may
+    int keptFor = -1; ///< place of the UAV that alone is to visit it; -1: any may, as the only one
 };
 
 struct MapUav
@@ -155,8 +155,6 @@ struct MapPicture
     QString emptyTitle;       ///< shown when there is no iceberg
     QString emptyHint;        ///< what to do about it
 
-    /** Colours tell the UAVs apart. */
-    [[nodiscard]] bool isFleet() const { return uavs.size() > 1; }
     /** A UAV has such a route. */
     template <class Test>
     [[nodiscard]] bool anyRoute(const Test& test) const

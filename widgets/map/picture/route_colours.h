@@ -3,6 +3,8 @@
 #include "widgets/map/picture/map_picture.h"
 #include "widgets/theme/theme.h"
 
+#include <optional>
+
 namespace berg {
 
 /**
@@ -15,15 +17,11 @@ struct RouteColours
     QColor plan;   ///< lines and numbers
     QColor former; ///< what the plan took the place of
     QColor track;  ///< where it is newest
+    QColor home;   ///< where it lands
 };
 
+/** None: of no single UAV, as in the legend; of several the colour that is none of theirs. */
 [[nodiscard]] RouteColours routeColours(const MapPicture& picture, const Theme& theme,
-                                        std::size_t uav);
-
-/** Of the brackets round an iceberg in view: of several UAVs the colour that is none of theirs. */
-[[nodiscard]] QColor bracketColour(const MapPicture& picture, const Theme& theme);
-
-/** What the legend draws the ways of the UAVs in: of several the colour that is none of theirs. */
-[[nodiscard]] RouteColours legendColours(const MapPicture& picture, const Theme& theme);
+                                        std::optional<std::size_t> uav = std::nullopt);
 
 } // namespace berg

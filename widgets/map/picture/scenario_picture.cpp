@@ -6,6 +6,7 @@
 #include "core/sim/sortie_outlook.h"
 #include "widgets/model/asset_approach.h"
 #include "widgets/model/wind.h"
+#include "widgets/words/object_names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario)
     if (const std::optional<AssetApproach> approach = approachOf(scenario, iceberg))
         drawn.ringEntry_s = approach->entry_s;
     const auto uav = std::ranges::find(scenario.uavs, iceberg.uav, &Uav::id);
-    if (!iceberg.uav.empty() && uav != scenario.uavs.end())
+    if (scenario.uavs.size() > 1 && uav != scenario.uavs.end())
         drawn.keptFor = static_cast<int>(uav - scenario.uavs.begin());
     return drawn;
 }
@@ -190,12 +191,10 @@ MapUav mapUav(const Scenario& scenario, std::size_t i)
                  .sensor = {.fov_m = uav.fov_m, .shape = scenario.fovShape},
                  .key = uav.id,
                  .airspeed_mps = uav.spec.airspeed_mps,
-                 .label = {},
+                 .label = nameInFleet(scenario.uavs, static_cast<int>(i)),
                  .place = static_cast<int>(i),
                  .home_m = uav.home_m,
                  .altitude_m = uav.spec.altitude_m};
-    if (scenario.uavs.size() > 1)
-        drawn.label = QString::fromStdString(uav.name.empty() ? uav.id : uav.name);
     if (!uav.home_m && uav.spec.endurance_s > 0)
         drawn.home_m = uav.position_m;
     return drawn;

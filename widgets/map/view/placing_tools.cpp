@@ -298,7 +298,7 @@ QString UavTool::status() const
     if (m_isTurning)
         return PlacingTools::tr("Let go to keep this heading. Esc takes it back.");
     const Uav* uav = meantUav();
-    if (uav == nullptr || context().document.scenario().uavs.size() == 1)
+    if (uav == nullptr)
         return PlacingTools::tr("Click places the UAV, drag on to turn it. With Ctrl it is another "
                                 "one. Esc leaves the tool.");
     return PlacingTools::tr("Click places %1, drag on to turn it. With Ctrl it is another UAV. "

@@ -54,6 +54,19 @@ bool isAbout(const Issue& issue, std::string_view list, const std::vector<Object
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
+bool isOnly(const std::vector<std::string>& ids)
+{
+    return ids.size() == 1;
+}
+
+/** Several are edited together, but each has an id of its own. */
+void showIdOfOnly(const std::vector<std::string>& ids, InspectorForm& form, IdField& field)
+{
+    form.setTopVisible(isOnly(ids));
+    if (isOnly(ids))
+        field.showId(QString::fromStdString(ids.front()));
+}
+
 } // namespace
 
 InspectorPanel::InspectorPanel(ScenarioDocument& document, Selection& selection, QWidget* parent)
@@ -224,12 +237,8 @@ void InspectorPanel::refresh()
     m_uavForm->showObjects(m_uavs);
     for (InspectorForm* form : {m_assetForm, m_areaForm, m_scenarioForm})
         form->showObjects({std::string()});
-    m_icebergForm->setTopVisible(m_icebergs.size() == 1);
-    if (m_icebergs.size() == 1)
-        m_icebergId->showId(QString::fromStdString(m_icebergs.front()));
-    m_uavForm->setTopVisible(m_uavs.size() == 1);
-    if (m_uavs.size() == 1)
-        m_uavId->showId(QString::fromStdString(m_uavs.front()));
+    showIdOfOnly(m_icebergs, *m_icebergForm, *m_icebergId);
+    showIdOfOnly(m_uavs, *m_uavForm, *m_uavId);
     const InspectorForm* shown = formInUse();
     for (InspectorForm* form : m_forms)
         form->setVisible(form == shown);
@@ -283,11 +292,11 @@ void InspectorPanel::showTitle()
     showChip();
 }
 
-/** The colour that the UAV has on the map; where there is one only there is nothing to tell. */
+/** The colour that the UAV has on the map. */
 void InspectorPanel::showChip()
 {
     const std::vector<Uav>& uavs = m_document.scenario().uavs;
-    const bool isOne = formInUse() == m_uavForm && m_uavs.size() == 1 && uavs.size() > 1;
+    const bool isOne = formInUse() == m_uavForm && isOnly(m_uavs);
     m_chip->setVisible(isOne);
     if (!isOne)
         return;

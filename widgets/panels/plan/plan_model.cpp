@@ -22,11 +22,10 @@ constexpr auto kIcebergType = "application/x-bergwatch-planned-iceberg"_L1;
 
 std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
 {
-    const bool isFleet = sections.size() > 1;
     std::vector<PlanLine> lines;
     for (const PlanSection& section : sections) {
-        const int uav = isFleet ? section.place : -1;
-        if (isFleet)
+        const int uav = section.name.isEmpty() ? -1 : section.place;
+        if (!section.name.isEmpty())
             lines.push_back({.row = {.id = section.uav,
                                      .name = section.name,
                                      .leg_m = section.length_m(),
@@ -143,11 +142,6 @@ int PlanModel::rowOf(const std::string& id) const
     const auto it = std::find_if(m_lines.begin(), m_lines.end(),
                                  [&](const PlanLine& line) { return line.row.id == id; });
     return it == m_lines.end() ? -1 : static_cast<int>(it - m_lines.begin());
-}
-
-bool PlanModel::isFleet() const
-{
-    return !m_lines.empty() && m_lines.front().isUav();
 }
 
 /** The line of the UAV that visits it, itself if it is one; of a fleet only. */
@@ -325,8 +319,8 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
 Qt::ItemFlags PlanModel::flags(const QModelIndex& index) const
 {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    if (!isFleet())
-        return flags;
+    if (m_lines.empty() || m_lines.front().uav < 0)
+        return flags;               // there is no other one to hand anything to
     flags |= Qt::ItemIsDropEnabled; // of the root as well: else a view without an indicator refuses
     flags.setFlag(Qt::ItemIsDragEnabled, index.isValid() && !line(index.row()).isUav());
     return flags;
@@ -349,8 +343,8 @@ QMimeData* PlanModel::mimeData(const QModelIndexList& indexes) const
 bool PlanModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int /*row*/,
                              int /*column*/, const QModelIndex& parent)
 {
-    if (action != Qt::MoveAction || !isFleet() || !parent.isValid() || data == nullptr ||
-        !data->hasFormat(kIcebergType))
+    if (action != Qt::MoveAction || !parent.isValid() || line(parent.row()).uav < 0 ||
+        data == nullptr || !data->hasFormat(kIcebergType))
         return false;
     emit handedOver(data->data(kIcebergType).toStdString(), uavOf(parent.row()).row.id);
     return true;

@@ -103,7 +103,6 @@ private:
     [[nodiscard]] QString toolTip(int row, Column column) const;
     [[nodiscard]] QString uavToolTip(const PlanLine& line) const;
     [[nodiscard]] const PlanLine& uavOf(int row) const;
-    [[nodiscard]] bool isFleet() const;
 
     QLocale m_locale;
     std::vector<PlanLine> m_lines;

@@ -29,11 +29,10 @@ PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
 PlanRow rowOf(const MissionSnapshot& now, int iceberg)
 {
     const auto index = static_cast<std::size_t>(iceberg);
-    const bool isFleet = now.world.uavs.size() > 1;
     return {.id = now.icebergs[index].id,
             .name = shownName(now.icebergs[index]),
             .sigma_m2 = now.world.tracks[index].sigma_m2,
-            .isAssigned = isFleet && index < now.assigned.size() && now.assigned[index] >= 0};
+            .isAssigned = index < now.assigned.size() && now.assigned[index] >= 0};
 }
 
 std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecast& route,
@@ -205,7 +204,7 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
         const int place = static_cast<int>(u);
         PlanSection& section = sections.emplace_back();
         section.uav = scenario.uavs[u].id;
-        section.name = shownName(scenario.uavs[u]);
+        section.name = nameInFleet(scenario.uavs, place);
         section.place = place;
         section.isPlanned = now.world.uavs[u].isPlanned();
         const PlanEvent* plan = planOf(now, place);

@@ -35,7 +35,7 @@ struct ReturnLeg
 struct PlanSection
 {
     std::string uav;       ///< id
-    QString name;          ///< never empty, likewise
+    QString name;          ///< empty: it is the only one
     int place = 0;         ///< in the scenario: it gives the colour
     bool isPlanned = true; ///< not on its way home, on the ground or holding
     std::vector<PlanRow> rows;

@@ -176,8 +176,10 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
                           .toolTip = ComparisonText::tr("The iceberg that was out of view for the "
                                                         "longest time.")});
     const std::vector<Uav>& uavs = reference.scenario.uavs;
-    for (std::size_t i = 0; uavs.size() > 1 && i < uavs.size(); ++i) {
-        const QString name = shownName(uavs[i]);
+    for (std::size_t i = 0; i < uavs.size(); ++i) {
+        const QString name = nameInFleet(uavs, static_cast<int>(i));
+        if (name.isEmpty())
+            break; // its figures are those of the flight
         maker.add(
             ComparisonText::tr("%1, visits").arg(name),
             [i](const RunFigures& f) { return totalsOf(f, i).visits; }, Good::Neither, whole,

@@ -168,9 +168,9 @@ private slots:
     {
         MapPicture picture = withScenario({}, twoUavs());
         const Theme theme = Theme::light();
-        QCOMPARE(bracketColour(picture, theme), theme.ink);
+        QCOMPARE(routeColours(picture, theme).uav, theme.ink);
         picture.uavs.pop_back();
-        QCOMPARE(bracketColour(picture, theme), theme.uav);
+        QCOMPARE(routeColours(picture, theme).uav, theme.uav);
     }
 
     /** Their names take a row for as many as have room in it. */

@@ -112,7 +112,7 @@ private slots:
         QVERIFY(!f.isShown(u"inspectorChip"_s));
         Fixture one(test::fourIcebergs());
         one.selection.set({"uav-1"});
-        QVERIFY(!one.isShown(u"inspectorChip"_s));
+        QCOMPARE(one.chipColour(), Theme::light().uav);
     }
 
     void renamingRenamesWhatRefersToIt()
