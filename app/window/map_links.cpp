@@ -42,7 +42,9 @@ void MapLinks::connectTables()
 {
     MapView* map = panels().map;
     const auto select = [this](const std::string& id) { workspace().selection().set({id}); };
-    const PlanPanel* plan = panels().plan;
+    PlanPanel* plan = panels().plan;
+    connect(&workspace().selection(), &Selection::changed, plan,
+            [this, plan] { plan->showSelection(workspace().selection().ids()); });
     connect(plan, &PlanPanel::hovered, map, &MapView::setHighlight);
     connect(map, &MapView::hovered, plan, &PlanPanel::setHighlight);
     connect(plan, &PlanPanel::activated, this, select);

@@ -3,10 +3,13 @@
 #include "tests/support/window_fixture.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/icebergs/iceberg_table_columns.h"
+#include "widgets/panels/plan/plan_model.h"
 
 #include <QDockWidget>
 #include <QTableView>
 #include <QUndoStack>
+
+#include <set>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -55,6 +58,40 @@ private slots:
         QCOMPARE(table.selectionModel()->selectedRows().front().row(), 2);
         click(table, 1, IcebergColumn::Name);
         QCOMPARE(w.workspace.selection().ids(), Ids{"berg-2"});
+    }
+
+    /** By mouse and keys, from whichever of the three it is made. */
+    void planListShowsTheSelection()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QTableView& table = raisedTable(w);
+        auto& plan = test::child<QTableView>(w.window(), u"planTable"_s);
+        QCOMPARE(plan.model()->rowCount(), 4);
+        const auto inPlan = [&plan] {
+            std::set<QString> names;
+            for (const QModelIndex& row : plan.selectionModel()->selectedRows(PlanModel::Name))
+                names.insert(row.data().toString());
+            return names;
+        };
+        using Names = std::set<QString>;
+        QCOMPARE(inPlan(), Names{});
+        w.click(w.pixelOf("berg-3"));
+        QCOMPARE(inPlan(), Names{u"berg-3"_s});
+        click(table, 0, IcebergColumn::Name);
+        click(table, 1, IcebergColumn::Name, Qt::ControlModifier);
+        QCOMPARE(inPlan(), (Names{u"berg-1"_s, u"berg-2"_s}));
+        plan.setFocus();
+        plan.setCurrentIndex(plan.model()->index(0, 0));
+        for (int row = 1; row < 4; ++row) {
+            QTest::keyClick(&plan, Qt::Key_Down);
+            const QString name = plan.model()->index(row, PlanModel::Name).data().toString();
+            QCOMPARE(inPlan(), Names{name});
+            QCOMPARE(w.workspace.selection().ids(), Ids{name.toStdString()});
+            QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
+        }
+        w.workspace.selection().clear();
+        QCOMPARE(inPlan(), Names{});
+        QVERIFY(table.selectionModel()->selectedRows().isEmpty());
     }
 
     void deleteRemovesTheRowsSelected()

@@ -125,7 +125,13 @@ void IcebergTable::setUpTable()
 void IcebergTable::connectTable()
 {
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &IcebergTable::showDocument);
-    connect(&m_selection, &Selection::changed, this, &IcebergTable::showSelection);
+    connect(&m_selection, &Selection::changed, this, [this] {
+        if (m_isSelecting)
+            return; // it was made here
+        showSelection();
+        if (!m_selection.isEmpty())
+            m_table->scrollTo(m_table->currentIndex());
+    });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &IcebergTable::acceptSelection);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,

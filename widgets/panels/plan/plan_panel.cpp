@@ -9,12 +9,15 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -95,11 +98,8 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(m_table, &QTableView::clicked, this, &PlanPanel::choose);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& current) {
-                if (!current.isValid())
-                    return;
-                m_chosen = m_model->idOf(current.row());
-                m_table->selectionModel()->select(current, QItemSelectionModel::ClearAndSelect |
-                                                               QItemSelectionModel::Rows);
+                if (!m_isSelecting)
+                    choose(current);
             });
     connect(m_model, &PlanModel::handedOver, this, &PlanPanel::handedOver);
     setTheme(Theme::light());
@@ -356,25 +356,49 @@ void PlanPanel::showPlan(std::vector<PlanSection> sections)
     }
     QScrollBar* bar = m_table->verticalScrollBar();
     const int scroll_px = bar->value();
-    const std::string chosen = m_chosen;
-    m_model->setPlan(m_sections);
+    {
+        // When the current row goes, Qt makes a neighbour the current one.
+        const QScopedValueRollback selecting(m_isSelecting, true);
+        m_model->setPlan(m_sections);
+    }
     if (m_model->mayMiss() == m_table->isColumnHidden(PlanModel::Chance))
         chooseColumns();
     updateSpans();
-    m_chosen = chosen; // when the current row goes, Qt makes a neighbour the current one
     updateEmpty();
     updateSummary();
-
-    const int row = m_model->rowOf(m_chosen);
-    QItemSelectionModel* selection = m_table->selectionModel();
-    if (row < 0) {
-        selection->clear();
-    } else if (!selection->isRowSelected(row)) {
-        // The iceberg has moved in the order; the row follows it, the view stays.
-        selection->setCurrentIndex(m_model->index(row, 0),
-                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
-    }
+    selectRows(); // icebergs have moved in the order; the rows follow them, the view stays
     bar->setValue(scroll_px);
+}
+
+void PlanPanel::showSelection(const std::vector<std::string>& ids)
+{
+    if (ids == m_selected)
+        return;
+    m_selected = ids;
+    selectRows();
+    if (m_table->currentIndex().isValid())
+        m_table->scrollTo(m_table->currentIndex());
+}
+
+void PlanPanel::selectRows()
+{
+    const QScopedValueRollback selecting(m_isSelecting, true);
+    const std::set<std::string_view> ids(m_selected.begin(), m_selected.end());
+    QItemSelection rows;
+    int last = -1;
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        if (ids.contains(m_model->idOf(row))) {
+            rows.select(m_model->index(row, 0), m_model->index(row, PlanModel::ColumnCount - 1));
+            last = row;
+        }
+    QItemSelectionModel& shown = *m_table->selectionModel();
+    if (last < 0) {
+        shown.clear();
+        return;
+    }
+    shown.select(rows, QItemSelectionModel::ClearAndSelect);
+    if (!shown.isRowSelected(shown.currentIndex().row()))
+        shown.setCurrentIndex(m_model->index(last, 0), QItemSelectionModel::NoUpdate);
 }
 
 void PlanPanel::setHighlight(const std::string& id)
@@ -394,8 +418,10 @@ void PlanPanel::choose(const QModelIndex& index)
 {
     if (!index.isValid())
         return;
-    m_chosen = m_model->idOf(index.row());
-    emit activated(m_chosen);
+    const std::string id = m_model->idOf(index.row());
+    m_selected = {id};
+    selectRows();
+    emit activated(id);
 }
 
 void PlanPanel::requestMenu(const QContextMenuEvent& event)
@@ -407,7 +433,7 @@ void PlanPanel::requestMenu(const QContextMenuEvent& event)
     choose(index);
     const QPoint at = m_table->visualRect(index).center();
     emit menuRequested(isByKey ? m_table->viewport()->mapToGlobal(at) : event.globalPos(),
-                       m_chosen);
+                       m_model->idOf(index.row()));
 }
 
 void PlanPanel::showDropUav(const QPoint& at)

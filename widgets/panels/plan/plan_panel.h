@@ -37,13 +37,15 @@ public:
     void showOutlook(std::optional<PlanOutlook> outlook);
     /** Of the plan shown, by UAV: margins at home, time without contact. */
     void showSorties(std::vector<std::optional<PlannedSortie>> sorties);
+    /** The rows of what is selected elsewhere; those that come into the plan later, too. */
+    void showSelection(const std::vector<std::string>& ids);
     /** Marks the row of this iceberg, e.g. while the pointer is on it on the map; empty: none. */
     void setHighlight(const std::string& id);
 
 signals:
     /** The pointer is on the row of this iceberg or UAV; empty: on none any more. */
     void hovered(const std::string& id);
-    /** Clicked, or Return pressed. */
+    /** Clicked, gone to by the keys, or Return pressed. */
     void activated(const std::string& id);
     /** By the mouse or the keyboard, for this iceberg or UAV. */
     void menuRequested(const QPoint& globalPos, const std::string& id);
@@ -65,6 +67,7 @@ private:
     [[nodiscard]] QString boundText(const PlanOutlook& outlook) const;
     void setHovered(const std::string& id);
     void choose(const QModelIndex& index);
+    void selectRows();
     void requestMenu(const QContextMenuEvent& event);
     void updateEmpty();
     void updateSpans();
@@ -82,7 +85,8 @@ private:
     std::vector<std::optional<PlannedSortie>> m_sorties;
     std::vector<int> m_spannedRows; ///< lines of UAVs
     std::string m_hovered;
-    std::string m_chosen; ///< kept while it is not in the plan
+    std::vector<std::string> m_selected; ///< kept while it is not in the plan
+    bool m_isSelecting = false;          ///< here, not by the user
     double m_sigmaFull_m2 = 0;
     bool m_hasHours = false; ///< of arrival times
 };
