@@ -4844,6 +4844,72 @@ mot %2</translation>
     </message>
 </context>
 <context>
+    <name>berg::AlarmStrip</name>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Bekreft</translation>
+    </message>
+    <message>
+        <source>Takes it off this list. It comes back when it was over and happens again.</source>
+        <translation>Tar det bort fra denne lista. Det kommer tilbake når det var over og skjer igjen.</translation>
+    </message>
+    <message>
+        <source>Continue from here</source>
+        <translation>Fly videre herfra</translation>
+    </message>
+    <message>
+        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another path flown.</source>
+        <translation>Forkaster det som ble fløyet etter dette øyeblikket. Herfra kan avveining og strategi endres og en annen vei flys.</translation>
+    </message>
+    <message>
+        <source>Back to latest</source>
+        <translation>Tilbake til siste</translation>
+    </message>
+    <message>
+        <source>Back to the end of what is flown.</source>
+        <translation>Tilbake til slutten av det som er fløyet.</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Kontroll</translation>
+    </message>
+    <message>
+        <source>Lists everything that is found about the scenario.</source>
+        <translation>Viser alt som er funnet om scenarioet.</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Hent den tilbake</translation>
+    </message>
+    <message>
+        <source>Takes up the flight where it was left.</source>
+        <translation>Tar opp flygingen der den ble forlatt.</translation>
+    </message>
+    <message>
+        <source>No alarms</source>
+        <translation>Ingen alarmer</translation>
+    </message>
+    <message>
+        <source>Cannot be planned: %1</source>
+        <translation>Kan ikke planlegges: %1</translation>
+    </message>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>Ser tilbake på %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n til</numerusform>
+            <numerusform>%n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click shows it.</source>
+        <translation>Klikk viser det.</translation>
+    </message>
+</context>
+<context>
     <name>berg::ChartPanel</name>
     <message>
         <source>Chart</source>
@@ -5446,65 +5512,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Page</source>
         <translation>Side</translation>
-    </message>
-</context>
-<context>
-    <name>berg::FlightBanner</name>
-    <message>
-        <source>Stop and edit</source>
-        <translation>Stopp og rediger</translation>
-    </message>
-    <message>
-        <source>Ends the flight and goes back to the start, where everything can be edited.</source>
-        <translation>Avslutter flygingen og går tilbake til start, der alt kan redigeres.</translation>
-    </message>
-    <message>
-        <source>Continue from here</source>
-        <translation>Fly videre herfra</translation>
-    </message>
-    <message>
-        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another path flown.</source>
-        <translation>Forkaster det som ble fløyet etter dette øyeblikket. Herfra kan avveining og strategi endres og en annen vei flys.</translation>
-    </message>
-    <message>
-        <source>Newest</source>
-        <translation>Nyeste</translation>
-    </message>
-    <message>
-        <source>Back to the end of what is flown.</source>
-        <translation>Tilbake til slutten av det som er fløyet.</translation>
-    </message>
-    <message>
-        <source>Looking back at %1</source>
-        <translation>Ser tilbake på %1</translation>
-    </message>
-    <message>
-        <source>Scenario locked in flight</source>
-        <translation>Scenarioet er låst under flyging</translation>
-    </message>
-    <message>
-        <source>τ and policy can be changed while flying; the plan follows at once.</source>
-        <translation>τ og strategi kan endres under flyging; planen følger med straks.</translation>
-    </message>
-    <message>
-        <source>Checks</source>
-        <translation>Kontroll</translation>
-    </message>
-    <message>
-        <source>Lists everything that is found about the scenario.</source>
-        <translation>Viser alt som er funnet om scenarioet.</translation>
-    </message>
-    <message>
-        <source>Cannot be planned: %1</source>
-        <translation>Kan ikke planlegges: %1</translation>
-    </message>
-    <message>
-        <source>Bring it back</source>
-        <translation>Hent den tilbake</translation>
-    </message>
-    <message>
-        <source>Takes up the flight where it was left.</source>
-        <translation>Tar opp flygingen der den ble forlatt.</translation>
     </message>
 </context>
 <context>
@@ -6999,10 +7006,6 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Steg</translation>
     </message>
     <message>
-        <source>Reset</source>
-        <translation>Tilbakestill</translation>
-    </message>
-    <message>
         <source>Rate of the flight</source>
         <translation>Flygingens hastighet</translation>
     </message>
@@ -7047,10 +7050,6 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Fly ett sekund og ta pause</translation>
     </message>
     <message>
-        <source>Back to the start, where everything can be edited</source>
-        <translation>Tilbake til start, der alt kan redigeres</translation>
-    </message>
-    <message>
         <source>Time line of the run</source>
         <translation>Tidslinje for flygingen</translation>
     </message>
@@ -7069,6 +7068,26 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>Fastest</source>
         <translation>Raskest</translation>
+    </message>
+    <message>
+        <source>Stop and edit</source>
+        <translation>Stopp og rediger</translation>
+    </message>
+    <message>
+        <source>Scenario locked in flight</source>
+        <translation>Scenarioet er låst under flyging</translation>
+    </message>
+    <message>
+        <source>Ends the flight and goes back to the start, where everything can be edited.</source>
+        <translation>Avslutter flygingen og går tilbake til start, der alt kan redigeres.</translation>
+    </message>
+    <message>
+        <source>The run is complete. The scenario stays locked until you stop and edit.</source>
+        <translation>Flygingen er fullført. Scenarioet forblir låst til du stopper og redigerer.</translation>
+    </message>
+    <message>
+        <source>Scenario locked in flight. τ and policy can be changed while flying; the plan follows at once.</source>
+        <translation>Scenarioet er låst under flyging. τ og strategi kan endres under flyging; planen følger med straks.</translation>
     </message>
 </context>
 <context>

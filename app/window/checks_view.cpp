@@ -5,7 +5,7 @@
 #include "app/window/status_line.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
-#include "widgets/panels/flight/flight_banner.h"
+#include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/inspector/check_panel.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
 #include "widgets/words/issue_text.h"
@@ -19,7 +19,7 @@ ChecksView::ChecksView(WindowContext& context, const Docks& docks, StatusLine& s
 {
     connect(panels().checks, &CheckPanel::chosen, this, &ChecksView::showCulprit);
     connect(&m_status, &StatusLine::findingsRequested, this, &ChecksView::openChecks);
-    connect(panels().banner, &FlightBanner::checksRequested, this, &ChecksView::openChecks);
+    connect(panels().alarms, &AlarmStrip::checksRequested, this, &ChecksView::openChecks);
     connect(panels().tradeoff, &TradeoffPanel::checksRequested, this, &ChecksView::openChecks);
     ScenarioDocument& document = workspace().document();
     connect(&document, &ScenarioDocument::impossible, this, [this](const Issue& why) {

@@ -3,8 +3,8 @@
 #include "app/window/panels.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
+#include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/event_panel.h"
-#include "widgets/panels/flight/flight_banner.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -28,16 +28,14 @@ FlightControls::FlightControls(WindowContext& context) : WindowPart(context)
     connect(panels().playback, &PlaybackBar::timeEdited, &workspace(), &Workspace::seek);
     connect(panels().events, &EventPanel::timeChosen, &workspace(), &Workspace::seek);
 
-    connect(panels().banner, &FlightBanner::stopRequested, &workspace(), &Workspace::reset);
-    connect(panels().banner, &FlightBanner::flyOnRequested, &workspace(),
-            &Workspace::flyOnFromHere);
-    connect(panels().banner, &FlightBanner::bringBackRequested, &workspace(),
+    connect(panels().alarms, &AlarmStrip::flyOnRequested, &workspace(), &Workspace::flyOnFromHere);
+    connect(panels().alarms, &AlarmStrip::bringBackRequested, &workspace(),
             &Workspace::bringBackFlight);
     connect(&workspace(), &Workspace::givenUpChanged, this, &FlightControls::showGivenUp);
     m_givenUpTimer.setSingleShot(true);
     m_givenUpTimer.setInterval(kGivenUp_ms);
-    connect(&m_givenUpTimer, &QTimer::timeout, this, [this] { panels().banner->showGivenUp({}); });
-    connect(panels().banner, &FlightBanner::newestRequested, &workspace(), &Workspace::seekLatest);
+    connect(&m_givenUpTimer, &QTimer::timeout, this, [this] { panels().alarms->showGivenUp({}); });
+    connect(panels().alarms, &AlarmStrip::newestRequested, &workspace(), &Workspace::seekLatest);
     connect(&workspace(), &Workspace::takeOffAhead, this, [this] {
         panels().map->cancelGesture();
         panels().finishTyping();
@@ -71,11 +69,11 @@ void FlightControls::togglePlay()
     }
 }
 
-/** A flight that was given up can be had again; the banner says so for a while. */
+/** A flight that was given up can be had again; the strip says so for a while. */
 void FlightControls::showGivenUp()
 {
     const std::optional<double> flown_s = workspace().givenUp_s();
-    panels().banner->showGivenUp(flown_s ? tr("Flight to %1 given up").arg(clockText(*flown_s))
+    panels().alarms->showGivenUp(flown_s ? tr("Flight to %1 given up").arg(clockText(*flown_s))
                                          : QString());
     if (flown_s)
         m_givenUpTimer.start();

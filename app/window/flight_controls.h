@@ -6,7 +6,8 @@
 
 namespace berg {
 
-/** Fly, pause, look back, stop, bring back: from playback bar, banner and events to the mission. */
+/** Fly, pause, look back, stop, bring back: from playback bar, alarm strip and events to the
+ * mission. */
 class FlightControls : public WindowPart
 {
     Q_OBJECT
@@ -18,7 +19,7 @@ public:
     void showGivenUp();
 
 private:
-    QTimer m_givenUpTimer; ///< until the banner says no more of a flight that was given up
+    QTimer m_givenUpTimer; ///< until the strip says no more of a flight that was given up
 };
 
 } // namespace berg

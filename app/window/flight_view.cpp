@@ -8,7 +8,7 @@
 #include "widgets/map/picture/mission_picture.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
-#include "widgets/panels/flight/flight_banner.h"
+#include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/inspector/inspector_panel.h"
@@ -94,8 +94,8 @@ void FlightView::showFlight()
                                                   : record.now.phase,
                                  record.shown().time_s, record.scenario.duration_s,
                                  record.now.time_s);
-    panels().banner->showState(record.inFlight(), workspace().lookedAt_s(), fault);
-    panels().banner->showNotices(flightNotices(record, locale()));
+    panels().alarms->showState(record.inFlight(), workspace().lookedAt_s(), fault);
+    panels().alarms->showNotices(flightNotices(record, locale()));
     m_status.showState(phaseText(record.now.phase, fault));
     m_flightPanels.showSoon();
 }
@@ -103,7 +103,7 @@ void FlightView::showFlight()
 void FlightView::setInFlight(bool inFlight)
 {
     panels().map->setLocked(inFlight);
-    panels().banner->showState(inFlight, workspace().lookedAt_s(), planFault(workspace()));
+    panels().alarms->showState(inFlight, workspace().lookedAt_s(), planFault(workspace()));
     panels().inspector->setLocked(inFlight);
     panels().icebergs->showRecord(workspace().record());
     panels().history->setEnabled(!inFlight);

@@ -5,6 +5,7 @@
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
+#include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/plan/plan_panel.h"
 
@@ -35,6 +36,11 @@ void MapLinks::connectMap(const Docks& docks)
     connect(map, &MapView::windEdited, &workspace(), &Workspace::setWind);
     connect(map, &MapView::assetMoved, &workspace(), &Workspace::moveAsset);
     connect(map, &MapView::icebergPlaced, &workspace(), &Workspace::addIceberg);
+    connect(panels().alarms, &AlarmStrip::noticeChosen, this,
+            [this](const std::vector<std::string>& about) {
+                workspace().selection().set(about);
+                panels().map->showObjects(about);
+            });
     connect(map, &MapView::editRequested, &docks, &Docks::openInspector);
 }
 

@@ -7,9 +7,9 @@
 #include "widgets/map/view/place_mark.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/dialogs/goto_bar.h"
+#include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
-#include "widgets/panels/flight/flight_banner.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/inspector/check_panel.h"
@@ -46,7 +46,7 @@ Panels::Panels(Workspace& workspace, const Theme& theme)
     , pareto(new ParetoChart(theme))
     , solveTime(new SolveTimePanel(workspace.benchmark()))
     , study(new StudyPanel(workspace.study()))
-    , banner(new FlightBanner(map))
+    , alarms(new AlarmStrip)
     , overview(new OverviewInset(map))
     , history(new QUndoView(workspace.document().undoStack()))
     , events(new EventPanel)
@@ -68,7 +68,7 @@ Panels::Panels(Workspace& workspace, const Theme& theme)
 
 void Panels::setTheme(const Theme& theme) const
 {
-    banner->setTheme(theme);
+    alarms->setTheme(theme);
     overview->setTheme(theme);
     gotoBar->setTheme(theme);
     placeMark->setTheme(theme);
@@ -103,6 +103,7 @@ QWidget* Panels::makeCentre() const
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(alarms);
     column->addWidget(map, 1);
     column->addWidget(playback);
     return centre;

@@ -7,12 +7,12 @@ class QWidget;
 
 namespace berg {
 
+class AlarmStrip;
 class ChartPanel;
 class CheckPanel;
 class ComparisonChart;
 class ComparisonPanel;
 class EventPanel;
-class FlightBanner;
 class GotoBar;
 class IcebergTable;
 class InspectorPanel;
@@ -36,7 +36,7 @@ struct Panels
     void setTheme(const Theme& theme) const;
     /** What is being typed counts as if Return had been pressed. */
     void finishTyping() const;
-    /** Map and playback bar. */
+    /** Alarms, map and playback bar. */
     [[nodiscard]] QWidget* makeCentre() const;
 
     MapView* map;
@@ -48,7 +48,7 @@ struct Panels
     ParetoChart* pareto;
     SolveTimePanel* solveTime;
     StudyPanel* study;
-    FlightBanner* banner;
+    AlarmStrip* alarms;
     OverviewInset* overview;
     QUndoView* history;
     EventPanel* events;

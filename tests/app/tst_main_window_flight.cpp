@@ -220,8 +220,7 @@ private slots:
         QVERIFY(w.scenario() == start);
         QVERIFY(w.workspace.inFlight());
 
-        QTest::mouseClick(&test::child<QPushButton>(w.window(), u"stopAndEditButton"_s),
-                          Qt::LeftButton);
+        QTest::mouseClick(&test::child<QToolButton>(w.window(), u"resetButton"_s), Qt::LeftButton);
         QVERIFY(!w.workspace.inFlight());
         QVERIFY(!w.document().isLocked());
         w.drag(w.pixelOf("berg-1"), w.pixelOf("berg-1") + QPoint(40, 20));

@@ -292,6 +292,31 @@ private slots:
             QTest::newRow(name) << QString::fromLatin1(name);
     }
 
+    void spaceFliesAfterAChoiceByMouse_data() { spaceOpensTheListWithTheFocus_data(); }
+
+    /** As the status bar says. */
+    void spaceFliesAfterAChoiceByMouse()
+    {
+        QFETCH(QString, name);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        auto& combo = test::child<QComboBox>(w.window(), name);
+        w.map().setFocus();
+        QTest::mouseClick(&combo, Qt::LeftButton);
+        QTRY_VERIFY(combo.view()->isVisible());
+        const int before = combo.currentIndex();
+        QTest::keyClick(combo.view(), before == 0 ? Qt::Key_Down : Qt::Key_Up);
+        QTest::keyClick(combo.view(), Qt::Key_Return);
+        QTRY_VERIFY(!combo.view()->isVisible());
+        QVERIFY(combo.currentIndex() != before);
+        w.window().activateWindow(); // there is no window manager that does
+        QVERIFY(QTest::qWaitForWindowActive(&w.window()));
+        QCOMPARE(QApplication::focusWidget(), &w.map());
+        QVERIFY(w.untilReady());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QTRY_VERIFY(w.workspace.inFlight());
+        QVERIFY(!combo.view()->isVisible());
+    }
+
     /** It does not take off. */
     void spaceOpensTheListWithTheFocus()
     {

@@ -6,6 +6,7 @@
 
 #include <QPushButton>
 #include <QSpinBox>
+#include <QToolButton>
 
 #include <cmath>
 #include <map>
@@ -16,8 +17,8 @@ using test::WindowFixture;
 
 namespace {
 
-const QStringList kBannerButtons{u"stopAndEditButton"_s, u"flyOnButton"_s, u"newestButton"_s,
-                                 u"showChecksButton"_s, u"bringBackButton"_s};
+const QStringList kStripButtons{u"flyOnButton"_s, u"newestButton"_s, u"showChecksButton"_s,
+                                u"bringBackButton"_s};
 
 QPushButton& button(WindowFixture& w, const QString& name)
 {
@@ -182,14 +183,14 @@ private slots:
         QCOMPARE(w.interaction.endFlightQuestions, 2);
     }
 
-    void buttonsOfTheBannerKeepTheirPlaces()
+    void buttonsOfTheStripKeepTheirPlaces()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         std::vector<std::map<QString, QRect>> states;
         const auto note = [&] {
             QTest::qWait(20); // laid out
             states.emplace_back();
-            for (const QString& name : kBannerButtons)
+            for (const QString& name : kStripButtons)
                 if (button(w, name).isVisible())
                     states.back()[name] = placeOf(button(w, name));
         };
@@ -200,7 +201,7 @@ private slots:
         button(w, u"flyOnButton"_s).click();
         QVERIFY(w.until([&] { return w.record().now.time_s < 150; }));
         note();
-        button(w, u"stopAndEditButton"_s).click();
+        test::child<QToolButton>(w.window(), u"resetButton"_s).click();
         note();
         for (std::size_t i = 0; i + 1 < states.size(); ++i)
             for (const auto& [name, place] : states[i])
@@ -248,7 +249,7 @@ private slots:
             button(w, u"flyOnButton"_s).click();
             QVERIFY(w.until([&] { return w.record().now.time_s < 150; }));
         } else {
-            button(w, u"stopAndEditButton"_s).click();
+            test::child<QToolButton>(w.window(), u"resetButton"_s).click();
             QVERIFY(!w.workspace.inFlight());
         }
         if (how == u"stopped and edited"_s)

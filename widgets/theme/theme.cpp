@@ -38,6 +38,8 @@ Theme Theme::light()
     theme.track = QColor(0x43535f);
     theme.swept = QColor(0x2a, 0x8f, 0x86, 24);
     theme.comparison = QColor(0xb3263a);
+    theme.alarm = QColor(0xc3161c);
+    theme.warning = QColor(0x9a6200);
     theme.text = QColor(0x16222b);
     theme.mutedText = QColor(0x4c5e6a);
     theme.panel = QColor(0xfafcfd);
@@ -69,6 +71,8 @@ Theme Theme::dark()
     theme.track = QColor(0x9fb1bd);
     theme.swept = QColor(0x4f, 0xd0, 0xc0, 30);
     theme.comparison = QColor(0xff7a8a);
+    theme.alarm = QColor(0xff5c52);
+    theme.warning = QColor(0xf2b632);
     theme.text = QColor(0xe8eff3);
     theme.mutedText = QColor(0x9cb0bc);
     theme.panel = QColor(0x152530);

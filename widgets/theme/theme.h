@@ -32,6 +32,8 @@ struct Theme
     QColor track;      ///< flown track where it is newest
     QColor swept;      ///< over water seen so far, translucent
     QColor comparison;
+    QColor alarm;   ///< act now
+    QColor warning; ///< something is not as it was to be
 
     // Text and panels
     QColor text;

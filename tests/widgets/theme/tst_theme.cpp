@@ -48,6 +48,8 @@ const std::vector<Pair>& pairs()
         {"former plan on panel", &Theme::formerPlan, &Theme::panel, kLineContrast},
         {"track on sea", &Theme::track, &Theme::sea, kLineContrast},
         {"comparison on sea", &Theme::comparison, &Theme::sea, kLineContrast},
+        {"alarm on panel", &Theme::alarm, &Theme::panel, kLineContrast},
+        {"warning on panel", &Theme::warning, &Theme::panel, kLineContrast},
         {"symbol outline on sea", &Theme::ink, &Theme::sea, kLineContrast},
         {"symbol outline on panel", &Theme::ink, &Theme::panel, kLineContrast},
         {"coast against sea", &Theme::coast, &Theme::sea, kLineContrast},

@@ -191,6 +191,29 @@ void MapView::showIceberg(const std::string& id)
         panBy(m_scene.rect().center() - toScreen(it->position_m));
 }
 
+void MapView::showObjects(const std::vector<std::string>& ids)
+{
+    constexpr double kShare = 0.6; // of the map, so that what is round them is seen
+    const MapPicture& picture = m_scene.picture();
+    std::vector<Point> places_m;
+    const auto add = [&](const std::string& id, const Point& place_m) {
+        if (std::ranges::find(ids, id) != ids.end())
+            places_m.push_back(place_m);
+    };
+    for (const MapIceberg& iceberg : picture.icebergs)
+        add(keyOf(iceberg), iceberg.position_m);
+    for (const MapUav& uav : picture.uavs)
+        add(uav.key, uav.position_m);
+    if (picture.asset)
+        add(kAssetKey, picture.asset->position_m);
+    if (places_m.empty())
+        return;
+    stopFollowing();
+    QRectF middle(QPointF(), m_scene.rect().size() * kShare);
+    middle.moveCenter(m_scene.rect().center());
+    setView(MapViewTransform::fitted(boundsOf(places_m), middle));
+}
+
 void MapView::panBy(const QPointF& offset_px)
 {
     stopFollowing();

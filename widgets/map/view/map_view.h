@@ -59,6 +59,8 @@ public:
     void zoomBy(double factor, const QPointF& at);
     /** Brings this iceberg to the middle; nothing when it is not in the picture. */
     void showIceberg(const std::string& id);
+    /** Shows all of these icebergs and UAVs and the asset, near; nothing when none is there. */
+    void showObjects(const std::vector<std::string>& ids);
     /** Moves what is shown by `offset_px`. */
     void panBy(const QPointF& offset_px);
     /** Keeps the UAV in the middle part of the view until the map is moved by hand. */

@@ -2,6 +2,7 @@
 
 #include "core/scenario/advice.h"
 #include "widgets/model/asset_approach.h"
+#include "widgets/model/selection.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 
@@ -48,6 +49,11 @@ QString ofUav(const FlightRecord& record, int uav, const QString& text)
     return name.isEmpty() ? text : u"%1: %2"_s.arg(name, text);
 }
 
+const std::string& idOf(const FlightRecord& record, int uav)
+{
+    return record.scenario.uavs[static_cast<std::size_t>(uav)].id;
+}
+
 bool isLateForHome(const FlightRecord& record, int uav)
 {
     const std::span<const MissionEvent> events = eventsOf(record);
@@ -64,7 +70,8 @@ void addLate(std::vector<FlightNotice>& notices, const FlightRecord& record)
     for (int uav = 0; uav < static_cast<int>(record.scenario.uavs.size()); ++uav)
         if (isLateForHome(record, uav))
             notices.push_back(
-                {.icon = IconName::Warning,
+                {.kind = NoticeKind::LateHome,
+                 .about = {idOf(record, uav)},
                  .text = ofUav(record, uav,
                                FlightNotices::tr("Home cannot be reached in time any more")),
                  .toolTip = FlightNotices::tr("The wind changed in flight.")});
@@ -86,7 +93,8 @@ void addClose(std::vector<FlightNotice>& notices, const FlightRecord& record, co
                 distance_m >= record.scenario.separation_m)
                 continue;
             notices.push_back(
-                {.icon = IconName::Warning,
+                {.kind = NoticeKind::UavsClose,
+                 .about = {uavs[a].id, uavs[b].id},
                  .text = FlightNotices::tr("%1 and %2 are %3 apart")
                              .arg(shownName(uavs[a]), shownName(uavs[b]),
                                   distanceText(distance_m, locale)),
@@ -106,7 +114,8 @@ void addWindLimit(std::vector<FlightNotice>& notices, const FlightRecord& record
         const std::optional<double>& limit_mps = uavs[k].weather.wind_mps;
         const double wind_mps = shown.motions[k].wind_mps.norm();
         if (limit_mps && wind_mps > *limit_mps && shown.world.uavs[k].mode != FlightMode::Ground)
-            notices.push_back({.icon = IconName::Warning,
+            notices.push_back({.kind = NoticeKind::WindLimit,
+                               .about = {uavs[k].id},
                                .text = ofUav(record, static_cast<int>(k),
                                              FlightNotices::tr("Wind above its limit: %1, limit %2")
                                                  .arg(speedText(wind_mps, locale, 3),
@@ -160,9 +169,12 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
     const auto sentence = [&](const Entry& entry) {
         return ringEntryText(shownName(shown.icebergs[entry.iceberg]), entry.entry_s, locale);
     };
-    FlightNotice notice{.icon = IconName::Warning,
+    FlightNotice notice{.kind = NoticeKind::RingEntry,
+                        .about = {kAssetKey},
                         .text = sentence(newestOf(entries, eventsOf(record))),
                         .toolTip = {}};
+    for (const Entry& entry : entries)
+        notice.about.push_back(shown.icebergs[entry.iceberg].id);
     if (entries.size() == 1)
         return notice;
     notice.text =
@@ -203,12 +215,29 @@ QString modeText(const MissionSnapshot& shown, const UavState& uav, const QLocal
 
 } // namespace
 
+NoticeRank rankOf(NoticeKind kind)
+{
+    switch (kind) {
+    case NoticeKind::UavsClose:
+    case NoticeKind::LateHome:
+    case NoticeKind::RingEntry:
+        return NoticeRank::Alarm;
+    case NoticeKind::PlannerFailed:
+    case NoticeKind::WindLimit:
+        return NoticeRank::Warning;
+    case NoticeKind::Mode:
+        return NoticeRank::Note;
+    }
+    return NoticeRank::Note;
+}
+
 std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocale& locale)
 {
     std::vector<FlightNotice> notices;
     if (isPlannerFailing(record))
         notices.push_back(
-            {.icon = IconName::Warning,
+            {.kind = NoticeKind::PlannerFailed,
+             .about = {},
              .text = FlightNotices::tr("The planner failed: continuing with the previous plan"),
              .toolTip = FlightNotices::tr("It is asked again when the next plan is needed.")});
     if (!record.inFlight())
@@ -221,7 +250,8 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
     const std::vector<UavState>& uavs = record.shown().world.uavs;
     for (std::size_t k = 0; k < uavs.size(); ++k)
         if (const QString mode = modeText(record.shown(), uavs[k], locale); !mode.isEmpty())
-            notices.push_back({.icon = IconName::Hint,
+            notices.push_back({.kind = NoticeKind::Mode,
+                               .about = {idOf(record, static_cast<int>(k))},
                                .text = ofUav(record, static_cast<int>(k), mode),
                                .toolTip = {}});
     return notices;

@@ -1,18 +1,39 @@
 #pragma once
 
 #include "widgets/model/flight_record.h"
-#include "widgets/theme/icons.h"
 
 #include <QLocale>
 
+#include <string>
 #include <vector>
 
 namespace berg {
 
-/** What the user is told on the map for as long as it holds. */
+/** How much a notice matters, the worst first. */
+enum class NoticeRank
+{
+    Alarm, ///< something may be hit or lost: act now
+    Warning,
+    Note
+};
+
+enum class NoticeKind
+{
+    UavsClose,
+    LateHome,
+    RingEntry,
+    PlannerFailed,
+    WindLimit,
+    Mode
+};
+
+[[nodiscard]] NoticeRank rankOf(NoticeKind kind);
+
+/** What the user is told above the map for as long as it holds. */
 struct FlightNotice
 {
-    IconName icon = IconName::Hint;
+    NoticeKind kind = NoticeKind::Mode;
+    std::vector<std::string> about; ///< icebergs, UAVs, the asset: where it is on the map
     QString text;
     QString toolTip; ///< the same in full; empty: the text says it all
     bool operator==(const FlightNotice&) const = default;

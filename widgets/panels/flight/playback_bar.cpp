@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QMenu>
 #include <QToolButton>
 
 #include <algorithm>
@@ -24,6 +25,7 @@ constexpr std::array<double, 14> kRates = {0.1, 0.2, 0.5, 1,   2,   5,    10,
                                            20,  50,  100, 200, 500, 1000, 0};
 constexpr double kFirstRate = 10;
 constexpr int kIcon_px = 20;
+constexpr int kLock_px = 14;
 constexpr int kMarginX_px = 8;
 constexpr int kMarginY_px = 3;
 
@@ -42,11 +44,11 @@ PlaybackBar::PlaybackBar(QWidget* parent) : QWidget(parent)
     row->setSpacing(4);
     m_play = addButton(u"playButton"_s, tr("Fly"));
     m_step = addButton(u"stepButton"_s, tr("Step"));
-    m_reset = addButton(u"resetButton"_s, tr("Reset"));
+    m_reset = addButton(u"resetButton"_s, tr("Stop and edit"));
     m_rate = new QComboBox(this);
     addRates();
     row->addWidget(m_rate);
-    row->addSpacing(4);
+    addLock();
     m_timeLine = new RunTimeLine(this);
     m_timeLine->setObjectName(u"timeLine"_s);
     m_timeLine->setAccessibleName(tr("Time line of the run"));
@@ -90,6 +92,21 @@ QToolButton* PlaybackBar::addButton(const QString& name, const QString& text)
     return button;
 }
 
+/** Keeps its place while it is away: the time line does not move at take-off. */
+void PlaybackBar::addLock()
+{
+    m_lock = addButton(u"lockButton"_s, tr("Scenario locked in flight"));
+    QSizePolicy policy = m_lock->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_lock->setSizePolicy(policy);
+    m_lock->setIconSize({kLock_px, kLock_px});
+    m_lock->setFixedWidth(kLock_px + 6);
+    auto* menu = new QMenu(m_lock);
+    menu->addAction(tr("Stop and edit"), this, &PlaybackBar::resetRequested);
+    m_lock->setMenu(menu);
+    m_lock->setPopupMode(QToolButton::InstantPopup);
+}
+
 void PlaybackBar::addRates()
 {
     m_rate->setObjectName(u"rateCombo"_s);
@@ -99,6 +116,7 @@ void PlaybackBar::addRates()
     m_rate->setMinimumContentsLength(4);
     m_rate->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     guardWheel(*m_rate);
+    m_rate->setFocusPolicy(Qt::TabFocus); // a choice by mouse leaves the keys where they were
     for (const double rate : kRates)
         m_rate->addItem(rate > 0 ? tr("%1×").arg(fixedText(rate, rate < 1 ? 1 : 0, locale()))
                                  : tr("Fastest"),
@@ -210,7 +228,14 @@ void PlaybackBar::updateButtons()
         playTip = flying ? tr("Pause the flight (Space)") : tr("Fly the plan (Space)");
     setAction(*m_play, flying ? tr("Pause") : tr("Fly"), playTip);
     setAction(*m_step, tr("Step"), canStep ? tr("Fly one second and pause") : whyNot);
-    setAction(*m_reset, tr("Reset"), tr("Back to the start, where everything can be edited"));
+    setAction(*m_reset, tr("Stop and edit"),
+              tr("Ends the flight and goes back to the start, where everything can be edited."));
+    m_lock->setIcon(icon(IconName::Locked, m_theme));
+    m_lock->setVisible(m_reset->isEnabled());
+    m_lock->setToolTip(
+        finished ? tr("The run is complete. The scenario stays locked until you stop and edit.")
+                 : tr("Scenario locked in flight. τ and policy can be changed while flying; the "
+                      "plan follows at once."));
 }
 
 } // namespace berg

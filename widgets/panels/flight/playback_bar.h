@@ -51,6 +51,7 @@ signals:
 
 private:
     [[nodiscard]] QToolButton* addButton(const QString& name, const QString& text);
+    void addLock();
     void addRates();
     void updateButtons();
     void finishTime();
@@ -60,6 +61,7 @@ private:
     QToolButton* m_play = nullptr; ///< or pause
     QToolButton* m_step = nullptr;
     QToolButton* m_reset = nullptr;
+    QToolButton* m_lock = nullptr; ///< there while the scenario is locked
     QComboBox* m_rate = nullptr;
     RunTimeLine* m_timeLine = nullptr;
     QLineEdit* m_time = nullptr;     ///< shown, can be typed

@@ -74,6 +74,7 @@ void addCombo(QComboBox* combo, QGridLayout& grid, int row, int column, int colu
     combo->setMinimumContentsLength(8);
     combo->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     guardWheel(*combo);
+    combo->setFocusPolicy(Qt::TabFocus); // a choice by mouse leaves the keys where they were
     auto* caption = new CaptionLabel(label);
     caption->setBuddy(combo);
     grid.addWidget(caption, row, column, 1, columns);

@@ -2,11 +2,7 @@
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
 #include "tests/support/test_solvers.h"
-#include "widgets/panels/flight/flight_banner.h"
 #include "widgets/panels/flight/flight_notices.h"
-
-#include <QLabel>
-#include <QPushButton>
 
 #include <stdexcept>
 
@@ -119,7 +115,7 @@ private slots:
         QVERIFY(!textsOf(recordAt(mission, plans[2].time_s)).contains(words));
         const std::vector<FlightNotice> notices =
             flightNotices(recordAt(mission, plans[1].time_s), kLocale);
-        QVERIFY(notices.front().icon == IconName::Warning);
+        QVERIFY(notices.front().kind == NoticeKind::PlannerFailed);
     }
 
     /** The first plan of all may fail too. */
@@ -150,6 +146,8 @@ private slots:
         QVERIFY2(soon.front().contains(u"enters the inner ring in"_s), qPrintable(soon.front()));
         QVERIFY(soon.front().endsWith(u", and 1 more"_s));
         const QString all = flightNotices(recordAt(mission, 600), kLocale).front().toolTip;
+        QCOMPARE(flightNotices(recordAt(mission, 600), kLocale).front().about,
+                 (std::vector<std::string>{kAssetKey, "berg-2", "berg-1"}));
         QCOMPARE(all, u"Storberget enters the inner ring in 10 min\n"
                       "berg-1 enters the inner ring in 23 min"_s);
         const QString late = flightNotices(recordAt(mission, 1170), kLocale).front().toolTip;
@@ -232,7 +230,7 @@ private slots:
         const QStringList close{u"uav-1 and East are 150 m apart"_s};
         QCOMPARE(textsOf(twoUavs(150)), close);
         QVERIFY(textsOf(twoUavs(250)).isEmpty());
-        QVERIFY(flightNotices(twoUavs(150), kLocale).front().icon == IconName::Warning);
+        QVERIFY(flightNotices(twoUavs(150), kLocale).front().kind == NoticeKind::UavsClose);
         FlightRecord layers = twoUavs(150);
         layers.scenario.uavs[1].spec.altitude_m += 30;
         QVERIFY(textsOf(layers).isEmpty());
@@ -241,39 +239,6 @@ private slots:
         FlightRecord landed = twoUavs(150);
         landed.now.world.uavs[0].mode = FlightMode::Ground;
         QVERIFY(!textsOf(landed).contains(close.front()));
-    }
-
-    void bannerShowsEachInALine()
-    {
-        QWidget map;
-        map.resize(800, 500);
-        FlightBanner banner(&map);
-        map.show();
-        QVERIFY(!banner.isVisible());
-        banner.showState(true, {});
-        const int plain_px = banner.height();
-        banner.showNotices({{.icon = IconName::Warning, .text = u"One"_s, .toolTip = u"more"_s},
-                            {.icon = IconName::Hint, .text = u"Two"_s, .toolTip = {}}});
-        QCOMPARE(test::child<QLabel>(banner, u"flightNotice1"_s).text(), u"One"_s);
-        QCOMPARE(test::child<QLabel>(banner, u"flightNotice1"_s).toolTip(), u"more"_s);
-        QVERIFY(test::child<QLabel>(banner, u"flightNotice2"_s).isVisible());
-        QVERIFY(test::child<QPushButton>(banner, u"stopAndEditButton"_s).isVisible());
-        QVERIFY(banner.height() > plain_px);
-        QVERIFY(map.rect().contains(banner.geometry()));
-        // A longer text gets its room at once.
-        const QString longer = QString(60, u'x');
-        banner.showNotices({{.icon = IconName::Hint, .text = longer, .toolTip = {}}});
-        QLabel& first = test::child<QLabel>(banner, u"flightNotice1"_s);
-        QVERIFY(banner.width() > first.fontMetrics().horizontalAdvance(longer));
-        QVERIFY(map.rect().contains(banner.geometry()));
-        banner.showNotices({{.icon = IconName::Hint, .text = u"Three"_s, .toolTip = {}}});
-        QVERIFY(!test::child<QLabel>(banner, u"flightNotice2"_s).isVisible());
-        // Before take-off a notice stands by itself.
-        banner.showState(false, {});
-        QVERIFY(banner.isVisible());
-        QVERIFY(!test::child<QPushButton>(banner, u"stopAndEditButton"_s).isVisible());
-        banner.showNotices({});
-        QVERIFY(!banner.isVisible());
     }
 };
 

@@ -1,0 +1,121 @@
+#include "tests/support/scenario_builder.h"
+#include "tests/support/window_fixture.h"
+
+#include <QPushButton>
+#include <QToolButton>
+
+#include <cmath>
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::WindowFixture;
+
+namespace {
+
+/** An iceberg on its way into the inner ring of a platform, one that goes nowhere. */
+Scenario threatened()
+{
+    Scenario scenario = test::emptySea(40);
+    scenario.uavs.front().position_m = {-6000, -4000};
+    test::addIceberg(scenario, 2000, 0).velocity_mps = {-0.5, 0};
+    test::addIceberg(scenario, -9000, 6000);
+    scenario.asset = Asset{.name = "Rig", .range_m = 4000, .alarm_m = 1000};
+    return scenario;
+}
+
+bool flyTo(WindowFixture& w, double time_s)
+{
+    w.workspace.stepTicks(static_cast<int>(std::lround(time_s / w.scenario().dt_s)));
+    return w.until([&] { return w.record().now.time_s >= time_s - 1e-6; });
+}
+
+QWidget& strip(WindowFixture& w)
+{
+    return test::child<QWidget>(w.window(), u"alarmStrip"_s);
+}
+
+QAbstractButton& line(WindowFixture& w, int number)
+{
+    return test::child<QAbstractButton>(w.window(), u"flightNotice%1"_s.arg(number));
+}
+
+} // namespace
+
+/** What the user is to know now, beside the map and not on it. */
+class TestMainWindowAlarms : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void alarmLeavesTheMapFree()
+    {
+        WindowFixture w(threatened());
+        QVERIFY(!strip(w).isVisible());
+        QVERIFY(flyTo(w, 5));
+        QTRY_VERIFY(line(w, 1).isVisible());
+        QVERIFY(line(w, 1).text().startsWith(u"berg-1 enters the inner ring"_s));
+        QTRY_VERIFY(strip(w).geometry().bottom() < w.map().geometry().top());
+        for (const Point& place_m : {w.scenario().asset->position_m, Point(2000, 0)}) {
+            QVERIFY(w.map().rect().contains(w.pixelOf(place_m)));
+            QVERIFY(w.map().childAt(w.pixelOf(place_m)) == nullptr);
+        }
+    }
+
+    void clickBringsItOntoTheMap()
+    {
+        WindowFixture w(threatened());
+        QVERIFY(flyTo(w, 5));
+        const double fitted_pxpm = w.map().view().scale_pxpm();
+        w.map().panBy({5000, 5000});
+        QTRY_VERIFY(line(w, 1).isVisible());
+        QTest::mouseClick(&line(w, 1), Qt::LeftButton);
+        QVERIFY(w.workspace.selection().contains("berg-1"));
+        QVERIFY(w.map().rect().contains(w.pixelOf(w.scenario().asset->position_m)));
+        QVERIFY(w.map().rect().contains(w.pixelOf(Point(2000, 0))));
+        QVERIFY(w.map().view().scale_pxpm() > 1.5 * fitted_pxpm); // near
+    }
+
+    void acknowledgedAlarmIsGoneUntilItHappensAgain()
+    {
+        WindowFixture w(threatened());
+        QVERIFY(flyTo(w, 5));
+        QTRY_VERIFY(line(w, 1).isVisible());
+        const int map_px = w.map().height();
+        QTest::mouseClick(&test::child<QPushButton>(w.window(), u"acknowledge1"_s), Qt::LeftButton);
+        QVERIFY(!line(w, 1).isVisible());
+        const auto& state = test::child<QLabel>(w.window(), u"flightState"_s);
+        QCOMPARE(state.text(), u"No alarms"_s);
+        QVERIFY(flyTo(w, 20));
+        QVERIFY(!line(w, 1).isVisible());
+        QTest::qWait(20); // laid out
+        QVERIFY(std::abs(w.map().height() - map_px) <= 4);
+        w.workspace.reset();
+        QVERIFY(w.untilReady());
+        QVERIFY(!strip(w).isVisible() || !state.isVisible());
+        QVERIFY(flyTo(w, 5));
+        QTRY_VERIFY(line(w, 1).isVisible());
+    }
+
+    /** In place of words over the icebergs; the flight that has ended is locked, too. */
+    void padlockTellsOfTheLock()
+    {
+        WindowFixture w(threatened());
+        auto& lock = test::child<QToolButton>(w.window(), u"lockButton"_s);
+        auto& timeLine = test::child<QWidget>(w.window(), u"timeLine"_s);
+        const QRect place = timeLine.geometry();
+        QVERIFY(!lock.isVisible());
+        QVERIFY(flyTo(w, 5));
+        QTRY_VERIFY(lock.isVisible());
+        QCOMPARE(timeLine.geometry(), place);
+        QVERIFY(flyTo(w, 40));
+        QVERIFY(w.until(RunPhase::Finished));
+        QTRY_VERIFY(lock.toolTip().startsWith(u"The run is complete"_s));
+        w.workspace.reset();
+        QTRY_VERIFY(!lock.isVisible());
+    }
+};
+
+QTEST_MAIN(TestMainWindowAlarms)
+#include "tst_main_window_alarms.moc"
