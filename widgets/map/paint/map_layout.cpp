@@ -91,9 +91,9 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
     if (fits(north, layout.rect))
         layout.north = QRectF(inner.topRight() - QPointF(north.width(), 0), north);
     placeWind(layout, picture, style);
-    const QRectF inset(
-        QPointF(inner.right() - style.inset_px.width(), layout.north.bottom() + kMargin_px),
-        style.inset_px);
+    const double ceiling = std::max(layout.north.bottom(), layout.wind.bottom());
+    const QRectF inset(QPointF(inner.right() - style.inset_px.width(), ceiling + kMargin_px),
+                       style.inset_px);
     const double floor = layout.scaleBar.isNull() ? inner.bottom() : layout.scaleBar.top();
     if (fits(style.inset_px, layout.rect) && inset.bottom() + kMargin_px <= floor)
         layout.inset = inset;

@@ -113,6 +113,31 @@ private slots:
         }
     }
 
+    void overlaysCoverNoOther_data()
+    {
+        QTest::addColumn<QSize>("size_px");
+        for (const QSize& size_px : {QSize(960, 420), QSize(960, 480), QSize(1280, 800)})
+            QTest::addRow("%d x %d", size_px.width(), size_px.height()) << size_px;
+    }
+
+    /** The overview below north arrow and wind. */
+    void overlaysCoverNoOther()
+    {
+        QFETCH(QSize, size_px);
+        MapPicture picture = test::randomPicture(12);
+        picture.air = {.wind_mps = {6, 8}, .limit_mps = 22};
+        const Theme theme = Theme::light();
+        const MapStyle style{
+            .theme = theme, .locale = QLocale::c(), .inset_px = {208, 208}, .offersWind = true};
+        const MapLayout layout = arrangeMap(picture, style, QRectF(QPointF(0, 0), QSizeF(size_px)));
+        QVERIFY(!layout.wind.isNull());
+        QVERIFY(size_px.height() < 440 || !layout.inset.isNull());
+        const std::vector<QRectF> overlays = layout.overlays();
+        for (std::size_t i = 0; i < overlays.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!overlays[i].intersects(overlays[j]));
+    }
+
     /** On a low map, as in the window of 1280 x 800, the legend leaves room for the ice. */
     void legendOfALowMapIsCompact()
     {
