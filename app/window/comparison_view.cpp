@@ -7,6 +7,7 @@
 #include "widgets/model/workspace.h"
 #include "widgets/panels/study/comparison_panel.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 
@@ -21,6 +22,8 @@ ComparisonView::ComparisonView(WindowContext& context, const Docks& docks)
             &ComparisonView::openRun);
     connect(&workspace().runs(), &RunList::comparisonChanged, this,
             &ComparisonView::showComparison);
+    connect(&workspace().document(), &ScenarioDocument::replaced, this,
+            [this] { workspace().runs().showWorld(workspace().document().scenario()); });
     connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
             [this] { panels().comparison->setScenario(workspace().document().scenario()); });
     connect(&workspace(), &Workspace::flightChanged, this, &ComparisonView::showCursor);
@@ -37,8 +40,9 @@ void ComparisonView::showComparison()
 {
     const std::optional<RunComparison> comparison = workspace().runs().comparison();
     panels().comparisonChart->setComparison(comparison);
-    if (comparison && panels().comparison->isVisible()) // the user is comparing: the curves as well
-        m_docks.dock(Dock::ComparisonChart)->raise();
+    const QWidget* focused = QApplication::focusWidget();
+    if (comparison && focused != nullptr && panels().comparison->isAncestorOf(focused))
+        m_docks.dock(Dock::ComparisonChart)->raise(); // it was chosen there: the curves as well
     showCursor();
 }
 

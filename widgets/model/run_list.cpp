@@ -241,6 +241,19 @@ std::optional<RunComparison> RunList::comparison() const
                          .until_s = std::min(m_reference->flown_s, m_other->flown_s)};
 }
 
+void RunList::showWorld(const ScenarioWorld& world)
+{
+    if (!m_reference || isSameWorld(m_reference->scenario, world))
+        return;
+    const auto newest = std::find_if(m_runs.rbegin(), m_runs.rend(), [&](const RunPointer& run) {
+        return isSameWorld(run->scenario, world);
+    });
+    if (newest == m_runs.rend())
+        compare(nullptr, nullptr);
+    else
+        compare(*newest, newestBeside(*newest));
+}
+
 RunPointer RunList::otherIn(const Scenario& scenario) const
 {
     return m_other && isSameWorld(m_other->scenario, scenario) ? m_other : nullptr;

@@ -63,6 +63,11 @@ public:
     [[nodiscard]] const RunPointer& reference() const { return m_reference; }
     [[nodiscard]] const RunPointer& other() const { return m_other; }
     [[nodiscard]] std::optional<RunComparison> comparison() const;
+    /**
+     * Another scenario is on the map now: runs of other worlds are not compared any more, but the
+     * newest of this one with the one before; they stay in the list.
+     */
+    void showWorld(const ScenarioWorld& world);
     /** The run to be drawn over a map of this world; null: none. */
     [[nodiscard]] RunPointer otherIn(const Scenario& scenario) const;
 

@@ -200,6 +200,26 @@ private slots:
         QCOMPARE(list.runs().size(), std::size_t{3}); // flown further: another one
     }
 
+    /** Those of the scenario before stay in the list, but are not compared. */
+    void anotherScenarioHasOtherRuns()
+    {
+        RunList list;
+        list.add(flownRecord(shortScenario(), policy(PolicyKind::Visitation), 50));
+        list.add(flownRecord(shortScenario(), policy(PolicyKind::Tour), 50));
+        QVERIFY(list.comparison());
+        Scenario other = shortScenario();
+        other.seed += 1;
+        list.showWorld(other);
+        QVERIFY(!list.reference() && !list.other());
+        QCOMPARE(list.runs().size(), std::size_t{2});
+        list.add(flownRecord(other, policy(PolicyKind::Visitation), 50));
+        QVERIFY(list.reference() == list.runs().back());
+        QVERIFY(!list.other());
+        list.showWorld(shortScenario());
+        QVERIFY(list.reference() == list.runs()[1]);
+        QVERIFY(list.other() == list.runs()[0]);
+    }
+
     void theOldestMakesRoom()
     {
         RunList list;

@@ -30,6 +30,14 @@ bool fleetsDiffer(const std::vector<RunPointer>& runs)
     });
 }
 
+/** Not all of them are of a scenario of one name. */
+bool scenariosDiffer(const std::vector<RunPointer>& runs)
+{
+    return std::ranges::any_of(runs, [&](const RunPointer& run) {
+        return run->scenario.name != runs.front()->scenario.name;
+    });
+}
+
 } // namespace
 
 RunTable::RunTable(RunList& list, QWidget* parent)
@@ -114,10 +122,12 @@ void RunTable::showRun(int row)
         const int uavs = static_cast<int>(run->scenario.uavs.size());
         name += u", "_s + (uavs == 1 ? tr("one UAV") : tr("%n UAVs", nullptr, uavs));
     }
+    if (scenariosDiffer(m_list.runs()))
+        name += u" \u2013 "_s + QString::fromStdString(run->scenario.name);
     QString toolTip = u"%1\n%2"_s.arg(name, QString::fromStdString(run->scenario.name));
     if (!run->file.isEmpty())
         toolTip += u'\n' + QFileInfo(run->file).fileName();
-    if (!comparable)
+    if (reference && !comparable)
         toolTip += u'\n' + tr("Another scenario than that of A: they cannot be compared.");
     const auto mark = [](bool chosen, bool can) {
         return static_cast<int>(chosen ? RunMark::Chosen : can ? RunMark::Choice : RunMark::None);
@@ -125,7 +135,8 @@ void RunTable::showRun(int row)
     put(RunReference, {}, tr("Make this run the reference A"))
         ->setData(Qt::UserRole, mark(run == reference, true));
     put(RunOther, {}, tr("Compare this run with A"))
-        ->setData(Qt::UserRole, mark(run == m_list.other(), comparable && run != reference));
+        ->setData(Qt::UserRole,
+                  mark(reference && run == m_list.other(), comparable && run != reference));
     put(RunName, name, toolTip);
     put(RunZeta, significantText(run->metrics.zeta_m2s, 4, locale()), toolTip);
     QString difference;

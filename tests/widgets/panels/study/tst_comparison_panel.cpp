@@ -191,6 +191,16 @@ private slots:
         QCOMPARE(f.runs.item(1, RunName)->text(), u"Nearest first, to 01:00, 2 UAVs"_s);
     }
 
+    void namesSayOfWhichScenarioTheyAre()
+    {
+        Fixture f;
+        f.add(PolicyKind::Nearest, 60);
+        Scenario other = test::shortScenario();
+        other.name = "Elsewhere";
+        f.list.add(test::flownRecord(other, policy(PolicyKind::Nearest), 60));
+        QCOMPARE(f.runs.item(1, RunName)->text(), u"Nearest first, to 01:00 \u2013 Elsewhere"_s);
+    }
+
     void clicksAndKeysChoose()
     {
         Fixture f;
