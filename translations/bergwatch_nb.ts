@@ -6904,14 +6904,6 @@ with nothing seen on the way and no new plans.</source>
 uten noe sett underveis og uten ny planlegging.</translation>
     </message>
     <message>
-        <source>ζ at %1 by this plan alone: %2 m² s</source>
-        <translation>ζ ved %1 med denne planen alene: %2 m² s</translation>
-    </message>
-    <message>
-        <source>ζ at the end by this plan alone: %1 m² s</source>
-        <translation>ζ ved slutten, denne planen alene: %1 m² s</translation>
-    </message>
-    <message>
         <source>Predicted for the path on the map, with every iceberg that comes into view
 on it, and no new plans.</source>
         <translation>Forutsagt for veien på kartet, med hvert isfjell som kommer i sikte
@@ -6942,6 +6934,18 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     <message>
         <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
         <translation>UAV-en er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
+    </message>
+    <message>
+        <source>ζ at %1 without another plan: %2 m² s</source>
+        <translation>ζ ved %1 uten ny plan: %2 m² s</translation>
+    </message>
+    <message>
+        <source>ζ at the end without another plan: %1 m² s</source>
+        <translation>ζ ved slutten uten ny plan: %1 m² s</translation>
+    </message>
+    <message>
+        <source>Against the plan before: %1</source>
+        <translation>Mot planen før: %1</translation>
     </message>
 </context>
 <context>

@@ -89,6 +89,30 @@ class TestMainWindowPlan : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** That of the plan alone falls with tau where that of the flight rises. */
+    void zetaIsPredictedOnce()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const auto predictions = [&w] {
+            QStringList found;
+            for (const QLabel* label : w.window().findChildren<QLabel*>())
+                if (label->isVisibleTo(&w.window()))
+                    for (const QString& line : label->text().split(u'\n'))
+                        if (line.contains(u'ζ') && line.contains(u"m² s"_s) &&
+                            !line.contains(u"bound"_s))
+                            found << line;
+            return found;
+        };
+        QVERIFY(w.until([&] { return predictions().size() == 1; }));
+        QVERIFY(predictions().front().startsWith(u"Predicted ζ"_s));
+        w.workspace.step();
+        QVERIFY(w.until([&] {
+            return predictions().filter(u"Predicted before take-off"_s).size() == 1 &&
+                   predictions().filter(u"without another plan"_s).size() == 1;
+        }));
+        QCOMPARE(predictions().size(), 2);
+    }
+
     void beforeTakeOffItIsAnEdit()
     {
         WindowFixture w(twoUavs());

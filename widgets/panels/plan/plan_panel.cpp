@@ -95,7 +95,10 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(m_table, &QTableView::entered, this,
             [this](const QModelIndex& index) { setHovered(m_model->idOf(index.row())); });
     connect(m_table, &QTableView::viewportEntered, this, [this] { setHovered({}); });
-    connect(m_table, &QTableView::clicked, this, &PlanPanel::choose);
+    connect(m_table, &QTableView::clicked, this, [this](const QModelIndex& index) {
+        if (m_selected != std::vector{m_model->idOf(index.row())})
+            choose(index); // else it became the current one by the same click
+    });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& current) {
                 if (!m_isSelecting)
@@ -212,17 +215,22 @@ QStringList PlanPanel::summaryLines() const
     if (!m_outlook)
         return lines;
     const QString zeta = significantText(m_outlook->zeta_m2s, 4, locale());
-    lines << (m_outlook->until_s ? tr("ζ at %1 by this plan alone: %2 m² s")
-                                       .arg(clockText(*m_outlook->until_s), zeta)
-                                 : tr("ζ at the end by this plan alone: %1 m² s").arg(zeta));
+    if (m_outlook->isInFlight)
+        lines << (m_outlook->until_s ? tr("ζ at %1 without another plan: %2 m² s")
+                                           .arg(clockText(*m_outlook->until_s), zeta)
+                                     : tr("ζ at the end without another plan: %1 m² s").arg(zeta));
     if (m_outlook->bound_m2s)
         lines << boundText(*m_outlook);
-    if (const std::optional<PlanChange>& change = m_outlook->change)
-        lines << tr("Against the plan before: %1, ζ %2 m² s")
-                     .arg(signedText(change->distance_m,
-                                     distanceText(std::abs(change->distance_m), locale(), 2)),
-                          signedText(change->zeta_m2s,
-                                     significantText(std::abs(change->zeta_m2s), 2, locale())));
+    if (const std::optional<PlanChange>& change = m_outlook->change) {
+        const QString distance =
+            signedText(change->distance_m, distanceText(std::abs(change->distance_m), locale(), 2));
+        lines << (m_outlook->isInFlight
+                      ? tr("Against the plan before: %1, ζ %2 m² s")
+                            .arg(distance, signedText(change->zeta_m2s,
+                                                      significantText(std::abs(change->zeta_m2s), 2,
+                                                                      locale())))
+                      : tr("Against the plan before: %1").arg(distance));
+    }
     return lines;
 }
 
@@ -267,10 +275,12 @@ QString PlanPanel::summaryToolTip() const
     if (m_outlook->change)
         lines << tr("Order before the change at %1: %2")
                      .arg(clockText(m_outlook->changed_s), m_outlook->before);
-    lines << (m_outlook->isAimed ? tr("Predicted for the path on the map, with every iceberg that "
-                                      "comes into view\non it, and no new plans.")
-                                 : tr("Predicted for straight legs to the icebergs as they drift,\n"
-                                      "with nothing seen on the way and no new plans."));
+    if (m_outlook->isInFlight)
+        lines << (m_outlook->isAimed
+                      ? tr("Predicted for the path on the map, with every iceberg that "
+                           "comes into view\non it, and no new plans.")
+                      : tr("Predicted for straight legs to the icebergs as they drift,\n"
+                           "with nothing seen on the way and no new plans."));
     if (m_outlook->bound_m2s)
         lines << tr("That limit is proven for this scenario and the noise that it draws,\n"
                     "whatever the policy and however tightly the UAV turns.");

@@ -233,8 +233,10 @@ double planLength_m(const std::vector<PlanSection>& sections)
 std::optional<PlanOutlook> planOutlook(const FlightRecord& record)
 {
     std::optional<PlanOutlook> outlook = predictedOutlook(record);
-    if (outlook)
-        addBound(*outlook, record.boundOfFlight());
+    if (!outlook)
+        return outlook;
+    outlook->isInFlight = record.inFlight();
+    addBound(*outlook, record.boundOfFlight());
     return outlook;
 }
 

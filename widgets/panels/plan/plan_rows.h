@@ -61,6 +61,8 @@ struct PlanOutlook
 {
     double zeta_m2s =
         0; ///< at the end of the mission: what it is and what is predicted to be added
+    bool isInFlight =
+        false; ///< else zeta is told with the policy alone: of the flight, not the plan
     std::optional<double> until_s;    ///< the zeta is that of this time, before the end
     bool isAimed = false;             ///< predicted for legs with aim points
     std::optional<PlanChange> change; ///< what the plan shown changed, of all UAVs

@@ -109,9 +109,9 @@ private slots:
         QVERIFY(summary.text().isEmpty());
         f.panel.showPlan(visiting({"a", "b", "c"})); // 1 km each, the last in 3 min
         QCOMPARE(summary.text(), u"3.00 km, flown in 03:00"_s);
-        f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423});
+        f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423, .isInFlight = true});
         QCOMPARE(summary.text().section(u'\n', 1),
-                 u"ζ at the end by this plan alone: 84\u202f420 m² s"_s);
+                 u"ζ at the end without another plan: 84\u202f420 m² s"_s);
         f.panel.showPlan(planOf(std::vector<PlanRow>(), false));
         QVERIFY(test::child<QLabel>(f.panel, u"planEmpty"_s).text().contains(u"planned again"_s));
         f.panel.showPlan({});
@@ -139,6 +139,7 @@ private slots:
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         f.panel.showPlan(visiting({"a", "b"}));
         PlanOutlook outlook{.zeta_m2s = 5000,
+                            .isInFlight = true,
                             .change =
                                 PlanChange{.before = {1, 0}, .distance_m = 1234, .zeta_m2s = -567},
                             .changed_s = 83,
@@ -152,16 +153,20 @@ private slots:
         f.panel.showOutlook(outlook);
         QCOMPARE(summary.text().section(u'\n', 2),
                  u"Against the plan before: −850 m, ζ +40 m² s"_s);
+        outlook.isInFlight = false; // zeta is told with the policy, of the whole flight
+        f.panel.showOutlook(outlook);
+        QCOMPARE(summary.text().section(u'\n', 1), u"Against the plan before: −850 m"_s);
     }
 
     void outlookOfAPartSaysUntilWhen()
     {
         Fixture f;
         f.panel.showPlan(visiting({"a"}));
-        f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423, .until_s = 800, .isAimed = true});
+        f.panel.showOutlook(
+            PlanOutlook{.zeta_m2s = 84423, .isInFlight = true, .until_s = 800, .isAimed = true});
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         QCOMPARE(summary.text().section(u'\n', 1),
-                 u"ζ at 13:20 by this plan alone: 84\u202f420 m² s"_s);
+                 u"ζ at 13:20 without another plan: 84\u202f420 m² s"_s);
         QVERIFY(!summary.toolTip().contains(u"straight"_s));
     }
 
@@ -170,7 +175,8 @@ private slots:
         Fixture f;
         f.panel.resize(600, 240);
         f.panel.showPlan(visiting({"a"}));
-        PlanOutlook outlook{.zeta_m2s = 84423, .bound_m2s = 49870, .boundShare = 0.4};
+        PlanOutlook outlook{
+            .zeta_m2s = 84423, .isInFlight = true, .bound_m2s = 49870, .boundShare = 0.4};
         f.panel.showOutlook(outlook);
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         QCOMPARE(summary.text().section(u'\n', 2), u"Lower bound on ζ: 49\u202f870 m² s (40 %…)"_s);
@@ -207,7 +213,7 @@ private slots:
         Fixture f;
         f.panel.resize(150, 240);
         f.panel.showPlan(visiting({"a"}));
-        f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423});
+        f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423, .isInFlight = true});
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         QVERIFY(summary.text().endsWith(u'…'));
         QVERIFY2(summary.toolTip().contains(u"84\u202f420 m² s"_s), qPrintable(summary.toolTip()));
@@ -316,8 +322,10 @@ private slots:
         QTest::keyClick(&f.table, Qt::Key_Down);
         f.panel.showPlan(visiting({"a", "b", "c"})); // an update does not undo the step
         QCOMPARE(f.chosenRow(), 1);
+        QCOMPARE(lastId(f.activated), "b"); // each step selects
+        const qsizetype steps = f.activated.count();
         QTest::keyClick(&f.table, Qt::Key_Return);
-        QCOMPARE(f.activated.count(), 1);
+        QCOMPARE(f.activated.count(), steps + 1);
         QCOMPARE(lastId(f.activated), "b");
     }
 
