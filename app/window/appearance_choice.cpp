@@ -1,5 +1,6 @@
 #include "app/window/appearance_choice.h"
 
+#include "widgets/theme/contrast_style.h"
 #include "widgets/theme/palette.h"
 
 #include <QApplication>
@@ -15,6 +16,8 @@ AppearanceChoice::AppearanceChoice(WindowContext& context) : WindowPart(context)
 {
     connect(&m_system, &SystemAppearance::changed, this, &AppearanceChoice::followSystem);
     window().installEventFilter(this);
+    if (qobject_cast<ContrastStyle*>(QApplication::style()) == nullptr)
+        QApplication::setStyle(new ContrastStyle); // the application's
 }
 
 /** The desktop has changed its colours, e.g. at sunset. */

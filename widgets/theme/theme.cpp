@@ -27,7 +27,7 @@ Theme Theme::light()
     theme.sea = QColor(0xe6eff4);
     theme.land = QColor(0xe7e1d3);
     theme.coast = QColor(0x74827c);
-    theme.graticule = QColor(0xc3d3dc);
+    theme.graticule = QColor(0x6c7e88);
     theme.graticuleText = QColor(0x4c626f);
     theme.ice = QColor(0xffffff);
     theme.ink = QColor(0x22313b);
@@ -60,7 +60,7 @@ Theme Theme::dark()
     theme.sea = QColor(0x0e1a23);
     theme.land = QColor(0x27313a);
     theme.coast = QColor(0x71828e);
-    theme.graticule = QColor(0x96, 0xbe, 0xd7, 36); // seen on sea and land alike
+    theme.graticule = QColor(0x96, 0xbe, 0xd7, 158); // seen on sea and land alike
     theme.graticuleText = QColor(0x8aa0ae);
     theme.ice = QColor(0xf2f7fa);
     theme.ink = QColor(0xc3d0d8);

@@ -11,7 +11,7 @@ namespace berg {
 /**
  * Colours and fonts of one appearance. Every text colour keeps at least 4.5 : 1 and every line that
  * carries meaning 3 : 1 against what it is drawn on (WCAG 2.1); `tst_theme` measures both. Grids
- * are fainter on purpose.
+ * of charts are fainter on purpose.
  */
 struct Theme
 {

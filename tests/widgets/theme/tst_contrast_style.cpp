@@ -1,0 +1,89 @@
+#include "widgets/theme/contrast_style.h"
+#include "widgets/theme/palette.h"
+
+#include <QCheckBox>
+#include <QRadioButton>
+#include <QSlider>
+#include <QtTest>
+
+using namespace berg;
+
+namespace {
+
+/** The greatest contrast of a pixel of `place` with the ground of the widget. */
+double contrastIn(QWidget& widget, const QRect& place)
+{
+    const QImage image = widget.grab().toImage();
+    const QColor ground = widget.palette().color(QPalette::Window);
+    double best = 1;
+    for (int y = place.top(); y <= place.bottom(); ++y)
+        for (int x = place.left(); x <= place.right(); ++x)
+            best = std::max(best, contrastRatio(image.pixelColor(x, y), ground));
+    return best;
+}
+
+/** Coloured and in the style of the window. */
+template <class Widget>
+void dress(Widget& widget, const Theme& theme, ContrastStyle& style)
+{
+    widget.setPalette(paletteOf(theme));
+    widget.setAutoFillBackground(true);
+    widget.setStyle(&style);
+    widget.resize(widget.sizeHint().expandedTo({120, 20}));
+}
+
+} // namespace
+
+/** Measured in pictures of the controls, in both themes. */
+class TestContrastStyle : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void uncheckedIsSeen_data()
+    {
+        QTest::addColumn<bool>("isDark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+
+    void uncheckedIsSeen()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = isDark ? Theme::dark() : Theme::light();
+        ContrastStyle style(QStringLiteral("fusion"));
+        QCheckBox box;
+        dress(box, theme, style);
+        QStyleOptionButton option;
+        option.initFrom(&box);
+        const QRect square = style.subElementRect(QStyle::SE_CheckBoxIndicator, &option, &box);
+        const double ofBox = contrastIn(box, {square.left(), square.top(), square.width(), 1});
+        QVERIFY2(ofBox >= 3, QByteArray::number(ofBox));
+        QRadioButton circle;
+        dress(circle, theme, style);
+        option.initFrom(&circle);
+        const QRect round = style.subElementRect(QStyle::SE_RadioButtonIndicator, &option, &circle);
+        const double ofCircle = contrastIn(circle, {round.left(), round.center().y(), 2, 1});
+        QVERIFY2(ofCircle >= 2.9, QByteArray::number(ofCircle)); // antialiased
+    }
+
+    void grooveIsSeen_data() { uncheckedIsSeen_data(); }
+
+    /** On both sides of the handle. */
+    void grooveIsSeen()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = isDark ? Theme::dark() : Theme::light();
+        ContrastStyle style(QStringLiteral("fusion"));
+        QSlider slider(Qt::Horizontal);
+        dress(slider, theme, style);
+        slider.setValue(50);
+        for (const int x : {slider.width() / 4, slider.width() * 3 / 4}) {
+            const double contrast = contrastIn(slider, {x, 0, 1, slider.height()});
+            QVERIFY2(contrast >= 3, QByteArray::number(contrast));
+        }
+    }
+};
+
+QTEST_MAIN(TestContrastStyle)
+#include "tst_contrast_style.moc"
