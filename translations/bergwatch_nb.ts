@@ -3868,6 +3868,10 @@
         <source>%1 at %2 in the wind</source>
         <translation>%1 ved %2 i vinden</translation>
     </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
 </context>
 <context>
     <name>MissionCharts</name>
@@ -4561,10 +4565,6 @@
         <translation>Best dekning</translation>
     </message>
     <message>
-        <source>Weighted visiting order (as published)</source>
-        <translation>Vektet besøksrekkefølge (som publisert)</translation>
-    </message>
-    <message>
         <source>Least waiting time</source>
         <translation>Kortest ventetid</translation>
     </message>
@@ -4621,6 +4621,10 @@
     <message>
         <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
         <translation>Forutsier zeta for veier som passerer isfjell på avstand og ser flere på én gang.</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order (published method)</source>
+        <translation>Vektet besøksrekkefølge (publisert metode)</translation>
     </message>
 </context>
 <context>
@@ -6976,11 +6980,11 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>Distance cost minus uncertainty reward: the objective that the solver minimises.</source>
-        <translation>Avstandens pris minus usikkerhetsgevinsten: det løseren gjør så lite som mulig.</translation>
+        <translation>Vektet avstand minus usikkerhetsgevinsten: det løseren gjør så lite som mulig.</translation>
     </message>
     <message>
         <source>Distance weight μ</source>
-        <translation>Avstandens pris μ</translation>
+        <translation>Avstandsvekt μ</translation>
     </message>
     <message>
         <source>Uncertainty that one metre of path must be worth; follows from τ.</source>
@@ -7664,10 +7668,6 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
         <translation>1. Plasser isfjell</translation>
     </message>
     <message>
-        <source>Press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
-        <translation>Trykk I og klikk i kartet: et isfjell. Dra det for å flytte det, dobbeltklikk på det for å oppgi driften og hvor usikker posisjonen er. Planen følger med straks.</translation>
-    </message>
-    <message>
         <source>2. Drag τ</source>
         <translation>2. Dra τ</translation>
     </message>
@@ -7682,6 +7682,10 @@ dem, og strategien med lavest gjennomsnitt anbefales.</translation>
     <message>
         <source>Space flies the plan and pauses it; drag along the time line to look back. Stop and edit goes back to the start.</source>
         <translation>Mellomrom flyr planen og tar pause; dra langs tidslinjen for å se tilbake. «Stopp og rediger» går tilbake til start.</translation>
+    </message>
+    <message>
+        <source>After this tour, press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
+        <translation>Etter denne omvisningen: trykk I og klikk i kartet: et isfjell. Dra det for å flytte det, dobbeltklikk på det for å oppgi driften og hvor usikker posisjonen er. Planen følger med straks.</translation>
     </message>
 </context>
 <context>

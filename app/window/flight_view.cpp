@@ -94,7 +94,10 @@ void FlightView::showFlight()
                                                   : record.now.phase,
                                  record.shown().time_s, record.scenario.duration_s,
                                  record.now.time_s);
-    panels().alarms->showState(record.inFlight(), workspace().lookedAt_s(), fault);
+    // Of the picture shown, which may be of an instant beside the one asked for.
+    const std::optional<double> lookBack_s =
+        record.instant ? std::optional(record.shown().time_s) : workspace().lookedAt_s();
+    panels().alarms->showState(record.inFlight(), lookBack_s, fault);
     panels().alarms->showNotices(flightNotices(record, locale()));
     m_status.showState(phaseText(record.now.phase, fault));
     m_flightPanels.showSoon();

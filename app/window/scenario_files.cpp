@@ -40,7 +40,11 @@ QString holderText(const LockHolder& holder)
 
 } // namespace
 
-ScenarioFiles::ScenarioFiles(WindowContext& context) : WindowPart(context) {}
+ScenarioFiles::ScenarioFiles(WindowContext& context) : WindowPart(context)
+{
+    if (const QString path = workspace().document().filePath(); !path.isEmpty())
+        remember(path); // of the command line
+}
 
 bool ScenarioFiles::isStudyFile(const QString& path)
 {

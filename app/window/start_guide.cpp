@@ -120,8 +120,9 @@ void StartGuide::startTour()
     QDockWidget* tradeoff = m_docks.dock(Dock::Tradeoff);
     m_tour = new Tour(
         {{panels().map, tr("1. Place icebergs"),
-          tr("Press I and click on the map: an iceberg. Drag it to move it, double-click it to "
-             "set its drift and how uncertain its place is. The plan follows at once.")},
+          tr("After this tour, press I and click on the map: an iceberg. Drag it to move it, "
+             "double-click it to set its drift and how uncertain its place is. The plan follows "
+             "at once.")},
          {tradeoff, tr("2. Drag τ"),
           tr("To the left the most uncertain icebergs come first, to the right the route gets "
              "shorter. Ticks mark where another order becomes the best one.")},

@@ -1,6 +1,9 @@
 #include "tests/support/scenario_builder.h"
 #include "tests/support/window_fixture.h"
+#include "widgets/theme/quantity_text.h"
 
+#include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -82,6 +85,7 @@ private slots:
         WindowFixture w(threatened());
         QVERIFY(flyTo(w, 5));
         QTRY_VERIFY(line(w, 1).isVisible());
+        QTest::qWait(50); // laid out
         const int map_px = w.map().height();
         QTest::mouseClick(&test::child<QPushButton>(w.window(), u"acknowledge1"_s), Qt::LeftButton);
         QVERIFY(!line(w, 1).isVisible());
@@ -89,13 +93,27 @@ private slots:
         QCOMPARE(state.text(), u"No alarms"_s);
         QVERIFY(flyTo(w, 20));
         QVERIFY(!line(w, 1).isVisible());
-        QTest::qWait(20); // laid out
-        QVERIFY(std::abs(w.map().height() - map_px) <= 4);
+        QTest::qWait(50);
+        QVERIFY2(std::abs(w.map().height() - map_px) <= 4,
+                 QByteArray::number(w.map().height() - map_px));
         w.workspace.reset();
         QVERIFY(w.untilReady());
         QVERIFY(!strip(w).isVisible() || !state.isVisible());
         QVERIFY(flyTo(w, 5));
         QTRY_VERIFY(line(w, 1).isVisible());
+    }
+
+    /** In the strip, on the map and beside the time line. */
+    void oneTimeIsShownWhileLookingBack()
+    {
+        WindowFixture w(threatened());
+        QVERIFY(flyTo(w, 30));
+        w.workspace.seek(12.96);
+        QVERIFY(w.until([&] { return w.record().instant.has_value(); }));
+        const QString time = clockText(w.record().shown().time_s);
+        QTRY_COMPARE(test::child<QLabel>(w.window(), u"flightState"_s).text(),
+                     u"Looking back at "_s + time);
+        QCOMPARE(test::child<QLineEdit>(w.window(), u"timeField"_s).text(), time);
     }
 
     /** In place of words over the icebergs; the flight that has ended is locked, too. */

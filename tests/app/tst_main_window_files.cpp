@@ -2,6 +2,7 @@
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
+#include "tests/support/map_fixture.h"
 #include "tests/support/window_fixture.h"
 
 #include <QDockWidget>
@@ -446,6 +447,18 @@ private slots:
         QVERIFY(saved.icebergs[1].q_m2ps == 3 || saved.planner.tau == 3);
         QVERIFY(saved == w.scenario());
         QVERIFY(w.document().isClean());
+    }
+
+    /** It was opened before there was a window. */
+    void fileOfTheCommandLineIsRecent()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const QString path = w.file(u"named.berg"_s);
+        saveScenario(randomScenario(7), path.toStdString());
+        Workspace workspace;
+        workspace.openFile(path);
+        const WindowHolder holder(workspace, w.interaction, w.settings);
+        QCOMPARE(w.settings.value(u"files/recent"_s).toStringList().value(0), path);
     }
 };
 

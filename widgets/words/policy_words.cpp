@@ -32,7 +32,7 @@ public:
     static const auto& all()
     {
         static constexpr PolicyWords kAll[]{
-            {PolicyKind::Visitation, QT_TR_NOOP("Weighted visiting order (as published)"),
+            {PolicyKind::Visitation, QT_TR_NOOP("Weighted visiting order (published method)"),
              QT_TR_NOOP("τ %1"),
              QT_TR_NOOP("Weighs uncertainty seen early against the length of the path, by τ."),
              MarkShape::Disk, 0, 0, QT_TR_NOOP("Weighted visiting order, trade-off τ %1")},

@@ -435,7 +435,7 @@ void drawOrderDisk(QPainter& painter, const QPointF& centre, double radius_px, i
     QFont font = theme.small();
     font.setWeight(QFont::Bold);
     if (number > 99)
-        font.setPixelSize(9);
+        font.setPixelSize(7); // all of it on the disk
     painter.setFont(font);
     const QSizeF size(2 * radius_px + 8, 2 * radius_px);
     painter.drawText(QRectF(centre - QPointF(size.width() / 2, size.height() / 2), size),

@@ -49,10 +49,19 @@ QPolygonF geodesicLine(const LocalFrame& plane, const MapViewTransform& view, co
     return line;
 }
 
+/** To the decimetre at best, which a pixel is on the largest scale. */
+QString measuredText(double length_m, const QLocale& locale)
+{
+    constexpr double kFine_m = 10;
+    const bool isFine = length_m < kFine_m && shownUnits().distance == DistanceUnit::Metric;
+    return isFine ? MeasureToolText::tr("%1 m").arg(fixedText(length_m, 1, locale))
+                  : distanceText(length_m, locale);
+}
+
 QString legText(const MeasuredLeg& leg, const QLocale& locale)
 {
     const int bearing_deg = static_cast<int>(std::lround(leg.bearing_deg)) % 360;
-    return u"%1  %2°"_s.arg(distanceText(leg.length_m, locale))
+    return u"%1  %2°"_s.arg(measuredText(leg.length_m, locale))
         .arg(bearing_deg, 3, 10, QChar(u'0'));
 }
 

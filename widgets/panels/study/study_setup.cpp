@@ -168,10 +168,11 @@ void StudySetup::addTau()
 void StudySetup::addPolicies()
 {
     for (const PolicyKind policy : offeredPolicies()) {
-        auto* box = new QCheckBox(policyName(policy));
+        // Without what is said of it in brackets: there is no room for that, but in the tool tip.
+        auto* box = new QCheckBox(policyName(policy).section(u" ("_s, 0, 0));
         box->setObjectName(u"studyPolicy-"_s +
                            QString::fromStdString(nameOf(kPolicyNames, policy)));
-        box->setToolTip(policySentence(policy));
+        box->setToolTip(policyName(policy) + u'\n' + policySentence(policy));
         box->setChecked(policy == PolicyKind::Visitation || policy == PolicyKind::Path);
         connect(box, &QCheckBox::toggled, this, [this] {
             updateEnabled();
