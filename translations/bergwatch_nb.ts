@@ -6646,6 +6646,30 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Res&amp;ume</source>
         <translation>Fortsett</translation>
     </message>
+    <message>
+        <source>Panels on the map</source>
+        <translation>Paneler på kartet</translation>
+    </message>
+    <message>
+        <source>&amp;Title and figures</source>
+        <translation>&amp;Tittel og tall</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>T&amp;egnforklaring</translation>
+    </message>
+    <message>
+        <source>&amp;Scale bar</source>
+        <translation>&amp;Målestokk</translation>
+    </message>
+    <message>
+        <source>&amp;North arrow</source>
+        <translation>&amp;Nordpil</translation>
+    </message>
+    <message>
+        <source>&amp;Wind</source>
+        <translation>&amp;Vind</translation>
+    </message>
 </context>
 <context>
     <name>berg::MissionRunner</name>

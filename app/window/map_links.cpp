@@ -11,10 +11,15 @@
 
 #include <QSettings>
 
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
 namespace berg {
 
 namespace {
 
+constexpr const char* kPanelsKey = "view/mapPanels";
 constexpr const char* kOverviewKey = "view/overview";
 constexpr const char* kHiddenColumnsKey = "icebergs/hiddenColumns";
 
@@ -24,8 +29,51 @@ MapLinks::MapLinks(WindowContext& context, const Docks& docks) : WindowPart(cont
 {
     panels().map->setInset(overviewIsShown() ? panels().overview : nullptr);
     panels().icebergs->setHiddenColumns(settings().value(kHiddenColumnsKey).toStringList());
+    panels().map->setPanels(savedPanels());
+    connect(panels().map, &MapView::panelsChanged, this, &MapLinks::savePanels);
     connectMap(docks);
     connectTables();
+}
+
+/** In the order of `MapPanel`: hidden, folded, moved by x, moved by y. */
+void MapLinks::savePanels()
+{
+    QStringList states;
+    for (const MapPanelState& state : panels().map->panels())
+        states << u"%1 %2 %3 %4"_s.arg(int(state.isHidden))
+                      .arg(int(state.isFolded))
+                      .arg(state.moved_px.x())
+                      .arg(state.moved_px.y());
+    settings().setValue(kPanelsKey, states);
+}
+
+MapPanelStates MapLinks::savedPanels() const
+{
+    MapPanelStates states;
+    const QStringList saved = settings().value(kPanelsKey).toStringList();
+    for (std::size_t i = 0; i < std::min(states.size(), static_cast<std::size_t>(saved.size()));
+         ++i) {
+        const QStringList parts = saved[static_cast<qsizetype>(i)].split(u' ');
+        if (parts.size() == 4)
+            states[i] = {.isHidden = parts[0] == u"1"_s,
+                         .isFolded = parts[1] == u"1"_s,
+                         .moved_px = {parts[2].toDouble(), parts[3].toDouble()}};
+    }
+    return states;
+}
+
+bool MapLinks::panelIsShown(MapPanel panel) const
+{
+    return !panels().map->panels()[static_cast<std::size_t>(panel)].isHidden;
+}
+
+/** One that is shown again is where and as large as it is by itself. */
+void MapLinks::setPanelShown(MapPanel panel, bool shown)
+{
+    MapPanelStates states = panels().map->panels();
+    states[static_cast<std::size_t>(panel)] = {.isHidden = !shown, .moved_px = {}};
+    panels().map->setPanels(states);
+    savePanels();
 }
 
 void MapLinks::connectMap(const Docks& docks)

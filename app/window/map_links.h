@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/window_part.h"
+#include "widgets/map/paint/map_overlays.h"
 
 namespace berg {
 
@@ -16,11 +17,15 @@ public:
 
     [[nodiscard]] bool overviewIsShown() const;
     void setOverviewShown(bool shown);
+    [[nodiscard]] bool panelIsShown(MapPanel panel) const;
+    void setPanelShown(MapPanel panel, bool shown);
 
 private:
     void connectMap(const Docks& docks);
     void connectTables();
     void showOverview();
+    void savePanels();
+    [[nodiscard]] MapPanelStates savedPanels() const;
 };
 
 } // namespace berg

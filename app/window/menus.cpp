@@ -220,6 +220,7 @@ void Menus::buildMapActions(QMenu& menu)
     addSwitch(menu, {"overviewAction", tr("O&verview"), Qt::Key_O, std::nullopt},
               m_targets.mapLinks.overviewIsShown(),
               [this](bool on) { m_targets.mapLinks.setOverviewShown(on); });
+    addPanelMenu(*menu.addMenu(tr("Panels on the map")));
     FlightView& flight = m_targets.flightView;
     addSwitch(menu, {"sweptAction", tr("Swept ar&ea"), {}, std::nullopt}, flight.sweptIsShown(),
               [&flight](bool on) { flight.setSweptShown(on); });
@@ -227,6 +228,19 @@ void Menus::buildMapActions(QMenu& menu)
               flight.truthIsShown(), [&flight](bool on) { flight.setTruthShown(on); })
         ->setStatusTip(tr("Where the icebergs are in truth, beside where the observer "
                           "believes them to be; off: only what an operator would see"));
+}
+
+void Menus::addPanelMenu(QMenu& menu)
+{
+    const auto add = [&](const char* name, const QString& text, MapPanel panel) {
+        addSwitch(menu, {name, text, {}, std::nullopt}, m_targets.mapLinks.panelIsShown(panel),
+                  [this, panel](bool on) { m_targets.mapLinks.setPanelShown(panel, on); });
+    };
+    add("titlePanelAction", tr("&Title and figures"), MapPanel::Title);
+    add("legendPanelAction", tr("&Legend"), MapPanel::Legend);
+    add("scalePanelAction", tr("&Scale bar"), MapPanel::ScaleBar);
+    add("northPanelAction", tr("&North arrow"), MapPanel::North);
+    add("windPanelAction", tr("&Wind"), MapPanel::Wind);
 }
 
 void Menus::buildFlightMenu()

@@ -37,6 +37,8 @@ constexpr double kWidestShare = 0.45;
 constexpr double kTallestShare = 0.62;
 constexpr double kLargestShare = 0.16; // of the area
 constexpr double kLargestCalmShare = 0.05;
+constexpr double kFolded_px = 26;
+constexpr double kPanelPart_px = 17;
 constexpr double kLowMap_px = 600; // whose legend is compact
 
 // Times a drift arrow may stand for.
@@ -48,6 +50,53 @@ bool fits(const QSizeF& size, const QRectF& rect)
     return !size.isEmpty() && size.width() <= kWidestShare * rect.width() &&
            size.height() <= kTallestShare * rect.height() &&
            size.width() * size.height() <= kLargestShare * rect.width() * rect.height();
+}
+
+template <class Layout>
+auto& panelOf(Layout& layout, MapPanel which)
+{
+    switch (which) {
+    case MapPanel::Legend:
+        return layout.legend;
+    case MapPanel::ScaleBar:
+        return layout.scaleBar;
+    case MapPanel::North:
+        return layout.north;
+    case MapPanel::Wind:
+        return layout.wind;
+    case MapPanel::Title:
+        break;
+    }
+    return layout.title;
+}
+
+/** As the user wants it: hidden, an icon in the same corner, or elsewhere; on the map. */
+void rearrange(MapLayout& layout, const MapPanelStates& states)
+{
+    const QRectF inner = layout.rect.adjusted(kMargin_px, kMargin_px, -kMargin_px, -kMargin_px);
+    for (std::size_t i = 0; i < kMapPanels; ++i) {
+        const MapPanelState& state = states[i];
+        QRectF& rect = panelOf(layout, static_cast<MapPanel>(i));
+        layout.icons[i] = {};
+        if (rect.isNull() || state == MapPanelState{})
+            continue;
+        QRectF wanted = rect;
+        if (state.isFolded) {
+            const bool isRight = rect.center().x() > inner.center().x();
+            const bool isLow = rect.center().y() > inner.center().y();
+            wanted.setSize({kFolded_px, kFolded_px});
+            wanted.moveTo(isRight ? rect.right() - kFolded_px : rect.left(),
+                          isLow ? rect.bottom() - kFolded_px : rect.top());
+        }
+        wanted.translate(state.moved_px);
+        wanted.moveLeft(
+            std::max(inner.left(), std::min(wanted.left(), inner.right() - wanted.width())));
+        wanted.moveTop(
+            std::max(inner.top(), std::min(wanted.top(), inner.bottom() - wanted.height())));
+        rect = state.isHidden || state.isFolded ? QRectF() : wanted;
+        if (state.isFolded && !state.isHidden)
+            layout.icons[i] = wanted;
+    }
 }
 
 /** Beside the north arrow. */
@@ -97,6 +146,7 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
     const double floor = layout.scaleBar.isNull() ? inner.bottom() : layout.scaleBar.top();
     if (fits(style.inset_px, layout.rect) && inset.bottom() + kMargin_px <= floor)
         layout.inset = inset;
+    rearrange(layout, style.panels);
 }
 
 SymbolScale symbolScale(const MapPicture& picture, const MapViewTransform& view)
@@ -338,7 +388,25 @@ std::vector<QRectF> MapLayout::overlays() const
     for (const QRectF& overlay : {title, legend, scaleBar, north, wind, inset})
         if (!overlay.isNull())
             shown.push_back(overlay);
+    for (const QRectF& icon : icons)
+        if (!icon.isNull())
+            shown.push_back(icon);
     return shown;
+}
+
+const QRectF& MapLayout::panel(MapPanel which) const
+{
+    return panelOf(*this, which);
+}
+
+QRectF foldButtonOf(const QRectF& panel)
+{
+    return {panel.right() - kPanelPart_px - 3, panel.top() + 3, kPanelPart_px, kPanelPart_px};
+}
+
+QRectF panelGripOf(const QRectF& panel)
+{
+    return foldButtonOf(panel).translated(-kPanelPart_px - 2, 0);
 }
 
 QFont labelFont(const Theme& theme)

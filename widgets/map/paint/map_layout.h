@@ -29,14 +29,23 @@ struct MapLayout
     QRectF scaleBar;
     QRectF north;
     QRectF wind;
-    QRectF inset;                    ///< kept free, not painted
+    QRectF inset; ///< kept free, not painted
+    /** Of folded panels, which then are null themselves. */
+    std::array<QRectF, kMapPanels> icons;
     std::vector<LabelDisk> icebergs; ///< symbol with its ring, by index
     std::vector<MapStop> stops;      ///< by iceberg
     std::vector<QRectF> uavLabels;   ///< names of the UAVs; null: it has none
     std::vector<PlacedLabel> labels; ///< id with order number, by iceberg; null: out of sight
 
     [[nodiscard]] std::vector<QRectF> overlays() const;
+    [[nodiscard]] const QRectF& panel(MapPanel which) const;
 };
+
+/** Panels that fold and move; hidden can be all. */
+inline constexpr std::array<MapPanel, 3> kFoldingPanels{MapPanel::Title, MapPanel::Legend,
+                                                        MapPanel::Wind};
+[[nodiscard]] QRectF foldButtonOf(const QRectF& panel);
+[[nodiscard]] QRectF panelGripOf(const QRectF& panel);
 
 /** Sizes inside an iceberg's label: number in its disk, then the id. */
 inline constexpr double kOrderDisk_px = 9; ///< radius

@@ -7,14 +7,38 @@
 #include <QLocale>
 #include <QPainter>
 
+#include <array>
+
 namespace berg {
+
+/** Panels on the map, in the order in which they are painted. */
+enum class MapPanel
+{
+    Legend,
+    ScaleBar,
+    North,
+    Wind,
+    Title
+};
+inline constexpr std::size_t kMapPanels = 5;
+
+/** What the user has made of a panel. */
+struct MapPanelState
+{
+    bool isHidden = false;
+    bool isFolded = false; ///< an icon in its corner
+    QPointF moved_px;      ///< from where it is by itself
+    bool operator==(const MapPanelState&) const = default;
+};
+using MapPanelStates = std::array<MapPanelState, kMapPanels>;
 
 /** What decides the look of a map beside its content. Borrowed theme: it must outlive the style. */
 struct MapStyle
 {
     const Theme& theme;
     QLocale locale;
-    QSizeF inset_px = {};    ///< kept free below the north arrow; empty: nothing
+    QSizeF inset_px = {}; ///< kept free below the north arrow; empty: nothing
+    MapPanelStates panels = {};
     bool offersWind = false; ///< the panel of the wind is there in calm, too, to be used
 };
 

@@ -10,6 +10,7 @@
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/picture/route_colours.h"
+#include "widgets/theme/icons.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/palette.h"
 #include "widgets/theme/quantity_text.h"
@@ -17,6 +18,7 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -169,10 +171,57 @@ QString legendKey(const MapPaint& p)
     return key;
 }
 
-void paintOverlays(const MapPaint& p, double north_rad)
+/** A symbol is below the panel. */
+bool hidesSomething(const MapPaint& p, const QRectF& rect)
 {
+    return std::ranges::any_of(p.layout.icebergs,
+                               [&](const LabelDisk& disk) { return overlaps(rect, disk); }) ||
+           std::ranges::any_of(p.picture.uavs, [&](const MapUav& uav) {
+               return rect.contains(p.layout.view.toPixel(uav.position_m));
+           });
+}
+
+void paintPanelIcons(const MapPaint& p)
+{
+    constexpr std::array<IconName, kMapPanels> kIcons{
+        IconName::Iceberg, IconName::Measure, IconName::Fit, IconName::Estimate, IconName::Hint};
+    constexpr double kMargin_px = 4;
+    for (std::size_t i = 0; i < kMapPanels; ++i)
+        if (const QRectF& rect = p.layout.icons[i]; !rect.isNull()) {
+            paintPanel(p.painter, rect, p.theme);
+            icon(kIcons[i], p.theme)
+                .paint(
+                    &p.painter,
+                    rect.marginsRemoved({kMargin_px, kMargin_px, kMargin_px, kMargin_px}).toRect());
+        }
+}
+
+/** On the panel below the pointer: what moves and what folds it. */
+void paintPanelParts(const MapPaint& p, const QRectF& rect)
+{
+    const QRectF fold = foldButtonOf(rect);
+    const QRectF grip = panelGripOf(rect);
+    p.painter.setPen(QPen(p.theme.panelLine, 1));
+    p.painter.setBrush(p.theme.panel);
+    p.painter.drawRoundedRect(fold, 3, 3);
+    p.painter.drawRoundedRect(grip, 3, 3);
+    p.painter.setPen(QPen(p.theme.text, 1.6, Qt::SolidLine, Qt::RoundCap));
+    p.painter.drawLine(fold.center() - QPointF(4, 0), fold.center() + QPointF(4, 0));
+    for (const double x : {-3.0, 3.0})
+        for (const double y : {-4.0, 0.0, 4.0})
+            p.painter.drawPoint(grip.center() + QPointF(x, y));
+}
+
+void paintOverlays(const MapPaint& p, double north_rad, const std::optional<QPointF>& pointer)
+{
+    constexpr double kFaint = 0.15;
+    const auto fade = [&](const QRectF& rect) {
+        const bool isFaint = pointer && rect.contains(*pointer) && hidesSomething(p, rect);
+        p.painter.setOpacity(isFaint ? kFaint : 1);
+    };
     const auto panel = [&](const QRectF& rect, const QString& key, const auto& draw) {
         const QRectF bounds(QPointF(0, 0), rect.size());
+        fade(rect);
         if (!rect.isNull())
             paintKept(p, key, bounds, rect.topLeft(),
                       [&](QPainter& painter) { draw(painter, bounds); });
@@ -189,10 +238,17 @@ void paintOverlays(const MapPaint& p, double north_rad)
           [&](QPainter& painter, const QRectF& rect) {
               paintNorthArrow(painter, rect, north_rad, p.style);
           });
+    fade(p.layout.wind);
     if (!p.layout.wind.isNull())
         paintWindPanel(p.painter, p.layout.wind, p.picture.air, p.style);
+    fade(p.layout.title);
     if (!p.layout.title.isNull())
         paintTitle(p.painter, p.layout.title, p.picture, p.style);
+    p.painter.setOpacity(1);
+    paintPanelIcons(p);
+    for (const MapPanel which : kFoldingPanels)
+        if (pointer && p.layout.panel(which).contains(*pointer))
+            paintPanelParts(p, p.layout.panel(which));
     if (!p.picture.icebergs.empty())
         return;
     const double top = std::max(p.layout.title.bottom(), p.layout.rect.top()) + 6;
@@ -262,7 +318,8 @@ void paintMapOverlays(QPainter& painter, const MapFrame& frame)
 {
     const MapPaint p(painter, frame);
     const LocalFrame plane(p.picture.origin);
-    paintOverlays(p, northAngle_rad(plane, p.layout.view.toWorld(p.layout.rect.center())));
+    paintOverlays(p, northAngle_rad(plane, p.layout.view.toWorld(p.layout.rect.center())),
+                  frame.pointer);
 }
 
 void paintMap(QPainter& painter, const MapPicture& picture, const MapStyle& style,

@@ -18,9 +18,10 @@ struct MapFrame
     const MapStyle& style;
     const MapLayout& layout;
     const Graticule& graticule;
-    MapSprites* sprites = nullptr; ///< null: everything is drawn afresh, at its exact place
-    LandLayer* land = nullptr;     ///< null: the land is drawn here and now
-    SweptLayer* swept = nullptr;   ///< null: the water seen is painted afresh
+    MapSprites* sprites = nullptr;       ///< null: everything is drawn afresh, at its exact place
+    LandLayer* land = nullptr;           ///< null: the land is drawn here and now
+    SweptLayer* swept = nullptr;         ///< null: the water seen is painted afresh
+    std::optional<QPointF> pointer = {}; ///< a panel below it that hides something is faint
 };
 
 // The layers of a map from below; each keeps to the inside of `layout.rect`. They work on any paint

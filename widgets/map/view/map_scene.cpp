@@ -157,9 +157,9 @@ void MapScene::settle()
 
 std::string MapScene::objectAt(const QPointF& at)
 {
-    if (isOverlay(at))
-        return {};
     const MapLayout& map = layout();
+    if (panelPartAt(at) || map.inset.contains(at))
+        return {};
     std::string nearest;
     double nearest_px = std::numeric_limits<double>::infinity();
     const auto offer = [&](const std::string& key, double distance_px) {
@@ -284,7 +284,41 @@ bool MapScene::isOverlay(const QPointF& at)
 {
     const std::vector<QRectF> overlays = layout().overlays();
     return std::any_of(overlays.begin(), overlays.end(),
-                       [&](const QRectF& overlay) { return overlay.contains(at); });
+                       [&](const QRectF& overlay) { return overlay.contains(at); }) &&
+           objectAt(at).empty();
+}
+
+std::optional<MapPanelPart> MapScene::panelPartAt(const QPointF& at)
+{
+    const MapLayout& map = layout();
+    for (const MapPanel which : kFoldingPanels) {
+        const QRectF& panel = map.panel(which);
+        if (map.icons[static_cast<std::size_t>(which)].contains(at))
+            return MapPanelPart{.panel = which};
+        if (!panel.isNull() && foldButtonOf(panel).contains(at))
+            return MapPanelPart{.panel = which};
+        if (!panel.isNull() && panelGripOf(panel).contains(at))
+            return MapPanelPart{.panel = which, .isGrip = true};
+    }
+    return std::nullopt;
+}
+
+void MapScene::setPanels(const MapPanelStates& panels)
+{
+    m_panels = panels;
+    m_layout.reset();
+}
+
+bool MapScene::setPointer(const std::optional<QPointF>& at)
+{
+    const std::vector<QRectF> overlays = layout().overlays();
+    const auto below = [&](const std::optional<QPointF>& pointer) {
+        return std::ranges::find_if(
+            overlays, [&](const QRectF& overlay) { return pointer && overlay.contains(*pointer); });
+    };
+    const bool isOther = below(at) != below(m_pointer);
+    m_pointer = at;
+    return isOther;
 }
 
 void MapScene::paintGround(QPainter& painter, const MapFrame& frame)
@@ -319,7 +353,8 @@ void MapScene::paint(QPainter& painter, const std::function<void()>& marks)
                          .graticule = *m_graticule,
                          .sprites = &m_sprites,
                          .land = m_land.get(),
-                         .swept = &m_swept};
+                         .swept = &m_swept,
+                         .pointer = m_pointer};
     paintGround(painter, frame);
     paintMapContent(painter, frame);
     marks();

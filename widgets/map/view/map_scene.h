@@ -13,6 +13,13 @@
 
 namespace berg {
 
+/** A part of a panel that can be clicked. */
+struct MapPanelPart
+{
+    MapPanel panel = MapPanel::Title;
+    bool isGrip = false; ///< moves it; else it folds and unfolds
+};
+
 /**
  * What the interactive map shows: one picture in one view, where its parts are on the screen, what
  * is under the cursor. Keeps what is the same from frame to frame; nothing is computed before it
@@ -56,7 +63,7 @@ public:
 
     /**
      * Key of what is drawn or named here; the outline of the area comes after everything else.
-     * Empty: nothing, or an overlay.
+     * What lies below an overlay counts as well. Empty: nothing.
      */
     [[nodiscard]] std::string objectAt(const QPointF& at);
     /** Keys of what has its centre in the rectangle: icebergs by index, UAV, asset. */
@@ -65,7 +72,13 @@ public:
     [[nodiscard]] std::optional<LabelDisk> symbolOf(const std::string& key);
     /** Marks the symbols of those of the objects that have one. */
     void paintSelection(QPainter& painter, const std::vector<std::string>& keys);
-    /** True where a panel covers the map. */
+    /** What is there to fold, unfold or move a panel by. */
+    [[nodiscard]] std::optional<MapPanelPart> panelPartAt(const QPointF& at);
+    [[nodiscard]] const MapPanelStates& panels() const { return m_panels; }
+    void setPanels(const MapPanelStates& panels);
+    /** Where the cursor is; none: elsewhere. True: the picture looks different. */
+    bool setPointer(const std::optional<QPointF>& at);
+    /** True where a panel covers the map and nothing that could be picked. */
     [[nodiscard]] bool isOverlay(const QPointF& at);
     /** Of the area or no-fly area of this key, pixels; empty: there is none. */
     [[nodiscard]] QPolygonF outlineOf(const std::string& key) const;
@@ -83,7 +96,11 @@ private:
     [[nodiscard]] std::vector<LabelDisk> symbolsOf(const std::vector<std::string>& keys);
     [[nodiscard]] MapStyle style() const
     {
-        return {.theme = m_theme, .locale = m_locale, .inset_px = m_inset_px, .offersWind = true};
+        return {.theme = m_theme,
+                .locale = m_locale,
+                .inset_px = m_inset_px,
+                .panels = m_panels,
+                .offersWind = true};
     }
     [[nodiscard]] std::optional<LabelTurn> nextTurn(std::size_t inSight);
     void paintGround(QPainter& painter, const MapFrame& frame);
@@ -92,6 +109,8 @@ private:
     Theme m_theme;
     QLocale m_locale;
     QSizeF m_inset_px;
+    MapPanelStates m_panels;
+    std::optional<QPointF> m_pointer;
     QRectF m_rect;
     MapViewTransform m_view;
     std::optional<double> m_driftTime_s;

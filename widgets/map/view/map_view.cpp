@@ -14,6 +14,8 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
+constexpr double kUavRoom_px = 20; // that a followed UAV has to a panel
+
 // The whole range of coordinates fits on the smallest scale, a tenth of a metre is a pixel on the
 // largest.
 constexpr double kSmallestScale_pxpm = 2e-4;
@@ -140,6 +142,15 @@ void MapView::placeInset()
     m_inset->setVisible(!place.isNull());
     if (!place.isNull())
         m_inset->setGeometry(place.toRect());
+}
+
+void MapView::setPanels(const MapPanelStates& panels)
+{
+    m_scene.setPanels(panels);
+    if (m_isFitted)
+        fit();
+    placeInset();
+    update();
 }
 
 std::vector<LatLon> MapView::outline() const
@@ -275,8 +286,12 @@ void MapView::keepUavInSight()
     const QPointF half(kFollowShare * rect.width(), kFollowShare * rect.height());
     const QPointF at = toScreen(uav->position_m);
     const QPointF middle = rect.center();
-    const QPointF inside(std::clamp(at.x(), middle.x() - half.x(), middle.x() + half.x()),
-                         std::clamp(at.y(), middle.y() - half.y(), middle.y() + half.y()));
+    QPointF inside(std::clamp(at.x(), middle.x() - half.x(), middle.x() + half.x()),
+                   std::clamp(at.y(), middle.y() - half.y(), middle.y() + half.y()));
+    for (const QRectF& overlay : m_scene.layout().overlays())
+        if (overlay.marginsAdded({kUavRoom_px, kUavRoom_px, kUavRoom_px, kUavRoom_px})
+                .contains(inside))
+            inside = middle;
     if (inside != at)
         setView(view().moved(inside - at));
 }
@@ -376,6 +391,8 @@ void MapView::updateHover()
 {
     if (m_tool->isBusy() || m_panFrom)
         return;
+    if (m_scene.setPointer(m_cursor))
+        update();
     setHovered(m_cursor ? m_scene.objectAt(*m_cursor) : std::string());
 }
 

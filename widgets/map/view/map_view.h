@@ -50,6 +50,9 @@ public:
     /** Shows a widget of its size hint below the north arrow, where there is room; null: none. */
     void setInset(QWidget* inset);
     [[nodiscard]] bool hasInset() const { return m_inset != nullptr; }
+    [[nodiscard]] const MapPanelStates& panels() const { return m_scene.panels(); }
+    /** As the user wants them; tells nobody. */
+    void setPanels(const MapPanelStates& panels);
     /** What is shown: corners, and points between them, all the way round. */
     [[nodiscard]] std::vector<LatLon> outline() const;
     /** Shows this place in the middle, or the next one that a scenario can have something at. */
@@ -114,6 +117,8 @@ public slots:
     void addUav();
 
 signals:
+    /** A panel was folded, unfolded or moved by mouse. */
+    void panelsChanged();
     /** Another part of the Earth is shown. */
     void outlineChanged();
     /** Why something that was asked for was not done. */
@@ -163,6 +168,9 @@ private:
     void setView(const MapViewTransform& view);
     void placeInset();
     void stopFollowing();
+    /** A press on what folds or moves a panel. */
+    bool pressPanel(const QPointF& at);
+    void movePanel(const QPointF& at);
     [[nodiscard]] const MapUav* followedUav() const;
     void endNudges();
     void toolActed();
@@ -201,6 +209,8 @@ private:
     bool m_hasKeyboardFocus = false;
     std::optional<QPointF> m_cursor;  ///< none: not over the map
     std::optional<QPointF> m_panFrom; ///< of the middle button
+    std::optional<MapPanel> m_movedPanel;
+    QPointF m_panelFrom; ///< cursor less what that panel is moved by
     std::string m_hovered;
     std::string m_highlighted;
     QString m_status;

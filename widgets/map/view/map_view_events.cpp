@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -65,12 +66,41 @@ MapPointer MapView::pointerOf(const QMouseEvent& event) const
             .isInside = rect().contains(event.position().toPoint())};
 }
 
+bool MapView::pressPanel(const QPointF& at)
+{
+    const std::optional<MapPanelPart> part = m_scene.panelPartAt(at);
+    if (!part || m_tool->isBusy())
+        return false;
+    MapPanelStates states = m_scene.panels();
+    MapPanelState& state = states[static_cast<std::size_t>(part->panel)];
+    if (part->isGrip) {
+        m_movedPanel = part->panel;
+        m_panelFrom = at - state.moved_px;
+        return true;
+    }
+    state.isFolded = !state.isFolded;
+    setPanels(states);
+    emit panelsChanged();
+    return true;
+}
+
+void MapView::movePanel(const QPointF& at)
+{
+    MapPanelStates states = m_scene.panels();
+    states[static_cast<std::size_t>(*m_movedPanel)].moved_px = at - m_panelFrom;
+    m_scene.setPanels(states);
+    placeInset();
+    update();
+}
+
 void MapView::mousePressEvent(QMouseEvent* event)
 {
     event->accept();
     endNudges();
     m_cursor = event->position();
     updateHover();
+    if (event->button() == Qt::LeftButton && !m_panFrom && pressPanel(event->position()))
+        return;
     if (event->button() == Qt::MiddleButton) {
         m_panFrom = event->position();
         setCursor(Qt::ClosedHandCursor);
@@ -92,7 +122,9 @@ void MapView::mouseMoveEvent(QMouseEvent* event)
 {
     event->accept();
     m_cursor = event->position();
-    if (m_panFrom && event->buttons().testFlag(Qt::MiddleButton)) {
+    if (m_movedPanel && event->buttons().testFlag(Qt::LeftButton)) {
+        movePanel(event->position());
+    } else if (m_panFrom && event->buttons().testFlag(Qt::MiddleButton)) {
         panBy(event->position() - *m_panFrom);
         m_panFrom = event->position();
     } else if (m_tool->isBusy()) {
@@ -113,7 +145,9 @@ void MapView::mouseMoveEvent(QMouseEvent* event)
 void MapView::mouseReleaseEvent(QMouseEvent* event)
 {
     event->accept();
-    if (event->button() == Qt::MiddleButton)
+    if (std::exchange(m_movedPanel, std::nullopt))
+        emit panelsChanged();
+    else if (event->button() == Qt::MiddleButton)
         m_panFrom.reset();
     else if (event->button() == Qt::LeftButton && m_tool->isBusy())
         m_tool->release(pointerOf(*event));

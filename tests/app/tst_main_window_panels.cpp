@@ -1,0 +1,107 @@
+#include "tests/support/map_fixture.h"
+#include "tests/support/window_fixture.h"
+
+using namespace berg;
+using namespace Qt::StringLiterals;
+using test::WindowFixture;
+
+namespace {
+
+constexpr QPoint kOnTitle(40, 50);
+constexpr int kParts_px = 23; ///< from the top of the map: middle of what folds and moves the title
+
+const MapPanelState& stateOf(WindowFixture& w, MapPanel panel)
+{
+    return w.map().panels()[static_cast<std::size_t>(panel)];
+}
+
+/** Looks for it along the upper edge of the title; none: it did not fold. */
+std::optional<int> foldTitle(WindowFixture& w)
+{
+    for (int x = 60; x < w.map().width() / 2; x += 8) {
+        w.click({x, kParts_px});
+        if (stateOf(w, MapPanel::Title).isFolded)
+            return x;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+/** Panels on the map are not in the way of what is below them. */
+class TestMainWindowPanels : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnWarnings(); }
+
+    void icebergBelowAPanelIsPickedAndDragged()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        w.map().panBy(QPointF(kOnTitle) - w.pixelOf("berg-2"));
+        QCOMPARE(w.pixelOf("berg-2"), kOnTitle);
+        w.click(kOnTitle);
+        QVERIFY(w.workspace.selection().contains("berg-2"));
+        w.drag(kOnTitle, kOnTitle + QPoint(300, 200));
+        QVERIFY((w.pixelOf("berg-2") - kOnTitle - QPoint(300, 200)).manhattanLength() <= 2);
+    }
+
+    /** Only where it hides something: else it could not be read. */
+    void panelIsFaintBelowThePointer()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const auto title = [&w] { return w.map().grab(QRect(12, 12, 100, 80)).toImage(); };
+        QTest::mouseMove(&w.map(), {400, 300});
+        const QImage fitted = title();
+        QTest::mouseMove(&w.map(), kOnTitle);
+        QCOMPARE(title(), fitted);
+        w.map().panBy(QPointF(kOnTitle) - w.pixelOf("berg-2"));
+        QTest::mouseMove(&w.map(), {400, 300});
+        const QImage covering = title();
+        QTest::mouseMove(&w.map(), kOnTitle);
+        QVERIFY(title() != covering);
+    }
+
+    void foldsToAnIconAndBack()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QVERIFY(foldTitle(w));
+        QVERIFY(w.settings.contains(u"view/mapPanels"_s));
+        w.click({25, 25}); // the icon
+        QVERIFY(!stateOf(w, MapPanel::Title).isFolded);
+    }
+
+    void isMovedByItsGrip()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const std::optional<int> fold = foldTitle(w);
+        QVERIFY(fold);
+        w.click({25, 25});
+        // Left of what folds it, which is met at its left edge.
+        const QPoint grip(*fold - 10, kParts_px);
+        w.drag(grip, grip + QPoint(50, 30));
+        QCOMPARE(stateOf(w, MapPanel::Title).moved_px, QPointF(50, 30));
+    }
+
+    void hiddenStaysHidden()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        for (const char* action : {"titlePanelAction", "legendPanelAction", "scalePanelAction",
+                                   "northPanelAction", "windPanelAction"})
+            w.trigger(QString::fromLatin1(action));
+        w.trigger(u"view/language-nb"_s);
+        QTest::qWait(0); // another window
+        for (const MapPanelState& state : w.map().panels())
+            QVERIFY(state.isHidden);
+        QVERIFY(!w.action(u"legendPanelAction"_s).isChecked());
+        w.trigger(u"view/language-en"_s);
+        QTest::qWait(0);
+        w.trigger(u"legendPanelAction"_s);
+        QVERIFY(!stateOf(w, MapPanel::Legend).isHidden);
+        QVERIFY(stateOf(w, MapPanel::Title).isHidden);
+    }
+};
+
+QTEST_MAIN(TestMainWindowPanels)
+#include "tst_main_window_panels.moc"
