@@ -66,10 +66,10 @@ FlightView::FlightView(WindowContext& context, FlightPanels& flightPanels, Statu
 void FlightView::showFlight()
 {
     const FlightRecord& record = workspace().record();
-    MapPicture picture = missionPicture(record, locale());
+    MapPicture picture = missionPicture(record, locale(), m_swept);
     if (!m_sweptShown)
         for (MapRoute& route : picture.routes)
-            route.swept.clear();
+            route.swept.reset();
     if (!m_truthShown)
         hideTruth(picture);
     if (const RunPointer other = workspace().runs().otherIn(record.scenario))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/window_part.h"
+#include "widgets/map/picture/mission_picture.h"
 
 namespace berg {
 
@@ -27,6 +28,7 @@ public:
 private:
     FlightPanels& m_flightPanels;
     StatusLine& m_status;
+    SweptPaths m_swept;
     bool m_sweptShown;
     bool m_truthShown;
 };

@@ -181,8 +181,8 @@ void paintSwept(const MapPaint& p)
                          .tint = p.theme.swept};
     std::vector<SweptTrail> trails;
     for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
-        trails.push_back(
-            {.poses = p.picture.routes[uav].swept, .sensor = p.picture.uavs[uav].sensor});
+        if (const SweptPointer& swept = p.picture.routes[uav].swept)
+            trails.push_back({.poses = *swept, .sensor = p.picture.uavs[uav].sensor});
     if (p.swept != nullptr) {
         p.swept->paint(p.painter, trails, look);
         return;

@@ -165,7 +165,9 @@ void OverviewInset::paintGraticule(QPainter& painter) const
             step_deg = finer_deg;
     if (spacing_px(step_deg) < kParallels_px)
         step_deg = 20;
-    painter.setPen(QPen(m_theme.graticule, 1));
+    QColor line = m_theme.graticule; // of so small a globe the land is what matters
+    line.setAlphaF(0.35F * line.alphaF());
+    painter.setPen(QPen(line, 1));
     painter.setBrush(Qt::NoBrush);
     const double sign = pole() == Pole::North ? 1 : -1;
     const QPointF centre = m_view.toPixel(Point::Zero());

@@ -6,6 +6,7 @@
 #include <QString>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,6 +69,9 @@ struct MapPose
     bool operator==(const MapPose&) const = default;
 };
 
+/** By time. A list that the pictures of one flight share: it grows with the flight. */
+using SweptPointer = std::shared_ptr<const std::vector<MapPose>>;
+
 struct MapAsset
 {
     QString name;
@@ -114,7 +118,7 @@ struct MapRoute
      * there is none. */
     std::vector<Point> toNoReturn_m;
     std::vector<Point> search_m; ///< corners flown to find a lost iceberg; empty: no search
-    std::vector<MapPose> swept;  ///< by time; round and between them the UAV has seen the water
+    SweptPointer swept; ///< round and between them the UAV has seen the water; null: none is shown
     std::vector<MapTrackPoint> track;
 };
 
@@ -164,7 +168,8 @@ struct MapPicture
     /** There is water seen to be shown. */
     [[nodiscard]] bool showsSwept() const
     {
-        return anyRoute([](const MapRoute& route) { return route.swept.size() > 1; });
+        return anyRoute(
+            [](const MapRoute& route) { return route.swept && route.swept->size() > 1; });
     }
 };
 

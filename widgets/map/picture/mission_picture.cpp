@@ -163,20 +163,18 @@ MapPose mapPose(const DubinsState& pose, double time_s)
     return {.position_m = pose.position_m, .psi_rad = pose.psi_rad, .time_s = time_s};
 }
 
-/** Where the UAV was at each sample until the time shown, and is. */
-std::vector<MapPose> posesOf(const FlightRecord& record, std::size_t uav)
+/** Adds what is missing until the time shown; the first `samples` are there. The number then. */
+std::size_t addPoses(std::vector<MapPose>& poses, std::size_t samples, const FlightRecord& record,
+                     std::size_t uav)
 {
     const MissionSnapshot& shown = record.shown();
-    std::vector<MapPose> poses;
-    poses.reserve(record.history.samples.size() + 1);
-    for (const Sample& sample : record.history.samples) {
-        if (sample.time_s > shown.time_s)
-            break;
-        poses.push_back(mapPose(sample.uavs[uav].pose, sample.time_s));
-    }
+    const std::vector<Sample>& all = record.history.samples;
+    poses.resize(samples);
+    for (; samples < all.size() && all[samples].time_s <= shown.time_s; ++samples)
+        poses.push_back(mapPose(all[samples].uavs[uav].pose, all[samples].time_s));
     if (!poses.empty() && poses.back().time_s < shown.time_s)
         poses.push_back(mapPose(shown.world.uavs[uav].pose, shown.time_s));
-    return poses;
+    return samples;
 }
 
 /** Icebergs of an order as places in the picture. */
@@ -270,7 +268,8 @@ void markNoReturn(MapPicture& picture, const FlightRecord& record)
 }
 
 /** Without the corners of the fence, which depend on the other parts. */
-MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<int>& shown)
+MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<int>& shown,
+                 SweptPaths& swept)
 {
     const int place = static_cast<int>(uav);
     MapRoute route;
@@ -288,7 +287,7 @@ MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<
     }
     route.search_m = searchOf_m(record, uav);
     route.track = trackOf(record, uav);
-    route.swept = posesOf(record, uav);
+    route.swept = swept.of(record, uav);
     return route;
 }
 
@@ -327,7 +326,32 @@ void hideTruth(MapPicture& picture)
     picture.hidesTruth = true;
 }
 
+SweptPointer SweptPaths::of(const FlightRecord& record, std::size_t uav)
+{
+    if (record.instant) { // the list of the flight goes on beyond it
+        std::vector<MapPose> poses;
+        addPoses(poses, 0, record, uav);
+        return std::make_shared<const std::vector<MapPose>>(std::move(poses));
+    }
+    if (record.now.generation != m_generation || record.history.rewrites != m_rewrites)
+        m_paths.clear();
+    m_generation = record.now.generation;
+    m_rewrites = record.history.rewrites;
+    m_paths.resize(std::max(m_paths.size(), uav + 1));
+    Path& path = m_paths[uav];
+    if (!path.poses || path.samples > record.history.samples.size())
+        path = {.poses = std::make_shared<std::vector<MapPose>>()};
+    path.samples = addPoses(*path.poses, path.samples, record, uav);
+    return path.poses;
+}
+
 MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
+{
+    SweptPaths swept;
+    return missionPicture(record, locale, swept);
+}
+
+MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, SweptPaths& swept)
 {
     const Scenario& scenario = record.scenario;
     MapPicture picture;
@@ -341,7 +365,7 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
     const std::size_t uavs = std::min(scenario.uavs.size(), record.shown().world.uavs.size());
     for (std::size_t uav = 0; uav < uavs; ++uav) {
         picture.uavs.push_back(uavOf(record, uav));
-        picture.routes.push_back(routeOf(record, uav, shown));
+        picture.routes.push_back(routeOf(record, uav, shown, swept));
         picture.routes[uav].planCorners = cornersOf(picture, record.shown(), uav);
     }
     picture.readouts = readoutsOf(record, picture.uavs, locale);

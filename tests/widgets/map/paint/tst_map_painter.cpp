@@ -239,12 +239,13 @@ private slots:
             paintMap(painter, picture, style, layout());
             return image;
         };
+        const auto swept = std::make_shared<std::vector<MapPose>>();
+        picture.routes[0].swept = swept;
         const auto fly = [&](double from_m, double to_m) {
             for (double east_m = from_m; east_m != to_m; east_m += from_m < to_m ? 100 : -100)
-                picture.routes[0].swept.push_back(
-                    {.position_m = {east_m, 3500},
-                     .psi_rad = from_m < to_m ? 0 : kPi,
-                     .time_s = 5.0 * double(picture.routes[0].swept.size())});
+                swept->push_back({.position_m = {east_m, 3500},
+                                  .psi_rad = from_m < to_m ? 0 : kPi,
+                                  .time_s = 5.0 * double(swept->size())});
         };
         const QSizeF legend = layout().legend.size();
         fly(1000, 4000);
@@ -340,6 +341,29 @@ private slots:
         const MapLayout layout = layoutOf(picture, {1280, 800});
         QVERIFY(layout.title.width() <= 0.6 * 1280);
         QVERIFY(layout.rect.contains(layout.title));
+    }
+
+    /** Of up to three digits: nothing of them is on the rim. */
+    void numbersFitTheirDisks()
+    {
+        const Theme theme = Theme::light();
+        const auto drawn = [&theme](int number) {
+            QImage image(40, 40, QImage::Format_RGB32);
+            image.fill(theme.sea);
+            QPainter painter(&image);
+            painter.setRenderHint(QPainter::Antialiasing);
+            drawOrderDisk(painter, {20, 20}, kOrderDisk_px, number, theme, QColor(Qt::black));
+            return image;
+        };
+        const QImage plain = drawn(1);
+        for (const int number : {8, 42, 188, 500}) {
+            const QImage image = drawn(number);
+            for (int y = 0; y < 40; ++y)
+                for (int x = 0; x < 40; ++x)
+                    if (std::hypot(x + 0.5 - 20, y + 0.5 - 20) > kOrderDisk_px - 0.8)
+                        QVERIFY2(image.pixel(x, y) == plain.pixel(x, y),
+                                 QByteArray::number(number));
+        }
     }
 };
 

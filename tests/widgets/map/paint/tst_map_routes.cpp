@@ -109,6 +109,7 @@ private slots:
         QVERIFY(isPinned(0));
         QVERIFY(!isPinned(1));
         QVERIFY(legendTexts(picture).contains(u"Assigned to the UAV of this colour"_s));
+        picture.uavs[0].label.clear(); // the only one
         picture.icebergs[0].keptFor = -1;
         QVERIFY(!isPinned(0));
         QVERIFY(!legendTexts(picture).contains(u"Assigned to the UAV of this colour"_s));
@@ -185,6 +186,7 @@ private slots:
         const double legend_px = legendSize(picture, style, {}, false).height();
         picture.uavs.pop_back();
         picture.routes.pop_back();
+        picture.uavs[0].label.clear(); // the only one
         picture.icebergs[0].keptFor = -1;
         COMPARE_NEAR(LegendUavs(picture, theme, 220).height_px(), 0, 0);
         QVERIFY(legendSize(picture, style, {}, false).height() <= legend_px - two_px);

@@ -122,8 +122,8 @@ private slots:
             QCOMPARE(route.plan, planOf(record.now, static_cast<int>(uav))->order);
             QVERIFY(route.track.front().position_m == mission.scenario().uavs[uav].position_m);
             QVERIFY(route.track.back().position_m == pose.position_m);
-            QCOMPARE(route.swept.size(), mission.recorder().samples().size());
-            QCOMPARE(route.swept.back().psi_rad, pose.psi_rad);
+            QCOMPARE(route.swept->size(), mission.recorder().samples().size());
+            QCOMPARE(route.swept->back().psi_rad, pose.psi_rad);
             planned.insert(route.plan.begin(), route.plan.end());
             count += route.plan.size();
         }
@@ -262,6 +262,29 @@ private slots:
             COMPARE_NEAR(content.lines[i].points.back().y(),
                          mission.simulation().track(static_cast<int>(i)).sigma_m2, 1e-12);
         }
+    }
+
+    /** The pictures of a flight share one list that grows; one looked back at has its own. */
+    void sweptListGrowsWithTheFlight()
+    {
+        Mission mission = fleetFlown(60);
+        SweptPaths paths;
+        const SweptPointer first =
+            missionPicture(recordOf(mission), kLocale, paths).routes[1].swept;
+        const std::size_t before = first->size();
+        mission.advance(120);
+        FlightRecord record = recordOf(mission);
+        const SweptPointer later = missionPicture(record, kLocale, paths).routes[1].swept;
+        QVERIFY(later == first);
+        QVERIFY(later->size() > before);
+        QVERIFY(*later == *missionPicture(record, kLocale).routes[1].swept);
+        record.instant = snapshotAt(mission, 30);
+        const SweptPointer back = missionPicture(record, kLocale, paths).routes[1].swept;
+        QVERIFY(back != later && back->size() < before);
+        COMPARE_NEAR(back->back().time_s, 30, 1e-9);
+        record.instant.reset();
+        ++record.history.rewrites;
+        QVERIFY(missionPicture(record, kLocale, paths).routes[1].swept != later);
     }
 };
 

@@ -362,10 +362,10 @@ private slots:
         Desk desk;
         QVERIFY(!desk.picture().showsSwept());
         desk.flyTo(20);
-        QCOMPARE(desk.picture().routes[0].swept.size(), std::size_t{21});
+        QCOMPARE(desk.picture().routes[0].swept->size(), std::size_t{21});
         desk.workspace.seek(10.4);
         desk.waitFor(10.4);
-        const std::vector<MapPose> poses = desk.picture().routes[0].swept;
+        const std::vector<MapPose> poses = *desk.picture().routes[0].swept;
         QCOMPARE(poses.size(), std::size_t{12});
         COMPARE_NEAR(poses.back().time_s, 10.4, 1e-9);
         QVERIFY(poses.back().position_m == desk.record().shown().world.uavs[0].pose.position_m);
