@@ -46,7 +46,7 @@ NewFile pngFile(const QImage& image, const QString& path)
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (!image.save(&buffer, "PNG"))
-        throw Error(ErrorCode::FileUnwritable, path.toStdString(), "the picture is not encodable");
+        throw Error(ErrorCode::FileUnwritable, path.toStdString(), {IssueId::CannotMake});
     return {.path = QFile::encodeName(path).toStdString(), .content = bytes.toStdString()};
 }
 
@@ -108,8 +108,7 @@ QStringList writePictures(const Mission& mission, const PictureOptions& options,
                           const QLocale& locale)
 {
     if (!QDir().mkpath(options.folder))
-        throw Error(ErrorCode::FileUnwritable, options.folder.toStdString(),
-                    "the folder cannot be made");
+        throw Error(ErrorCode::FileUnwritable, options.folder.toStdString(), {IssueId::CannotMake});
     const FlightRecord record = recordOf(mission);
     const MapPicture picture = missionPicture(record, locale);
     const TimeChartContent zeta = zetaContent(record, locale);

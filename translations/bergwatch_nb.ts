@@ -1608,58 +1608,6 @@
         <translation>Ingenting i den kan brukes slik.</translation>
     </message>
     <message>
-        <source>Another number of columns than the first line</source>
-        <translation>Et annet antall kolonner enn første linje</translation>
-    </message>
-    <message>
-        <source>A quote is opened and never closed</source>
-        <translation>Et anførselstegn åpnes og lukkes aldri</translation>
-    </message>
-    <message>
-        <source>Text follows a closing quote</source>
-        <translation>Tekst følger etter et lukkende anførselstegn</translation>
-    </message>
-    <message>
-        <source>No time</source>
-        <translation>Ingen tid</translation>
-    </message>
-    <message>
-        <source>The time cannot be read</source>
-        <translation>Tiden kan ikke leses</translation>
-    </message>
-    <message>
-        <source>The date is not in the season</source>
-        <translation>Datoen er ikke i sesongen</translation>
-    </message>
-    <message>
-        <source>No position</source>
-        <translation>Ingen posisjon</translation>
-    </message>
-    <message>
-        <source>The latitude is no number from −90 to 90</source>
-        <translation>Bredden er ikke et tall fra −90 til 90</translation>
-    </message>
-    <message>
-        <source>The longitude is no number from −180 to 360</source>
-        <translation>Lengden er ikke et tall fra −180 til 360</translation>
-    </message>
-    <message>
-        <source>A number is out of range</source>
-        <translation>Et tall er utenfor området</translation>
-    </message>
-    <message>
-        <source>The id is too long</source>
-        <translation>Id-en er for lang</translation>
-    </message>
-    <message>
-        <source>Not a point</source>
-        <translation>Ikke et punkt</translation>
-    </message>
-    <message>
-        <source>More than 1000 km from the origin of the scenario</source>
-        <translation>Mer enn 1000 km fra scenarioets origo</translation>
-    </message>
-    <message>
         <source>velocity unknown</source>
         <translation>hastigheten er ukjent</translation>
     </message>
@@ -1717,7 +1665,7 @@
     </message>
     <message>
         <source>a UAV has this id</source>
-        <translation>en drone har denne id-en</translation>
+        <translation>en UAV har denne id-en</translation>
     </message>
     <message>
         <source>new</source>
@@ -3435,6 +3383,478 @@
     <message>
         <source>Seen %2 h ago: may be %3 away (%4 × the field of view).</source>
         <translation>Sett for %2 t siden: kan være %3 unna (%4 × synsfeltet).</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>linje %1, kolonne %2: dette er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3: a number too large for this program</source>
+        <translation>linje %1, kolonne %2: %3: et tall som er for stort for dette programmet</translation>
+    </message>
+    <message>
+        <source>nested deeper than %1 levels</source>
+        <translation>har mer enn %1 nivåer inni hverandre</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>linje %1: dette er ikke gyldig XML</translation>
+    </message>
+    <message>
+        <source>is no %1 file: must be %2, not %3</source>
+        <translation>er ingen fil av typen %1: må være %2, ikke %3</translation>
+    </message>
+    <message>
+        <source>must be &quot;%1&quot;</source>
+        <translation>må være «%1»</translation>
+    </message>
+    <message>
+        <source>must be &quot;%1&quot;, not &quot;%2&quot;</source>
+        <translation>må være «%1», ikke «%2»</translation>
+    </message>
+    <message>
+        <source>%1 is not known: this program reads %2</source>
+        <translation>%1 er ukjent: dette programmet leser %2</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>mangler</translation>
+    </message>
+    <message>
+        <source>is missing, and so is %1</source>
+        <translation>mangler, og det gjør %1 også</translation>
+    </message>
+    <message>
+        <source>must not be given beside %1</source>
+        <translation>kan ikke oppgis sammen med %1</translation>
+    </message>
+    <message>
+        <source>appears more than once</source>
+        <translation>står der mer enn én gang</translation>
+    </message>
+    <message>
+        <source>must be %1, not %2</source>
+        <translation>må være %1, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>må være en av %1</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2, not %3</source>
+        <translation>må være et heltall fra %1 til %2, ikke %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>«%1» er ikke et tall</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number: decimals follow a point</source>
+        <translation>«%1» er ikke et tall: desimaler skrives etter punktum</translation>
+    </message>
+    <message>
+        <source>must be a finite number of at least 0</source>
+        <translation>må være et endelig tall som ikke er under 0</translation>
+    </message>
+    <message>
+        <source>must not be below %1</source>
+        <translation>kan ikke være under %1</translation>
+    </message>
+    <message>
+        <source>must not be before %1</source>
+        <translation>kan ikke være før %1</translation>
+    </message>
+    <message>
+        <source>must rise from entry to entry</source>
+        <translation>må øke fra verdi til verdi</translation>
+    </message>
+    <message>
+        <source>must hold %1 entries, not %2</source>
+        <translation>må ha %1 verdier, ikke %2</translation>
+    </message>
+    <message>
+        <source>must hold from %1 to %2 entries, not %3</source>
+        <translation>må ha fra %1 til %2 verdier, ikke %3</translation>
+    </message>
+    <message>
+        <source>must hold at least %1 entries</source>
+        <translation>må ha minst %1 verdier</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 entries, not %2</source>
+        <translation>kan ha høyst %1 verdier, ikke %2</translation>
+    </message>
+    <message>
+        <source>must not repeat an iceberg</source>
+        <translation>kan ikke gjenta et isfjell</translation>
+    </message>
+    <message>
+        <source>no iceberg &quot;%1&quot; is there at this time</source>
+        <translation>isfjellet «%1» er ikke der på dette tidspunktet</translation>
+    </message>
+    <message>
+        <source>with these, the run must hold at most %1 icebergs, not %2</source>
+        <translation>med disse kan kjøringen ha høyst %1 isfjell, ikke %2</translation>
+    </message>
+    <message>
+        <source>must be at least %1 for a run of this length and so many icebergs, not %2</source>
+        <translation>må være minst %1 for en så lang kjøring med så mange isfjell, ikke %2</translation>
+    </message>
+    <message>
+        <source>is the UAV&apos;s and must be 0</source>
+        <translation>er UAV-ens og må være 0</translation>
+    </message>
+    <message>
+        <source>must be a square matrix with one row and column per sigma</source>
+        <translation>må være en kvadratisk matrise med én rad og én kolonne for hver sigma</translation>
+    </message>
+    <message>
+        <source>must be empty or hold one entry per UAV and sigma</source>
+        <translation>må være tom eller ha én verdi for hver UAV og sigma</translation>
+    </message>
+    <message>
+        <source>must be true for one UAV at least</source>
+        <translation>må være true for minst én UAV</translation>
+    </message>
+    <message>
+        <source>is too large: the cost of a plan may exceed %1</source>
+        <translation>er for stor: kostnaden av en plan kan overstige %1</translation>
+    </message>
+    <message>
+        <source>is too small: a cost that is not 0 is less than %1</source>
+        <translation>er for liten: en kostnad som ikke er 0, er under %1</translation>
+    </message>
+    <message>
+        <source>with the policies would be %1 settings; at most %2 fit into one study</source>
+        <translation>ville med strategiene gi %1 innstillinger; én studie har plass til høyst %2</translation>
+    </message>
+    <message>
+        <source>would be %1 missions; at most %2 fit into one study</source>
+        <translation>ville bli %1 oppdrag; én studie har plass til høyst %2</translation>
+    </message>
+    <message>
+        <source>must not be empty when random is 0</source>
+        <translation>kan ikke være tom når random er 0</translation>
+    </message>
+    <message>
+        <source>must name a policy; visitation needs taus</source>
+        <translation>må nevne en strategi; visitation trenger taus</translation>
+    </message>
+    <message>
+        <source>must be I of N with 1 &lt;= I &lt;= N</source>
+        <translation>må være I av N med 1 &lt;= I &lt;= N</translation>
+    </message>
+    <message>
+        <source>differs: parts of one study are wanted</source>
+        <translation>er ulik: delene må være av samme studie</translation>
+    </message>
+    <message>
+        <source>setting %1 of case %2 has two different outcomes: the parts were not flown by the same program</source>
+        <translation>innstilling %1 av tilfelle %2 har to ulike utfall: delene ble ikke fløyet av samme program</translation>
+    </message>
+    <message>
+        <source>no study is kept in this page</source>
+        <translation>denne siden inneholder ingen studie</translation>
+    </message>
+    <message>
+        <source>would become larger than %1 MiB: take fewer scenarios, or several studies</source>
+        <translation>ville bli større enn %1 MiB: ta færre scenarioer, eller flere studier</translation>
+    </message>
+    <message>
+        <source>recorded %1, replayed %2</source>
+        <translation>lagret %1, fløyet på nytt %2</translation>
+    </message>
+    <message>
+        <source>at %1 s: recorded %2, replayed %3</source>
+        <translation>ved %1 s: lagret %2, fløyet på nytt %3</translation>
+    </message>
+    <message>
+        <source>at %1 s: the replay has another</source>
+        <translation>ved %1 s: fløyet på nytt er det en annen</translation>
+    </message>
+    <message>
+        <source>at %1 s: not reached by the replay</source>
+        <translation>ved %1 s: nås ikke når kjøringen flys på nytt</translation>
+    </message>
+    <message>
+        <source>solves were cut by the clock, so this run is not bound to repeat</source>
+        <translation>løsningene ble avbrutt av klokken, så denne kjøringen gjentar seg ikke nødvendigvis</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kan ikke åpnes: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kan ikke leses: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>kan ikke skrives: %1</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>kan ikke lages</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>er skadet</translation>
+    </message>
+    <message>
+        <source>is of another version</source>
+        <translation>er av en annen versjon</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>er ikke en vanlig fil</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB</source>
+        <translation>er større enn %1 MiB</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB; %2 in the environment doubles the limits of reading</source>
+        <translation>er større enn %1 MiB; %2 i miljøvariablene dobler grensene for lesing</translation>
+    </message>
+    <message>
+        <source>holds more than %1 values; %2 in the environment doubles the limits of reading</source>
+        <translation>har mer enn %1 verdier; %2 i miljøvariablene dobler grensene for lesing</translation>
+    </message>
+    <message>
+        <source>holds more than %1 rows or features; %2 in the environment doubles the limits of reading</source>
+        <translation>har mer enn %1 rader eller objekter; %2 i miljøvariablene dobler grensene for lesing</translation>
+    </message>
+    <message>
+        <source>would take more than %1 MB of memory, the limit for a file of its size: split it, or leave out what is empty; %2 in the environment doubles the limits of reading</source>
+        <translation>ville ta mer enn %1 MB minne, grensen for en så stor fil: del den opp, eller utelat det som er tomt; %2 i miljøvariablene dobler grensene for lesing</translation>
+    </message>
+    <message>
+        <source>there are more than %1 icebergs to choose from: narrow the area or the time; %2 in the environment doubles the limits of reading</source>
+        <translation>det er mer enn %1 isfjell å velge blant: begrens området eller tiden; %2 i miljøvariablene dobler grensene for lesing</translation>
+    </message>
+    <message>
+        <source>is an archive that cannot be read: it is cut off or damaged</source>
+        <translation>er et arkiv som ikke kan leses: det er avkuttet eller skadet</translation>
+    </message>
+    <message>
+        <source>is a compressed archive (such as XLSX) without a file *%1</source>
+        <translation>er et komprimert arkiv (slik som XLSX) uten en fil *%1</translation>
+    </message>
+    <message>
+        <source>is an archive whose entry *%1 cannot be unpacked</source>
+        <translation>er et arkiv der filen *%1 ikke kan pakkes ut</translation>
+    </message>
+    <message>
+        <source>is an archive in an archive</source>
+        <translation>er et arkiv i et arkiv</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>er tom</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text; save it as UTF-8</source>
+        <translation>er UTF-16-tekst; lagre den som UTF-8</translation>
+    </message>
+    <message>
+        <source>is no text file</source>
+        <translation>er ingen tekstfil</translation>
+    </message>
+    <message>
+        <source>no import format &quot;%1&quot;; there are %2</source>
+        <translation>det finnes ikke noe importformat «%1»; det finnes %2</translation>
+    </message>
+    <message>
+        <source>is of no known format, and no columns for latitude and longitude are named; known formats: %1</source>
+        <translation>er av ukjent format, og ingen kolonner for bredde og lengde er oppgitt; kjente formater: %1</translation>
+    </message>
+    <message>
+        <source>columns of the format %1 cannot be mapped</source>
+        <translation>kolonnene i formatet %1 kan ikke velges</translation>
+    </message>
+    <message>
+        <source>holds no sightings</source>
+        <translation>inneholder ingen observasjoner</translation>
+    </message>
+    <message>
+        <source>there is no column &quot;%1&quot;</source>
+        <translation>det er ingen kolonne «%1»</translation>
+    </message>
+    <message>
+        <source>no column holds it; name one with a mapping</source>
+        <translation>ingen kolonne inneholder det; velg en kolonne</translation>
+    </message>
+    <message>
+        <source>columns %1 and %2 are both called &quot;%3&quot;: rename one</source>
+        <translation>kolonnene %1 og %2 heter begge «%3»: gi den ene et annet navn</translation>
+    </message>
+    <message>
+        <source>the first line must name from 1 to %1 columns</source>
+        <translation>den første linjen må navngi fra 1 til %1 kolonner</translation>
+    </message>
+    <message>
+        <source>has %2 columns and not %1</source>
+        <translation>har %2 kolonner og ikke %1</translation>
+    </message>
+    <message>
+        <source>by then %1 is off the plane</source>
+        <translation>da er %1 utenfor kartplanet</translation>
+    </message>
+    <message>
+        <source>cannot move while the scenario holds icebergs, an asset or an area</source>
+        <translation>kan ikke flyttes mens scenarioet har isfjell, et objekt eller et område</translation>
+    </message>
+    <message>
+        <source>this is not a place on the Earth</source>
+        <translation>dette er ikke et sted på jorden</translation>
+    </message>
+    <message>
+        <source>has another number of columns than the first line</source>
+        <translation>har et annet antall kolonner enn den første linjen</translation>
+    </message>
+    <message>
+        <source>a quote is opened and never closed</source>
+        <translation>et anførselstegn åpnes og lukkes aldri</translation>
+    </message>
+    <message>
+        <source>text follows a closing quote</source>
+        <translation>det står tekst etter et avsluttende anførselstegn</translation>
+    </message>
+    <message>
+        <source>has no time</source>
+        <translation>har ikke noe tidspunkt</translation>
+    </message>
+    <message>
+        <source>time cannot be read</source>
+        <translation>tidspunktet kan ikke leses</translation>
+    </message>
+    <message>
+        <source>date is not in the season</source>
+        <translation>datoen er ikke i sesongen</translation>
+    </message>
+    <message>
+        <source>has no position</source>
+        <translation>har ingen posisjon</translation>
+    </message>
+    <message>
+        <source>latitude is no number from -90 to 90</source>
+        <translation>bredden er ikke et tall fra −90 til 90</translation>
+    </message>
+    <message>
+        <source>longitude is no number from -180 to 360</source>
+        <translation>lengden er ikke et tall fra −180 til 360</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>et tall er utenfor gyldig område</translation>
+    </message>
+    <message>
+        <source>id is too long</source>
+        <translation>ID-en er for lang</translation>
+    </message>
+    <message>
+        <source>is no point</source>
+        <translation>er ikke et punkt</translation>
+    </message>
+    <message>
+        <source>is more than 1000 km east, west, north or south of the origin</source>
+        <translation>er mer enn 1000 km øst, vest, nord eller sør for origo</translation>
+    </message>
+    <message>
+        <source>there is no room for more</source>
+        <translation>det er ikke plass til flere</translation>
+    </message>
+    <message>
+        <source>must lie within %1 m</source>
+        <translation>må ligge innenfor %1 m</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 icebergs found a place at least %3 m from the others</source>
+        <translation>bare %1 av %2 isfjell fikk plass minst %3 m fra de andre</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 icebergs found a place: the area is too thin</source>
+        <translation>bare %1 av %2 isfjell fikk plass: området er for tynt</translation>
+    </message>
+    <message>
+        <source>a scenario has no such file: nothing was flown</source>
+        <translation>et scenario har ingen slik fil: ingenting er fløyet</translation>
+    </message>
+    <message>
+        <source>must be above the speed of the wind</source>
+        <translation>må være høyere enn vindhastigheten</translation>
+    </message>
+    <message>
+        <source>there is no UAV %1</source>
+        <translation>det finnes ingen UAV %1</translation>
+    </message>
+    <message>
+        <source>%1 holds one UAV: choose one</source>
+        <translation>%1 har plass til én UAV: velg én</translation>
+    </message>
+    <message>
+        <source>%1 is painted, which needs the program bergwatch</source>
+        <translation>%1 tegnes, og det krever programmet bergwatch</translation>
+    </message>
+    <message>
+        <source>cannot be exported: at %1 s of the flight, later than any date</source>
+        <translation>kan ikke eksporteres: ved %1 s av flygingen, senere enn noen dato</translation>
+    </message>
+    <message>
+        <source>cannot be exported: at %1 s it is %2 m from the origin of the map, which holds %3 m</source>
+        <translation>kan ikke eksporteres: ved %1 s er det %2 m fra origo i kartet, som har plass til %3 m</translation>
+    </message>
+    <message>
+        <source>cannot be exported: its turns are not finite</source>
+        <translation>kan ikke eksporteres: svingene er ikke endelige</translation>
+    </message>
+    <message>
+        <source>the scenario cannot be planned</source>
+        <translation>scenarioet kan ikke planlegges</translation>
+    </message>
+    <message>
+        <source>this build was made without COIN-OR CBC</source>
+        <translation>dette programmet er bygd uten COIN-OR CBC</translation>
+    </message>
+    <message>
+        <source>the back end cbc cannot plan for the policy latency</source>
+        <translation>løseren cbc kan ikke planlegge for strategien latency</translation>
+    </message>
+    <message>
+        <source>%1 is not flown by this version</source>
+        <translation>%1 flys ikke av denne versjonen</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>et objekt</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>en liste</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>en tekst</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>et tall</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true eller false</translation>
+    </message>
+    <message>
+        <source>two numbers</source>
+        <translation>to tall</translation>
+    </message>
+    <message>
+        <source>pairs of numbers</source>
+        <translation>par av tall</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>linje %1</translation>
     </message>
 </context>
 <context>
@@ -6689,8 +7109,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Det er ingen flyging å lagre: scenarioet kan ikke planlegges.</translation>
     </message>
     <message>
-        <source>Flown again, this run comes out differently: %1, %2</source>
-        <translation>Fløyet på nytt blir denne flygingen annerledes: %1, %2</translation>
+        <source>Flown again, this run comes out differently: %1</source>
+        <translation>Fløyet på nytt blir denne flygingen annerledes: %1</translation>
     </message>
 </context>
 <context>

@@ -166,7 +166,7 @@ void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
             continue;
         const char* kind = issue.severity == Severity::Warning ? "warning" : "hint";
         tell(word(subject) + ": " + kind + ": " + issue.field + (issue.field.empty() ? "" : ": ") +
-             issue.message);
+             issue.message());
     }
 }
 

@@ -55,7 +55,7 @@ int validateFiles(const std::vector<std::string>& files, bool json, const std::s
         for (const Issue& issue : one.issues)
             if (issue.severity == Severity::Error)
                 tell(word(one.file) + ": " + issue.field + (issue.field.empty() ? "" : ": ") +
-                     issue.message);
+                     issue.message());
         if (!hasErrors(one.issues))
             print(word(one.file) + ": valid\n");
     }

@@ -32,7 +32,7 @@ OutputFolder::OutputFolder(const std::string& path) : m_path(path)
         m_made = folder;
     fs::create_directories(m_path, failure);
     if (failure)
-        throw Error(ErrorCode::FileUnwritable, path, failure.message());
+        throw Error(ErrorCode::FileUnwritable, path, {IssueId::CannotWrite, {failure.message()}});
 }
 
 OutputFolder::~OutputFolder()

@@ -166,7 +166,8 @@ void printDetails(const std::string& file, const ImportResult& result)
     std::size_t told = 0;
     for (const RejectedRow& row : result.rejected.first)
         if (told++ < kMostRows)
-            tell(word(file) + ": line " + std::to_string(row.line) + ": " + rowFaultText(row));
+            tell(word(file) + ": line " + std::to_string(row.line) + ": " +
+                 englishText(reasonOf(row)));
     if (result.rejected.count > kMostRows)
         tell(word(file) + ": and " + std::to_string(result.rejected.count - kMostRows) + " more");
     std::size_t notes = 0;

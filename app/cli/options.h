@@ -54,7 +54,8 @@ inline CLI::Validator numberFrom(double low, double high)
                 const auto [last, failure] = std::from_chars(text.data(), end, value);
                 if (failure != std::errc() || last != end)
                     return text + " is not a number";
-                return limitsFault(value, {.low = low, .high = high});
+                const auto fault = outOfLimits(value, {.low = low, .high = high});
+                return fault ? englishText(*fault) : std::string();
             },
             "(" + shortText(low) + " to " + shortText(high) + ")"};
 }

@@ -102,7 +102,7 @@ void checkOne(const Output& output, const CommandFiles& files)
     try {
         checkWritable(output.path);
     } catch (const Error& error) {
-        fail(output, error.issues().front().message);
+        fail(output, error.issues().front().message());
     }
 }
 

@@ -48,13 +48,14 @@ int exitCodeOf(const Error& error)
 std::string hintOf(const Error& error)
 {
     static constexpr std::pair<std::string_view, std::string_view> kHints[] = {
-        {"not \"bergwatch-problem\"", "This is a planning problem: use 'solve'."},
-        {"not \"bergwatch-scenario\"", "This is a scenario: use 'plan', 'simulate' or 'export'."},
-        {"not \"bergwatch-run\"", "This is a run: use 'simulate' or 'export'."},
-        {"not \"bergwatch-study\"", "This is a study: use 'study'."}};
-    if (error.code() == ErrorCode::WrongFormat)
+        {"bergwatch-problem", "This is a planning problem: use 'solve'."},
+        {"bergwatch-scenario", "This is a scenario: use 'plan', 'simulate' or 'export'."},
+        {"bergwatch-run", "This is a run: use 'simulate' or 'export'."},
+        {"bergwatch-study", "This is a study: use 'study'."}};
+    const IssueReason& reason = error.issues().front().reason;
+    if (reason.id == IssueId::OtherFormat)
         for (const auto& [given, hint] : kHints)
-            if (error.issues().front().message.ends_with(given))
+            if (std::get<std::string>(reason.arguments.back()) == given)
                 return '\n' + std::string(hint);
     return {};
 }
@@ -80,7 +81,8 @@ int failed(const Line& line, int exitCode, const std::string& text, const std::s
 
 int failed(const Line& line, int exitCode, const char* kind, const std::string& text)
 {
-    const FileFindings finding{.file = {}, .issues = {{Severity::Error, {}, text}}};
+    const FileFindings finding{.file = {},
+                               .issues = {{Severity::Error, {}, {IssueId::Verbatim, {text}}}}};
     return failed(line, exitCode, text, failureJson(kind, finding));
 }
 
@@ -101,7 +103,8 @@ void addCompletion(CLI::App& app, Action& action)
 int wrongUsage(const CLI::App& app, const Line& line, const std::string& fault)
 {
     const std::string command = commandOf(app, line.words);
-    const FileFindings finding{.file = command, .issues = {{Severity::Error, {}, fault}}};
+    const FileFindings finding{.file = command,
+                               .issues = {{Severity::Error, {}, {IssueId::Verbatim, {fault}}}}};
     return failed(line, kWrongUsage, command + ": " + fault + "\nTry '" + command + " --help'.",
                   failureJson("wrong-usage", finding));
 }

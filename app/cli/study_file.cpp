@@ -43,9 +43,12 @@ Study StudyFile::open(StudySpec spec)
     if (member.empty())
         return found;
     if (!m_mayReplace)
-        throw Error(ErrorCode::InvalidInput, m_path,
-                    {{Severity::Error, member,
-                      "differs: this is the file of another study (--replace-study replaces it)"}});
+        throw Error(
+            ErrorCode::InvalidInput, m_path,
+            {{Severity::Error,
+              member,
+              {IssueId::Verbatim,
+               {"differs: this is the file of another study (--replace-study replaces it)"}}}});
     return {.spec = std::move(spec)};
 }
 

@@ -96,7 +96,7 @@ Scenario loadExample(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        throw Error(ErrorCode::FileNotFound, path.toStdString(), "is not part of the program");
+        throw Error(ErrorCode::FileNotFound, path.toStdString(), {IssueId::Missing});
     return scenarioFromJson(file.readAll().toStdString(), path.toStdString());
 }
 

@@ -10,21 +10,23 @@ std::string joined(const std::string& subject, const std::vector<Issue>& issues)
     for (const Issue& issue : issues) {
         if (!text.empty())
             text += '\n';
-        text += subject;
-        if (!issue.field.empty())
-            text += ": " + issue.field;
-        text += ": " + issue.message;
+        for (const std::string& part : {subject, issue.field})
+            if (!part.empty())
+                text += part + ": ";
+        text += issue.message();
     }
     return text;
 }
 
 } // namespace
 
-Error::Error(ErrorCode code, std::string subject, const std::string& message)
-    : std::runtime_error(subject.empty() ? message : subject + ": " + message)
-    , m_code(code)
-    , m_subject(std::move(subject))
-    , m_issues{{Severity::Error, "", message}}
+Error::Error(ErrorCode code, std::string subject, IssueReason reason)
+    : Error(code, std::move(subject), {{Severity::Error, "", std::move(reason)}})
+{
+}
+
+Error::Error(ErrorCode code, std::string subject, std::string words)
+    : Error(code, std::move(subject), IssueReason{IssueId::Verbatim, {std::move(words)}})
 {
 }
 

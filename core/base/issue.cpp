@@ -9,12 +9,18 @@ namespace berg {
 
 namespace {
 
+constexpr std::array<std::string_view, 10> kKinds{
+    "null",  "an object", "an array",      "a string",    "true",
+    "false", "a number",  "true or false", "two numbers", "pairs of numbers"};
+
 std::string argumentText(const IssueArgument& argument)
 {
     if (const auto* const number = std::get_if<double>(&argument))
         return shortText(*number);
     if (const auto* const count = std::get_if<std::int64_t>(&argument))
         return std::to_string(*count);
+    if (const auto* const kind = std::get_if<ValueKind>(&argument))
+        return std::string(kKinds.at(static_cast<std::size_t>(*kind)));
     return std::get<std::string>(argument);
 }
 
@@ -25,7 +31,6 @@ struct Pattern
 };
 
 constexpr std::array<Pattern, kIssueIds> kPatterns{{
-    {IssueId::Free, ""},
     {IssueId::NotUtf8, "must be UTF-8 text"},
     {IssueId::NotFinite, "must be a finite number"},
     {IssueId::NotFinitePair, "must be two finite numbers"},
@@ -118,6 +123,11 @@ constexpr std::array<Pattern, kIssueIds> kPatterns{{
     {IssueId::ClustersIgnored, "the policy plans icebergs one by one, so clusters are not made"},
     {IssueId::SolverUnable, "cannot plan so many icebergs; the back end auto can"},
     {IssueId::LongProof, "proving the optimum of so many icebergs can take a minute and more"},
+#define QT_TRANSLATE_NOOP(context, words) words
+#define ISSUE(id, words) {IssueId::id, words},
+#include "core/base/reading_issues.inc"
+#undef ISSUE
+#undef QT_TRANSLATE_NOOP
 }};
 
 constexpr bool isInOrder()
@@ -138,25 +148,25 @@ std::string shortText(double value)
     return {buffer.data(), end};
 }
 
+std::string_view englishWords(IssueId id)
+{
+    return kPatterns.at(static_cast<std::size_t>(id)).text;
+}
+
 std::string englishText(const IssueReason& reason)
 {
-    const std::string_view pattern = kPatterns.at(static_cast<std::size_t>(reason.id)).text;
+    const std::string_view pattern = englishWords(reason.id);
+    const auto argument = [&](char number) {
+        return argumentText(reason.arguments.at(static_cast<std::size_t>(number - '1')));
+    };
     std::string text;
     for (std::size_t i = 0; i < pattern.size(); ++i)
         if (pattern[i] == '%')
-            text += argumentText(reason.arguments.at(static_cast<std::size_t>(pattern[++i] - '1')));
+            text += argument(pattern[++i]);
         else
             text += pattern[i];
-    return text;
-}
-
-Issue issueOf(Severity severity, std::string field, IssueReason reason)
-{
-    std::string message = englishText(reason);
-    return {.severity = severity,
-            .field = std::move(field),
-            .message = std::move(message),
-            .reason = std::move(reason)};
+    const bool hasDetail = !reason.arguments.empty() && pattern.find('%') == pattern.npos;
+    return hasDetail ? text + ": \"" + argument('1') + '"' : text;
 }
 
 bool hasErrors(const std::vector<Issue>& issues)

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -17,8 +19,6 @@ enum class Severity
 /** What a finding says. Its arguments, in order, are in the comment. */
 enum class IssueId
 {
-    Free, ///< nothing but `Issue::message` says it
-
     // One field by itself.
     NotUtf8,
     NotFinite,
@@ -96,19 +96,52 @@ enum class IssueId
     BeyondProof,
     ClustersIgnored,
     SolverUnable,
-    LongProof ///< the last
+    LongProof,
+
+// Readers, writers and solvers: their words are in the file.
+#define ISSUE(id, words) id,
+#include "core/base/reading_issues.inc"
+#undef ISSUE
 };
-inline constexpr int kIssueIds = static_cast<int>(IssueId::LongProof) + 1;
+/** Of scenarios: the window has a sentence of its own for each. */
+inline constexpr int kScenarioIssueIds = static_cast<int>(IssueId::LongProof) + 1;
+inline constexpr int kIssueIds = static_cast<int>(IssueId::PolicyNotFlown) + 1;
+
+/** What a value of a file is, or must be. */
+enum class ValueKind
+{
+    Null,
+    Object,
+    Array,
+    String,
+    True,
+    False,
+    Number,
+    Boolean,    ///< true or false
+    TwoNumbers, ///< an array of them
+    Pairs       ///< an array of an even count of numbers
+};
 
 /** In SI, as in the file. */
-using IssueArgument = std::variant<double, std::int64_t, std::string>;
+using IssueArgument = std::variant<double, std::int64_t, std::string, ValueKind>;
+
+[[nodiscard]] inline IssueArgument countOf(std::size_t number)
+{
+    return static_cast<std::int64_t>(number);
+}
 
 struct IssueReason
 {
-    IssueId id = IssueId::Free;
+    IssueId id = IssueId::Verbatim;
     std::vector<IssueArgument> arguments = {};
     bool operator==(const IssueReason&) const = default;
 };
+
+/**
+ * The words of an id in English, with %1, %2, ... for its arguments. Without such a place, what it
+ * has for an argument follows the words in quotes.
+ */
+[[nodiscard]] std::string_view englishWords(IssueId id);
 
 /** The reason in English, without field and file: for the command line and for files. */
 [[nodiscard]] std::string englishText(const IssueReason& reason);
@@ -117,14 +150,13 @@ struct IssueReason
 struct Issue
 {
     Severity severity = Severity::Error;
-    std::string field;       ///< path of the field, e.g. `icebergs[3].q_m2ps`; empty for the whole
-    std::string message;     ///< English reason without field and file
-    IssueReason reason = {}; ///< what `message` says; the window makes its sentence from it
+    /** Path such as `icebergs[3].q_m2ps`, or `line 3` of a table; empty for the whole. */
+    std::string field;
+    IssueReason reason = {};
+
+    [[nodiscard]] std::string message() const { return englishText(reason); }
     bool operator==(const Issue&) const = default;
 };
-
-/** The finding, with its message. */
-[[nodiscard]] Issue issueOf(Severity severity, std::string field, IssueReason reason);
 
 /** True when at least one finding is an error. */
 [[nodiscard]] bool hasErrors(const std::vector<Issue>& issues);

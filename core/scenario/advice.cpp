@@ -117,11 +117,11 @@ public:
 private:
     void warn(std::string field, IssueId id)
     {
-        m_issues.push_back(issueOf(Severity::Warning, std::move(field), {.id = id}));
+        m_issues.push_back(Issue{Severity::Warning, std::move(field), {.id = id}});
     }
     void hint(std::string field, IssueId id)
     {
-        m_issues.push_back(issueOf(Severity::Hint, std::move(field), {.id = id}));
+        m_issues.push_back(Issue{Severity::Hint, std::move(field), {.id = id}});
     }
 
     [[nodiscard]] bool isOutside(const Point& p_m) const
@@ -253,8 +253,9 @@ void Adviser::adviseEndurance(const Flyer& flyer)
     const double wait_s =
         kWaitForOne_s * static_cast<double>(std::ranges::count_if(m_flyers, isKeptApart));
     if (reserve_s(uav.spec) < wait_s)
-        m_issues.push_back(issueOf(Severity::Warning, flyer.path + ".endurance_s",
-                                   {.id = IssueId::CrowdedReturn, .arguments = {wait_s}}));
+        m_issues.push_back(Issue{Severity::Warning,
+                                 flyer.path + ".endurance_s",
+                                 {.id = IssueId::CrowdedReturn, .arguments = {wait_s}}});
     bool visits = false;
     bool returns = false;
     for (const Iceberg& iceberg : m_s.icebergs) {

@@ -59,12 +59,6 @@ std::optional<IssueReason> outOfLimits(double value, const Limits& limits)
                        .arguments = {limits.low, limits.high, value}};
 }
 
-std::string limitsFault(double value, const Limits& limits)
-{
-    const std::optional<IssueReason> reason = outOfLimits(value, limits);
-    return reason ? englishText(*reason) : std::string();
-}
-
 std::string entryPath(const std::string& list, std::size_t i)
 {
     return list + '[' + std::to_string(i) + ']';

@@ -11,8 +11,6 @@ namespace berg {
 
 /** What is wrong with a number; none when it is in limits. */
 [[nodiscard]] std::optional<IssueReason> outOfLimits(double value, const Limits& limits);
-/** The same as the end of an English sentence ("must be ..."); empty when in limits. */
-[[nodiscard]] std::string limitsFault(double value, const Limits& limits);
 
 /** Path of an entry: "icebergs[3]". */
 [[nodiscard]] std::string entryPath(const std::string& list, std::size_t i);

@@ -103,7 +103,7 @@ std::vector<Issue> driftIssues(const Scenario& scenario)
     const auto add = [&](Severity severity, std::string field, IssueId id,
                          std::vector<IssueArgument> arguments) {
         issues.push_back(
-            issueOf(severity, std::move(field), {.id = id, .arguments = std::move(arguments)}));
+            Issue{severity, std::move(field), {.id = id, .arguments = std::move(arguments)}});
     };
     const Uav& uav = widestView(scenario);
     const double view_m = width_m(sensorOf(scenario, uav));

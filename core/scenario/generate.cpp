@@ -25,8 +25,8 @@ class RequestFaults
 public:
     void check(const char* field, double value, const Limits& limits)
     {
-        if (std::string fault = limitsFault(value, limits); !fault.empty())
-            add(field, std::move(fault));
+        if (std::optional<IssueReason> fault = outOfLimits(value, limits))
+            add(field, std::move(*fault));
     }
     /** A range from `low` to `high` within `limits`. */
     void check(const char* lowField, const char* highField, const Span& span, const Limits& limits)
@@ -34,16 +34,16 @@ public:
         check(lowField, span.low, limits);
         check(highField, span.high, limits);
         if (span.low > span.high)
-            add(highField, std::string("must not be below ") + lowField);
+            add(highField, {IssueId::BelowOther, {lowField}});
     }
-    void add(const char* field, std::string message)
+    void add(const char* field, IssueReason reason)
     {
-        m_issues.push_back({Severity::Error, field, std::move(message)});
+        m_issues.push_back({Severity::Error, field, std::move(reason)});
     }
     void raise() const
     {
         if (!m_issues.empty())
-            throw Error(ErrorCode::InvalidInput, "icebergs to generate", m_issues);
+            throw Error(ErrorCode::InvalidInput, "generate", m_issues);
     }
 
 private:
@@ -57,11 +57,11 @@ void checkArea(const std::vector<Point>& area_m, RequestFaults& faults)
     };
     if (area_m.size() < 3 || area_m.size() > kMostAreaCorners)
         faults.add("area_m",
-                   "must have from 3 to " + std::to_string(kMostAreaCorners) + " corners");
+                   {IssueId::AreaCorners, {countOf(kMostAreaCorners), countOf(area_m.size())}});
     else if (!std::all_of(area_m.begin(), area_m.end(), isPlace))
-        faults.add("area_m", "must lie within " + shortText(kLargestCoordinate_m) + " m");
+        faults.add("area_m", {IssueId::CornersTooFar, {kLargestCoordinate_m}});
     else if (!isSimplePolygon(area_m))
-        faults.add("area_m", "must be a polygon that neither touches nor crosses itself");
+        faults.add("area_m", {IssueId::AreaNotSimple});
 }
 
 void check(const Scenario& scenario, const FieldRequest& request)
@@ -70,7 +70,7 @@ void check(const Scenario& scenario, const FieldRequest& request)
     const double room =
         static_cast<double>(kMostIcebergs) - static_cast<double>(scenario.icebergs.size());
     if (room < 1)
-        faults.add("icebergs", "there is no room for more");
+        faults.add("icebergs", {IssueId::NoRoom});
     else
         faults.check("icebergs", request.icebergs, {.low = 1, .high = room});
     checkArea(request.area_m, faults);
@@ -82,7 +82,7 @@ void check(const Scenario& scenario, const FieldRequest& request)
                  limits::kSigma_m2);
     faults.check("q_m2ps", request.q_m2ps, limits::kGrowth_m2ps);
     if (request.seed < 0)
-        faults.add("seed", "must be at least 0");
+        faults.add("seed", {IssueId::Negative});
     faults.check("spacing_m", request.spacing_m, limits::kLength_m);
     faults.raise();
 }
@@ -179,13 +179,12 @@ private:
 [[noreturn]] void refuse(std::size_t placed, const FieldRequest& request)
 {
     RequestFaults faults;
-    const std::string counts =
-        "only " + std::to_string(placed) + " of " + std::to_string(request.icebergs) + " icebergs ";
+    const IssueArgument found = countOf(placed);
     if (request.spacing_m > 0)
-        faults.add("spacing_m", counts + "found a place at least " + shortText(request.spacing_m) +
-                                    " m from the others");
+        faults.add("spacing_m",
+                   {IssueId::PlacesTooFew, {found, request.icebergs, request.spacing_m}});
     else
-        faults.add("area_m", counts + "found a place: the area is too thin");
+        faults.add("area_m", {IssueId::AreaTooThin, {found, request.icebergs}});
     faults.raise();
     throw std::logic_error("refuse: nothing to refuse");
 }

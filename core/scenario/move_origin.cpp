@@ -106,7 +106,7 @@ void refuseNewFaults(const Scenario& before, const Scenario& after)
 Scenario movedTo(const Scenario& scenario, const LatLon& origin, MoveMode mode)
 {
     if (!(std::abs(origin.latitude_deg) <= 90) || !(std::abs(origin.longitude_deg) <= 180))
-        throw Error(ErrorCode::InvalidInput, "origin", "this is not a place on the Earth");
+        throw Error(ErrorCode::InvalidInput, "origin", {IssueId::NotOnEarth});
     Scenario moved = scenario;
     moved.origin = origin;
     if (mode == MoveMode::KeepPlaces && origin != scenario.origin)

@@ -21,11 +21,6 @@ constexpr double kStrongWind = 0.7;
 /** Slower autopilots cannot be told when home must be gone for: `pathTo`. */
 constexpr double kSlowestHoming_s = 1;
 
-std::int64_t count(std::size_t number)
-{
-    return static_cast<std::int64_t>(number);
-}
-
 /** Gathers the findings; the checks below call it field by field. */
 class Findings
 {
@@ -95,7 +90,7 @@ public:
     [[nodiscard]] std::vector<Issue> take()
     {
         if (m_errors > kMostStored)
-            add(Severity::Error, "", IssueId::MoreFaults, {count(m_errors - kMostStored)});
+            add(Severity::Error, "", IssueId::MoreFaults, {countOf(m_errors - kMostStored)});
         return std::move(m_issues);
     }
 
@@ -105,7 +100,7 @@ private:
     void add(Severity severity, std::string field, IssueId id, Arguments arguments)
     {
         m_issues.push_back(
-            issueOf(severity, std::move(field), {.id = id, .arguments = std::move(arguments)}));
+            Issue{severity, std::move(field), {.id = id, .arguments = std::move(arguments)}});
     }
 
     Kind m_kind;
@@ -133,7 +128,7 @@ void checkPolygon(const std::vector<Point>& corners_m, const std::string& path, 
 {
     if (corners_m.size() < 3 || corners_m.size() > kMostAreaCorners) {
         findings.error(path, IssueId::AreaCorners,
-                       {count(kMostAreaCorners), count(corners_m.size())});
+                       {countOf(kMostAreaCorners), countOf(corners_m.size())});
         return;
     }
     bool finite = true;
@@ -158,7 +153,7 @@ void checkAreas(const Scenario& s, Findings& findings)
         checkPolygon(s.area_m, "area_m", findings);
     if (s.noFly.size() > kMostNoFlyAreas) {
         findings.error("no_fly", IssueId::NoFlyCount,
-                       {count(kMostNoFlyAreas), count(s.noFly.size())});
+                       {countOf(kMostNoFlyAreas), countOf(s.noFly.size())});
         return;
     }
     for (std::size_t i = 0; i < s.noFly.size(); ++i) {
@@ -244,7 +239,7 @@ void checkUav(const Uav& uav, const std::string& path, Findings& findings)
 void checkUavs(const Scenario& s, std::map<std::string, std::string>& ownerOfId, Findings& findings)
 {
     if (s.uavs.empty() || s.uavs.size() > kMostUavs) {
-        findings.error("uavs", IssueId::UavCount, {count(kMostUavs), count(s.uavs.size())});
+        findings.error("uavs", IssueId::UavCount, {countOf(kMostUavs), countOf(s.uavs.size())});
         return;
     }
     for (std::size_t i = 0; i < s.uavs.size(); ++i) {
@@ -265,7 +260,7 @@ void checkGeofence(const Scenario& s, Findings& findings)
     }
     if (s.area_m.size() > kMostFenceCorners)
         findings.conflict("area_m", IssueId::FenceCorners,
-                          {count(kMostFenceCorners), count(s.area_m.size())});
+                          {countOf(kMostFenceCorners), countOf(s.area_m.size())});
     const auto inside = [&](const Point& place_m, const std::string& field) {
         if (place_m.allFinite() && !insidePolygon(s.area_m, place_m))
             findings.conflict(field, IssueId::OutsideFence);
@@ -304,7 +299,7 @@ void checkClosedAreas(const Scenario& s, Findings& findings)
         corners += s.area_m.size();
     if (corners > kMostFenceCorners)
         findings.conflict(s.noFly.empty() ? "asset.standoff_m" : "no_fly", IssueId::NoFlyCorners,
-                          {count(kMostFenceCorners), count(corners)});
+                          {countOf(kMostFenceCorners), countOf(corners)});
 }
 
 /** Times that rise, each with a place; an empty track is none. */
@@ -315,12 +310,12 @@ void checkTrack(const RecordedTrack& track, const std::string& path, Findings& f
     const std::size_t points = track.time_s.size();
     if (points < 2 || points > kMostTrackPoints) {
         findings.error(path + ".time_s", IssueId::TrackPoints,
-                       {count(kMostTrackPoints), count(points)});
+                       {countOf(kMostTrackPoints), countOf(points)});
         return;
     }
     if (track.position_m.size() != points) {
         findings.error(path + ".position_m", IssueId::TrackPlaces,
-                       {count(points), count(track.position_m.size())});
+                       {countOf(points), countOf(track.position_m.size())});
         return;
     }
     for (std::size_t i = 0; i < points; ++i) {
@@ -354,7 +349,7 @@ void checkIcebergs(const Scenario& s, std::map<std::string, std::string>& ownerO
 {
     if (s.icebergs.size() > kMostIcebergs) {
         findings.error("icebergs", IssueId::IcebergCount,
-                       {count(kMostIcebergs), count(s.icebergs.size())});
+                       {countOf(kMostIcebergs), countOf(s.icebergs.size())});
         return;
     }
     if (s.icebergs.empty())

@@ -22,8 +22,8 @@ std::vector<Issue> weatherIssues(const Scenario& scenario)
 {
     std::vector<Issue> issues;
     const auto warn = [&](std::string field, IssueId id, std::vector<IssueArgument> arguments) {
-        issues.push_back(issueOf(Severity::Warning, std::move(field),
-                                 {.id = id, .arguments = std::move(arguments)}));
+        issues.push_back(Issue{
+            Severity::Warning, std::move(field), {.id = id, .arguments = std::move(arguments)}});
     };
     const double wind_mps = scenario.wind_mps.norm();
     const double shownWind_mps = std::round(wind_mps * 100) / 100;

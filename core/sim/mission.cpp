@@ -205,9 +205,8 @@ void Mission::requireAppeared(const std::string& iceberg, const char* field) con
 {
     const int index = indexOfId(m_icebergs, iceberg);
     if (index < 0 || !m_simulation.active(index))
-        throw Error(
-            ErrorCode::InvalidInput, m_scenario.name,
-            {{Severity::Error, field, "no iceberg \"" + iceberg + "\" is there at this time"}});
+        throw Error(ErrorCode::InvalidInput, m_scenario.name,
+                    {{Severity::Error, field, {IssueId::NoSuchIceberg, {iceberg}}}});
 }
 
 /** The same of a UAV; the empty id is that of any, which only an assignment can be to. */
@@ -216,7 +215,7 @@ void Mission::requireUav(const std::string& uav, const char* field) const
     const bool isAny = uav.empty() && field == std::string_view("assigned.uav");
     if (!isAny && indexOfId(m_scenario.uavs, uav) < 0)
         throw Error(ErrorCode::InvalidInput, m_scenario.name,
-                    {{Severity::Error, field, "no UAV is named \"" + uav + "\""}});
+                    {{Severity::Error, field, {IssueId::UnknownUav, {uav}}}});
 }
 
 Metrics Mission::metrics() const

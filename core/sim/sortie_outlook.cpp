@@ -185,12 +185,14 @@ std::vector<Issue> sortieIssues(std::size_t index, const SortieOutlook& outlook,
     std::vector<Issue> issues;
     if (lowMargin_s && *lowMargin_s < 0)
         issues.push_back(
-            issueOf(Severity::Warning, entryPath("uavs", index) + ".endurance_s",
-                    {.id = IssueId::ThinReserve, .arguments = {std::round(-*lowMargin_s)}}));
+            Issue{Severity::Warning,
+                  entryPath("uavs", index) + ".endurance_s",
+                  {.id = IssueId::ThinReserve, .arguments = {std::round(-*lowMargin_s)}}});
     if (outlook.noContact_s >= 1)
         issues.push_back(
-            issueOf(Severity::Warning, "ground_station",
-                    {.id = IssueId::NoContact, .arguments = {std::round(outlook.noContact_s)}}));
+            Issue{Severity::Warning,
+                  "ground_station",
+                  {.id = IssueId::NoContact, .arguments = {std::round(outlook.noContact_s)}}});
     return issues;
 }
 

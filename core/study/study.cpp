@@ -122,12 +122,14 @@ private:
         std::vector<Issue> issues = validate(m_study.spec);
         const Shard& shard = m_options.shard;
         if (shard.count < 1 || shard.index < 1 || shard.index > shard.count)
-            issues.push_back({Severity::Error, "shard", "must be I of N with 1 <= I <= N"});
+            issues.push_back({Severity::Error, "shard", {IssueId::WrongShard}});
         if (issues.empty() && !m_study.outcomes.empty() &&
             m_study.outcomes.size() != missionCount(m_study.spec))
-            issues.push_back({Severity::Error, "outcomes",
-                              "must be " + std::to_string(missionCount(m_study.spec)) + ", not " +
-                                  std::to_string(m_study.outcomes.size())});
+            issues.push_back(
+                {Severity::Error,
+                 "outcomes",
+                 {IssueId::EntryCount,
+                  {countOf(missionCount(m_study.spec)), countOf(m_study.outcomes.size())}}});
         if (!issues.empty())
             throw Error(ErrorCode::InvalidInput, kSubject, std::move(issues));
     }
@@ -219,7 +221,7 @@ void add(Study& whole, const Study& part)
 {
     if (const std::string member = differingMember(whole.spec, part.spec); !member.empty())
         throw Error(ErrorCode::InvalidInput, kSubject,
-                    {{Severity::Error, member, "differs: parts of one study are wanted"}});
+                    {{Severity::Error, member, {IssueId::OtherStudy}}});
     if (part.outcomes.empty())
         return;
     const std::size_t settings = settingsOf(whole.spec).size();
@@ -228,11 +230,9 @@ void add(Study& whole, const Study& part)
         if (!part.outcomes[i])
             continue;
         if (whole.outcomes[i] && whole.outcomes[i] != part.outcomes[i])
-            throw Error(ErrorCode::InvalidInput, kSubject,
-                        "setting " + std::to_string(i % settings + 1) + " of case " +
-                            std::to_string(i / settings + 1) +
-                            " has two different outcomes: the parts were not flown by the same "
-                            "program");
+            throw Error(
+                ErrorCode::InvalidInput, kSubject,
+                {IssueId::OutcomesDiffer, {countOf(i % settings + 1), countOf(i / settings + 1)}});
         whole.outcomes[i] = part.outcomes[i];
     }
 }

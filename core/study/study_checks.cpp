@@ -17,16 +17,15 @@ class SpecFaults
 public:
     bool check(std::string field, double value, const Limits& limits)
     {
-        std::string fault = limitsFault(value, limits);
-        if (fault.empty())
-            return true;
-        add(std::move(field), std::move(fault));
-        return false;
+        std::optional<IssueReason> fault = outOfLimits(value, limits);
+        if (fault)
+            add(std::move(field), std::move(*fault));
+        return !fault;
     }
-    void add(std::string field, std::string message)
+    void add(std::string field, IssueReason reason)
     {
         if (m_issues.size() < kMostStored)
-            m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
+            m_issues.push_back({Severity::Error, std::move(field), std::move(reason)});
     }
     [[nodiscard]] std::vector<Issue> take() { return std::move(m_issues); }
 
@@ -46,7 +45,7 @@ void checkField(const FieldSpec& field, SpecFaults& faults)
     faults.check("field.sigma_min_m2", field.sigmaMin_m2, limits::kSigma_m2);
     if (faults.check("field.sigma_max_m2", field.sigmaMax_m2, limits::kSigma_m2) &&
         field.sigmaMax_m2 < field.sigmaMin_m2)
-        faults.add("field.sigma_max_m2", "must not be below sigma_min_m2");
+        faults.add("field.sigma_max_m2", {IssueId::BelowOther, {"sigma_min_m2"}});
     faults.check("field.q_m2ps", field.q_m2ps, limits::kGrowth_m2ps);
 }
 
@@ -68,20 +67,20 @@ std::vector<Issue> validate(const StudySpec& spec)
                  {.low = 0, .high = static_cast<double>(kLargestSeed - kMostRandom)});
     checkField(spec.field, faults);
     if (settingCount(spec) > kMostMissions)
-        faults.add("taus", "with the policies would be " + std::to_string(settingCount(spec)) +
-                               " settings; at most " + std::to_string(kMostMissions) +
-                               " fit into one study");
+        faults.add("taus",
+                   {IssueId::SettingCount, {countOf(settingCount(spec)), countOf(kMostMissions)}});
     for (std::size_t i = 0; i < std::min(spec.taus.size(), kMostMissions); ++i)
         faults.check(entryPath("taus", i), spec.taus[i], limits::kTau);
     if (spec.scenarios.empty() && spec.random == 0)
-        faults.add("scenarios", "must not be empty when random is 0");
+        faults.add("scenarios", {IssueId::NothingToFlyIn});
     if (settingCount(spec) == 0)
-        faults.add("policies", "must name a policy; visitation needs taus");
-    const bool exact = countEstimate(spec) < 1e15; // whole numbers of this size are exact
-    if (random && runs && (!exact || missionCount(spec) > kMostMissions))
-        faults.add("", "would be " + (exact ? std::to_string(missionCount(spec)) : "far too many") +
-                           " missions; at most " + std::to_string(kMostMissions) +
-                           " fit into one study");
+        faults.add("policies", {IssueId::NoPolicy});
+    if (const double missions = countEstimate(spec);
+        random && runs && missions > static_cast<double>(kMostMissions))
+        faults.add("", {IssueId::MissionCount,
+                        {missions < 1e15 ? IssueArgument(static_cast<std::int64_t>(missions))
+                                         : IssueArgument(missions),
+                         countOf(kMostMissions)}});
     return faults.take();
 }
 

@@ -1,6 +1,7 @@
 #include "tests/support/import_dialog_test.h"
 #include "widgets/panels/dialogs/import_options_view.h"
 #include "widgets/words/import_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -85,7 +86,7 @@ private slots:
         for (int row = 0; row < rows.rowCount(); ++row) {
             const RejectedRow& rejected = core.first[static_cast<std::size_t>(row)];
             QCOMPARE(import.cell(u"importRejected"_s, row, 0), QString::number(rejected.line));
-            QCOMPARE(import.cell(u"importRejected"_s, row, 1), rowFaultSentence(rejected.fault));
+            QCOMPARE(import.cell(u"importRejected"_s, row, 1), issueWords(rejected.fault));
             QCOMPARE(import.cell(u"importRejected"_s, row, 2),
                      QString::fromStdString(rejected.detail));
         }

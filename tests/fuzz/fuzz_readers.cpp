@@ -47,12 +47,13 @@ void checkMessage(const Error& error)
         fail(std::string("a message without its file: ") + error.what());
     if (error.issues().empty())
         fail(std::string("nothing found: ") + error.what());
-    const std::string& first = error.issues().front().message;
-    const bool isAboutAll = first.find("holds no") != std::string::npos ||
-                            first.find("column") != std::string::npos ||
-                            first.find("nested deeper") != std::string::npos;
-    if (!isWhole && !isAboutAll && error.issues().front().field.empty() &&
-        first.find("line ") == std::string::npos)
+    const Issue& first = error.issues().front();
+    if (first.reason.id == IssueId::Verbatim)
+        fail(std::string("words of no id: ") + error.what());
+    const bool isAboutAll =
+        first.reason.id == IssueId::NoSightings || first.reason.id == IssueId::ColumnsFixed ||
+        first.reason.id == IssueId::HeaderColumns || first.reason.id == IssueId::JsonDepth;
+    if (!isWhole && !isAboutAll && first.field.empty() && !first.message().starts_with("line "))
         fail(std::string("neither field nor line: ") + error.what());
     if (std::string_view(error.what()).find('\x1b') != std::string_view::npos)
         fail("a raw escape in a message");

@@ -11,7 +11,7 @@ inline std::string messageOf(const Scenario& scenario, IssueId id)
 {
     for (const Issue& issue : validate(scenario))
         if (issue.reason.id == id)
-            return issue.message;
+            return issue.message();
     return {};
 }
 

@@ -68,7 +68,7 @@ inline std::string faultAt(const SightingTable& table, std::size_t line)
 {
     for (const RejectedRow& row : table.rejected.first)
         if (row.line == line)
-            return rowFaultText(row);
+            return englishText(reasonOf(row));
     return "not rejected";
 }
 

@@ -28,6 +28,9 @@ struct Message
     [[nodiscard]] QString key() const { return context + u'|' + source + u'|' + comment; }
 };
 
+/** They end with what a library says, which is English: it is left out. */
+const QStringList kParsersWords = {u"line %1, column %2: %3"_s, u"line %1: %2"_s};
+
 const QString kTranslations = QStringLiteral(BERG_SOURCE_DIR "/translations");
 
 /** Texts that are the same in both languages: symbols of units, names of quantities. */
@@ -202,7 +205,8 @@ private slots:
     {
         for (const Message& message : m_messages)
             for (const QString& form : message.forms)
-                QVERIFY2(placeholders(form) == placeholders(message.source),
+                QVERIFY2(placeholders(form) == placeholders(message.source) ||
+                             kParsersWords.contains(message.source),
                          qPrintable(message.key()));
     }
 

@@ -2,6 +2,7 @@
 
 #include "core/io/export/export_flight.h"
 #include "widgets/words/error_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <algorithm>
 #include <iterator>
@@ -113,9 +114,8 @@ void MissionWorker::flyAgain(const RunFile& run)
     publish();
     const std::vector<Issue> differences = compareRun(run, runOf(*m_mission));
     if (!differences.empty() && differences.front().severity == Severity::Error)
-        emit refused(tr("Flown again, this run comes out differently: %1, %2")
-                         .arg(QString::fromStdString(differences.front().field),
-                              QString::fromStdString(differences.front().message)));
+        emit refused(tr("Flown again, this run comes out differently: %1")
+                         .arg(placedIssueText(differences.front())));
 }
 
 void MissionWorker::listenToIncumbents()
@@ -255,7 +255,7 @@ void MissionWorker::sendRun(const QString& path)
 std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportOrder& order) const
 {
     if (!m_mission || m_mission->plans().empty())
-        throw Error(ErrorCode::InvalidInput, "plan", "the scenario cannot be planned");
+        throw Error(ErrorCode::InvalidInput, "plan", {IssueId::NotPlannable});
     const PlanAnswer plan = startPlan(*m_mission);
     const ExportSource source{.scenario = m_mission->scenario(),
                               .plan = plan,

@@ -110,7 +110,8 @@ HeldRecovery RecoveryStore::add() const
         .files = {.folder = m_folder, .id = QUuid::createUuid().toString(QUuid::WithoutBraces)},
         .lock = {}};
     if (!QDir().mkpath(m_folder) || held.lock.take(held.files.lock()) != FileLock::Outcome::Taken)
-        throw Error(ErrorCode::FileUnwritable, nativePath(held.files.lock()), "cannot be made");
+        throw Error(ErrorCode::FileUnwritable, nativePath(held.files.lock()),
+                    {IssueId::CannotMake});
     return held;
 }
 

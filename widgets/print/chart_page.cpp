@@ -73,8 +73,7 @@ void paintSheet(QPainter& painter, const ChartSheet& sheet)
 PicturePage chartPage(const ExportContent& content, const QLocale& locale)
 {
     if (content.mission == nullptr)
-        throw Error(ErrorCode::InvalidInput, "format",
-                    "a scenario has no such charts: nothing was flown");
+        throw Error(ErrorCode::InvalidInput, "format", {IssueId::NothingFlown});
     auto sheet = std::make_shared<ChartSheet>();
     sheet->title = pageTitle(content);
     sheet->subtitle = pageSubtitle(

@@ -147,7 +147,7 @@ void writePicture(const PicturePage& page, const QString& path)
     if (std::none_of(kPictureEndings.begin(), kPictureEndings.end(),
                      [&](const char* known) { return ending == QLatin1String(known); }))
         throw Error(ErrorCode::Unsupported, path.toStdString(),
-                    "pictures are written as .png, .svg or .pdf");
+                    {IssueId::NotOneOf, {".png, .svg, .pdf"}});
     writeFileAtomically(QFile::encodeName(path).toStdString(), pictureFile(page, ending));
 }
 

@@ -1,5 +1,7 @@
 #include "widgets/words/error_text.h"
 
+#include "widgets/words/issue_text.h"
+
 #include <QCoreApplication>
 
 using namespace Qt::StringLiterals;
@@ -51,15 +53,7 @@ QString errorReport(const Error& error)
 {
     QString report =
         u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorText(error.code()));
-    if (error.issues().empty())
-        return report + u"\n  "_s + QString::fromUtf8(error.what());
-    for (const Issue& issue : error.issues()) {
-        const QString message = QString::fromStdString(issue.message);
-        report += u"\n  "_s + (issue.field.empty()
-                                   ? message
-                                   : u"%1: %2"_s.arg(QString::fromStdString(issue.field), message));
-    }
-    return report;
+    return report + u"\n  "_s + issueLines(error).join(u"\n  "_s);
 }
 
 } // namespace berg

@@ -11,7 +11,7 @@ namespace berg {
 
 /**
  * The whole report of a failure: the file or field concerned, the sentence of its code, then one
- * line for each finding with its field. The findings are the core's own words.
+ * line for each finding with its field.
  */
 [[nodiscard]] QString errorReport(const Error& error);
 

@@ -251,8 +251,7 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
 
 QString exportRefusalText(const Error& error)
 {
-    const bool isAboutWind = error.issues().front().message.find("wind") != std::string::npos;
-    if (error.subject() == "speed" && isAboutWind)
+    if (error.issues().front().reason.id == IssueId::SlowerThanWind)
         return ExportText::tr("The airspeed must be above the speed of the wind.");
     return errorReport(error);
 }

@@ -2,6 +2,7 @@
 
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/error_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -135,39 +136,6 @@ QString sceneWords(const SceneFinding& finding)
 }
 
 } // namespace
-
-QString rowFaultSentence(RowFault fault)
-{
-    switch (fault) {
-    case RowFault::ColumnCount:
-        return ImportWords::tr("Another number of columns than the first line");
-    case RowFault::UnclosedQuote:
-        return ImportWords::tr("A quote is opened and never closed");
-    case RowFault::TextAfterQuote:
-        return ImportWords::tr("Text follows a closing quote");
-    case RowFault::TimeMissing:
-        return ImportWords::tr("No time");
-    case RowFault::TimeUnreadable:
-        return ImportWords::tr("The time cannot be read");
-    case RowFault::TimeOutsideSeason:
-        return ImportWords::tr("The date is not in the season");
-    case RowFault::PositionMissing:
-        return ImportWords::tr("No position");
-    case RowFault::LatitudeWrong:
-        return ImportWords::tr("The latitude is no number from −90 to 90");
-    case RowFault::LongitudeWrong:
-        return ImportWords::tr("The longitude is no number from −180 to 360");
-    case RowFault::NumberWrong:
-        return ImportWords::tr("A number is out of range");
-    case RowFault::IdTooLong:
-        return ImportWords::tr("The id is too long");
-    case RowFault::NotAPoint:
-        return ImportWords::tr("Not a point");
-    case RowFault::TooFar:
-        return ImportWords::tr("More than 1000 km from the origin of the scenario");
-    }
-    return {};
-}
 
 QString importNoteSentence(ImportNote note)
 {
@@ -329,15 +297,7 @@ QString importErrorReport(const Error& error)
 {
     QString report =
         u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorSentence(error.code()));
-    if (error.issues().empty())
-        return report + u'\n' + QString::fromUtf8(error.what());
-    for (const Issue& issue : error.issues()) {
-        const QString message = QString::fromStdString(issue.message);
-        report += u'\n' + (issue.field.empty()
-                               ? message
-                               : u"%1: %2"_s.arg(QString::fromStdString(issue.field), message));
-    }
-    return report;
+    return report + u'\n' + issueLines(error).join(u'\n');
 }
 
 QString utcTimeText(UtcTime time)

@@ -8,7 +8,6 @@ namespace berg {
 
 // What an import says, in the user's words.
 
-[[nodiscard]] QString rowFaultSentence(RowFault fault);
 [[nodiscard]] QString importNoteSentence(ImportNote note);
 [[nodiscard]] QString importOutcomeWord(ImportOutcome outcome);
 [[nodiscard]] QString sightingFieldName(SightingField field);

@@ -28,8 +28,7 @@ struct SentenceRow
     int distance = 0; ///< which of them is a distance, told in the user's unit; 0: none
 };
 
-constexpr std::array<SentenceRow, kIssueIds> kSentences{{
-    {IssueId::Free, nullptr},
+constexpr std::array<SentenceRow, kScenarioIssueIds> kSentences{{
     {IssueId::NotUtf8, QT_TRANSLATE_NOOP("IssueText", "%1 must be UTF-8 text.")},
     {IssueId::NotFinite, QT_TRANSLATE_NOOP("IssueText", "%1 must be a finite number.")},
     {IssueId::NotFinitePair,
@@ -218,6 +217,45 @@ constexpr bool isInOrder()
 }
 static_assert(isInOrder(), "a row for each id, in their order");
 
+// The words of the other ids, for lupdate.
+#define ISSUE(id, words)
+#include "core/base/reading_issues.inc"
+#undef ISSUE
+
+QString kindText(ValueKind kind)
+{
+    switch (kind) {
+    case ValueKind::Null:
+        return u"null"_s;
+    case ValueKind::Object:
+        return IssueText::tr("an object");
+    case ValueKind::Array:
+        return IssueText::tr("an array");
+    case ValueKind::String:
+        return IssueText::tr("a string");
+    case ValueKind::True:
+        return u"true"_s;
+    case ValueKind::False:
+        return u"false"_s;
+    case ValueKind::Number:
+        return IssueText::tr("a number");
+    case ValueKind::Boolean:
+        return IssueText::tr("true or false");
+    case ValueKind::TwoNumbers:
+        return IssueText::tr("two numbers");
+    case ValueKind::Pairs:
+        return IssueText::tr("pairs of numbers");
+    }
+    return {};
+}
+
+QString argumentText(const Issue& issue, const IssueArgument& argument, const QLocale& locale)
+{
+    if (const auto* const kind = std::get_if<ValueKind>(&argument))
+        return kindText(*kind);
+    return fieldValue(issue.field, argument, locale);
+}
+
 /** With `%1`, `%2`, ... in place of them; what the texts themselves hold stays as it is. */
 QString filledIn(const QString& sentence, const QStringList& texts)
 {
@@ -244,18 +282,48 @@ QString nameOfEntry(const Issue& issue, std::string_view list, const std::vector
 
 QString issueText(const Issue& issue, const QLocale& locale)
 {
-    const SentenceRow& sentence = kSentences.at(static_cast<std::size_t>(issue.reason.id));
-    if (sentence.text == nullptr)
-        return u"%1: %2"_s.arg(QString::fromStdString(issue.field),
-                               QString::fromStdString(issue.message));
-    QStringList texts{fieldName(issue.field)};
+    const auto id = static_cast<std::size_t>(issue.reason.id);
+    QStringList texts;
+    if (id >= kSentences.size()) {
+        for (const IssueArgument& argument : issue.reason.arguments)
+            texts << argumentText(issue, argument, locale);
+        const bool hasDetail =
+            !texts.empty() && englishWords(issue.reason.id).find('%') == std::string_view::npos;
+        return filledIn(issueWords(issue.reason.id), texts) +
+               (hasDetail ? u": \"%1\""_s.arg(texts[0]) : QString());
+    }
+    const SentenceRow& sentence = kSentences.at(id);
+    texts << fieldName(issue.field);
     for (const IssueArgument& argument : issue.reason.arguments) {
         const auto* const metres = std::get_if<std::int64_t>(&argument);
         texts << (metres != nullptr && texts.size() + 1 == sentence.distance
                       ? distanceText(static_cast<double>(*metres), locale, 2)
-                      : fieldValue(issue.field, argument, locale));
+                      : argumentText(issue, argument, locale));
     }
     return filledIn(QCoreApplication::translate("IssueText", sentence.text), texts);
+}
+
+QString issueWords(IssueId id)
+{
+    return QCoreApplication::translate("IssueText", englishWords(id).data());
+}
+
+QString placedIssueText(const Issue& issue)
+{
+    constexpr std::string_view kLine = "line ";
+    QString place = QString::fromStdString(issue.field);
+    if (issue.field.starts_with(kLine))
+        place = IssueText::tr("line %1").arg(place.sliced(kLine.size()));
+    const QString text = issueText(issue);
+    return place.isEmpty() || text.startsWith(place) ? text : u"%1: %2"_s.arg(place, text);
+}
+
+QStringList issueLines(const Error& error)
+{
+    QStringList lines;
+    for (const Issue& issue : error.issues())
+        lines << placedIssueText(issue);
+    return lines;
 }
 
 QString issueLine(const Issue& issue, const Scenario& scenario)

@@ -1,19 +1,27 @@
 #pragma once
 
+#include "core/base/error.h"
 #include "core/scenario/scenario.h"
 
 #include <QLocale>
-#include <QString>
+#include <QStringList>
 
 namespace berg {
 
 /**
- * A finding as a sentence in the user's language and units, fields called as the inputs are. One
- * whose reason has no id comes in the core's own words, after its field.
+ * A finding in the user's language and units, fields called as the inputs are: of a scenario a
+ * sentence, of a reader what follows the field.
  */
 [[nodiscard]] QString issueText(const Issue& issue, const QLocale& locale = QLocale());
 
-/** The same after the name of the iceberg or UAV it is about, where it is about one. */
+/** The words of a reader's fault, without arguments. */
+[[nodiscard]] QString issueWords(IssueId id);
+
+/** A finding about a file after its place there: `icebergs[3].q_m2ps: ...`. */
+[[nodiscard]] QString placedIssueText(const Issue& issue);
+[[nodiscard]] QStringList issueLines(const Error& error);
+
+/** The finding after the name of the iceberg or UAV it is about, where it is about one. */
 [[nodiscard]] QString issueLine(const Issue& issue, const Scenario& scenario);
 
 struct IssueCounts

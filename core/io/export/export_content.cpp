@@ -20,16 +20,16 @@ namespace {
 /** A quarter of the way round the Earth, beyond which the plane tears maps apart. */
 constexpr double kEndOfPlane_m = 1e7;
 
-[[noreturn]] void refuse(const std::string& option, const std::string& reason)
+[[noreturn]] void refuse(const std::string& option, IssueReason reason)
 {
-    throw Error(ErrorCode::InvalidInput, option, reason);
+    throw Error(ErrorCode::InvalidInput, option, std::move(reason));
 }
 
 void checkRange(const std::string& option, const std::optional<double>& value, const Limits& limits)
 {
     if (value)
-        if (const std::string fault = limitsFault(*value, limits); !fault.empty())
-            refuse(option, fault);
+        if (const std::optional<IssueReason> fault = outOfLimits(*value, limits))
+            refuse(option, *fault);
 }
 
 void checkOptions(const ExportSource& source, const ExportOptions& options)
@@ -38,16 +38,16 @@ void checkOptions(const ExportSource& source, const ExportOptions& options)
     checkRange("speed", options.airspeed_mps, limits::kAirspeed_mps);
     checkRange("acceptance", options.acceptance_m, limits::kExtent_m);
     if (options.loiterTurns < 0 || options.loiterTurns > kMostLoiterTurns)
-        refuse("loiter", "must be 0 to " + std::to_string(kMostLoiterTurns) + " turns");
+        refuse("loiter", {IssueId::OutOfRange, {0, kMostLoiterTurns, options.loiterTurns}});
     if (options.what == ExportWhat::Track && source.mission == nullptr)
-        refuse("what", "a scenario has no track: nothing was flown");
+        refuse("what", {IssueId::NothingFlown});
     const Point wind_mps =
         source.mission ? source.mission->simulation().motion(0).wind_mps : source.scenario.wind_mps;
     if (options.airspeed_mps && *options.airspeed_mps <= wind_mps.norm())
-        refuse("speed", "must be above the speed of the wind");
+        refuse("speed", {IssueId::SlowerThanWind});
     const auto& uavs = source.scenario.uavs;
     if (!options.uav.empty() && std::ranges::find(uavs, options.uav, &Uav::id) == uavs.end())
-        refuse("uav", "there is no UAV " + options.uav);
+        refuse("uav", {IssueId::NoSuchUav, {options.uav}});
 }
 
 IcebergState stateOf(const Simulation& simulation, int index)
@@ -204,36 +204,33 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
 }
 
 /** Writers reckon with places on one side of the Earth and with dates that calendars have. */
-void checkPlace(const std::string& what, const Point& place_m, double time_s)
+void checkPlace(const std::string& whose, const char* field, const Point& place_m, double time_s)
 {
+    const auto fail = [&](IssueReason reason) {
+        throw Error(ErrorCode::Unsupported, whose, {{Severity::Error, field, std::move(reason)}});
+    };
     if (!std::isfinite(time_s) || std::abs(time_s) > kLargestTime_s)
-        throw Error(ErrorCode::Unsupported, what,
-                    "cannot be exported: at " + shortText(time_s) +
-                        " s of the flight, later than any date");
+        fail({IssueId::ExportTooLate, {time_s}});
     if (!(place_m.norm() <= kEndOfPlane_m))
-        throw Error(ErrorCode::Unsupported, what,
-                    "cannot be exported: at " + shortText(time_s) + " s it is " +
-                        shortText(place_m.norm()) + " m from the origin of the map, which holds " +
-                        shortText(kEndOfPlane_m) + " m");
+        fail({IssueId::ExportOffMap, {time_s, place_m.norm(), kEndOfPlane_m}});
 }
 
 /** Refuses what no file can hold: numbers that are not finite, places off the plane. */
 void checkContent(const ExportContent& content)
 {
     for (const ExportUav& uav : content.uavs) {
-        checkPlace("home of " + uav.uav.id, uav.home_m, uav.start_s);
+        checkPlace(uav.uav.id, "home_m", uav.home_m, uav.start_s);
         for (const Visit& visit : uav.visits)
-            checkPlace("a visit of " + uav.uav.id, visit.position_m, visit.time_s);
+            checkPlace(uav.uav.id, "visit", visit.position_m, visit.time_s);
         for (const TimedPoint& point : pathOf(uav))
-            checkPlace(uav.uav.id, point.position_m, point.time_s);
+            checkPlace(uav.uav.id, "", point.position_m, point.time_s);
         if (!std::isfinite(uav.reach_m) || !std::isfinite(uav.circle_m))
-            throw Error(ErrorCode::Unsupported, uav.uav.id,
-                        "cannot be exported: its turns are not finite");
+            throw Error(ErrorCode::Unsupported, uav.uav.id, {IssueId::ExportEndless});
     }
     for (const ExportIceberg& iceberg : content.icebergs)
-        checkPlace(iceberg.iceberg.id, iceberg.position_m, content.now_s);
+        checkPlace(iceberg.iceberg.id, "", iceberg.position_m, content.now_s);
     if (content.asset)
-        checkPlace("the asset", assetPlace_m(content), content.now_s);
+        checkPlace("asset", "", assetPlace_m(content), content.now_s);
 }
 
 ExportPlan planOf(const ExportSource& source)

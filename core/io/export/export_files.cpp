@@ -36,7 +36,7 @@ std::string fileText(const ExportFormat& format, const ExportContent& content,
         return format.text(content);
     if (!painter)
         throw Error(ErrorCode::Unsupported, "format",
-                    std::string(format.id) + " is painted, which needs the program bergwatch");
+                    {IssueId::NeedsWindow, {std::string(format.id)}});
     return painter(format, content);
 }
 

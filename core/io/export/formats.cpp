@@ -28,8 +28,7 @@ template <std::string (*Table)(const Mission&)>
 std::string flightTable(const ExportContent& content)
 {
     if (content.mission == nullptr)
-        throw Error(ErrorCode::InvalidInput, "format",
-                    "a scenario has no such table: nothing was flown");
+        throw Error(ErrorCode::InvalidInput, "format", {IssueId::NothingFlown});
     return Table(*content.mission);
 }
 
@@ -93,7 +92,7 @@ std::string ExportFormat::write(const ExportSource& source, const ExportOptions&
 {
     const ExportContent content = exportContent(source, options);
     if (fileCount(*this, content) > 1)
-        throw Error(ErrorCode::InvalidInput, "uav", std::string(id) + " holds one UAV: choose one");
+        throw Error(ErrorCode::InvalidInput, "uav", {IssueId::OneUavOnly, {std::string(id)}});
     return exportFiles(*this, content, "").front().content;
 }
 

@@ -23,7 +23,7 @@ void addFindings(std::vector<Iceberg> icebergs, Faults& faults)
     scenario.icebergs = std::move(icebergs);
     for (Issue& issue : validate(scenario))
         if (issue.severity == Severity::Error && !faults.has(issue.field))
-            faults.add(std::move(issue.field), std::move(issue.message));
+            faults.add(std::move(issue));
 }
 
 } // namespace
@@ -44,7 +44,7 @@ std::vector<Iceberg> icebergsFromJson(std::string_view text, const std::string& 
 {
     if (text.size() > kLargestIcebergText)
         throw Error(ErrorCode::FileTooLarge, subject,
-                    "is larger than " + std::to_string(kLargestIcebergText >> 20U) + " MiB");
+                    {IssueId::TextTooLarge, {countOf(kLargestIcebergText >> 20U)}});
     ReadBudget budget(subject, text.size());
     ParsedJson file = parseJson(text, budget);
     requireFormat(file, kFormat, subject);
@@ -53,8 +53,8 @@ std::vector<Iceberg> icebergsFromJson(std::string_view text, const std::string& 
     std::vector<Iceberg> icebergs;
     if (const Json* list = object.array("icebergs")) {
         if (list->size() > kMostIcebergs)
-            file.faults.add("icebergs", "must hold at most " + std::to_string(kMostIcebergs) +
-                                            " icebergs, not " + std::to_string(list->size()));
+            file.faults.add("icebergs", {IssueId::IcebergCount,
+                                         {countOf(kMostIcebergs), countOf(list->size())}});
         else
             for (std::size_t i = 0; i < list->size(); ++i)
                 icebergs.push_back(readIceberg((*list)[i], entryPath("icebergs", i), file.faults));

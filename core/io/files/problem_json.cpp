@@ -25,15 +25,15 @@ std::vector<double> readSigmas(ObjectReader& object)
         return sigma_m2;
     const std::string path = object.path("sigma");
     if (list->empty() || list->size() > kMostNodes) {
-        object.faults().add(path, "must hold from 1 to " + std::to_string(kMostNodes) +
-                                      " numbers, not " + std::to_string(list->size()));
+        object.faults().add(path,
+                            {IssueId::EntryRange, {1, countOf(kMostNodes), countOf(list->size())}});
         return sigma_m2;
     }
     for (std::size_t i = 0; i < list->size(); ++i)
         sigma_m2.push_back(
             numberOf((*list)[i], entryPath(path, i), object.faults(), kProblemNumber).value_or(0));
     if (sigma_m2[0] != 0)
-        object.faults().add(entryPath(path, 0), "is the UAV's and must be 0");
+        object.faults().add(entryPath(path, 0), {IssueId::SigmaOfUav});
     return sigma_m2;
 }
 
@@ -42,8 +42,7 @@ bool hasSize(const Json& list, std::size_t size, const std::string& path, Faults
 {
     if (list.is_array() && list.size() == size)
         return true;
-    faults.add(path, "must hold " + std::to_string(size) + " entries as sigma does, not " +
-                         (list.is_array() ? std::to_string(list.size()) : typeText(list)));
+    faults.add(path, {IssueId::EntryCount, {countOf(size), entriesOf(list)}});
     return false;
 }
 
@@ -79,11 +78,10 @@ Eigen::MatrixXd readPositions(const Json& rows, std::size_t nodes, ObjectReader&
         const std::optional<Point> point = pointOf(rows[i], rowPath, object.faults());
         if (!point)
             continue;
-        for (const Eigen::Index axis : {0, 1}) {
-            const std::string fault = limitsFault((*point)[axis], kCoordinate);
-            if (!fault.empty())
-                object.faults().add(entryPath(rowPath, static_cast<std::size_t>(axis)), fault);
-        }
+        for (const Eigen::Index axis : {0, 1})
+            if (std::optional<IssueReason> fault = outOfLimits((*point)[axis], kCoordinate))
+                object.faults().add(entryPath(rowPath, static_cast<std::size_t>(axis)),
+                                    std::move(*fault));
         position_m.row(static_cast<Eigen::Index>(i)) = point->transpose();
     }
     return euclideanDistances(position_m);
@@ -95,9 +93,9 @@ Eigen::MatrixXd readGeometry(ObjectReader& object, std::size_t nodes)
     const Json* distances = object.find("distance_m");
     const Json* positions = object.find("position_m");
     if (distances != nullptr && positions != nullptr)
-        object.faults().add(object.path("position_m"), "must not be given beside distance_m");
+        object.faults().add(object.path("position_m"), {IssueId::NotBeside, {"distance_m"}});
     if (distances == nullptr && positions == nullptr)
-        object.faults().add(object.path("distance_m"), "is missing, and so is position_m");
+        object.faults().add(object.path("distance_m"), {IssueId::MissingBoth, {"position_m"}});
     if (nodes > 0 && distances != nullptr)
         return readDistances(*distances, nodes, object);
     if (nodes > 0 && positions != nullptr)

@@ -126,7 +126,7 @@ double readTime(ObjectReader& object, double flownUntil_s, double before_s)
     const Json* value = object.need("time_s");
     const double time_s = object.number("time_s", before_s, Limits{.low = 0, .high = flownUntil_s});
     if (value != nullptr && time_s < before_s)
-        object.faults().add(object.path("time_s"), "is before that of the entry above");
+        object.faults().add(object.path("time_s"), {IssueId::NotRising});
     return std::max(time_s, before_s);
 }
 
@@ -199,22 +199,22 @@ void checkNamed(const RunFile& file, Faults& faults)
             });
         };
         const std::string path = entryPath("interventions", i);
-        constexpr const char* kUnknown = "no iceberg of this id is there at this time";
         if (change.seen && !isThere(*change.seen))
-            faults.add(path + ".seen", kUnknown);
+            faults.add(path + ".seen", {IssueId::NoSuchIceberg, {printable(*change.seen)}});
         const auto isUav = [&](const std::string& id) {
             return std::ranges::find(file.scenario.uavs, id, &Uav::id) != file.scenario.uavs.end();
         };
-        constexpr const char* kNoUav = "no UAV of this id is in the scenario";
         if (change.commanded && !isUav(change.commanded->uav))
-            faults.add(path + ".commanded.uav", kNoUav);
+            faults.add(path + ".commanded.uav",
+                       {IssueId::UnknownUav, {printable(change.commanded->uav)}});
         if (!change.assigned)
             continue;
         if (!isThere(change.assigned->iceberg))
-            faults.add(path + ".assigned.iceberg", kUnknown);
+            faults.add(path + ".assigned.iceberg",
+                       {IssueId::NoSuchIceberg, {printable(change.assigned->iceberg)}});
         const std::string& uav = change.assigned->uav;
         if (!uav.empty() && !isUav(uav))
-            faults.add(path + ".assigned.uav", kNoUav);
+            faults.add(path + ".assigned.uav", {IssueId::UnknownUav, {printable(uav)}});
     }
 }
 
@@ -231,7 +231,7 @@ void checkSurroundings(const RunFile& file, Faults& faults)
         after.asset = change.asset ? change.asset : file.scenario.asset;
         for (const Issue& issue : validate(after))
             if (issue.severity == Severity::Error)
-                faults.add(entryPath("interventions", i) + '.' + issue.field, issue.message);
+                faults.add(entryPath("interventions", i) + '.' + issue.field, issue.reason);
     }
 }
 
@@ -248,9 +248,7 @@ void checkRecording(const RunFile& file, Faults& faults)
         const double least_s = std::min(usual_s, file.flownUntil_s * bodies / most);
         if (step_s < least_s)
             faults.add(std::string("options.") + field,
-                       "must be at least " + shortText(std::ceil(least_s)) +
-                           " for a run of this length and so many icebergs, not " +
-                           shortText(interval_s));
+                       {IssueId::RecordTooFine, {std::ceil(least_s), interval_s}});
     };
     check("keyframe_interval_s", file.options.keyframeInterval_s, usual.keyframeInterval_s,
           kMostKeyframeTracks);
@@ -274,13 +272,13 @@ void checkAppearing(const RunFile& file, Faults& faults)
         if (issue.severity != Severity::Error)
             continue;
         if (issue.field == "icebergs")
-            faults.add("interventions", "with these, the run " + issue.message);
+            faults.add("interventions", {IssueId::RunIcebergCount, issue.reason.arguments});
         for (std::size_t k = 0; k < origin.size(); ++k) {
             const std::string path = entryPath("icebergs", file.scenario.icebergs.size() + k);
             const std::string field = entryPath("interventions", origin[k]) + ".appears" +
                                       issue.field.substr(std::min(path.size(), issue.field.size()));
             if (issue.field.starts_with(path + '.') && !faults.has(field))
-                faults.add(field, issue.message);
+                faults.add(field, issue.reason);
         }
     }
 }
@@ -297,7 +295,7 @@ std::vector<std::vector<int>> readClusters(ObjectReader& object, const RunContex
         const std::string path = entryPath(object.path("clusters"), k);
         clusters.push_back(readIcebergs((*list)[k], path, object.faults(), context, seen));
         if (clusters.back().size() < 2)
-            object.faults().add(path, "must hold two icebergs or more");
+            object.faults().add(path, {IssueId::LeastEntries, {2}});
     }
     return clusters;
 }
@@ -344,7 +342,7 @@ std::vector<WorldState> readKeyframes(ObjectReader& run, const RunContext& conte
         keyframes.push_back(readKeyframe((*list)[i], path, run.faults(), context));
         const bool hasStep = !run.faults().has(path + ".step");
         if (hasStep && i > 0 && keyframes[i].step <= keyframes[i - 1].step)
-            run.faults().add(path + ".step", "must be above that of the keyframe before");
+            run.faults().add(path + ".step", {IssueId::NotRising});
     }
     return keyframes;
 }
@@ -455,10 +453,11 @@ std::string formatOf(std::string_view text, const std::string& subject)
     const std::optional<std::string> format = rootText(text, "format", budget);
     if (format && std::ranges::find(kFormats, *format) != kFormats.end())
         return *format;
+    std::string names;
+    for (const std::string_view known : kFormats)
+        names += (names.empty() ? "" : ", ") + std::string(known);
     throw Error(ErrorCode::WrongFormat, subject,
-                {{Severity::Error, "format",
-                  "must be \"bergwatch-scenario\", \"bergwatch-problem\", \"bergwatch-run\" or "
-                  "\"bergwatch-study\""}});
+                {{Severity::Error, "format", {IssueId::NotOneOf, {names}}}});
 }
 
 } // namespace berg

@@ -55,12 +55,13 @@ std::array<double, Count> readNumbers(const Json& value, const std::string& path
 {
     std::array<double, Count> numbers{};
     if (!value.is_array() || value.size() != Count) {
-        faults.add(path, "must be " + std::to_string(Count) + " numbers");
+        faults.add(path, {IssueId::EntryCount, {countOf(Count), entriesOf(value)}});
         return numbers;
     }
     for (std::size_t i = 0; i < Count; ++i)
         if (!value[i].is_number())
-            faults.add(entryPath(path, i), "must be a number, not " + typeText(value[i]));
+            faults.add(entryPath(path, i),
+                       {IssueId::WrongType, {ValueKind::Number, kindOf(value[i])}});
         else
             numbers[i] = value[i].get<double>();
     return numbers;
@@ -82,7 +83,7 @@ Track readTrack(const Json& value, const std::string& path, Faults& faults)
     if (n[11] == 1 || n[11] == 2)
         status = n[11] == 1 ? TrackStatus::Lost : TrackStatus::GivenUp;
     else if (n[11] != 0)
-        faults.add(entryPath(path, 11), "must be 0, 1 or 2");
+        faults.add(entryPath(path, 11), {IssueId::NotOneOf, {"0, 1, 2"}});
     return {.anchor_m = {n[0], n[1]},
             .anchor_s = n[2],
             .velocity_mps = {n[3], n[4]},
@@ -108,9 +109,10 @@ std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
     if (list == nullptr)
         return tracks;
     if (list->size() < context.icebergsAtStart || list->size() > context.icebergs)
-        object.faults().add(object.path("tracks"),
-                            "must hold one entry for each iceberg there is, not " +
-                                std::to_string(list->size()));
+        object.faults().add(
+            object.path("tracks"),
+            {IssueId::EntryRange,
+             {countOf(context.icebergsAtStart), countOf(context.icebergs), countOf(list->size())}});
     for (std::size_t i = 0; i < list->size(); ++i)
         tracks.push_back(
             readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults()));
@@ -123,7 +125,7 @@ int icebergOf(double number, const std::string& path, Faults& faults, const RunC
     if (number >= 0 && number < static_cast<double>(context.icebergs) &&
         number == std::floor(number))
         return static_cast<int>(number);
-    faults.add(path, "must be the index of an iceberg");
+    faults.add(path, {IssueId::NotWhole, {0, countOf(context.icebergs - 1), number}});
     return 0;
 }
 
@@ -230,7 +232,7 @@ std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults
 {
     std::vector<int> icebergs;
     if (!value.is_array()) {
-        faults.add(path, "must be an array, not " + typeText(value));
+        faults.add(path, {IssueId::WrongType, {ValueKind::Array, kindOf(value)}});
         return icebergs;
     }
     const WholeLimits indices{.low = 0, .high = context.indices().high};
@@ -241,7 +243,7 @@ std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults
             continue;
         const auto i = static_cast<std::size_t>(*iceberg);
         if (seen[i])
-            faults.add(entry, "must not repeat an iceberg");
+            faults.add(entry, {IssueId::IcebergTwice});
         seen[i] = true;
         icebergs.push_back(asInt(*iceberg));
     }
@@ -265,7 +267,7 @@ ReturnPath readReturnPath(const Json& value, const std::string& path, Faults& fa
 {
     ReturnPath read;
     if (!value.is_array() || value.size() % 2 != 0) {
-        faults.add(path, "must be pairs of numbers");
+        faults.add(path, {IssueId::WrongType, {ValueKind::Pairs, entriesOf(value)}});
         return read;
     }
     for (std::size_t i = 0; i < value.size(); i += 2) {
@@ -355,8 +357,8 @@ std::vector<UavState> readOtherUavs(ObjectReader& keyframe, const RunContext& co
         uavs.push_back(readUav(object, context));
     }
     if (count + 1 != context.uavs)
-        keyframe.faults().add(path, "must hold " + std::to_string(context.uavs - 1) +
-                                        " UAVs, as the scenario does");
+        keyframe.faults().add(path,
+                              {IssueId::EntryCount, {countOf(context.uavs - 1), countOf(count)}});
     return uavs;
 }
 

@@ -109,9 +109,9 @@ std::vector<Field> fieldsOf(const WorldState& state)
     return fields;
 }
 
-std::string versus(double recorded, double replayed)
+Issue differs(std::string field, IssueId id, std::vector<IssueArgument> arguments)
 {
-    return "recorded " + shortText(recorded) + ", replayed " + shortText(replayed);
+    return {Severity::Error, std::move(field), {id, std::move(arguments)}};
 }
 
 void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
@@ -120,12 +120,11 @@ void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vec
     for (std::size_t i = 0; i < recorded.keyframes.size(); ++i) {
         const WorldState& keyframe = recorded.keyframes[i];
         const std::string path = entry("keyframes", i);
-        const std::string when =
-            "at " + shortText(static_cast<double>(keyframe.step) * recorded.scenario.dt_s) + " s: ";
+        const double time_s = static_cast<double>(keyframe.step) * recorded.scenario.dt_s;
         other = std::find_if(other, replayed.keyframes.end(),
                              [&](const WorldState& state) { return state.step == keyframe.step; });
         if (other == replayed.keyframes.end()) {
-            issues.push_back({Severity::Error, path, when + "not reached by the replay"});
+            issues.push_back(differs(path, IssueId::ReplayTooShort, {time_s}));
             return;
         }
         if (*other == keyframe)
@@ -134,10 +133,10 @@ void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vec
         const std::vector<Field> right = fieldsOf(*other);
         const auto [a, b] = std::mismatch(left.begin(), left.end(), right.begin(), right.end());
         if (a == left.end() || b == right.end()) // in the particulars of a search or a way
-            issues.push_back({Severity::Error, path, when + "another search or way"});
+            issues.push_back(differs(path, IssueId::ReplayedOther, {time_s}));
         else
-            issues.push_back(
-                {Severity::Error, path + '.' + a->first, when + versus(a->second, b->second)});
+            issues.push_back(differs(path + '.' + a->first, IssueId::ReplayedNumber,
+                                     {time_s, a->second, b->second}));
         return;
     }
 }
@@ -150,36 +149,34 @@ void comparePlans(const RunFile& recorded, const RunFile& replayed, std::vector<
     if (a == recorded.plans.end() && b == replayed.plans.end())
         return;
     if (a == recorded.plans.end() || b == replayed.plans.end()) {
-        issues.push_back({Severity::Error, "plans",
-                          versus(static_cast<double>(recorded.plans.size()),
-                                 static_cast<double>(replayed.plans.size()))});
+        issues.push_back(differs("plans", IssueId::ReplayedTotal,
+                                 {countOf(recorded.plans.size()), countOf(replayed.plans.size())}));
         return;
     }
     const std::string path = entry("plans", i);
+    const auto number = [&](const char* field, IssueArgument before, IssueArgument now) {
+        issues.push_back(differs(path + field, IssueId::ReplayedNumber, {a->time_s, before, now}));
+    };
+    const auto other = [&](const char* field) {
+        issues.push_back(differs(path + field, IssueId::ReplayedOther, {a->time_s}));
+    };
     if (a->time_s != b->time_s)
-        issues.push_back({Severity::Error, path + ".time_s", versus(a->time_s, b->time_s)});
+        number(".time_s", a->time_s, b->time_s);
     else if (a->uav != b->uav)
-        issues.push_back({Severity::Error, path + ".uav",
-                          "at " + shortText(a->time_s) + " s: " + versus(a->uav, b->uav)});
+        number(".uav", a->uav, b->uav);
     else if (a->target != b->target)
-        issues.push_back({Severity::Error, path + ".target",
-                          "at " + shortText(a->time_s) + " s: " + versus(a->target, b->target)});
+        number(".target", a->target, b->target);
     else if (a->clusters != b->clusters)
-        issues.push_back({Severity::Error, path + ".clusters",
-                          "at " + shortText(a->time_s) + " s: other clusters"});
-    else if (a->order == b->order)
-        issues.push_back({Severity::Error, path + ".legs",
-                          "at " + shortText(a->time_s) + " s: other aim points"});
+        other(".clusters");
     else
-        issues.push_back(
-            {Severity::Error, path + ".order", "at " + shortText(a->time_s) + " s: another order"});
+        other(a->order == b->order ? ".legs" : ".order");
 }
 
 void compareMetrics(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
 {
     const auto compare = [&](const std::string& field, double a, double b) {
         if (a != b)
-            issues.push_back({Severity::Error, field, versus(a, b)});
+            issues.push_back(differs(field, IssueId::ReplayedTotal, {a, b}));
     };
     compare("flown_until_s", recorded.flownUntil_s, replayed.flownUntil_s);
     compare("metrics.zeta_m2s", recorded.metrics.zeta_m2s, replayed.metrics.zeta_m2s);
@@ -231,8 +228,7 @@ std::vector<Issue> compareRun(const RunFile& recorded, const RunFile& replayed)
     comparePlans(recorded, replayed, issues);
     compareMetrics(recorded, replayed, issues);
     if (!issues.empty() && recorded.options.timeLimit_s)
-        issues.push_back({Severity::Warning, "options.time_limit_s",
-                          "solves were cut by the clock, so this run is not bound to repeat"});
+        issues.push_back({Severity::Warning, "options.time_limit_s", {IssueId::ReplayByClock}});
     return issues;
 }
 

@@ -83,8 +83,7 @@ std::vector<Entry> readList(ObjectReader& object, const char* member, std::size_
         return entries;
     const std::string path = object.path(member);
     if (list->size() > most) {
-        object.faults().add(path, "must hold at most " + std::to_string(most) + " entries, not " +
-                                      std::to_string(list->size()));
+        object.faults().add(path, {IssueId::MostEntries, {countOf(most), countOf(list->size())}});
         return entries;
     }
     for (std::size_t i = 0; i < list->size(); ++i)
@@ -128,7 +127,7 @@ void addFindings(const Scenario& scenario, ObjectReader& object, ScenarioUse use
     for (Issue& issue : use == ScenarioUse::Flying ? validate(scenario) : unreadable(scenario)) {
         std::string path = object.path("") + issue.field;
         if (issue.severity == Severity::Error && !object.faults().has(path))
-            object.faults().add(std::move(path), std::move(issue.message));
+            object.faults().add(std::move(path), std::move(issue.reason));
     }
 }
 

@@ -24,7 +24,7 @@ void readTrack(const Json& value, const std::string& path, Faults& faults, Icebe
     if (!whole || times == nullptr || places == nullptr)
         return;
     if (times->empty())
-        faults.add(object.path("time_s"), "must have at least 2 entries");
+        faults.add(object.path("time_s"), {IssueId::LeastEntries, {2}});
     faults.take(times->size() * sizeof(double) + places->size() * sizeof(Point));
     iceberg.track.time_s.reserve(times->size());
     iceberg.track.position_m.reserve(places->size());
@@ -59,9 +59,9 @@ std::vector<Point> readCorners(ObjectReader& object, const char* member)
     if (value == nullptr)
         return corners_m;
     if (value->size() < 3 || value->size() > kMostAreaCorners) {
-        object.faults().add(object.path(member),
-                            "must have from 3 to " + std::to_string(kMostAreaCorners) +
-                                " corners, not " + std::to_string(value->size()));
+        object.faults().add(
+            object.path(member),
+            {IssueId::AreaCorners, {countOf(kMostAreaCorners), countOf(value->size())}});
         return corners_m;
     }
     for (std::size_t i = 0; i < value->size(); ++i) {

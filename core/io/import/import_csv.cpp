@@ -28,7 +28,7 @@ struct CsvLayout
     bool timeNeeded = true;
     bool isMonthFirst = true; ///< by the customs of the format, where no date tells otherwise
     /** A last look at a sighting that is otherwise in order; may be null. */
-    std::optional<RowFault> (*finish)(Sighting& sighting, const CsvRow& row) = nullptr;
+    std::optional<IssueId> (*finish)(Sighting& sighting, const CsvRow& row) = nullptr;
 };
 
 bool isBlank(const CsvRow& row)
@@ -63,19 +63,19 @@ bool has(const std::vector<std::string>& names, std::string_view name)
 }
 
 /** Whether the row can be used at all: its quotes, and as many cells as the header. */
-std::optional<RowFault> shapeFault(const CsvRow& row, std::size_t width)
+std::optional<IssueId> shapeFault(const CsvRow& row, std::size_t width)
 {
     if (row.fault == CsvRow::Fault::UnclosedQuote)
-        return RowFault::UnclosedQuote;
+        return IssueId::UnclosedQuote;
     if (row.fault == CsvRow::Fault::TextAfterQuote)
-        return RowFault::TextAfterQuote;
+        return IssueId::TextAfterQuote;
     // Empty cells beyond the last column are what spreadsheets leave behind.
     const bool tooWide =
         row.cells.size() > width &&
         std::any_of(row.cells.begin() + static_cast<std::ptrdiff_t>(width), row.cells.end(),
                     [](const std::string& cell) { return !trimmed(cell).empty(); });
     if (row.cells.size() < width || tooWide)
-        return RowFault::ColumnCount;
+        return IssueId::RowWidth;
     return std::nullopt;
 }
 
@@ -147,7 +147,7 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
     FieldTexts texts;
     forRows(source, layout.header, [&](const CsvRow& row) {
         std::variant<Sighting, RejectedRow> result;
-        if (const std::optional<RowFault> fault = shapeFault(row, layout.width)) {
+        if (const std::optional<IssueId> fault = shapeFault(row, layout.width)) {
             result = RejectedRow{.line = row.line, .fault = *fault, .detail = {}};
         } else {
             fill(texts, row, layout);
@@ -156,9 +156,9 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
                 if (const std::string time = timeText(texts, rules.timeApart); hasTwoReadings(time))
                     table.guessedDate = cleanText(time, 60);
             auto* const sighting = std::get_if<Sighting>(&result);
-            const std::optional<RowFault> late = sighting != nullptr && layout.finish != nullptr
-                                                     ? layout.finish(*sighting, row)
-                                                     : std::nullopt;
+            const std::optional<IssueId> late = sighting != nullptr && layout.finish != nullptr
+                                                    ? layout.finish(*sighting, row)
+                                                    : std::nullopt;
             if (late)
                 result = RejectedRow{
                     .line = row.line, .fault = *late, .detail = timeText(texts, rules.timeApart)};
@@ -193,8 +193,9 @@ void requireMappedColumns(const ImportText& source, const std::vector<std::strin
     std::vector<Issue> issues;
     for (const FieldColumn& mapped : source.mapping)
         if (std::find(header.begin(), header.end(), mapped.column) == header.end())
-            issues.push_back({Severity::Error, nameOf(kSightingFieldNames, mapped.field),
-                              "there is no column \"" + mapped.column + '"'});
+            issues.push_back({Severity::Error,
+                              nameOf(kSightingFieldNames, mapped.field),
+                              {IssueId::NoSuchColumn, {printable(mapped.column)}}});
     if (!issues.empty())
         throw Error(ErrorCode::InvalidInput, source.budget.subject(), std::move(issues));
 }
@@ -207,10 +208,11 @@ void refuseTwins(const std::vector<ReadColumn>& columns, const std::vector<std::
     for (const ReadColumn& column : columns)
         for (std::size_t i = column.index + 1; i < header.size(); ++i)
             if (plainName(header[i]) == plainName(header[column.index]))
-                issues.push_back({Severity::Error, nameOf(kSightingFieldNames, column.use.field),
-                                  "columns " + std::to_string(column.index + 1) + " and " +
-                                      std::to_string(i + 1) + " are both called \"" +
-                                      printable(header[i]) + "\": rename one"});
+                issues.push_back(
+                    {Severity::Error,
+                     nameOf(kSightingFieldNames, column.use.field),
+                     {IssueId::TwinColumns,
+                      {countOf(column.index + 1), countOf(i + 1), printable(header[i])}}});
     if (!issues.empty())
         throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
 }
@@ -221,8 +223,7 @@ CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingF
     const CsvRow header = firstRow(source.text);
     if (header.cells.empty() || header.cells.size() > kMostColumns)
         throw Error(ErrorCode::WrongFormat, source.budget.subject(),
-                    "the first line must name from 1 to " + std::to_string(kMostColumns) +
-                        " columns");
+                    {IssueId::HeaderColumns, {countOf(kMostColumns)}});
     std::vector<std::string> cells;
     for (const std::string& cell : header.cells)
         cells.push_back(cleanText(cell, kLongestName));
@@ -240,9 +241,9 @@ CsvLayout layoutByName(const ImportText& source, std::initializer_list<SightingF
 void requireField(const CsvLayout& layout, SightingField field, const std::string& subject)
 {
     if (!reads(layout, field))
-        throw Error(ErrorCode::InvalidInput, subject,
-                    {{Severity::Error, nameOf(kSightingFieldNames, field),
-                      "no column holds it; name one with a mapping"}});
+        throw Error(
+            ErrorCode::InvalidInput, subject,
+            {{Severity::Error, nameOf(kSightingFieldNames, field), {IssueId::NoColumnForIt}}});
 }
 
 void requirePlace(const CsvLayout& layout, const std::string& subject)
@@ -266,18 +267,18 @@ bool isIipRow(const CsvRow& row)
 }
 
 /** Id of season and number; the season holds the date. */
-std::optional<RowFault> finishIip(Sighting& sighting, const CsvRow& row)
+std::optional<IssueId> finishIip(Sighting& sighting, const CsvRow& row)
 {
     using namespace std::chrono;
     const std::optional<double> season = decimalOf(trimmed(row.cells[0]));
     if (!season || *season < 1900 || *season > 2100 || *season != std::floor(*season))
-        return RowFault::TimeOutsideSeason;
+        return IssueId::OutOfSeason;
     const int last = static_cast<int>(*season);
     constexpr days kMargin(31);
     const sys_days start = sys_days(year(last - 1) / October / 1) - kMargin;
     const sys_days end = sys_days(year(last) / October / 1) + kMargin;
     if (*sighting.time < start || *sighting.time >= end)
-        return RowFault::TimeOutsideSeason;
+        return IssueId::OutOfSeason;
     if (!sighting.id.empty())
         sighting.id = std::to_string(last) + '-' + sighting.id;
     return std::nullopt;
@@ -323,8 +324,7 @@ SightingTable readIip(const ImportText& source)
     const CsvRow first = firstRow(source.text);
     if (first.cells.size() != kIipColumns)
         throw Error(ErrorCode::WrongFormat, source.budget.subject(),
-                    "IIP sightings have " + std::to_string(kIipColumns) + " columns, not " +
-                        std::to_string(first.cells.size()));
+                    {IssueId::ColumnCount, {countOf(kIipColumns), countOf(first.cells.size())}});
     CsvLayout layout{.width = kIipColumns,
                      .header = !isIipRow(first) && !isNumber(first.cells[0]),
                      .finish = finishIip};

@@ -48,7 +48,7 @@ public:
         ParsedJson file = parseJson(m_source.text, m_source.budget);
         if (!file.root.is_array())
             throw Error(ErrorCode::WrongFormat, m_source.budget.subject(),
-                        "is no list of CZML packets");
+                        {IssueId::WrongType, {ValueKind::Array, kindOf(file.root)}});
         for (const Json& packet : file.root)
             m_isOwn = m_isOwn || (idOf(packet).starts_with(kHome) &&
                                   memberOf(memberOf(&packet, "properties"), "airspeed_mps"));
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    void reject(RowFault fault)
+    void reject(IssueId fault)
     {
         addRow(m_table, RejectedRow{.line = m_packet, .fault = fault, .detail = {}},
                m_source.budget);
@@ -85,7 +85,7 @@ private:
         else if (m_isOwn && (id.starts_with(kUav) || id == "stand-off"))
             return;
         else if (degrees == nullptr)
-            reject(position == nullptr ? RowFault::NotAPoint : RowFault::PositionMissing);
+            reject(position == nullptr ? IssueId::NotAPoint : IssueId::NoPosition);
         else if (degrees->size() <= 3)
             addPoint(*degrees);
         else
@@ -122,7 +122,7 @@ private:
     void addPoint(const Json& degrees)
     {
         if (degrees.size() < 2 || !setPlace(m_texts, degrees[0], degrees[1])) {
-            reject(RowFault::PositionMissing);
+            reject(IssueId::NoPosition);
             return;
         }
         std::variant<Sighting, RejectedRow> row =
@@ -147,10 +147,10 @@ private:
             if (setPlace(texts, degrees[i + 1], degrees[i + 2]))
                 addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_packet), m_source.budget);
             else
-                reject(RowFault::PositionMissing);
+                reject(IssueId::NoPosition);
         }
         if (degrees.size() % kStep != 0)
-            reject(RowFault::PositionMissing);
+            reject(IssueId::NoPosition);
     }
 
     /** Of an export of our own what is no iceberg. */

@@ -94,7 +94,7 @@ public:
         std::optional<double> value = number(text);
         if (value)
             *value *= m_texts.factor(field);
-        if (value && limitsFault(*value, limits).empty())
+        if (value && !outOfLimits(*value, limits))
             return value;
         if (m_wrong.empty())
             m_wrong = text;
@@ -124,18 +124,18 @@ private:
     std::string m_wrong;
 };
 
-std::optional<RowFault> readPlace(const FieldTexts& texts, LatLon& place)
+std::optional<IssueId> readPlace(const FieldTexts& texts, LatLon& place)
 {
     const std::string& latitude = texts.text(SightingField::Latitude);
     const std::string& longitude = texts.text(SightingField::Longitude);
     if (latitude.empty() || longitude.empty())
-        return RowFault::PositionMissing;
+        return IssueId::NoPosition;
     const std::optional<double> north_deg = degreesOf(latitude, 'N', 'S');
     if (!north_deg || std::abs(*north_deg) > 90)
-        return RowFault::LatitudeWrong;
+        return IssueId::LatitudeWrong;
     const std::optional<double> east_deg = degreesOf(longitude, 'E', 'W');
     if (!east_deg || *east_deg < -180 || *east_deg > 360)
-        return RowFault::LongitudeWrong;
+        return IssueId::LongitudeWrong;
     place = {.latitude_deg = *north_deg,
              .longitude_deg = *east_deg >= 180 ? *east_deg - 360 : *east_deg};
     return std::nullopt;
@@ -231,29 +231,29 @@ std::string timeText(const FieldTexts& texts, bool timeApart)
 std::variant<Sighting, RejectedRow> sightingOf(const FieldTexts& texts, const RowRules& rules,
                                                std::size_t line)
 {
-    const auto rejected = [&](RowFault fault, const std::string& detail = {}) {
+    const auto rejected = [&](IssueId fault, const std::string& detail = {}) {
         return RejectedRow{.line = line, .fault = fault, .detail = cleanText(detail, 60)};
     };
     Sighting sighting;
     sighting.line = line;
-    if (const std::optional<RowFault> fault = readPlace(texts, sighting.place)) {
-        if (*fault == RowFault::PositionMissing)
+    if (const std::optional<IssueId> fault = readPlace(texts, sighting.place)) {
+        if (*fault == IssueId::NoPosition)
             return rejected(*fault);
         return rejected(*fault,
-                        texts.text(*fault == RowFault::LatitudeWrong ? SightingField::Latitude
-                                                                     : SightingField::Longitude));
+                        texts.text(*fault == IssueId::LatitudeWrong ? SightingField::Latitude
+                                                                    : SightingField::Longitude));
     }
     const std::string time = timeText(texts, rules.timeApart);
     if (!isAbsent(time)) {
         sighting.time = parseSightingTime(time, rules.order);
         if (!sighting.time)
-            return rejected(RowFault::TimeUnreadable, time);
+            return rejected(IssueId::TimeUnreadable, time);
     } else if (rules.timeNeeded) {
-        return rejected(RowFault::TimeMissing);
+        return rejected(IssueId::NoTime);
     }
     sighting.id = cleanText(texts.text(SightingField::Id), kLongestId + 1);
     if (sighting.id.size() > kLongestId)
-        return rejected(RowFault::IdTooLong, sighting.id);
+        return rejected(IssueId::IdTooLong, sighting.id);
     sighting.name = cleanText(texts.text(SightingField::Name), kLongestName);
 
     Numbers numbers(texts);
@@ -266,7 +266,7 @@ std::variant<Sighting, RejectedRow> sightingOf(const FieldTexts& texts, const Ro
     const auto area = numbers.read(SightingField::Area, {.low = 0, .high = 1e12});
     sighting.radius_m = numbers.read(SightingField::Radius, length_m);
     if (!numbers.wrong().empty())
-        return rejected(RowFault::NumberWrong, numbers.wrong());
+        return rejected(IssueId::NumberWrong, numbers.wrong());
     if (!sighting.radius_m && length)
         sighting.radius_m = *length / 2;
     if (!sighting.radius_m && area)
@@ -291,7 +291,7 @@ std::variant<Sighting, RejectedRow> withDrift(std::variant<Sighting, RejectedRow
     const std::optional<double> north_mps = component(drift.north);
     if (!east_mps || !north_mps)
         return RejectedRow{.line = sighting->line,
-                           .fault = RowFault::NumberWrong,
+                           .fault = IssueId::NumberWrong,
                            .detail = cleanText(east_mps ? drift.north : drift.east, 60)};
     sighting->drift_mps = Point(*east_mps, *north_mps);
     return row;

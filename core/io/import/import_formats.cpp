@@ -49,15 +49,15 @@ std::string formatIds()
 /** What is not text is told apart as far as it helps the user. */
 void requireText(std::string_view bytes, const std::string& subject)
 {
-    const auto fail = [&](const char* reason) {
-        throw Error(ErrorCode::WrongFormat, subject, reason);
+    const auto fail = [&](IssueId reason) {
+        throw Error(ErrorCode::WrongFormat, subject, {reason});
     };
     if (trimmed(bytes).empty())
-        fail("is empty");
+        fail(IssueId::FileEmpty);
     if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-        fail("is UTF-16 text; save it as UTF-8");
+        fail(IssueId::Utf16);
     if (bytes.find('\0') != std::string_view::npos)
-        fail("is no text file");
+        fail(IssueId::NotText);
 }
 
 std::string utf8FromLatin1(std::string_view bytes)
@@ -83,8 +83,7 @@ const ImportFormat& chosenFormat(std::string_view text, const std::string& subje
         if (const ImportFormat* format = findImportFormat(options.format))
             return *format;
         throw Error(ErrorCode::Unsupported, subject,
-                    "no import format \"" + printable(options.format) + "\"; there are " +
-                        formatIds());
+                    {IssueId::NoImportFormat, {printable(options.format), formatIds()}});
     }
     // Whoever names columns says that it is a table, unless it is plainly something else.
     const auto it = std::find_if(kFormats.begin(), kFormats.end(), [&](const ImportFormat& format) {
@@ -94,10 +93,7 @@ const ImportFormat& chosenFormat(std::string_view text, const std::string& subje
         return *it;
     if (!options.mapping.empty())
         return *findImportFormat("csv");
-    throw Error(ErrorCode::WrongFormat, subject,
-                "is of no known format, and no columns for latitude and longitude are named; "
-                "known formats: " +
-                    formatIds());
+    throw Error(ErrorCode::WrongFormat, subject, {IssueId::UnknownFormat, {formatIds()}});
 }
 
 /** Reasons of the first rejected rows, for a file without a usable one. */
@@ -108,7 +104,7 @@ std::vector<Issue> issuesOf(const Rejections& rejected)
     for (const RejectedRow& row : rejected.first) {
         if (issues.size() == kMostTold)
             break;
-        issues.push_back({Severity::Error, "line " + std::to_string(row.line), rowFaultText(row)});
+        issues.push_back({Severity::Error, "line " + std::to_string(row.line), reasonOf(row)});
     }
     return issues;
 }
@@ -138,7 +134,7 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
         inside.format = isAny ? "kml" : options.format;
         const std::string text = unzipped(bytes, ".kml", budget);
         if (isZip(text)) // some archives hold themselves
-            throw Error(ErrorCode::WrongFormat, subject, "is an archive in an archive");
+            throw Error(ErrorCode::WrongFormat, subject, {IssueId::ArchiveInArchive});
         SightingTable table = sightingsOf(text, inside, budget);
         table.format = isAny ? "kmz" : table.format;
         return table;
@@ -150,7 +146,7 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
     const ImportFormat& format = chosenFormat(text, subject, options);
     if (!format.namedColumns && !options.mapping.empty())
         throw Error(ErrorCode::InvalidInput, subject,
-                    "columns of the format " + std::string(format.id) + " cannot be mapped");
+                    {IssueId::ColumnsFixed, {std::string(format.id)}});
     SightingTable table = format.read(
         {.text = text, .budget = budget, .mapping = options.mapping, .dates = options.dates});
     table.format = format.id;
@@ -159,7 +155,7 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
         return table;
     if (table.rejected.count > 0)
         throw Error(ErrorCode::InvalidInput, subject, issuesOf(table.rejected));
-    throw Error(ErrorCode::InvalidInput, subject, "holds no sightings");
+    throw Error(ErrorCode::InvalidInput, subject, {IssueId::NoSightings});
 }
 
 } // namespace

@@ -118,7 +118,7 @@ public:
     }
 
 private:
-    void reject(RowFault fault, const std::string& detail = {})
+    void reject(IssueId fault, const std::string& detail = {})
     {
         addRow(m_table,
                RejectedRow{.line = m_feature, .fault = fault, .detail = cleanText(detail, 60)},
@@ -143,7 +143,7 @@ private:
         if (const Json* id = bare ? nullptr : memberOf(&feature, "id"))
             texts.set({.field = SightingField::Id, .rank = 1000}, cellText(*id));
         if (coordinates == nullptr)
-            reject(RowFault::PositionMissing);
+            reject(IssueId::NoPosition);
         else if (type == "Point")
             addPoint(texts, *coordinates, properties);
         else if (type == "Polygon")
@@ -153,7 +153,7 @@ private:
         else if (m_isRoute && type == "LineString")
             addRoute(*coordinates);
         else
-            reject(RowFault::NotAPoint, type);
+            reject(IssueId::NotAPoint, type);
     }
 
     void readProperties(const Json* properties, FieldTexts& texts)
@@ -172,7 +172,7 @@ private:
     void addPoint(FieldTexts& texts, const Json& position, const Json* properties)
     {
         if (!setPlace(texts, position)) {
-            reject(RowFault::PositionMissing);
+            reject(IssueId::NoPosition);
             return;
         }
         std::variant<Sighting, RejectedRow> row =
@@ -191,7 +191,7 @@ private:
             if (setPlace(texts, corners[i]))
                 addRow(m_table, sightingOf(texts, {}, m_feature), m_source.budget);
             else
-                reject(RowFault::PositionMissing);
+                reject(IssueId::NoPosition);
         }
     }
 
@@ -207,7 +207,7 @@ private:
                 addRow(m_table, sightingOf(texts, {.timeNeeded = true}, m_feature),
                        m_source.budget);
             else
-                reject(RowFault::PositionMissing);
+                reject(IssueId::NoPosition);
         }
     }
 

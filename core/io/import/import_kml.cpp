@@ -164,7 +164,7 @@ private:
         } else if (!m_coordinates.empty()) {
             finishTrack();
         } else if (m_point.empty()) {
-            addRow(m_table, RejectedRow{.line = m_line, .fault = RowFault::NotAPoint, .detail = {}},
+            addRow(m_table, RejectedRow{.line = m_line, .fault = IssueId::NotAPoint, .detail = {}},
                    m_source.budget);
         } else {
             setPlace(m_texts, m_point, ",");

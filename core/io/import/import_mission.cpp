@@ -123,10 +123,10 @@ void MissionPlaces::add(const MissionItem& item)
     const auto* const sighting = std::get_if<Sighting>(&row);
     if (!isOneOf(kGlobalFrames, item.frame))
         row = RejectedRow{.line = item.line,
-                          .fault = RowFault::PositionMissing,
+                          .fault = IssueId::NoPosition,
                           .detail = "frame " + std::to_string(item.frame)};
     else if (sighting != nullptr && isNowhere(sighting->place))
-        row = RejectedRow{.line = item.line, .fault = RowFault::PositionMissing, .detail = {}};
+        row = RejectedRow{.line = item.line, .fault = IssueId::NoPosition, .detail = {}};
     else if (sighting != nullptr) {
         setAltitude(item);
         if (!isNew(sighting->place))
@@ -138,7 +138,7 @@ void MissionPlaces::add(const MissionItem& item)
 void MissionPlaces::reject(std::size_t line, const std::string& what)
 {
     addRow(m_table,
-           RejectedRow{.line = line, .fault = RowFault::NotAPoint, .detail = cleanText(what, 60)},
+           RejectedRow{.line = line, .fault = IssueId::NotAPoint, .detail = cleanText(what, 60)},
            m_budget);
 }
 

@@ -77,12 +77,11 @@ private:
         const Json* type = root.find("fileType");
         if (type == nullptr || *type != "Plan")
             throw Error(ErrorCode::WrongFormat, m_subject,
-                        {{Severity::Error, "fileType", "is not \"Plan\""}});
+                        {{Severity::Error, "fileType", {IssueId::NotFormat, {"Plan"}}}});
         const double version = root.number("version", 1);
         if (version != 1)
             throw Error(ErrorCode::UnsupportedVersion, m_subject,
-                        {{Severity::Error, "version",
-                          shortText(version) + " is not known: this program reads 1"}});
+                        {{Severity::Error, "version", {IssueId::UnknownVersion, {version, 1}}}});
     }
 
     void readMission(const Json& value)
@@ -121,7 +120,7 @@ private:
             return;
         const std::string path = mission.path("plannedHomePosition");
         if (home->size() < 2)
-            m_file.faults.add(path, "must hold latitude and longitude");
+            m_file.faults.add(path, {IssueId::LeastEntries, {2}});
         else
             m_places.setHome({.latitude = numberText((*home)[0], path + "[0]", m_file.faults),
                               .longitude = numberText((*home)[1], path + "[1]", m_file.faults),
@@ -141,7 +140,7 @@ private:
         else if (type == "ComplexItem")
             readComplex(item, index + 1);
         else
-            m_file.faults.add(item.path("type"), "must be SimpleItem or ComplexItem");
+            m_file.faults.add(item.path("type"), {IssueId::NotOneOf, {"SimpleItem, ComplexItem"}});
     }
 
     void readSimple(ObjectReader& item, std::size_t line)
@@ -153,7 +152,7 @@ private:
             return;
         const std::string path = item.path("params");
         if (!params->is_array() || params->size() != kParams) {
-            m_file.faults.add(path, "must be an array of 7 numbers");
+            m_file.faults.add(path, {IssueId::EntryCount, {countOf(kParams), entriesOf(*params)}});
             return;
         }
         std::array<std::string, kParams> texts;

@@ -55,7 +55,7 @@ std::string rejectedText(const RejectedRow& row)
 {
     JsonObject object;
     object.addText("line", count(row.line));
-    object.add("reason", rowFaultText(row));
+    object.add("reason", englishText(reasonOf(row)));
     return object.inLine();
 }
 

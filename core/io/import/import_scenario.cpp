@@ -27,8 +27,8 @@ void checkOptions(const Scenario& base, const ImportOptions& options)
 {
     std::vector<Issue> issues;
     const auto check = [&](const char* field, double value, const Limits& limits) {
-        if (std::string fault = limitsFault(value, limits); !fault.empty())
-            issues.push_back({Severity::Error, field, std::move(fault)});
+        if (std::optional<IssueReason> fault = outOfLimits(value, limits))
+            issues.push_back({Severity::Error, field, std::move(*fault)});
     };
     check("position error", options.positionSd_m.value_or(0), limits::kLength_m);
     check("drift variation", options.track.drift.velocitySpread_mps, limits::kSpeed_mps);
@@ -43,10 +43,9 @@ void checkOptions(const Scenario& base, const ImportOptions& options)
         check("area: east", options.area->east_deg, {.low = -180, .high = 360});
     }
     if (options.since && options.until && *options.since > *options.until)
-        issues.push_back({Severity::Error, "since", "must not be after until"});
+        issues.push_back({Severity::Error, "until", {IssueId::BeforeOther, {"since"}}});
     if (options.moveOrigin.value_or(false) && holdsPlaces(base))
-        issues.push_back({Severity::Error, "origin",
-                          "cannot move while the scenario holds icebergs, an asset or an area"});
+        issues.push_back({Severity::Error, "origin", {IssueId::OriginHeld}});
     if (!issues.empty())
         throw Error(ErrorCode::InvalidInput, "import", std::move(issues));
 }
@@ -56,7 +55,7 @@ void moveBy(Point& position_m, const Point& path_m, const std::string& who)
     position_m += path_m;
     if (!position_m.allFinite() || position_m.cwiseAbs().maxCoeff() > kLargestCoordinate_m)
         throw Error(ErrorCode::InvalidInput, "import",
-                    {{Severity::Error, "at", "by then " + printable(who) + " is off the plane"}});
+                    {{Severity::Error, "at", {IssueId::OffPlane, {printable(who)}}}});
 }
 
 /** Carries what is in the scenario on to a start `later_s` later. */

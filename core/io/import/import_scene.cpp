@@ -120,8 +120,8 @@ void FileScene::addAsset(SceneAsset added)
 
 std::optional<LatLon> scenePlace(double latitude_deg, double longitude_deg)
 {
-    if (!limitsFault(latitude_deg, limits::kLatitude_deg).empty() ||
-        !limitsFault(longitude_deg, {.low = -180, .high = 360}).empty())
+    if (outOfLimits(latitude_deg, limits::kLatitude_deg) ||
+        outOfLimits(longitude_deg, {.low = -180, .high = 360}))
         return std::nullopt;
     return LatLon{.latitude_deg = latitude_deg,
                   .longitude_deg = longitude_deg > 180 ? longitude_deg - 360 : longitude_deg};

@@ -99,8 +99,7 @@ public:
         std::string id = idOf(sighting);
         const auto [it, isNew] = m_rows.try_emplace(id, m_icebergs.size());
         if (isNew && m_icebergs.size() == readLimit(kMostGrouped))
-            failTooLarge("import", "there are more than " + std::to_string(m_icebergs.size()) +
-                                       " icebergs to choose from: narrow the area or the time");
+            failTooLarge("import", IssueId::TooManyGroups, m_icebergs.size());
         if (isNew)
             m_icebergs.push_back({.id = std::move(id), .sightings = {}});
         PlacedSighting placed{.sighting = &sighting, .timeKnown = sighting.time && m_start};
@@ -197,7 +196,7 @@ void place(std::vector<SightedIceberg>& icebergs, const LocalFrame& frame, Rejec
             if (placed.fix.position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m)
                 return false;
             rejected.add({.line = sighting.line,
-                          .fault = RowFault::TooFar,
+                          .fault = IssueId::TooFar,
                           .detail = shortText(sighting.place.latitude_deg) + ' ' +
                                     shortText(sighting.place.longitude_deg)});
             return true;

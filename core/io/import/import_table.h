@@ -82,33 +82,16 @@ struct Sighting
 };
 
 /** Why a row, or an iceberg, is not taken. */
-enum class RowFault
-{
-    ColumnCount,
-    UnclosedQuote,
-    TextAfterQuote,
-    TimeMissing,
-    TimeUnreadable,
-    TimeOutsideSeason,
-    PositionMissing,
-    LatitudeWrong,
-    LongitudeWrong,
-    NumberWrong,
-    IdTooLong,
-    NotAPoint,
-    TooFar ///< more than 1000 km east, west, north or south of the origin
-};
-
 struct RejectedRow
 {
     std::size_t line = 0;
-    RowFault fault = RowFault::ColumnCount;
+    IssueId fault = IssueId::RowWidth;
     std::string detail; ///< the text in question, shortened; may be empty
     bool operator==(const RejectedRow&) const = default;
 };
 
-/** English words for a rejected row, without its line: `latitude is not from -90 to 90: "91"`. */
-[[nodiscard]] std::string rowFaultText(const RejectedRow& row);
+/** Why, with the text in question: `latitude is no number from -90 to 90: "91"`. */
+[[nodiscard]] IssueReason reasonOf(const RejectedRow& row);
 
 /** Rejected rows: all are counted, the first thousand kept. */
 struct Rejections

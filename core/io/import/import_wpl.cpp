@@ -74,10 +74,10 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& reason, ErrorCode code = ErrorCode::SyntaxError) const
+    [[noreturn]] void fail(IssueReason reason, ErrorCode code = ErrorCode::SyntaxError) const
     {
         throw Error(code, m_budget.subject(),
-                    {{Severity::Error, "line " + std::to_string(m_line), reason}});
+                    {{Severity::Error, "line " + std::to_string(m_line), std::move(reason)}});
     }
 
     bool nextLine()
@@ -96,11 +96,11 @@ private:
     {
         nextLine();
         if (!m_text.starts_with(kHead))
-            fail("is not \"QGC WPL 110\"", ErrorCode::WrongFormat);
+            fail({IssueId::NotFormat, {"QGC WPL 110"}}, ErrorCode::WrongFormat);
         const std::string_view version = trimmed(m_text.substr(kHead.size()));
         if (version != "110" && version != "120")
-            fail("version \"" + printable(cleanText(version, 20)) +
-                     "\" is not known: this program reads 110 and 120",
+            fail({IssueId::UnknownVersion,
+                  {'"' + printable(cleanText(version, 20)) + '"', "110, 120"}},
                  ErrorCode::UnsupportedVersion);
         return version == "110";
     }
@@ -141,18 +141,18 @@ private:
             at = end;
         }
         if (count != kColumns)
-            fail("has " + std::to_string(count) + " columns and not 12");
+            fail({IssueId::ColumnCount, {12, countOf(count)}});
         for (const std::string_view column : columns)
             if (!isNumber(column))
                 fail(notANumber(column));
         return columns;
     }
 
-    static std::string notANumber(std::string_view column)
+    static IssueReason notANumber(std::string_view column)
     {
         const bool comma = column.find(',') != std::string_view::npos;
-        return '"' + printable(cleanText(column, 40)) + "\" is no number" +
-               (comma ? ": decimals follow a point" : "");
+        return {comma ? IssueId::DecimalComma : IssueId::NotANumber,
+                {printable(cleanText(column, 40))}};
     }
 
     [[nodiscard]] std::int64_t whole(std::string_view column) const
@@ -163,7 +163,7 @@ private:
             std::from_chars(column.data(), column.data() + column.size(), value);
         if (error != std::errc() || end != column.data() + column.size() || value < 0 ||
             value > kLargest)
-            fail('"' + printable(cleanText(column, 40)) + "\" is no whole number from 0 to 65535");
+            fail({IssueId::NotWhole, {0, kLargest, '"' + printable(cleanText(column, 40)) + '"'}});
         return value;
     }
 

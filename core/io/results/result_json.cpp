@@ -60,7 +60,7 @@ void addFindings(Json& list, const FileFindings& file)
         list.push_back({{"file", file.file},
                         {"severity", severityName(issue.severity)},
                         {"field", issue.field},
-                        {"message", issue.message}});
+                        {"message", issue.message()}});
 }
 
 std::optional<PaperTime> paperTime(int icebergs)

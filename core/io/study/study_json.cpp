@@ -97,7 +97,7 @@ std::vector<PolicyKind> readPolicies(ObjectReader& study)
                                 : std::nullopt;
         if (!policy)
             study.faults().add(entryPath(study.path("policies"), i),
-                               "must be one of " + allowedNames(kPolicyNames));
+                               {IssueId::NotOneOf, {allowedNames(kPolicyNames)}});
         policies.push_back(policy.value_or(PolicyKind::Visitation));
     }
     return policies;
@@ -129,7 +129,7 @@ StudySpec readSpec(ObjectReader& study)
     spec.scenarios = readScenarios(study);
     if (study.faults().empty())
         for (Issue& issue : validate(spec))
-            study.faults().add(std::move(issue.field), std::move(issue.message));
+            study.faults().add(std::move(issue));
     return spec;
 }
 
@@ -148,7 +148,7 @@ public:
             return std::nullopt;
         if (!m_value.is_array() || m_value.size() != kOutcomeNumbers) {
             m_faults.add(m_path(),
-                         "must be null or " + std::to_string(kOutcomeNumbers) + " numbers");
+                         {IssueId::EntryCount, {countOf(kOutcomeNumbers), entriesOf(m_value)}});
             return std::nullopt;
         }
         return MissionOutcome{.metrics = {.zeta_m2s = amount(0),
@@ -190,9 +190,7 @@ void readCase(const Json& value, std::size_t settings, const std::string& path, 
         return;
     }
     if (!value.is_array() || value.size() != settings) {
-        faults.add(path, "must be null or an array of " + std::to_string(settings) +
-                             " outcomes, not " +
-                             (value.is_array() ? std::to_string(value.size()) : typeText(value)));
+        faults.add(path, {IssueId::EntryCount, {countOf(settings), entriesOf(value)}});
         return;
     }
     for (std::size_t s = 0; s < settings; ++s)
@@ -210,9 +208,8 @@ void readOutcomes(ObjectReader& object, Study& study)
     if (list == nullptr || list->empty())
         return;
     if (list->size() != cases) {
-        object.faults().add(object.path("outcomes"), "must have an entry for each of " +
-                                                         std::to_string(cases) + " cases, not " +
-                                                         std::to_string(list->size()));
+        object.faults().add(object.path("outcomes"),
+                            {IssueId::EntryCount, {countOf(cases), countOf(list->size())}});
         return;
     }
     study.outcomes.reserve(cases * settings);
@@ -272,8 +269,7 @@ void saveStudy(const Study& study, const std::string& path)
     const std::size_t missing = missionCount(study.spec) - flownCount(study);
     if (text.size() + missing * kOutcomeBytes > kLargestFile)
         throw Error(ErrorCode::FileTooLarge, path,
-                    "would become larger than " + std::to_string(kLargestFile >> 20U) +
-                        " MiB: take fewer scenarios, or several studies");
+                    {IssueId::StudyTooLarge, {countOf(kLargestFile >> 20U)}});
     writeFileAtomically(path, text);
 }
 

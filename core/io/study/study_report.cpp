@@ -95,7 +95,7 @@ std::string studyOfReport(std::string_view html, const std::string& subject)
     const std::size_t first = opens == std::string_view::npos ? opens : opens + kStudyOpens.size();
     const std::size_t closes = html.find(kStudyCloses, first);
     if (opens == std::string_view::npos || closes == std::string_view::npos)
-        throw Error(ErrorCode::WrongFormat, subject, "no study is kept in this page");
+        throw Error(ErrorCode::WrongFormat, subject, {IssueId::NoStudyInPage});
     return std::string(html.substr(first, closes - first));
 }
 

@@ -30,7 +30,7 @@ std::string reason(int errorNumber)
 
 [[noreturn]] void failWrite(const std::string& path, const std::string& why)
 {
-    throw Error(ErrorCode::FileUnwritable, path, "cannot be written: " + why);
+    throw Error(ErrorCode::FileUnwritable, path, {IssueId::CannotWrite, {why}});
 }
 
 /** The descriptor that is already open under a name such as /dev/stdout; none for other paths. */
@@ -147,15 +147,15 @@ std::string readFile(const std::string& path, const std::stop_token& stop)
     if (!file.isOpen()) {
         const bool missing = errno == ENOENT || errno == ENOTDIR;
         throw Error(missing ? ErrorCode::FileNotFound : ErrorCode::FileUnreadable, path,
-                    "cannot be opened: " + reason(errno));
+                    {IssueId::CannotOpen, {reason(errno)}});
     }
     struct stat status
     {
     };
     if (::fstat(file.get(), &status) != 0)
-        throw Error(ErrorCode::FileUnreadable, path, "cannot be read: " + reason(errno));
+        throw Error(ErrorCode::FileUnreadable, path, {IssueId::CannotRead, {reason(errno)}});
     if (!S_ISREG(status.st_mode) && (!isGiven || S_ISDIR(status.st_mode)))
-        throw Error(ErrorCode::FileUnreadable, path, "is not a regular file");
+        throw Error(ErrorCode::FileUnreadable, path, {IssueId::NotRegular});
 
     // The size is counted, not asked for: a file may grow while it is read.
     constexpr std::size_t kChunk = std::size_t{1} << 20U;
@@ -169,14 +169,14 @@ std::string readFile(const std::string& path, const std::stop_token& stop)
         if (got < 0 && errno == EINTR)
             continue;
         if (got < 0)
-            throw Error(ErrorCode::FileUnreadable, path, "cannot be read: " + reason(errno));
+            throw Error(ErrorCode::FileUnreadable, path, {IssueId::CannotRead, {reason(errno)}});
         size += static_cast<std::size_t>(got);
         if (got == 0) {
             content.resize(size);
             return content;
         }
     }
-    failTooLarge(path, "is larger than " + std::to_string(most >> 20U) + " MiB");
+    failTooLarge(path, IssueId::FileTooLarge, most >> 20U);
 }
 
 namespace {

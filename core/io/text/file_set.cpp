@@ -62,7 +62,7 @@ private:
     [[noreturn]] void fail() const
     {
         throw Error(ErrorCode::FileUnreadable, m_path,
-                    "cannot be read: " + std::generic_category().message(errno));
+                    {IssueId::CannotRead, {std::generic_category().message(errno)}});
     }
 
     template <class Take>

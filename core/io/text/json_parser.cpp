@@ -22,8 +22,8 @@ std::size_t textMemory(const std::string& text)
     return text.size() > kWithin ? text.size() + 16 : 0;
 }
 
-/** "line 3, column 7" of a byte offset; columns count characters, not bytes. */
-std::string placeText(std::string_view text, std::size_t offset)
+/** Line and column of a byte offset; columns count characters, not bytes. */
+std::pair<std::int64_t, std::int64_t> placeOf(std::string_view text, std::size_t offset)
 {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
@@ -31,7 +31,7 @@ std::string placeText(std::string_view text, std::size_t offset)
     const auto column =
         std::count_if(before.begin() + static_cast<std::ptrdiff_t>(lineStart), before.end(),
                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-    return "line " + std::to_string(line) + ", column " + std::to_string(column + 1);
+    return {line, column + 1};
 }
 
 /** The library's words without its prefix and without the raw text it last read. */
@@ -91,17 +91,18 @@ public:
         level.duplicate = !level.names.insert(name).second;
         level.name = std::move(name);
         if (level.duplicate)
-            m_faults.add(path(), "appears more than once");
+            m_faults.add(path(), {IssueId::GivenTwice});
         return true;
     }
     bool parse_error(std::size_t position, const std::string& /*token*/,
                      const nlohmann::detail::exception& error)
     {
         constexpr int kNumberOverflow = 406;
-        const std::string reason = error.id == kNumberOverflow
-                                       ? path() + ": a number too large for this program"
-                                       : reasonText(error.what());
-        fail(position > 0 ? position - 1 : 0, reason);
+        const auto [line, column] = placeOf(m_text, position > 0 ? position - 1 : 0);
+        const bool isOverflow = error.id == kNumberOverflow;
+        throw Error(ErrorCode::SyntaxError, m_budget.subject(),
+                    {isOverflow ? IssueId::JsonNumber : IssueId::JsonSyntax,
+                     {line, column, isOverflow ? path() : reasonText(error.what())}});
     }
     // NOLINTEND(readability-identifier-naming)
 
@@ -118,12 +119,6 @@ private:
         std::size_t memory = 0; ///< that it takes while it is open, given back then
     };
 
-    [[noreturn]] void fail(std::size_t offset, const std::string& reason) const
-    {
-        throw Error(ErrorCode::SyntaxError, m_budget.subject(),
-                    placeText(m_text, offset) + ": " + reason);
-    }
-
     /** Path of the value being read. */
     [[nodiscard]] std::string path() const
     {
@@ -138,7 +133,7 @@ private:
     {
         if (m_levels.size() >= kDeepest)
             throw Error(ErrorCode::SyntaxError, m_budget.subject(),
-                        "nested deeper than " + std::to_string(kDeepest) + " levels");
+                        {IssueId::JsonDepth, {countOf(kDeepest)}});
         m_levels.emplace_back().isObject = isObject;
         return true;
     }

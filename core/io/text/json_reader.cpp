@@ -13,10 +13,10 @@ constexpr std::int64_t kLargestWhole = std::int64_t{1} << 53;
 
 } // namespace
 
-void Faults::add(std::string field, std::string message)
+void Faults::add(std::string field, IssueReason reason)
 {
     if (m_issues.size() < kMostFaults)
-        m_issues.push_back({Severity::Error, std::move(field), std::move(message)});
+        m_issues.push_back({Severity::Error, std::move(field), std::move(reason)});
     else
         ++m_notKept;
 }
@@ -33,8 +33,7 @@ void Faults::throwIfAny(const std::string& subject) const
         return;
     std::vector<Issue> issues = m_issues;
     if (m_notKept > 0)
-        issues.push_back(
-            {Severity::Error, "", "and " + std::to_string(m_notKept) + " more faults"});
+        issues.push_back({Severity::Error, "", {IssueId::MoreFaults, {countOf(m_notKept)}}});
     throw Error(ErrorCode::InvalidInput, subject, std::move(issues));
 }
 
@@ -43,24 +42,24 @@ void requireFormat(ParsedJson& file, std::string_view format, const std::string&
     const std::string wanted(format);
     if (!file.root.is_object())
         throw Error(ErrorCode::WrongFormat, subject,
-                    "is no " + wanted + " file: must be an object, not " + typeText(file.root));
+                    {IssueId::NoSuchFormat, {wanted, ValueKind::Object, kindOf(file.root)}});
     const auto given = file.root.find("format");
     const bool isText = given != file.root.end() && given->is_string();
     if (!isText || given->get_ref<const std::string&>() != wanted)
-        throw Error(
-            ErrorCode::WrongFormat, subject,
-            {{Severity::Error, "format",
-              "must be \"" + wanted + "\"" +
-                  (isText ? ", not \"" + printable(given->get<std::string>()) + '"' : "")}});
+        throw Error(ErrorCode::WrongFormat, subject,
+                    {{Severity::Error, "format",
+                      isText ? IssueReason{IssueId::OtherFormat,
+                                           {wanted, printable(given->get<std::string>())}}
+                             : IssueReason{IssueId::NotFormat, {wanted}}}});
     const auto version = file.root.find("version");
     if (version == file.root.end())
-        file.faults.add("version", "is missing");
+        file.faults.add("version", {IssueId::Missing});
     else if (!version->is_number())
-        file.faults.add("version", "must be the number 1, not " + typeText(*version));
+        file.faults.add("version", {IssueId::WrongType, {ValueKind::Number, kindOf(*version)}});
     else if (version->get<double>() != 1)
-        throw Error(ErrorCode::UnsupportedVersion, subject,
-                    {{Severity::Error, "version",
-                      shortText(version->get<double>()) + " is not known: this program reads 1"}});
+        throw Error(
+            ErrorCode::UnsupportedVersion, subject,
+            {{Severity::Error, "version", {IssueId::UnknownVersion, {version->get<double>(), 1}}}});
 }
 
 std::string memberPath(const std::string& object, const std::string& member)
@@ -68,28 +67,33 @@ std::string memberPath(const std::string& object, const std::string& member)
     return object.empty() ? printable(member) : object + '.' + printable(member);
 }
 
-std::string typeText(const Json& value)
+ValueKind kindOf(const Json& value)
 {
     switch (value.type()) {
     case Json::value_t::null:
-        return "null";
+        return ValueKind::Null;
     case Json::value_t::object:
-        return "an object";
+        return ValueKind::Object;
     case Json::value_t::array:
-        return "an array";
+        return ValueKind::Array;
     case Json::value_t::string:
-        return "a string";
+        return ValueKind::String;
     case Json::value_t::boolean:
-        return value.get<bool>() ? "true" : "false";
+        return value.get<bool>() ? ValueKind::True : ValueKind::False;
     case Json::value_t::number_integer:
     case Json::value_t::number_unsigned:
     case Json::value_t::number_float:
-        return "a number";
+        return ValueKind::Number;
     case Json::value_t::binary:
     case Json::value_t::discarded:
         break;
     }
-    throw std::logic_error("typeText: no such type in a JSON text");
+    throw std::logic_error("kindOf: no such type in a JSON text");
+}
+
+IssueArgument entriesOf(const Json& value)
+{
+    return value.is_array() ? countOf(value.size()) : IssueArgument(kindOf(value));
 }
 
 std::optional<double> numberOf(const Json& value, const std::string& path, Faults& faults,
@@ -97,14 +101,14 @@ std::optional<double> numberOf(const Json& value, const std::string& path, Fault
 {
     faults.goOn();
     if (!value.is_number()) {
-        faults.add(path, "must be a number, not " + typeText(value));
+        faults.add(path, {IssueId::WrongType, {ValueKind::Number, kindOf(value)}});
         return std::nullopt;
     }
     const auto number = value.get<double>();
-    std::string fault = limits ? limitsFault(number, *limits) : std::string();
-    if (fault.empty())
+    std::optional<IssueReason> fault = limits ? outOfLimits(number, *limits) : std::nullopt;
+    if (!fault)
         return number;
-    faults.add(path, std::move(fault));
+    faults.add(path, std::move(*fault));
     return std::nullopt;
 }
 
@@ -118,17 +122,16 @@ std::optional<std::int64_t> wholeOf(const Json& value, const std::string& path, 
     if (number == std::floor(number) && number >= static_cast<double>(limits.low) &&
         number <= static_cast<double>(limits.high))
         return static_cast<std::int64_t>(number);
-    faults.add(path, "must be a whole number from " + std::to_string(limits.low) + " to " +
-                         std::to_string(limits.high) + ", not " +
-                         (value.is_number() ? value.dump() : typeText(value)));
+    faults.add(path, {IssueId::NotWhole,
+                      {limits.low, limits.high,
+                       value.is_number() ? IssueArgument(value.dump()) : kindOf(value)}});
     return std::nullopt;
 }
 
 std::optional<Point> pointOf(const Json& value, const std::string& path, Faults& faults)
 {
     if (!value.is_array() || value.size() != 2) {
-        faults.add(path, "must be two numbers, not " +
-                             (value.is_array() ? std::to_string(value.size()) : typeText(value)));
+        faults.add(path, {IssueId::WrongType, {ValueKind::TwoNumbers, entriesOf(value)}});
         return std::nullopt;
     }
     const std::optional<double> east = numberOf(value[0], entryPath(path, 0), faults);
@@ -143,7 +146,7 @@ ObjectReader::ObjectReader(const Json& value, std::string path, Faults& faults)
 {
     faults.goOn();
     if (m_object == nullptr)
-        faults.add(m_path, "must be an object, not " + typeText(value));
+        faults.add(m_path, {IssueId::WrongType, {ValueKind::Object, kindOf(value)}});
 }
 
 std::string ObjectReader::path(std::string_view member) const
@@ -164,7 +167,7 @@ const Json* ObjectReader::need(const char* member)
 {
     const Json* value = find(member);
     if (value == nullptr && m_object != nullptr)
-        m_faults->add(path(member), "is missing");
+        m_faults->add(path(member), {IssueId::Missing});
     return value;
 }
 
@@ -173,7 +176,7 @@ const Json* ObjectReader::array(const char* member)
     const Json* value = find(member);
     if (value == nullptr || value->is_array())
         return value;
-    m_faults->add(path(member), "must be an array, not " + typeText(*value));
+    m_faults->add(path(member), {IssueId::WrongType, {ValueKind::Array, kindOf(*value)}});
     return nullptr;
 }
 
@@ -205,7 +208,7 @@ bool ObjectReader::boolean(const char* member, bool fallback)
     if (value == nullptr)
         return fallback;
     if (!value->is_boolean()) {
-        m_faults->add(path(member), "must be true or false, not " + typeText(*value));
+        m_faults->add(path(member), {IssueId::WrongType, {ValueKind::Boolean, kindOf(*value)}});
         return fallback;
     }
     return value->get<bool>();
@@ -217,7 +220,7 @@ std::string ObjectReader::text(const char* member, std::string fallback)
     if (value == nullptr)
         return fallback;
     if (!value->is_string()) {
-        m_faults->add(path(member), "must be a string, not " + typeText(*value));
+        m_faults->add(path(member), {IssueId::WrongType, {ValueKind::String, kindOf(*value)}});
         return fallback;
     }
     return value->get<std::string>();

@@ -39,7 +39,8 @@ public:
     /** `budget`, when not null, is asked whether to go on; it must live as long. */
     explicit Faults(ReadBudget* budget = nullptr) : m_budget(budget) {}
 
-    void add(std::string field, std::string message);
+    void add(std::string field, IssueReason reason);
+    void add(Issue issue) { add(std::move(issue.field), std::move(issue.reason)); }
     [[nodiscard]] bool empty() const { return m_issues.empty(); }
     /** True when a fault of exactly this field was noted. */
     [[nodiscard]] bool has(const std::string& field) const;
@@ -97,8 +98,9 @@ void requireFormat(ParsedJson& file, std::string_view format, const std::string&
 /** Path of a member: `asset.name`; `object` is empty for the file's root. */
 [[nodiscard]] std::string memberPath(const std::string& object, const std::string& member);
 
-/** The value's type with its article, for messages: "a string". */
-[[nodiscard]] std::string typeText(const Json& value);
+[[nodiscard]] ValueKind kindOf(const Json& value);
+/** For "must be ..., not ...": how many entries it has, what it is when it is no list. */
+[[nodiscard]] IssueArgument entriesOf(const Json& value);
 
 /** A whole number's range, within +-2^53. */
 struct WholeLimits
@@ -159,7 +161,7 @@ public:
         if (value->is_string())
             chosen = valueOf(names, value->get_ref<const std::string&>());
         if (!chosen)
-            m_faults->add(path(member), "must be one of " + allowedNames(names));
+            m_faults->add(path(member), {IssueId::NotOneOf, {allowedNames(names)}});
         return chosen.value_or(fallback);
     }
 

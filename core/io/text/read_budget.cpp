@@ -29,10 +29,10 @@ std::size_t factor()
     return std::clamp<std::size_t>(value, 1, kMost);
 }
 
-void countTo(std::size_t& count, std::size_t most, const std::string& subject, const char* what)
+void countTo(std::size_t& count, std::size_t most, const std::string& subject, IssueId what)
 {
     if (++count > most && count > readLimit(most))
-        failTooLarge(subject, "holds more than " + std::to_string(readLimit(most)) + what);
+        failTooLarge(subject, what, readLimit(most));
 }
 
 } // namespace
@@ -42,11 +42,10 @@ std::size_t readLimit(std::size_t usual)
     return usual * factor();
 }
 
-void failTooLarge(const std::string& subject, const std::string& what)
+void failTooLarge(const std::string& subject, IssueId what, std::size_t limit)
 {
-    throw Error(ErrorCode::FileTooLarge, subject,
-                what + "; " + kReadLimitsVariable + '=' + std::to_string(2 * factor()) +
-                    " in the environment doubles the limits of reading");
+    const std::string setting = kReadLimitsVariable + ('=' + std::to_string(2 * factor()));
+    throw Error(ErrorCode::FileTooLarge, subject, {what, {countOf(limit), setting}});
 }
 
 ReadBudget::ReadBudget(std::string subject, std::size_t size, std::stop_token stop)
@@ -55,28 +54,26 @@ ReadBudget::ReadBudget(std::string subject, std::size_t size, std::stop_token st
     , m_mostMemory(readLimit(kMemoryPerByte * size + kMemoryBeside))
 {
     if (const std::size_t most = readLimit(kLargestFile); size > most)
-        failTooLarge(m_subject, "is larger than " + std::to_string(most >> 20U) + " MiB");
+        failTooLarge(m_subject, IssueId::FileTooLarge, most >> 20U);
 }
 
 void ReadBudget::takeValue()
 {
     goOn();
-    countTo(m_values, kMostValues, m_subject, " values");
+    countTo(m_values, kMostValues, m_subject, IssueId::TooManyValues);
 }
 
 void ReadBudget::takeRow(std::size_t bytes)
 {
     goOn();
-    countTo(m_rows, kMostRows, m_subject, " rows or features");
+    countTo(m_rows, kMostRows, m_subject, IssueId::TooManyRows);
     take(bytes);
 }
 
 void ReadBudget::failMemory() const
 {
     constexpr std::size_t kMegabyte = 1'000'000;
-    failTooLarge(m_subject, "would take more than " + std::to_string(m_mostMemory / kMegabyte) +
-                                " MB of memory, the limit for a file of its size: split it, or "
-                                "leave out what is empty");
+    failTooLarge(m_subject, IssueId::TooMuchMemory, m_mostMemory / kMegabyte);
 }
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/issue.h"
 #include "core/base/stopped.h"
 
 #include <cstddef>
@@ -13,8 +14,8 @@ inline constexpr const char* kReadLimitsVariable = "BERGWATCH_READ_LIMITS";
 /** A limit of reading as the user has it. */
 [[nodiscard]] std::size_t readLimit(std::size_t usual);
 
-/** Throws `Error{FileTooLarge}`: `what` is so, and how to raise the limit. */
-[[noreturn]] void failTooLarge(const std::string& subject, const std::string& what);
+/** Throws `Error{FileTooLarge}`: what of it is beyond which limit, and how to raise that. */
+[[noreturn]] void failTooLarge(const std::string& subject, IssueId what, std::size_t limit);
 
 /**
  * What the reading of one file may take, in memory ten times its size and 50 MB; every reader

@@ -50,7 +50,7 @@ private:
     [[noreturn]] void fail(const std::string& reason) const
     {
         throw Error(ErrorCode::SyntaxError, m_budget.subject(),
-                    "line " + std::to_string(line()) + ": " + reason);
+                    {IssueId::XmlSyntax, {countOf(line()), reason}});
     }
     [[nodiscard]] std::size_t line() const { return XML_GetCurrentLineNumber(m_parser.get()); }
 

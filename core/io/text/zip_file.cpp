@@ -78,13 +78,13 @@ std::string zipFile(std::string_view entryName, std::string_view content)
 
 std::string unzipped(std::string_view bytes, std::string_view ending, ReadBudget& budget)
 {
-    const auto fail = [&](const std::string& reason) {
-        throw Error(ErrorCode::WrongFormat, budget.subject(), reason);
+    const auto fail = [&](IssueReason reason) {
+        throw Error(ErrorCode::WrongFormat, budget.subject(), std::move(reason));
     };
     const Source file = sourceOf(bytes);
     const Archive archive = archiveOf(file, ZIP_RDONLY);
     if (archive == nullptr)
-        fail("is an archive that cannot be read: it is cut off or damaged");
+        fail({IssueId::ArchiveDamaged});
     const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
     zip_int64_t index = 0;
     const auto nameOf = [&] {
@@ -95,7 +95,7 @@ std::string unzipped(std::string_view bytes, std::string_view ending, ReadBudget
     while (index < count && !endsWith(nameOf(), ending))
         ++index;
     if (index >= count)
-        fail("is a compressed archive (such as XLSX) without a file *" + std::string(ending));
+        fail({IssueId::ArchiveWithout, {std::string(ending)}});
     const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> entry(
         zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(index), 0), &zip_fclose);
     constexpr std::size_t kPiece = 1U << 16U;
@@ -113,7 +113,7 @@ std::string unzipped(std::string_view bytes, std::string_view ending, ReadBudget
         text.resize(size + kPiece);
         got = entry == nullptr ? -1 : zip_fread(entry.get(), text.data() + size, kPiece);
         if (got < 0)
-            fail("is an archive whose entry *" + std::string(ending) + " cannot be unpacked");
+            fail({IssueId::ArchiveEntry, {std::string(ending)}});
         text.resize(size + static_cast<std::size_t>(got));
     }
     return text;

@@ -166,14 +166,14 @@ void validateAllowed(const FleetProblem& problem, std::vector<Issue>& issues)
     };
     if (problem.allowed.size() != problem.distance_m.size() ||
         !std::ranges::all_of(problem.allowed, right)) {
-        issues.push_back(
-            {Severity::Error, "allowed", "must be empty or hold one entry per UAV and sigma"});
+        issues.push_back({Severity::Error, "allowed", {IssueId::AllowedCount}});
         return;
     }
     for (std::size_t i = 1; i < problem.sigma_m2.size(); ++i)
         if (std::ranges::none_of(problem.allowed, [i](const auto& row) { return row[i]; }))
-            issues.push_back({Severity::Error, "allowed[][" + std::to_string(i) + "]",
-                              "must be true for one UAV at least"});
+            issues.push_back({Severity::Error,
+                              "allowed[][" + std::to_string(i) + "]",
+                              {IssueId::NobodyAllowed}});
 }
 
 } // namespace
@@ -182,7 +182,7 @@ std::vector<Issue> validate(const FleetProblem& problem)
 {
     std::vector<Issue> issues;
     if (problem.distance_m.empty())
-        issues.push_back({Severity::Error, "uavs", "must hold at least one UAV"});
+        issues.push_back({Severity::Error, "uavs", {IssueId::LeastEntries, {1}}});
     for (int uav = 0; uav < problem.uavCount(); ++uav)
         for (Issue& issue : validate(problemOfUav(problem, uav))) {
             if (issue.field.starts_with("distance_m"))

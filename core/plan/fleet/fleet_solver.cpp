@@ -262,7 +262,7 @@ CoverFunction coverOf(Backend backend)
 #ifdef BERG_WITH_CBC
     return bestCoverByCbc;
 #else
-    throw Error(ErrorCode::Unsupported, "backend cbc", "this build was made without COIN-OR CBC");
+    throw Error(ErrorCode::Unsupported, "planner.backend", {IssueId::NoCbc});
 #endif
 }
 

@@ -269,8 +269,7 @@ std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings, const TvpSol
         return std::make_unique<VisitationPolicy>(settings, solver);
     case PolicyKind::Latency:
         if (settings.backend == Backend::Cbc)
-            throw Error(ErrorCode::Unsupported, "planner.backend",
-                        "the back end cbc cannot plan for the policy latency");
+            throw Error(ErrorCode::Unsupported, "planner.backend", {IssueId::CbcLatency});
         return std::make_unique<LatencyPolicy>(settings, solver);
     case PolicyKind::Path:
         return std::make_unique<PathPolicy>(settings, solver);
@@ -282,7 +281,7 @@ std::unique_ptr<Policy> makePolicy(const PlannerSettings& settings, const TvpSol
         return std::make_unique<GreedyPolicy>(false);
     case PolicyKind::Coverage:
         throw Error(ErrorCode::Unsupported, "planner.policy",
-                    nameOf(kPolicyNames, settings.policy) + " is not flown by this version");
+                    {IssueId::PolicyNotFlown, {nameOf(kPolicyNames, settings.policy)}});
     }
     throw std::logic_error("makePolicy: unknown policy");
 }

@@ -118,8 +118,7 @@ std::unique_ptr<TvpSolver> makeSolver(Backend backend, [[maybe_unused]] Formulat
 #ifdef BERG_WITH_CBC
         return std::make_unique<CbcSolver>(formulation);
 #else
-        throw Error(ErrorCode::Unsupported, "backend cbc",
-                    "this build was made without COIN-OR CBC");
+        throw Error(ErrorCode::Unsupported, "planner.backend", {IssueId::NoCbc});
 #endif
     }
     throw std::logic_error("makeSolver: unknown back end");

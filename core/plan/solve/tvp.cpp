@@ -130,8 +130,7 @@ void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
 {
     const Eigen::Index n = problem.nodeCount();
     if (problem.distance_m.rows() != n || problem.distance_m.cols() != n) {
-        issues.push_back({Severity::Error, "distance_m",
-                          "must be a square matrix with one row and column per sigma"});
+        issues.push_back({Severity::Error, "distance_m", {IssueId::NotSquare}});
         return;
     }
     if (areDistances(problem.distance_m))
@@ -142,7 +141,7 @@ void validateDistances(const TvpProblem& problem, std::vector<Issue>& issues)
             if (i != j && !(std::isfinite(d_m) && d_m >= 0))
                 issues.push_back({Severity::Error,
                                   at("distance_m", i) + '[' + std::to_string(j) + ']',
-                                  "must be a finite number of at least 0"});
+                                  {IssueId::Negative}});
         }
 }
 
@@ -186,34 +185,24 @@ void validateCosts(const TvpProblem& problem, std::vector<Issue>& issues)
 {
     const double n = problem.nodeCount();
     const auto [sum_m2, least_m2, longest_m, shortest_m] = extremesOf(problem);
-    const auto expect = [&issues](double cost, const char* field, const std::string& product) {
+    const auto expect = [&issues](double cost, const char* field) {
         if (!(cost <= kLargestCost))
-            issues.push_back(
-                {Severity::Error, field, "is too large: " + product + " exceeds 1e100"});
+            issues.push_back({Severity::Error, field, {IssueId::CostTooLarge, {kLargestCost}}});
     };
-    const auto expectDigits = [&issues](double cost, const char* field,
-                                        const std::string& product) {
+    const auto expectDigits = [&issues](double cost, const char* field) {
         if (cost < kSmallestCost)
-            issues.push_back({Severity::Error, field,
-                              "is too small: " + product + " is not 0, but less than 1e-290"});
+            issues.push_back({Severity::Error, field, {IssueId::CostTooSmall, {kSmallestCost}}});
     };
-    expect(n * sum_m2, "sigma", "the sum of sigma times the number of nodes");
-    expect(n * longest_m, "distance_m", "the longest distance times the number of nodes");
-    expectDigits(least_m2, "sigma", "the least sigma");
+    expect(n * sum_m2, "sigma");
+    expect(n * longest_m, "distance_m");
+    expectDigits(least_m2, "sigma");
     const bool isLatency = problem.criterion == Criterion::Latency;
-    if (isLatency)
-        expect(problem.mu * longest_m * n * sum_m2, "mu",
-               "mu times the longest distance, the number of nodes and the sum of sigma");
-    else
-        expect(problem.mu * longest_m * n, "mu",
-               "mu times the longest distance and the number of nodes");
+    expect(problem.mu * longest_m * n * (isLatency ? sum_m2 : 1), "mu");
     // Beside sigma that has all its digits, legs that cost next to nothing may lose theirs.
     if (problem.mu > 0 && (isLatency || sum_m2 == 0))
-        expectDigits(problem.mu * shortest_m, "mu", "mu times the shortest distance");
-    if (problem.mu > 0 && isLatency) {
-        const double least = std::min(1.0, problem.mu) * shortest_m * least_m2;
-        expectDigits(least, "mu", "mu times the shortest distance and the least sigma");
-    }
+        expectDigits(problem.mu * shortest_m, "mu");
+    if (problem.mu > 0 && isLatency)
+        expectDigits(std::min(1.0, problem.mu) * shortest_m * least_m2, "mu");
 }
 
 } // namespace
@@ -222,18 +211,18 @@ std::vector<Issue> validate(const TvpProblem& problem)
 {
     std::vector<Issue> issues;
     if (problem.sigma_m2.empty())
-        issues.push_back({Severity::Error, "sigma", "must hold at least the UAV's entry"});
+        issues.push_back({Severity::Error, "sigma", {IssueId::LeastEntries, {1}}});
     for (std::size_t i = 0; i < problem.sigma_m2.size(); ++i) {
         const double sigma_m2 = problem.sigma_m2[i];
         if (!(std::isfinite(sigma_m2) && sigma_m2 >= 0))
-            issues.push_back({Severity::Error, at("sigma", static_cast<Eigen::Index>(i)),
-                              "must be a finite number of at least 0"});
+            issues.push_back(
+                {Severity::Error, at("sigma", static_cast<Eigen::Index>(i)), {IssueId::Negative}});
         else if (i == 0 && sigma_m2 != 0)
-            issues.push_back({Severity::Error, "sigma[0]", "is the UAV's and must be 0"});
+            issues.push_back({Severity::Error, "sigma[0]", {IssueId::SigmaOfUav}});
     }
     validateDistances(problem, issues);
     if (!(std::isfinite(problem.mu) && problem.mu >= 0))
-        issues.push_back({Severity::Error, "mu", "must be a finite number of at least 0"});
+        issues.push_back({Severity::Error, "mu", {IssueId::Negative}});
     if (issues.empty())
         validateCosts(problem, issues);
     return issues;

@@ -15,7 +15,8 @@ private slots:
         QCOMPARE(error.code(), ErrorCode::FileNotFound);
         QCOMPARE(error.subject(), std::string("a.berg"));
         QCOMPARE(std::string(error.what()), std::string("a.berg: no such file"));
-        const std::vector<Issue> expected{{Severity::Error, "", "no such file"}};
+        const std::vector<Issue> expected{
+            {Severity::Error, "", {IssueId::Verbatim, {"no such file"}}}};
         QVERIFY(error.issues() == expected);
     }
 
@@ -29,17 +30,19 @@ private slots:
     void oneLineForEachIssue()
     {
         const std::vector<Issue> issues{
-            {Severity::Error, "uavs[0].airspeed_mps", "must be above 0"},
-            {Severity::Warning, "", "is old"},
-            {Severity::Error, "icebergs[3].q_m2ps", "must be a number"}};
+            {Severity::Error, "uavs[0].airspeed_mps", {IssueId::Missing}},
+            {Severity::Warning, "", {IssueId::NotOnEarth}},
+            {Severity::Error,
+             "icebergs[3].q_m2ps",
+             {IssueId::WrongType, {ValueKind::Number, ValueKind::String}}}};
         const Error error(ErrorCode::InvalidInput, "b.berg", issues);
         QCOMPARE(error.code(), ErrorCode::InvalidInput);
         QCOMPARE(error.subject(), std::string("b.berg"));
         QVERIFY(error.issues() == issues);
         QCOMPARE(std::string(error.what()),
-                 std::string("b.berg: uavs[0].airspeed_mps: must be above 0\n"
-                             "b.berg: is old\n"
-                             "b.berg: icebergs[3].q_m2ps: must be a number"));
+                 std::string("b.berg: uavs[0].airspeed_mps: is missing\n"
+                             "b.berg: this is not a place on the Earth\n"
+                             "b.berg: icebergs[3].q_m2ps: must be a number, not a string"));
     }
 
     void caughtAsRuntimeErrorAndNotAsBug()
@@ -80,17 +83,17 @@ private slots:
         QFETCH(bool, expected);
         std::vector<Issue> issues;
         for (const int severity : severities)
-            issues.push_back({static_cast<Severity>(severity), "field", "message"});
+            issues.push_back({static_cast<Severity>(severity), "field", {IssueId::Missing}});
         QCOMPARE(hasErrors(issues), expected);
     }
 
     void issuesDifferByEveryMember()
     {
-        const Issue issue{Severity::Error, "a", "b"};
-        QVERIFY((issue == Issue{Severity::Error, "a", "b"}));
-        QVERIFY(!(issue == Issue{Severity::Hint, "a", "b"}));
-        QVERIFY(!(issue == Issue{Severity::Error, "x", "b"}));
-        QVERIFY(!(issue == Issue{Severity::Error, "a", "x"}));
+        const Issue issue{Severity::Error, "a", {IssueId::Missing}};
+        QVERIFY((issue == Issue{Severity::Error, "a", {IssueId::Missing}}));
+        QVERIFY(!(issue == Issue{Severity::Hint, "a", {IssueId::Missing}}));
+        QVERIFY(!(issue == Issue{Severity::Error, "x", {IssueId::Missing}}));
+        QVERIFY(!(issue == Issue{Severity::Error, "a", {IssueId::Damaged}}));
     }
 };
 

@@ -270,7 +270,7 @@ private slots:
         const std::vector<Issue> issues = validate(scenario);
         QCOMPARE(issues.size(), std::size_t{1});
         QCOMPARE(issues[0].field, std::string(expected.field));
-        QVERIFY(issues[0] == issueOf(expected.severity, expected.field, {.id = expected.id}));
+        QVERIFY((issues[0] == Issue{expected.severity, expected.field, {.id = expected.id}}));
 
         Scenario slighter = calmSea();
         expected.harmless(slighter);
@@ -284,8 +284,9 @@ private slots:
         Scenario s = calmSea();
         addUav(s, 1000, 0).spec.endurance_s = 1000;
         s.uavs[1].spec.reserve_s = 54;
-        QVERIFY(isOne(validate(s), issueOf(Severity::Warning, "uavs[1].endurance_s",
-                                           {.id = IssueId::CrowdedReturn, .arguments = {55.0}})));
+        QVERIFY(isOne(validate(s), Issue{Severity::Warning,
+                                         "uavs[1].endurance_s",
+                                         {.id = IssueId::CrowdedReturn, .arguments = {55.0}}}));
         Scenario enough = s;
         enough.uavs[1].spec.reserve_s = 55;
         QVERIFY(validate(enough).empty());
@@ -301,18 +302,22 @@ private slots:
     {
         Scenario s = calmSea();
         QVERIFY(adviceInArea(s, 2100).empty());
-        QVERIFY(isOne(adviceInArea(s, 1900), issueOf(Severity::Warning, "icebergs[1].position_m",
-                                                     {.id = IssueId::OutsideArea})));
+        QVERIFY(isOne(
+            adviceInArea(s, 1900),
+            Issue{Severity::Warning, "icebergs[1].position_m", {.id = IssueId::OutsideArea}}));
         s.icebergs[1].velocity_mps = {0.2, 0}; // 200 m in 1000 s
-        QVERIFY(isOne(adviceInArea(s, 2100), issueOf(Severity::Hint, "icebergs[1].velocity_mps",
-                                                     {.id = IssueId::LeavesArea})));
+        QVERIFY(
+            isOne(adviceInArea(s, 2100),
+                  Issue{Severity::Hint, "icebergs[1].velocity_mps", {.id = IssueId::LeavesArea}}));
         s.icebergs[1].appears_s = 600; // 120 m on
-        QVERIFY(isOne(adviceInArea(s, 2100), issueOf(Severity::Warning, "icebergs[1].position_m",
-                                                     {.id = IssueId::OutsideArea})));
+        QVERIFY(isOne(
+            adviceInArea(s, 2100),
+            Issue{Severity::Warning, "icebergs[1].position_m", {.id = IssueId::OutsideArea}}));
         QVERIFY(adviceInArea(s, 2250).empty());
         s.current_mps = {0.2, 0};
-        QVERIFY(isOne(adviceInArea(s, 2250), issueOf(Severity::Hint, "icebergs[1].velocity_mps",
-                                                     {.id = IssueId::LeavesArea})));
+        QVERIFY(
+            isOne(adviceInArea(s, 2250),
+                  Issue{Severity::Hint, "icebergs[1].velocity_mps", {.id = IssueId::LeavesArea}}));
         s.icebergs[1].appears_s = 1001; // never comes
         QVERIFY(!adviceInArea(s, 2100).empty());
         for (const Issue& issue : adviceInArea(s, 2100))
@@ -320,7 +325,7 @@ private slots:
         s = calmSea();
         s.uavs[0].position_m = {0, -3000};
         QVERIFY(isOne(adviceInArea(s, 2100),
-                      issueOf(Severity::Hint, "uavs[0].position_m", {.id = IssueId::UavOutside})));
+                      Issue{Severity::Hint, "uavs[0].position_m", {.id = IssueId::UavOutside}}));
     }
 
     void wayBackIsCounted()
@@ -365,8 +370,9 @@ private slots:
         s.icebergs[1].position_m = {2000, -500};
         QVERIFY(validate(s).empty());
         s.uavs[0].heading_deg = 0;
-        QVERIFY(isOne(validate(s), issueOf(Severity::Warning, "uavs[0].position_m",
-                                           {.id = IssueId::StartNearFence})));
+        QVERIFY(
+            isOne(validate(s),
+                  Issue{Severity::Warning, "uavs[0].position_m", {.id = IssueId::StartNearFence}}));
         s.noFly[0].ceiling_m = s.uavs[0].spec.altitude_m - 1;
         QVERIFY(validate(s).empty());
         s.noFly[0].ceiling_m.reset();
@@ -374,16 +380,17 @@ private slots:
         s.icebergs[0].position_m = {500, 200}; // seen from outside
         QVERIFY(validate(s).empty());
         s.icebergs[0].position_m = {500, 500};
-        QVERIFY(isOne(validate(s), issueOf(Severity::Warning, "icebergs[0].position_m",
-                                           {.id = IssueId::ShutOff})));
+        QVERIFY(
+            isOne(validate(s),
+                  Issue{Severity::Warning, "icebergs[0].position_m", {.id = IssueId::ShutOff}}));
         s.icebergs[0].position_m = {500, 0};
         s.planner.policy = PolicyKind::Coverage;
         QVERIFY(
-            isOne(validate(s), issueOf(Severity::Hint, "no_fly", {.id = IssueId::FenceUnplanned})));
+            isOne(validate(s), Issue{Severity::Hint, "no_fly", {.id = IssueId::FenceUnplanned}}));
         s.noFly.clear();
         s.asset = Asset{.position_m = {0, 2000}, .standoff_m = 500};
-        QVERIFY(isOne(validate(s), issueOf(Severity::Hint, "asset.standoff_m",
-                                           {.id = IssueId::FenceUnplanned})));
+        QVERIFY(isOne(validate(s),
+                      Issue{Severity::Hint, "asset.standoff_m", {.id = IssueId::FenceUnplanned}}));
     }
 
     void roomInsideTheGeofence()
@@ -394,8 +401,9 @@ private slots:
         QVERIFY(validate(s).empty());
         s.uavs[0].position_m = {2450, 0};
         s.uavs[0].heading_deg = 90;
-        QVERIFY(isOne(validate(s), issueOf(Severity::Warning, "uavs[0].position_m",
-                                           {.id = IssueId::StartNearFence})));
+        QVERIFY(
+            isOne(validate(s),
+                  Issue{Severity::Warning, "uavs[0].position_m", {.id = IssueId::StartNearFence}}));
         s.uavs[0].heading_deg = 0; // along the fence
         QVERIFY(validate(s).empty());
         s.uavs[0].spec.endurance_s = 900;
@@ -403,22 +411,23 @@ private slots:
         s.uavs[0].home_m = Point(2499.5, 2499.5); // no path comes so near the fence
         const std::vector<Issue> atHome = validate(s);
         QCOMPARE(atHome.size(), std::size_t{2});
-        QVERIFY(atHome[0] ==
-                issueOf(Severity::Warning, "uavs[0].position_m", {.id = IssueId::NoSafeReturn}));
-        QVERIFY(atHome[1] ==
-                issueOf(Severity::Warning, "uavs[0].home_m", {.id = IssueId::HomeNearFence}));
+        QVERIFY((atHome[0] ==
+                 Issue{Severity::Warning, "uavs[0].position_m", {.id = IssueId::NoSafeReturn}}));
+        QVERIFY((atHome[1] ==
+                 Issue{Severity::Warning, "uavs[0].home_m", {.id = IssueId::HomeNearFence}}));
         s.uavs[0].home_m = Point(0, 0);
         QVERIFY(validate(s).empty());
         s.planner.policy = PolicyKind::Coverage;
-        QVERIFY(isOne(validate(s),
-                      issueOf(Severity::Hint, "geofence", {.id = IssueId::FenceUnplanned})));
+        QVERIFY(
+            isOne(validate(s), Issue{Severity::Hint, "geofence", {.id = IssueId::FenceUnplanned}}));
         s.planner.policy = PolicyKind::Visitation;
         s.icebergs[1].position_m = {2490, 1000};
         QVERIFY(validate(s).empty()); // seen from afar
         s.reachRadius_m = 50;
         const std::vector<Issue> issues = validate(s);
-        QVERIFY(std::ranges::find(issues, issueOf(Severity::Warning, "icebergs[1].position_m",
-                                                  {.id = IssueId::ShutOff})) != issues.end());
+        QVERIFY(std::ranges::find(issues, Issue{Severity::Warning,
+                                                "icebergs[1].position_m",
+                                                {.id = IssueId::ShutOff}}) != issues.end());
     }
 
     /** The estimate drifts from time 0 on: where the iceberg appears is not where it is given. */
@@ -432,7 +441,7 @@ private slots:
         s.icebergs[0].velocity_mps = {0.5, 0};
         s.icebergs[0].appears_s = 3000;
         const Issue outside =
-            issueOf(Severity::Warning, "icebergs[0].position_m", {.id = IssueId::OutsideArea});
+            Issue{Severity::Warning, "icebergs[0].position_m", {.id = IssueId::OutsideArea}};
         const std::vector<Issue> late = validate(s);
         QVERIFY(std::ranges::find(late, outside) != late.end());
         s.icebergs[0].appears_s = 0;

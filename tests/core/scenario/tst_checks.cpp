@@ -104,7 +104,8 @@ private slots:
         QFETCH(const bool, above);
         QFETCH(const QString, fault);
         const Limits range{.low = 0, .high = 2.5, .above = above};
-        QCOMPARE(QString::fromStdString(limitsFault(value, range)), fault);
+        const std::optional<IssueReason> reason = outOfLimits(value, range);
+        QCOMPARE(QString::fromStdString(reason ? englishText(*reason) : ""), fault);
     }
 
     void printableTexts_data()

@@ -193,7 +193,7 @@ private slots:
         QCOMPARE(codeName(error->code()), std::string("InvalidInput"));
         QCOMPARE(error->issues().size(), std::size_t{1});
         QCOMPARE(error->issues()[0].field, std::string("spacing_m"));
-        QVERIFY(error->issues()[0].message.find("of 100 icebergs") != std::string::npos);
+        QVERIFY(error->issues()[0].message().find("of 100 icebergs") != std::string::npos);
     }
 
     void hairlineAreaIsRefused()

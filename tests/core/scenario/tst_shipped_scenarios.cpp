@@ -117,7 +117,7 @@ private slots:
         const Feature& feature = kFeatures[static_cast<std::size_t>(row)];
         const Scenario s = shipped(feature.file);
         for (const Issue& issue : validate(s))
-            QVERIFY2(issue.severity == Severity::Hint, (issue.field + issue.message).c_str());
+            QVERIFY2(issue.severity == Severity::Hint, (issue.field + issue.message()).c_str());
         QVERIFY(!s.name.empty());
         QCOMPARE(s.icebergs.size(), feature.icebergs);
         QVERIFY(feature.shows(s));

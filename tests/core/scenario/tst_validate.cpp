@@ -253,7 +253,7 @@ private slots:
         QCOMPARE(issues.size(), std::size_t{1});
         QCOMPARE(issues[0].field, std::string(expected.field));
         QVERIFY(issues[0].severity == expected.severity);
-        QVERIFY(!issues[0].message.empty());
+        QVERIFY(!issues[0].message().empty());
     }
 
     void assetFaults_data()
@@ -355,7 +355,7 @@ private slots:
         s.wind_mps = {0, 13};
         const std::vector<Issue> errors = errorsOf(s);
         QCOMPARE(errors.size(), std::size_t{1});
-        QVERIFY(errors[0].message.find("slow") != std::string::npos);
+        QVERIFY(errors[0].message().find("slow") != std::string::npos);
     }
 
     void fieldsThatDoNotFitAreReadable_data()

@@ -174,9 +174,9 @@ private slots:
         QCOMPARE(issues.size(), std::size_t{2});
         QCOMPARE(issues[0].field, std::string("uavs[1].endurance_s"));
         QVERIFY(issues[0].reason.id == IssueId::ThinReserve);
-        QVERIFY(issues[0].message.find("12 s") != std::string::npos);
+        QVERIFY(issues[0].message().find("12 s") != std::string::npos);
         QVERIFY(issues[1].reason.id == IssueId::NoContact);
-        QVERIFY(issues[1].message.find("90 s") != std::string::npos);
+        QVERIFY(issues[1].message().find("90 s") != std::string::npos);
     }
 };
 

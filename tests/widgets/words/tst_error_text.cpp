@@ -27,16 +27,20 @@ private slots:
 
     void reportNamesSubjectAndFields()
     {
-        const Error error(ErrorCode::InvalidInput, "ice.berg",
-                          {{.severity = Severity::Error,
-                            .field = "icebergs[3].q_m2ps",
-                            .message = "must not be negative"},
-                           {.severity = Severity::Error, .field = "", .message = "no UAV"}});
+        const Error error(
+            ErrorCode::InvalidInput, "ice.berg",
+            {{.severity = Severity::Error,
+              .field = "icebergs[3].q_m2ps",
+              .reason = {IssueId::OutOfRange, {0.0, 1.0, 4.5}}},
+             {.severity = Severity::Error, .field = "line 3", .reason = {IssueId::NoTime}},
+             {.severity = Severity::Error, .reason = {IssueId::NotOnEarth}}});
         const QStringList lines = errorReport(error).split(u'\n');
-        QCOMPARE(lines.size(), 3);
+        QCOMPARE(lines.size(), 4);
         QCOMPARE(lines[0], u"ice.berg: "_s + errorText(ErrorCode::InvalidInput));
-        QCOMPARE(lines[1], u"  icebergs[3].q_m2ps: must not be negative"_s);
-        QCOMPARE(lines[2], u"  no UAV"_s);
+        QCOMPARE(lines[1],
+                 u"  icebergs[3].q_m2ps: Growth q must be from 0 m²/s to 1 m²/s, not 4.5 m²/s."_s);
+        QCOMPARE(lines[2], u"  line 3: has no time"_s);
+        QCOMPARE(lines[3], u"  this is not a place on the Earth"_s);
     }
 
     void reportOfAMessageKeepsIt()

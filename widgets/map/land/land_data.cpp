@@ -26,15 +26,15 @@ public:
     {
     }
 
-    [[noreturn]] void fail(ErrorCode code, const std::string& reason) const
+    [[noreturn]] void fail(ErrorCode code, IssueId reason) const
     {
-        throw Error(code, m_subject, reason);
+        throw Error(code, m_subject, {reason});
     }
 
     void check(bool isSound) const
     {
         if (!isSound)
-            fail(ErrorCode::FileUnreadable, "the map data are damaged");
+            fail(ErrorCode::FileUnreadable, IssueId::Damaged);
     }
 
     std::uint8_t byte()
@@ -110,7 +110,7 @@ LandData readLand(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        throw Error(ErrorCode::FileNotFound, path.toStdString(), "the map data are missing");
+        throw Error(ErrorCode::FileNotFound, path.toStdString(), {IssueId::Missing});
     const QByteArray bytes = file.readAll();
     const std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
     return LandData(copy, path.toStdString());
@@ -123,9 +123,9 @@ LandData::LandData(std::span<const std::uint8_t> bytes, const std::string& subje
     LandReader reader(bytes, subject);
     for (const char letter : kMagic)
         if (reader.byte() != static_cast<std::uint8_t>(letter))
-            reader.fail(ErrorCode::WrongFormat, "these are no map data");
+            reader.fail(ErrorCode::WrongFormat, IssueId::Damaged);
     if (reader.number(2) != kVersion)
-        reader.fail(ErrorCode::UnsupportedVersion, "the map data are of another version");
+        reader.fail(ErrorCode::UnsupportedVersion, IssueId::OtherVersion);
     m_unitsPerDegree = static_cast<std::int32_t>(reader.number(2));
     const auto side_deg = static_cast<std::int32_t>(reader.number(2));
     reader.check(m_unitsPerDegree > 0 && m_unitsPerDegree <= kFinestUnits);

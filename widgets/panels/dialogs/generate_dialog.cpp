@@ -2,6 +2,7 @@
 
 #include "core/scenario/validate.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/words/issue_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -66,7 +67,7 @@ QString faultText(const Error& error)
         if (issue.field == "sigmaMax_m2")
             return GenerateDialog::tr("The largest uncertainty is below the smallest.");
     }
-    return QString::fromUtf8(error.what());
+    return issueLines(error).join(u'\n');
 }
 
 } // namespace

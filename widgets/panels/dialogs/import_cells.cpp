@@ -4,6 +4,7 @@
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/iceberg_table_text.h"
 #include "widgets/words/import_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -199,14 +200,14 @@ CellSheet rejectedSheet(const PreviewPointer& preview, const QLocale& locale)
                 const RejectedRow& rejected = rowOf(row);
                 if (column == 0)
                     return fixedText(static_cast<double>(rejected.line), 0, locale);
-                return column == 1 ? rowFaultSentence(rejected.fault)
+                return column == 1 ? issueWords(rejected.fault)
                                    : QString::fromStdString(rejected.detail);
             },
             .sortKey = [rowOf](int row, int column) -> QVariant {
                 const RejectedRow& rejected = rowOf(row);
                 if (column == 0)
                     return static_cast<qulonglong>(rejected.line);
-                return column == 1 ? rowFaultSentence(rejected.fault)
+                return column == 1 ? issueWords(rejected.fault)
                                    : QString::fromStdString(rejected.detail);
             }};
 }

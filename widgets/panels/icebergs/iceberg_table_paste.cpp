@@ -143,7 +143,7 @@ private:
         }
         const Limits limits = spec.number->range(m_outcome.scenario);
         const bool isThere = isShownAs(iceberg, column, spec, *value);
-        if (!isThere && !limitsFault(*value, limits).empty()) {
+        if (!isThere && outOfLimits(*value, limits)) {
             fail(IcebergPasteText::tr("Row %1, column \"%2\": %3 is not from %4 to %5.")
                      .arg(m_line)
                      .arg(spec.title, shortened(cell), fixedText(limits.low, 0, m_locale),

@@ -367,8 +367,8 @@ private slots:
         const std::vector<Issue> issues = compareRun(run, recorded());
         QCOMPARE(issues.size(), std::size_t{1});
         QCOMPARE(QString::fromStdString(issues[0].field), field);
-        QVERIFY2(QString::fromStdString(issues[0].message).contains(text),
-                 issues[0].message.c_str());
+        QVERIFY2(QString::fromStdString(issues[0].message()).contains(text),
+                 issues[0].message().c_str());
         QVERIFY(issues[0].severity == Severity::Error);
     }
 

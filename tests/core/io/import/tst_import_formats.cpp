@@ -232,7 +232,7 @@ private slots:
         QCOMPARE(table.sightings.size(), std::size_t{1});
         QCOMPARE(table.sightings[0].place.latitude_deg, -62.4);
         QCOMPARE(table.rejected.count, std::size_t{3});
-        QCOMPARE(rowFaultText(table.rejected.first[0]),
+        QCOMPARE(englishText(reasonOf(table.rejected.first[0])),
                  std::string("latitude is no number from -90 to 90: \"-62.4S\""));
     }
 

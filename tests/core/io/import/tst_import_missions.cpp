@@ -307,7 +307,7 @@ private slots:
         row("words", wplFile("\n1\t0\t3\tWAYPOINT\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"), "SyntaxError",
             "line 4: \"WAYPOINT\" is no number");
         row("command out of range", wplFile("1\t0\t3\t16e9\t0\t0\t0\t0\t60.5\t-50\t0\t1\n"),
-            "SyntaxError", "line 3: \"16e9\" is no whole number");
+            "SyntaxError", "line 3: must be a whole number from 0 to 65535, not \"16e9\"");
         row("number without end",
             wplFile("1\t0\t3\t16\t0\t0\t0\t0\t" + std::string(5000, '9') + "x\n"), "SyntaxError",
             "line 3: has 9 columns");

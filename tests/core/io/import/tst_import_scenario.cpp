@@ -194,7 +194,7 @@ private slots:
             {.moveOrigin = false});
         QCOMPARE(result.rejected.count, std::size_t{1});
         QCOMPARE(result.rejected.first[0].line, std::size_t{3});
-        QVERIFY(result.rejected.first[0].fault == RowFault::TooFar);
+        QVERIFY(result.rejected.first[0].fault == IssueId::TooFar);
         QCOMPARE(result.scenario.icebergs.size(), std::size_t{1});
         QVERIFY(result.scenario.origin == base.origin);
     }

@@ -224,7 +224,7 @@ private slots:
         run.plans[0].clusters.push_back(run.plans[0].clusters.front());
         const std::optional<Error> error =
             errorOf([&] { (void)runFromJson(runToJson(run), "text"); });
-        QVERIFY(error && error->issues().front().message == "must not repeat an iceberg");
+        QVERIFY(error && error->issues().front().message() == "must not repeat an iceberg");
     }
 
     /** Both drift, and so does the middle that the waypoint is put to. */

@@ -137,9 +137,9 @@ private slots:
         row("regime", R"("unknown-velocity")", R"("stormy")",
             "field.regime: must be one of published, measured, unknown-velocity, fitted-drift");
         row("scenario", R"("dt_s": 0.1)", R"("dt_s": 0)", "scenarios[0].dt_s: must be");
-        row("cases", "\n  null,", "", "outcomes: must have an entry for each of 4 cases, not 3");
-        row("settings", "],[", "],null,[", "outcomes[0]: must be null or an array of 3 outcomes");
-        row("numbers", ",0,7,", ",0,", "outcomes[0][0]: must be null or 5 numbers");
+        row("cases", "\n  null,", "", "outcomes: must hold 4 entries, not 3");
+        row("settings", "],[", "],null,[", "outcomes[0]: must hold 3 entries, not 4");
+        row("numbers", ",0,7,", ",0,", "outcomes[0][0]: must hold 5 entries, not 4");
         row("zeta negative", "[28000,", "[-28000,", "outcomes[0][0][0]: must be");
         row("zeta text", "[28000,", R"(["28000",)",
             "outcomes[0][0][0]: must be a number, not a string");

@@ -249,7 +249,7 @@ private slots:
         QCOMPARE(issues.size(), std::size_t{1});
         QCOMPARE(QString::fromStdString(issues[0].field), field);
         QVERIFY(issues[0].severity == Severity::Error);
-        QVERIFY(!issues[0].message.empty());
+        QVERIFY(!issues[0].message().empty());
     }
 
     void reportsAllFaultsAtOnce()

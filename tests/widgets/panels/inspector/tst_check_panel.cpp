@@ -61,8 +61,8 @@ private slots:
         Fixture f;
         QSignalSpy changed(&f.panel, &CheckPanel::changed);
         f.change([](Scenario& s) { s.icebergs[0].velocity_mps = {3, 0}; }); // hint
-        f.panel.setPlanIssues({issueOf(Severity::Warning, "ground_station",
-                                       {.id = IssueId::NoContact, .arguments = {90.0}})});
+        f.panel.setPlanIssues({Issue{
+            Severity::Warning, "ground_station", {.id = IssueId::NoContact, .arguments = {90.0}}}});
         QCOMPARE(f.list().count(), 2);
         QCOMPARE(f.line(0), u"The plan leads out of the range of the ground station for 90 s."_s);
         QCOMPARE(f.panel.issues().size(), std::size_t{2});
@@ -150,8 +150,9 @@ private slots:
         QCOMPARE(countsText({}), QString());
         QCOMPARE(countsText({.hints = 2}), u"2 hints"_s);
         QCOMPARE(countsText({.errors = 2, .warnings = 3, .hints = 4}), u"2 errors, 3 warnings"_s);
-        const IssueCounts counted = countIssues(
-            {{Severity::Hint, "a", "b"}, {Severity::Error, "a", "b"}, {Severity::Error, "a", "c"}});
+        const IssueCounts counted = countIssues({{.severity = Severity::Hint},
+                                                 {.severity = Severity::Error},
+                                                 {.severity = Severity::Error}});
         QCOMPARE(counted.errors, 2);
         QCOMPARE(counted.warnings, 0);
         QCOMPARE(counted.hints, 1);

@@ -391,11 +391,11 @@ private slots:
     {
         const Issue issue{.severity = Severity::Error,
                           .field = "icebergs[12].q_m2ps",
-                          .message = "must not be negative"};
+                          .reason = {IssueId::NotFinite}};
         QCOMPARE(issueIndex(issue, "icebergs"), 12);
         QCOMPARE(issueIndex(issue, "uavs"), -1);
         QCOMPARE(issueIndex({.field = "icebergs"}, "icebergs"), -1);
-        QCOMPARE(issueText(issue), u"icebergs[12].q_m2ps: must not be negative"_s);
+        QCOMPARE(issueText(issue), u"Growth q must be a finite number."_s);
     }
 
     void longTextsFitTheDock()
