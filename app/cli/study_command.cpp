@@ -31,18 +31,11 @@ Study added(Study whole, Study part, const std::string& file)
     }
 }
 
-/** Of a study file, or of the report that holds one. */
-Study read(const std::string& file)
-{
-    const std::string text = readFile(file);
-    return studyFromJson(isReport(text) ? studyOfReport(text, file) : text, file);
-}
-
 Study merged(const std::vector<std::string>& files)
 {
-    Study whole = read(files.front());
+    Study whole = loadStudy(files.front());
     for (std::size_t i = 1; i < files.size(); ++i)
-        whole = added(std::move(whole), read(files[i]), files[i]);
+        whole = added(std::move(whole), loadStudy(files[i]), files[i]);
     return whole;
 }
 

@@ -113,7 +113,7 @@ void RunList::start()
 void RunList::fly(const Job& job, const std::stop_token& stop, const Tell& tell)
 {
     const std::string path = QFile::encodeName(job.path).toStdString();
-    const RunFile run = path.empty() ? job.run : loadRun(path);
+    const RunFile run = path.empty() ? job.run : loadRun(path, stop);
     ReportPace pace(kBetweenReports_ms);
     const Mission mission = flownAgain(run, path, stop, [&](double flown_s) {
         if (pace.isDue())

@@ -16,12 +16,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-Study studyIn(const std::string& path)
-{
-    const std::string text = readFile(path);
-    return studyFromJson(isReport(text) ? studyOfReport(text, path) : text, path);
-}
-
 std::string versionText()
 {
     return u"Bergwatch %1"_s.arg(QCoreApplication::applicationVersion()).trimmed().toStdString();
@@ -60,7 +54,7 @@ void StudyFiles::open(const QString& path)
 {
     post([this, path]() -> Tell {
         const auto study =
-            std::make_shared<const Study>(studyIn(QFile::encodeName(path).toStdString()));
+            std::make_shared<const Study>(loadStudy(QFile::encodeName(path).toStdString()));
         return [this, study] { emit opened(study); };
     });
 }

@@ -40,12 +40,13 @@ std::string icebergsToJson(std::span<const Iceberg> icebergs)
     return object.inLines(0) + '\n';
 }
 
-std::vector<Iceberg> icebergsFromJson(std::string_view text, const std::string& subject)
+std::vector<Iceberg> icebergsFromJson(std::string_view text, const std::string& subject,
+                                      const std::stop_token& stop)
 {
     if (text.size() > kLargestIcebergText)
         throw Error(ErrorCode::FileTooLarge, subject,
                     {IssueId::TextTooLarge, {countOf(kLargestIcebergText >> 20U)}});
-    ReadBudget budget(subject, text.size());
+    ReadBudget budget(subject, text.size(), stop);
     ParsedJson file = parseJson(text, budget);
     requireFormat(file, kFormat, subject);
     ObjectReader object(file.root, "", file.faults);

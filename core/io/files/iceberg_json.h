@@ -3,6 +3,7 @@
 #include "core/scenario/scenario.h"
 
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -18,9 +19,10 @@ inline constexpr std::size_t kLargestIcebergText = 4U << 20U;
  * The icebergs of such a text, at most `kMostIcebergs`; each could stand in a scenario. Their ids
  * are those of the text: they may be empty or equal. `subject` names the text in errors. Throws
  * `Error`: FileTooLarge, SyntaxError, WrongFormat, UnsupportedVersion, InvalidInput with every
- * fault found.
+ * fault found. `Stopped` when asked to stop.
  */
 [[nodiscard]] std::vector<Iceberg> icebergsFromJson(std::string_view text,
-                                                    const std::string& subject);
+                                                    const std::string& subject,
+                                                    const std::stop_token& stop = {});
 
 } // namespace berg

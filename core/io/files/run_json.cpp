@@ -435,9 +435,9 @@ RunFile runFromJson(std::string_view text, const std::string& subject, const std
     return file;
 }
 
-RunFile loadRun(const std::string& path)
+RunFile loadRun(const std::string& path, const std::stop_token& stop)
 {
-    return runFromJson(readFile(path), path);
+    return runFromJson(readFile(path, stop), path, stop);
 }
 
 void saveRun(const RunFile& run, const std::string& path)
@@ -445,11 +445,11 @@ void saveRun(const RunFile& run, const std::string& path)
     writeFileAtomically(path, runToJson(run));
 }
 
-std::string formatOf(std::string_view text, const std::string& subject)
+std::string formatOf(std::string_view text, const std::string& subject, const std::stop_token& stop)
 {
     constexpr std::array<std::string_view, 4> kFormats = {"bergwatch-scenario", "bergwatch-problem",
                                                           kFormat, "bergwatch-study"};
-    ReadBudget budget(subject, text.size());
+    ReadBudget budget(subject, text.size(), stop);
     const std::optional<std::string> format = rootText(text, "format", budget);
     if (format && std::ranges::find(kFormats, *format) != kFormats.end())
         return *format;

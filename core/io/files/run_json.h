@@ -44,7 +44,7 @@ struct RunFile
 /** Errors as for `scenarioFromJson`. */
 [[nodiscard]] RunFile runFromJson(std::string_view text, const std::string& subject,
                                   const std::stop_token& stop = {});
-[[nodiscard]] RunFile loadRun(const std::string& path);
+[[nodiscard]] RunFile loadRun(const std::string& path, const std::stop_token& stop = {});
 void saveRun(const RunFile& run, const std::string& path);
 
 /**
@@ -69,6 +69,7 @@ void saveRun(const RunFile& run, const std::string& path);
  * "bergwatch-run" or "bergwatch-study". Throws `Error` SyntaxError, FileTooLarge, and WrongFormat
  * for anything else.
  */
-[[nodiscard]] std::string formatOf(std::string_view text, const std::string& subject);
+[[nodiscard]] std::string formatOf(std::string_view text, const std::string& subject,
+                                   const std::stop_token& stop = {});
 
 } // namespace berg

@@ -257,10 +257,10 @@ Study studyFromJson(std::string_view text, const std::string& subject, const std
     return study;
 }
 
-Study loadStudy(const std::string& path)
+Study loadStudy(const std::string& path, const std::stop_token& stop)
 {
-    const std::string text = readFile(path);
-    return studyFromJson(isReport(text) ? studyOfReport(text, path) : text, path);
+    const std::string text = readFile(path, stop);
+    return studyFromJson(isReport(text) ? studyOfReport(text, path) : text, path, stop);
 }
 
 void saveStudy(const Study& study, const std::string& path)

@@ -18,7 +18,7 @@ namespace berg {
 [[nodiscard]] Study studyFromJson(std::string_view text, const std::string& subject,
                                   const std::stop_token& stop = {});
 /** Of a study file, or of the one that a report keeps (`studyReportHtml`). */
-[[nodiscard]] Study loadStudy(const std::string& path);
+[[nodiscard]] Study loadStudy(const std::string& path, const std::stop_token& stop = {});
 /** Throws `Error{FileTooLarge}` when the file of the whole study could not be read back. */
 void saveStudy(const Study& study, const std::string& path);
 

@@ -166,8 +166,8 @@ private slots:
             QVERIFY(std::string(error->what()).find(own) != std::string::npos);
         };
         check("bergwatch-scenario", [](const std::string& path) { return loadScenario(path); });
-        check("bergwatch-problem", loadProblem);
-        check("bergwatch-run", loadRun);
+        check("bergwatch-problem", [](const std::string& path) { return loadProblem(path); });
+        check("bergwatch-run", [](const std::string& path) { return loadRun(path); });
     }
 
     void tooLarge()
