@@ -2007,6 +2007,10 @@
         <source>%1 no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
         <translation>%1 flyforbudsområder (en UAV starter eller lander i dem, eller høydene er feil)</translation>
     </message>
+    <message>
+        <source>Line %1: %2 is read month first, which nothing in the file tells. Write dates as 2021-05-02 if the day comes first.</source>
+        <translation>Linje %1: %2 leses med måneden først, noe ingenting i filen sier. Skriv datoer som 2021-05-02 hvis dagen kommer først.</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>

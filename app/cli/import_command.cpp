@@ -210,9 +210,9 @@ int importFile(const ImportArguments& arguments)
     if (!table.guessedDate.empty())
         std::fprintf(
             stderr,
-            "%s: warning: dates such as %s are read month first, which nothing in the file "
-            "tells: --dates day-first or month-first says how\n",
-            shown(arguments.file).c_str(), shown(table.guessedDate).c_str());
+            "%s: warning: line %zu: dates such as %s are read month first, which nothing in the "
+            "file tells: --dates day-first or month-first says how\n",
+            shown(arguments.file).c_str(), table.guessedLine, shown(table.guessedDate).c_str());
     if (!arguments.json)
         printDetails(arguments.file, result);
     if (result.added + result.updated + result.unchanged == 0)

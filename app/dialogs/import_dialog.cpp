@@ -281,7 +281,10 @@ void ImportDialog::showState()
     m_rejectedTable->setEnabled(!busy);
     m_import->setEnabled(usable);
     m_legend->setVisible(usable);
-    const QString scene = usable ? sceneSummary(m_preview->result.scene) : QString();
+    QString scene = usable ? sceneSummary(m_preview->result.scene) : QString();
+    if (usable && !m_preview->file->guessedDate.empty())
+        scene = guessedDateText(m_preview->file->guessedDate, m_preview->file->guessedLine) +
+                (scene.isEmpty() ? scene : u'\n' + scene);
     m_scene->setText(scene);
     m_scene->setToolTip(scene); // all of it, where it is wider than the dialog
     m_scene->setVisible(!scene.isEmpty());

@@ -313,6 +313,16 @@ private slots:
         QVERIFY(!plain.at<QLabel>(u"importScene"_s).isVisible());
     }
 
+    /** The fifth of February or the second of May: nobody is to find out later. */
+    void guessedDateIsTold()
+    {
+        const QTemporaryDir folder;
+        Importing import(
+            written(folder.filePath(u"dates.csv"_s), "lat,lon,time\n60.1,-50.2,05/02/2021\n"));
+        QVERIFY(import.settles());
+        QVERIFY(import.at<QLabel>(u"importScene"_s).text().startsWith(u"Line 2: 05/02/2021 "_s));
+    }
+
     /** Each finding has words of its own, also in the core. */
     void findingsHaveWords()
     {

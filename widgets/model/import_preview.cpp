@@ -41,6 +41,8 @@ SightingSummary summaryOf(const SightingTable& table)
                             .columns = {},
                             .mapping = table.mapping,
                             .sightings = table.sightings.size(),
+                            .guessedDate = table.guessedDate,
+                            .guessedLine = table.guessedLine,
                             .oneIceberg = table.oneIceberg,
                             .positionSd_m = table.positionSd_m};
     for (const std::string& column : table.columns)

@@ -41,6 +41,8 @@ struct SightingSummary
     QStringList columns;
     ColumnMapping mapping; ///< as used
     std::size_t sightings = 0;
+    std::string guessedDate; ///< as in `SightingTable`
+    std::size_t guessedLine = 0;
     bool namesIcebergs = false;
     bool oneIceberg = false;
     double positionSd_m = 0;      ///< of a sighting that does not tell

@@ -293,6 +293,13 @@ QString sceneSummary(const std::vector<SceneFinding>& findings)
     return lines.join(u'\n');
 }
 
+QString guessedDateText(const std::string& date, std::size_t line)
+{
+    return ImportWords::tr("Line %1: %2 is read month first, which nothing in the file tells. "
+                           "Write dates as 2021-05-02 if the day comes first.")
+        .arg(QString::number(line), QString::fromStdString(date));
+}
+
 QString importErrorReport(const Error& error)
 {
     QString report =

@@ -23,6 +23,9 @@ namespace berg {
  */
 [[nodiscard]] QString sceneSummary(const std::vector<SceneFinding>& findings);
 
+/** That a date was read month first, and how to write one that has one reading. */
+[[nodiscard]] QString guessedDateText(const std::string& date, std::size_t line);
+
 /** Why nothing can be imported: file, sentence, then the core's own findings. */
 [[nodiscard]] QString importErrorReport(const Error& error);
 

@@ -153,8 +153,11 @@ SightingTable readRows(const ImportText& source, const CsvLayout& layout)
             fill(texts, row, layout);
             result = sightingOf(texts, rules, row.line);
             if (guesses && table.guessedDate.empty())
-                if (const std::string time = timeText(texts, rules.timeApart); hasTwoReadings(time))
+                if (const std::string time = timeText(texts, rules.timeApart);
+                    hasTwoReadings(time)) {
                     table.guessedDate = cleanText(time, 60);
+                    table.guessedLine = row.line;
+                }
             auto* const sighting = std::get_if<Sighting>(&result);
             const std::optional<IssueId> late = sighting != nullptr && layout.finish != nullptr
                                                     ? layout.finish(*sighting, row)

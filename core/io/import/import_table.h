@@ -125,6 +125,7 @@ struct SightingTable
     bool oneIceberg = false;
     /** A date that was read month first although nothing in the file tells; empty: none. */
     std::string guessedDate;
+    std::size_t guessedLine = 0; ///< where that date is
 };
 
 // Hostile or mistaken files end here.

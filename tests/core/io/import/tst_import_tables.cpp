@@ -161,6 +161,7 @@ private slots:
         const std::string open = "lat,lon,time\n60,-50,05/02/2021\n";
         const SightingTable guessed = readText(open);
         QCOMPARE(guessed.guessedDate, std::string("05/02/2021"));
+        QCOMPARE(guessed.guessedLine, std::size_t{2});
         QCOMPARE(timeOf(guessed.sightings[0]), std::string("2021-05-02T00:00:00Z"));
         const SightingTable asked = readText(open, {.mapping = {}, .dates = DateOrder::DayFirst});
         QCOMPARE(asked.guessedDate, std::string());
