@@ -375,6 +375,187 @@ check "no report of nothing" exits 3 "$cli" study one.csv --report no.html
 check "no report of nothing is left" test ! -e no.html
 
 # --- export ----------------------------------------------------------------------------------
+for format in plan wpl geojson csv gpx kml kmz czml; do
+    check "export $format" exits 0 "$cli" export "$default" --format $format --output plan.$format
+    check "export $format of a run" exits 0 "$cli" export out/run.bergrun --format $format --output run.$format
+    check "export $format: not empty" test -s plan.$format -a -s run.$format
+done
+check "plan is JSON" python3 -c 'import json; assert json.load(open("plan.plan"))["fileType"] == "Plan"'
+check "wpl head" grep -qx 'QGC WPL 110' <(head -1 plan.wpl)
+for format in sigma-csv decisions-csv zeta-csv; do
+    check "export $format of a run" exits 0 "$cli" export out/run.bergrun --format $format --output run.$format
+    check "no $format of a plan" exits 2 "$cli" export "$default" --format $format --output none.$format
+    check "no $format of a plan: no file" test ! -e none.$format
+done
+check "export zeta-csv: the run's table" cmp -s run.zeta-csv out/zeta.csv
+cp plan.plan before.plan
+check "export does not write over a file" exits 2 "$cli" export "$default" --format plan --altitude 90 --output plan.plan
+check "export does not write over a file: says so" says "plan.plan: exists"
+check "export does not write over a file: as before" cmp -s plan.plan before.plan
+check "export --force" exits 0 "$cli" export "$default" --format plan --altitude 90 --output plan.plan --force
+plan_is() { python3 -c 'import json, sys; m=json.load(open(sys.argv[1]))["mission"]["items"]; sys.exit(0 if eval(sys.argv[2]) else 1)' "$@"; }
+check "export --altitude" plan_is plan.plan 'all(i["params"][6] == 90 for i in m[1:])'
+check "export first leg" exits 0 "$cli" export "$default" --format plan --what first-leg --speed 18.5 --acceptance 40 --output leg.plan
+check "export first leg: one waypoint" plan_is leg.plan '[i["command"] for i in m] == [178, 16, 17]'
+check "export --speed, --acceptance" plan_is leg.plan 'm[0]["params"][1] == 18.5 and m[1]["params"][1] == 40'
+check "export notes" says "note: Mission Planner reads the cruise speed as a whole number"
+check "export --loiter --return-home" exits 0 "$cli" export "$default" --format plan --loiter 2 --return-home --output home.plan
+check "export --loiter: turns" plan_is home.plan '{i["command"] for i in m[1:-1]} == {18} and m[1]["params"][0] == 2'
+check "export --return-home" python3 -c 'import json; m=json.load(open("home.plan"))["mission"]; assert m["items"][-1]["params"][4:6] == m["plannedHomePosition"][:2]'
+check "export path" exits 0 "$cli" export "$default" --format csv --what path --output path.csv
+check "export path: a row a second" test "$(wc -l <path.csv)" -gt 500
+check "export of an unknown UAV" exits 2 "$cli" export "$default" --format plan --uav nobody --output nobody.plan
+check "export of a track of a plan" exits 2 "$cli" export "$default" --format gpx --what track --output none.gpx
+check "export with a bad number" exits 2 "$cli" export "$default" --format plan --altitude -3 --output none.plan
+check "refused exports leave nothing" test ! -e nobody.plan -a ! -e none.gpx -a ! -e none.plan
+python3 - "$default" two.berg <<'EDIT'
+import json, sys
+scenario = json.load(open(sys.argv[1]))
+scenario["uavs"] = [dict(scenario["uavs"][0], id=name) for name in ("uav-1", "uav-2")]
+json.dump(scenario, open(sys.argv[2], "w"))
+EDIT
+python3 - "$default" years.berg <<'EDIT'
+import json, sys
+scenario = json.load(open(sys.argv[1]))
+scenario["uavs"][0].update(airspeed_mps=1, position_m=[-900000, 0])
+scenario["icebergs"] = [{"id": "away", "position_m": [900000, 0], "velocity_mps": [0.99, 0]}]
+json.dump(scenario, open(sys.argv[2], "w"))
+EDIT
+for format in kml geojson csv gpx plan; do
+    check "export $format of what takes years" exits 3 "$cli" export years.berg --format $format --output years.out
+    check "export $format of what takes years: says why" says "cannot be exported: at "
+    check "export $format below any airspeed" exits 2 "$cli" export "$default" --format $format --speed 0.001 --output years.out
+done
+check "what takes years: no file" test ! -e years.out
+check "export of two UAVs" exits 0 "$cli" export two.berg --format plan --output two.plan
+check "export of two UAVs: a file each" test -s two-uav-1.plan -a -s two-uav-2.plan -a ! -e two.plan
+check "export of one of them" exits 0 "$cli" export two.berg --format plan --uav uav-2 --output two.plan
+check "export of both in one file" exits 0 "$cli" export two.berg --format kml --output two.kml
+
+# --- import ----------------------------------------------------------------------------------
+data="$source_dir/tests/data/import"
+for file in iip.csv cis-beacon.csv usnic.csv metno.geojson points.geojson places.kml waypoints.gpx \
+            qgc.plan fence.plan ardupilot.waypoints route.gpx route.geojson scene.geojson scene.kml \
+            scene.gpx table.csv; do
+    check "import $file" exits 0 "$cli" import "$data/$file" --output imported.berg --force
+    check "import $file: names each rejected row" says "$file: line "
+    check "import $file: valid" exits 0 "$cli" validate imported.berg
+    check "import $file: flies" exits 0 "$cli" simulate imported.berg --duration 20
+done
+check "import --json" exits 0 "$cli" import "$data/iip.csv" --format iip --output imported.berg --force --json
+check "import --json: members" json 'list(d) == ["format","sightings","rejected","outside_area","outside_time","added","updated","unchanged","left_out","start_utc","origin","scene","icebergs","rejected_rows"]'
+check "import --json: counts" json '(d["sightings"], d["rejected"], d["added"]) == (7, 7, 4) and d["rejected_rows"][0]["line"] == 7'
+check "import of a fence" exits 0 "$cli" import "$data/fence.plan" --output fence.berg
+check "import of a fence: what is taken over" grep -q 'scene      area taken over as geofence' stdout.txt
+check "import of a fence: what is left out" grep -q 'scene      2 circles of the geofence left out' stdout.txt
+check "import of a fence: it is there" python3 -c 'import json; s = json.load(open("fence.berg")); raise SystemExit(not (s["geofence"] and len(s["area_m"]) == 5 and s["uavs"][0]["altitude_m"] == 60))'
+check "import of a fence into a scenario" exits 0 "$cli" import "$data/fence.plan" --into fence.berg --output again.berg --json
+check "import of a fence into a scenario: kept" json 'd["scene"] == [{"note": "UAVs, area and asset of the file not taken over: the scenario is in use", "count": 1}]'
+check "import again" exits 0 "$cli" import "$data/iip.csv" --into imported.berg --output again.berg --force --json
+check "import again: nothing new" json 'd["unchanged"] == 4 and d["added"] + d["updated"] == 0'
+check "import again: the same file" cmp -s imported.berg again.berg
+check "import of an area and time" exits 0 "$cli" import "$data/iip.csv" --output area.berg --area 47,-50,53,-49 --since 2021-01-01T00:00:00Z --at 2021-04-02T00:00:00Z --json
+check "import of an area and time: one" json '[i["id"] for i in d["icebergs"]] == ["2021-302"] and d["start_utc"] == "2021-04-02T00:00:00Z" and d["icebergs"][0]["age_s"] == 7.25 * 3600'
+check "import with a track" exits 0 "$cli" import "$data/cis-beacon.csv" --output track.berg --at 2012-07-03T07:00:00Z --with-tracks --json
+check "import with a track: it is there" python3 -c 'import json; t = json.load(open("track.berg"))["icebergs"][0]["track"]; raise SystemExit(not (t["time_s"][0] == 0 and t["time_s"][-1] == 39600 and len(t["time_s"]) == len(t["position_m"])))'
+check "a track is flown and replayed" exits 0 "$cli" simulate track.berg --duration 60 --output trackout
+check "a track is flown and replayed: equal" exits 0 "$cli" simulate trackout/run.bergrun
+printf 'A,B\n47.1,-48.2\n' >columns.csv
+check "import with a mapping" exits 0 "$cli" import columns.csv --map latitude=A --map longitude=B --output mapped.berg --json
+check "import with a mapping: taken" json 'd["format"] == "csv" and d["added"] == 1 and d["start_utc"] is None'
+check "import without the mapping" exits 3 "$cli" import columns.csv --output never.berg
+check "import: a field that is none" exits 2 "$cli" import columns.csv --map height=A --output never.berg
+check "import: a time that is none" exits 2 "$cli" import "$data/iip.csv" --at yesterday --output never.berg
+check "import: an area that is none" exits 2 "$cli" import "$data/iip.csv" --area 1,2,3 --output never.berg
+check "import: tracks from when" exits 2 "$cli" import "$data/cis-beacon.csv" --with-tracks --output never.berg
+check "import: unknown format" exits 2 "$cli" import "$data/iip.csv" --format shp --output never.berg
+check "import of a missing file" exits 3 "$cli" import missing.csv --output never.berg
+check "import of a scenario" exits 3 "$cli" import "$default" --output never.berg
+check "import of the program" exits 3 "$cli" import "$cli" --output never.berg
+check "import of an empty area" exits 3 "$cli" import "$data/iip.csv" --area 0,0,1,1 --output never.berg
+check "import of an empty area: words" says "none of its 7 sightings"
+check "import: a place that cannot be written" exits 1 "$cli" import "$data/iip.csv" --output columns.csv/x.berg
+check "import: nothing is written in vain" test ! -e never.berg
+
+# --- benchmark -------------------------------------------------------------------------------
+check "benchmark" exits 0 "$cli" benchmark --sizes 10,6,2,6 --repeat 3 --backends auto,heuristic --seconds 20 --json
+check "benchmark: rows" json 'len(d["rows"]) == 6 and all(r["instances"] == 3 for r in d["rows"])'
+check "benchmark: small sizes first" json '[r["icebergs"] for r in d["rows"]] == [2,2,6,6,10,10]'
+check "benchmark: the paper beside it" json 'd["rows"][0]["paper_average_s"] == 0.02 and d["rows"][4]["paper_worst_s"] == 1.5'
+facts() { python3 -c 'import json; print([[r[k] for k in ("icebergs","backend","formulation","instances","proven","worst_gap","mean_objective","work")] for r in json.load(open("stdout.txt"))["rows"]])'; }
+facts >facts.txt
+check "benchmark again" exits 0 "$cli" benchmark --sizes 2,6,10 --repeat 3 --backends auto,heuristic --seconds 20 --json
+check "benchmark: all but the seconds repeats" cmp -s facts.txt <(facts)
+check "benchmark table" exits 0 "$cli" benchmark --sizes 6 --repeat 2 --backends auto --seconds 5 --output bench.csv
+check "benchmark table: the paper beside it" grep -q "^ *6  auto .* 0.18 .* 0.42 .* x" stdout.txt
+check "benchmark csv" grep -qx 'icebergs,backend,formulation,instances,proven,cut,average_s,median_s,worst_s,worst_gap,mean_objective,work,paper_average_s,paper_worst_s,note' <(head -1 bench.csv)
+check "benchmark of an unknown solver" exits 2 "$cli" benchmark --backends cplex
+check "benchmark without time" exits 0 "$cli" benchmark --sizes 4,400 --repeat 2 --backends exact --seconds 0.001 --json
+check "benchmark without time: a word for what is not tried" json '"note" in d["rows"][1] and d["rows"][1]["instances"] == 0'
+if [ "$with_cbc" = ON ]; then
+    check "benchmark of every solver" exits 0 "$cli" benchmark --sizes 2,4 --repeat 2 --seconds 60 --json
+    check "benchmark of every solver: rows" json '[(r["backend"], r["formulation"]) for r in d["rows"]] == 2 * [("exact", None), ("heuristic", None), ("cbc", "reduced"), ("cbc", "position"), ("cbc", "printed")]'
+    check "benchmark of every solver: they agree" json 'all(abs(r["mean_objective"] - d["rows"][5 * (i // 5)]["mean_objective"]) < 1e-6 and r["proven"] == 2 for i, r in enumerate(d["rows"]))'
+    check "benchmark: cbc is its default formulation" exits 0 "$cli" benchmark --sizes 41 --repeat 2 --backends cbc --seconds 1 --json
+    check "benchmark: beyond its ability" json 'd["rows"][0]["formulation"] == "position" and "at most 40" in d["rows"][0]["note"]'
+fi
+
+# --- validate and broken files ---------------------------------------------------------------
+check "validate good files" exits 0 "$cli" validate "$source_dir"/resources/scenarios/*.berg problem.json out/run.bergrun
+broken=0
+while IFS= read -r -d '' file; do
+    broken=$((broken + 1))
+    check "validate $(basename "$file")" exits 3 "$cli" validate "$file"
+    check "validate $(basename "$file"): names the file" says "$(basename "$file")"
+    check "simulate $(basename "$file")" exits 3 "$cli" simulate "$file" --output never
+done < <(find "$source_dir/tests/data/broken" -type f ! -name 'EXPECTED.tsv' -print0)
+check "at least 40 broken files" test "$broken" -ge 40
+check "broken input writes nothing" test ! -e never
+check "validate: advice" exits 0 "$cli" validate "$source_dir/resources/scenarios/flemish-pass-appearing.berg"
+check "validate: advice names the field" says "hint: icebergs[2].velocity_mps: drifts out of the area"
+check "validate --json" exits 3 "$cli" validate --json problem.json missing.berg
+check "validate --json: list" json '[(f["file"], f["severity"]) for f in d] == [("problem.json", "valid"), ("missing.berg", "error")]'
+
+# --- numbers as they are meant ---------------------------------------------------------------
+check "a number is decimal" exits 0 "$cli" simulate "$default" --duration 60 --seed 8 --json
+grep -v '"seconds"' stdout.txt >eight.json
+check "a number is decimal: 010 is ten" exits 0 "$cli" simulate "$default" --duration 60 --seed 010 --json
+check "a number is decimal: 010 is not eight" test "$(grep -v '"seconds"' stdout.txt | cmp -s - eight.json; echo $?)" = 1
+check "a number is decimal: 08 is eight" exits 0 "$cli" simulate "$default" --duration 60 --seed 08 --json
+check "a number is decimal: 08 is eight, the same" cmp -s eight.json <(grep -v '"seconds"' stdout.txt)
+check "a number is decimal: 0x10" exits 2 "$cli" simulate "$default" --seed 0x10
+for word in nan inf -nan 1e999 0x1p3; do
+    check "--gap $word" exits 2 "$cli" plan "$default" --gap=$word
+    check "--time-limit $word" exits 2 "$cli" plan "$default" --time-limit=$word
+    check "--tau $word" exits 2 "$cli" plan "$default" --tau=$word
+    check "--tau-max $word" exits 2 "$cli" curve "$default" --tau-max=$word
+    check "--duration $word" exits 2 "$cli" simulate "$default" --duration=$word
+done
+printf 'lat,lon,time\n47.1,-48.2,05/02/2021\n' >dates.csv
+check "dates that can be read two ways" exits 0 "$cli" import dates.csv --output dates.berg
+check "dates that can be read two ways: says so" says "line 2: dates such as 05/02/2021 are read month first"
+check "dates: the day first" exits 0 "$cli" import dates.csv --output dates.berg --force --dates day-first
+check "dates: the day first: taken" grep -q '"start_utc": "2021-02-05T00:00:00Z"' dates.berg
+check "dates: the day first: nothing to say" test -z "$(grep dates stderr.txt)"
+
+# --- texts of files on terminals -------------------------------------------------------------
+odd="$source_dir/tests/data/odd/ids-escapes.berg"
+# tame: neither stdout nor stderr holds a control character or a line that an id has broken.
+tame() { ! LC_ALL=C grep -qP '[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|^newline' stdout.txt stderr.txt; }
+for command in "plan $odd" "plan $odd --json" "simulate $odd --duration 60 --output odd" "validate $odd" \
+               "export $odd --format plan --output odd.plan" "sweep $odd --tau 1"; do
+    check "odd ids: $command" exits 0 "$cli" $command
+    check "odd ids are tame: $command" tame
+done
+check "odd ids: an error" exits 2 "$cli" export "$odd" --format csv --uav "$(printf 'x\033[31m')" --output none.csv
+check "odd ids: an error is tame" tame
+check "odd ids: no formula in a table" exits 0 "$cli" export "$odd" --format csv --output odd.csv
+check "odd ids: no formula in a table: an apostrophe" grep -q "'=cmd" odd.csv
+for format in plan wpl geojson csv gpx kml czml; do
+    check "odd ids: $format" exits 0 "$cli" export "$odd" --format $format --output "odd/odd.$format" --force
+done
+check "odd ids: no file holds a control that terminals obey" \
+    test -z "$(LC_ALL=C grep -rlP '[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]' odd)"
 check "odd ids: no formula in a table of the flight" test -z "$(grep -rE '(^|,)"?[=@]' odd/*.csv)"
 
 # --- Ctrl-C ----------------------------------------------------------------------------------

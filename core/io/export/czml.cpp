@@ -3,6 +3,7 @@
 #include "core/io/export/uav_colours.h"
 #include "core/io/export/xml_text.h"
 #include "core/io/text/export_numbers.h"
+#include "core/io/text/json_writer.h"
 
 #include <nlohmann/json.hpp>
 
@@ -76,7 +77,7 @@ private:
         if (!m_packets.empty())
             m_packets += ",\n";
         // Names may hold bytes that are not UTF-8 when they come from elsewhere than a file.
-        m_packets += packet.dump(-1, ' ', false, Json::error_handler_t::replace);
+        m_packets += escapedJson(packet.dump(-1, ' ', false, Json::error_handler_t::replace));
     }
 
     void append(Json& list, const Point& position_m, double altitude_m) const

@@ -2,6 +2,7 @@
 
 #include "core/io/export/geo_shapes.h"
 #include "core/io/text/export_numbers.h"
+#include "core/io/text/json_writer.h"
 
 #include <nlohmann/json.hpp>
 
@@ -71,7 +72,7 @@ private:
         if (!m_features.empty())
             m_features += ",\n";
         // Names may hold bytes that are not UTF-8 when they come from elsewhere than a file.
-        m_features += feature.dump(-1, ' ', false, Json::error_handler_t::replace);
+        m_features += escapedJson(feature.dump(-1, ' ', false, Json::error_handler_t::replace));
     }
 
     static Json shape(const char* type, Json coordinates)

@@ -2,6 +2,7 @@
 
 #include "core/io/export/mission_items.h"
 #include "core/io/text/export_numbers.h"
+#include "core/io/text/json_writer.h"
 #include "core/scenario/fence.h"
 
 #include <nlohmann/json.hpp>
@@ -135,7 +136,7 @@ std::string qgcPlan(const ExportContent& content)
     plan["mission"] = jsonMission(mission);
     plan["geoFence"] = jsonFence(content);
     plan["rallyPoints"] = jsonRally(mission);
-    return plan.dump(4) + '\n';
+    return escapedJson(plan.dump(4)) + '\n';
 }
 
 } // namespace berg

@@ -2,8 +2,10 @@
 
 #include "core/base/angles.h"
 #include "core/io/text/export_numbers.h"
+#include "core/io/text/json_writer.h"
 #include "core/plan/solve/names.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -143,11 +145,30 @@ std::string numberText(double value)
     return text;
 }
 
+namespace {
+
+/** That terminals obey; line ends and tabs are quoted. */
+bool isControl(std::string_view character)
+{
+    const auto code = static_cast<unsigned char>(character.back());
+    if (character.size() == 2)
+        return character[0] == '\xC2' && code < 0xA0U;
+    return character.size() == 1 &&
+           (code == 0x7FU || (code < 0x20U && code != '\n' && code != '\r' && code != '\t'));
+}
+
+} // namespace
+
 std::string csvField(const std::string& given)
 {
     constexpr std::string_view kFormulaStarts = "=+-@\t\r";
     const bool isFormula = !given.empty() && kFormulaStarts.find(given[0]) != std::string::npos;
-    std::string text = isFormula ? '\'' + given : given;
+    std::string text = isFormula ? "'" : "";
+    for (std::string_view rest = given; !rest.empty();) {
+        const std::size_t size = std::max<std::size_t>(characterSize(rest), 1);
+        text += isControl(rest.substr(0, size)) ? "\uFFFD" : rest.substr(0, size);
+        rest.remove_prefix(size);
+    }
     if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
     std::string quoted = "\"";

@@ -63,8 +63,9 @@ void appendTrajectoryRow(std::string& text, const LocalFrame& frame, const std::
 /** Shortest text that reads back as the same double, C locale; for CSV and XML. */
 [[nodiscard]] std::string numberText(double value);
 /**
- * One CSV field, quoted when it must be. A text that a spreadsheet would run as a formula gets an
- * apostrophe in front, which imports take off again (`cleanText`).
+ * One CSV field, quoted when it must be; controls that terminals obey become U+FFFD. A text that a
+ * spreadsheet would run as a formula gets an apostrophe in front, which imports take off again
+ * (`cleanText`).
  */
 [[nodiscard]] std::string csvField(const std::string& given);
 

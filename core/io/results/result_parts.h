@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/io/text/json_writer.h"
+
 #include <nlohmann/json.hpp>
 
 #include <optional>
@@ -20,7 +22,7 @@ ResultJson orNull(const std::optional<T>& value)
 /** Names from files may hold broken UTF-8. */
 inline std::string resultText(const ResultJson& json)
 {
-    return json.dump(1, ' ', false, ResultJson::error_handler_t::replace) + '\n';
+    return escapedJson(json.dump(1, ' ', false, ResultJson::error_handler_t::replace)) + '\n';
 }
 
 } // namespace berg

@@ -137,6 +137,21 @@ std::string jsonText(const Point& value)
     return jsonArray({jsonText(value.x()), jsonText(value.y())});
 }
 
+std::string escapedJson(std::string_view json)
+{
+    std::string safe;
+    safe.reserve(json.size());
+    for (std::size_t i = 0; i < json.size(); ++i)
+        if (const auto next = static_cast<unsigned char>(i + 1 < json.size() ? json[i + 1] : 0);
+            json[i] == '\xC2' && next < 0xA0U)
+            appendCode(safe, static_cast<unsigned char>(json[++i]));
+        else if (json[i] == '\x7F')
+            appendCode(safe, 0x7F);
+        else
+            safe += json[i];
+    return safe;
+}
+
 std::size_t characterSize(std::string_view text)
 {
     constexpr std::size_t kLongest = 4;

@@ -24,6 +24,9 @@ namespace berg {
 /** `[east, north]` */
 [[nodiscard]] std::string jsonText(const Point& value);
 
+/** What the JSON library has written, without controls that terminals obey: they become \u00XX. */
+[[nodiscard]] std::string escapedJson(std::string_view json);
+
 /** Bytes of the UTF-8 character at the front, 0 when there is no valid one. */
 [[nodiscard]] std::size_t characterSize(std::string_view text);
 

@@ -110,6 +110,8 @@ private slots:
         QCOMPARE(csvField("@a,b"), std::string("\"'@a,b\""));
         QCOMPARE(csvField("-x"), std::string("'-x"));
         QCOMPARE(csvField("a=1"), std::string("a=1"));
+        QCOMPARE(csvField("a\x1b[31m\x7F\u009b\u00e5"),
+                 std::string("a\uFFFD[31m\uFFFD\uFFFD\u00e5"));
     }
 
     void fields_data()
