@@ -2,25 +2,13 @@
 
 #include "core/io/export/mission_items.h"
 #include "core/io/text/export_numbers.h"
-
-#include <array>
-#include <charconv>
+#include "core/io/text/number_text.h"
 
 namespace berg {
 
 namespace {
 
 constexpr int kDegreeDecimals = 9;
-
-void addDegrees(std::string& text, double angle_deg)
-{
-    std::array<char, 40> buffer{};
-    const std::to_chars_result end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), angle_deg,
-                      std::chars_format::fixed, kDegreeDecimals);
-    text.append(buffer.data(), end.ptr);
-    text += '\t';
-}
 
 /** index, current, frame, command, p1 .. p4, latitude, longitude, altitude, autocontinue. */
 void addRow(std::string& text, std::size_t index, const MavItem& item)
@@ -32,8 +20,8 @@ void addRow(std::string& text, std::size_t index, const MavItem& item)
         appendNumber(text, param);
         text += '\t';
     }
-    addDegrees(text, item.place.latitude_deg);
-    addDegrees(text, item.place.longitude_deg);
+    text += fixedText(item.place.latitude_deg, kDegreeDecimals) + '\t';
+    text += fixedText(item.place.longitude_deg, kDegreeDecimals) + '\t';
     appendNumber(text, item.altitude_m);
     text += "\t1\n";
 }
