@@ -35,12 +35,12 @@ public:
 private:
     static constexpr std::size_t kLongest = 1U << 16U;
 
-    /** Words between quotes and of tags. */
+    /** Words between quotes and of tags; not so many of one text that others have no place. */
     void learn(std::string_view text)
     {
-        constexpr std::size_t kMostWords = 4000;
+        const std::size_t mostWords = m_words.size() + 200;
         constexpr std::size_t kLongestWord = 40;
-        for (std::size_t at = 0; m_words.size() < kMostWords;) {
+        for (std::size_t at = 0; m_words.size() < mostWords;) {
             at = text.find_first_of("\"<", at);
             if (at == std::string_view::npos)
                 return;
@@ -61,7 +61,7 @@ private:
 
     [[nodiscard]] std::string token()
     {
-        static constexpr std::array<std::string_view, 47> kTokens{"\"",
+        static constexpr std::array<std::string_view, 57> kTokens{"\"",
                                                                   "\n",
                                                                   "\r\n",
                                                                   ",",
@@ -107,7 +107,17 @@ private:
                                                                   "\xC3\xA9",
                                                                   "\xFF",
                                                                   "\x1b[31m",
-                                                                  "2021-02-29T24:00:61Z"};
+                                                                  "2021-02-29T24:00:61Z",
+                                                                  "05/02/2021",
+                                                                  "=cmd|x",
+                                                                  "-62.4S",
+                                                                  "1,200",
+                                                                  "\xC2\x9B",
+                                                                  "\xE2\x80\xAE",
+                                                                  "lat,lon,time\n",
+                                                                  "QGC WPL 110\n",
+                                                                  "\"version\": 2",
+                                                                  "<coordinates>"};
         if (below(3) == 0 && !m_words.empty())
             return m_words[below(m_words.size())];
         if (below(20) == 0)

@@ -8,8 +8,10 @@
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_scenario.h"
 #include "core/io/study/study_json.h"
+#include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/zip_file.h"
+#include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "tests/fuzz/fuzz_mutator.h"
 
@@ -86,7 +88,10 @@ void readAsSightings(const std::string& text)
 
 void readAsStudy(const std::string& text)
 {
-    static_cast<void>(studyFromJson(text, kSubject));
+    if (isReport(text))
+        static_cast<void>(studyFromJson(studyOfReport(text, kSubject), kSubject));
+    else
+        static_cast<void>(studyFromJson(text, kSubject));
 }
 
 void readAsScenario(const std::string& text)
@@ -157,9 +162,34 @@ struct Corpus
         }
         if (text.empty() || text.size() > kLargest)
             return;
+        add(std::move(text), readerOf(file), isPacked);
+    }
+
+    void add(std::string text, Reader reader, bool isPacked = false)
+    {
         texts.push_back(std::move(text));
-        readers.push_back(readerOf(file));
+        readers.push_back(reader);
         packed.push_back(isPacked);
+    }
+
+    /** What no folder holds: icebergs of the clipboard, studies and their reports, places. */
+    void addOthers()
+    {
+        const Scenario field = randomScenario(1, {.icebergs = 4});
+        add(icebergsToJson(field.icebergs), readAsIcebergs);
+        Study study{.spec = {.name = "s", .scenarios = {field}, .random = 2, .taus = {0.5, 1}}};
+        study.spec.policies = {PolicyKind::Visitation, PolicyKind::Tour};
+        study.outcomes = {missionCount(study.spec), MissionOutcome{}};
+        study.outcomes[1].reset();
+        add(studyToJson(study), readAsStudy);
+        add("<html><script type=\"application/json\" id=\"study\">" + studyToJson(study) +
+                "</script></html>",
+            readAsStudy);
+        for (const char* const place :
+             {"47\u00b0 03.2\u2032 N, 52\u00b0 41.5\u2032 W", "-47.0533 52.69",
+              "47 03 12 N 052 41 30 W", "21X VG 74594 43594", "21 N 430000 5210000",
+              "2021-05-02T03:04:05.678Z"})
+            add(place, readAsPlace);
     }
 };
 
@@ -241,6 +271,7 @@ int feedMany(const Options& options)
                 corpus.add(entry.path());
     if (corpus.texts.empty())
         fail("no files to mutate");
+    corpus.addOthers();
     Mutator mutator(options.seed, corpus.texts);
     Keeper keeper(options.keep);
     const auto start = std::chrono::steady_clock::now();
