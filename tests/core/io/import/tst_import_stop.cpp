@@ -1,4 +1,5 @@
 #include "core/base/stopped.h"
+#include "core/io/files/iceberg_json.h"
 #include "core/io/files/problem_json.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
@@ -211,6 +212,21 @@ private slots:
             else
                 (void)problemFromJson(text, "file", stop);
         });
+    }
+
+    /** Also by those that read a file by its name, or a text that is never large. */
+    void nothingIsReadOnceStopped()
+    {
+        std::stop_source source;
+        source.request_stop();
+        const std::string run = BERG_TEST_DATA "/scenarios/small.bergrun";
+        const std::vector<std::function<void(const std::stop_token&)>> readers{
+            [&](const std::stop_token& stop) { (void)loadRun(run, stop); },
+            [&](const std::stop_token& stop) { (void)loadStudy(run, stop); },
+            [](const std::stop_token& stop) { (void)formatOf("{}", "text", stop); },
+            [](const std::stop_token& stop) { (void)icebergsFromJson("{}", "text", stop); }};
+        for (const auto& read : readers)
+            QVERIFY_EXCEPTION_THROWN(read(source.get_token()), Stopped);
     }
 
     void makingTheScenario()
