@@ -32,7 +32,8 @@ constexpr std::array kParts{Part{"clusters", bench::clusters},
                             Part{"geofence", bench::geofence},
                             Part{"fleet", bench::fleet},
                             Part{"fleet-coverage", bench::fleetCoverage},
-                            Part{"separation", bench::separation}};
+                            Part{"separation", bench::separation},
+                            Part{"tau", bench::tau}};
 
 } // namespace
 

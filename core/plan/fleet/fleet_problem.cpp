@@ -1,6 +1,7 @@
 #include "core/plan/fleet/fleet_problem.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -149,10 +150,13 @@ TuningWeight fleetTuningWeight(const FleetProblem& problem, const Eigen::MatrixX
     }
     const auto places = static_cast<double>(uavs + n);
     // The rule for one UAV, on a matrix that has this average everywhere.
-    return tuningWeight(
+    TuningWeight weight = tuningWeight(
         {.distance_m = Eigen::MatrixXd::Constant(n + 1, n + 1, sum_m / (places * (places - 1))),
          .sigma_m2 = problem.sigma_m2},
         tau);
+    if (!weight.distanceOnly)
+        weight.mu /= std::sqrt(static_cast<double>(uavs));
+    return weight;
 }
 
 namespace {

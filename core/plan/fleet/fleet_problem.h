@@ -74,8 +74,11 @@ struct FleetProblem
 
 /**
  * mu(tau) of Eq. (10)-(14) for the fleet: the average distance is that over all ordered pairs of
- * starts and icebergs (between icebergs the mean over the UAVs), N is the common one. With one UAV
- * that is `tuningWeight`. `betweenStarts_m`: one row and column for each UAV, diagonal ignored.
+ * starts and icebergs (between icebergs the mean over the UAVs), N is the common one. Then divided
+ * by sqrt(m) for m UAVs, so that tau means the same for any number of them: each has 1/m of the
+ * icebergs, by which the reward of a visit grows, in 1/m of the area, where legs are shorter by
+ * sqrt(m). Measured: tests/bench/RESULTS.md. With one UAV that is `tuningWeight`.
+ * `betweenStarts_m`: one row and column for each UAV, diagonal ignored.
  */
 [[nodiscard]] TuningWeight fleetTuningWeight(const FleetProblem& problem,
                                              const Eigen::MatrixXd& betweenStarts_m, double tau);

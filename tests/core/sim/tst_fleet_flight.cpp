@@ -334,7 +334,7 @@ private slots:
     void plansTellWhatTheSolverSaid()
     {
         const Scenario scenario = fleetScenario(1, 3, 40);
-        Mission mission(scenario, {.workLimit = 2'000'000});
+        Mission mission(scenario, {.workLimit = 4'000'000});
         mission.advance(0);
         double sum_m2 = 0;
         for (const Iceberg& iceberg : scenario.icebergs)

@@ -68,7 +68,7 @@ private slots:
         const TuningWeight weight = fleetTuningWeight(problem, betweenStarts_m, 2);
         QCOMPARE(weight.f1Max_m2, 7.0); // weights 0 and 1
         QCOMPARE(weight.dEst_m, 400.0); // one leg of the mean of 300, 400, 500
-        QCOMPARE(weight.mu, 2 * 7.0 / 400.0);
+        QCOMPARE(weight.mu, 2 * 7.0 / 400.0 / std::sqrt(2.0)); // of two UAVs
     }
 
     void isFleetPlan_data()
