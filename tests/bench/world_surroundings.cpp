@@ -46,7 +46,7 @@ Row zetaAndVisits(const Mission& mission)
 void wind(int scenarios)
 {
     std::printf("%-24s %11s %11s\n", "wind", "zeta", "visits");
-    for (const PolicyKind policy : {PolicyKind::Visitation, PolicyKind::Latency})
+    for (const PolicyKind policy : {PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Path})
         for (const double wind_mps : {0.0, 5.0, 10.0, 15.0}) {
             std::vector<Row> unknown;
             std::vector<Row> known;

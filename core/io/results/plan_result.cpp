@@ -110,8 +110,8 @@ PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer)
         report.distance_m += uav.distance_m;
         report.uavs.push_back(std::move(uav));
     }
-    if (report.uavs.size() == 1) // of what was solved, such as the cycle of a tour
-        report.distance_m = fleetDistance(answer.problem, answer.outcome.plan);
+    if (report.uavs.size() == 1) // such as the cycle of a tour
+        report.distance_m = answer.distance_m;
     for (const std::vector<int>& members : answer.clusters)
         std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
     return report;

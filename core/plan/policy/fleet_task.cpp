@@ -7,7 +7,8 @@ namespace berg {
 
 namespace {
 
-double distanceOf(const PlanRequest& request, const UavRequest& uav, const std::vector<int>& order)
+double distanceOf(const PlanRequest& request, const UavRequest& uav, const std::vector<int>& order,
+                  Route route)
 {
     double distance_m = 0;
     int from = 0;
@@ -16,6 +17,8 @@ double distanceOf(const PlanRequest& request, const UavRequest& uav, const std::
         distance_m += uav.distance_m(from, to);
         from = to;
     }
+    if (route == Route::Closed && from != 0)
+        distance_m += uav.distance_m(from, 0);
     return distance_m;
 }
 
@@ -87,6 +90,8 @@ FleetTask visitationTask(const PlanRequest& request, Route route)
         task.uavs = {0};
         task.problem.distance_m = {Eigen::MatrixXd::Zero(1, 1)};
     }
+    for (Eigen::MatrixXd& all_m : task.problem.distance_m)
+        all_m = ((all_m + all_m.transpose()) / 2).eval();
     task.problem.route = route;
     return task;
 }
@@ -112,11 +117,12 @@ FleetPlan lastRests(const PlanRequest& request, const FleetTask& task)
     return validPart(task.problem, std::move(plan));
 }
 
-PlanAnswer answerOf(const PlanRequest& request, const std::vector<std::vector<int>>& orders)
+PlanAnswer answerOf(const PlanRequest& request, const std::vector<std::vector<int>>& orders,
+                    Route route)
 {
     PlanAnswer answer;
     for (std::size_t uav = 0; uav < orders.size(); ++uav) {
-        answer.distance_m += distanceOf(request, request.uavs[uav], orders[uav]);
+        answer.distance_m += distanceOf(request, request.uavs[uav], orders[uav], route);
         answer.uavs.emplace_back().order = orders[uav];
     }
     return answer;

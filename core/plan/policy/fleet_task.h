@@ -19,7 +19,11 @@ struct FleetTask
 
 [[nodiscard]] FleetTask fleetTask(const PlanRequest& request);
 
-/** What the policies `visitation` and `latency` solve; with nothing to visit the first UAV alone.
+/**
+ * What the policy `visitation` solves but for mu; with nothing to visit the first UAV alone. A leg
+ * costs the mean of both directions: in a uniform wind what differs between them adds up to what
+ * depends on the ends of an order alone, and would only reward orders that end down wind
+ * (tests/bench/RESULTS.md).
  */
 [[nodiscard]] FleetTask visitationTask(const PlanRequest& request, Route route);
 
@@ -30,9 +34,11 @@ ordersInIds(const PlanRequest& request, const FleetTask& task, const FleetPlan& 
 /** `UavRequest::lastRest` in nodes of the task's problem, less what it does not hold. */
 [[nodiscard]] FleetPlan lastRests(const PlanRequest& request, const FleetTask& task);
 
-/** An answer of these orders, one for each UAV of the request, with its distance. */
+/** An answer of these orders, one for each UAV of the request, with its distance as flown: those
+ * of the request, ways back on closed routes included. */
 [[nodiscard]] PlanAnswer answerOf(const PlanRequest& request,
-                                  const std::vector<std::vector<int>>& orders);
+                                  const std::vector<std::vector<int>>& orders,
+                                  Route route = Route::Open);
 
 /** Whether the UAV may visit the iceberg of that id now. */
 [[nodiscard]] bool isAvailable(const PlanRequest& request, const UavRequest& uav, int id);

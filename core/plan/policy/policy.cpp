@@ -43,12 +43,10 @@ public:
                 told(progress);
             };
         SolveOutcome outcome = berg::solve(task.problem, m_backend, m_alone, options);
-        PlanAnswer answer = answerOf(request, ordersInIds(request, task, outcome.plan));
-        if (outcome.status != SolveStatus::None) {
-            answer.distance_m = fleetDistance(task.problem, outcome.plan);
-            if (outcome.bound)
-                answer.gap = fleetGap(task.problem, outcome.objective, *outcome.bound);
-        }
+        PlanAnswer answer =
+            answerOf(request, ordersInIds(request, task, outcome.plan), task.problem.route);
+        if (outcome.status != SolveStatus::None && outcome.bound)
+            answer.gap = fleetGap(task.problem, outcome.objective, *outcome.bound);
         answer.outcome = std::move(outcome);
         answer.problem = std::move(task.problem);
         answer.solvedIds = std::move(task.ids);
@@ -71,9 +69,10 @@ public:
 
     PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
     {
-        FleetTask task = fleetTask(request);
-        task.problem.route = m_settings.route;
-        if (!task.uavs.empty())
+        FleetTask task = visitationTask(request, m_settings.route);
+        if (task.ids.empty()) // nobody has a part in it
+            task = fleetTask(request);
+        else
             task.problem.mu =
                 fleetTuningWeight(task.problem, task.betweenStarts_m, m_settings.tau).mu;
         return m_solver.solve(request, std::move(task), true, options);

@@ -69,8 +69,8 @@ struct PlanAnswer
     /** One for each of `PlanRequest::uavs`, no iceberg the first one of two of them. */
     std::vector<UavAnswer> uavs;
     std::vector<std::vector<int>> clusters; ///< of the request; all in an order, one after another
-    SolveOutcome outcome;       ///< of the solve behind it; its nodes are those of `problem`
-    FleetProblem problem;       ///< what was solved; empty when no solve was needed
+    SolveOutcome outcome; ///< of the solve behind it; its nodes are those of `problem`
+    FleetProblem problem; ///< what was solved (`visitationTask`); empty when no solve was needed
     std::vector<int> solvedIds; ///< id of node k+1 of `problem`
     bool fellBack = false;      ///< no order from the solver: the rests of the last plan are flown
     std::string failure;        ///< why, when the policy threw; English
@@ -104,9 +104,10 @@ public:
  * with `solver` (borrowed, must outlive the policy). UAVs to which no iceberg is available have no
  * part in a plan, and icebergs that none may visit are left out.
  *
- * - visitation: Eq. (1) with mu of Eq. (14). latency: least sum sigma_i t_i, t_i the predicted
- *   arrival times; neither tau nor the route matters, and with all sigma 0 it is by distance alone,
- *   as Eq. (14) has it. Both are solved again at every iceberg reached.
+ * - visitation: Eq. (1) with mu of Eq. (14), legs as in `visitationTask`. latency: least sum
+ * sigma_i t_i, t_i the predicted arrival times; neither tau nor the route matters, and with all
+ * sigma 0 it is by distance alone, as Eq. (14) has it. Both are solved again at every iceberg
+ * reached.
  * - path: least distance in all, kept until every UAV has flown its part.
  * - nearest: again and again the least distance from the end of any order. uncertainty: largest
  *   sigma first, to the UAV that has the least way to it from the end of its order. Ties go to the

@@ -150,6 +150,37 @@ private slots:
         }
     }
 
+    void windMakesNoOtherOrder_data()
+    {
+        QTest::addColumn<Route>("route");
+        for (const auto& route : kRouteNames)
+            QTest::newRow(route.name.data()) << route.value;
+    }
+
+    /** What a uniform wind adds to one direction of a leg and takes from the other adds up to what
+     * depends on the ends of an order. It has no part in the choice, but in what is flown. */
+    void windMakesNoOtherOrder()
+    {
+        QFETCH(Route, route);
+        const PlannerSettings settings{.route = route};
+        const std::unique_ptr<Policy> policy = makePolicy(settings, *m_solver);
+        const PlanRequest calm = five();
+        PlanRequest windy = calm;
+        constexpr double kPerPlace_m = 150; // nodes further down wind have higher numbers
+        Eigen::MatrixXd& all_m = windy.uavs[0].distance_m;
+        for (int i = 0; i < all_m.rows(); ++i)
+            for (int j = 0; j < all_m.cols(); ++j)
+                all_m(i, j) -= kPerPlace_m * (j - i);
+        const PlanAnswer expected = policy->plan(calm, {});
+        const PlanAnswer answer = policy->plan(windy, {});
+        QVERIFY(answer.uavs[0].order == expected.uavs[0].order);
+        COMPARE_NEAR(answer.problem.mu, expected.problem.mu, 1e-12);
+        COMPARE_NEAR(answer.outcome.objective, expected.outcome.objective, 1e-9);
+        const auto end = route == Route::Closed ? 0 : nodeOf(calm, expected.uavs[0].order.back());
+        const double made_m = kPerPlace_m * static_cast<double>(end);
+        COMPARE_NEAR(answer.distance_m, expected.distance_m - made_m, 1e-9);
+    }
+
     /** High tau: the shortest path. Low tau: largest sigma first. */
     void tauTradesDistanceForUncertainty()
     {
