@@ -3860,6 +3860,42 @@
         <source>line %1</source>
         <translation>linje %1</translation>
     </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation>filen eller mappen finnes ikke</translation>
+    </message>
+    <message>
+        <source>no permission</source>
+        <translation>ingen tillatelse</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>det er en mappe</translation>
+    </message>
+    <message>
+        <source>part of the path is no folder</source>
+        <translation>en del av stien er ingen mappe</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>disken er full</translation>
+    </message>
+    <message>
+        <source>the quota is used up</source>
+        <translation>kvoten er brukt opp</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>disken er skrivebeskyttet</translation>
+    </message>
+    <message>
+        <source>the disk is faulty</source>
+        <translation>disken har en feil</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>navnet er for langt</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>

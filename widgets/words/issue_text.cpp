@@ -7,7 +7,10 @@
 #include <QStringList>
 
 #include <array>
+#include <cerrno>
 #include <charconv>
+#include <system_error>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -249,8 +252,31 @@ QString kindText(ValueKind kind)
     return {};
 }
 
+/** Why the system refuses a file: the C library may know another language than the window. */
+constexpr std::pair<int, const char*> kRefusals[] = {
+    {ENOENT, QT_TRANSLATE_NOOP("IssueText", "no such file or folder")},
+    {EACCES, QT_TRANSLATE_NOOP("IssueText", "no permission")},
+    {EISDIR, QT_TRANSLATE_NOOP("IssueText", "it is a folder")},
+    {ENOTDIR, QT_TRANSLATE_NOOP("IssueText", "part of the path is no folder")},
+    {ENOSPC, QT_TRANSLATE_NOOP("IssueText", "the disk is full")},
+    {EDQUOT, QT_TRANSLATE_NOOP("IssueText", "the quota is used up")},
+    {EROFS, QT_TRANSLATE_NOOP("IssueText", "the disk is read-only")},
+    {EIO, QT_TRANSLATE_NOOP("IssueText", "the disk is faulty")},
+    {ENAMETOOLONG, QT_TRANSLATE_NOOP("IssueText", "the name is too long")},
+};
+
+bool isRefusal(IssueId id)
+{
+    return id == IssueId::CannotOpen || id == IssueId::CannotRead || id == IssueId::CannotWrite;
+}
+
 QString argumentText(const Issue& issue, const IssueArgument& argument, const QLocale& locale)
 {
+    if (const auto* const words = std::get_if<std::string>(&argument);
+        words != nullptr && isRefusal(issue.reason.id))
+        for (const auto& [number, text] : kRefusals)
+            if (*words == std::generic_category().message(number))
+                return QCoreApplication::translate("IssueText", text);
     if (const auto* const kind = std::get_if<ValueKind>(&argument))
         return kindText(*kind);
     return fieldValue(issue.field, argument, locale);

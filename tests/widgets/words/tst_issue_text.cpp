@@ -13,7 +13,9 @@
 #include <QTranslator>
 #include <QtTest>
 
+#include <cerrno>
 #include <limits>
+#include <system_error>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -183,6 +185,22 @@ private slots:
                 wrong << ofIds[id];
         QCoreApplication::removeTranslator(&norwegian);
         QVERIFY2(wrong.empty(), qPrintable(wrong.join(u'\n')));
+    }
+
+    /** In the words of the window, whatever the C library speaks. */
+    void whyTheSystemRefuses()
+    {
+        const auto said = [](int number) {
+            return issueText(
+                {.reason = {IssueId::CannotOpen, {std::generic_category().message(number)}}});
+        };
+        QCOMPARE(said(ENOENT), u"cannot be opened: no such file or folder"_s);
+        QTranslator norwegian;
+        QVERIFY(norwegian.load(u":/i18n/bergwatch_nb.qm"_s));
+        QCoreApplication::installTranslator(&norwegian);
+        const QString full = said(ENOSPC);
+        QCoreApplication::removeTranslator(&norwegian);
+        QCOMPARE(full, u"kan ikke åpnes: disken er full"_s);
     }
 
     /** Every broken file there is: what is wrong with it has an id, and is told in Norwegian. */
