@@ -216,9 +216,11 @@ void RunTimeLine::paintEvent(QPaintEvent* /*event*/)
             QRectF(toPixel(0), (height() - kBar_px) / 2, toPixel(until_s) - toPixel(0), kBar_px),
             kBar_px / 2, kBar_px / 2);
     };
-    bar(m_duration_s, m_theme.panelLine);
+    constexpr double kInk = 0.55; // seen at 3 : 1 on the window
+    const QColor ahead = mixed(m_theme.chart, m_theme.text, kInk);
+    bar(m_duration_s, ahead);
     if (maximum() > 0)
-        bar(maximum() / kMilli, mixed(m_theme.panelLine, m_theme.plan, 0.45));
+        bar(maximum() / kMilli, mixed(ahead, m_theme.plan, 0.6));
     if (value() > 0)
         bar(value() / kMilli, m_theme.plan);
     paintMarks(painter);

@@ -1,5 +1,6 @@
 #include "tests/support/panel_test.h"
 #include "widgets/panels/flight/run_time_line.h"
+#include "widgets/theme/palette.h"
 
 #include <QSignalSpy>
 
@@ -119,6 +120,30 @@ private slots:
         const auto colour = [&](int time_s) { return image.pixelColor(f.at(time_s)); };
         QVERIFY(colour(100) != colour(450)); // behind the handle, flown
         QVERIFY(colour(450) != colour(800)); // flown, not yet flown
+    }
+
+    void wayAheadIsSeen_data()
+    {
+        QTest::addColumn<bool>("isDark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+
+    /** At 3 : 1, measured in a picture. */
+    void wayAheadIsSeen()
+    {
+        QFETCH(bool, isDark);
+        const Theme theme = isDark ? Theme::dark() : Theme::light();
+        RunTimeLine line;
+        line.setTheme(theme);
+        line.setPalette(paletteOf(theme));
+        line.setAutoFillBackground(true);
+        line.resize(300, 24);
+        line.showTime(10, 20, 100);
+        const QImage image = line.grab().toImage();
+        const double contrast =
+            contrastRatio(image.pixelColor(200, 12), line.palette().color(QPalette::Window));
+        QVERIFY2(contrast >= 3, QByteArray::number(contrast));
     }
 };
 
