@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -188,28 +189,45 @@ void placeStops(MapLayout& layout, const MapPicture& picture)
     }
 }
 
-/** Below the symbols, where the nose of none that flies north is; below each other if need be. */
+/**
+ * Below the symbols, where the nose of none that flies north is, unless above or beside them they
+ * hide less; below each other if need be.
+ */
 void placeUavLabels(MapLayout& layout, const MapPicture& picture, const Theme& theme)
 {
     const QFontMetricsF metrics(labelFont(theme));
-    layout.uavLabels.clear();
-    for (const MapUav& uav : picture.uavs) {
-        if (uav.label.isEmpty()) {
-            layout.uavLabels.emplace_back();
+    const std::vector<QRectF> panels = layout.overlays();
+    layout.uavLabels.assign(picture.uavs.size(), {});
+    for (std::size_t uav = 0; uav < picture.uavs.size(); ++uav) {
+        if (picture.uavs[uav].label.isEmpty())
             continue;
-        }
-        const QPointF at = layout.view.toPixel(uav.position_m);
-        const double width_px = std::ceil(metrics.horizontalAdvance(uav.label)) + 2;
-        QRectF label(at.x() - width_px / 2, at.y() + kUavClearance_px + 1, width_px,
-                     kLabelHeight_px);
-        const auto covered = [&] {
-            return std::ranges::find_if(layout.uavLabels, [&label](const QRectF& other) {
-                return other.intersects(label);
-            });
+        const double width_px = std::ceil(metrics.horizontalAdvance(picture.uavs[uav].label)) + 2;
+        QRectF label(0, 0, width_px, kLabelHeight_px);
+        const auto isOn = [&label](const QRectF& other) { return other.intersects(label); };
+        const auto hidden = [&] {
+            return std::ranges::count_if(
+                       layout.icebergs,
+                       [&](const LabelDisk& disk) { return overlaps(label, disk); }) +
+                   std::ranges::count_if(layout.uavLabels, isOn) +
+                   std::ranges::count_if(panels, isOn);
         };
-        for (auto other = covered(); other != layout.uavLabels.end(); other = covered())
+        const double up_px = kUavClearance_px + 1 + kLabelHeight_px / 2;
+        const double aside_px = kUavClearance_px + 1 + width_px / 2;
+        QRectF best;
+        std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
+        for (const auto& [x, y] :
+             {std::pair(0.0, up_px), {0.0, -up_px}, {aside_px, 0.0}, {-aside_px, 0.0}}) {
+            label.moveCenter(layout.view.toPixel(picture.uavs[uav].position_m) + QPointF(x, y));
+            if (const std::ptrdiff_t count = hidden(); count < least) {
+                least = count;
+                best = label;
+            }
+        }
+        label = best;
+        for (auto other = std::ranges::find_if(layout.uavLabels, isOn);
+             other != layout.uavLabels.end(); other = std::ranges::find_if(layout.uavLabels, isOn))
             label.moveTop(other->bottom());
-        layout.uavLabels.push_back(label);
+        layout.uavLabels[uav] = label;
     }
 }
 

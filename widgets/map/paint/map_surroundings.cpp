@@ -8,6 +8,7 @@
 #include "widgets/map/picture/plan_stops.h"
 #include "widgets/map/picture/route_colours.h"
 #include "widgets/theme/palette.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
 #include <QPainterPath>

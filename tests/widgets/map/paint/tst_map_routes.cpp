@@ -164,6 +164,24 @@ private slots:
         QVERIFY(!layout.uavLabels[0].intersects(layout.uavLabels[1]));
     }
 
+    /** Where there is an iceberg below, the name is elsewhere. */
+    void namesHideNoIceberg()
+    {
+        MapPicture picture = withScenario({}, twoUavs());
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = QLocale::c()};
+        const QRectF rect(0, 0, 1000, 700);
+        const MapViewTransform view(picture.uavs[0].position_m, rect.center(), 0.2);
+        const auto layout = [&] { return arrangeMap(picture, style, rect, view); };
+        QVERIFY(layout().uavLabels[0].center().y() > rect.center().y());
+        picture.icebergs.resize(1);
+        picture.routes[0].plan.clear();
+        picture.routes[1].plan.clear();
+        picture.icebergs[0].position_m = view.toWorld(rect.center() + QPointF(0, 28));
+        const MapLayout moved = layout();
+        QVERIFY(!overlaps(moved.uavLabels[0], moved.icebergs[0]));
+    }
+
     /** Brackets of any UAV: not in the colour of one of them. */
     void bracketsAreNobodys()
     {
