@@ -93,6 +93,26 @@ class TestMainWindowResults : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
+    /** Runs that come to be compared raise nothing, unless somebody is comparing. */
+    void comparisonChartStaysBehind()
+    {
+        WindowFixture w(test::quickScenario());
+        test::child<QDockWidget>(w.window(), u"comparisonDock"_s).raise();
+        test::child<QDockWidget>(w.window(), u"zetaDock"_s).raise();
+        w.map().setFocus();
+        for (const double tau : {1.0, 2.0}) {
+            w.workspace.setTau(tau);
+            QVERIFY(w.untilReady());
+            w.workspace.stepTicks(200);
+            QVERIFY(w.until([&] { return w.record().now.time_s >= 19; }));
+            w.workspace.reset();
+            QVERIFY(w.untilReady());
+        }
+        QVERIFY(w.workspace.runs().comparison());
+        QTest::qWait(20);
+        QVERIFY(!test::child<QWidget>(w.window(), u"zetaDock"_s).visibleRegion().isEmpty());
+    }
+
     void solveTimesAreAskedAbout_data()
     {
         QTest::addColumn<QString>("path");

@@ -262,6 +262,26 @@ private slots:
         COMPARE_NEAR(map.view.view().scale_pxpm(), scale_pxpm, 1e-12);
     }
 
+    /** A panel that was moved to the middle part is not over it. */
+    void followedUavIsBesideThePanels()
+    {
+        test::MapFixture map;
+        MapPicture picture = test::MapFixture::plainPicture();
+        picture.title = u"A scenario with a long name"_s;
+        MapPanelStates panels;
+        panels[static_cast<std::size_t>(MapPanel::Title)].moved_px = {300, 215};
+        map.view.setPanels(panels);
+        map.view.setLocked(true);
+        map.view.setPicture(picture);
+        map.view.setFollowUav(true);
+        for (const QPointF& at_px : {QPointF(330, 245), QPointF(400, 235), QPointF(310, 400)}) {
+            picture.uavs = {MapUav{.position_m = map.view.toWorld(at_px)}};
+            map.view.setPicture(picture);
+            const QPointF at = map.view.toScreen(picture.uavs[0].position_m);
+            QVERIFY(!QRectF(312, 227, 120, 20).contains(at)); // of the title at least
+        }
+    }
+
     void followingKeepsTheUavInTheMiddlePart()
     {
         test::MapFixture map;
