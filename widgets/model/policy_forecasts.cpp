@@ -202,6 +202,12 @@ void PolicyForecasts::giveUp()
     startNext();
 }
 
+/** The flights in drawn worlds take as long as the one that has just ended. */
+bool PolicyForecasts::hasTimeToDraw() const
+{
+    return (m_limit.interval() - m_limit.remainingTime()) * kDrawnFlights <= m_limit.interval();
+}
+
 void PolicyForecasts::take(PolicyForecast forecast)
 {
     if (!m_present)
@@ -214,6 +220,8 @@ void PolicyForecasts::take(PolicyForecast forecast)
         present.drawsNoMore = true; // of a drawn world: what was foreseen holds
     else
         present = std::move(forecast);
+    if (awaitsDrawn(present) && present.drawn_m2s.empty())
+        present.drawsNoMore = !hasTimeToDraw();
     if (isDone)
         stopPresent();
     emit updated();

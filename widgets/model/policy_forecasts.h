@@ -28,7 +28,7 @@ struct PolicyForecast
     double share = 0;                   ///< flown in advance so far
     Metrics metrics;                    ///< when known
     std::vector<double> drawn_m2s = {}; ///< zeta of flights in drawn worlds, by `drawnZeta_m2s`
-    bool drawsNoMore = false;           ///< all were flown, or it took too long
+    bool drawsNoMore = false;           ///< all were flown, or it takes too long
     QString whyNot;
     bool operator==(const PolicyForecast&) const = default;
 };
@@ -77,6 +77,7 @@ private:
     void startNext();
     void startPresent(PolicyKind policy);
     void stopPresent();
+    [[nodiscard]] bool hasTimeToDraw() const;
     void giveUp();
 
     std::optional<Scenario> m_scenario;

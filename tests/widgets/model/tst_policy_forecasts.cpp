@@ -86,7 +86,7 @@ private slots:
         scenario.observer.model = ObserverModel::Kalman;
         for (Iceberg& iceberg : scenario.icebergs)
             iceberg.velocitySd_mps = 0.3;
-        PolicyForecasts runner;
+        PolicyForecasts runner(nullptr, 10 * kPatience_ms);
         runner.setScenario(scenario);
         QVERIFY(completes(runner));
         QVERIFY(!runner.isDrawn());
