@@ -25,7 +25,7 @@ struct IssueText
 /** How the user is told. */
 struct SentenceRow
 {
-    IssueId id = IssueId::Free;
+    IssueId id = {};
     const char* text =
         nullptr;      ///< %1 stands for the field, %2, %3, ... for the arguments of the reason
     int distance = 0; ///< which of them is a distance, told in the user's unit; 0: none
