@@ -727,10 +727,6 @@
         </translation>
     </message>
     <message>
-        <source>The airspeed must be above the speed of the wind.</source>
-        <translation>Flyfarten må være høyere enn vindhastigheten.</translation>
-    </message>
-    <message>
         <source>Map as %1</source>
         <translation>Kart som %1</translation>
     </message>
@@ -789,6 +785,26 @@
     <message>
         <source>Straight legs that lead out of the geofence or through a no-fly area: %1. Export the path instead: it leads round.</source>
         <translation>Rette etapper som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1. Eksporter banen i stedet: den fører utenom.</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Høyde</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Flyfart</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Passeringsradius</translation>
+    </message>
+    <message>
+        <source>Loiter turns</source>
+        <translation>Runder over isfjell</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Hva</translation>
     </message>
 </context>
 <context>

@@ -3,10 +3,13 @@
 #include "core/base/error.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/error_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QCoreApplication>
 
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -251,8 +254,17 @@ QString exportNoteText(const ExportNote& note, const QLocale& locale)
 
 QString exportRefusalText(const Error& error)
 {
-    if (error.issues().front().reason.id == IssueId::SlowerThanWind)
-        return ExportText::tr("The airspeed must be above the speed of the wind.");
+    // Of the core's options, called as the dialog calls them.
+    static constexpr std::pair<std::string_view, const char*> kOptions[] = {
+        {"altitude", QT_TRANSLATE_NOOP("ExportText", "Altitude")},
+        {"speed", QT_TRANSLATE_NOOP("ExportText", "Airspeed")},
+        {"acceptance", QT_TRANSLATE_NOOP("ExportText", "Acceptance radius")},
+        {"loiter", QT_TRANSLATE_NOOP("ExportText", "Loiter turns")},
+        {"what", QT_TRANSLATE_NOOP("ExportText", "What")}};
+    for (const auto& [option, name] : kOptions)
+        if (error.subject() == option)
+            return u"%1: %2"_s.arg(QCoreApplication::translate("ExportText", name),
+                                   issueLines(error).join(u'\n'));
     return errorReport(error);
 }
 

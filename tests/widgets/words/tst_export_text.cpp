@@ -83,10 +83,10 @@ private slots:
 
     void refusalNamesTheReason()
     {
-        const Error slow(ErrorCode::InvalidInput, "speed", "must be above the speed of the wind");
-        QVERIFY(exportRefusalText(slow).contains(u"wind"_s));
-        const Error other(ErrorCode::InvalidInput, "altitude", "must be above 0");
-        QVERIFY(exportRefusalText(other).contains(u"altitude"_s));
+        const Error slow(ErrorCode::InvalidInput, "speed", {IssueId::SlowerThanWind});
+        QCOMPARE(exportRefusalText(slow), u"Airspeed: must be above the speed of the wind"_s);
+        const Error full(ErrorCode::FileUnwritable, "a.kml", {IssueId::CannotMake});
+        QVERIFY(exportRefusalText(full).startsWith(u"a.kml: "_s));
     }
 };
 
