@@ -51,16 +51,21 @@ private slots:
     void panelIsFaintBelowThePointer()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
-        const auto title = [&w] { return w.map().grab(QRect(12, 12, 100, 80)).toImage(); };
+        const Theme theme = Theme::light();
+        // Of a place of the title without words.
+        const auto isFaint = [&] {
+            const QColor ground = w.map().grab().toImage().pixelColor(16, 88);
+            return ground.red() < (theme.sea.red() + theme.panel.red()) / 2;
+        };
         QTest::mouseMove(&w.map(), {400, 300});
-        const QImage fitted = title();
+        QVERIFY(!isFaint());
         QTest::mouseMove(&w.map(), kOnTitle);
-        QCOMPARE(title(), fitted);
+        QVERIFY(!isFaint());
         w.map().panBy(QPointF(kOnTitle) - w.pixelOf("berg-2"));
         QTest::mouseMove(&w.map(), {400, 300});
-        const QImage covering = title();
+        QVERIFY(!isFaint());
         QTest::mouseMove(&w.map(), kOnTitle);
-        QVERIFY(title() != covering);
+        QVERIFY(isFaint());
     }
 
     void foldsToAnIconAndBack()
